@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Everything Hitscope stands on; the Debian packages are listed in packaging/dependencies.
+set(QT_NO_PRIVATE_MODULE_WARNING ON)
+find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGLWidgets Test)
+qt_standard_project_setup()
+find_package(glm REQUIRED)
+find_package(assimp REQUIRED)
+find_package(tinyobjloader REQUIRED)
+find_package(OpenMesh REQUIRED)
+find_package(QCustomPlotQt6 REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet)
+pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()
+
+# Other people's headers are not held to our warnings.
+foreach(dependency glm::glm assimp::assimp tinyobjloader::tinyobjloader tinyobjloader::tinyobjloader_double
+                   QCustomPlotQt6::QCustomPlotQt6 PkgConfig::bullet PkgConfig::epoxy OpenMeshCore OpenMeshTools)
+  if(TARGET ${dependency})
+    get_target_property(folders ${dependency} INTERFACE_INCLUDE_DIRECTORIES)
+    if(folders)
+      set_target_properties(${dependency} PROPERTIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${folders}")
+    endif()
+  endif()
+endforeach()

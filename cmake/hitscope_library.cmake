@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# What every target of ours is compiled with. Results must not depend on the compiler's mood: -ffp-contract=off keeps the
+# deformation the same in every bit as the GPU's (DESIGN: "Deformation, exactly").
+add_library(hitscope_options INTERFACE)
+target_compile_features(hitscope_options INTERFACE cxx_std_20)
+target_include_directories(hitscope_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
+target_compile_options(hitscope_options INTERFACE
+  -ffp-contract=off
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-align
+  -Wformat=2 -Wnull-dereference -Wno-sign-conversion
+  $<$<BOOL:${HITSCOPE_WERROR}>:-Werror>)
+target_compile_definitions(hitscope_options INTERFACE
+  GLM_FORCE_CTOR_INIT GLM_ENABLE_EXPERIMENTAL QT_NO_KEYWORDS QT_NO_CAST_FROM_BYTEARRAY
+  HITSCOPE_VERSION="${PROJECT_VERSION}")
+if(HITSCOPE_SANITIZE)
+  target_compile_options(hitscope_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
+    -fno-omit-frame-pointer)
+  target_link_options(hitscope_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# hitscope_library(NAME SOURCES ... [LINK PUBLIC-libraries ...] [PRIVATE_LINK ...])
+# One folder under src/ is one static library hitscope_NAME. What it may include is what it links: that is the rule of
+# the house, so think before adding to LINK.
+function(hitscope_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  add_library(hitscope_${name} STATIC ${arg_SOURCES})
+  target_link_libraries(hitscope_${name} PUBLIC hitscope_options ${arg_LINK} PRIVATE ${arg_PRIVATE_LINK})
+endfunction()

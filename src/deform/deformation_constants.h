@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "core/parameter.h"
+
+namespace hitscope {
+
+/// The three constants of the paper's deformation function (section 2.3).
+struct DeformationConstants {
+    float maxDistance = 0.5f;   ///< metres: the function is applied where r <= maxDistance
+    float power = 0.05f;        ///< square metres: magnitude is power / r
+    float maxMagnitude = 0.3f;  ///< metres: magnitude is never more
+
+    bool operator==(const DeformationConstants&) const = default;
+};
+
+/// max_distance, power, max_magnitude, in this order.
+[[nodiscard]] const std::array<ParameterDescriptor, 3>& deformationParameters();
+[[nodiscard]] double parameterValue(const DeformationConstants& constants, std::size_t index);
+void setParameterValue(DeformationConstants& constants, std::size_t index, double value);
+
+/// True when every constant is within its descriptor's range.
+[[nodiscard]] bool isValid(const DeformationConstants& constants);
+
+}  // namespace hitscope

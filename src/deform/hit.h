@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "core/ids.h"
+#include "core/result.h"
+#include "deform/deformation_constants.h"
+
+namespace hitscope {
+
+/// One deformation of one target: where, which way, with which constants. Lives in the target's local frame,
+/// so that it goes where the target goes.
+struct Hit {
+    TargetId target;
+    glm::vec3 point{0.0f};                   ///< metres, local frame
+    glm::vec3 direction{0.0f, 0.0f, -1.0f};  ///< unit vector, local frame
+    DeformationConstants constants;          ///< in force when it was made
+    double time = 0.0;                       ///< seconds of simulated time
+    float speed = 0.0f;                      ///< m/s, of the projectile just before impact
+    float impulse = 0.0f;                    ///< newton seconds, as Bullet applied it
+};
+
+/// A hit with its direction made unit length; an error for a non-finite number, a zero direction or constants
+/// out of range. Every way into a HitHistory passes through here (DESIGN: "refused where it enters").
+[[nodiscard]] Result<Hit> checkedHit(Hit hit);
+
+}  // namespace hitscope

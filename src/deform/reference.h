@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "deform/cluster_reach.h"
+#include "deform/hit.h"
+#include "mesh/render_mesh.h"
+
+namespace hitscope {
+
+/// The C++ deformation of one target: what the GPU pipelines are held against.
+class ReferenceDeformation {
+public:
+    /// Starts from the mesh's original vertices. `mesh` outlives this.
+    explicit ReferenceDeformation(const RenderMesh& mesh);
+
+    /// Applies hits in order (all on this target). Returns the ranges that may have changed, sorted and
+    /// merged.
+    std::vector<VertexRange> apply(std::span<const Hit> hits);
+
+    [[nodiscard]] std::span<const DynamicVertex> vertices() const { return m_vertices; }
+
+private:
+    std::vector<DynamicVertex> m_vertices;
+    ClusterReach m_reach;
+};
+
+}  // namespace hitscope

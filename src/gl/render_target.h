@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/image.h"
+#include "gl/objects.h"
+
+namespace hitscope::gl {
+
+/// A framebuffer with an 8-bit RGBA colour buffer and a depth buffer, to draw pictures without a window.
+class RenderTarget {
+public:
+    /// width, height in pixels, > 0. samples: 1, or the number wanted (clamped to what the driver has).
+    RenderTarget(int width, int height, int samples = 1);
+
+    [[nodiscard]] GLuint framebuffer() const { return m_framebuffer.id(); }
+    [[nodiscard]] int width() const { return m_width; }
+    [[nodiscard]] int height() const { return m_height; }
+    /// Resolves samples and reads the colours; waits for the GPU.
+    [[nodiscard]] Image read() const;
+
+private:
+    int m_width = 0;
+    int m_height = 0;
+    int m_samples = 1;
+    Framebuffer m_framebuffer;
+    Renderbuffer m_colour;
+    Renderbuffer m_depth;
+};
+
+}  // namespace hitscope::gl

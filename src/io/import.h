@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QProcess>
+#include <QString>
+#include <QStringList>
+#include <QTemporaryDir>
+#include <memory>
+
+#include "core/result.h"
+#include "mesh/mesh_data.h"
+
+namespace hitscope {
+
+/// A mesh that was read, and what was dropped or mended on the way, in words for the person ("3 faces with a
+/// repeated vertex").
+struct ImportedMesh {
+    MeshData mesh;
+    QStringList notes;
+};
+
+/// Bounds on the child process that parses the file.
+struct ImportLimits {
+    int seconds = 120;                       ///< wall clock and CPU time
+    std::uint64_t memoryBytes = 6ull << 30;  ///< address space
+};
+
+/// File name patterns of the formats that can be opened, for dialogs: {"OBJ (*.obj)", ...}.
+[[nodiscard]] QStringList importNameFilters();
+/// Lower-case suffixes without the dot: {"obj", "ply", ...}.
+[[nodiscard]] QStringList importSuffixes();
+
+/// Reads one mesh file in a child process (hitscope-import), since the libraries that parse some formats
+/// crash and hang on broken files. The child's answer is checked as untrusted input. Emits finished() or
+/// failed() exactly once, from the event loop; destroying the object cancels.
+class MeshImport : public QObject {
+    Q_OBJECT
+public:
+    explicit MeshImport(QString path, ImportLimits limits = {}, QObject* parent = nullptr);
+    ~MeshImport() override;
+
+    void start();
+    void cancel();
+    [[nodiscard]] QString path() const { return m_path; }
+
+signals:
+    /// fraction in [0, 1]; negative: not known.
+    void progressed(double fraction, const QString& doing);
+    void finished(const std::shared_ptr<hitscope::ImportedMesh>& mesh);
+    /// error.what is "cancelled" wording when cancel() was called.
+    void failed(const hitscope::Error& error);
+
+private:
+    struct Private;
+    QString m_path;
+    std::unique_ptr<Private> d;
+};
+
+/// The same, waiting: for the command line and tests. Needs a QCoreApplication.
+[[nodiscard]] Result<ImportedMesh> importMesh(const QString& path, const ImportLimits& limits = {});
+
+/// Where the worker program is; set by tests, else found beside the executable and in its build folder.
+void setImportWorkerPath(const QString& path);
+
+}  // namespace hitscope

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/bounds.h"
+#include "core/image.h"
+#include "core/result.h"
+
+namespace hitscope {
+
+/// Surface description in Phong's terms (paper, section 2.5), as OBJ's MTL has it.
+struct Material {
+    std::string name;
+    glm::vec3 ambient{0.2f};     ///< linear factor, [0, 1]
+    glm::vec3 diffuse{0.8f};     ///< linear factor, [0, 1]
+    glm::vec3 specular{0.3f};    ///< linear factor, [0, 1]
+    float shininess = 32.0f;     ///< Phong exponent, > 0
+    float opacity = 1.0f;        ///< [0, 1]
+    std::string diffuseTexture;  ///< path as the file names it (relative to the file's folder); empty: none
+    int diffuseImage = -1;       ///< index into MeshData::images; -1: none, or it could not be read
+};
+
+/// A named run of faces, from OBJ's o and g lines or the node of another format.
+struct FaceGroup {
+    enum class Kind : std::uint8_t { Object, Group };
+    Kind kind = Kind::Group;
+    std::string name;
+    std::uint32_t firstFace =
+        0;  ///< the group starts before this face; it ends where the next of its kind starts
+};
+
+/// How a mesh was moved and scaled when it was loaded: local = (file - centre) * scale.
+/// Identity unless the person asked for it, so that the file's own coordinates come back on export.
+struct Placement {
+    glm::dvec3 centre{0.0};
+    double scale = 1.0;
+    [[nodiscard]] bool isIdentity() const { return centre == glm::dvec3(0.0) && scale == 1.0; }
+};
+
+inline constexpr std::uint32_t kNoIndex = 0xffffffffu;
+
+/// A polygon mesh as its file has it: the file's own vertex order, polygons, indices and groups. Immutable
+/// once it is a target's original; what hits do to it is kept elsewhere (DeformedMesh).
+///
+/// Index arrays are either empty (the mesh has none of that) or exactly as long as said here.
+struct MeshData {
+    std::string name;  ///< for people: the file's base name, or "LP sphere 3"
+
+    std::vector<glm::vec3> positions;  ///< metres, local frame; V entries, vertices no face uses included
+    std::vector<glm::dvec3> filePositions;  ///< empty or V entries: the file's own numbers, before placement
+    Placement placement;                    ///< relates filePositions to positions
+    std::vector<glm::vec3> colours;         ///< empty or V entries, [0, 1]
+    std::vector<glm::vec3> normals;         ///< the file's normals, any number (unit not guaranteed)
+    std::vector<glm::vec2> texcoords;  ///< the file's texture coordinates, any number; v upwards, as in OBJ
+
+    std::vector<std::uint32_t> faceStarts;       ///< F + 1 entries (or empty: no faces): face f has corners
+                                                 ///< [faceStarts[f], faceStarts[f + 1]), at least 3
+    std::vector<std::uint32_t> cornerVertices;   ///< C entries < V
+    std::vector<std::uint32_t> cornerTexcoords;  ///< empty or C entries < texcoords.size(), or kNoIndex
+    std::vector<std::uint32_t> cornerNormals;    ///< empty or C entries < normals.size(), or kNoIndex
+    std::vector<std::uint32_t> faceMaterials;    ///< empty or F entries < materials.size(), or kNoIndex
+    std::vector<std::uint32_t> faceSmoothing;    ///< empty or F entries: OBJ smoothing group, 0 = off
+
+    std::vector<FaceGroup> groups;                  ///< sorted by firstFace
+    std::vector<Material> materials;                ///< in the file's order
+    std::vector<Image> images;                      ///< decoded textures the materials refer to
+    std::vector<std::vector<std::uint32_t>> lines;  ///< OBJ l elements: vertex indices; kept for export only
+    std::vector<std::uint32_t> points;              ///< OBJ p elements: vertex indices; kept for export only
+    std::vector<std::string> materialLibraries;     ///< OBJ mtllib names, as the file has them
+
+    [[nodiscard]] std::size_t vertexCount() const { return positions.size(); }
+    [[nodiscard]] std::size_t faceCount() const { return faceStarts.empty() ? 0 : faceStarts.size() - 1; }
+    /// The vertices of face f, in order. 0 <= f < faceCount().
+    [[nodiscard]] std::span<const std::uint32_t> face(std::size_t f) const {
+        return std::span(cornerVertices).subspan(faceStarts[f], faceStarts[f + 1] - faceStarts[f]);
+    }
+    [[nodiscard]] Bounds bounds() const;
+};
+
+/// Checks every length and index above and that all positions are finite; the error names the first that is
+/// wrong. Whatever comes from a file or another process passes through here before anything else sees it.
+[[nodiscard]] Status validate(const MeshData& mesh);
+
+/// Moves the mesh's centre to the origin and scales it so that its largest extent is `extent` metres; fills
+/// filePositions and placement so that export gives the file's own coordinates back. extent > 0.
+void place(MeshData& mesh, float extent);
+
+}  // namespace hitscope

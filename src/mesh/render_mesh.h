@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "core/bounds.h"
+#include "mesh/mesh_data.h"
+
+namespace hitscope {
+
+/// A run of neighbouring render vertices, [first, first + count), and a sphere around them.
+struct Cluster {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    Sphere bounds;  ///< of the original positions
+};
+
+/// A run of triangles or edges drawn with one material: [first, first + count) entries of the index array.
+struct DrawRange {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    std::uint32_t material = kNoIndex;
+};
+
+/// Position and unit normal: the part of a vertex that hits change, laid out as in the GPU's buffer (24
+/// bytes).
+struct DynamicVertex {
+    glm::vec3 position{0.0f};
+    glm::vec3 normal{0.0f};
+};
+static_assert(sizeof(DynamicVertex) == 24);
+
+/// What the GPU draws, made from MeshData: one render vertex for each different (vertex, normal, texture
+/// coordinate) of the faces' corners, ordered so that neighbours in space are neighbours in the buffer.
+/// Vertices no face uses have no render vertex.
+struct RenderMesh {
+    std::vector<DynamicVertex> vertices;      ///< R entries, original state
+    std::vector<glm::vec2> texcoords;         ///< R entries (zero where the file has none)
+    std::vector<std::uint32_t> fileVertices;  ///< R entries: index into MeshData::positions
+    std::vector<std::uint32_t>
+        triangles;  ///< 3 a triangle, render vertex indices, counter-clockwise as in the file
+    std::vector<std::uint32_t> triangleFaces;  ///< 1 a triangle: index of its face in MeshData
+    std::vector<std::uint32_t> edges;          ///< 2 an edge, each edge of the file's polygons once
+    std::vector<DrawRange> draws;              ///< cover `triangles`, one a material
+    std::vector<Cluster> clusters;             ///< cover `vertices`, in order
+    Bounds bounds;                             ///< of the original positions
+
+    /// File vertex -> its render vertices: renderVerticesOf(v) lists them; empty for a vertex no face uses.
+    std::vector<std::uint32_t> fileVertexStarts;  ///< V + 1 entries
+    std::vector<std::uint32_t> fileVertexRender;  ///< R entries
+    [[nodiscard]] std::span<const std::uint32_t> renderVerticesOf(std::uint32_t fileVertex) const {
+        return std::span(fileVertexRender)
+            .subspan(fileVertexStarts[fileVertex],
+                     fileVertexStarts[fileVertex + 1] - fileVertexStarts[fileVertex]);
+    }
+};
+
+inline constexpr std::uint32_t kClusterVertices = 256;  ///< most vertices in a cluster
+
+/// Builds the above. Corners without a normal get a computed one: area-weighted over the faces around the
+/// vertex that meet within `creaseAngle` radians (or share the file's smoothing group, where it has them).
+/// Polygons are triangulated (convex and concave, by ear clipping in their best plane). `mesh` has passed
+/// validate().
+[[nodiscard]] RenderMesh buildRenderMesh(const MeshData& mesh, float creaseAngle = 0.7853982f);
+
+}  // namespace hitscope

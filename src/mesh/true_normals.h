@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "mesh/mesh_data.h"
+#include "mesh/render_mesh.h"
+
+namespace hitscope {
+
+/// Shading normals that follow the dented surface. The paper's formula (eq. 2) leaves the normal of a head-on
+/// hit as it was, so its dent would show no shading; here a vertex's original normal is turned by the
+/// rotation that takes the area-weighted normal of its faces from the original to the current surface. Hard
+/// edges stay hard: only faces that meet at the same original normal are averaged. Where nothing moved the
+/// normals are the file's, bit for bit.
+class TrueNormals {
+public:
+    TrueNormals(const MeshData& mesh, const RenderMesh& render);
+
+    /// Recomputes around the given file vertices (any order, repeats allowed), at the current `positions`
+    /// (one for each file vertex). Appends to `updated` the render vertices whose normal may have changed.
+    /// Cost follows the input.
+    void update(std::span<const glm::vec3> positions, std::span<const std::uint32_t> movedFileVertices,
+                std::vector<std::uint32_t>& updated);
+    void reset();
+
+    /// One unit normal a render vertex.
+    [[nodiscard]] std::span<const glm::vec3> normals() const { return m_normals; }
+
+private:
+    struct Private;
+    std::vector<glm::vec3> m_normals;
+    // The adjacency (file vertex -> faces, face -> normal groups) is the implementation's to lay out.
+};
+
+}  // namespace hitscope

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace hitscope {
+
+enum class PipelineKind : std::uint8_t { UniformArray, TransformFeedback };
+
+/// What people are told about a pipeline.
+struct PipelineTraits {
+    PipelineKind kind = PipelineKind::TransformFeedback;
+    std::string_view key;          ///< as on the command line: "uniform-array"
+    std::string_view name;         ///< as in the interface: "Uniform array"
+    std::string_view description;  ///< one sentence
+};
+/// Every pipeline there is, in the order the interface lists them.
+[[nodiscard]] std::span<const PipelineTraits> allPipelines();
+
+}  // namespace hitscope

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "gl/objects.h"
+#include "mesh/render_mesh.h"
+
+namespace hitscope {
+
+/// Vertex attributes of every program that draws or deforms a target.
+enum class Attribute : GLuint {
+    Position = 0,
+    Normal = 1,
+    Texcoord = 2,
+    ShadingNormal = 3,
+    OriginalPosition = 4
+};
+
+/// One target's buffers on the GPU. The dynamic buffer (DynamicVertex, position and normal) is the pipeline's
+/// to write; all else is fixed, but for the shading normals. A context is current for every call and the
+/// destructor.
+class TargetBuffers {
+public:
+    explicit TargetBuffers(const RenderMesh& mesh);
+
+    /// All attributes and the triangles' index buffer: for glDrawElements(GL_TRIANGLES) over mesh.draws.
+    [[nodiscard]] GLuint surfaceArray() const { return m_surfaceArray.id(); }
+    /// Position, normal and original position, with the edges' index buffer: for glDrawElements(GL_LINES).
+    [[nodiscard]] GLuint edgeArray() const { return m_edgeArray.id(); }
+    /// Position and normal from the dynamic buffer, no indices: for capturing.
+    [[nodiscard]] GLuint captureArray() const { return m_captureArray.id(); }
+    [[nodiscard]] GLuint dynamicBuffer() const { return m_dynamic.id(); }
+    /// DynamicVertex, the original state, never written again.
+    [[nodiscard]] GLuint originalBuffer() const { return m_original.id(); }
+
+    [[nodiscard]] std::uint32_t vertexCount() const { return m_vertexCount; }
+    [[nodiscard]] std::uint32_t triangleIndexCount() const { return m_triangleIndexCount; }
+    [[nodiscard]] std::uint32_t edgeIndexCount() const { return m_edgeIndexCount; }
+    [[nodiscard]] std::span<const DrawRange> draws() const { return m_draws; }
+    [[nodiscard]] std::span<const Cluster> clusters() const { return m_clusters; }
+
+    /// The dynamic buffer back to the original, on the GPU.
+    void restoreOriginal();
+    /// Replaces shading normals [first, first + normals.size()).
+    void writeShadingNormals(std::uint32_t first, std::span<const glm::vec3> normals);
+
+private:
+    std::uint32_t m_vertexCount = 0;
+    std::uint32_t m_triangleIndexCount = 0;
+    std::uint32_t m_edgeIndexCount = 0;
+    std::vector<DrawRange> m_draws;
+    std::vector<Cluster> m_clusters;
+    gl::Buffer m_dynamic;
+    gl::Buffer m_original;
+    gl::Buffer m_texcoords;
+    gl::Buffer m_shadingNormals;
+    gl::Buffer m_triangles;
+    gl::Buffer m_edges;
+    gl::VertexArray m_surfaceArray;
+    gl::VertexArray m_edgeArray;
+    gl::VertexArray m_captureArray;
+};
+
+}  // namespace hitscope

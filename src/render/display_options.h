@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace hitscope {
+
+enum class WireframeMode : std::uint8_t { Off, Over, Only };
+enum class NormalMode : std::uint8_t {
+    True,
+    Paper
+};  ///< which normals shade (DESIGN: "Deformation, exactly")
+enum class Theme : std::uint8_t { Light, Dark };
+
+/// How the picture is made; the same for window, pictures and measurements.
+struct DisplayOptions {
+    WireframeMode wireframe = WireframeMode::Off;
+    NormalMode normals = NormalMode::True;
+    Theme theme = Theme::Dark;
+    bool floor = true;
+    bool textures = true;
+    bool crosshair = false;
+};
+
+}  // namespace hitscope

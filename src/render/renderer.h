@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/bounds.h"
+#include "core/ids.h"
+#include "core/result.h"
+#include "mesh/mesh_data.h"
+#include "pipeline/deformation_pipeline.h"
+#include "pipeline/target_buffers.h"
+#include "render/camera.h"
+#include "render/display_options.h"
+#include "render/lights.h"
+
+namespace hitscope {
+
+/// A target's materials and textures on the GPU. A context is current for the destructor.
+class MaterialSet;
+
+/// One target to draw.
+struct DrawItem {
+    TargetId target;
+    const TargetBuffers* buffers = nullptr;
+    const MaterialSet* materials = nullptr;  ///< null: the default material
+    glm::mat4 model{1.0f};                   ///< rigid
+    bool selected = false;
+};
+
+/// One picture, in full.
+struct Frame {
+    int width = 0;            ///< pixels
+    int height = 0;           ///< pixels
+    float pixelRatio = 1.0f;  ///< device pixels a logical pixel: line widths, crosshair
+    Camera camera;
+    Lights lights;
+    DisplayOptions options;
+    float floorHeight = 0.0f;  ///< metres, world y
+    std::span<const DrawItem> targets;
+    std::span<const Sphere> projectiles;  ///< world
+    std::optional<Sphere>
+        highlightedHit;  ///< world: a selected hit's point and max_distance; drawn as a ring
+};
+
+/// Draws frames by the paper's equations 5-14. Knows buffers and cameras, not sessions.
+class Renderer {
+public:
+    /// A context is current. The error names the shader that does not build.
+    [[nodiscard]] static Result<std::unique_ptr<Renderer>> create();
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    [[nodiscard]] std::shared_ptr<const MaterialSet> makeMaterials(const MeshData& mesh);
+    /// Programs are built for the pipeline when it first draws; the error is the driver's.
+    [[nodiscard]] Status draw(const Frame& frame, DeformationPipeline& pipeline, GLuint framebuffer);
+
+private:
+    Renderer();
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+}  // namespace hitscope

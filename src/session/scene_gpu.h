@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "core/result.h"
+#include "render/camera.h"
+#include "render/display_options.h"
+#include "session/session.h"
+
+namespace hitscope {
+
+/// A session on the GPU: buffers for its targets, the active pipeline, the renderer. Follows the session by
+/// the history's revision; nothing in it is truth, so it can be thrown away with its context and made again.
+/// A context is current for every call and the destructor.
+class SceneGpu {
+public:
+    /// `session` outlives this.
+    [[nodiscard]] static Result<std::unique_ptr<SceneGpu>> create(Session& session);
+    ~SceneGpu();
+    SceneGpu(const SceneGpu&) = delete;
+    SceneGpu& operator=(const SceneGpu&) = delete;
+
+    /// Brings the GPU to the session's state: new targets, pipeline, hits; then reads back what changed into
+    /// the session.
+    [[nodiscard]] Status sync();
+
+    struct View {
+        int width = 0;   ///< pixels
+        int height = 0;  ///< pixels
+        float pixelRatio = 1.0f;
+        Camera camera;
+        DisplayOptions options;
+    };
+    /// sync() and one picture into the framebuffer object of that name (0: the default framebuffer).
+    [[nodiscard]] Status draw(const View& view, unsigned framebuffer);
+
+private:
+    explicit SceneGpu(Session& session);
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+}  // namespace hitscope

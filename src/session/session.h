@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <memory>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "core/result.h"
+#include "deform/hit_history.h"
+#include "physics/physics_world.h"
+#include "pipeline/pipeline_kind.h"
+#include "render/camera.h"
+#include "render/lights.h"
+#include "session/scene_presets.h"
+#include "session/target.h"
+
+namespace hitscope {
+
+/// Everything a person works on: targets, hit history, constants, lights, projectiles. Makes no GL call;
+/// SceneGpu follows it on the GPU and hands back what the pipeline made. One thread: the one it was created
+/// on.
+class Session : public QObject {
+    Q_OBJECT
+public:
+    explicit Session(QObject* parent = nullptr);
+    ~Session() override;
+
+    // Scene
+    void loadPaperRow(int row);  ///< replaces targets and history; 0 <= row < paperRows().size()
+    /// Replaces targets and history by one mesh standing on the floor. `mesh` has passed validate().
+    void loadMesh(MeshData mesh, const QString& sourcePath = {});
+    void loadTeapot();
+    [[nodiscard]] QString sceneName() const;  ///< for the window's title
+    [[nodiscard]] std::span<const std::unique_ptr<Target>> targets() const { return m_targets; }
+    [[nodiscard]] const Target* target(TargetId id) const;  ///< null: no such target
+    [[nodiscard]] Bounds sceneBounds() const;               ///< world, original shapes
+    [[nodiscard]] float floorHeight() const { return m_floorHeight; }
+    [[nodiscard]] TargetId selectedTarget() const { return m_selectedTarget; }
+    void selectTarget(TargetId id);
+
+    // Hits
+    [[nodiscard]] const HitHistory& history() const { return m_history; }
+    /// Appends a hit made elsewhere (a file, a script); refused as checkedHit() says, or if there is no such
+    /// target.
+    [[nodiscard]] Status addHit(const Hit& hit);
+    [[nodiscard]] bool canUndo() const { return m_history.size() > 0; }
+    [[nodiscard]] bool canRedo() const { return !m_redo.empty(); }
+    void undoHit();
+    void redoHit();
+    void removeHit(std::size_t index);
+    void clearHits();
+    [[nodiscard]] std::optional<std::size_t> selectedHit() const { return m_selectedHit; }
+    void selectHit(std::optional<std::size_t> index);
+
+    // Settings
+    [[nodiscard]] const DeformationConstants& constants() const { return m_constants; }
+    /// Constants of the hits to come and, if `past`, of all made so far. Refused when out of range.
+    [[nodiscard]] Status setConstants(const DeformationConstants& constants, bool past);
+    [[nodiscard]] const Lights& lights() const { return m_lights; }
+    void setLights(const Lights& lights);
+    [[nodiscard]] const ProjectileSettings& projectileSettings() const { return m_projectileSettings; }
+    void setProjectileSettings(const ProjectileSettings& settings);
+    [[nodiscard]] PipelineKind pipeline() const { return m_pipeline; }
+    void setPipeline(PipelineKind kind);
+
+    // Time
+    void shoot(const Ray& ray);  ///< world
+    /// Steps the physics; contacts become hits.
+    void advance(double seconds);
+    [[nodiscard]] bool isMoving() const;  ///< projectiles are alive
+    [[nodiscard]] const PhysicsWorld& physics() const { return m_physics; }
+
+    /// SceneGpu reports what the active pipeline made of a target.
+    void takeReadBack(TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices);
+    /// SceneGpu reports that a read-back is complete: recomputes true normals around what moved and emits
+    /// meshChanged() for each target concerned. Returns, for each, the render vertices whose shading normal
+    /// changed.
+    struct ChangedNormals {
+        TargetId target;
+        std::vector<std::uint32_t> renderVertices;  ///< sorted, unique
+    };
+    std::vector<ChangedNormals> finishReadBack();
+    /// SceneGpu reports that the pipeline starts over: every target back to its original until it reads back.
+    void setDroppedHits(std::size_t count);
+    [[nodiscard]] std::size_t droppedHits() const { return m_droppedHits; }
+
+signals:
+    void sceneReplaced();  ///< all targets are new, the history is empty
+    void hitsAboutToBeAppended(int first, int last);
+    void hitsAppended();
+    void historyReset();                          ///< changed in any other way
+    void meshChanged(hitscope::TargetId target);  ///< its DeformedMesh did
+    void constantsChanged();
+    void lightsChanged();
+    void projectileSettingsChanged();
+    void pipelineChanged();
+    void targetSelected(hitscope::TargetId target);
+    void hitSelected();
+    void droppedHitsChanged();
+    void pictureChanged();  ///< anything that a new frame would show
+
+private:
+    void replaceScene(const QString& name);
+    TargetId addTarget(const QString& name, const RigidTransform& transform,
+                       std::shared_ptr<const MeshData> mesh, std::shared_ptr<const RenderMesh> render,
+                       const Collider& collider);
+    void appendHits(std::span<const Hit> hits);
+    void changeHistory();
+
+    QString m_sceneName;
+    std::vector<std::unique_ptr<Target>> m_targets;
+    std::uint32_t m_nextTarget = 1;
+    float m_floorHeight = 0.0f;
+    TargetId m_selectedTarget;
+    HitHistory m_history;
+    std::vector<Hit> m_redo;
+    std::optional<std::size_t> m_selectedHit;
+    DeformationConstants m_constants;
+    Lights m_lights;
+    ProjectileSettings m_projectileSettings;
+    PipelineKind m_pipeline = PipelineKind::TransformFeedback;
+    PhysicsWorld m_physics;
+    std::size_t m_droppedHits = 0;
+    std::unordered_map<TargetId, std::vector<VertexRange>> m_pendingReadBack;
+};
+
+}  // namespace hitscope
