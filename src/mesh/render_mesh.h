@@ -38,9 +38,10 @@ static_assert(sizeof(DynamicVertex) == 24);
 /// coordinate) of the faces' corners, ordered so that neighbours in space are neighbours in the buffer.
 /// Vertices no face uses have no render vertex.
 struct RenderMesh {
-    std::vector<DynamicVertex> vertices;      ///< R entries, original state
-    std::vector<glm::vec2> texcoords;         ///< R entries (zero where the file has none)
-    std::vector<std::uint32_t> fileVertices;  ///< R entries: index into MeshData::positions
+    std::vector<DynamicVertex> vertices;              ///< R entries, original state
+    std::vector<glm::vec2> texcoords;                 ///< R entries (zero where the file has none)
+    std::vector<std::uint32_t> fileVertices;          ///< R entries: index into MeshData::positions
+    std::vector<std::uint32_t> cornerRenderVertices;  ///< one a corner of MeshData: its render vertex
     std::vector<std::uint32_t>
         triangles;  ///< 3 a triangle, render vertex indices, counter-clockwise as in the file
     std::vector<std::uint32_t> triangleFaces;  ///< 1 a triangle: index of its face in MeshData

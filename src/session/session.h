@@ -3,10 +3,10 @@
 
 #include <QObject>
 #include <QString>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "core/result.h"
@@ -74,21 +74,23 @@ public:
     [[nodiscard]] bool isMoving() const;  ///< projectiles are alive
     [[nodiscard]] const PhysicsWorld& physics() const { return m_physics; }
 
-    /// SceneGpu reports what the active pipeline made of a target.
+    // What SceneGpu reports back
+    /// The pipeline starts over: every target's CPU copy goes back to its original until it is read back.
+    void restartReadBack();
+    /// What the active pipeline made of a target: vertices [first, first + vertices.size()).
     void takeReadBack(TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices);
-    /// SceneGpu reports that a read-back is complete: recomputes true normals around what moved and emits
-    /// meshChanged() for each target concerned. Returns, for each, the render vertices whose shading normal
-    /// changed.
     struct ChangedNormals {
         TargetId target;
-        std::vector<std::uint32_t> renderVertices;  ///< sorted, unique
+        std::vector<std::uint32_t> renderVertices;  ///< sorted, each once
     };
+    /// The read-back is complete: recomputes true normals around what moved and emits meshChanged() for each
+    /// target concerned. Returns the render vertices whose shading normal changed.
     std::vector<ChangedNormals> finishReadBack();
-    /// SceneGpu reports that the pipeline starts over: every target back to its original until it reads back.
     void setDroppedHits(std::size_t count);
+    /// Oldest hits that the active pipeline no longer shows because its capacity was reached.
     [[nodiscard]] std::size_t droppedHits() const { return m_droppedHits; }
 
-signals:
+Q_SIGNALS:
     void sceneReplaced();  ///< all targets are new, the history is empty
     void hitsAboutToBeAppended(int first, int last);
     void hitsAppended();
@@ -104,12 +106,13 @@ signals:
     void pictureChanged();  ///< anything that a new frame would show
 
 private:
-    void replaceScene(const QString& name);
-    TargetId addTarget(const QString& name, const RigidTransform& transform,
-                       std::shared_ptr<const MeshData> mesh, std::shared_ptr<const RenderMesh> render,
-                       const Collider& collider);
+    void clearScene();
+    void announceScene(const QString& name);
+    Target& addTarget(const QString& name, const RigidTransform& transform,
+                      std::shared_ptr<const MeshData> mesh, std::shared_ptr<const RenderMesh> render,
+                      const Collider& collider);
     void appendHits(std::span<const Hit> hits);
-    void changeHistory();
+    void announceHistoryReset();
 
     QString m_sceneName;
     std::vector<std::unique_ptr<Target>> m_targets;
@@ -125,7 +128,8 @@ private:
     PipelineKind m_pipeline = PipelineKind::TransformFeedback;
     PhysicsWorld m_physics;
     std::size_t m_droppedHits = 0;
-    std::unordered_map<TargetId, std::vector<VertexRange>> m_pendingReadBack;
+    std::map<TargetId, std::vector<std::uint32_t>>
+        m_moved;  ///< file vertices, since the last finishReadBack()
 };
 
 }  // namespace hitscope
