@@ -3,6 +3,10 @@
 
 #include <QString>
 #include <span>
+#include <vector>
+
+#include "physics/physics_world.h"
+#include "session/prepared_mesh.h"
 
 namespace hitscope {
 
@@ -15,13 +19,25 @@ struct PaperRow {
     [[nodiscard]] int targets() const {
         return lowPolyCubes + highPolyCubes + lowPolySpheres + highPolySpheres;
     }
-    /// "3 LP cubes, 3 HP cubes, 5 LP spheres, 5 HP spheres"
+    /// "3 LP cubes, 3 HP cubes, 5 LP spheres, 5 HP spheres", without what there is none of.
     [[nodiscard]] QString label() const;
 };
 
-/// The nine rows, in the tables' order.
+/// The nine rows, in the tables' order; 16 targets each.
 [[nodiscard]] std::span<const PaperRow> paperRows();
 /// The row that the window opens on: one with all four meshes.
 inline constexpr int kDefaultPaperRow = 1;
+
+/// A target to be: what it is called, its shape, where it stands and how it collides.
+struct TargetPlan {
+    QString name;
+    PreparedMesh shape;
+    RigidTransform transform;
+    Collider collider;
+};
+
+/// The targets of a row on the paper's grid: 4 x 4, 15 m apart, each of half extent (or radius) 2.5 m,
+/// standing on y = 0; LP cubes first, then HP cubes, LP spheres, HP spheres.
+[[nodiscard]] std::vector<TargetPlan> planPaperRow(const PaperRow& row);
 
 }  // namespace hitscope

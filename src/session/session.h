@@ -33,6 +33,7 @@ public:
     void loadPaperRow(int row);  ///< replaces targets and history; 0 <= row < paperRows().size()
     /// Replaces targets and history by one mesh standing on the floor. `mesh` has passed validate().
     void loadMesh(MeshData mesh, const QString& sourcePath = {});
+    void loadMesh(const PreparedMesh& mesh, const QString& sourcePath = {});
     void loadTeapot();
     [[nodiscard]] QString sceneName() const;  ///< for the window's title
     [[nodiscard]] std::span<const std::unique_ptr<Target>> targets() const { return m_targets; }
@@ -108,9 +109,7 @@ Q_SIGNALS:
 private:
     void clearScene();
     void announceScene(const QString& name);
-    Target& addTarget(const QString& name, const RigidTransform& transform,
-                      std::shared_ptr<const MeshData> mesh, std::shared_ptr<const RenderMesh> render,
-                      const Collider& collider);
+    Target& addTarget(const TargetPlan& plan);
     void appendHits(std::span<const Hit> hits);
     void announceHistoryReset();
 

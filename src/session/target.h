@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QString>
-#include <memory>
 #include <optional>
 
 #include "core/ids.h"
@@ -10,13 +9,13 @@
 #include "mesh/topology.h"
 #include "mesh/true_normals.h"
 #include "physics/physics_world.h"
+#include "session/prepared_mesh.h"
 
 namespace hitscope {
 
 /// A mesh in the scene that can be hit.
 struct Target {
-    Target(TargetId targetId, QString targetName, const RigidTransform& where,
-           std::shared_ptr<const MeshData> mesh, std::shared_ptr<const RenderMesh> render);
+    Target(TargetId targetId, QString targetName, const RigidTransform& where, const PreparedMesh& shape);
 
     TargetId id;
     QString name;
@@ -27,6 +26,7 @@ struct Target {
 
     [[nodiscard]] const TopologyStatistics& topology() const;          ///< computed when first asked for
     [[nodiscard]] const GeometryStatistics& originalGeometry() const;  ///< likewise
+    [[nodiscard]] Bounds worldBounds() const;                          ///< of the original shape
 
 private:
     mutable std::optional<TopologyStatistics> m_topology;

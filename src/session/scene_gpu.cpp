@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/scene_gpu.h"
+
+#include <algorithm>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "render/renderer.h"
+
+namespace hitscope {
+
+namespace {
+
+glm::mat4 modelMatrix(const RigidTransform& transform) {
+    glm::mat4 model = glm::mat4_cast(transform.rotation);
+    model[3] = glm::vec4(transform.position, 1.0f);
+    return model;
+}
+
+/// Uploads the new normals in runs; short gaps are filled, since a call costs more than a few vertices.
+void writeShadingNormals(TargetBuffers& buffers, std::span<const std::uint32_t> vertices,
+                         std::span<const glm::vec3> normals) {
+    constexpr std::uint32_t kLargestGap = 32;
+    std::size_t begin = 0;
+    while (begin < vertices.size()) {
+        std::size_t end = begin + 1;
+        while (end < vertices.size() && vertices[end] - vertices[end - 1] <= kLargestGap) {
+            ++end;
+        }
+        const std::uint32_t first = vertices[begin];
+        buffers.writeShadingNormals(first, normals.subspan(first, vertices[end - 1] + 1 - first));
+        begin = end;
+    }
+}
+
+}  // namespace
+
+struct SceneGpu::Private {
+    explicit Private(Session& followed) : session(followed) {}
+
+    struct GpuTarget {
+        std::unique_ptr<TargetBuffers> buffers;
+        std::shared_ptr<const MaterialSet> materials;
+    };
+
+    Session& session;
+    std::unique_ptr<Renderer> renderer;
+    std::unordered_map<TargetId, GpuTarget> targets;
+    std::unique_ptr<DeformationPipeline>
+        pipeline;  // before the targets' buffers it is given, so destroyed first
+    std::unordered_map<const MeshData*, std::weak_ptr<const MaterialSet>> materials;
+    std::size_t appliedHits = 0;
+    std::uint64_t appliedRevision = 0;
+
+    void followTargets();
+    Status followPipeline(bool& startOver);
+    void followHistory(bool startOver);
+    void readBack();
+    std::shared_ptr<const MaterialSet> materialsOf(const DeformedMesh& mesh);
+};
+
+SceneGpu::SceneGpu(Session& session) : d(std::make_unique<Private>(session)) {}
+
+SceneGpu::~SceneGpu() = default;
+
+Result<std::unique_ptr<SceneGpu>> SceneGpu::create(Session& session) {
+    Result<std::unique_ptr<Renderer>> renderer = Renderer::create();
+    if (!renderer) {
+        return renderer.error();
+    }
+    std::unique_ptr<SceneGpu> scene(new SceneGpu(session));
+    scene->d->renderer = std::move(renderer).value();
+    return scene;
+}
+
+std::shared_ptr<const MaterialSet> SceneGpu::Private::materialsOf(const DeformedMesh& mesh) {
+    std::weak_ptr<const MaterialSet>& known = materials[&mesh.original()];
+    std::shared_ptr<const MaterialSet> set = known.lock();
+    if (!set) {
+        set = renderer->makeMaterials(mesh.original());
+        known = set;
+    }
+    return set;
+}
+
+void SceneGpu::Private::followTargets() {
+    for (auto it = targets.begin(); it != targets.end();) {
+        if (session.target(it->first) == nullptr) {
+            if (pipeline) {
+                pipeline->removeTarget(it->first);
+            }
+            it = targets.erase(it);
+        } else {
+            ++it;
+        }
+    }
+    std::erase_if(materials, [](const auto& entry) { return entry.second.expired(); });
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        if (targets.contains(target->id)) {
+            continue;
+        }
+        GpuTarget& made = targets[target->id];
+        made.buffers = std::make_unique<TargetBuffers>(target->deformed.render());
+        made.buffers->writeShadingNormals(0, target->trueNormals.normals());
+        made.materials = materialsOf(target->deformed);
+        if (pipeline) {
+            pipeline->addTarget(target->id, *made.buffers);
+        }
+    }
+}
+
+Status SceneGpu::Private::followPipeline(bool& startOver) {
+    startOver = !pipeline || pipeline->traits().kind != session.pipeline();
+    if (!startOver) {
+        return Done{};
+    }
+    Result<std::unique_ptr<DeformationPipeline>> made = makePipeline(session.pipeline());
+    if (!made) {
+        return made.error();
+    }
+    pipeline = std::move(made).value();
+    for (auto& [id, target] : targets) {
+        target.buffers->restoreOriginal();
+        pipeline->addTarget(id, *target.buffers);
+    }
+    session.restartReadBack();
+    return Done{};
+}
+
+void SceneGpu::Private::followHistory(bool startOver) {
+    const HitHistory& history = session.history();
+    if (startOver || history.revision() != appliedRevision || history.size() < appliedHits) {
+        pipeline->reset(history.hits());
+    } else if (history.size() > appliedHits) {
+        pipeline->append(history.hits().subspan(appliedHits));
+    }
+    appliedRevision = history.revision();
+    appliedHits = history.size();
+}
+
+void SceneGpu::Private::readBack() {
+    pipeline->readBack([this](TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices) {
+        session.takeReadBack(target, first, vertices);
+    });
+    for (const Session::ChangedNormals& change : session.finishReadBack()) {
+        const Target* target = session.target(change.target);
+        if (target != nullptr) {
+            writeShadingNormals(*targets.at(change.target).buffers, change.renderVertices,
+                                target->trueNormals.normals());
+        }
+    }
+    session.setDroppedHits(pipeline->droppedHits());
+}
+
+Status SceneGpu::sync() {
+    d->followTargets();
+    bool startOver = false;
+    if (Status status = d->followPipeline(startOver); !status) {
+        return status;
+    }
+    d->followHistory(startOver);
+    d->readBack();
+    return Done{};
+}
+
+Status SceneGpu::draw(const View& view, unsigned framebuffer) {
+    if (Status status = sync(); !status) {
+        return status;
+    }
+    const Session& session = d->session;
+    std::vector<DrawItem> items;
+    items.reserve(session.targets().size());
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        const Private::GpuTarget& gpu = d->targets.at(target->id);
+        items.push_back({target->id, gpu.buffers.get(), gpu.materials.get(), modelMatrix(target->transform),
+                         target->id == session.selectedTarget() && session.targets().size() > 1});
+    }
+    std::vector<Sphere> projectiles;
+    projectiles.reserve(session.physics().projectileCount());
+    for (const ProjectileState& projectile : session.physics().projectiles()) {
+        projectiles.push_back({projectile.position, projectile.radius});
+    }
+
+    Frame frame;
+    frame.width = view.width;
+    frame.height = view.height;
+    frame.pixelRatio = view.pixelRatio;
+    frame.camera = view.camera;
+    frame.lights = session.lights();
+    frame.options = view.options;
+    frame.floorHeight = session.floorHeight();
+    frame.targets = items;
+    frame.projectiles = projectiles;
+    if (session.selectedHit()) {
+        const Hit& hit = session.history().hits()[*session.selectedHit()];
+        if (const Target* target = session.target(hit.target)) {
+            frame.highlightedHit = Sphere{target->transform.toWorld(hit.point), hit.constants.maxDistance};
+        }
+    }
+    return d->renderer->draw(frame, *d->pipeline, framebuffer);
+}
+
+}  // namespace hitscope

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/scene_presets.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <array>
+
+#include "mesh/primitives.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr float kHalfExtent = 2.5f;    // metres
+constexpr float kGridSpacing = 15.0f;  // metres
+constexpr int kGridColumns = 4;
+
+QString counted(int count, const char* what) {
+    return QStringLiteral("%1 %2").arg(count).arg(
+        QCoreApplication::translate("PaperRow", what, nullptr, count));
+}
+
+RigidTransform gridCell(int index) {
+    const int column = index % kGridColumns;
+    const int row = index / kGridColumns;
+    const float middle = 0.5f * static_cast<float>(kGridColumns - 1);
+    RigidTransform where;
+    where.position = {(static_cast<float>(column) - middle) * kGridSpacing, kHalfExtent,
+                      (static_cast<float>(row) - middle) * kGridSpacing};
+    return where;
+}
+
+}  // namespace
+
+QString PaperRow::label() const {
+    QStringList parts;
+    const auto add = [&parts](int count, const char* one, const char* many) {
+        if (count > 0) {
+            parts << counted(count, count == 1 ? one : many);
+        }
+    };
+    add(lowPolyCubes, QT_TRANSLATE_NOOP("PaperRow", "LP cube"), QT_TRANSLATE_NOOP("PaperRow", "LP cubes"));
+    add(highPolyCubes, QT_TRANSLATE_NOOP("PaperRow", "HP cube"), QT_TRANSLATE_NOOP("PaperRow", "HP cubes"));
+    add(lowPolySpheres, QT_TRANSLATE_NOOP("PaperRow", "LP sphere"),
+        QT_TRANSLATE_NOOP("PaperRow", "LP spheres"));
+    add(highPolySpheres, QT_TRANSLATE_NOOP("PaperRow", "HP sphere"),
+        QT_TRANSLATE_NOOP("PaperRow", "HP spheres"));
+    return parts.join(QStringLiteral(", "));
+}
+
+std::span<const PaperRow> paperRows() {
+    static constexpr std::array<PaperRow, 9> kRows = {{{3, 3, 0, 10},
+                                                       {3, 3, 5, 5},
+                                                       {3, 3, 10, 0},
+                                                       {6, 0, 0, 10},
+                                                       {6, 0, 5, 5},
+                                                       {6, 0, 10, 0},
+                                                       {0, 6, 0, 10},
+                                                       {0, 6, 5, 5},
+                                                       {0, 6, 10, 0}}};
+    return kRows;
+}
+
+std::vector<TargetPlan> planPaperRow(const PaperRow& row) {
+    std::vector<TargetPlan> plans;
+    const auto add = [&plans](int count, const QString& name, MeshData (*make)(float),
+                              const Collider& collider) {
+        if (count == 0) {
+            return;
+        }
+        const PreparedMesh shape = prepareMesh(make(kHalfExtent));
+        for (int i = 1; i <= count; ++i) {
+            plans.push_back({QStringLiteral("%1 %2").arg(name).arg(i), shape,
+                             gridCell(static_cast<int>(plans.size())), collider});
+        }
+    };
+    const Collider box = BoxCollider{glm::vec3(kHalfExtent)};
+    const Collider sphere = SphereCollider{kHalfExtent};
+    add(row.lowPolyCubes, QStringLiteral("LP cube"), makeLowPolyCube, box);
+    add(row.highPolyCubes, QStringLiteral("HP cube"), makeHighPolyCube, box);
+    add(row.lowPolySpheres, QStringLiteral("LP sphere"), makeLowPolySphere, sphere);
+    add(row.highPolySpheres, QStringLiteral("HP sphere"), makeHighPolySphere, sphere);
+    return plans;
+}
+
+}  // namespace hitscope

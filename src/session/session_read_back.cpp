@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The way back from the GPU: what the active pipeline made of the targets.
+#include <algorithm>
+
+#include "session/session.h"
+
+namespace hitscope {
+
+namespace {
+
+Target* findTarget(std::span<const std::unique_ptr<Target>> targets, TargetId id) {
+    const auto found = std::find_if(targets.begin(), targets.end(),
+                                    [id](const std::unique_ptr<Target>& target) { return target->id == id; });
+    return found == targets.end() ? nullptr : found->get();
+}
+
+}  // namespace
+
+void Session::restartReadBack() {
+    for (const std::unique_ptr<Target>& target : m_targets) {
+        DeformedMesh& mesh = target->deformed;
+        const auto vertexCount = static_cast<std::uint32_t>(mesh.positions().size());
+        std::vector<std::uint32_t>& moved = m_moved[target->id];
+        for (std::uint32_t v = 0; v < vertexCount; ++v) {
+            if (mesh.isChanged(v)) {
+                moved.push_back(v);
+            }
+        }
+        mesh.reset();
+    }
+}
+
+void Session::takeReadBack(TargetId id, std::uint32_t first, std::span<const DynamicVertex> vertices) {
+    Target* target = findTarget(m_targets, id);
+    if (target == nullptr) {
+        return;
+    }
+    const std::span<const DynamicVertex> before = target->deformed.vertices();
+    const std::span<const std::uint32_t> fileVertices(target->deformed.render().fileVertices);
+    std::vector<std::uint32_t>& moved = m_moved[id];
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        if (vertices[i].position != before[first + i].position) {
+            moved.push_back(fileVertices[first + i]);
+        }
+    }
+    target->deformed.write(first, vertices);
+}
+
+std::vector<Session::ChangedNormals> Session::finishReadBack() {
+    std::vector<ChangedNormals> changes;
+    for (auto& [id, moved] : m_moved) {
+        Target* target = findTarget(m_targets, id);
+        if (target == nullptr || moved.empty()) {
+            continue;
+        }
+        std::sort(moved.begin(), moved.end());
+        moved.erase(std::unique(moved.begin(), moved.end()), moved.end());
+        ChangedNormals change{id, {}};
+        target->trueNormals.update(target->deformed.positions(), moved, change.renderVertices);
+        std::vector<std::uint32_t>& list = change.renderVertices;
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+        changes.push_back(std::move(change));
+    }
+    m_moved.clear();
+    for (const ChangedNormals& change : changes) {
+        Q_EMIT meshChanged(change.target);
+    }
+    return changes;
+}
+
+void Session::setDroppedHits(std::size_t count) {
+    if (count != m_droppedHits) {
+        m_droppedHits = count;
+        Q_EMIT droppedHitsChanged();
+    }
+}
+
+}  // namespace hitscope
