@@ -48,8 +48,7 @@ struct SceneGpu::Private {
     Session& session;
     std::unique_ptr<Renderer> renderer;
     std::unordered_map<TargetId, GpuTarget> targets;
-    std::unique_ptr<DeformationPipeline>
-        pipeline;  // before the targets' buffers it is given, so destroyed first
+    std::unique_ptr<DeformationPipeline> pipeline;  // below the buffers it is given, so that it goes first
     std::unordered_map<const MeshData*, std::weak_ptr<const MaterialSet>> materials;
     std::size_t appliedHits = 0;
     std::uint64_t appliedRevision = 0;

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDir>
+#include <QFileInfo>
+#include <QTextStream>
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "cli/commands.h"
+#include "gl/context.h"
+#include "gl/render_target.h"
+#include "io/import.h"
+#include "io/save_image.h"
+#include "session/demo_shots.h"
+#include "session/export_target.h"
+#include "session/scene_gpu.h"
+#include "session/session.h"
+
+namespace hitscope::cli {
+
+namespace {
+
+/// Every target's vertices as a pipeline made them.
+using Meshes = std::vector<std::vector<DynamicVertex>>;
+
+Meshes copyMeshes(const Session& session) {
+    Meshes meshes;
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        const std::span<const DynamicVertex> vertices = target->deformed.vertices();
+        meshes.emplace_back(vertices.begin(), vertices.end());
+    }
+    return meshes;
+}
+
+struct Agreement {
+    double largest = 0.0;       ///< metres
+    std::size_t different = 0;  ///< vertices whose position or normal differs in any bit
+};
+
+Agreement compare(const Meshes& a, const Meshes& b) {
+    Agreement agreement;
+    for (std::size_t t = 0; t < a.size(); ++t) {
+        for (std::size_t i = 0; i < a[t].size(); ++i) {
+            const double distance = glm::distance(a[t][i].position, b[t][i].position);
+            agreement.largest = std::max(agreement.largest, distance);
+            if (a[t][i].position != b[t][i].position || a[t][i].normal != b[t][i].normal) {
+                ++agreement.different;
+            }
+        }
+    }
+    return agreement;
+}
+
+Meshes referenceMeshes(const Session& session) {
+    Meshes meshes;
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        std::vector<Hit> hits;
+        for (const Hit& hit : session.history().hits()) {
+            if (hit.target == target->id) {
+                hits.push_back(hit);
+            }
+        }
+        ReferenceDeformation reference(target->deformed.render());
+        reference.apply(hits);
+        meshes.emplace_back(reference.vertices().begin(), reference.vertices().end());
+    }
+    return meshes;
+}
+
+std::size_t hitsOn(const Session& session, TargetId target) {
+    const std::span<const Hit> hits = session.history().hits();
+    return static_cast<std::size_t>(
+        std::count_if(hits.begin(), hits.end(), [target](const Hit& hit) { return hit.target == target; }));
+}
+
+const Target& mostHitTarget(const Session& session) {
+    return **std::max_element(
+        session.targets().begin(), session.targets().end(),
+        [&session](const auto& a, const auto& b) { return hitsOn(session, a->id) < hitsOn(session, b->id); });
+}
+
+/// The demo's parts that need the same things: the session on a GPU without a window, and where the results
+/// go.
+class Demo {
+public:
+    Demo(Session& session, SceneGpu& gpu, const DemoOptions& options)
+        : m_session(session), m_gpu(gpu), m_options(options), m_target(options.width, options.height, 4) {
+        m_view.width = options.width;
+        m_view.height = options.height;
+        m_view.camera.frame(session.sceneBounds(),
+                            static_cast<float>(options.width) / static_cast<float>(options.height));
+    }
+
+    [[nodiscard]] Status picture(const QString& name, WireframeMode wireframe) {
+        m_view.options.wireframe = wireframe;
+        if (Status status = m_gpu.draw(m_view, m_target.framebuffer()); !status) {
+            return status;
+        }
+        return savePng(m_target.read(), path(name));
+    }
+
+    [[nodiscard]] Result<Meshes> apply(PipelineKind kind) {
+        m_session.setPipeline(kind);
+        if (Status status = m_gpu.sync(); !status) {
+            return status.error();
+        }
+        return copyMeshes(m_session);
+    }
+
+    [[nodiscard]] QString path(const QString& name) const { return QDir(m_options.folder).filePath(name); }
+
+private:
+    Session& m_session;
+    SceneGpu& m_gpu;
+    const DemoOptions& m_options;
+    gl::RenderTarget m_target;
+    SceneGpu::View m_view;
+};
+
+void printTable(QTextStream& out, const Session& session) {
+    const int nameWidth = 24;
+    out << QStringLiteral("target").leftJustified(nameWidth)
+        << "  vertices  hits  affected  largest displacement\n";
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        const DisplacementStatistics statistics = target->deformed.statistics();
+        out << target->name.leftJustified(nameWidth, QLatin1Char(' '), true)
+            << QString::number(target->deformed.original().vertexCount()).rightJustified(10)
+            << QString::number(hitsOn(session, target->id)).rightJustified(6)
+            << QString::number(statistics.changedVertices).rightJustified(10)
+            << QStringLiteral("%1 m\n").arg(statistics.maximum, 20, 'f', 3);
+    }
+}
+
+void printAgreement(QTextStream& out, const QString& name, const Agreement& agreement) {
+    out << name << ": ";
+    if (agreement.different == 0) {
+        out << "the same in every bit\n";
+    } else {
+        out << agreement.different << " vertices differ, by " << agreement.largest << " m at most\n";
+    }
+}
+
+Status loadScene(Session& session, const QString& meshPath, QTextStream& out) {
+    if (meshPath.isEmpty()) {
+        session.loadPaperRow(kDefaultPaperRow);
+        return Done{};
+    }
+    Result<ImportedMesh> imported = importMesh(meshPath);
+    if (!imported) {
+        return imported.error();
+    }
+    for (const QString& note : imported.value().notes) {
+        out << "note: " << note << "\n";
+    }
+    session.loadMesh(std::move(imported.value().mesh), QFileInfo(meshPath).absoluteFilePath());
+    return Done{};
+}
+
+}  // namespace
+
+Status runDemo(const DemoOptions& options) {
+    QTextStream out(stdout);
+    if (!QDir().mkpath(options.folder)) {
+        return Error{"The folder cannot be made.", options.folder.toStdString(),
+                     "Choose one you may write to."};
+    }
+    Result<std::unique_ptr<gl::OffscreenContext>> context = gl::OffscreenContext::create();
+    if (!context) {
+        return context.error();
+    }
+    gl::collectDebugMessages();
+    Session session;
+    if (Status status = loadScene(session, options.meshPath, out); !status) {
+        return status;
+    }
+    Result<std::unique_ptr<SceneGpu>> gpu = SceneGpu::create(session);
+    if (!gpu) {
+        return gpu.error();
+    }
+    Demo demo(session, *gpu.value(), options);
+    if (Status status = demo.picture(QStringLiteral("before.png"), WireframeMode::Off); !status) {
+        return status;
+    }
+    shootAll(session, demoShots(session, options.shots, options.seed));
+
+    Result<Meshes> uniformArray = demo.apply(PipelineKind::UniformArray);
+    if (!uniformArray) {
+        return uniformArray.error();
+    }
+    const std::size_t dropped = session.droppedHits();
+    Result<Meshes> feedback = demo.apply(PipelineKind::TransformFeedback);
+    if (!feedback) {
+        return feedback.error();
+    }
+    const Target& exported = mostHitTarget(session);
+    for (const Status& status :
+         {demo.picture(QStringLiteral("after.png"), WireframeMode::Off),
+          demo.picture(QStringLiteral("wireframe.png"), WireframeMode::Over),
+          exportTarget(exported, demo.path(QStringLiteral("deformed.obj")), NormalMode::True)}) {
+        if (!status) {
+            return status;
+        }
+    }
+    if (const std::vector<std::string> errors = gl::takeErrors(); !errors.empty()) {
+        return Error{"OpenGL reports: " + errors.front(), "", "Please report this with the renderer's name."};
+    }
+
+    const Meshes reference = referenceMeshes(session);
+    out << "Renderer: " << QString::fromStdString(gl::rendererInfo().renderer) << "\n"
+        << options.shots << " shots, " << session.history().size() << " hits\n\n";
+    printTable(out, session);
+    out << "\n";
+    printAgreement(out, QStringLiteral("Transform feedback and reference"),
+                   compare(feedback.value(), reference));
+    if (dropped == 0) {
+        printAgreement(out, QStringLiteral("Uniform array and transform feedback"),
+                       compare(uniformArray.value(), feedback.value()));
+    } else {
+        out << "Uniform array: it keeps the last " << session.history().size() - dropped
+            << " hits, so it is not compared\n";
+    }
+    out << "\nIn " << QDir::toNativeSeparators(QDir(options.folder).absolutePath())
+        << ": before.png, after.png, wireframe.png, deformed.obj (" << exported.name << ")\n";
+    return Done{};
+}
+
+}  // namespace hitscope::cli
