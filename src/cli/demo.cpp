@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "cli/commands.h"
+#include "deform/reference.h"
 #include "gl/context.h"
 #include "gl/render_target.h"
 #include "io/import.h"
