@@ -3,6 +3,8 @@
 
 #include <epoxy/gl.h>
 
+#include <cstdint>
+#include <functional>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <string>
@@ -53,9 +55,23 @@ public:
     void set(std::string_view uniform, const glm::mat3& value) const;
     void set(std::string_view uniform, const glm::mat4& value) const;
 
+    /// A mark that whoever fills large uniform arrays leaves, to see before the next draw whether the arrays
+    /// are still as they left them: uniforms belong to the program, and its name is reused once it is gone.
+    /// 0: nobody has.
+    [[nodiscard]] std::uint64_t contentStamp() const { return m_contentStamp; }
+    void setContentStamp(std::uint64_t stamp) const { m_contentStamp = stamp; }
+
 private:
+    /// Lets a string_view be looked up without making a string of it.
+    struct Hash {
+        using is_transparent = void;
+        std::size_t operator()(std::string_view text) const noexcept {
+            return std::hash<std::string_view>()(text);
+        }
+    };
     GLuint m_id = 0;
-    mutable std::unordered_map<std::string, GLint> m_locations;
+    mutable std::unordered_map<std::string, GLint, Hash, std::equal_to<>> m_locations;
+    mutable std::uint64_t m_contentStamp = 0;
 };
 
 }  // namespace hitscope::gl

@@ -12,6 +12,8 @@ public:
     /// width, height in pixels, > 0. samples: 1, or the number wanted (clamped to what the driver has).
     RenderTarget(int width, int height, int samples = 1);
 
+    /// False where the driver cannot give that much; there is nothing to draw into or read then.
+    [[nodiscard]] bool isComplete() const { return m_complete; }
     [[nodiscard]] GLuint framebuffer() const { return m_framebuffer.id(); }
     [[nodiscard]] int width() const { return m_width; }
     [[nodiscard]] int height() const { return m_height; }
@@ -22,6 +24,7 @@ private:
     int m_width = 0;
     int m_height = 0;
     int m_samples = 1;
+    bool m_complete = false;
     Framebuffer m_framebuffer;
     Renderbuffer m_colour;
     Renderbuffer m_depth;

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl/render_target.h"
+
+#include <algorithm>
+
+namespace hitscope::gl {
+namespace {
+
+/// Puts the caller's framebuffer bindings back at the end.
+class KeepFramebuffers {
+public:
+    KeepFramebuffers() {
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &m_draw);
+        glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &m_read);
+    }
+    ~KeepFramebuffers() {
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(m_draw));
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(m_read));
+    }
+    KeepFramebuffers(const KeepFramebuffers&) = delete;
+    KeepFramebuffers& operator=(const KeepFramebuffers&) = delete;
+
+private:
+    GLint m_draw = 0;
+    GLint m_read = 0;
+};
+
+Renderbuffer makeStorage(GLenum format, int samples, int width, int height) {
+    Renderbuffer storage = Renderbuffer::make();
+    glBindRenderbuffer(GL_RENDERBUFFER, storage.id());
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples > 1 ? samples : 0, format, width, height);
+    glBindRenderbuffer(GL_RENDERBUFFER, 0);
+    return storage;
+}
+
+int clampSamples(int samples) {
+    GLint most = 1;
+    glGetIntegerv(GL_MAX_SAMPLES, &most);
+    return std::clamp(samples, 1, std::max(most, 1));
+}
+
+/// OpenGL's first row is the lowest; an Image's is the highest.
+void flipRows(Image& image) {
+    const std::ptrdiff_t row = 4 * static_cast<std::ptrdiff_t>(image.width);
+    for (int y = 0; y < image.height / 2; ++y) {
+        std::swap_ranges(image.pixels.begin() + y * row, image.pixels.begin() + (y + 1) * row,
+                         image.pixels.begin() + (image.height - 1 - y) * row);
+    }
+}
+
+}  // namespace
+
+RenderTarget::RenderTarget(int width, int height, int samples)
+    : m_width(width),
+      m_height(height),
+      m_samples(clampSamples(samples)),
+      m_framebuffer(Framebuffer::make()),
+      m_colour(makeStorage(GL_RGBA8, m_samples, width, height)),
+      m_depth(makeStorage(GL_DEPTH_COMPONENT24, m_samples, width, height)) {
+    const KeepFramebuffers keep;
+    glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.id());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, m_colour.id());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, m_depth.id());
+    m_complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+Image RenderTarget::read() const {
+    const KeepFramebuffers keep;
+    Framebuffer resolved;
+    Renderbuffer colour;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, m_framebuffer.id());
+    if (m_samples > 1) {
+        resolved = Framebuffer::make();
+        colour = makeStorage(GL_RGBA8, 1, m_width, m_height);
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved.id());
+        glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour.id());
+        glBlitFramebuffer(0, 0, m_width, m_height, 0, 0, m_width, m_height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved.id());
+    }
+    Image image;
+    image.width = m_width;
+    image.height = m_height;
+    image.pixels.resize(4 * static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height));
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, m_width, m_height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+    flipRows(image);
+    return image;
+}
+
+}  // namespace hitscope::gl

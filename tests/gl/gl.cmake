@@ -1,0 +1,3 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+hitscope_test(shaders LABEL gl SOURCES shaders_test.cpp ../support/gl_fixture.cpp LINK hitscope_gl)
+target_compile_definitions(test_gl_shaders PRIVATE HITSCOPE_SHADERS="${PROJECT_SOURCE_DIR}/shaders")

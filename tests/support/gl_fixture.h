@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStringList>
+#include <memory>
+
+#include "gl/context.h"
+
+namespace hitscope::test {
+
+/// The offscreen context of a test class. Link hitscope_gl and add support/gl_fixture.cpp to the sources:
+///
+///     void initTestCase() { m_gl.open(); }
+///     void cleanup() { QCOMPARE(m_gl.errors(), QStringList()); }
+class GlFixture {
+public:
+    /// Makes a context current. Skips the test class where the machine has no EGL at all, and fails it where
+    /// EGL is there but gives no context; false in both cases.
+    bool open();
+    /// OpenGL errors since the last call, in words.
+    [[nodiscard]] QStringList errors();
+
+private:
+    std::unique_ptr<gl::OffscreenContext> m_context;
+};
+
+}  // namespace hitscope::test
