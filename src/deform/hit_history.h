@@ -24,6 +24,7 @@ public:
     void remove(std::size_t index);                                 ///< index < size()
     void removeTarget(TargetId target);                             ///< every hit on it
     void setConstantsOfAll(const DeformationConstants& constants);  ///< isValid(constants)
+    void assign(std::vector<Hit> hits);                             ///< all of them have passed checkedHit()
     void clear();
 
 private:

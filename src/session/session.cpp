@@ -93,7 +93,7 @@ void Session::clearScene() {
     m_targets.clear();
     m_moved.clear();
     m_history.clear();
-    m_redo.clear();
+    m_undo.clear();
     m_selectedHit.reset();
     m_selectedTarget = {};
     m_droppedHits = 0;
@@ -142,7 +142,6 @@ Status Session::addHit(const Hit& hit) {
         return Error{"The hit is on a target that is not in the scene.", "",
                      "Load the scene it was made in."};
     }
-    m_redo.clear();
     appendHits({&checked.value(), 1});
     return Done{};
 }
@@ -156,6 +155,7 @@ void Session::appendHits(std::span<const Hit> hits) {
     for (const Hit& hit : hits) {
         m_history.append(hit);
     }
+    m_undo.recordAppend(hits.size());
     Q_EMIT hitsAppended();
     selectTarget(hits.back().target);
     Q_EMIT pictureChanged();
@@ -172,17 +172,15 @@ void Session::announceHistoryReset() {
 
 void Session::undoHit() {
     if (canUndo()) {
-        m_redo.push_back(m_history.hits().back());
-        m_history.removeLast();
+        takeConstants(m_undo.undo(m_history, m_constants));
         announceHistoryReset();
     }
 }
 
 void Session::redoHit() {
     if (canRedo()) {
-        const Hit hit = m_redo.back();
-        m_redo.pop_back();
-        appendHits({&hit, 1});
+        takeConstants(m_undo.redo(m_history, m_constants));
+        announceHistoryReset();
     }
 }
 
@@ -190,16 +188,18 @@ void Session::removeHit(std::size_t index) {
     if (index >= m_history.size()) {
         return;
     }
+    m_undo.recordChange(m_history, m_constants);
     m_history.remove(index);
-    m_redo.clear();
     selectHit(std::nullopt);
     announceHistoryReset();
 }
 
 void Session::clearHits() {
-    m_history.clear();
-    m_redo.clear();
-    announceHistoryReset();
+    if (m_history.size() > 0) {
+        m_undo.recordChange(m_history, m_constants);
+        m_history.clear();
+        announceHistoryReset();
+    }
 }
 
 void Session::selectHit(std::optional<std::size_t> index) {
@@ -220,17 +220,26 @@ Status Session::setConstants(const DeformationConstants& constants, bool past) {
         return Error{"A deformation constant is out of its range.", "",
                      "Keep to the ranges the panel shows."};
     }
-    const bool changed = constants != m_constants;
-    m_constants = constants;
-    if (changed) {
-        Q_EMIT constantsChanged();
-    }
     const auto differs = [&constants](const Hit& hit) { return hit.constants != constants; };
-    if (past && std::any_of(m_history.hits().begin(), m_history.hits().end(), differs)) {
+    const bool changesHistory =
+        past && std::any_of(m_history.hits().begin(), m_history.hits().end(), differs);
+    if (changesHistory) {
+        // Dragging a slider is one change, not hundreds.
+        m_undo.recordChange(m_history, m_constants, HistoryUndo::Merge::WithSameKind);
         m_history.setConstantsOfAll(constants);
+    }
+    takeConstants(constants);
+    if (changesHistory) {
         announceHistoryReset();
     }
     return Done{};
+}
+
+void Session::takeConstants(const DeformationConstants& constants) {
+    if (constants != m_constants) {
+        m_constants = constants;
+        Q_EMIT constantsChanged();
+    }
 }
 
 void Session::setLights(const Lights& lights) {
@@ -279,10 +288,7 @@ void Session::advance(double seconds) {
             hits.push_back(checked.value());
         }
     }
-    if (!hits.empty()) {
-        m_redo.clear();
-        appendHits(hits);
-    }
+    appendHits(hits);
     if (wasMoving) {
         Q_EMIT pictureChanged();
     }

@@ -15,6 +15,7 @@
 #include "pipeline/pipeline_kind.h"
 #include "render/camera.h"
 #include "render/lights.h"
+#include "session/history_undo.h"
 #include "session/scene_presets.h"
 #include "session/target.h"
 
@@ -48,8 +49,9 @@ public:
     /// Appends a hit made elsewhere (a file, a script); refused as checkedHit() says, or if there is no such
     /// target.
     [[nodiscard]] Status addHit(const Hit& hit);
-    [[nodiscard]] bool canUndo() const { return m_history.size() > 0; }
-    [[nodiscard]] bool canRedo() const { return !m_redo.empty(); }
+    /// Undo and redo cover every change of the history: hits made, removed, cleared, their constants changed.
+    [[nodiscard]] bool canUndo() const { return m_undo.canUndo(); }
+    [[nodiscard]] bool canRedo() const { return m_undo.canRedo(); }
     void undoHit();
     void redoHit();
     void removeHit(std::size_t index);
@@ -112,6 +114,7 @@ private:
     Target& addTarget(const TargetPlan& plan);
     void appendHits(std::span<const Hit> hits);
     void announceHistoryReset();
+    void takeConstants(const DeformationConstants& constants);
 
     QString m_sceneName;
     std::vector<std::unique_ptr<Target>> m_targets;
@@ -119,7 +122,7 @@ private:
     float m_floorHeight = 0.0f;
     TargetId m_selectedTarget;
     HitHistory m_history;
-    std::vector<Hit> m_redo;
+    HistoryUndo m_undo;
     std::optional<std::size_t> m_selectedHit;
     DeformationConstants m_constants;
     Lights m_lights;
