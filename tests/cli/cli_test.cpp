@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// hitscope-cli as a person runs it: arguments in, text, files and exit status out.
+#include <QImage>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "io/import.h"
+
+using namespace hitscope;
+
+namespace {
+
+struct Run {
+    int status = -1;
+    QString out;
+    QString err;
+};
+
+Run runCli(const QStringList& arguments) {
+    QProcess process;
+    // Headless means headless: neither X nor Wayland can be reached.
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.remove(QStringLiteral("DISPLAY"));
+    environment.remove(QStringLiteral("WAYLAND_DISPLAY"));
+    process.setProcessEnvironment(environment);
+    process.start(qEnvironmentVariable("HITSCOPE_CLI"), arguments);
+    Run run;
+    if (process.waitForFinished(100000) && process.exitStatus() == QProcess::NormalExit) {
+        run.status = process.exitCode();
+    }
+    run.out = QString::fromUtf8(process.readAllStandardOutput());
+    run.err = QString::fromUtf8(process.readAllStandardError());
+    return run;
+}
+
+QString writeFile(const QTemporaryDir& folder, const QString& name, const QByteArray& bytes) {
+    QFile file(folder.filePath(name));
+    if (file.open(QIODevice::WriteOnly)) {
+        file.write(bytes);
+    }
+    return file.fileName();
+}
+
+bool isPicture(const QString& path) {
+    const QImage image(path);
+    if (image.width() != 1280 || image.height() != 720) {
+        return false;
+    }
+    const QRgb corner = image.pixel(0, 0);
+    for (int x = 0; x < image.width(); ++x) {
+        if (image.pixel(x, image.height() / 2) != corner) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+class CliTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void demoWritesPicturesAndMesh() {
+        const QTemporaryDir folder;
+        const QString out = folder.filePath(QStringLiteral("new/folder"));
+        const Run run = runCli({QStringLiteral("demo"), QStringLiteral("--out"), out});
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        QVERIFY(run.err.isEmpty());
+        for (const char* name : {"before.png", "after.png", "wireframe.png"}) {
+            QVERIFY2(isPicture(out + QLatin1Char('/') + QLatin1String(name)), name);
+        }
+        QVERIFY(QImage(out + QStringLiteral("/before.png")) != QImage(out + QStringLiteral("/after.png")));
+        QVERIFY(QImage(out + QStringLiteral("/after.png")) != QImage(out + QStringLiteral("/wireframe.png")));
+        QVERIFY(importMesh(out + QStringLiteral("/deformed.obj")));
+        QVERIFY(run.out.contains(QStringLiteral("50 shots")));
+        QVERIFY(
+            run.out.contains(QStringLiteral("Uniform array and transform feedback: the same in every bit")));
+        QVERIFY(run.out.contains(QStringLiteral("Transform feedback and reference: the same in every bit")));
+    }
+
+    void demoTakesAMesh() {
+        const QTemporaryDir folder;
+        const QString mesh =
+            writeFile(folder, QStringLiteral("tent.obj"),
+                      "v -2 0 0\nv 2 0 0\nv 0 3 0\nv 0 1 3\nf 1 2 3\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+        const Run run = runCli({QStringLiteral("demo"), QStringLiteral("--out"), folder.path(), mesh});
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        QVERIFY(run.out.contains(QStringLiteral("tent")));
+    }
+
+    void infoPrintsWhatIsThere() {
+        const QTemporaryDir folder;
+        const QString mesh =
+            writeFile(folder, QStringLiteral("tetra.obj"),
+                      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 9 9 9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+        const Run run = runCli({QStringLiteral("info"), mesh});
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        const auto value = [&run](const QString& name) {
+            const QRegularExpression row(QStringLiteral("^ *%1  +(.*)$").arg(name),
+                                         QRegularExpression::MultilineOption);
+            return row.match(run.out).captured(1).trimmed();
+        };
+        QCOMPARE(value(QStringLiteral("vertices")), QStringLiteral("5"));
+        QCOMPARE(value(QStringLiteral("used by no face")), QStringLiteral("1"));
+        QCOMPARE(value(QStringLiteral("edges")), QStringLiteral("6"));
+        QCOMPARE(value(QStringLiteral("faces")), QStringLiteral("4"));
+        QCOMPARE(value(QStringLiteral("watertight")), QStringLiteral("yes"));
+        QCOMPARE(value(QStringLiteral("volume")), QStringLiteral("0.166667"));
+    }
+
+    void badInputFailsWithOneMessage_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::addRow("empty") << QStringLiteral("empty.obj") << QByteArray();
+        QTest::addRow("no faces") << QStringLiteral("points.obj") << QByteArray("v 0 0 0\n");
+        QTest::addRow("bad index") << QStringLiteral("index.obj") << QByteArray("v 0 0 0\nf 1 2 3\n");
+        QTest::addRow("truncated") << QStringLiteral("cut.ply")
+                                   << QByteArray("ply\nformat ascii 1.0\nelement vertex 3\n");
+        QTest::addRow("not a mesh") << QStringLiteral("picture.glb") << QByteArray("\x89PNG\r\n\x1a\n");
+        QTest::addRow("unknown suffix") << QStringLiteral("notes.txt") << QByteArray("hello\n");
+    }
+    void badInputFailsWithOneMessage() {
+        QFETCH(QString, name);
+        QFETCH(QByteArray, bytes);
+        const QTemporaryDir folder;
+        const QString mesh = writeFile(folder, name, bytes);
+        for (const QStringList& arguments :
+             {QStringList{QStringLiteral("info"), mesh},
+              QStringList{QStringLiteral("demo"), QStringLiteral("--out"), folder.path(), mesh}}) {
+            const Run run = runCli(arguments);
+            QCOMPARE(run.status, 1);
+            QCOMPARE(run.err.count(QLatin1Char('\n')), 1);
+            QVERIFY2(run.err.contains(name), qPrintable(run.err));
+            QVERIFY(!QFile::exists(folder.filePath(QStringLiteral("deformed.obj"))));
+        }
+    }
+
+    void missingFileIsNamed() {
+        const Run run = runCli({QStringLiteral("info"), QStringLiteral("/nowhere/mesh.obj")});
+        QCOMPARE(run.status, 1);
+        QVERIFY2(run.err.contains(QStringLiteral("/nowhere/mesh.obj")), qPrintable(run.err));
+    }
+
+    void wrongUsageIsToldApart_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addRow("no command") << QStringList{};
+        QTest::addRow("unknown command") << QStringList{QStringLiteral("fly")};
+        QTest::addRow("unknown option") << QStringList{QStringLiteral("demo"), QStringLiteral("--fast")};
+        QTest::addRow("shots") << QStringList{QStringLiteral("demo"), QStringLiteral("--shots"),
+                                              QStringLiteral("x")};
+        QTest::addRow("info without mesh") << QStringList{QStringLiteral("info")};
+    }
+    void wrongUsageIsToldApart() {
+        QFETCH(QStringList, arguments);
+        const Run run = runCli(arguments);
+        QCOMPARE(run.status, 2);
+        QVERIFY(run.err.contains(QStringLiteral("--help")));
+    }
+
+    void folderThatCannotBeMade() {
+        const QTemporaryDir folder;
+        const QString blocked = writeFile(folder, QStringLiteral("file"), "x");
+        const Run run =
+            runCli({QStringLiteral("demo"), QStringLiteral("--out"), blocked + QStringLiteral("/in")});
+        QCOMPARE(run.status, 1);
+        QVERIFY(run.err.contains(blocked));
+    }
+};
+
+QTEST_GUILESS_MAIN(CliTest)
+#include "cli_test.moc"

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The session followed on the GPU: what the CPU copy holds after every kind of change equals the reference.
+#include "session/scene_gpu.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "deform/reference.h"
+#include "gl/context.h"
+#include "io/import.h"
+#include "mesh/primitives.h"
+#include "session/demo_shots.h"
+#include "session/export_target.h"
+
+using namespace hitscope;
+
+namespace {
+
+std::size_t differences(const Session& session) {
+    std::size_t count = 0;
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        std::vector<Hit> hits;
+        for (const Hit& hit : session.history().hits()) {
+            if (hit.target == target->id) {
+                hits.push_back(hit);
+            }
+        }
+        ReferenceDeformation reference(target->deformed.render());
+        reference.apply(hits);
+        for (std::size_t i = 0; i < reference.vertices().size(); ++i) {
+            const DynamicVertex& is = target->deformed.vertices()[i];
+            const DynamicVertex& should = reference.vertices()[i];
+            count += is.position != should.position || is.normal != should.normal ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+std::size_t changed(const Session& session) {
+    std::size_t count = 0;
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        count += target->deformed.statistics().changedVertices;
+    }
+    return count;
+}
+
+}  // namespace
+
+class SceneGpuTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() {
+        Result<std::unique_ptr<gl::OffscreenContext>> made = gl::OffscreenContext::create();
+        QVERIFY2(made.ok(), made.ok() ? "" : made.error().message().c_str());
+        m_context = std::move(made).value();
+        gl::collectDebugMessages();
+    }
+    void cleanup() {
+        const std::vector<std::string> errors = gl::takeErrors();
+        QVERIFY2(errors.empty(), errors.empty() ? "" : errors.front().c_str());
+    }
+    void cleanupTestCase() { m_context.reset(); }
+
+    void followsEveryChangeOfTheHistory_data() {
+        QTest::addColumn<int>("kind");
+        for (const PipelineTraits& traits : allPipelines()) {
+            QTest::addRow("%s", std::string(traits.key).c_str()) << static_cast<int>(traits.kind);
+        }
+    }
+    void followsEveryChangeOfTheHistory() {
+        QFETCH(int, kind);
+        Session session;
+        session.loadPaperRow(kDefaultPaperRow);
+        session.setPipeline(static_cast<PipelineKind>(kind));
+        Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
+        QVERIFY(made);
+        SceneGpu& gpu = *made.value();
+
+        const auto synced = [&] { return gpu.sync().ok() && differences(session) == 0; };
+        QVERIFY(synced());
+        shootAll(session, demoShots(session, 40, 3));
+        QVERIFY(session.history().size() > 30);
+        QVERIFY(synced());
+        QVERIFY(changed(session) > 100);
+
+        session.undoHit();
+        session.undoHit();
+        QVERIFY(synced());
+        session.redoHit();
+        QVERIFY(synced());
+        session.removeHit(4);
+        QVERIFY(synced());
+        DeformationConstants constants;
+        constants.maxDistance = 0.8f;
+        constants.power = 0.08f;
+        QVERIFY(session.setConstants(constants, true));
+        QVERIFY(synced());
+        QVERIFY(session.setConstants(DeformationConstants{}, false));
+        shootAll(session, demoShots(session, 10, 4));
+        QVERIFY(synced());
+        session.clearHits();
+        QVERIFY(synced());
+        QCOMPARE(changed(session), std::size_t{0});
+        session.undoHit();
+        QVERIFY(synced());
+        session.loadTeapot();
+        QVERIFY(synced());
+        shootAll(session, demoShots(session, 20, 5));
+        QVERIFY(synced());
+        QVERIFY(changed(session) > 100);
+    }
+
+    void switchingPipelinesKeepsEveryBit() {
+        Session session;
+        session.loadTeapot();
+        Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
+        QVERIFY(made);
+        shootAll(session, demoShots(session, 60, 11));
+        for (int round = 0; round < 3; ++round) {
+            for (const PipelineTraits& traits : allPipelines()) {
+                session.setPipeline(traits.kind);
+                QVERIFY(made.value()->sync());
+                QCOMPARE(differences(session), std::size_t{0});
+            }
+        }
+    }
+
+    void trueNormalsReturnToTheOriginalOnUndo() {
+        Session session;
+        session.loadMesh(makeHighPolySphere());
+        Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
+        QVERIFY(made);
+        QVERIFY(made.value()->sync());
+        const Target& target = *session.targets()[0];
+        const std::vector<glm::vec3> before(target.trueNormals.normals().begin(),
+                                            target.trueNormals.normals().end());
+        Hit headOn;
+        headOn.target = target.id;
+        headOn.point = {0, 0, 2.5f};
+        headOn.direction = {0, 0, -1};
+        QVERIFY(session.addHit(headOn));
+        QVERIFY(made.value()->sync());
+        QVERIFY(!std::equal(before.begin(), before.end(), target.trueNormals.normals().begin()));
+        session.undoHit();
+        QVERIFY(made.value()->sync());
+        QVERIFY(std::equal(before.begin(), before.end(), target.trueNormals.normals().begin()));
+    }
+
+    void exportedMeshReadsBackTheSame() {
+        QTemporaryDir folder;
+        Session session;
+        session.loadTeapot();
+        Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
+        QVERIFY(made);
+        shootAll(session, demoShots(session, 30, 2));
+        QVERIFY(made.value()->sync());
+        const Target& target = *session.targets()[0];
+        const QString path = folder.filePath(QStringLiteral("deformed.obj"));
+        for (const NormalMode normals : {NormalMode::True, NormalMode::Paper}) {
+            const Status status = exportTarget(target, path, normals);
+            QVERIFY2(status.ok(), status.ok() ? "" : status.error().message().c_str());
+            const Result<ImportedMesh> back = importMesh(path);
+            QVERIFY2(back.ok(), back.ok() ? "" : back.error().message().c_str());
+            const MeshData& mesh = back.value().mesh;
+            const MeshData& original = target.deformed.original();
+            QVERIFY(std::equal(mesh.positions.begin(), mesh.positions.end(),
+                               target.deformed.positions().begin(), target.deformed.positions().end()));
+            QCOMPARE(mesh.faceStarts, original.faceStarts);
+            QCOMPARE(mesh.cornerVertices, original.cornerVertices);
+            QCOMPARE(mesh.cornerTexcoords, original.cornerTexcoords);
+            for (std::size_t corner = 0; corner < mesh.cornerNormals.size(); ++corner) {
+                const std::uint32_t vertex = target.deformed.render().cornerRenderVertices[corner];
+                const glm::vec3 expected = normals == NormalMode::True
+                                               ? target.trueNormals.normals()[vertex]
+                                               : target.deformed.vertices()[vertex].normal;
+                QCOMPARE(mesh.normals[mesh.cornerNormals[corner]], expected);
+            }
+        }
+    }
+
+private:
+    std::unique_ptr<gl::OffscreenContext> m_context;
+};
+
+QTEST_GUILESS_MAIN(SceneGpuTest)
+#include "scene_gpu_test.moc"

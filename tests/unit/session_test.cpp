@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/session.h"
+
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "mesh/primitives.h"
+#include "session/demo_shots.h"
+
+using namespace hitscope;
+
+class SessionTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void paperRowsHoldThePapersMeshes_data() {
+        QTest::addColumn<int>("row");
+        for (int row = 0; row < static_cast<int>(paperRows().size()); ++row) {
+            QTest::addRow("%d", row) << row;
+        }
+    }
+    void paperRowsHoldThePapersMeshes() {
+        QFETCH(int, row);
+        const PaperRow& paper = paperRows()[static_cast<std::size_t>(row)];
+        Session session;
+        session.loadPaperRow(row);
+        QCOMPARE(session.targets().size(), static_cast<std::size_t>(paper.targets()));
+        std::map<std::size_t, int> counts;
+        for (const std::unique_ptr<Target>& target : session.targets()) {
+            ++counts[target->deformed.original().vertexCount()];
+        }
+        QCOMPARE(counts[386], paper.lowPolyCubes);
+        QCOMPARE(counts[6146], paper.highPolyCubes);
+        QCOMPARE(counts[382], paper.lowPolySpheres);
+        QCOMPARE(counts[7938], paper.highPolySpheres);
+    }
+
+    void targetsStandOnTheFloorFifteenMetresApart() {
+        Session session;
+        session.loadPaperRow(kDefaultPaperRow);
+        const std::span<const std::unique_ptr<Target>> targets = session.targets();
+        for (std::size_t i = 0; i < targets.size(); ++i) {
+            QVERIFY(std::abs(targets[i]->worldBounds().min.y - session.floorHeight()) < 1e-4f);
+            for (std::size_t j = 0; j < i; ++j) {
+                QVERIFY(glm::distance(targets[i]->transform.position, targets[j]->transform.position) >
+                        14.99f);
+            }
+        }
+    }
+
+    void shotBecomesHitOnTheTargetItWasAimedAt() {
+        Session session;
+        session.loadPaperRow(kDefaultPaperRow);
+        const Target& aimedAt = *session.targets()[6];
+        const glm::vec3 eye = aimedAt.transform.position + glm::vec3(0, 1, 6);
+        QSignalSpy appended(&session, &Session::hitsAppended);
+        session.shoot({eye, glm::normalize(aimedAt.transform.position - eye)});
+        QVERIFY(session.isMoving());
+        for (int i = 0; i < 60; ++i) {
+            session.advance(1.0 / 60.0);
+        }
+        QCOMPARE(appended.count(), 1);
+        const Hit& hit = session.history().hits()[0];
+        QCOMPARE(hit.target, aimedAt.id);
+        QCOMPARE(session.selectedTarget(), aimedAt.id);
+        QVERIFY(std::abs(glm::length(hit.direction) - 1.0f) < 1e-5f);
+        QVERIFY(hit.speed > 25.0f && hit.speed < 31.0f);
+    }
+
+    void projectilesDisappearAfterTheirLifetime() {
+        Session session;
+        session.loadTeapot();
+        session.shoot({{0, 10, 0}, {0, 1, 0}});
+        for (int i = 0; i < 60 * 6; ++i) {
+            session.advance(1.0 / 60.0);
+        }
+        QVERIFY(!session.isMoving());
+    }
+
+    void demoShotsAreRepeatableAndLand() {
+        Session first;
+        first.loadTeapot();
+        shootAll(first, demoShots(first, 50, 7));
+        Session second;
+        second.loadTeapot();
+        shootAll(second, demoShots(second, 50, 7));
+        QVERIFY2(first.history().size() >= 45, qPrintable(QString::number(first.history().size())));
+        QCOMPARE(first.history().size(), second.history().size());
+        for (std::size_t i = 0; i < first.history().size(); ++i) {
+            QCOMPARE(first.history().hits()[i].point, second.history().hits()[i].point);
+            QCOMPARE(first.history().hits()[i].direction, second.history().hits()[i].direction);
+        }
+    }
+
+    void refusesBadHits() {
+        Session session;
+        session.loadTeapot();
+        Hit hit;
+        hit.target = session.targets()[0]->id;
+        hit.direction = glm::vec3(0.0f);
+        QVERIFY(!session.addHit(hit));
+        hit.direction = {1, 0, 0};
+        hit.point.x = std::nanf("");
+        QVERIFY(!session.addHit(hit));
+        hit.point.x = 0.0f;
+        hit.target = TargetId{999};
+        QVERIFY(!session.addHit(hit));
+        QCOMPARE(session.history().size(), std::size_t{0});
+    }
+
+    void constantsApplyToPastHitsOnlyWhenAsked() {
+        Session session;
+        session.loadTeapot();
+        Hit hit;
+        hit.target = session.targets()[0]->id;
+        hit.direction = {1, 0, 0};
+        QVERIFY(session.addHit(hit));
+        DeformationConstants constants;
+        constants.power = 0.2f;
+        QVERIFY(session.setConstants(constants, false));
+        QCOMPARE(session.history().hits()[0].constants.power, 0.05f);
+        QVERIFY(session.setConstants(constants, true));
+        QCOMPARE(session.history().hits()[0].constants.power, 0.2f);
+        session.undoHit();
+        QCOMPARE(session.history().hits()[0].constants.power, 0.05f);
+        constants.power = -1.0f;
+        QVERIFY(!session.setConstants(constants, true));
+        QCOMPARE(session.history().hits()[0].constants.power, 0.05f);
+    }
+
+    void newSceneStartsAnEmptyHistory() {
+        Session session;
+        session.loadTeapot();
+        Hit hit;
+        hit.target = session.targets()[0]->id;
+        QVERIFY(session.addHit(hit));
+        session.loadMesh(makeLowPolyCube());
+        QCOMPARE(session.history().size(), std::size_t{0});
+        QVERIFY(!session.canUndo());
+        QCOMPARE(session.targets().size(), std::size_t{1});
+    }
+};
+
+QTEST_GUILESS_MAIN(SessionTest)
+#include "session_test.moc"
