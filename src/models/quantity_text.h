@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <glm/vec3.hpp>
+
+namespace hitscope {
+
+/// "7,938", grouped as the locale does.
+[[nodiscard]] QString countText(std::size_t count);
+
+/// A measured number with five significant digits and no exponent where that stays readable: "12.566",
+/// "0.30000".
+[[nodiscard]] QString quantityText(double value);
+
+/// Three coordinates with three decimals: "1.250, -0.300, 0.000".
+[[nodiscard]] QString vectorText(const glm::vec3& vector);
+
+}  // namespace hitscope
