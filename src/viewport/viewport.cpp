@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/viewport.h"
+
+#include <QOpenGLContext>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "gl/context.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr int kCrosshairStays = 1500;   // milliseconds after the last shot with Space
+constexpr double kLongestStep = 0.25;   // seconds: a window that stood still does not make the scene jump
+constexpr float kFlySpeed = 0.7f;       // camera distances a second
+constexpr float kFastFactor = 3.0f;     // with Shift
+constexpr float kStride = 0.15f;        // camera distances
+constexpr double kNanosecond = 1.0e-9;  // seconds
+
+}  // namespace
+
+Viewport::Viewport(Session& session, QWidget* parent) : QOpenGLWidget(parent), m_session(session) {
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(240, 180);
+    m_holdTimer.setSingleShot(true);
+    m_holdTimer.setInterval(kDoubleClickGrace);
+    m_crosshairTimer.setSingleShot(true);
+    m_crosshairTimer.setInterval(kCrosshairStays);
+    m_repeatTimer.setInterval(kRepeatInterval);
+    connect(&m_holdTimer, &QTimer::timeout, this, &Viewport::fireHeldShot);
+    connect(&m_repeatTimer, &QTimer::timeout, this, &Viewport::shootAtCrosshair);
+    connect(&m_crosshairTimer, &QTimer::timeout, this, qOverload<>(&QWidget::update));
+    connect(this, &QOpenGLWidget::frameSwapped, this, &Viewport::moveOn);
+    connect(&session, &Session::pictureChanged, this, qOverload<>(&QWidget::update));
+    connect(&session, &Session::sceneReplaced, this, &Viewport::followScene);
+    followScene();
+}
+
+Viewport::~Viewport() {
+    releaseGpu();
+}
+
+void Viewport::initializeGL() {
+    // The context goes when the widget is moved to another window, and takes all GL objects with it.
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseGpu,
+            Qt::DirectConnection);
+    const gl::RendererInfo info = gl::rendererInfo();
+    m_rendererName = QString::fromStdString(info.renderer);
+    m_rendererVersion = QString::fromStdString(info.version);
+    Result<std::unique_ptr<SceneGpu>> scene = SceneGpu::create(m_session);
+    if (scene) {
+        m_scene = std::move(scene).value();
+        m_error.clear();
+    } else {
+        report(scene.error());
+    }
+    Q_EMIT rendererKnown();
+}
+
+void Viewport::releaseGpu() {
+    if (context() != nullptr) {
+        disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseGpu);
+    }
+    if (m_scene) {
+        makeCurrent();
+        m_scene.reset();
+        doneCurrent();
+    }
+}
+
+void Viewport::report(const Error& error) {
+    if (error.message() == m_error) {
+        return;
+    }
+    m_error = error.message();
+    // Not from within a paint event: whoever listens may open a dialog.
+    QMetaObject::invokeMethod(
+        this, [this, error] { Q_EMIT failed(error); }, Qt::QueuedConnection);
+}
+
+void Viewport::resizeGL(int, int) {
+    if (!m_framed) {
+        m_framed = true;
+        frameAll();
+    }
+}
+
+float Viewport::aspect() const {
+    return static_cast<float>(std::max(width(), 1)) / static_cast<float>(std::max(height(), 1));
+}
+
+SceneGpu::View Viewport::view() const {
+    SceneGpu::View view;
+    view.width = std::max(1, static_cast<int>(std::lround(width() * devicePixelRatioF())));
+    view.height = std::max(1, static_cast<int>(std::lround(height() * devicePixelRatioF())));
+    view.pixelRatio = static_cast<float>(devicePixelRatioF());
+    view.camera = m_camera;
+    view.options = m_options;
+    view.options.crosshair = m_options.crosshair || m_crosshairTimer.isActive();
+    return view;
+}
+
+void Viewport::paintGL() {
+    if (!m_scene) {
+        paintError();
+        return;
+    }
+    QElapsedTimer drawing;
+    drawing.start();
+    if (Status drawn = m_scene->draw(view(), defaultFramebufferObject()); !drawn) {
+        report(drawn.error());
+        return;
+    }
+    m_error.clear();
+    const QElapsedTimer& measure = m_frameFollows && m_sinceFrame.isValid() ? m_sinceFrame : drawing;
+    const double seconds = static_cast<double>(measure.nsecsElapsed()) * kNanosecond;
+    m_frameFollows = false;
+    m_sinceFrame.start();
+    Q_EMIT framePainted(seconds);
+}
+
+void Viewport::paintError() {
+    QPainter painter(this);
+    painter.fillRect(rect(), palette().color(QPalette::Window));
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
+                     m_error.empty() ? tr("Nothing can be drawn.") : QString::fromStdString(m_error));
+}
+
+bool Viewport::wantsFrames() const {
+    return isVisible() && (m_continuous || m_flyKeys.any() || m_session.isMoving());
+}
+
+void Viewport::moveOn() {
+    if (!wantsFrames()) {
+        m_clock.invalidate();
+        return;
+    }
+    const double passed =
+        m_clock.isValid() ? std::min(static_cast<double>(m_clock.nsecsElapsed()) * kNanosecond, kLongestStep)
+                          : 0.0;
+    m_clock.start();
+    if (m_session.isMoving()) {
+        m_session.advance(passed);
+    }
+    if (m_flyKeys.any()) {
+        const float speed = m_camera.distance() * kFlySpeed * (m_flyFast ? kFastFactor : 1.0f);
+        m_camera.fly(m_flyKeys.direction() * (speed * static_cast<float>(passed)));
+    }
+    m_frameFollows = true;
+    update();
+}
+
+void Viewport::setOptions(const DisplayOptions& options) {
+    m_options = options;
+    update();
+}
+
+void Viewport::setDrawsContinuously(bool on) {
+    m_continuous = on;
+    update();
+}
+
+void Viewport::followScene() {
+    m_heldShot.reset();
+    m_camera.setSceneRadius(std::max(m_session.sceneBounds().diagonal(), 1.0e-3f));
+    frameAll();
+}
+
+void Viewport::frameBounds(const Bounds& bounds) {
+    if (!bounds.empty()) {
+        m_camera.frame(bounds, aspect());
+        update();
+    }
+}
+
+void Viewport::frameAll() {
+    frameBounds(m_session.sceneBounds());
+}
+
+void Viewport::frameSelection() {
+    const Target* target = m_session.target(m_session.selectedTarget());
+    frameBounds(target != nullptr ? target->worldBounds() : m_session.sceneBounds());
+}
+
+void Viewport::flyStep(const glm::vec3& step) {
+    m_camera.fly(step * (kStride * m_camera.distance()));
+    update();
+}
+
+void Viewport::shootAtCrosshair() {
+    m_crosshairTimer.start();
+    m_session.shoot(m_camera.rayThrough({0.0f, 0.0f}, aspect()));
+    update();
+}
+
+Status Viewport::syncNow() {
+    if (!m_scene) {
+        return Error{"There is no picture, so there is nothing to take the deformed mesh from.", "",
+                     "Start Hitscope where OpenGL 3.3 is available."};
+    }
+    makeCurrent();
+    Status status = m_scene->sync();
+    doneCurrent();
+    return status;
+}
+
+}  // namespace hitscope

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QOpenGLWidget>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "session/scene_gpu.h"
+#include "viewport/fly_keys.h"
+
+namespace hitscope {
+
+/// The picture of a session, and the hand on it: events in, frames out. Makes no GL call itself (SceneGpu
+/// does).
+///
+/// Draws only when something changed; while projectiles fly, keys are held or continuous drawing is on, each
+/// frame moves the session on by the time the last one took and asks for the next.
+///
+/// Left-drag orbits, right- or Shift+left-drag (or middle-drag) pans, the wheel zooms. A short stationary
+/// left click shoots; a second click on the same spot within kDoubleClickGrace recentres instead, and for
+/// that the shot waits so long: navigating never dents a mesh. W A S D E Q fly (Shift: faster), Space shoots
+/// at the crosshair, repeatedly while held, Escape ends the selection.
+class Viewport : public QOpenGLWidget {
+    Q_OBJECT
+public:
+    /// `session` outlives the viewport.
+    explicit Viewport(Session& session, QWidget* parent = nullptr);
+    ~Viewport() override;
+
+    [[nodiscard]] const DisplayOptions& options() const { return m_options; }
+    void setOptions(const DisplayOptions& options);
+    [[nodiscard]] bool drawsContinuously() const { return m_continuous; }
+    /// A frame after the other even if nothing moves: for measuring.
+    void setDrawsContinuously(bool on);
+
+    [[nodiscard]] const Camera& camera() const { return m_camera; }
+    void frameAll();
+    void frameSelection();                ///< the selected target; all if none is
+    void flyStep(const glm::vec3& step);  ///< right, up, forward; 1 is a fair stride
+    void shootAtCrosshair();
+
+    /// Brings the GPU and the read-back to the session's state now: before an export. Fails when there is no
+    /// GL.
+    [[nodiscard]] Status syncNow();
+    /// "llvmpipe (LLVM 15.0.6, 256 bits)"; empty before the first frame.
+    [[nodiscard]] QString rendererName() const { return m_rendererName; }
+    [[nodiscard]] QString rendererVersion() const { return m_rendererVersion; }
+
+    static constexpr int kDoubleClickGrace = 250;  ///< milliseconds from release to the second press
+    static constexpr int kLongestClick = 500;      ///< milliseconds from press to release
+    static constexpr int kRepeatInterval = 125;    ///< milliseconds between shots while Space is held
+
+Q_SIGNALS:
+    /// Seconds: from the frame before while frames follow each other, else what drawing took.
+    void framePainted(double seconds);
+    void rendererKnown();
+    void failed(const hitscope::Error& error);  ///< no picture can be drawn; emitted once for each reason
+
+protected:
+    void initializeGL() override;
+    void resizeGL(int width, int height) override;
+    void paintGL() override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+private:
+    enum class Drag : std::uint8_t { None, Undecided, Orbit, Pan };
+
+    void releaseGpu();
+    void report(const Error& error);
+    void paintError();
+    void followScene();
+    [[nodiscard]] bool wantsFrames() const;
+    void moveOn();  ///< after a frame: advances what moves by the time since the last
+    [[nodiscard]] float aspect() const;
+    [[nodiscard]] SceneGpu::View view() const;
+    [[nodiscard]] Ray rayAt(const QPointF& position) const;  ///< logical pixels
+    void frameBounds(const Bounds& bounds);
+    void beginDrag(QMouseEvent* event);
+    void drag(const QPointF& delta);
+    void click(const QPointF& position);
+    void fireHeldShot();
+    void recentre(const QPointF& position);
+
+    Session& m_session;
+    std::unique_ptr<SceneGpu> m_scene;
+    QString m_rendererName;
+    QString m_rendererVersion;
+    std::string m_error;  ///< the reason there is no picture; empty: there is one
+
+    DisplayOptions m_options;
+    Camera m_camera;
+    bool m_framed = false;  ///< the scene has been framed at a real size
+
+    bool m_continuous = false;
+    QElapsedTimer m_clock;        ///< since moveOn() last ran; invalid while nothing moves
+    QElapsedTimer m_sinceFrame;   ///< since the last frame ended
+    bool m_frameFollows = false;  ///< the frame to come was asked for right after the last
+
+    Drag m_drag = Drag::None;
+    QPointF m_pressedAt;
+    QPointF m_draggedTo;
+    quint64 m_pressTime = 0;  ///< milliseconds, of the event
+    bool m_clickCounts = false;
+    std::optional<Ray> m_heldShot;
+    QTimer m_holdTimer;
+    QTimer m_repeatTimer;
+    QTimer m_crosshairTimer;  ///< runs while the crosshair shows because Space was used
+    FlyKeys m_flyKeys;
+    bool m_flyFast = false;
+};
+
+}  // namespace hitscope
