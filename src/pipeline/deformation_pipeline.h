@@ -37,7 +37,8 @@ public:
     /// Oldest hits of the history that no longer count because the capacity was reached.
     [[nodiscard]] virtual std::size_t droppedHits() const = 0;
 
-    /// `buffers` outlive their registration.
+    /// `buffers` outlive their registration. They are at their original, and so is what readBack()'s receiver
+    /// has of the target.
     virtual void addTarget(TargetId target, TargetBuffers& buffers) = 0;
     virtual void removeTarget(TargetId target) = 0;
 

@@ -18,5 +18,6 @@ struct PipelineTraits {
 };
 /// Every pipeline there is, in the order the interface lists them.
 [[nodiscard]] std::span<const PipelineTraits> allPipelines();
+[[nodiscard]] const PipelineTraits& pipelineTraits(PipelineKind kind);
 
 }  // namespace hitscope

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "deform/cluster_reach.h"
 #include "gl/objects.h"
 #include "mesh/render_mesh.h"
 
@@ -45,6 +46,8 @@ public:
 
     /// The dynamic buffer back to the original, on the GPU.
     void restoreOriginal();
+    /// Likewise, only these vertices.
+    void restoreOriginal(std::span<const VertexRange> ranges);
     /// Replaces shading normals [first, first + normals.size()).
     void writeShadingNormals(std::uint32_t first, std::span<const glm::vec3> normals);
 

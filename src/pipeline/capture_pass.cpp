@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/capture_pass.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hitscope {
+namespace {
+
+/// Most vertices captured at once (24 MiB), so that one huge hit does not double a huge mesh's memory.
+constexpr std::size_t kMostScratchVertices = std::size_t{1} << 20;
+constexpr std::size_t kLeastScratchVertices = 4096;
+
+/// Puts the caller's bindings and rasterizer state back at the end.
+class KeepState {
+public:
+    KeepState() : m_discard(glIsEnabled(GL_RASTERIZER_DISCARD)) {
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &m_framebuffer);
+        glGetIntegerv(GL_CURRENT_PROGRAM, &m_program);
+        glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &m_vertexArray);
+    }
+    ~KeepState() {
+        if (m_discard == GL_FALSE) {
+            glDisable(GL_RASTERIZER_DISCARD);
+        }
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(m_framebuffer));
+        glUseProgram(static_cast<GLuint>(m_program));
+        glBindVertexArray(static_cast<GLuint>(m_vertexArray));
+    }
+    KeepState(const KeepState&) = delete;
+    KeepState& operator=(const KeepState&) = delete;
+
+private:
+    GLboolean m_discard;
+    GLint m_framebuffer = 0;
+    GLint m_program = 0;
+    GLint m_vertexArray = 0;
+};
+
+}  // namespace
+
+Result<CapturePass> CapturePass::create(std::size_t hits) {
+    gl::Defines defines = hitArrayDefines(hits);
+    defines.emplace_back("HITSCOPE_OWN_HITS_ONLY", "1");
+    Result<gl::Program> program =
+        gl::Program::build({"capture.vert", {}, std::move(defines), {"capturedPosition", "capturedNormal"}});
+    if (!program) {
+        return program.error();
+    }
+    return CapturePass(std::move(program).value());
+}
+
+// Where there is no window there is no default framebuffer, and without a complete framebuffer even a pass
+// that draws nothing fails; one pixel of our own makes the pass independent of what the caller has bound.
+CapturePass::CapturePass(gl::Program program)
+    : m_program(std::move(program)),
+      m_framebuffer(gl::Framebuffer::make()),
+      m_colour(gl::Renderbuffer::make()),
+      m_scratch(gl::Buffer::make()) {
+    const KeepState keep;
+    glBindRenderbuffer(GL_RENDERBUFFER, m_colour.id());
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, 1, 1);
+    glBindRenderbuffer(GL_RENDERBUFFER, 0);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, m_framebuffer.id());
+    glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, m_colour.id());
+}
+
+void CapturePass::upload(const HitArrays& hits) {
+    const KeepState keep;
+    m_program.use();
+    hits.upload(m_program);
+}
+
+void CapturePass::reserveScratch(std::size_t vertices) {
+    if (vertices <= m_scratchVertices) {
+        return;
+    }
+    m_scratchVertices = std::max({vertices, 2 * m_scratchVertices, kLeastScratchVertices});
+    m_scratchVertices = std::min(m_scratchVertices, kMostScratchVertices);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, m_scratch.id());
+    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(m_scratchVertices * sizeof(DynamicVertex)),
+                 nullptr, GL_STREAM_COPY);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+}
+
+void CapturePass::run(const TargetBuffers& buffers, std::span<const CaptureRun> runs,
+                      const Captured& captured) {
+    std::vector<Piece> pieces;
+    std::vector<VertexRange> ranges;
+    std::size_t vertices = 0;
+    const auto flush = [&] {
+        if (!pieces.empty()) {
+            capture(buffers, pieces, vertices);
+            captured(ranges);
+        }
+        pieces.clear();
+        ranges.clear();
+        vertices = 0;
+    };
+    for (const CaptureRun& run : runs) {
+        for (VertexRange rest : run.ranges) {
+            while (rest.count > 0) {
+                const auto room = static_cast<std::uint32_t>(kMostScratchVertices - vertices);
+                const VertexRange range{rest.first, std::min(rest.count, room)};
+                pieces.push_back({&run, range});
+                ranges.push_back(range);
+                vertices += range.count;
+                rest = {rest.first + range.count, rest.count - range.count};
+                if (vertices == kMostScratchVertices) {
+                    flush();
+                }
+            }
+        }
+    }
+    flush();
+}
+
+void CapturePass::capture(const TargetBuffers& buffers, std::span<const Piece> pieces, std::size_t vertices) {
+    const KeepState keep;
+    reserveScratch(vertices);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, m_framebuffer.id());
+    glEnable(GL_RASTERIZER_DISCARD);
+    m_program.use();
+    glBindVertexArray(buffers.captureArray());
+    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, m_scratch.id());
+    glBeginTransformFeedback(GL_POINTS);
+    const CaptureRun* current = nullptr;
+    for (const Piece& piece : pieces) {
+        if (std::exchange(current, piece.run) != piece.run) {
+            m_program.set("u_firstHit", static_cast<int>(piece.run->firstHit));
+            m_program.set("u_lastHit", static_cast<int>(piece.run->lastHit));
+        }
+        glDrawArrays(GL_POINTS, static_cast<GLint>(piece.range.first),
+                     static_cast<GLsizei>(piece.range.count));
+    }
+    glEndTransformFeedback();
+    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
+}
+
+}  // namespace hitscope

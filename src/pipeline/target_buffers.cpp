@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/target_buffers.h"
+
+#include <cstddef>
+
+namespace hitscope {
+namespace {
+
+template <class T>
+gl::Buffer makeBuffer(std::span<const T> content, GLenum usage) {
+    gl::Buffer buffer = gl::Buffer::make();
+    glBindBuffer(GL_COPY_WRITE_BUFFER, buffer.id());
+    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(content.size_bytes()), content.data(), usage);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+    return buffer;
+}
+
+const void* bufferOffset(std::size_t bytes) {
+    return reinterpret_cast<const void*>(bytes);
+}
+
+/// Makes `attribute` of the bound vertex array read `components` floats at `offset` of each `stride` bytes.
+void attach(Attribute attribute, const gl::Buffer& buffer, GLint components, std::size_t stride,
+            std::size_t offset) {
+    const auto index = static_cast<GLuint>(attribute);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer.id());
+    glEnableVertexAttribArray(index);
+    glVertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                          bufferOffset(offset));
+}
+
+void attachDynamic(const gl::Buffer& dynamic) {
+    attach(Attribute::Position, dynamic, 3, sizeof(DynamicVertex), offsetof(DynamicVertex, position));
+    attach(Attribute::Normal, dynamic, 3, sizeof(DynamicVertex), offsetof(DynamicVertex, normal));
+}
+
+void attachOriginal(const gl::Buffer& original) {
+    attach(Attribute::OriginalPosition, original, 3, sizeof(DynamicVertex),
+           offsetof(DynamicVertex, position));
+}
+
+std::vector<glm::vec3> normalsOf(std::span<const DynamicVertex> vertices) {
+    std::vector<glm::vec3> normals;
+    normals.reserve(vertices.size());
+    for (const DynamicVertex& vertex : vertices) {
+        normals.push_back(vertex.normal);
+    }
+    return normals;
+}
+
+/// Leaves the caller's vertex array and array buffer as they were.
+class KeepBindings {
+public:
+    KeepBindings() {
+        glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &m_vertexArray);
+        glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &m_arrayBuffer);
+    }
+    ~KeepBindings() {
+        glBindVertexArray(static_cast<GLuint>(m_vertexArray));
+        glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(m_arrayBuffer));
+    }
+    KeepBindings(const KeepBindings&) = delete;
+    KeepBindings& operator=(const KeepBindings&) = delete;
+
+private:
+    GLint m_vertexArray = 0;
+    GLint m_arrayBuffer = 0;
+};
+
+}  // namespace
+
+TargetBuffers::TargetBuffers(const RenderMesh& mesh)
+    : m_vertexCount(static_cast<std::uint32_t>(mesh.vertices.size())),
+      m_triangleIndexCount(static_cast<std::uint32_t>(mesh.triangles.size())),
+      m_edgeIndexCount(static_cast<std::uint32_t>(mesh.edges.size())),
+      m_draws(mesh.draws),
+      m_clusters(mesh.clusters),
+      m_dynamic(makeBuffer(std::span<const DynamicVertex>(mesh.vertices), GL_DYNAMIC_COPY)),
+      m_original(makeBuffer(std::span<const DynamicVertex>(mesh.vertices), GL_STATIC_DRAW)),
+      m_texcoords(makeBuffer(std::span<const glm::vec2>(mesh.texcoords), GL_STATIC_DRAW)),
+      m_shadingNormals(makeBuffer(std::span<const glm::vec3>(normalsOf(mesh.vertices)), GL_DYNAMIC_DRAW)),
+      m_triangles(makeBuffer(std::span<const std::uint32_t>(mesh.triangles), GL_STATIC_DRAW)),
+      m_edges(makeBuffer(std::span<const std::uint32_t>(mesh.edges), GL_STATIC_DRAW)),
+      m_surfaceArray(gl::VertexArray::make()),
+      m_edgeArray(gl::VertexArray::make()),
+      m_captureArray(gl::VertexArray::make()) {
+    const KeepBindings keep;
+    glBindVertexArray(m_surfaceArray.id());
+    attachDynamic(m_dynamic);
+    attach(Attribute::Texcoord, m_texcoords, 2, sizeof(glm::vec2), 0);
+    attach(Attribute::ShadingNormal, m_shadingNormals, 3, sizeof(glm::vec3), 0);
+    attachOriginal(m_original);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_triangles.id());
+
+    glBindVertexArray(m_edgeArray.id());
+    attachDynamic(m_dynamic);
+    attachOriginal(m_original);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_edges.id());
+
+    glBindVertexArray(m_captureArray.id());
+    attachDynamic(m_dynamic);
+}
+
+void TargetBuffers::restoreOriginal() {
+    const VertexRange all{0, m_vertexCount};
+    restoreOriginal(std::span(&all, 1));
+}
+
+void TargetBuffers::restoreOriginal(std::span<const VertexRange> ranges) {
+    glBindBuffer(GL_COPY_READ_BUFFER, m_original.id());
+    glBindBuffer(GL_COPY_WRITE_BUFFER, m_dynamic.id());
+    for (const VertexRange& range : ranges) {
+        const auto offset = static_cast<GLintptr>(range.first * sizeof(DynamicVertex));
+        glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, offset, offset,
+                            static_cast<GLsizeiptr>(range.count * sizeof(DynamicVertex)));
+    }
+    glBindBuffer(GL_COPY_READ_BUFFER, 0);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+}
+
+void TargetBuffers::writeShadingNormals(std::uint32_t first, std::span<const glm::vec3> normals) {
+    glBindBuffer(GL_COPY_WRITE_BUFFER, m_shadingNormals.id());
+    glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(first * sizeof(glm::vec3)),
+                    static_cast<GLsizeiptr>(normals.size_bytes()), normals.data());
+    glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+}
+
+}  // namespace hitscope
