@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Everything Hitscope stands on; the Debian packages are listed in packaging/dependencies.
 set(QT_NO_PRIVATE_MODULE_WARNING ON)
-find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGLWidgets Test)
+find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGLWidgets PrintSupport Test)
 qt_standard_project_setup()
 find_package(glm REQUIRED)
 find_package(assimp REQUIRED)
