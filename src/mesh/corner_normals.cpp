@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/corner_normals.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "mesh/triangulate.h"
+
+namespace hitscope {
+namespace {
+
+/// Every corner of a vertex is compared with every other; the hub of a larger fan has all its faces averaged,
+/// so that the work stays in proportion to the mesh.
+constexpr std::size_t kMostFacesCompared = 256;
+
+/// The zero vector when v has no usable direction.
+glm::dvec3 unitOrZero(const glm::dvec3& v) {
+    const double length = glm::length(v);
+    return std::isfinite(length) && length > 0.0 ? v / length : glm::dvec3(0.0);
+}
+
+/// Whether two faces at a vertex are part of one smooth surface.
+class Smoothness {
+public:
+    Smoothness(const MeshData& mesh, float creaseAngle)
+        : m_groups(mesh.faceSmoothing), m_cosine(std::cos(static_cast<double>(creaseAngle))) {}
+
+    [[nodiscard]] bool joins(std::uint32_t face, std::uint32_t other, const glm::dvec3& faceNormal,
+                             const glm::dvec3& otherNormal) const {
+        if (face == other) {
+            return true;
+        }
+        if (!m_groups.empty()) {
+            return m_groups[face] != 0 && m_groups[face] == m_groups[other];
+        }
+        // Flat steps of a tessellated surface must not flicker between joined and not joined by rounding.
+        return glm::dot(faceNormal, otherNormal) >= m_cosine - 1e-6;
+    }
+
+private:
+    const std::vector<std::uint32_t>& m_groups;
+    double m_cosine;
+};
+
+struct FaceNormals {
+    std::vector<std::uint32_t> faceOfCorner;
+    std::vector<glm::dvec3> areas;  ///< twice the area, along the normal
+    std::vector<glm::vec3> units;   ///< zero for a face without area
+
+    explicit FaceNormals(const MeshData& mesh) : faceOfCorner(mesh.cornerVertices.size()) {
+        areas.reserve(mesh.faceCount());
+        units.reserve(mesh.faceCount());
+        for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+            for (std::size_t c = mesh.faceStarts[f]; c < mesh.faceStarts[f + 1]; ++c) {
+                faceOfCorner[c] = static_cast<std::uint32_t>(f);
+            }
+            areas.push_back(doubleAreaVector(mesh.positions, mesh.face(f)));
+            units.emplace_back(unitOrZero(areas.back()));
+        }
+    }
+};
+
+glm::vec3 computedNormal(std::uint32_t corner, std::span<const std::uint32_t> around,
+                         const FaceNormals& faces, const Smoothness& smoothness) {
+    const std::uint32_t face = faces.faceOfCorner[corner];
+    const glm::dvec3 own(faces.units[face]);
+    const bool joinAll = around.size() > kMostFacesCompared || own == glm::dvec3(0.0);
+    glm::dvec3 sum(0.0);
+    for (const std::uint32_t other : around) {
+        const std::uint32_t otherFace = faces.faceOfCorner[other];
+        if (joinAll || smoothness.joins(face, otherFace, own, glm::dvec3(faces.units[otherFace]))) {
+            sum += faces.areas[otherFace];
+        }
+    }
+    const glm::dvec3 normal = unitOrZero(sum);
+    if (normal != glm::dvec3(0.0)) {
+        return glm::vec3(normal);
+    }
+    // No face here has an area, or they cancel out: any unit vector keeps the deformation defined.
+    return own != glm::dvec3(0.0) ? glm::vec3(own) : glm::vec3(0.0f, 1.0f, 0.0f);
+}
+
+}  // namespace
+
+VertexCorners::VertexCorners(const MeshData& mesh)
+    : starts(mesh.vertexCount() + 1, 0), corners(mesh.cornerVertices.size()) {
+    for (const std::uint32_t vertex : mesh.cornerVertices) {
+        ++starts[vertex + 1];
+    }
+    for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
+        starts[v + 1] += starts[v];
+    }
+    std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+        corners[next[mesh.cornerVertices[c]]++] = static_cast<std::uint32_t>(c);
+    }
+}
+
+std::vector<glm::vec3> cornerNormals(const MeshData& mesh, const VertexCorners& vertexCorners,
+                                     float creaseAngle) {
+    std::vector<glm::vec3> normals(mesh.cornerVertices.size(), glm::vec3(0.0f));
+    bool isComplete = true;
+    for (std::size_t c = 0; c < normals.size(); ++c) {
+        if (!mesh.cornerNormals.empty() && mesh.cornerNormals[c] != kNoIndex) {
+            normals[c] = glm::vec3(unitOrZero(glm::dvec3(mesh.normals[mesh.cornerNormals[c]])));
+        }
+        isComplete = isComplete && normals[c] != glm::vec3(0.0f);
+    }
+    if (isComplete) {
+        return normals;
+    }
+    const FaceNormals faces(mesh);
+    const Smoothness smoothness(mesh, creaseAngle);
+    for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
+        for (const std::uint32_t corner : vertexCorners.of(v)) {
+            if (normals[corner] == glm::vec3(0.0f)) {
+                normals[corner] = computedNormal(corner, vertexCorners.of(v), faces, smoothness);
+            }
+        }
+    }
+    return normals;
+}
+
+}  // namespace hitscope

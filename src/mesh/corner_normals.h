@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "mesh/mesh_data.h"
+
+namespace hitscope {
+
+/// The corners of every vertex: those of v are corners[starts[v]] .. corners[starts[v + 1]], ascending.
+struct VertexCorners {
+    explicit VertexCorners(const MeshData& mesh);
+    [[nodiscard]] std::span<const std::uint32_t> of(std::size_t vertex) const {
+        return std::span(corners).subspan(starts[vertex], starts[vertex + 1] - starts[vertex]);
+    }
+
+    std::vector<std::uint32_t> starts;   ///< V + 1 entries
+    std::vector<std::uint32_t> corners;  ///< C entries
+};
+
+/// One unit normal a corner: the file's where it has a usable one, else computed from the faces around the
+/// vertex (buildRenderMesh says how).
+[[nodiscard]] std::vector<glm::vec3> cornerNormals(const MeshData& mesh, const VertexCorners& vertexCorners,
+                                                   float creaseAngle);
+
+}  // namespace hitscope
