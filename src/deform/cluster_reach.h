@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
-#include "core/bounds.h"
 #include "deform/hit.h"
 #include "mesh/render_mesh.h"
 
@@ -21,9 +21,10 @@ struct VertexRange {
 /// Sorts, and joins ranges that touch or overlap.
 [[nodiscard]] std::vector<VertexRange> merged(std::vector<VertexRange> ranges);
 
-/// Which clusters of a target a hit can reach, as its vertices move. The spheres only ever grow, by what the
-/// hits so far could have moved a vertex (max_magnitude each), so a vertex pushed far out is still found. A
-/// tree over the clusters makes a query cost what it finds, not what the mesh has.
+/// Which clusters of a target a hit can reach, as its vertices move. The spheres only ever grow, and by no
+/// more than the hits so far could have moved a vertex (max_magnitude each, and never beyond the hit's own
+/// reach), so a vertex pushed far out is still found and hits piling on one spot do not swell the spheres
+/// without end. A tree over the clusters makes a query cost what it finds, not what the mesh has.
 class ClusterReach {
 public:
     explicit ClusterReach(std::span<const Cluster> clusters);
@@ -34,12 +35,16 @@ public:
 
 private:
     struct Node {
-        Sphere bounds;
-        std::uint32_t firstChild = 0;  ///< inner node: children are firstChild and firstChild + 1
-        std::uint32_t parent = 0;
-        VertexRange range;  ///< leaf: its vertices; inner: count == 0
+        glm::dvec3 centre{0.0};
+        double radius = -1.0;
+        std::uint32_t firstChild = 0;  ///< children are firstChild and firstChild + 1; 0: a leaf
+        VertexRange range;             ///< leaf: its vertices
     };
-    std::vector<Node> m_nodes;
+    void build(std::span<const Cluster> clusters, std::size_t node);
+    void visit(std::size_t node, const Hit& hit, std::vector<VertexRange>& found);
+    void encloseChildren(Node& node) const;
+
+    std::vector<Node> m_nodes;  ///< the root first; empty when there are no clusters
 };
 
 }  // namespace hitscope

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deform/deformation_constants.h"
+
+namespace hitscope {
+
+const std::array<ParameterDescriptor, 3>& deformationParameters() {
+    static const std::array<ParameterDescriptor, 3> parameters{{
+        {.key = "max_distance",
+         .label = "Max distance",
+         .unit = "m",
+         .description = "Radius of the dent: vertices farther from the hit point stay where they are.",
+         .defaultValue = 0.5,
+         .minimum = 0.001,
+         .maximum = 100.0,
+         .step = 0.05,
+         .decimals = 3},
+        {.key = "power",
+         .label = "Power",
+         .unit = "m²",
+         .description =
+             "Strength of the hit: a vertex moves by power divided by its distance to the hit point.",
+         .defaultValue = 0.05,
+         .minimum = 0.0,
+         .maximum = 100.0,
+         .step = 0.005,
+         .decimals = 4},
+        {.key = "max_magnitude",
+         .label = "Max magnitude",
+         .unit = "m",
+         .description = "Cap: no vertex moves farther than this in one hit.",
+         .defaultValue = 0.3,
+         .minimum = 0.0,
+         .maximum = 100.0,
+         .step = 0.05,
+         .decimals = 3},
+    }};
+    return parameters;
+}
+
+double parameterValue(const DeformationConstants& constants, std::size_t index) {
+    switch (index) {
+        case 0:
+            return constants.maxDistance;
+        case 1:
+            return constants.power;
+        default:
+            return constants.maxMagnitude;
+    }
+}
+
+void setParameterValue(DeformationConstants& constants, std::size_t index, double value) {
+    const float number = static_cast<float>(value);
+    switch (index) {
+        case 0:
+            constants.maxDistance = number;
+            break;
+        case 1:
+            constants.power = number;
+            break;
+        default:
+            constants.maxMagnitude = number;
+            break;
+    }
+}
+
+bool isValid(const DeformationConstants& constants) {
+    const auto& parameters = deformationParameters();
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if (!parameters[i].accepts(parameterValue(constants, i))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace hitscope

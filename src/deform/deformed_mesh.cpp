@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deform/deformed_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+namespace hitscope {
+
+DeformedMesh::DeformedMesh(std::shared_ptr<const MeshData> original, std::shared_ptr<const RenderMesh> render)
+    : m_original(std::move(original)),
+      m_render(std::move(render)),
+      m_vertices(m_render->vertices),
+      m_positions(m_original->positions),
+      m_listed(m_original->positions.size(), false) {}
+
+void DeformedMesh::write(std::uint32_t first, std::span<const DynamicVertex> vertices) {
+    std::copy(vertices.begin(), vertices.end(), m_vertices.begin() + first);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const std::uint32_t fileVertex = m_render->fileVertices[first + i];
+        m_positions[fileVertex] = vertices[i].position;
+        if (!m_listed[fileVertex] && isChanged(fileVertex)) {
+            m_listed[fileVertex] = true;
+            m_changed.push_back(fileVertex);
+        }
+    }
+    ++m_revision;
+}
+
+void DeformedMesh::reset() {
+    m_vertices = m_render->vertices;
+    for (const std::uint32_t fileVertex : m_changed) {
+        m_positions[fileVertex] = m_original->positions[fileVertex];
+        m_listed[fileVertex] = false;
+    }
+    m_changed.clear();
+    ++m_revision;
+}
+
+bool DeformedMesh::isChanged(std::uint32_t fileVertex) const {
+    return m_positions[fileVertex] != m_original->positions[fileVertex];
+}
+
+glm::vec3 DeformedMesh::displacement(std::uint32_t fileVertex) const {
+    return m_positions[fileVertex] - m_original->positions[fileVertex];
+}
+
+DisplacementStatistics DeformedMesh::statistics() const {
+    DisplacementStatistics statistics;
+    double sum = 0.0;
+    double sumOfSquares = 0.0;
+    for (const std::uint32_t fileVertex : m_changed) {
+        if (!isChanged(fileVertex)) {
+            continue;  // a later hit brought it back
+        }
+        const glm::dvec3 moved =
+            glm::dvec3(m_positions[fileVertex]) - glm::dvec3(m_original->positions[fileVertex]);
+        const double squared = glm::dot(moved, moved);
+        const double length = std::sqrt(squared);
+        ++statistics.changedVertices;
+        statistics.maximum = std::max(statistics.maximum, length);
+        sum += length;
+        sumOfSquares += squared;
+    }
+    if (statistics.changedVertices > 0) {
+        const double count = static_cast<double>(statistics.changedVertices);
+        statistics.mean = sum / count;
+        statistics.rms = std::sqrt(sumOfSquares / count);
+    }
+    return statistics;
+}
+
+}  // namespace hitscope

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deform/hit.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <sstream>
+#include <string>
+
+namespace hitscope {
+namespace {
+
+bool isFinite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+Error notFinite(const char* field) {
+    return {"A number of the hit is infinite or not a number.", field,
+            "Give a finite number, or leave this hit out."};
+}
+
+Error outOfRange(const ParameterDescriptor& parameter, double value) {
+    std::ostringstream what;
+    what << parameter.label << " is " << value << ", which is not between " << parameter.minimum << " and "
+         << parameter.maximum;
+    if (!parameter.unit.empty()) {
+        what << " " << parameter.unit;
+    }
+    what << ".";
+    return {what.str(), std::string(parameter.key), "Choose a value in this range."};
+}
+
+}  // namespace
+
+Result<Hit> checkedHit(Hit hit) {
+    if (!isFinite(hit.point)) {
+        return notFinite("hit point");
+    }
+    if (!isFinite(hit.direction)) {
+        return notFinite("hit direction");
+    }
+    if (!std::isfinite(hit.time) || !std::isfinite(hit.speed) || !std::isfinite(hit.impulse)) {
+        return notFinite("hit time, speed or impulse");
+    }
+    for (std::size_t i = 0; i < deformationParameters().size(); ++i) {
+        const double value = parameterValue(hit.constants, i);
+        if (!deformationParameters()[i].accepts(value)) {
+            return outOfRange(deformationParameters()[i], value);
+        }
+    }
+    // In double no float can overflow or vanish here.
+    const glm::dvec3 direction(hit.direction);
+    const double lengthSquared = glm::dot(direction, direction);
+    if (lengthSquared == 0.0) {
+        return Error{"The hit has no direction: all three numbers are zero.", "hit direction",
+                     "Give the direction the projectile flew in."};
+    }
+    // A direction that is unit to float's precision keeps its bits: a hit read back from a session must
+    // deform exactly as it did when it was made.
+    if (std::abs(lengthSquared - 1.0) > 2.5e-7) {
+        hit.direction = glm::vec3(direction / std::sqrt(lengthSquared));
+    }
+    return hit;
+}
+
+}  // namespace hitscope
