@@ -3,8 +3,6 @@
 
 #include <utility>
 
-#include <utility>
-
 namespace hitscope {
 
 void HitHistory::append(const Hit& hit) {
