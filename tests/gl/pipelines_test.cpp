@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What holds for every pipeline: whatever is done in whatever order, each target is its original with its
+// hits applied in order, in every bit as the C++ reference has it.
+#include <QTest>
+#include <cstring>
+
+#include "gl/pipeline_support.h"
+#include "support/gl_fixture.h"
+
+namespace hitscope {
+
+using namespace test;
+
+namespace {
+
+std::unique_ptr<DeformationPipeline> pipelineOn(PipelineKind kind, TestScene& scene) {
+    Result<std::unique_ptr<DeformationPipeline>> made = makePipeline(kind);
+    if (!made) {
+        qWarning("%s", made.error().message().c_str());
+        return nullptr;
+    }
+    for (TestTarget& target : scene) {
+        made.value()->addTarget(target.id, *target.buffers);
+    }
+    return std::move(made).value();
+}
+
+void addPipelineRows(const QString& suffix = {}) {
+    for (const PipelineTraits& traits : allPipelines()) {
+        const QString name =
+            QString::fromUtf8(traits.name.data(), static_cast<qsizetype>(traits.name.size()));
+        QTest::newRow(qPrintable(name + suffix)) << static_cast<int>(traits.kind);
+    }
+}
+
+}  // namespace
+
+class PipelinesTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_gl.open(); }
+    void cleanup() { QCOMPARE(m_gl.errors(), QStringList()); }
+
+    void equalsReference_data() {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<int>("hits");
+        QTest::addColumn<int>("palette");
+        QTest::addColumn<QStringList>("meshes");
+        const auto add = [](const char* name, PipelineKind kind, int hits, int palette,
+                            const QStringList& meshes) {
+            QTest::newRow(name) << static_cast<int>(kind) << hits << palette << meshes;
+        };
+        const QStringList sphere{QStringLiteral("HP sphere")};
+        const QStringList cube{QStringLiteral("HP cube")};
+        const QStringList four{QStringLiteral("LP cube"), QStringLiteral("HP sphere"),
+                               QStringLiteral("LP sphere"), QStringLiteral("HP cube")};
+        add("uniform array, sphere", PipelineKind::UniformArray, 600, 1, sphere);
+        add("uniform array, cube, mixed constants", PipelineKind::UniformArray, 600, 16, cube);
+        add("uniform array, four targets", PipelineKind::UniformArray, 600, 7, four);
+        add("feedback, sphere", PipelineKind::TransformFeedback, 1500, 1, sphere);
+        add("feedback, cube, more constants than a batch holds", PipelineKind::TransformFeedback, 1500, 20,
+            cube);
+        add("feedback, four targets", PipelineKind::TransformFeedback, 2000, 7, four);
+    }
+    void equalsReference() {
+        QFETCH(const int, kind);
+        QFETCH(const int, hits);
+        QFETCH(const int, palette);
+        QFETCH(const QStringList, meshes);
+        TestScene scene = makeScene(meshes);
+        const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
+        QVERIFY(pipeline);
+        const std::vector<Hit> history =
+            randomHits(scene, 7, static_cast<std::size_t>(hits), static_cast<std::size_t>(palette));
+        Mirror mirror(scene);
+        pipeline->reset(history);
+        mirror.readBack(*pipeline);
+        QCOMPARE(differenceFromReference(mirror, scene, history), QString());
+        QCOMPARE(pipeline->droppedHits(), std::size_t{0});
+        QVERIFY(!difference(mirror.vertices(scene[0].id), scene[0].mesh.vertices).isEmpty());
+    }
+
+    void hitsOnOneSpotEqualReference_data() {
+        QTest::addColumn<int>("kind");
+        addPipelineRows();
+    }
+    // A vertex reached by more hits than fit into one capture takes them all in order.
+    void hitsOnOneSpotEqualReference() {
+        QFETCH(const int, kind);
+        TestScene scene = makeScene({QStringLiteral("HP sphere")});
+        const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
+        QVERIFY(pipeline);
+        std::vector<Hit> hits = randomHits(scene, 11, 300, 5);
+        for (Hit& hit : hits) {
+            hit.point = scene[0].mesh.vertices[100].position + 0.1f * hit.direction;
+        }
+        Mirror mirror(scene);
+        pipeline->append(hits);
+        mirror.readBack(*pipeline);
+        QCOMPARE(differenceFromReference(mirror, scene, hits), QString());
+    }
+
+    void splitNormalsLeaveNoCracks_data() {
+        QTest::addColumn<int>("kind");
+        addPipelineRows();
+    }
+    void splitNormalsLeaveNoCracks() {
+        QFETCH(const int, kind);
+        TestScene scene = makeScene({QStringLiteral("HP cube")});
+        const RenderMesh& mesh = scene[0].mesh;
+        const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
+        QVERIFY(pipeline);
+        Mirror mirror(scene);
+        pipeline->reset(randomHits(scene, 3, 600));
+        mirror.readBack(*pipeline);
+        const std::span<const DynamicVertex> vertices = mirror.vertices(scene[0].id);
+        std::size_t shared = 0;
+        for (std::uint32_t v = 0; v + 1 < mesh.fileVertexStarts.size(); ++v) {
+            const std::span<const std::uint32_t> copies = mesh.renderVerticesOf(v);
+            for (const std::uint32_t copy : copies) {
+                QCOMPARE(std::memcmp(&vertices[copy].position, &vertices[copies[0]].position, 12), 0);
+            }
+            shared += copies.size() > 1 ? 1 : 0;
+        }
+        QCOMPARE(shared, std::size_t{12 * 31 + 8});  // the cube's edges and corners
+    }
+
+    void anySequenceEqualsAFreshReset_data() {
+        QTest::addColumn<int>("kind");
+        addPipelineRows();
+    }
+    void anySequenceEqualsAFreshReset() {
+        QFETCH(const int, kind);
+        TestScene scene = makeScene({QStringLiteral("LP sphere"), QStringLiteral("HP cube")});
+        const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
+        QVERIFY(pipeline);
+        const std::vector<Hit> hits = randomHits(scene, 5, 400, 3);
+        const std::span<const Hit> all(hits);
+        Mirror mirror(scene);
+        const auto check = [&](std::size_t count) {
+            mirror.readBack(*pipeline);
+            return differenceFromReference(mirror, scene, all.first(count));
+        };
+
+        for (std::size_t i = 0; i < 10; ++i) {  // one at a time, as they arrive
+            pipeline->append(all.subspan(i, 1));
+            QCOMPARE(check(i + 1), QString());
+        }
+        pipeline->append(all.subspan(10, 90));  // several appends before one read
+        pipeline->append(all.subspan(100, 0));
+        pipeline->append(all.subspan(100, 200));
+        QCOMPARE(check(300), QString());
+        pipeline->reset(all.first(299));  // undo: what the last hit moved is delivered, too
+        QCOMPARE(check(299), QString());
+        pipeline->append(all.subspan(299));
+        pipeline->reset(all.first(20));  // never read: goes back without having been seen
+        pipeline->append(all.subspan(20, 5));
+        QCOMPARE(check(25), QString());
+        pipeline->reset({});
+        QCOMPARE(check(0), QString());
+        QCOMPARE(mirror.readBack(*pipeline), std::size_t{0});
+    }
+
+    void onlyWhatMayHaveChangedIsRead_data() {
+        QTest::addColumn<int>("kind");
+        addPipelineRows();
+    }
+    void onlyWhatMayHaveChangedIsRead() {
+        QFETCH(const int, kind);
+        TestScene scene = makeScene({QStringLiteral("HP sphere")});
+        const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
+        QVERIFY(pipeline);
+        Mirror mirror(scene);
+        pipeline->reset({});
+        QCOMPARE(mirror.readBack(*pipeline), std::size_t{0});
+        const std::vector<Hit> hits = randomHits(scene, 9, 2);
+        pipeline->append(std::span(hits).first(1));
+        const std::size_t first = mirror.readBack(*pipeline);
+        QVERIFY(first > 0 && first < scene[0].mesh.vertices.size() / 3);
+        QCOMPARE(mirror.readBack(*pipeline), std::size_t{0});
+        pipeline->append(std::span(hits).subspan(1));
+        QVERIFY(mirror.readBack(*pipeline) < scene[0].mesh.vertices.size() / 3);
+        QCOMPARE(differenceFromReference(mirror, scene, hits), QString());
+    }
+
+    void targetsComeAndGo_data() {
+        QTest::addColumn<int>("kind");
+        addPipelineRows();
+    }
+    void targetsComeAndGo() {
+        QFETCH(const int, kind);
+        TestScene scene = makeScene({QStringLiteral("LP cube"), QStringLiteral("LP sphere")});
+        const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
+        QVERIFY(pipeline);
+        std::vector<Hit> hits = randomHits(scene, 13, 100);
+        std::vector<Hit> withUnknown = hits;
+        withUnknown.insert(withUnknown.begin() + 50, Hit{TargetId{99}, {}, {0, 0, -1}, {}});
+        Mirror mirror(scene);
+        pipeline->reset(withUnknown);
+        mirror.readBack(*pipeline);
+        QCOMPARE(differenceFromReference(mirror, scene, hits), QString());
+
+        pipeline->removeTarget(scene[0].id);
+        pipeline->append(hits);  // the cube's are now on an unknown target
+        mirror.readBack(*pipeline);
+        std::vector<Hit> expected = hits;
+        for (const Hit& hit : hits) {
+            if (hit.target == scene[1].id) {
+                expected.push_back(hit);
+            }
+        }
+        QCOMPARE(differenceFromReference(mirror, scene, expected), QString());
+    }
+
+    void callersStateIsKept_data() {
+        QTest::addColumn<int>("kind");
+        addPipelineRows();
+    }
+    void callersStateIsKept() {
+        QFETCH(const int, kind);
+        TestScene scene = makeScene({QStringLiteral("LP cube")});
+        const gl::Framebuffer framebuffer = gl::Framebuffer::make();
+        const gl::VertexArray vertexArray = gl::VertexArray::make();
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+        glBindVertexArray(vertexArray.id());
+        const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
+        QVERIFY(pipeline);
+        pipeline->reset(randomHits(scene, 1, 10));
+        Mirror mirror(scene);
+        mirror.readBack(*pipeline);
+        const auto bound = [](GLenum name) {
+            GLint value = -1;
+            glGetIntegerv(name, &value);
+            return static_cast<GLuint>(value);
+        };
+        QCOMPARE(bound(GL_DRAW_FRAMEBUFFER_BINDING), framebuffer.id());
+        QCOMPARE(bound(GL_READ_FRAMEBUFFER_BINDING), framebuffer.id());
+        QCOMPARE(bound(GL_VERTEX_ARRAY_BINDING), vertexArray.id());
+        QCOMPARE(bound(GL_CURRENT_PROGRAM), GLuint{0});
+        QCOMPARE(glIsEnabled(GL_RASTERIZER_DISCARD), GLboolean{GL_FALSE});
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glBindVertexArray(0);
+    }
+
+    void hugeMeshGoesInPieces_data() {
+        QTest::addColumn<int>("kind");
+        addPipelineRows();
+    }
+    // More vertices than one capture holds, all of them reached by every hit.
+    void hugeMeshGoesInPieces() {
+        QFETCH(const int, kind);
+        TestScene scene;
+        scene.emplace_back(1u, pointCloud(21, (1u << 20) + 1000u, 1.0f));
+        const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
+        QVERIFY(pipeline);
+        std::vector<Hit> hits = randomHits(scene, 23, 2);
+        for (Hit& hit : hits) {
+            hit.constants.maxDistance = 5.0f;
+        }
+        Mirror mirror(scene);
+        pipeline->append(hits);
+        QCOMPARE(mirror.readBack(*pipeline), scene[0].mesh.vertices.size());
+        QCOMPARE(differenceFromReference(mirror, scene, hits), QString());
+    }
+
+private:
+    GlFixture m_gl;
+};
+
+}  // namespace hitscope
+
+QTEST_GUILESS_MAIN(hitscope::PipelinesTest)
+#include "pipelines_test.moc"
