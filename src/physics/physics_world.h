@@ -82,6 +82,9 @@ public:
     PhysicsWorld(const PhysicsWorld&) = delete;
     PhysicsWorld& operator=(const PhysicsWorld&) = delete;
 
+    /// Replaces the target of that id, if there is one. A collider without surface (no usable triangle, a
+    /// size that is zero or not finite) cannot be hit; triangles without area or with indices out of range
+    /// are left out.
     void addTarget(TargetId target, const RigidTransform& transform, const Collider& collider);
     void removeTarget(TargetId target);
     /// An endless horizontal floor at height y metres; projectiles rest on it, it takes no hits.
@@ -89,6 +92,8 @@ public:
     void removeFloor();
 
     /// Launches a projectile from `origin` (metres, world) along `direction` (unit). It never tunnels.
+    /// Settings out of range are clamped. Nothing is launched, and id 0 comes back, when origin or direction
+    /// is not finite or the direction is zero.
     ProjectileId shoot(const glm::vec3& origin, const glm::vec3& direction,
                        const ProjectileSettings& settings);
     void removeProjectiles();
