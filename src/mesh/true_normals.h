@@ -31,9 +31,27 @@ public:
     [[nodiscard]] std::span<const glm::vec3> normals() const { return m_normals; }
 
 private:
-    struct Private;
+    // A group is what shares one normal: a file vertex and the faces that meet there at the same original
+    // normal (and so the render vertices that differ in texture coordinates only). Groups are numbered vertex
+    // by vertex.
+    void groupRenderVertices(const RenderMesh& render);
+    void groupFaces(const RenderMesh& render);
+    [[nodiscard]] glm::dvec3 areaOf(std::uint32_t group, std::span<const glm::vec3> positions) const;
+    void recompute(std::uint32_t group, std::span<const glm::vec3> positions);
+
     std::vector<glm::vec3> m_normals;
-    // The adjacency (file vertex -> faces, face -> normal groups) is the implementation's to lay out.
+    std::vector<glm::vec3> m_originals;           ///< one a render vertex
+    std::vector<std::uint32_t> m_faceStarts;      ///< as in MeshData
+    std::vector<std::uint32_t> m_cornerVertices;  ///< as in MeshData
+    std::vector<std::uint32_t> m_cornerGroups;    ///< one a corner
+    std::vector<std::uint32_t> m_vertexStarts;    ///< file vertex -> first of its groups; V + 1 entries
+    std::vector<std::uint32_t> m_renderStarts;    ///< group -> its run of m_renderVertices
+    std::vector<std::uint32_t> m_renderVertices;
+    std::vector<std::uint32_t> m_groupFaceStarts;  ///< group -> its run of m_groupFaces
+    std::vector<std::uint32_t> m_groupFaces;
+    std::vector<glm::dvec3> m_originalAreas;  ///< group -> sum of its faces' area vectors, undented
+    std::vector<std::uint32_t> m_visited;     ///< group -> the update() that recomputed it last
+    std::uint32_t m_pass = 0;
 };
 
 }  // namespace hitscope
