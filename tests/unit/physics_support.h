@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+#include <vector>
+
+#include "physics/physics_world.h"
+
+namespace hitscope::test {
+
+/// A fixed sequence of numbers, the same on every machine: std's distributions are not.
+class Random {
+public:
+    explicit Random(std::uint32_t seed) : m_engine(seed) {}
+    float between(float low, float high) {
+        return low + (high - low) * (static_cast<float>(m_engine() >> 8u) / 16777216.0f);
+    }
+    glm::vec3 direction() {
+        for (;;) {
+            const glm::vec3 v(between(-1, 1), between(-1, 1), between(-1, 1));
+            const float length = glm::length(v);
+            if (length > 0.1f && length <= 1.0f) {
+                return v / length;
+            }
+        }
+    }
+
+private:
+    std::mt19937 m_engine;
+};
+
+/// Advances in frames of 1/60 s and collects the impacts.
+inline std::vector<Impact> run(PhysicsWorld& world, double seconds) {
+    std::vector<Impact> all;
+    for (double t = 0; t < seconds; t += 1.0 / 60.0) {
+        const auto impacts = world.advance(1.0 / 60.0);
+        all.insert(all.end(), impacts.begin(), impacts.end());
+    }
+    return all;
+}
+
+/// A quad of two triangles in the plane x = 0, half extent in metres.
+inline MeshCollider sheet(float halfExtent) {
+    const float h = halfExtent;
+    return {{{0, -h, -h}, {0, h, -h}, {0, h, h}, {0, -h, h}}, {0, 1, 2, 0, 2, 3}};
+}
+
+/// A UV sphere as triangles.
+inline MeshCollider sphereMesh(float radius, int segments, int rings) {
+    MeshCollider mesh;
+    for (int ring = 0; ring <= rings; ++ring) {
+        const float theta = 3.14159265f * static_cast<float>(ring) / static_cast<float>(rings);
+        for (int i = 0; i < segments; ++i) {
+            const float phi = 6.2831853f * static_cast<float>(i) / static_cast<float>(segments);
+            mesh.vertices.push_back(radius * glm::vec3(std::sin(theta) * std::cos(phi), std::cos(theta),
+                                                       std::sin(theta) * std::sin(phi)));
+        }
+    }
+    const auto at = [segments](int ring, int i) {
+        return static_cast<std::uint32_t>(ring * segments + i % segments);
+    };
+    for (int ring = 0; ring < rings; ++ring) {
+        for (int i = 0; i < segments; ++i) {
+            // At the poles one of the two has no area: such triangles belong to the test.
+            for (const std::uint32_t index : {at(ring, i), at(ring + 1, i), at(ring + 1, i + 1), at(ring, i),
+                                              at(ring + 1, i + 1), at(ring, i + 1)}) {
+                mesh.triangles.push_back(index);
+            }
+        }
+    }
+    return mesh;
+}
+
+inline ProjectileSettings withSpeed(float speed) {
+    ProjectileSettings settings;
+    settings.speed = speed;
+    return settings;
+}
+
+}  // namespace hitscope::test
