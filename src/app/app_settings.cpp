@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/app_settings.h"
+
+#include <QSettings>
+#include <cmath>
+
+namespace hitscope {
+
+namespace {
+
+QString text(std::string_view words) {
+    return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
+}
+
+/// An enum kept as a number; `count` values.
+template <class Enum>
+Enum readEnum(const QSettings& settings, const QString& key, int count, Enum fallback) {
+    bool isNumber = false;
+    const int value = settings.value(key).toInt(&isNumber);
+    return isNumber && value >= 0 && value < count ? static_cast<Enum>(value) : fallback;
+}
+
+void readColour(const QSettings& settings, const QString& key, glm::vec3& colour) {
+    const QStringList parts = settings.value(key).toStringList();
+    if (parts.size() != 3) {
+        return;
+    }
+    glm::vec3 read;
+    for (int i = 0; i < 3; ++i) {
+        read[i] = parts[i].toFloat();
+        if (!std::isfinite(read[i]) || read[i] < 0.0f || read[i] > 10.0f) {
+            return;
+        }
+    }
+    colour = read;
+}
+
+void writeColour(QSettings& settings, const QString& key, const glm::vec3& colour) {
+    const auto number = [](float part) { return QString::number(static_cast<double>(part), 'g', 9); };
+    settings.setValue(key, QStringList{number(colour.r), number(colour.g), number(colour.b)});
+}
+
+/// A number within [lowest, highest], or what it was.
+void readNumber(const QSettings& settings, const QString& key, float lowest, float highest, float& value) {
+    bool isNumber = false;
+    const float read = settings.value(key).toFloat(&isNumber);
+    if (isNumber && read >= lowest && read <= highest) {
+        value = read;
+    }
+}
+
+template <class Light>
+void readLight(const QSettings& settings, const QString& name, Light& light) {
+    light.on = settings.value(QStringLiteral("lights/%1/on").arg(name), light.on).toBool();
+    readColour(settings, QStringLiteral("lights/%1/diffuse").arg(name), light.colours.diffuse);
+}
+
+template <class Light>
+void writeLight(QSettings& settings, const QString& name, const Light& light) {
+    settings.setValue(QStringLiteral("lights/%1/on").arg(name), light.on);
+    writeColour(settings, QStringLiteral("lights/%1/diffuse").arg(name), light.colours.diffuse);
+}
+
+void loadProjectile(const QSettings& settings, Session& session) {
+    ProjectileSettings projectile = session.projectileSettings();
+    readNumber(settings, QStringLiteral("projectile/speed"), 1.0f, 500.0f, projectile.speed);
+    readNumber(settings, QStringLiteral("projectile/radius"), 0.005f, 5.0f, projectile.radius);
+    readNumber(settings, QStringLiteral("projectile/mass"), 0.01f, 1000.0f, projectile.mass);
+    readNumber(settings, QStringLiteral("projectile/lifetime"), 0.1f, 60.0f, projectile.lifetime);
+    projectile.bouncesCount =
+        settings.value(QStringLiteral("projectile/bouncesCount"), projectile.bouncesCount).toBool();
+    session.setProjectileSettings(projectile);
+}
+
+}  // namespace
+
+void AppSettings::addRecentFile(const QString& path) {
+    recentFiles.removeAll(path);
+    recentFiles.prepend(path);
+    recentFiles = recentFiles.mid(0, kMostRecentFiles);
+}
+
+AppSettings loadAppSettings(const QSettings& settings) {
+    AppSettings values;
+    values.theme = readEnum(settings, QStringLiteral("theme"), 3, values.theme);
+    if (settings.contains(QStringLiteral("viewportTheme"))) {
+        values.viewportTheme = readEnum(settings, QStringLiteral("viewportTheme"), 2, Theme::Dark);
+    }
+    DisplayOptions& display = values.display;
+    display.wireframe = readEnum(settings, QStringLiteral("display/wireframe"), 3, display.wireframe);
+    display.normals = readEnum(settings, QStringLiteral("display/normals"), 2, display.normals);
+    display.floor = settings.value(QStringLiteral("display/floor"), display.floor).toBool();
+    display.textures = settings.value(QStringLiteral("display/textures"), display.textures).toBool();
+    display.crosshair = settings.value(QStringLiteral("display/crosshair"), display.crosshair).toBool();
+    values.recentFiles =
+        settings.value(QStringLiteral("recentFiles")).toStringList().mid(0, AppSettings::kMostRecentFiles);
+    values.folder = settings.value(QStringLiteral("folder")).toString();
+    return values;
+}
+
+void saveAppSettings(QSettings& settings, const AppSettings& values) {
+    settings.setValue(QStringLiteral("theme"), static_cast<int>(values.theme));
+    if (values.viewportTheme) {
+        settings.setValue(QStringLiteral("viewportTheme"), static_cast<int>(*values.viewportTheme));
+    } else {
+        settings.remove(QStringLiteral("viewportTheme"));
+    }
+    const DisplayOptions& display = values.display;
+    settings.setValue(QStringLiteral("display/wireframe"), static_cast<int>(display.wireframe));
+    settings.setValue(QStringLiteral("display/normals"), static_cast<int>(display.normals));
+    settings.setValue(QStringLiteral("display/floor"), display.floor);
+    settings.setValue(QStringLiteral("display/textures"), display.textures);
+    settings.setValue(QStringLiteral("display/crosshair"), display.crosshair);
+    settings.setValue(QStringLiteral("recentFiles"), values.recentFiles);
+    settings.setValue(QStringLiteral("folder"), values.folder);
+}
+
+void loadSessionSettings(const QSettings& settings, Session& session) {
+    const QString pipeline = settings.value(QStringLiteral("pipeline")).toString();
+    for (const PipelineTraits& traits : allPipelines()) {
+        if (text(traits.key) == pipeline) {
+            session.setPipeline(traits.kind);
+        }
+    }
+    Lights lights = session.lights();
+    readLight(settings, QStringLiteral("directional"), lights.directional);
+    for (PointLight& light : lights.points) {
+        readLight(settings, QStringLiteral("points"), light);
+    }
+    readLight(settings, QStringLiteral("spot"), lights.spot);
+    session.setLights(lights);
+
+    DeformationConstants constants;
+    const auto& parameters = deformationParameters();
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        bool isNumber = false;
+        const double value =
+            settings.value(QStringLiteral("constants/") + text(parameters[i].key)).toDouble(&isNumber);
+        if (isNumber && parameters[i].accepts(value)) {
+            setParameterValue(constants, i, value);
+        }
+    }
+    // Each value was checked against the same ranges, so this is not refused.
+    static_cast<void>(session.setConstants(constants, false));
+    loadProjectile(settings, session);
+}
+
+void saveSessionSettings(QSettings& settings, const Session& session) {
+    for (const PipelineTraits& traits : allPipelines()) {
+        if (traits.kind == session.pipeline()) {
+            settings.setValue(QStringLiteral("pipeline"), text(traits.key));
+        }
+    }
+    writeLight(settings, QStringLiteral("directional"), session.lights().directional);
+    writeLight(settings, QStringLiteral("points"), session.lights().points.front());
+    writeLight(settings, QStringLiteral("spot"), session.lights().spot);
+    const auto& parameters = deformationParameters();
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        settings.setValue(QStringLiteral("constants/") + text(parameters[i].key),
+                          QString::number(parameterValue(session.constants(), i), 'g', 9));
+    }
+    const ProjectileSettings& projectile = session.projectileSettings();
+    settings.setValue(QStringLiteral("projectile/speed"), projectile.speed);
+    settings.setValue(QStringLiteral("projectile/radius"), projectile.radius);
+    settings.setValue(QStringLiteral("projectile/mass"), projectile.mass);
+    settings.setValue(QStringLiteral("projectile/lifetime"), projectile.lifetime);
+    settings.setValue(QStringLiteral("projectile/bouncesCount"), projectile.bouncesCount);
+}
+
+}  // namespace hitscope

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStringList>
+#include <optional>
+
+#include "app/theme.h"
+#include "render/display_options.h"
+#include "session/session.h"
+
+class QSettings;
+
+namespace hitscope {
+
+/// What is remembered from one start to the next, apart from the window's own geometry. What was never saved,
+/// or no longer makes sense, is as on the first start.
+struct AppSettings {
+    ThemeChoice theme = ThemeChoice::System;
+    std::optional<Theme> viewportTheme;  ///< nothing: as the window
+    DisplayOptions display;
+    QStringList recentFiles;  ///< newest first
+    QString folder;           ///< where the last file was opened or saved
+
+    static constexpr int kMostRecentFiles = 10;
+    void addRecentFile(const QString& path);
+};
+
+[[nodiscard]] AppSettings loadAppSettings(const QSettings& settings);
+void saveAppSettings(QSettings& settings, const AppSettings& values);
+
+/// The session's settings: pipeline, lights, deformation constants, projectiles; not its scene or hits.
+void loadSessionSettings(const QSettings& settings, Session& session);
+void saveSessionSettings(QSettings& settings, const Session& session);
+
+}  // namespace hitscope

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dialogs.h"
+
+#include <QCoreApplication>
+#include <QIcon>
+#include <QMessageBox>
+#include <QStringList>
+
+namespace hitscope {
+
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("hitscope::dialogs", text);
+}
+
+}  // namespace
+
+void showError(QWidget* parent, const Error& error) {
+    auto* box = new QMessageBox(QMessageBox::Warning, QCoreApplication::applicationName(),
+                                QString::fromStdString(error.what), QMessageBox::Ok, parent);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextFormat(Qt::PlainText);
+    QStringList more;
+    for (const std::string& part : {error.where, error.advice}) {
+        if (!part.empty()) {
+            more.append(QString::fromStdString(part));
+        }
+    }
+    box->setInformativeText(more.join(QStringLiteral("\n\n")));
+    box->open();
+}
+
+void showAbout(QWidget* parent, const QString& renderer, const QString& version) {
+    auto* box = new QMessageBox(QMessageBox::NoIcon, tr("About Hitscope"), {}, QMessageBox::Close, parent);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setIconPixmap(QIcon(QStringLiteral(":/icons/hitscope.svg")).pixmap(64, 64));
+    box->setText(tr("<h3>Hitscope %1</h3><p>Shoot a mesh, see exactly what moved, save the result.</p>")
+                     .arg(QStringLiteral(HITSCOPE_VERSION)));
+    box->setInformativeText(
+        tr("<p>The deformation is that of “Real-time polygon mesh deformation” by Alessio Quercia.</p>"
+           "<p>Renderer: %1<br>OpenGL: %2<br>Qt: %3</p>"
+           "<p>Free software under the GNU General Public License, version 3 or later.</p>")
+            .arg(renderer.toHtmlEscaped(), version.toHtmlEscaped(), QString::fromLatin1(qVersion())));
+    box->open();
+}
+
+}  // namespace hitscope

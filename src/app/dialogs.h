@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include "core/result.h"
+
+class QWidget;
+
+namespace hitscope {
+
+/// One message box that says what, where and what to do. Returns at once; the box belongs to `parent`.
+void showError(QWidget* parent, const Error& error);
+
+/// Version, licence, and what draws. `renderer` and `version` as the viewport knows them; may be empty.
+void showAbout(QWidget* parent, const QString& renderer, const QString& version);
+
+}  // namespace hitscope

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/main_window.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QMenu>
+#include <QSettings>
+#include <QStatusBar>
+#include <QSurfaceFormat>
+#include <algorithm>
+
+#include "app/dialogs.h"
+#include "app/notice_bar.h"
+#include "app/scene_files.h"
+#include "app/status_line.h"
+#include "panels/deformation_constants/deformation_constants_panel.h"
+#include "panels/frame_rate/frame_rate_panel.h"
+#include "panels/hit_history/hit_history_panel.h"
+#include "panels/lights/lights_panel.h"
+#include "panels/mesh_statistics/mesh_statistics_panel.h"
+#include "viewport/viewport.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr int kFrameRateInterval = 500;  // milliseconds between read-outs in the status bar
+constexpr int kHintStays = 20'000;       // milliseconds
+constexpr int kLayoutVersion = 1;        // docks that are gone or new make an old layout useless
+
+}  // namespace
+
+void MainWindow::setSurfaceFormat() {
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    format.setSamples(4);
+    QSurfaceFormat::setDefaultFormat(format);
+}
+
+MainWindow::MainWindow(Session& session, QWidget* parent)
+    : QMainWindow(parent),
+      m_session(session),
+      m_settings(loadAppSettings(QSettings())),
+      m_hitHistory(session),
+      m_meshStatistics(session),
+      m_viewport(new Viewport(session, this)),
+      m_notice(new NoticeBar(m_viewport)),
+      m_files(new SceneFiles(session, this)),
+      m_status(new StatusLine(session, *statusBar(), this)) {
+    loadSessionSettings(QSettings(), session);
+    applyTheme(m_settings.theme);
+    m_viewport->setOptions(m_settings.display);
+    setCentralWidget(m_viewport);
+    setAcceptDrops(true);
+    setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+    makeMenus();
+    makeDocks();
+    makeToolBar();
+    connectFiles();
+
+    connect(&session, &Session::sceneReplaced, this, &MainWindow::followScene);
+    connect(&session, &Session::hitsAppended, this, &MainWindow::followHistory);
+    connect(&session, &Session::historyReset, this, &MainWindow::followHistory);
+    connect(&session, &Session::lightsChanged, this, &MainWindow::followLights);
+    connect(m_viewport, &Viewport::framePainted, m_frameRate, &FrameRatePanel::addFrame);
+    connect(m_viewport, &Viewport::rendererKnown, this,
+            [this] { m_status->setRenderer(m_viewport->rendererName()); });
+    connect(m_viewport, &Viewport::failed, this, [this](const Error& error) { showError(this, error); });
+    connect(&m_frameRateTimer, &QTimer::timeout, this,
+            [this] { m_status->setFrameRate(m_frameRate->summary().framesPerSecond); });
+    m_frameRateTimer.start(kFrameRateInterval);
+
+    followScene();
+    followDisplay();
+    followLights();
+    followViewportTheme();
+    restoreWindow();
+    statusBar()->showMessage(
+        tr("Click shoots, drag orbits, right-drag pans, wheel zooms. F1 lists all keys."), kHintStays);
+    m_viewport->setFocus();
+}
+
+MainWindow::~MainWindow() = default;
+
+QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* panel,
+                                 Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(title, this);
+    dock->setObjectName(name);
+    dock->setWidget(panel);
+    addDockWidget(area, dock);
+    m_docksMenu->addAction(dock->toggleViewAction());
+    return dock;
+}
+
+void MainWindow::makeDocks() {
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+    m_frameRate = new FrameRatePanel(*m_continuous);
+    QDockWidget* statistics =
+        addDock(QStringLiteral("meshStatistics"), tr("Mesh statistics"),
+                new MeshStatisticsPanel(m_session, m_meshStatistics), Qt::RightDockWidgetArea);
+    QDockWidget* history = addDock(QStringLiteral("hitHistory"), tr("Hit history"),
+                                   new HitHistoryPanel(m_session, m_hitHistory), Qt::BottomDockWidgetArea);
+    QDockWidget* constants = addDock(QStringLiteral("deformationConstants"), tr("Deformation constants"),
+                                     new DeformationConstantsPanel(m_session), Qt::RightDockWidgetArea);
+    QDockWidget* lights =
+        addDock(QStringLiteral("lights"), tr("Lights"), new LightsPanel(m_session), Qt::RightDockWidgetArea);
+    QDockWidget* frameRate =
+        addDock(QStringLiteral("frameRate"), tr("Frame rate"), m_frameRate, Qt::BottomDockWidgetArea);
+    tabifyDockWidget(constants, lights);
+    constants->raise();
+    resizeDocks({statistics, constants}, {330, 330}, Qt::Horizontal);
+    resizeDocks({statistics, constants}, {420, 170}, Qt::Vertical);
+    resizeDocks({history, frameRate}, {190, 190}, Qt::Vertical);
+    resizeDocks({history, frameRate}, {560, 380}, Qt::Horizontal);
+}
+
+void MainWindow::restoreWindow() {
+    resize(1440, 900);
+    m_firstLayout = saveState(kLayoutVersion);
+    const QSettings settings;
+    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+    restoreState(settings.value(QStringLiteral("window/layout")).toByteArray(), kLayoutVersion);
+}
+
+void MainWindow::resetLayout() {
+    restoreState(m_firstLayout, kLayoutVersion);
+}
+
+void MainWindow::saveSettings() {
+    QSettings settings;
+    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+    settings.setValue(QStringLiteral("window/layout"), saveState(kLayoutVersion));
+    m_settings.display = m_viewport->options();
+    saveAppSettings(settings, m_settings);
+    saveSessionSettings(settings, m_session);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    m_files->cancel();
+    saveSettings();
+    event->accept();
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && m_viewport != nullptr) {
+        followViewportTheme();
+    }
+}
+
+void MainWindow::followScene() {
+    setWindowTitle(m_session.sceneName());
+    m_notice->clear();
+    const bool oneMesh = m_session.targets().size() == 1;
+    m_placeMesh->setEnabled(oneMesh);
+    m_fileCoordinates->setEnabled(oneMesh &&
+                                  !m_session.targets().front()->deformed.original().placement.isIdentity());
+    m_export->setEnabled(!m_session.targets().empty());
+    followHistory();
+}
+
+void MainWindow::followHistory() {
+    m_undo->setEnabled(m_session.canUndo());
+    m_redo->setEnabled(m_session.canRedo());
+    m_clear->setEnabled(m_session.history().size() > 0);
+}
+
+void MainWindow::followDisplay() {
+    const DisplayOptions& display = m_viewport->options();
+    m_wireframes[static_cast<std::size_t>(display.wireframe)]->setChecked(true);
+    m_normals[static_cast<std::size_t>(display.normals)]->setChecked(true);
+    m_textures->setChecked(display.textures);
+    m_floor->setChecked(display.floor);
+    m_crosshair->setChecked(display.crosshair);
+}
+
+void MainWindow::followLights() {
+    const Lights& lights = m_session.lights();
+    m_lights[0]->setChecked(lights.directional.on);
+    m_lights[1]->setChecked(std::any_of(lights.points.begin(), lights.points.end(),
+                                        [](const PointLight& light) { return light.on; }));
+    m_lights[2]->setChecked(lights.spot.on);
+}
+
+void MainWindow::followViewportTheme() {
+    DisplayOptions display = m_viewport->options();
+    display.theme = m_settings.viewportTheme.value_or(isDark(palette()) ? Theme::Dark : Theme::Light);
+    m_viewport->setOptions(display);
+}
+
+void MainWindow::changeDisplay(const std::function<void(DisplayOptions&)>& change) {
+    DisplayOptions display = m_viewport->options();
+    change(display);
+    m_viewport->setOptions(display);
+    followDisplay();
+}
+
+void MainWindow::cycleWireframe() {
+    changeDisplay([](DisplayOptions& display) {
+        display.wireframe = static_cast<WireframeMode>((static_cast<int>(display.wireframe) + 1) % 3);
+    });
+}
+
+void MainWindow::toggleLight(const std::function<void(Lights&)>& change) {
+    Lights lights = m_session.lights();
+    change(lights);
+    m_session.setLights(lights);
+}
+
+void MainWindow::chooseTheme(ThemeChoice choice) {
+    m_settings.theme = choice;
+    applyTheme(choice);
+    followViewportTheme();
+}
+
+}  // namespace hitscope

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMainWindow>
+#include <QTimer>
+#include <functional>
+
+#include "app/app_settings.h"
+#include "models/hit_history_model.h"
+#include "models/mesh_statistics_model.h"
+#include "session/session.h"
+
+class QActionGroup;
+class QComboBox;
+class QDockWidget;
+class QMenu;
+
+namespace hitscope {
+
+class FrameRatePanel;
+class NoticeBar;
+class SceneFiles;
+class StatusLine;
+class Viewport;
+
+/// The window: makes viewport, docks, menus and actions and connects them to the session. Knows nothing of
+/// meshes.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+public:
+    /// What the viewport's context has to be; call before the QApplication is made.
+    static void setSurfaceFormat();
+
+    /// `session` outlives the window. Settings are read from and saved to the application's QSettings.
+    explicit MainWindow(Session& session, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    [[nodiscard]] Viewport& viewport() { return *m_viewport; }
+
+    /// Opens the first; if there are more, says that they were left out. Nothing for an empty list.
+    void openFiles(const QStringList& paths);
+    /// Writes the target in focus as it is on the screen. Errors are exportTarget()'s.
+    [[nodiscard]] Status exportTo(const QString& path);
+    [[nodiscard]] Status savePictureTo(const QString& path);
+    /// Reloads the scene's only mesh with its centre at the origin and its largest extent `extent` metres,
+    /// or, for extent 0, in its file's own coordinates. Hits are lost.
+    void placeMesh(double extent);
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    // Parts
+    void makeDocks();
+    QDockWidget* addDock(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area);
+    void makeMenus();
+    void makeFileMenu();
+    void makeEditMenu();
+    void makeViewMenu();
+    void makeDisplayActions(QMenu& menu);
+    void makeThemeMenus(QMenu& menu);
+    void makeMeshMenu();
+    void makeShootMenu();
+    void makeLightsMenu();
+    void makeHelpMenu();
+    void makeToolBar();
+    QMenu* makeWireframeMenu();
+    QComboBox* makePipelineBox();
+    void connectFiles();
+    void restoreWindow();
+    void resetLayout();
+
+    // Actions
+    QAction* addAction(QMenu& menu, const QString& text, const QKeySequence& keys, std::function<void()> act,
+                       const QString& icon = {});
+    QAction* addToggle(QMenu& menu, const QString& text, const QKeySequence& keys, bool on,
+                       std::function<void(bool)> act);
+    /// A checkable action in a group of which one is on.
+    QAction* addChoice(QMenu& menu, QActionGroup& group, const QString& text, bool on,
+                       std::function<void()> act);
+    /// An action whose key the viewport handles itself, since it is held down; the menu shows it.
+    QAction* addHeldKey(QMenu& menu, const QString& text, const QString& key, std::function<void()> act);
+
+    // Doing
+    void chooseFile();
+    void chooseExport();
+    void choosePicture();
+    void choosePlacement();
+    void showRecentFiles();
+    void saidOpened(const QString& path, const QStringList& notes);
+    void cycleWireframe();
+    void changeDisplay(const std::function<void(DisplayOptions&)>& change);
+    void toggleLight(const std::function<void(Lights&)>& change);
+    void chooseTheme(ThemeChoice choice);
+    void showProjectileDialog();
+
+    // Showing
+    void followScene();
+    void followHistory();
+    void followDisplay();
+    void followLights();
+    void followViewportTheme();
+    void saveSettings();
+
+    Session& m_session;
+    AppSettings m_settings;
+    HitHistoryModel m_hitHistory;
+    MeshStatisticsModel m_meshStatistics;
+    Viewport* m_viewport = nullptr;
+    NoticeBar* m_notice = nullptr;
+    SceneFiles* m_files = nullptr;
+    StatusLine* m_status = nullptr;
+    FrameRatePanel* m_frameRate = nullptr;
+    QTimer m_frameRateTimer;
+    QByteArray m_firstLayout;
+
+    QMenu* m_recentMenu = nullptr;
+    QMenu* m_docksMenu = nullptr;
+    QMenu* m_wireframeMenu = nullptr;
+    QAction* m_open = nullptr;
+    QAction* m_export = nullptr;
+    QAction* m_undo = nullptr;
+    QAction* m_redo = nullptr;
+    QAction* m_clear = nullptr;
+    QAction* m_frame = nullptr;
+    QAction* m_continuous = nullptr;
+    QAction* m_placeMesh = nullptr;
+    QAction* m_fileCoordinates = nullptr;
+    QAction* m_bounces = nullptr;
+    QAction* m_wireframes[3] = {};  ///< by WireframeMode
+    QAction* m_normals[2] = {};     ///< by NormalMode
+    QAction* m_textures = nullptr;
+    QAction* m_floor = nullptr;
+    QAction* m_crosshair = nullptr;
+    QAction* m_lights[3] = {};  ///< directional, points, spot
+    QActionGroup* m_pipelines = nullptr;
+};
+
+}  // namespace hitscope

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window's part in opening, placing and saving.
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QImage>
+#include <QInputDialog>
+#include <QMenu>
+#include <QMimeData>
+#include <QStandardPaths>
+#include <QStatusBar>
+#include <QUrl>
+#include <algorithm>
+
+#include "app/dialogs.h"
+#include "app/main_window.h"
+#include "app/notice_bar.h"
+#include "app/scene_files.h"
+#include "app/status_line.h"
+#include "io/import.h"
+#include "io/save_image.h"
+#include "models/focus_target.h"
+#include "models/quantity_text.h"
+#include "session/export_target.h"
+#include "viewport/viewport.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr double kUsualExtent = 5.0;     // metres: that of the paper's targets
+constexpr float kSmallestExtent = 0.5f;  // metres; projectiles are 0.2 m across
+constexpr float kLargestExtent = 200.0f;
+constexpr int kMessageStays = 8'000;  // milliseconds
+
+QString allMeshesFilter() {
+    QStringList patterns;
+    for (const QString& suffix : importSuffixes()) {
+        patterns.append(QStringLiteral("*.") + suffix);
+    }
+    return MainWindow::tr("Meshes (%1)").arg(patterns.join(u' '));
+}
+
+bool canOpen(const QString& path) {
+    return importSuffixes().contains(QFileInfo(path).suffix().toLower());
+}
+
+QStringList droppedFiles(const QMimeData& data) {
+    QStringList paths;
+    for (const QUrl& url : data.urls()) {
+        if (url.isLocalFile()) {
+            paths.append(url.toLocalFile());
+        }
+    }
+    return paths;
+}
+
+/// "teapot" and "_deformed.obj" in `folder`, without characters that file systems refuse.
+QString suggestedPath(const QString& folder, QString name, const QString& ending) {
+    for (QChar& letter : name) {
+        if (!letter.isLetterOrNumber() && letter != u'-' && letter != u'.') {
+            letter = u'_';
+        }
+    }
+    return folder + u'/' + (name.isEmpty() ? QStringLiteral("mesh") : name) + ending;
+}
+
+QString folderOr(const QString& folder) {
+    return !folder.isEmpty() && QFileInfo(folder).isDir()
+               ? folder
+               : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+}
+
+QString withSuffix(const QString& path, const QString& suffix) {
+    return QFileInfo(path).suffix().compare(suffix, Qt::CaseInsensitive) == 0 ? path : path + u'.' + suffix;
+}
+
+}  // namespace
+
+void MainWindow::connectFiles() {
+    connect(m_files, &SceneFiles::started, m_status, &StatusLine::beginProgress);
+    connect(m_files, &SceneFiles::progressed, m_status, &StatusLine::setProgress);
+    connect(m_files, &SceneFiles::ended, m_status, &StatusLine::endProgress);
+    connect(m_files, &SceneFiles::opened, this, &MainWindow::saidOpened);
+    connect(m_files, &SceneFiles::failed, this, [this](const Error& error) { showError(this, error); });
+    connect(m_status, &StatusLine::cancelled, this, [this] {
+        m_files->cancel();
+        statusBar()->showMessage(tr("Cancelled; the scene is as it was."), kMessageStays);
+    });
+}
+
+void MainWindow::openFiles(const QStringList& paths) {
+    if (paths.isEmpty()) {
+        return;
+    }
+    m_files->open(paths.front());
+    if (paths.size() > 1) {
+        statusBar()->showMessage(tr("One mesh at a time: opening %1, leaving %n other(s) out.", nullptr,
+                                    static_cast<int>(paths.size()) - 1)
+                                     .arg(QFileInfo(paths.front()).fileName()),
+                                 kMessageStays);
+    }
+}
+
+void MainWindow::chooseFile() {
+    QStringList filters{allMeshesFilter()};
+    filters += importNameFilters();
+    filters += tr("All files (*)");
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open mesh"), folderOr(m_settings.folder),
+                                                      filters.join(QStringLiteral(";;")));
+    if (!path.isEmpty()) {
+        openFiles({path});
+    }
+}
+
+void MainWindow::saidOpened(const QString& path, const QStringList& notes) {
+    m_settings.folder = QFileInfo(path).absolutePath();
+    m_settings.addRecentFile(path);
+    QStringList lines;
+    for (const QString& note : notes.mid(0, 6)) {
+        lines.append(note);
+    }
+    if (notes.size() > lines.size()) {
+        lines.append(tr("and %n more", nullptr, static_cast<int>(notes.size() - lines.size())));
+    }
+    const glm::vec3 size = m_session.sceneBounds().size();
+    const float extent = std::max({size.x, size.y, size.z});
+    if (extent > 0.0f && (extent < kSmallestExtent || extent > kLargestExtent)) {
+        lines.prepend(tr("This mesh is %1 m across; hits reach %2 m around where they land.")
+                          .arg(quantityText(static_cast<double>(extent)),
+                               quantityText(static_cast<double>(m_session.constants().maxDistance))));
+        m_notice->say(lines.join(u'\n'), tr("Scale to %1 m").arg(kUsualExtent),
+                      [this] { placeMesh(kUsualExtent); });
+    } else if (!lines.isEmpty()) {
+        m_notice->say(lines.join(u'\n'));
+    }
+    statusBar()->showMessage(tr("Opened %1").arg(QFileInfo(path).fileName()), kMessageStays);
+}
+
+void MainWindow::showRecentFiles() {
+    m_recentMenu->clear();
+    for (const QString& path : m_settings.recentFiles) {
+        QAction* action =
+            m_recentMenu->addAction(QFileInfo(path).fileName(), this, [this, path] { openFiles({path}); });
+        action->setToolTip(path);
+    }
+    if (m_settings.recentFiles.isEmpty()) {
+        m_recentMenu->addAction(tr("No files yet"))->setEnabled(false);
+        return;
+    }
+    m_recentMenu->addSeparator();
+    m_recentMenu->addAction(tr("Clear This List"), this, [this] { m_settings.recentFiles.clear(); });
+}
+
+void MainWindow::chooseExport() {
+    const Target* target = focusTarget(m_session);
+    if (target == nullptr) {
+        return;
+    }
+    const QString name =
+        target->sourcePath.isEmpty() ? target->name : QFileInfo(target->sourcePath).completeBaseName();
+    const QString path = QFileDialog::getSaveFileName(
+        this, tr("Export “%1” as it is now").arg(target->name),
+        suggestedPath(folderOr(m_settings.folder), name, QStringLiteral("_deformed.obj")), tr("OBJ (*.obj)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    const QString full = withSuffix(path, QStringLiteral("obj"));
+    m_settings.folder = QFileInfo(full).absolutePath();
+    if (Status exported = exportTo(full); !exported) {
+        showError(this, exported.error());
+    } else {
+        statusBar()->showMessage(tr("Exported “%1” to %2").arg(target->name, full), kMessageStays);
+    }
+}
+
+Status MainWindow::exportTo(const QString& path) {
+    const Target* target = focusTarget(m_session);
+    if (target == nullptr) {
+        return Error{"There is nothing to export.", path.toStdString(), "Open a mesh first."};
+    }
+    if (Status current = m_viewport->syncNow(); !current) {
+        return current;
+    }
+    return exportTarget(*target, path, m_viewport->options().normals);
+}
+
+void MainWindow::choosePicture() {
+    const QString path = QFileDialog::getSaveFileName(
+        this, tr("Save picture"),
+        suggestedPath(folderOr(m_settings.folder), m_session.sceneName(), QStringLiteral(".png")),
+        tr("PNG (*.png)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    const QString full = withSuffix(path, QStringLiteral("png"));
+    m_settings.folder = QFileInfo(full).absolutePath();
+    if (Status saved = savePictureTo(full); !saved) {
+        showError(this, saved.error());
+    } else {
+        statusBar()->showMessage(tr("Saved %1").arg(full), kMessageStays);
+    }
+}
+
+Status MainWindow::savePictureTo(const QString& path) {
+    const QImage grabbed = m_viewport->grabFramebuffer().convertToFormat(QImage::Format_RGBX8888);
+    Image image;
+    image.width = grabbed.width();
+    image.height = grabbed.height();
+    const std::size_t row = static_cast<std::size_t>(image.width) * 4;
+    image.pixels.reserve(row * static_cast<std::size_t>(image.height));
+    for (int y = 0; y < image.height; ++y) {
+        const uchar* line = grabbed.constScanLine(y);
+        image.pixels.insert(image.pixels.end(), line, line + row);
+    }
+    return savePng(image, path);
+}
+
+void MainWindow::choosePlacement() {
+    bool accepted = false;
+    const double extent = QInputDialog::getDouble(
+        this, tr("Centre and scale"),
+        tr("Largest extent of the mesh, in metres.\nIts hits are cleared; the file's own "
+           "coordinates are kept for export."),
+        kUsualExtent, 0.01, 1000.0, 2, &accepted, {}, 0.5);
+    if (accepted) {
+        placeMesh(extent);
+    }
+}
+
+void MainWindow::placeMesh(double extent) {
+    if (m_session.targets().size() != 1) {
+        return;
+    }
+    const Target& target = *m_session.targets().front();
+    const QString sourcePath = target.sourcePath;
+    MeshData mesh = target.deformed.original();
+    if (extent > 0.0) {
+        place(mesh, static_cast<float>(extent));
+    } else if (!mesh.filePositions.empty()) {
+        std::transform(mesh.filePositions.begin(), mesh.filePositions.end(), mesh.positions.begin(),
+                       [](const glm::dvec3& position) { return glm::vec3(position); });
+        mesh.placement = {};
+    }
+    m_session.loadMesh(std::move(mesh), sourcePath);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    const QStringList files = droppedFiles(*event->mimeData());
+    if (std::any_of(files.begin(), files.end(), canOpen)) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    QStringList files = droppedFiles(*event->mimeData());
+    files.erase(
+        std::remove_if(files.begin(), files.end(), [](const QString& path) { return !canOpen(path); }),
+        files.end());
+    if (!files.isEmpty()) {
+        event->acceptProposedAction();
+        openFiles(files);
+        activateWindow();
+    }
+}
+
+}  // namespace hitscope

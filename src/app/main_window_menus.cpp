@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window's menus and tool bar.
+#include <QActionGroup>
+#include <QComboBox>
+#include <QLabel>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <utility>
+
+#include "app/dialogs.h"
+#include "app/keys_sheet.h"
+#include "app/main_window.h"
+#include "app/projectile_dialog.h"
+#include "panels/icons/themed_icon.h"
+#include "viewport/viewport.h"
+
+namespace hitscope {
+
+namespace {
+
+QString text(std::string_view words) {
+    return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
+}
+
+}  // namespace
+
+QAction* MainWindow::addAction(QMenu& menu, const QString& text, const QKeySequence& keys,
+                               std::function<void()> act, const QString& icon) {
+    QAction* action = menu.addAction(text);
+    action->setShortcut(keys);
+    if (!icon.isEmpty()) {
+        action->setIcon(themedIcon(icon));
+    }
+    connect(action, &QAction::triggered, this, [run = std::move(act)] { run(); });
+    return action;
+}
+
+QAction* MainWindow::addToggle(QMenu& menu, const QString& text, const QKeySequence& keys, bool on,
+                               std::function<void(bool)> act) {
+    QAction* action = menu.addAction(text);
+    action->setShortcut(keys);
+    action->setCheckable(true);
+    action->setChecked(on);
+    connect(action, &QAction::triggered, this, [run = std::move(act)](bool checked) { run(checked); });
+    return action;
+}
+
+QAction* MainWindow::addChoice(QMenu& menu, QActionGroup& group, const QString& text, bool on,
+                               std::function<void()> act) {
+    QAction* action = addToggle(menu, text, {}, on, [run = std::move(act)](bool) { run(); });
+    group.addAction(action);
+    return action;
+}
+
+QAction* MainWindow::addHeldKey(QMenu& menu, const QString& text, const QString& key,
+                                std::function<void()> act) {
+    return addAction(menu, text + u'\t' + key, {}, std::move(act));
+}
+
+void MainWindow::makeMenus() {
+    makeFileMenu();
+    makeEditMenu();
+    makeViewMenu();
+    makeMeshMenu();
+    makeShootMenu();
+    makeLightsMenu();
+    makeHelpMenu();
+}
+
+void MainWindow::makeFileMenu() {
+    QMenu& menu = *menuBar()->addMenu(tr("&File"));
+    m_open = addAction(
+        menu, tr("&Open…"), QKeySequence::Open, [this] { chooseFile(); }, QStringLiteral("open"));
+    m_recentMenu = menu.addMenu(tr("Open &Recent"));
+    m_recentMenu->setToolTipsVisible(true);
+    connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::showRecentFiles);
+    menu.addSeparator();
+    QMenu& rows = *menu.addMenu(tr("&Scenes"))->addMenu(tr("Paper's &tables"));
+    for (std::size_t row = 0; row < paperRows().size(); ++row) {
+        addAction(rows, tr("Row %1: %2").arg(row + 1).arg(paperRows()[row].label()), {},
+                  [this, row] { m_session.loadPaperRow(static_cast<int>(row)); });
+    }
+    QMenu& samples = *menu.addMenu(tr("S&amples"));
+    addAction(samples, tr("&Utah teapot"), {}, [this] { m_session.loadTeapot(); });
+    menu.addSeparator();
+    m_export = addAction(
+        menu, tr("&Export Deformed Mesh…"), tr("Ctrl+E"), [this] { chooseExport(); },
+        QStringLiteral("export"));
+    addAction(menu, tr("Save &Picture…"), Qt::Key_F12, [this] { choosePicture(); });
+    menu.addSeparator();
+    addAction(menu, tr("&Quit"), tr("Ctrl+Q"), [this] { close(); });
+}
+
+void MainWindow::makeEditMenu() {
+    QMenu& menu = *menuBar()->addMenu(tr("&Edit"));
+    m_undo = addAction(
+        menu, tr("&Undo Hit"), QKeySequence::Undo, [this] { m_session.undoHit(); }, QStringLiteral("undo"));
+    m_redo = addAction(
+        menu, tr("&Redo Hit"), tr("Ctrl+Shift+Z"), [this] { m_session.redoHit(); }, QStringLiteral("redo"));
+    menu.addSeparator();
+    m_clear = addAction(
+        menu, tr("&Clear Hits"), tr("Ctrl+Shift+Del"), [this] { m_session.clearHits(); },
+        QStringLiteral("remove"));
+}
+
+QMenu* MainWindow::makeWireframeMenu() {
+    auto* menu = new QMenu(tr("&Wireframe"), this);
+    auto* group = new QActionGroup(this);
+    const QString names[] = {tr("&Off"), tr("O&ver the Surface"), tr("O&nly")};
+    for (int mode = 0; mode < 3; ++mode) {
+        m_wireframes[mode] = addChoice(*menu, *group, names[mode], false, [this, mode] {
+            changeDisplay(
+                [mode](DisplayOptions& display) { display.wireframe = static_cast<WireframeMode>(mode); });
+        });
+    }
+    menu->addSeparator();
+    addAction(*menu, tr("Next &Mode"), Qt::Key_L, [this] { cycleWireframe(); });
+    return menu;
+}
+
+void MainWindow::makeDisplayActions(QMenu& menu) {
+    m_wireframeMenu = makeWireframeMenu();
+    menu.addMenu(m_wireframeMenu);
+    QMenu& normals = *menu.addMenu(tr("&Normals"));
+    auto* group = new QActionGroup(this);
+    const QString names[] = {tr("&True: of the Dented Surface"), tr("&Paper's: Equation 2")};
+    for (int mode = 0; mode < 2; ++mode) {
+        m_normals[mode] = addChoice(normals, *group, names[mode], false, [this, mode] {
+            changeDisplay(
+                [mode](DisplayOptions& display) { display.normals = static_cast<NormalMode>(mode); });
+        });
+    }
+    normals.addSeparator();
+    addAction(normals, tr("&Switch"), Qt::Key_N, [this] {
+        changeDisplay([](DisplayOptions& display) {
+            display.normals = display.normals == NormalMode::True ? NormalMode::Paper : NormalMode::True;
+        });
+    });
+    m_textures = addToggle(menu, tr("Te&xtures"), Qt::Key_T, true, [this](bool on) {
+        changeDisplay([on](DisplayOptions& display) { display.textures = on; });
+    });
+    m_floor = addToggle(menu, tr("F&loor"), {}, true, [this](bool on) {
+        changeDisplay([on](DisplayOptions& display) { display.floor = on; });
+    });
+    m_crosshair = addToggle(menu, tr("&Crosshair"), Qt::Key_C, false, [this](bool on) {
+        changeDisplay([on](DisplayOptions& display) { display.crosshair = on; });
+    });
+}
+
+void MainWindow::makeViewMenu() {
+    QMenu& menu = *menuBar()->addMenu(tr("&View"));
+    makeDisplayActions(menu);
+    menu.addSeparator();
+    m_frame = addAction(
+        menu, tr("&Frame Selection"), Qt::Key_F, [this] { m_viewport->frameSelection(); },
+        QStringLiteral("frame"));
+    addAction(menu, tr("Frame &All"), tr("Shift+F"), [this] { m_viewport->frameAll(); });
+    QMenu& fly = *menu.addMenu(tr("Fl&y"));
+    const std::pair<QString, QString> names[] = {{tr("Forward"), tr("W")}, {tr("Back"), tr("S")},
+                                                 {tr("Left"), tr("A")},    {tr("Right"), tr("D")},
+                                                 {tr("Up"), tr("E")},      {tr("Down"), tr("Q")}};
+    const glm::vec3 steps[] = {{0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, -1.0f}, {-1.0f, 0.0f, 0.0f},
+                               {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f},  {0.0f, -1.0f, 0.0f}};
+    for (std::size_t i = 0; i < std::size(steps); ++i) {
+        addHeldKey(fly, names[i].first, names[i].second,
+                   [this, step = steps[i]] { m_viewport->flyStep(step); });
+    }
+    menu.addSeparator();
+    m_docksMenu = menu.addMenu(tr("&Docks"));
+    makeThemeMenus(menu);
+    addAction(menu, tr("&Reset Layout"), {}, [this] { resetLayout(); });
+    addToggle(menu, tr("F&ull Screen"), Qt::Key_F11, false,
+              [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
+    menu.addSeparator();
+    m_continuous = addToggle(menu, tr("Draw C&ontinuously"), {}, false,
+                             [this](bool on) { m_viewport->setDrawsContinuously(on); });
+    m_continuous->setIcon(themedIcon(QStringLiteral("continuous")));
+    m_continuous->setToolTip(
+        tr("Draw frame after frame even if nothing moves: for measuring the frame rate"));
+}
+
+void MainWindow::makeThemeMenus(QMenu& menu) {
+    QMenu& window = *menu.addMenu(tr("&Theme"));
+    auto* themes = new QActionGroup(this);
+    const std::pair<QString, ThemeChoice> choices[] = {{tr("As the &Desktop"), ThemeChoice::System},
+                                                       {tr("&Light"), ThemeChoice::Light},
+                                                       {tr("&Dark"), ThemeChoice::Dark}};
+    for (const auto& [name, choice] : choices) {
+        addChoice(window, *themes, name, m_settings.theme == choice,
+                  [this, choice = choice] { chooseTheme(choice); });
+    }
+    QMenu& viewport = *menu.addMenu(tr("Viewport &Background"));
+    auto* backgrounds = new QActionGroup(this);
+    const std::pair<QString, std::optional<Theme>> shades[] = {
+        {tr("As the &Window"), std::nullopt}, {tr("&Light"), Theme::Light}, {tr("&Dark"), Theme::Dark}};
+    for (const auto& [name, shade] : shades) {
+        addChoice(viewport, *backgrounds, name, m_settings.viewportTheme == shade, [this, shade = shade] {
+            m_settings.viewportTheme = shade;
+            followViewportTheme();
+        });
+    }
+}
+
+void MainWindow::makeMeshMenu() {
+    QMenu& menu = *menuBar()->addMenu(tr("&Mesh"));
+    m_placeMesh = addAction(menu, tr("&Centre and Scale…"), {}, [this] { choosePlacement(); });
+    m_fileCoordinates = addAction(menu, tr("File's Own C&oordinates"), {}, [this] { placeMesh(0.0); });
+    menu.addSeparator();
+    QMenu& pipelines = *menu.addMenu(tr("&Pipeline"));
+    pipelines.setToolTipsVisible(true);
+    m_pipelines = new QActionGroup(this);
+    for (const PipelineTraits& traits : allPipelines()) {
+        QAction* action =
+            addChoice(pipelines, *m_pipelines, text(traits.name), m_session.pipeline() == traits.kind,
+                      [this, kind = traits.kind] { m_session.setPipeline(kind); });
+        action->setToolTip(text(traits.description));
+        action->setData(static_cast<int>(traits.kind));
+    }
+    connect(&m_session, &Session::pipelineChanged, this, [this] {
+        for (QAction* action : m_pipelines->actions()) {
+            action->setChecked(action->data().toInt() == static_cast<int>(m_session.pipeline()));
+        }
+    });
+}
+
+void MainWindow::makeShootMenu() {
+    QMenu& menu = *menuBar()->addMenu(tr("&Shoot"));
+    addHeldKey(menu, tr("&Shoot at the Crosshair"), tr("Space"), [this] { m_viewport->shootAtCrosshair(); });
+    menu.addSeparator();
+    m_bounces = addToggle(menu, tr("&Bounces Count as Hits"), {}, m_session.projectileSettings().bouncesCount,
+                          [this](bool on) {
+                              ProjectileSettings settings = m_session.projectileSettings();
+                              settings.bouncesCount = on;
+                              m_session.setProjectileSettings(settings);
+                          });
+    addAction(menu, tr("&Projectile…"), {}, [this] { showProjectileDialog(); });
+    connect(&m_session, &Session::projectileSettingsChanged, this,
+            [this] { m_bounces->setChecked(m_session.projectileSettings().bouncesCount); });
+}
+
+void MainWindow::showProjectileDialog() {
+    auto* dialog = findChild<ProjectileDialog*>();
+    if (dialog == nullptr) {
+        dialog = new ProjectileDialog(m_session, this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+    }
+    dialog->show();
+    dialog->raise();
+    dialog->activateWindow();
+}
+
+void MainWindow::makeLightsMenu() {
+    QMenu& menu = *menuBar()->addMenu(tr("&Lights"));
+    m_lights[0] = addToggle(menu, tr("&Directional"), Qt::Key_G, true, [this](bool on) {
+        toggleLight([on](Lights& lights) { lights.directional.on = on; });
+    });
+    m_lights[1] = addToggle(menu, tr("&Point Lights"), Qt::Key_H, true, [this](bool on) {
+        toggleLight([on](Lights& lights) {
+            for (PointLight& light : lights.points) {
+                light.on = on;
+            }
+        });
+    });
+    m_lights[2] = addToggle(menu, tr("&Spotlight"), Qt::Key_J, true,
+                            [this](bool on) { toggleLight([on](Lights& lights) { lights.spot.on = on; }); });
+}
+
+void MainWindow::makeHelpMenu() {
+    QMenu& menu = *menuBar()->addMenu(tr("&Help"));
+    addAction(menu, tr("&Keys and Mouse"), Qt::Key_F1, [this] { showKeysSheet(this); });
+    menu.addSeparator();
+    addAction(menu, tr("&About Hitscope"), {},
+              [this] { showAbout(this, m_viewport->rendererName(), m_viewport->rendererVersion()); });
+}
+
+QComboBox* MainWindow::makePipelineBox() {
+    auto* box = new QComboBox(this);
+    box->setObjectName(QStringLiteral("pipeline"));
+    for (const PipelineTraits& traits : allPipelines()) {
+        box->addItem(text(traits.name), static_cast<int>(traits.kind));
+        box->setItemData(box->count() - 1, text(traits.description), Qt::ToolTipRole);
+    }
+    const auto show = [this, box] {
+        const int index = box->findData(static_cast<int>(m_session.pipeline()));
+        box->setCurrentIndex(index);
+        box->setToolTip(tr("How hits are applied. %1").arg(box->itemData(index, Qt::ToolTipRole).toString()));
+    };
+    connect(box, &QComboBox::activated, this, [this, box](int index) {
+        m_session.setPipeline(static_cast<PipelineKind>(box->itemData(index).toInt()));
+        m_viewport->setFocus();  // where the keys are expected next
+    });
+    connect(&m_session, &Session::pipelineChanged, this, show);
+    show();
+    return box;
+}
+
+void MainWindow::makeToolBar() {
+    QToolBar& bar = *addToolBar(tr("Tools"));
+    bar.setObjectName(QStringLiteral("tools"));
+    bar.setIconSize({20, 20});
+    bar.addAction(m_open);
+    bar.addAction(m_export);
+    bar.addSeparator();
+    bar.addAction(m_undo);
+    bar.addAction(m_redo);
+    bar.addSeparator();
+    auto* wireframe = new QToolButton(&bar);
+    wireframe->setIcon(themedIcon(QStringLiteral("wireframe")));
+    wireframe->setToolTip(tr("Wireframe: off, over, only (L)"));
+    wireframe->setPopupMode(QToolButton::MenuButtonPopup);
+    wireframe->setMenu(m_wireframeMenu);
+    connect(wireframe, &QToolButton::clicked, this, &MainWindow::cycleWireframe);
+    bar.addWidget(wireframe);
+    bar.addAction(m_frame);
+    bar.addSeparator();
+    auto* label = new QLabel(tr("Pipeline"), &bar);
+    label->setContentsMargins(6, 0, 6, 0);
+    bar.addWidget(label);
+    bar.addWidget(makePipelineBox());
+    m_docksMenu->addSeparator();
+    m_docksMenu->addAction(bar.toggleViewAction());
+}
+
+}  // namespace hitscope

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+#include <memory>
+
+#include "session/session.h"
+
+namespace Ui {
+class ProjectileSettings;
+}
+
+namespace hitscope {
+
+/// How projectiles are shot; what is set holds for the next shot, so the dialog can stay open.
+class ProjectileDialog : public QDialog {
+    Q_OBJECT
+public:
+    /// `session` outlives the dialog.
+    explicit ProjectileDialog(Session& session, QWidget* parent = nullptr);
+    ~ProjectileDialog() override;
+
+private:
+    void showSettings();
+    void apply();
+
+    Session& m_session;
+    std::unique_ptr<Ui::ProjectileSettings> m_ui;
+    bool m_showing = false;
+};
+
+}  // namespace hitscope

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/status_line.h"
+
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QStatusBar>
+#include <QToolButton>
+#include <algorithm>
+#include <cmath>
+
+#include "models/quantity_text.h"
+#include "panels/icons/themed_icon.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr int kProgressDelay = 500;  // milliseconds
+constexpr int kPercent = 100;
+
+}  // namespace
+
+StatusLine::StatusLine(const Session& session, QStatusBar& bar, QObject* parent)
+    : QObject(parent), m_session(session), m_bar(bar) {
+    makeProgress();
+    m_pipeline = addCell(tr("Pipeline that applies the hits"));
+    m_renderer = addCell(tr("What draws"));
+    m_target = addCell(tr("Target in focus"));
+    m_vertices = addCell(tr("Vertices of all targets"));
+    m_hits = addCell(tr("Hits made so far"));
+    m_frameRate = addCell(tr("Frames drawn in the last second"));
+    m_renderer->hide();
+    setFrameRate(0.0);
+    connect(&session, &Session::sceneReplaced, this, &StatusLine::showScene);
+    connect(&session, &Session::targetSelected, this, &StatusLine::showTarget);
+    connect(&session, &Session::hitsAppended, this, &StatusLine::showHits);
+    connect(&session, &Session::historyReset, this, &StatusLine::showHits);
+    connect(&session, &Session::droppedHitsChanged, this, &StatusLine::showHits);
+    connect(&session, &Session::pipelineChanged, this, &StatusLine::showPipeline);
+    showScene();
+    showPipeline();
+}
+
+QLabel* StatusLine::addCell(const QString& toolTip) {
+    auto* label = new QLabel(&m_bar);
+    label->setTextFormat(Qt::PlainText);
+    label->setToolTip(toolTip);
+    label->setContentsMargins(6, 0, 6, 0);
+    m_bar.addPermanentWidget(label);
+    return label;
+}
+
+void StatusLine::makeProgress() {
+    m_progress = new QWidget(&m_bar);
+    m_doing = new QLabel(m_progress);
+    m_doing->setTextFormat(Qt::PlainText);
+    m_fraction = new QProgressBar(m_progress);
+    m_fraction->setFixedWidth(140);
+    m_fraction->setTextVisible(false);
+    auto* cancel = new QToolButton(m_progress);
+    cancel->setObjectName(QStringLiteral("cancelOpening"));
+    cancel->setText(tr("Cancel"));
+    cancel->setToolTip(tr("Stop opening; the scene stays as it is"));
+    auto* layout = new QHBoxLayout(m_progress);
+    layout->setContentsMargins(6, 0, 0, 0);
+    layout->addWidget(m_doing);
+    layout->addWidget(m_fraction);
+    layout->addWidget(cancel);
+    m_bar.addWidget(m_progress);
+    m_progress->hide();
+    m_progressDelay.setSingleShot(true);
+    m_progressDelay.setInterval(kProgressDelay);
+    connect(&m_progressDelay, &QTimer::timeout, m_progress, [this] {
+        m_bar.clearMessage();
+        m_progress->show();
+    });
+    connect(cancel, &QToolButton::clicked, this, &StatusLine::cancelled);
+}
+
+void StatusLine::beginProgress(const QString& path) {
+    m_opening = QFileInfo(path).fileName();
+    setProgress(-1.0, tr("Opening"));
+    m_progressDelay.start();
+}
+
+void StatusLine::setProgress(double fraction, const QString& doing) {
+    m_doing->setText(tr("%1 %2").arg(doing, m_opening));
+    m_fraction->setMaximum(fraction < 0.0 ? 0 : kPercent);
+    m_fraction->setValue(fraction < 0.0 ? 0 : static_cast<int>(std::lround(fraction * kPercent)));
+}
+
+void StatusLine::endProgress() {
+    m_progressDelay.stop();
+    m_progress->hide();
+}
+
+void StatusLine::setRenderer(const QString& name) {
+    m_renderer->setText(name);
+    m_renderer->setVisible(!name.isEmpty());
+}
+
+void StatusLine::setFrameRate(double framesPerSecond) {
+    m_frameRate->setText(framesPerSecond > 0.0 ? tr("%1 FPS").arg(framesPerSecond, 0, 'f', 0) : tr("idle"));
+}
+
+void StatusLine::showScene() {
+    std::size_t vertices = 0;
+    for (const std::unique_ptr<Target>& target : m_session.targets()) {
+        vertices += target->deformed.original().vertexCount();
+    }
+    m_vertices->setText(tr("%1 vertices").arg(countText(vertices)));
+    m_vertices->setToolTip(tr("Vertices of all targets (%1)").arg(countText(m_session.targets().size())));
+    showTarget();
+    showHits();
+}
+
+void StatusLine::showTarget() {
+    const Target* target = m_session.target(m_session.selectedTarget());
+    m_target->setText(target != nullptr ? target->name : tr("no target selected"));
+}
+
+void StatusLine::showHits() {
+    const std::size_t hits = m_session.history().size();
+    QString text = hits == 1 ? tr("1 hit") : tr("%1 hits").arg(countText(hits));
+    if (m_session.droppedHits() > 0) {
+        text += tr(" (oldest %1 dropped)").arg(countText(m_session.droppedHits()));
+    }
+    m_hits->setText(text);
+}
+
+void StatusLine::showPipeline() {
+    for (const PipelineTraits& traits : allPipelines()) {
+        if (traits.kind == m_session.pipeline()) {
+            m_pipeline->setText(
+                QString::fromUtf8(traits.name.data(), static_cast<qsizetype>(traits.name.size())));
+        }
+    }
+}
+
+}  // namespace hitscope

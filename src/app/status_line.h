@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+
+#include "session/session.h"
+
+class QLabel;
+class QProgressBar;
+class QStatusBar;
+
+namespace hitscope {
+
+/// What the status bar says: on the right pipeline, renderer, target, vertices, hits, frame rate; on the left
+/// what is being opened, with a button to cancel.
+class StatusLine : public QObject {
+    Q_OBJECT
+public:
+    /// `session` outlives this; the labels belong to `bar`.
+    StatusLine(const Session& session, QStatusBar& bar, QObject* parent = nullptr);
+
+    void setRenderer(const QString& name);
+    void setFrameRate(double framesPerSecond);  ///< 0: nothing was drawn lately
+    /// Shows the progress bar if it is not over soon.
+    void beginProgress(const QString& path);
+    void setProgress(double fraction, const QString& doing);
+    void endProgress();
+
+Q_SIGNALS:
+    void cancelled();
+
+private:
+    QLabel* addCell(const QString& toolTip);
+    void makeProgress();
+    void showScene();
+    void showTarget();
+    void showHits();
+    void showPipeline();
+
+    const Session& m_session;
+    QStatusBar& m_bar;
+    QLabel* m_pipeline = nullptr;
+    QLabel* m_renderer = nullptr;
+    QLabel* m_target = nullptr;
+    QLabel* m_vertices = nullptr;
+    QLabel* m_hits = nullptr;
+    QLabel* m_frameRate = nullptr;
+    QWidget* m_progress = nullptr;
+    QLabel* m_doing = nullptr;
+    QProgressBar* m_fraction = nullptr;
+    QString m_opening;  ///< base name of the file
+    QTimer m_progressDelay;
+};
+
+}  // namespace hitscope

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/theme.h"
+
+#include <QApplication>
+#include <QColor>
+
+namespace hitscope {
+
+namespace {
+
+struct Colours {
+    QRgb window, base, alternate, button, text, disabled, highlight, highlightedText, link, toolTip;
+    QRgb light, midlight, mid, dark, shadow;
+};
+
+constexpr Colours kLight{.window = 0xfff1f2f4,
+                         .base = 0xffffffff,
+                         .alternate = 0xfff3f5f7,
+                         .button = 0xfff8f9fa,
+                         .text = 0xff1d2126,
+                         .disabled = 0xff9aa1a9,
+                         .highlight = 0xff2f6fbf,
+                         .highlightedText = 0xffffffff,
+                         .link = 0xff2f6fbf,
+                         .toolTip = 0xffffffff,
+                         .light = 0xffffffff,
+                         .midlight = 0xffe9ebee,
+                         .mid = 0xffb9bec5,
+                         .dark = 0xff9ca2aa,
+                         .shadow = 0xff6d737b};
+
+constexpr Colours kDark{.window = 0xff2a2d31,
+                        .base = 0xff1f2124,
+                        .alternate = 0xff272a2e,
+                        .button = 0xff373b40,
+                        .text = 0xffdfe2e6,
+                        .disabled = 0xff7b8189,
+                        .highlight = 0xff3d7ecf,
+                        .highlightedText = 0xffffffff,
+                        .link = 0xff7fb2ee,
+                        .toolTip = 0xff3a3e44,
+                        .light = 0xff4a4f56,
+                        .midlight = 0xff40454b,
+                        .mid = 0xff1b1d20,
+                        .dark = 0xff191b1d,
+                        .shadow = 0xff101112};
+
+QPalette paletteOf(const Colours& colours) {
+    QPalette palette;
+    const auto set = [&palette](QPalette::ColorRole role, QRgb colour) {
+        palette.setColor(role, QColor(colour));
+    };
+    set(QPalette::Window, colours.window);
+    set(QPalette::Base, colours.base);
+    set(QPalette::AlternateBase, colours.alternate);
+    set(QPalette::Button, colours.button);
+    set(QPalette::ToolTipBase, colours.toolTip);
+    for (const QPalette::ColorRole role :
+         {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText}) {
+        set(role, colours.text);
+        palette.setColor(QPalette::Disabled, role, QColor(colours.disabled));
+    }
+    set(QPalette::PlaceholderText, colours.disabled);
+    set(QPalette::Highlight, colours.highlight);
+    palette.setColor(QPalette::Disabled, QPalette::Highlight, QColor(colours.mid));
+    set(QPalette::HighlightedText, colours.highlightedText);
+    palette.setColor(QPalette::Disabled, QPalette::HighlightedText, QColor(colours.disabled));
+    set(QPalette::BrightText, 0xffff6b5e);
+    set(QPalette::Link, colours.link);
+    set(QPalette::LinkVisited, colours.link);
+    set(QPalette::Light, colours.light);
+    set(QPalette::Midlight, colours.midlight);
+    set(QPalette::Mid, colours.mid);
+    set(QPalette::Dark, colours.dark);
+    set(QPalette::Shadow, colours.shadow);
+    return palette;
+}
+
+}  // namespace
+
+void applyTheme(ThemeChoice choice) {
+    switch (choice) {
+        case ThemeChoice::System:
+            QApplication::setPalette(QPalette());
+            break;
+        case ThemeChoice::Light:
+            QApplication::setPalette(paletteOf(kLight));
+            break;
+        case ThemeChoice::Dark:
+            QApplication::setPalette(paletteOf(kDark));
+            break;
+    }
+}
+
+bool isDark(const QPalette& palette) {
+    return palette.color(QPalette::WindowText).lightness() > palette.color(QPalette::Window).lightness();
+}
+
+}  // namespace hitscope
