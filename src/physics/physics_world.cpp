@@ -27,6 +27,9 @@ constexpr float kFriction = 0.6f;
 constexpr float kRollingFriction = 0.05f;  // metres: without it a sphere on a plane rolls for ever
 constexpr float kLeastImpactSpeed = 1.0e-3f;
 constexpr float kLeastBounceSpeed = 0.25f;  // along the normal: a projectile that rolls does not strike
+// Of the radius: Bullet makes a contact only where bodies overlap, so a projectile that arrives is let in
+// this far.
+constexpr float kSinkIn = 0.002f;
 constexpr float kMostSpeed = 1.0e4f;
 constexpr float kMostLifetime = 3600.0f;
 
@@ -56,6 +59,11 @@ std::unique_ptr<btRigidBody> makeStaticBody(btCollisionShape* shape, BodyKind ki
     body->setUserIndex(static_cast<int>(kind));
     body->setUserIndex2(static_cast<int>(id));
     return body;
+}
+
+void moveTo(btRigidBody& body, const glm::vec3& position) {
+    body.getWorldTransform().setOrigin(toBullet(position));
+    body.setInterpolationWorldTransform(body.getWorldTransform());
 }
 
 struct TargetBody {
@@ -189,14 +197,14 @@ void PhysicsWorld::Private::approach(Flight& flight) {
     if (!strikes && !lands) {
         return;
     }
-    const glm::vec3 centre = start + motion * contact->fraction;
-    body.getWorldTransform().setOrigin(toBullet(centre));
-    body.setInterpolationWorldTransform(body.getWorldTransform());
+    glm::vec3 centre = start + motion * contact->fraction;
     if (strikes) {
         if (const auto surface = surfacePoint(target, centre, contact->triangle)) {
             flight.strike = Strike{target, *surface};
+            centre = surface->point + surface->normal * ((1.0f - kSinkIn) * flight.settings.radius);
         }
     }
+    moveTo(body, centre);
 }
 
 /// Bullet found no contact where its own cast did: bounce the projectile as Bullet would have.
@@ -208,8 +216,7 @@ void PhysicsWorld::Private::stopAtSurface(Flight& flight, Touch& touch) {
     }
     touch.impulse = flight.settings.mass * inwards * (1.0f + kRestitution * kRestitution);
     btRigidBody& body = *flight.body;
-    body.getWorldTransform().setOrigin(toBullet(touch.deepest.point + normal * flight.settings.radius));
-    body.setInterpolationWorldTransform(body.getWorldTransform());
+    moveTo(body, touch.deepest.point + normal * flight.settings.radius);
     body.setLinearVelocity(toBullet(flight.velocity + normal * (touch.impulse / flight.settings.mass)));
 }
 
