@@ -4,6 +4,7 @@
 #include <QString>
 #include <glm/vec3.hpp>
 #include <span>
+#include <string>
 
 #include "core/result.h"
 #include "mesh/mesh_data.h"
@@ -22,7 +23,9 @@ struct ObjExport {
 
 /// Writes FILE.obj, and FILE.mtl with the used textures beside it if the mesh has materials. A vertex that
 /// did not move is written with the file's own numbers; one that did so that reading gives the same float.
-/// Each file is written whole or not at all.
+/// Normals that are the file's but for their length stay the file's. Each file is written whole or not at
+/// all, the OBJ last; other files of the same names are not overwritten, but for those of an OBJ that is
+/// replaced.
 [[nodiscard]] Status exportObj(const ObjExport& what, const QString& path);
 
 /// The OBJ text alone; pure, for tests. materialLibrary: the mtllib line's name, empty for none.

@@ -2,23 +2,15 @@
 #pragma once
 
 #include <QObject>
-#include <QProcess>
 #include <QString>
 #include <QStringList>
-#include <QTemporaryDir>
+#include <cstdint>
 #include <memory>
 
 #include "core/result.h"
-#include "mesh/mesh_data.h"
+#include "io/imported_mesh.h"
 
 namespace hitscope {
-
-/// A mesh that was read, and what was dropped or mended on the way, in words for the person ("3 faces with a
-/// repeated vertex").
-struct ImportedMesh {
-    MeshData mesh;
-    QStringList notes;
-};
 
 /// Bounds on the child process that parses the file.
 struct ImportLimits {
@@ -44,7 +36,7 @@ public:
     void cancel();
     [[nodiscard]] QString path() const { return m_path; }
 
-signals:
+Q_SIGNALS:
     /// fraction in [0, 1]; negative: not known.
     void progressed(double fraction, const QString& doing);
     void finished(const std::shared_ptr<hitscope::ImportedMesh>& mesh);

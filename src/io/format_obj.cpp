@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <glm/geometric.hpp>
+
+#include "io/export_names.h"
+#include "io/export_obj.h"
+#include "io/number_text.h"
+#include "io/welder.h"
+
+namespace hitscope {
+namespace {
+
+bool sameBits(const glm::vec3& a, const glm::vec3& b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+/// The file's normal is kept where the given one only differs by having been made unit length.
+bool isStill(const glm::vec3& original, const glm::vec3& now) {
+    constexpr float kRounding = 1e-6f;
+    if (sameBits(original, now)) {
+        return true;
+    }
+    const float length = glm::length(original);
+    if (!(length > 0.0f) || !std::isfinite(length)) {
+        return false;
+    }
+    const glm::vec3 gap = glm::abs(original / length - now);
+    return gap.x <= kRounding && gap.y <= kRounding && gap.z <= kRounding;
+}
+
+/// The normals to write and each corner's index among them: the file's own where they still hold, in its
+/// order, and each other one once.
+struct NormalTable {
+    std::vector<glm::vec3> values;
+    std::vector<std::uint32_t> corners;
+};
+
+NormalTable tabulateNormals(const MeshData& mesh, std::span<const glm::vec3> normals) {
+    NormalTable table;
+    table.corners.assign(normals.size(), kNoIndex);
+    std::vector<bool> used(mesh.normals.size());
+    std::vector<bool> still(mesh.normals.size());
+    for (std::size_t c = 0; c < mesh.cornerNormals.size() && c < normals.size(); ++c) {
+        const std::uint32_t index = mesh.cornerNormals[c];
+        if (index != kNoIndex) {
+            used[index] = true;
+            if (isStill(mesh.normals[index], normals[c])) {
+                still[index] = true;
+                table.corners[c] = index;
+            }
+        }
+    }
+    std::vector<std::uint32_t> written(mesh.normals.size(), kNoIndex);
+    for (std::size_t n = 0; n < mesh.normals.size(); ++n) {
+        if (still[n] || !used[n]) {
+            written[n] = static_cast<std::uint32_t>(table.values.size());
+            table.values.push_back(mesh.normals[n]);
+        }
+    }
+    Welder others(table.values);
+    others.startAnew();
+    for (std::size_t c = 0; c < normals.size(); ++c) {
+        const glm::vec3& normal = normals[c];
+        const bool finite = std::isfinite(normal.x) && std::isfinite(normal.y) && std::isfinite(normal.z);
+        std::uint32_t& corner = table.corners[c];
+        corner = corner != kNoIndex ? written[corner] : others.index(finite ? normal : glm::vec3(0.0f));
+    }
+    return table;
+}
+
+class ObjText {
+public:
+    ObjText(const ObjExport& what, const std::string& materialLibrary)
+        : m_mesh(*what.mesh), m_what(what), m_library(materialLibrary) {}
+
+    std::string format();
+
+private:
+    void vertices();
+    void position(std::size_t v);
+    void texcoords();
+    void normals();
+    void faces();
+    void groupsBefore(std::size_t face);
+    void stateOf(std::size_t face);
+    void corner(std::size_t c);
+    void linesAndPoints();
+    void index(std::uint32_t zeroBased) { appendNumber(m_text, std::uint64_t{zeroBased} + 1); }
+
+    const MeshData& m_mesh;
+    const ObjExport& m_what;
+    const std::string& m_library;
+    std::string m_text;
+    NormalTable m_normals;
+    std::vector<std::string> m_materials;
+    std::size_t m_nextGroup = 0;
+    std::uint32_t m_material = kNoIndex;
+};
+
+void ObjText::position(std::size_t v) {
+    const glm::vec3& now = m_what.positions[v];
+    const bool moved = !sameBits(now, m_mesh.positions[v]);
+    const Placement& placement = m_mesh.placement;
+    glm::dvec3 file(0.0);
+    bool asDouble = true;
+    if (!moved && !m_mesh.filePositions.empty()) {
+        file = m_mesh.filePositions[v];
+    } else if (!placement.isIdentity()) {
+        file = glm::dvec3(now) / placement.scale + placement.centre;
+    } else {
+        asDouble = false;
+    }
+    for (int i = 0; i < 3; ++i) {
+        m_text += ' ';
+        if (asDouble) {
+            appendNumber(m_text, file[i]);
+        } else {
+            appendTwiceRoundedFloat(m_text, now[i]);
+        }
+    }
+}
+
+void ObjText::vertices() {
+    for (std::size_t v = 0; v < m_mesh.positions.size(); ++v) {
+        m_text += 'v';
+        position(v);
+        for (int i = 0; !m_mesh.colours.empty() && i < 3; ++i) {
+            m_text += ' ';
+            appendTwiceRoundedFloat(m_text, m_mesh.colours[v][i]);
+        }
+        m_text += '\n';
+    }
+}
+
+void ObjText::texcoords() {
+    for (const glm::vec2& texcoord : m_mesh.texcoords) {
+        m_text += "vt ";
+        appendTwiceRoundedFloat(m_text, texcoord.x);
+        m_text += ' ';
+        appendTwiceRoundedFloat(m_text, texcoord.y);
+        m_text += '\n';
+    }
+}
+
+void ObjText::normals() {
+    m_normals = tabulateNormals(m_mesh, m_what.normals);
+    for (const glm::vec3& normal : m_normals.values) {
+        m_text += "vn";
+        for (int i = 0; i < 3; ++i) {
+            m_text += ' ';
+            appendTwiceRoundedFloat(m_text, normal[i]);
+        }
+        m_text += '\n';
+    }
+}
+
+void ObjText::groupsBefore(std::size_t face) {
+    for (; m_nextGroup < m_mesh.groups.size() && m_mesh.groups[m_nextGroup].firstFace <= face;
+         ++m_nextGroup) {
+        const FaceGroup& group = m_mesh.groups[m_nextGroup];
+        m_text += group.kind == FaceGroup::Kind::Object ? "o " : "g ";
+        m_text += nameOnLine(group.name) + '\n';
+    }
+}
+
+/// Material and smoothing group, where they change.
+void ObjText::stateOf(std::size_t face) {
+    if (!m_mesh.faceMaterials.empty() && m_mesh.faceMaterials[face] != m_material) {
+        m_material = m_mesh.faceMaterials[face];
+        m_text += "usemtl";
+        m_text += m_material == kNoIndex ? std::string() : " " + m_materials[m_material];
+        m_text += '\n';
+    }
+    const std::vector<std::uint32_t>& smoothing = m_mesh.faceSmoothing;
+    if (!smoothing.empty() && (face == 0 || smoothing[face] != smoothing[face - 1])) {
+        m_text += "s ";
+        if (smoothing[face] == 0) {
+            m_text += "off";
+        } else {
+            appendNumber(m_text, smoothing[face]);
+        }
+        m_text += '\n';
+    }
+}
+
+void ObjText::corner(std::size_t c) {
+    const std::uint32_t texcoord = m_mesh.cornerTexcoords.empty() ? kNoIndex : m_mesh.cornerTexcoords[c];
+    m_text += ' ';
+    index(m_mesh.cornerVertices[c]);
+    if (texcoord != kNoIndex) {
+        m_text += '/';
+        index(texcoord);
+    }
+    if (!m_normals.corners.empty()) {
+        m_text += texcoord == kNoIndex ? "//" : "/";
+        index(m_normals.corners[c]);
+    }
+}
+
+void ObjText::faces() {
+    for (std::size_t f = 0; f < m_mesh.faceCount(); ++f) {
+        groupsBefore(f);
+        stateOf(f);
+        m_text += 'f';
+        for (std::size_t c = m_mesh.faceStarts[f]; c < m_mesh.faceStarts[f + 1]; ++c) {
+            corner(c);
+        }
+        m_text += '\n';
+    }
+    groupsBefore(m_mesh.faceCount());
+}
+
+void ObjText::linesAndPoints() {
+    for (const std::vector<std::uint32_t>& line : m_mesh.lines) {
+        m_text += 'l';
+        for (const std::uint32_t vertex : line) {
+            m_text += ' ';
+            index(vertex);
+        }
+        m_text += '\n';
+    }
+    for (const std::uint32_t vertex : m_mesh.points) {
+        m_text += "p ";
+        index(vertex);
+        m_text += '\n';
+    }
+}
+
+std::string ObjText::format() {
+    constexpr std::size_t kVertexBytes = 36;  // typical lengths of lines
+    constexpr std::size_t kCornerBytes = 18;
+    m_text.reserve(kVertexBytes * m_mesh.positions.size() + kCornerBytes * m_mesh.cornerVertices.size());
+    m_text = "# Written by Hitscope " HITSCOPE_VERSION "\n";
+    if (!m_library.empty()) {
+        m_text += "mtllib " + m_library + '\n';
+    }
+    m_materials = materialNames(m_mesh);
+    vertices();
+    texcoords();
+    normals();
+    faces();
+    linesAndPoints();
+    return std::move(m_text);
+}
+
+}  // namespace
+
+std::string formatObj(const ObjExport& what, const std::string& materialLibrary) {
+    return ObjText(what, materialLibrary).format();
+}
+
+}  // namespace hitscope

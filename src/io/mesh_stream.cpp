@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/mesh_stream.h"
+
+#include <QFile>
+#include <bit>
+#include <cstring>
+#include <new>
+#include <stdexcept>
+#include <type_traits>
+
+namespace hitscope {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "arrays are written as they lie in memory");
+
+/// What may be written as it lies in memory. GLM's vectors do not count as trivially copyable once
+/// GLM_FORCE_CTOR_INIT gives them constructors, though they are plain numbers still.
+template <class T>
+constexpr bool kIsPlain = std::is_standard_layout_v<T> && std::is_trivially_destructible_v<T>;
+
+constexpr char kMagic[8] = {'H', 'S', 'M', 'E', 'S', 'H', '\r', '\n'};
+constexpr std::uint32_t kVersion = 1;
+
+/// Lists the parts of a mesh in the order of the stream; `stream` writes or reads each.
+template <class Stream, class Mesh>
+void visitMesh(Stream& stream, Mesh& mesh) {
+    stream.text(mesh.name);
+    stream.array(mesh.positions);
+    stream.array(mesh.filePositions);
+    stream.plain(mesh.placement.centre);
+    stream.plain(mesh.placement.scale);
+    stream.array(mesh.colours);
+    stream.array(mesh.normals);
+    stream.array(mesh.texcoords);
+    stream.array(mesh.faceStarts);
+    stream.array(mesh.cornerVertices);
+    stream.array(mesh.cornerTexcoords);
+    stream.array(mesh.cornerNormals);
+    stream.array(mesh.faceMaterials);
+    stream.array(mesh.faceSmoothing);
+    stream.list(mesh.groups, [&](auto& group) {
+        stream.plain(group.kind);
+        stream.text(group.name);
+        stream.plain(group.firstFace);
+    });
+    stream.list(mesh.materials, [&](auto& material) {
+        stream.text(material.name);
+        stream.plain(material.ambient);
+        stream.plain(material.diffuse);
+        stream.plain(material.specular);
+        stream.plain(material.shininess);
+        stream.plain(material.opacity);
+        stream.text(material.diffuseTexture);
+        stream.plain(material.diffuseImage);
+    });
+    stream.list(mesh.images, [&](auto& image) {
+        stream.plain(image.width);
+        stream.plain(image.height);
+        stream.array(image.pixels);
+    });
+    stream.list(mesh.lines, [&](auto& line) { stream.array(line); });
+    stream.array(mesh.points);
+    stream.list(mesh.materialLibraries, [&](auto& library) { stream.text(library); });
+}
+
+class Writer {
+public:
+    explicit Writer(QFile& file) : m_file(file) {}
+
+    void bytes(const void* data, std::uint64_t size) {
+        m_good = m_good && m_file.write(static_cast<const char*>(data), static_cast<qint64>(size)) ==
+                               static_cast<qint64>(size);
+    }
+    template <class T>
+    void plain(const T& value) {
+        static_assert(kIsPlain<T>);
+        bytes(&value, sizeof value);
+    }
+    template <class T>
+    void array(const std::vector<T>& values) {
+        static_assert(kIsPlain<T>);
+        plain(static_cast<std::uint64_t>(values.size()));
+        bytes(values.data(), values.size() * sizeof(T));
+    }
+    void text(const std::string& value) {
+        plain(static_cast<std::uint64_t>(value.size()));
+        bytes(value.data(), value.size());
+    }
+    template <class T, class Each>
+    void list(const std::vector<T>& values, const Each& each) {
+        plain(static_cast<std::uint64_t>(values.size()));
+        for (const T& value : values) {
+            each(value);
+        }
+    }
+    [[nodiscard]] bool good() const { return m_good; }
+
+private:
+    QFile& m_file;
+    bool m_good = true;
+};
+
+/// Thrown inside this file alone: the stream is not what the writer makes.
+struct BadStream : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+class Reader {
+public:
+    Reader(QFile& file, const ProgressSink& progress, const std::atomic_bool* cancelled)
+        : m_file(file),
+          m_progress(progress),
+          m_cancelled(cancelled),
+          m_size(static_cast<std::uint64_t>(file.size())),
+          m_left(m_size) {}
+
+    void bytes(void* data, std::uint64_t size) {
+        char* to = static_cast<char*>(data);
+        if (size > m_left) {
+            throw BadStream("it ends too early");
+        }
+        while (size > 0) {
+            constexpr std::uint64_t kChunk = 16 << 20;  // progress and cancelling in between
+            const std::uint64_t part = std::min(size, kChunk);
+            if (m_cancelled && *m_cancelled) {
+                throw BadStream("cancelled");
+            }
+            if (m_file.read(to, static_cast<qint64>(part)) != static_cast<qint64>(part)) {
+                throw BadStream("it cannot be read");
+            }
+            to += part;
+            size -= part;
+            m_left -= part;
+            if (m_progress && part == kChunk) {
+                m_progress(1.0 - static_cast<double>(m_left) / static_cast<double>(m_size), "Taking over");
+            }
+        }
+    }
+    template <class T>
+    void plain(T& value) {
+        static_assert(kIsPlain<T>);
+        bytes(&value, sizeof value);
+    }
+    template <class T>
+    void array(std::vector<T>& values) {
+        static_assert(kIsPlain<T>);
+        values.resize(count(sizeof(T)));
+        bytes(values.data(), values.size() * sizeof(T));
+    }
+    void text(std::string& value) {
+        value.resize(count(1));
+        bytes(value.data(), value.size());
+    }
+    template <class T, class Each>
+    void list(std::vector<T>& values, const Each& each) {
+        const std::uint64_t size = count(sizeof(std::uint64_t));  // each entry holds a length at least
+        for (std::uint64_t i = 0; i < size; ++i) {
+            each(values.emplace_back());
+        }
+    }
+    [[nodiscard]] std::uint64_t left() const { return m_left; }
+
+private:
+    std::uint64_t count(std::uint64_t entrySize) {
+        std::uint64_t entries = 0;
+        plain(entries);
+        if (entries > m_left / entrySize) {
+            throw BadStream("an array is longer than the rest of it");
+        }
+        return entries;
+    }
+
+    QFile& m_file;
+    const ProgressSink& m_progress;
+    const std::atomic_bool* m_cancelled;
+    std::uint64_t m_size;
+    std::uint64_t m_left;
+};
+
+Error streamError(const std::string& why) {
+    return {"The import worker's answer cannot be used: " + why + ".", {}, "Try opening the file again."};
+}
+
+}  // namespace
+
+Status writeMeshStream(const MeshData& mesh, const QString& path) {
+    QFile file(path);
+    Writer writer(file);
+    if (file.open(QIODevice::WriteOnly | QIODevice::Unbuffered)) {
+        writer.bytes(kMagic, sizeof kMagic);
+        writer.plain(kVersion);
+        visitMesh(writer, mesh);
+        if (writer.good()) {
+            return Done{};
+        }
+    }
+    return Error{"The mesh that was read cannot be handed over: " + file.errorString().toStdString() + ".",
+                 path.toStdString(), "Make room in the folder for temporary files."};
+}
+
+Result<MeshData> readMeshStream(const QString& path, const ProgressSink& progress,
+                                const std::atomic_bool* cancelled) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly | QIODevice::Unbuffered)) {
+        return streamError(file.errorString().toStdString());
+    }
+    try {
+        Reader reader(file, progress, cancelled);
+        char magic[sizeof kMagic] = {};
+        std::uint32_t version = 0;
+        reader.bytes(magic, sizeof magic);
+        reader.plain(version);
+        if (std::memcmp(magic, kMagic, sizeof kMagic) != 0 || version != kVersion) {
+            throw BadStream("it is of another version of Hitscope");
+        }
+        MeshData mesh;
+        visitMesh(reader, mesh);
+        if (reader.left() != 0) {
+            throw BadStream("it goes on after its end");
+        }
+        if (const Status valid = validate(mesh); !valid) {
+            return valid.error();
+        }
+        return mesh;
+    } catch (const BadStream& bad) {
+        return streamError(bad.what());
+    } catch (const std::bad_alloc&) {
+        return Error{
+            "The mesh does not fit into memory.", {}, "Close other programs, or open a smaller mesh."};
+    }
+}
+
+}  // namespace hitscope

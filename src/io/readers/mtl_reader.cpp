@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/readers/mtl_reader.h"
+
+#include <tiny_obj_loader.h>
+
+#include <QFile>
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <unordered_map>
+
+#include "io/file_scope.h"
+#include "io/readers/text_cursor.h"
+
+namespace hitscope {
+namespace {
+
+constexpr qint64 kMaxLibraryBytes = 64 << 20;
+
+struct Given {
+    bool diffuse = false;
+    bool specular = false;
+    bool ambient = false;
+};
+
+/// Which colours each material gives: tinyobjloader reads a missing one as black.
+std::vector<Given> givenColours(std::string_view text) {
+    std::vector<Given> given;
+    for (TextCursor lines(text); !lines.atEnd();) {
+        TextCursor line(lines.line());
+        const std::string_view keyword = line.word();
+        if (keyword == "newmtl" && !line.word().empty()) {
+            given.emplace_back();
+        } else if (!given.empty()) {
+            given.back().diffuse = given.back().diffuse || keyword == "Kd";
+            given.back().specular = given.back().specular || keyword == "Ks";
+            given.back().ambient = given.back().ambient || keyword == "Ka";
+        }
+    }
+    return given;
+}
+
+glm::vec3 colour(const tinyobj::real_t* c, bool given, const glm::vec3& otherwise) {
+    glm::vec3 result = otherwise;
+    for (int i = 0; given && i < 3; ++i) {
+        result[i] = std::isfinite(c[i]) ? std::clamp(c[i], 0.0f, 1.0f) : otherwise[i];
+    }
+    return result;
+}
+
+Material convert(const tinyobj::material_t& from, const Given& given) {
+    Material material;
+    material.name = from.name;
+    material.ambient = colour(from.ambient, given.ambient, material.ambient);
+    material.diffuse = colour(from.diffuse, given.diffuse, material.diffuse);
+    material.specular = colour(from.specular, given.specular, material.specular);
+    material.shininess = std::isfinite(from.shininess) && from.shininess > 0.0f ? from.shininess : 1.0f;
+    material.opacity = std::isfinite(from.dissolve) ? std::clamp(from.dissolve, 0.0f, 1.0f) : 1.0f;
+    material.diffuseTexture = from.diffuse_texname;
+    return material;
+}
+
+/// The line may hold one name with blanks in it, or several names.
+QStringList librariesOnLine(const QString& folder, const QString& line) {
+    if (!resolveInside(folder, line).isEmpty()) {
+        return {line};
+    }
+    return line.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+}
+
+class LibraryMerger {
+public:
+    explicit LibraryMerger(MeshData& mesh) : m_mesh(mesh) {
+        for (std::size_t m = 0; m < mesh.materials.size(); ++m) {
+            m_index.emplace(mesh.materials[m].name, m);
+        }
+        m_known.resize(mesh.materials.size());
+    }
+    void add(const Material& material) {
+        const auto [at, isNew] = m_index.try_emplace(material.name, m_mesh.materials.size());
+        if (isNew) {
+            m_mesh.materials.push_back(material);
+            m_known.push_back(true);
+        } else if (!m_known[at->second]) {  // the first definition counts
+            m_mesh.materials[at->second] = material;
+            m_known[at->second] = true;
+        }
+    }
+    [[nodiscard]] QStringList missing() const {
+        QStringList names;
+        for (std::size_t m = 0; m < m_known.size(); ++m) {
+            if (!m_known[m]) {
+                names += QString::fromStdString(m_mesh.materials[m].name);
+            }
+        }
+        return names;
+    }
+
+private:
+    MeshData& m_mesh;
+    std::unordered_map<std::string, std::size_t> m_index;
+    std::vector<bool> m_known;
+};
+
+}  // namespace
+
+std::vector<Material> parseMtl(const std::string& text) {
+    std::string unixText = text;
+    std::erase(unixText, '\r');
+    std::erase(unixText, '\0');
+    std::map<std::string, int> index;
+    std::vector<tinyobj::material_t> parsed;
+    std::string warning;
+    std::string error;
+    std::istringstream stream(unixText);
+    tinyobj::LoadMtl(&index, &parsed, &stream, &warning, &error);
+    const std::vector<Given> given = givenColours(unixText);
+    std::vector<Material> materials;
+    for (std::size_t m = 0; m < parsed.size(); ++m) {
+        if (!parsed[m].name.empty()) {  // a file without newmtl gives one nameless material
+            materials.push_back(convert(parsed[m], m < given.size() ? given[m] : Given{}));
+        }
+    }
+    return materials;
+}
+
+void readMaterialLibraries(ImportedMesh& imported, const QString& folder) {
+    LibraryMerger merger(imported.mesh);
+    QStringList names;
+    for (const std::string& line : imported.mesh.materialLibraries) {
+        names += librariesOnLine(folder, QString::fromStdString(line));
+    }
+    names.removeDuplicates();
+    for (const QString& name : names) {
+        QFile file(resolveInside(folder, name));
+        if (file.fileName().isEmpty() || !file.open(QIODevice::ReadOnly) || file.size() > kMaxLibraryBytes) {
+            imported.notes +=
+                QStringLiteral("The material file \"%1\" is not in the mesh's folder or cannot be read.")
+                    .arg(name);
+            continue;
+        }
+        for (const Material& material : parseMtl(file.readAll().toStdString())) {
+            merger.add(material);
+        }
+    }
+    if (const QStringList missing = merger.missing(); !missing.isEmpty()) {
+        imported.notes += QStringLiteral("No definition was found for the material%1 %2; shown in grey.")
+                              .arg(missing.size() == 1 ? QString() : QStringLiteral("s"),
+                                   missing.mid(0, 5).join(QStringLiteral(", ")) +
+                                       (missing.size() > 5 ? QStringLiteral(" and others") : QString()));
+    }
+}
+
+}  // namespace hitscope

@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/readers/obj_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_map>
+
+#include "io/readers/text_cursor.h"
+#include "io/readers/tidy.h"
+
+namespace hitscope {
+namespace {
+
+/// Thrown inside this file alone, and turned into an Error with the line's number.
+struct BadLine {
+    std::string what;
+};
+
+/// Indices that point beyond what has been read so far may still turn out good: the largest is remembered.
+struct LargestIndex {
+    long long index = 0;
+    std::size_t line = 0;
+};
+
+class ObjParser {
+public:
+    ObjParser(std::string_view text, const ProgressSink& progress) : m_text(text), m_progress(progress) {}
+
+    Result<ImportedMesh> parse();
+
+private:
+    std::string_view nextLine(TextCursor& text);
+    void parseLine(std::string_view line);
+    void parseVertex(TextCursor& line);
+    void parseNormal(TextCursor& line);
+    void parseTexcoord(TextCursor& line);
+    void parseFace(TextCursor& line);
+    void parseLineElement(TextCursor& line);
+    void parsePoints(TextCursor& line);
+    void parseSmoothing(TextCursor& line);
+    bool parseCorner(TextCursor& line);
+    bool parseName(std::string_view keyword, TextCursor& line);
+    void useMaterial(std::string_view name);
+    std::uint32_t vertexIndex(long long written, const char* of);
+    std::uint32_t otherIndex(long long written, std::size_t count);
+    void finish();
+    Error errorAtLine(const std::string& what) const;
+
+    std::string_view m_text;
+    const ProgressSink& m_progress;
+    ImportedMesh m_imported;
+    MeshData& m_mesh = m_imported.mesh;
+    std::vector<glm::dvec3> m_positions;
+    std::vector<glm::vec3> m_colours;
+    bool m_anyColour = false;
+    std::unordered_map<std::string, std::uint32_t> m_materials;
+    std::uint32_t m_material = kNoIndex;
+    std::uint32_t m_smoothing = 0;
+    bool m_anySmoothing = false;
+    LargestIndex m_largest;
+    std::size_t m_line = 0;
+    std::string m_joined;  ///< a line that was continued with a backslash
+    std::size_t m_smallFaces = 0;
+    std::size_t m_smallLines = 0;
+    std::size_t m_freeForm = 0;
+    bool m_lastLineCut = false;  ///< the line being read is the last, and has no line end
+};
+
+std::string_view trimEnd(std::string_view line) {
+    while (!line.empty() && TextCursor::isBlank(line.back())) {
+        line.remove_suffix(1);
+    }
+    return line;
+}
+
+/// A line without its end, continued lines joined; counts lines.
+std::string_view ObjParser::nextLine(TextCursor& text) {
+    ++m_line;
+    std::string_view line = trimEnd(text.line());
+    if (line.empty() || line.back() != '\\') {
+        return line;
+    }
+    m_joined.clear();
+    while (!line.empty() && line.back() == '\\') {
+        m_joined.append(line.substr(0, line.size() - 1));
+        m_joined += ' ';
+        if (text.atEnd()) {
+            return trimEnd(m_joined);
+        }
+        ++m_line;
+        line = trimEnd(text.line());
+    }
+    m_joined.append(line);
+    return m_joined;
+}
+
+double coordinate(TextCursor& line, const char* of) {
+    line.skipBlanks();
+    const std::optional<double> value = line.number();
+    if (!value) {
+        const std::string_view word = line.word();
+        throw BadLine{word.empty() ? std::string("The ") + of + " has too few numbers."
+                                   : quoted(word) + " is not a number."};
+    }
+    return *value;
+}
+
+/// Numbers after the ones that are needed, until the end of the line, a comment or something else.
+template <std::size_t Most>
+std::size_t optionalNumbers(TextCursor& line, std::array<double, Most>& values) {
+    std::size_t count = 0;
+    while (count < Most) {
+        line.skipBlanks();
+        const std::optional<double> value = line.number();
+        if (!value) {
+            break;
+        }
+        values[count++] = *value;
+    }
+    return count;
+}
+
+void ObjParser::parseVertex(TextCursor& line) {
+    glm::dvec3 position;
+    for (int i = 0; i < 3; ++i) {
+        position[i] = coordinate(line, "vertex");
+        if (!std::isfinite(static_cast<float>(position[i]))) {
+            throw BadLine{"A coordinate is not a number, infinite or too large."};
+        }
+    }
+    m_positions.push_back(position);
+    std::array<double, 4> more{};
+    const std::size_t count = optionalNumbers(line, more);
+    if (count >= 3) {  // x y z r g b, or x y z w r g b
+        const std::size_t red = count - 3;
+        m_colours.resize(m_positions.size() - 1, glm::vec3(1.0f));
+        m_colours.emplace_back(more[red], more[red + 1], more[red + 2]);
+        m_anyColour = true;
+    }
+}
+
+void ObjParser::parseNormal(TextCursor& line) {
+    glm::vec3 normal;
+    for (int i = 0; i < 3; ++i) {
+        normal[i] = static_cast<float>(coordinate(line, "normal"));
+    }
+    m_mesh.normals.push_back(normal);
+}
+
+void ObjParser::parseTexcoord(TextCursor& line) {
+    const double u = coordinate(line, "texture coordinate");
+    std::array<double, 2> more{};
+    optionalNumbers(line, more);
+    m_mesh.texcoords.emplace_back(u, more[0]);
+}
+
+/// Counted from one in the file, or from the end when negative.
+std::uint32_t ObjParser::vertexIndex(long long written, const char* of) {
+    const auto count = static_cast<long long>(m_positions.size());
+    if (written < 0 ? written < -count : written == 0 || written >= kNoIndex) {
+        throw BadLine{"The " + std::string(of) + " refers to vertex " + std::to_string(written) +
+                      ", but there are only " + std::to_string(count) + " so far."};
+    }
+    if (written > count && written > m_largest.index) {
+        m_largest = {written, m_line};
+    }
+    return static_cast<std::uint32_t>(written < 0 ? count + written : written - 1);
+}
+
+/// The same for normals and texture coordinates, which a face can do without: tidy() sorts bad ones out.
+std::uint32_t ObjParser::otherIndex(long long written, std::size_t count) {
+    const auto signedCount = static_cast<long long>(count);
+    const long long index = written < 0 ? signedCount + written : written - 1;
+    return index < 0 || index >= kNoIndex ? kNoIndex - 1 : static_cast<std::uint32_t>(index);
+}
+
+/// v, v/t, v//n or v/t/n; false at the end of the line.
+bool ObjParser::parseCorner(TextCursor& line) {
+    line.skipBlanks();
+    if (line.atEnd() || line.peek() == '#') {
+        return false;
+    }
+    const std::string_view word = line.rest().substr(0, 40);
+    const std::optional<long long> vertex = line.integer();
+    std::uint32_t texcoord = kNoIndex;
+    std::uint32_t normal = kNoIndex;
+    if (vertex && line.take('/')) {
+        if (const auto index = line.integer()) {
+            texcoord = otherIndex(*index, m_mesh.texcoords.size());
+        }
+        if (line.take('/')) {
+            if (const auto index = line.integer()) {
+                normal = otherIndex(*index, m_mesh.normals.size());
+            }
+        }
+    }
+    if (!vertex || !(line.atEnd() || TextCursor::isBlank(line.peek()))) {
+        throw BadLine{quoted(TextCursor(word).word()) + " is not a corner of a face."};
+    }
+    m_mesh.cornerVertices.push_back(vertexIndex(*vertex, "face"));
+    m_mesh.cornerTexcoords.push_back(texcoord);
+    m_mesh.cornerNormals.push_back(normal);
+    return true;
+}
+
+void ObjParser::parseFace(TextCursor& line) {
+    const std::size_t first = m_mesh.cornerVertices.size();
+    while (parseCorner(line)) {
+    }
+    if (m_mesh.cornerVertices.size() >= kNoIndex) {
+        throw BadLine{"The mesh has more face corners than Hitscope can count (4,294,967,294)."};
+    }
+    if (m_mesh.cornerVertices.size() - first < 3) {
+        if (m_lastLineCut) {
+            throw BadLine{"The file ends in the middle of a face."};
+        }
+        m_mesh.cornerVertices.resize(first);
+        m_mesh.cornerTexcoords.resize(first);
+        m_mesh.cornerNormals.resize(first);
+        ++m_smallFaces;
+        return;
+    }
+    m_mesh.faceStarts.push_back(static_cast<std::uint32_t>(m_mesh.cornerVertices.size()));
+    m_mesh.faceMaterials.push_back(m_material);
+    m_mesh.faceSmoothing.push_back(m_smoothing);
+}
+
+void ObjParser::parseLineElement(TextCursor& line) {
+    std::vector<std::uint32_t> vertices;
+    for (line.skipBlanks(); !line.atEnd() && line.peek() != '#'; line.skipBlanks()) {
+        const std::optional<long long> vertex = line.integer();
+        if (!vertex) {
+            throw BadLine{quoted(line.word()) + " is not a vertex of a line."};
+        }
+        line.word();  // its texture coordinate
+        vertices.push_back(vertexIndex(*vertex, "line"));
+    }
+    if (vertices.size() < 2) {
+        ++m_smallLines;
+        return;
+    }
+    m_mesh.lines.push_back(std::move(vertices));
+}
+
+void ObjParser::parsePoints(TextCursor& line) {
+    for (line.skipBlanks(); !line.atEnd() && line.peek() != '#'; line.skipBlanks()) {
+        const std::optional<long long> vertex = line.integer();
+        if (!vertex) {
+            throw BadLine{quoted(line.word()) + " is not a point's vertex."};
+        }
+        m_mesh.points.push_back(vertexIndex(*vertex, "point"));
+    }
+}
+
+void ObjParser::parseSmoothing(TextCursor& line) {
+    line.skipBlanks();
+    const long long group = line.integer().value_or(-1);
+    const bool isNumber = group >= 0 && group < kNoIndex;
+    m_smoothing = isNumber ? static_cast<std::uint32_t>(group) : line.word() == "on" ? 1 : 0;
+    m_anySmoothing = true;
+}
+
+void ObjParser::useMaterial(std::string_view name) {
+    if (name.empty()) {
+        m_material = kNoIndex;
+        return;
+    }
+    const auto [known, isNew] =
+        m_materials.try_emplace(std::string(name), static_cast<std::uint32_t>(m_mesh.materials.size()));
+    if (isNew) {
+        m_mesh.materials.emplace_back().name = name;
+    }
+    m_material = known->second;
+}
+
+/// The lines whose argument is a name up to their end, blanks and all.
+bool ObjParser::parseName(std::string_view keyword, TextCursor& line) {
+    line.skipBlanks();
+    const std::string_view name = line.rest();
+    const std::size_t faces = m_mesh.faceStarts.empty() ? 0 : m_mesh.faceStarts.size() - 1;
+    if (keyword == "g") {
+        m_mesh.groups.push_back(
+            {FaceGroup::Kind::Group, std::string(name), static_cast<std::uint32_t>(faces)});
+    } else if (keyword == "o") {
+        m_mesh.groups.push_back(
+            {FaceGroup::Kind::Object, std::string(name), static_cast<std::uint32_t>(faces)});
+    } else if (keyword == "usemtl") {
+        useMaterial(name);
+    } else if (keyword == "mtllib") {
+        m_mesh.materialLibraries.emplace_back(name);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+void ObjParser::parseLine(std::string_view text) {
+    TextCursor line(text);
+    const std::string_view keyword = line.word();
+    if (keyword.empty() || keyword.front() == '#') {
+        return;
+    }
+    if (keyword == "v") {
+        parseVertex(line);
+    } else if (keyword == "f" || keyword == "fo") {
+        parseFace(line);
+    } else if (keyword == "vn") {
+        parseNormal(line);
+    } else if (keyword == "vt") {
+        parseTexcoord(line);
+    } else if (keyword == "s") {
+        parseSmoothing(line);
+    } else if (keyword == "l") {
+        parseLineElement(line);
+    } else if (keyword == "p") {
+        parsePoints(line);
+    } else if (!parseName(keyword, line)) {
+        m_freeForm += keyword == "curv" || keyword == "curv2" || keyword == "surf" ? 1 : 0;
+    }
+}
+
+Error ObjParser::errorAtLine(const std::string& what) const {
+    return {m_lastLineCut ? what + " The file ends there, in the middle of a line." : what,
+            "line " + std::to_string(m_line),
+            m_lastLineCut ? "Save or download it again: it is not whole."
+                          : "Correct the line, or write the file again with the program it came from."};
+}
+
+void ObjParser::finish() {
+    if (!m_anySmoothing) {
+        m_mesh.faceSmoothing.clear();
+    }
+    if (m_mesh.faceStarts.size() == 1) {
+        m_mesh.faceStarts.clear();
+    }
+    if (m_anyColour) {
+        m_colours.resize(m_positions.size(), glm::vec3(1.0f));
+        setColours(m_mesh, std::move(m_colours));
+    }
+    if (m_smallFaces > 0) {
+        m_imported.notes += counted(m_smallFaces, "face with fewer than three corners was left out.",
+                                    "faces with fewer than three corners were left out.");
+    }
+    if (m_smallLines > 0) {
+        m_imported.notes += counted(m_smallLines, "line with fewer than two vertices was left out.",
+                                    "lines with fewer than two vertices were left out.");
+    }
+    if (m_freeForm > 0) {
+        m_imported.notes += counted(m_freeForm, "free-form curve or surface was left out.",
+                                    "free-form curves and surfaces were left out.");
+    }
+    tidy(m_imported);
+}
+
+Result<ImportedMesh> ObjParser::parse() {
+    constexpr std::size_t kReportEvery = 1 << 16;  // lines
+    m_mesh.faceStarts.push_back(0);
+    TextCursor text(m_text);
+    std::size_t nextReport = kReportEvery;
+    while (!text.atEnd()) {
+        const std::string_view line = nextLine(text);
+        m_lastLineCut = text.atEnd() && m_text.back() != '\n';
+        try {
+            parseLine(line);
+        } catch (const BadLine& bad) {
+            return errorAtLine(bad.what);
+        }
+        if (m_progress && m_line >= nextReport) {
+            nextReport = m_line + kReportEvery;
+            m_progress(static_cast<double>(text.offset()) / static_cast<double>(m_text.size()),
+                       "Reading OBJ");
+        }
+    }
+    if (m_largest.index > static_cast<long long>(m_positions.size())) {
+        m_line = m_largest.line;
+        m_lastLineCut = false;
+        return errorAtLine("The face refers to vertex " + std::to_string(m_largest.index) +
+                           ", but the file has only " + std::to_string(m_positions.size()) + ".");
+    }
+    if (Status set = setPositions(m_mesh, std::move(m_positions)); !set) {
+        return set.error();
+    }
+    finish();
+    return std::move(m_imported);
+}
+
+}  // namespace
+
+Result<ImportedMesh> parseObj(std::string_view text, const ProgressSink& progress) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (text.starts_with(kByteOrderMark)) {
+        text.remove_prefix(kByteOrderMark.size());
+    }
+    if (text.find('\n') == text.npos && text.find('\r') != text.npos) {  // line ends of old Macs
+        std::string unixText(text);
+        std::replace(unixText.begin(), unixText.end(), '\r', '\n');
+        return ObjParser(unixText, progress).parse();
+    }
+    return ObjParser(text, progress).parse();
+}
+
+}  // namespace hitscope

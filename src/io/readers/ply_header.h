@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.h"
+
+namespace hitscope {
+
+enum class PlyType : std::uint8_t { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
+
+[[nodiscard]] constexpr std::size_t sizeOf(PlyType type) {
+    constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+    return kSizes[static_cast<std::size_t>(type)];
+}
+[[nodiscard]] constexpr bool isWhole(PlyType type) {
+    return type != PlyType::Float32 && type != PlyType::Float64;
+}
+
+struct PlyProperty {
+    std::string name;
+    PlyType type = PlyType::Float32;
+    bool isList = false;
+    PlyType countType = PlyType::Uint8;  ///< of a list's length
+};
+
+struct PlyElement {
+    std::string name;
+    std::uint64_t count = 0;
+    std::vector<PlyProperty> properties;
+};
+
+enum class PlyEncoding : std::uint8_t { Ascii, LittleEndian, BigEndian };
+
+struct PlyHeader {
+    PlyEncoding encoding = PlyEncoding::Ascii;
+    std::vector<PlyElement> elements;
+    std::vector<std::string> textures;  ///< from MeshLab's "comment TextureFile"
+    std::size_t size = 0;               ///< bytes of the file before the first element
+};
+
+/// Parses the header at the start of a PLY file; pure. Promises of more elements than the file has room for
+/// are an error, so that counts can be trusted when allocating.
+[[nodiscard]] Result<PlyHeader> parsePlyHeader(std::string_view file);
+
+}  // namespace hitscope

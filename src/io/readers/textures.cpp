@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/readers/textures.h"
+
+#include <QBuffer>
+#include <QFile>
+#include <QFileInfo>
+#include <QImage>
+#include <QImageReader>
+#include <cstring>
+#include <unordered_map>
+
+#include "io/file_scope.h"
+
+namespace hitscope {
+namespace {
+
+constexpr int kMaxSide = 8192;                         // pixels
+constexpr int kMaxDecodedMegabytes = 600;              // 8192 x 8192 at 64 bits a pixel, and a little
+constexpr qint64 kMaxFileBytes = 512ll << 20;          // of one picture
+constexpr std::size_t kMaxAllPixelBytes = 1ull << 30;  // of all pictures of a mesh, decoded
+
+/// Vector formats could name further files, and are no textures.
+bool isPicture(const QByteArray& format) {
+    static const QList<QByteArray> known{"png", "jpg",  "jpeg", "bmp", "gif", "tga",
+                                         "tif", "tiff", "webp", "ppm", "pgm"};
+    return known.contains(format);
+}
+
+Image toImage(const QImage& decoded) {
+    const QImage rgba = decoded.convertToFormat(QImage::Format_RGBA8888);
+    Image image{rgba.width(), rgba.height(), {}};
+    const std::size_t row = 4 * static_cast<std::size_t>(image.width);
+    image.pixels.resize(row * static_cast<std::size_t>(image.height));
+    for (int y = 0; y < image.height; ++y) {
+        std::memcpy(image.pixels.data() + row * static_cast<std::size_t>(y), rgba.constScanLine(y), row);
+    }
+    return image;
+}
+
+/// Files from other machines name "C:\textures\wood.png": the same name beside the mesh is meant.
+QString findTexture(const QString& folder, const QString& name) {
+    const QString direct = resolveInside(folder, name);
+    if (!direct.isEmpty()) {
+        return direct;
+    }
+    QString local = name;
+    local.replace(QLatin1Char('\\'), QLatin1Char('/'));
+    return resolveInside(folder, QFileInfo(local).fileName());
+}
+
+std::optional<Image> readPicture(const QString& path, QString& why) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        why = file.errorString();
+        return std::nullopt;
+    }
+    if (file.size() > kMaxFileBytes) {
+        why = QStringLiteral("the file is too large");
+        return std::nullopt;
+    }
+    return decodeImage(file.readAll(), why);
+}
+
+}  // namespace
+
+std::optional<Image> decodeImage(const QByteArray& bytes, QString& why) {
+    QImageReader::setAllocationLimit(kMaxDecodedMegabytes);
+    QBuffer buffer;
+    buffer.setData(bytes);
+    buffer.open(QIODevice::ReadOnly);
+    QImageReader reader(&buffer);
+    if (!isPicture(reader.format().toLower())) {
+        why = QStringLiteral("it is not a picture of a known format");
+        return std::nullopt;
+    }
+    const QSize size = reader.size();
+    if (size.width() > kMaxSide || size.height() > kMaxSide) {
+        why = QStringLiteral("it is larger than %1 x %1 pixels").arg(kMaxSide);
+        return std::nullopt;
+    }
+    const QImage decoded = reader.read();
+    if (decoded.isNull() || decoded.width() > kMaxSide || decoded.height() > kMaxSide) {
+        why = reader.errorString();
+        return std::nullopt;
+    }
+    return toImage(decoded);
+}
+
+void readTextures(ImportedMesh& imported, const QString& folder) {
+    MeshData& mesh = imported.mesh;
+    std::unordered_map<std::string, int> known;
+    std::size_t pixelBytes = 0;
+    for (Material& material : mesh.materials) {
+        if (material.diffuseTexture.empty() || material.diffuseImage >= 0) {
+            continue;
+        }
+        const auto [at, isNew] = known.try_emplace(material.diffuseTexture, -1);
+        if (isNew) {
+            const QString name = QString::fromStdString(material.diffuseTexture);
+            const QString path = findTexture(folder, name);
+            QString why = QStringLiteral("it is not in the mesh's folder");
+            std::optional<Image> image = path.isEmpty() ? std::nullopt : readPicture(path, why);
+            if (image && pixelBytes + image->pixels.size() > kMaxAllPixelBytes) {
+                why = QStringLiteral("the mesh's textures take more than a gigabyte together");
+                image.reset();
+            }
+            if (image) {
+                pixelBytes += image->pixels.size();
+                at->second = static_cast<int>(mesh.images.size());
+                mesh.images.push_back(std::move(*image));
+            } else {
+                imported.notes += QStringLiteral("The texture \"%1\" is not shown: %2.").arg(name, why);
+            }
+        }
+        material.diffuseImage = at->second;
+    }
+}
+
+}  // namespace hitscope
