@@ -14,6 +14,8 @@ class ChangedRanges {
 public:
     void add(std::span<const VertexRange> ranges);
     [[nodiscard]] bool empty() const { return m_ranges.empty(); }
+    /// All that was added, in no order.
+    [[nodiscard]] std::span<const VertexRange> ranges() const { return m_ranges; }
     /// All that was added, sorted and merged; nothing is left.
     [[nodiscard]] std::vector<VertexRange> take();
 

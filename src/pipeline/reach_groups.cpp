@@ -11,8 +11,8 @@ namespace {
 using ClusterHit = std::pair<std::uint32_t, std::uint32_t>;  // index of the cluster, index of the hit
 
 /// Every (cluster, hit) of the batch, sorted.
-std::vector<ClusterHit> clusterHits(std::span<const Cluster> clusters, ClusterReach& reach,
-                                    std::span<const Hit* const> hits) {
+std::vector<ClusterHit> clusterHits(TargetReach& reach, std::span<const Hit* const> hits) {
+    const std::span<const Cluster> clusters = reach.clusters();
     std::vector<ClusterHit> found;
     for (std::uint32_t hit = 0; hit < hits.size(); ++hit) {
         for (const VertexRange& range : reach.advance(*hits[hit])) {
@@ -30,9 +30,8 @@ std::vector<ClusterHit> clusterHits(std::span<const Cluster> clusters, ClusterRe
 
 }  // namespace
 
-std::vector<ReachGroup> groupByReach(std::span<const Cluster> clusters, ClusterReach& reach,
-                                     std::span<const Hit* const> hits) {
-    const std::vector<ClusterHit> found = clusterHits(clusters, reach, hits);
+std::vector<ReachGroup> groupByReach(TargetReach& reach, std::span<const Hit* const> hits) {
+    const std::vector<ClusterHit> found = clusterHits(reach, hits);
     std::map<std::vector<std::uint32_t>, std::vector<VertexRange>> byHits;
     for (auto begin = found.begin(); begin != found.end();) {
         std::vector<std::uint32_t> reaching;
@@ -40,7 +39,7 @@ std::vector<ReachGroup> groupByReach(std::span<const Cluster> clusters, ClusterR
         for (; end != found.end() && end->first == begin->first; ++end) {
             reaching.push_back(end->second);
         }
-        const Cluster& cluster = clusters[begin->first];
+        const Cluster& cluster = reach.clusters()[begin->first];
         byHits[std::move(reaching)].push_back({cluster.first, cluster.count});
         begin = end;
     }

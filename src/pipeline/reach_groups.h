@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "deform/cluster_reach.h"
+#include "pipeline/target_reach.h"
 
 namespace hitscope {
 
@@ -17,8 +17,7 @@ struct ReachGroup {
 
 /// Sorts a batch of hits by the clusters they reach, so that a vertex meets only hits that may reach it.
 /// Order matters only within a vertex, so groups may be done in any order. Advances `reach` over all hits
-/// (all on this target). `clusters` cover the vertices in order.
-[[nodiscard]] std::vector<ReachGroup> groupByReach(std::span<const Cluster> clusters, ClusterReach& reach,
-                                                   std::span<const Hit* const> hits);
+/// (all on its target).
+[[nodiscard]] std::vector<ReachGroup> groupByReach(TargetReach& reach, std::span<const Hit* const> hits);
 
 }  // namespace hitscope

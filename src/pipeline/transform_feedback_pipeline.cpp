@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/transform_feedback_pipeline.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "pipeline/reach_groups.h"
@@ -8,8 +9,24 @@
 namespace hitscope {
 
 namespace {
+
 constexpr std::size_t kBatchHits = 64;  // a program of that many fits the least uniform space GL 3.3 has
+
+/// Calls take(first, vertices) for each range of the dynamic buffer. Waits for the GPU.
+template <class Take>
+void readVertices(const TargetBuffers& buffers, std::span<const VertexRange> ranges, const Take& take) {
+    std::vector<DynamicVertex> vertices;
+    for (const VertexRange& range : ranges) {
+        vertices.resize(range.count);
+        glBindBuffer(GL_COPY_READ_BUFFER, buffers.dynamicBuffer());
+        glGetBufferSubData(GL_COPY_READ_BUFFER, static_cast<GLintptr>(range.first * sizeof(DynamicVertex)),
+                           static_cast<GLsizeiptr>(range.count * sizeof(DynamicVertex)), vertices.data());
+        glBindBuffer(GL_COPY_READ_BUFFER, 0);
+        take(range.first, std::span<const DynamicVertex>(vertices));
+    }
 }
+
+}  // namespace
 
 Result<std::unique_ptr<DeformationPipeline>> TransformFeedbackPipeline::create() {
     Result<CapturePass> pass = CapturePass::create(kBatchHits);
@@ -39,7 +56,7 @@ void TransformFeedbackPipeline::reset(std::span<const Hit> history) {
         const std::vector<VertexRange> moved = target.moved.take();
         target.buffers->restoreOriginal(moved);
         target.unread.add(moved);
-        target.reach = ClusterReach(target.buffers->clusters());
+        target.reach.reset();
     }
     append(history);
 }
@@ -58,10 +75,29 @@ void TransformFeedbackPipeline::append(std::span<const Hit> hits) {
 }
 
 void TransformFeedbackPipeline::apply(TargetState& target, std::span<const Hit* const> hits) {
+    while (!hits.empty()) {
+        const std::size_t count = std::min(hits.size(), kBatchHits);
+        const std::vector<VertexRange> reached = applyBatch(target, hits.first(count));
+        hits = hits.subspan(count);
+        // Hits as they arrive never wait for the GPU. A long history does, now and then, since knowing where
+        // the vertices are saves most of its work.
+        if (!hits.empty()) {
+            readVertices(*target.buffers, reached,
+                         [&](std::uint32_t first, std::span<const DynamicVertex> vertices) {
+                             target.reach.place(first, vertices);
+                         });
+            target.reach.update();
+        }
+    }
+}
+
+/// Returns what the hits reach, sorted and merged.
+std::vector<VertexRange> TransformFeedbackPipeline::applyBatch(TargetState& target,
+                                                               std::span<const Hit* const> hits) {
     std::vector<CaptureRun> runs;
-    for (const ReachGroup& group : groupByReach(target.buffers->clusters(), target.reach, hits)) {
-        target.moved.add(group.ranges);
-        target.unread.add(group.ranges);
+    ChangedRanges reached;
+    for (const ReachGroup& group : groupByReach(target.reach, hits)) {
+        reached.add(group.ranges);
         // A batch that is full is captured and copied back before the group's next hits are applied.
         for (std::size_t next = 0; next < group.hits.size();) {
             const std::size_t first = m_batch.size();
@@ -77,6 +113,10 @@ void TransformFeedbackPipeline::apply(TargetState& target, std::span<const Hit* 
         }
     }
     flush(target, runs);
+    std::vector<VertexRange> ranges = reached.take();
+    target.moved.add(ranges);
+    target.unread.add(ranges);
+    return ranges;
 }
 
 void TransformFeedbackPipeline::flush(TargetState& target, std::vector<CaptureRun>& runs) {
@@ -102,17 +142,16 @@ void TransformFeedbackPipeline::flush(TargetState& target, std::vector<CaptureRu
 }
 
 void TransformFeedbackPipeline::readBack(const ReadBackSink& sink) {
-    std::vector<DynamicVertex> vertices;
     for (auto& [id, target] : m_targets) {
-        for (const VertexRange& range : target.unread.take()) {
-            vertices.resize(range.count);
-            glBindBuffer(GL_COPY_READ_BUFFER, target.buffers->dynamicBuffer());
-            glGetBufferSubData(GL_COPY_READ_BUFFER,
-                               static_cast<GLintptr>(range.first * sizeof(DynamicVertex)),
-                               static_cast<GLsizeiptr>(range.count * sizeof(DynamicVertex)), vertices.data());
-            glBindBuffer(GL_COPY_READ_BUFFER, 0);
-            sink(id, range.first, vertices);
+        if (target.unread.empty()) {
+            continue;
         }
+        readVertices(*target.buffers, target.unread.take(),
+                     [&](std::uint32_t first, std::span<const DynamicVertex> vertices) {
+                         target.reach.place(first, vertices);
+                         sink(id, first, vertices);
+                     });
+        target.reach.update();
     }
 }
 

@@ -7,6 +7,7 @@
 #include "pipeline/capture_pass.h"
 #include "pipeline/changed_ranges.h"
 #include "pipeline/deformation_pipeline.h"
+#include "pipeline/target_reach.h"
 
 namespace hitscope {
 
@@ -33,12 +34,13 @@ private:
         explicit TargetState(TargetBuffers& targetBuffers)
             : buffers(&targetBuffers), reach(targetBuffers.clusters()) {}
         TargetBuffers* buffers;
-        ClusterReach reach;
+        TargetReach reach;
         ChangedRanges moved;   ///< since the original
         ChangedRanges unread;  ///< since the last readBack()
     };
     explicit TransformFeedbackPipeline(CapturePass pass);
     void apply(TargetState& target, std::span<const Hit* const> hits);
+    [[nodiscard]] std::vector<VertexRange> applyBatch(TargetState& target, std::span<const Hit* const> hits);
     void flush(TargetState& target, std::vector<CaptureRun>& runs);
 
     CapturePass m_pass;

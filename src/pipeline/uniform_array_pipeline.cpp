@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <set>
 #include <utility>
 
 namespace hitscope {
@@ -55,7 +56,7 @@ void UniformArrayPipeline::addTarget(TargetId target, TargetBuffers& buffers) {
 
 void UniformArrayPipeline::removeTarget(TargetId target) {
     if (m_targets.erase(target) > 0) {
-        std::erase_if(m_hits, [target](const KeptHit& kept) { return kept.hit.target == target; });
+        std::erase_if(m_hits, [target](const Hit& hit) { return hit.target == target; });
         fillArrays();
     }
 }
@@ -65,7 +66,7 @@ void UniformArrayPipeline::reset(std::span<const Hit> history) {
     m_dropped = 0;
     for (auto& [id, target] : m_targets) {
         target.unread.add(target.moved.take());
-        target.reach = ClusterReach(target.buffers->clusters());
+        target.reach.reset();
     }
     append(history);
 }
@@ -74,9 +75,10 @@ void UniformArrayPipeline::append(std::span<const Hit> hits) {
     for (const Hit& hit : hits) {
         const auto target = m_targets.find(hit.target);
         if (target != m_targets.end()) {
-            m_hits.push_back({hit, target->second.reach.advance(hit)});
-            target->second.moved.add(m_hits.back().reached);
-            target->second.unread.add(m_hits.back().reached);
+            m_hits.push_back(hit);
+            const std::vector<VertexRange> reached = target->second.reach.advance(hit);
+            target->second.moved.add(reached);
+            target->second.unread.add(reached);
         }
         if (m_hits.size() > 2 * m_capacity) {
             dropOldest();  // a long history passes through without being held
@@ -91,7 +93,7 @@ std::size_t UniformArrayPipeline::hitsToKeep() const {
     std::vector<DeformationConstants> palette;
     std::size_t kept = 0;
     for (auto newest = m_hits.rbegin(); newest != m_hits.rend() && kept < m_capacity; ++newest, ++kept) {
-        const DeformationConstants& constants = newest->hit.constants;
+        const DeformationConstants& constants = newest->constants;
         if (std::find(palette.begin(), palette.end(), constants) == palette.end()) {
             if (palette.size() == kHitConstants) {
                 break;
@@ -102,19 +104,26 @@ std::size_t UniformArrayPipeline::hitsToKeep() const {
     return kept;
 }
 
-/// A vertex that a dropped hit had not reached takes the same way without it; one that it had takes another.
+/// Without the dropped hits a vertex may take another way, past other hits; only one that no hit has ever
+/// moved surely stays where it is.
 void UniformArrayPipeline::dropOldest() {
-    for (std::size_t kept = hitsToKeep(); m_hits.size() > kept; ++m_dropped) {
-        m_targets.at(m_hits.front().hit.target).unread.add(m_hits.front().reached);
+    const std::size_t kept = hitsToKeep();
+    std::set<TargetId> concerned;
+    for (; m_hits.size() > kept; ++m_dropped) {
+        concerned.insert(m_hits.front().target);
         m_hits.pop_front();
+    }
+    for (const TargetId id : concerned) {
+        TargetState& target = m_targets.at(id);
+        target.unread.add(target.moved.ranges());
     }
 }
 
 /// A target's hits stand together, in their order; targets do not influence one another.
 void UniformArrayPipeline::fillArrays() {
     std::unordered_map<TargetId, std::vector<const Hit*>> hitsOf;
-    for (const KeptHit& kept : m_hits) {
-        hitsOf[kept.hit.target].push_back(&kept.hit);
+    for (const Hit& hit : m_hits) {
+        hitsOf[hit.target].push_back(&hit);
     }
     m_arrays.clear();
     for (auto& [id, target] : m_targets) {
@@ -147,9 +156,11 @@ void UniformArrayPipeline::readBack(const ReadBackSink& sink) {
                 glGetBufferSubData(GL_COPY_READ_BUFFER, captured, bytes, vertices.data());
                 glBindBuffer(GL_COPY_READ_BUFFER, 0);
                 captured += bytes;
+                target.reach.place(range.first, vertices);
                 sink(id, range.first, vertices);
             }
         });
+        target.reach.update();
     }
 }
 

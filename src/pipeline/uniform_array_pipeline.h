@@ -9,6 +9,7 @@
 #include "pipeline/changed_ranges.h"
 #include "pipeline/deformation_pipeline.h"
 #include "pipeline/hit_arrays.h"
+#include "pipeline/target_reach.h"
 
 namespace hitscope {
 
@@ -36,16 +37,11 @@ private:
         explicit TargetState(TargetBuffers& targetBuffers)
             : buffers(&targetBuffers), reach(targetBuffers.clusters()) {}
         TargetBuffers* buffers;
-        /// Advanced over dropped hits, too: its spheres hold for any part of the hits they have seen.
-        ClusterReach reach;
+        TargetReach reach;
         ChangedRanges moved;       ///< since the original
         ChangedRanges unread;      ///< since the last readBack()
         std::size_t firstHit = 0;  ///< the target's hits in the arrays: [firstHit, lastHit)
         std::size_t lastHit = 0;
-    };
-    struct KeptHit {
-        Hit hit;
-        std::vector<VertexRange> reached;
     };
     UniformArrayPipeline(CapturePass pass, std::size_t capacity);
     [[nodiscard]] std::size_t hitsToKeep() const;
@@ -55,7 +51,7 @@ private:
     CapturePass m_pass;
     std::size_t m_capacity;
     std::unordered_map<TargetId, TargetState> m_targets;
-    std::deque<KeptHit> m_hits;  ///< of the scene, oldest first
+    std::deque<Hit> m_hits;  ///< of the scene, oldest first
     std::size_t m_dropped = 0;
     HitArrays m_arrays;         ///< m_hits, each target's together
     std::uint64_t m_stamp = 0;  ///< names what is in m_arrays, among all pipelines there ever were

@@ -183,6 +183,38 @@ private Q_SLOTS:
         QCOMPARE(differenceFromReference(mirror, scene, hits), QString());
     }
 
+    void workStaysWithTheHits_data() {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<bool>("read");
+        for (const PipelineTraits& traits : allPipelines()) {
+            const QByteArray name(traits.key.data(), static_cast<qsizetype>(traits.key.size()));
+            QTest::newRow(qPrintable(name + ", read after each hit"))
+                << static_cast<int>(traits.kind) << true;
+        }
+        QTest::newRow("transform-feedback, a history at once")
+            << static_cast<int>(PipelineKind::TransformFeedback) << false;
+    }
+    // However many hits came before, a hit reaches only what is near it.
+    void workStaysWithTheHits() {
+        QFETCH(const int, kind);
+        QFETCH(const bool, read);
+        TestScene scene = makeScene({QStringLiteral("HP sphere")});
+        const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
+        QVERIFY(pipeline);
+        const std::vector<Hit> hits = randomHits(scene, 47, 500);
+        Mirror mirror(scene);
+        if (!read) {
+            pipeline->append(hits);
+            mirror.readBack(*pipeline);
+        }
+        std::size_t delivered = 0;
+        for (const Hit& hit : read ? hits : randomHits(scene, 53, 50)) {
+            pipeline->append(std::span(&hit, 1));
+            delivered += mirror.readBack(*pipeline);
+        }
+        QVERIFY(delivered / (read ? hits.size() : 50) < scene[0].mesh.vertices.size() / 3);
+    }
+
     void targetsComeAndGo_data() {
         QTest::addColumn<int>("kind");
         addPipelineRows();
@@ -258,8 +290,10 @@ private Q_SLOTS:
             hit.constants.maxDistance = 5.0f;
         }
         Mirror mirror(scene);
-        pipeline->append(hits);
-        QCOMPARE(mirror.readBack(*pipeline), scene[0].mesh.vertices.size());
+        for (const Hit& hit : hits) {
+            pipeline->append(std::span(&hit, 1));
+            QCOMPARE(mirror.readBack(*pipeline), scene[0].mesh.vertices.size());
+        }
         QCOMPARE(differenceFromReference(mirror, scene, hits), QString());
     }
 

@@ -191,22 +191,14 @@ private Q_SLOTS:
         const Result<gl::Program> program = drawingProgram(*one);
         QVERIFY(program.ok());
         program.value().use();
-        for (int round = 0; round < 2; ++round) {
-            for (DeformationPipeline* pipeline : {one.get(), other.get()}) {
-                Mirror mirror(scene);
-                pipeline->reset(std::span(hits).subspan(pipeline == one.get() ? 0 : 20, 20));
-                mirror.readBack(*pipeline);
-                pipeline->prepareDraw(program.value(), scene[0].id);
-                QCOMPARE(difference(drawn(scene[0]), mirror.vertices(scene[0].id)), QString());
-            }
-            one->prepareDraw(program.value(), scene[0].id);
-            other->prepareDraw(program.value(), scene[0].id);
-            one->prepareDraw(program.value(), scene[0].id);
-            Mirror mirror(scene);
-            one->reset(std::span(hits).first(20));
-            mirror.readBack(*one);
-            QCOMPARE(difference(drawn(scene[0]), mirror.vertices(scene[0].id)), QString());
-        }
+        // Neither has changed since it last drew, and still each draws its own.
+        Mirror mirror(scene);
+        mirror.readBack(*one);
+        one->prepareDraw(program.value(), scene[0].id);
+        other->prepareDraw(program.value(), scene[0].id);
+        QVERIFY(!difference(drawn(scene[0]), mirror.vertices(scene[0].id)).isEmpty());
+        one->prepareDraw(program.value(), scene[0].id);
+        QCOMPARE(difference(drawn(scene[0]), mirror.vertices(scene[0].id)), QString());
     }
 
     void feedbackDrawsTheBufferAsItIs() {
