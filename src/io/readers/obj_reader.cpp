@@ -233,7 +233,9 @@ void ObjParser::parseLineElement(TextCursor& line) {
         if (!vertex) {
             throw BadLine{quoted(line.word()) + " is not a vertex of a line."};
         }
-        line.word();  // its texture coordinate
+        if (line.peek() == '/') {
+            line.word();  // its texture coordinate
+        }
         vertices.push_back(vertexIndex(*vertex, "line"));
     }
     if (vertices.size() < 2) {

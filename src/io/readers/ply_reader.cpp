@@ -116,22 +116,22 @@ void PlyParser<Source>::skipElement(const PlyElement& element) {
     }
 }
 
-float colourScale(PlyType type) {
-    return type == PlyType::Uint8 ? 1.0f / 255.0f : type == PlyType::Uint16 ? 1.0f / 65535.0f : 1.0f;
+float fullColour(PlyType type) {
+    return type == PlyType::Uint8 ? 255.0f : type == PlyType::Uint16 ? 65535.0f : 1.0f;
 }
 
 template <class Source>
 void PlyParser<Source>::readVertices(const PlyElement& element) {
     std::vector<int> slots;
     std::array<bool, SlotCount> has{};
-    float scale = 1.0f;
+    float full = 1.0f;
     for (const PlyProperty& property : element.properties) {
         const int slot = property.isList ? -1 : vertexSlot(property.name);
         slots.push_back(slot);
         if (slot >= 0) {
             has[static_cast<std::size_t>(slot)] = true;
         }
-        scale = slot == Red ? colourScale(property.type) : scale;
+        full = slot == Red ? fullColour(property.type) : full;
     }
     if (!has[X] || !has[Y] || !has[Z]) {
         throw BadElement("The vertices have no x, y and z");
@@ -157,7 +157,7 @@ void PlyParser<Source>::readVertices(const PlyElement& element) {
             m_mesh.texcoords.emplace_back(row[S], row[T]);
         }
         if (colours) {
-            m_colours.push_back(glm::vec3(row[Red], row[Green], row[Blue]) * scale);
+            m_colours.push_back(glm::vec3(row[Red], row[Green], row[Blue]) / full);
         }
         report();
     }
