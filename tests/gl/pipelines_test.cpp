@@ -3,6 +3,7 @@
 // hits applied in order, in every bit as the C++ reference has it.
 #include <QTest>
 #include <cstring>
+#include <glm/geometric.hpp>
 
 #include "gl/pipeline_support.h"
 #include "support/gl_fixture.h"
@@ -213,6 +214,30 @@ private Q_SLOTS:
             delivered += mirror.readBack(*pipeline);
         }
         QVERIFY(delivered / (read ? hits.size() : 50) < scene[0].mesh.vertices.size() / 3);
+    }
+
+    void vertexPushedFarOutIsFound_data() {
+        QTest::addColumn<int>("kind");
+        addPipelineRows();
+    }
+    // Each hit strikes where the one before has left the vertex, metres outside the original mesh.
+    void vertexPushedFarOutIsFound() {
+        QFETCH(const int, kind);
+        TestScene scene = makeScene({QStringLiteral("LP sphere")});
+        const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
+        QVERIFY(pipeline);
+        const std::size_t vertex = 10;
+        const glm::vec3 outwards = scene[0].mesh.vertices[vertex].normal;
+        std::vector<Hit> hits;
+        Mirror mirror(scene);
+        for (int i = 0; i < 40; ++i) {
+            const glm::vec3 there = mirror.vertices(scene[0].id)[vertex].position;
+            hits.push_back({scene[0].id, there, outwards, {}});
+            pipeline->append(std::span(hits).last(1));
+            mirror.readBack(*pipeline);
+        }
+        QCOMPARE(differenceFromReference(mirror, scene, hits), QString());
+        QVERIFY(glm::length(mirror.vertices(scene[0].id)[vertex].position) > 10.0f);
     }
 
     void targetsComeAndGo_data() {
