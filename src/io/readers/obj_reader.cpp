@@ -337,7 +337,7 @@ void ObjParser::finish() {
         m_mesh.faceStarts.clear();
     }
     if (m_anyColour) {
-        m_colours.resize(m_positions.size(), glm::vec3(1.0f));
+        m_colours.resize(m_mesh.positions.size(), glm::vec3(1.0f));
         setColours(m_mesh, std::move(m_colours));
     }
     if (m_smallFaces > 0) {
