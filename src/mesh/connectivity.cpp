@@ -11,22 +11,44 @@ namespace {
 using HalfEdges = OpenMesh::PolyConnectivity;
 using Vertices = std::vector<OpenMesh::VertexHandle>;
 
-/// Whether OpenMesh can take the face. It is asked before: OpenMesh reports some of these on the error
+/// Decides whether OpenMesh can take a face. It is asked before: OpenMesh reports some of these on the error
 /// stream, and stops the program on others.
-bool isConnectable(const HalfEdges& halfEdges, const Vertices& face) {
-    for (std::size_t i = 0; i < face.size(); ++i) {
-        // A vertex with faces all around it has no gap for another.
-        if (!halfEdges.is_boundary(face[i])) {
-            return false;
+class Gate {
+public:
+    explicit Gate(const HalfEdges& halfEdges) : m_halfEdges(halfEdges) {}
+
+    [[nodiscard]] bool admits(const Vertices& face) {
+        for (std::size_t i = 0; i < face.size(); ++i) {
+            // A vertex with faces all around it has no gap for another; an edge with a face on this side
+            // already has no room for a third face, or for one that is turned over.
+            if (!m_halfEdges.is_boundary(face[i]) || !isSideFree(face[i], face[(i + 1) % face.size()])) {
+                return false;
+            }
         }
-        // Neither has an edge whose side the face would lie on: a third face, or one that is turned over.
-        const auto side = halfEdges.find_halfedge(face[i], face[(i + 1) % face.size()]);
-        if (side.is_valid() && !halfEdges.is_boundary(side)) {
-            return false;
-        }
+        return true;
     }
-    return true;
-}
+
+private:
+    /// Finding an edge means going round the vertex. Where faces in no order share a hub, that takes time in
+    /// proportion to the square of their number (100,000: minutes), so the steps are limited; once they are
+    /// used up, only small vertices are gone round.
+    [[nodiscard]] bool isSideFree(OpenMesh::VertexHandle from, OpenMesh::VertexHandle to) {
+        int steps = 0;
+        for (const OpenMesh::HalfedgeHandle side : m_halfEdges.voh_range(from)) {
+            if (m_halfEdges.to_vertex_handle(side) == to) {
+                return m_halfEdges.is_boundary(side);
+            }
+            m_stepsLeft -= m_stepsLeft > 0 ? 1 : 0;
+            if (m_stepsLeft == 0 && ++steps > 64) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    const HalfEdges& m_halfEdges;
+    std::uint64_t m_stepsLeft = 100'000'000;
+};
 
 std::size_t countComponents(const HalfEdges& halfEdges) {
     std::vector<bool> seen(halfEdges.n_faces(), false);
@@ -71,10 +93,11 @@ Connectivity connect(const MeshData& mesh) {
     for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
         halfEdges.add_vertex();
     }
-    // What isConnectable() cannot foresee (faces around a vertex that no order joins) OpenMesh refuses
+    // What the gate cannot foresee (faces around a vertex that no order joins) OpenMesh refuses
     // itself, with a line on this stream that nobody asked for.
     omerr().disable();
     Connectivity result;
+    Gate gate(halfEdges);
     Vertices face;
     for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
         if (repeatsVertex(mesh.face(f))) {
@@ -84,7 +107,7 @@ Connectivity connect(const MeshData& mesh) {
         for (const std::uint32_t vertex : mesh.face(f)) {
             face.emplace_back(static_cast<int>(vertex));
         }
-        if (!isConnectable(halfEdges, face) || !halfEdges.add_face(face).is_valid()) {
+        if (!gate.admits(face) || !halfEdges.add_face(face).is_valid()) {
             ++result.refused;
         }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/corner_normals.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -9,8 +10,8 @@
 namespace hitscope {
 namespace {
 
-/// Every corner of a vertex is compared with every other; the hub of a larger fan has all its faces averaged,
-/// so that the work stays in proportion to the mesh.
+/// Every corner of a vertex is compared with every other; the hub of a larger fan has all its faces averaged
+/// once, so that the work stays in proportion to the mesh.
 constexpr std::size_t kMostFacesCompared = 256;
 
 /// The zero vector when v has no usable direction.
@@ -60,24 +61,48 @@ struct FaceNormals {
     }
 };
 
-glm::vec3 computedNormal(std::uint32_t corner, std::span<const std::uint32_t> around,
-                         const FaceNormals& faces, const Smoothness& smoothness) {
+glm::vec3 averageNormal(std::span<const std::uint32_t> around, const FaceNormals& faces) {
+    glm::dvec3 sum(0.0);
+    for (const std::uint32_t corner : around) {
+        sum += faces.areas[faces.faceOfCorner[corner]];
+    }
+    const glm::dvec3 normal = unitOrZero(sum);
+    // No face here has an area, or they cancel out: any unit vector keeps the deformation defined.
+    return normal != glm::dvec3(0.0) ? glm::vec3(normal) : glm::vec3(0.0f, 1.0f, 0.0f);
+}
+
+/// Of a corner whose face has an area.
+glm::vec3 smoothNormal(std::uint32_t corner, std::span<const std::uint32_t> around, const FaceNormals& faces,
+                       const Smoothness& smoothness) {
     const std::uint32_t face = faces.faceOfCorner[corner];
     const glm::dvec3 own(faces.units[face]);
-    const bool joinAll = around.size() > kMostFacesCompared || own == glm::dvec3(0.0);
     glm::dvec3 sum(0.0);
     for (const std::uint32_t other : around) {
         const std::uint32_t otherFace = faces.faceOfCorner[other];
-        if (joinAll || smoothness.joins(face, otherFace, own, glm::dvec3(faces.units[otherFace]))) {
+        if (smoothness.joins(face, otherFace, own, glm::dvec3(faces.units[otherFace]))) {
             sum += faces.areas[otherFace];
         }
     }
     const glm::dvec3 normal = unitOrZero(sum);
-    if (normal != glm::dvec3(0.0)) {
-        return glm::vec3(normal);
+    return glm::vec3(normal != glm::dvec3(0.0) ? normal : own);
+}
+
+/// Fills the zero vectors among the normals of a vertex's corners.
+void computeMissing(std::span<const std::uint32_t> around, const FaceNormals& faces,
+                    const Smoothness& smoothness, std::vector<glm::vec3>& normals) {
+    const auto isMissing = [&normals](std::uint32_t corner) { return normals[corner] == glm::vec3(0.0f); };
+    if (std::none_of(around.begin(), around.end(), isMissing)) {
+        return;
     }
-    // No face here has an area, or they cancel out: any unit vector keeps the deformation defined.
-    return own != glm::dvec3(0.0) ? glm::vec3(own) : glm::vec3(0.0f, 1.0f, 0.0f);
+    const glm::vec3 average = averageNormal(around, faces);
+    for (const std::uint32_t corner : around) {
+        if (!isMissing(corner)) {
+            continue;
+        }
+        const bool isAveraged =
+            around.size() > kMostFacesCompared || faces.units[faces.faceOfCorner[corner]] == glm::vec3(0.0f);
+        normals[corner] = isAveraged ? average : smoothNormal(corner, around, faces, smoothness);
+    }
 }
 
 }  // namespace
@@ -112,11 +137,7 @@ std::vector<glm::vec3> cornerNormals(const MeshData& mesh, const VertexCorners& 
     const FaceNormals faces(mesh);
     const Smoothness smoothness(mesh, creaseAngle);
     for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
-        for (const std::uint32_t corner : vertexCorners.of(v)) {
-            if (normals[corner] == glm::vec3(0.0f)) {
-                normals[corner] = computedNormal(corner, vertexCorners.of(v), faces, smoothness);
-            }
-        }
+        computeMissing(vertexCorners.of(v), faces, smoothness, normals);
     }
     return normals;
 }

@@ -21,9 +21,11 @@ struct TopologyStatistics {
     std::size_t quads = 0;           ///< faces with 4 corners
     std::size_t largerPolygons = 0;  ///< faces with 5 or more corners
     std::size_t boundaryEdges = 0;
-    std::size_t components = 0;        ///< faces OpenMesh accepted, connected where they share an edge
-    std::size_t degenerateFaces = 0;   ///< faces that repeat a vertex; sorted out before OpenMesh sees them
-    std::size_t nonManifoldFaces = 0;  ///< faces that OpenMesh cannot connect (complex edges or vertices)
+    std::size_t components = 0;       ///< faces OpenMesh accepted, connected where they share an edge
+    std::size_t degenerateFaces = 0;  ///< faces that repeat a vertex; sorted out before OpenMesh sees them
+    /// Faces that OpenMesh cannot connect: complex edges or vertices, or (so that no file takes minutes) one
+    /// of tens of thousands of faces that share a vertex in no order.
+    std::size_t nonManifoldFaces = 0;
     /// V - E + F of the accepted faces; nothing where faces were left out.
     std::optional<long long> eulerCharacteristic;
     bool watertight = false;  ///< no boundary, nothing left out
