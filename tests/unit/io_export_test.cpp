@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <bit>
+#include <cmath>
+#include <random>
+
+#include "io/export_obj.h"
+#include "io/readers/obj_reader.h"
+#include "io/readers/read_mesh.h"
+#include "io_support.h"
+
+using namespace hitscope;
+using namespace hitscope::test;
+
+namespace {
+
+/// Everything an OBJ can hold: polygons, corners with and without coordinates, things no face uses.
+const char* const kRich =
+    "mtllib rich.mtl\n"
+    "v 0.1 0.2 0.3\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 7 7 7\nv 123456.789012345 1e-7 -0\nv 2 2 2\n"
+    "vt 0 0\nvt 0.1 0.2\nvt 9 9\nvt 1 1\nvn 0 0 2\nvn 0 1 0\nvn 0.6 0.8 0\n"
+    "o body\ng left\nusemtl wood\ns 1\nf 1/1/1 2/2/1 3/4/1 4/2/1\nf 1//1 2//1 3//2\n"
+    "g right\nusemtl tin\ns off\nf 1/1 2/2 3/4 4/1 6/2\nf 6 1 2\nusemtl wood\ng none\no last\n"
+    "f 3/1/1 2 1/1\nl 1 2 7\np 5\np 6\ng trailing\n";
+const char* const kRichMtl =
+    "newmtl wood\nKa 0.1 0.2 0.3\nKd 0.4 0.5 0.6\nKs 0.7 0.8 0.9\nNs 12.5\nd 0.75\nmap_Kd maps/wood.png\n"
+    "newmtl tin\nKd 1 0 0\nnewmtl unused\nKd 0 1 0\nmap_Kd lost.png\n";
+
+std::vector<glm::vec3> cornerNormals(const MeshData& mesh, const glm::vec3& otherwise) {
+    std::vector<glm::vec3> normals(mesh.cornerVertices.size(), otherwise);
+    for (std::size_t c = 0; c < mesh.cornerNormals.size(); ++c) {
+        if (mesh.cornerNormals[c] != kNoIndex) {
+            normals[c] = mesh.normals[mesh.cornerNormals[c]];
+        }
+    }
+    return normals;
+}
+
+ImportedMesh read(const QString& path) {
+    const Result<ImportedMesh> result = readMesh(path, {});
+    if (!result) {
+        qWarning("%s", result.error().message().c_str());
+        return {};
+    }
+    return result.value();
+}
+
+ObjExport exportOf(const MeshData& mesh, std::span<const glm::vec3> positions) {
+    ObjExport what;
+    what.mesh = &mesh;
+    what.positions = positions;
+    return what;
+}
+
+}  // namespace
+
+class ExportTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void init();
+    void givesBackWhatWasRead();
+    void givesBackNormalsThatAreAllGiven();
+    void keepsColours();
+    void keepsEveryFloat();
+    void writesTheFilesOwnNumbers();
+    void undoesThePlacement();
+    void writesEachNormalOnce();
+    void keepsFileNormalsButForTheirLength();
+    void makesNamesUsable();
+    void copiesTextures();
+    void overwritesNothingElse();
+    void leavesTexturesOfTheOwnFolderAlone();
+    void writesEmbeddedPictures();
+    void saysWhyItCannotWrite_data();
+    void saysWhyItCannotWrite();
+
+private:
+    [[nodiscard]] QString in(const char* name) const { return m_folder->filePath(QString::fromLatin1(name)); }
+    QString writeRich() const;
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void ExportTest::init() {
+    m_folder = std::make_unique<QTemporaryDir>();
+    QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral("source/maps")));
+    QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral("target")));
+}
+
+QString ExportTest::writeRich() const {
+    writeFile(in("source"), QStringLiteral("rich.mtl"), kRichMtl);
+    writeFile(in("source"), QStringLiteral("maps/wood.png"), smallPng().toStdString());
+    return writeFile(in("source"), QStringLiteral("rich.obj"), kRich);
+}
+
+void ExportTest::givesBackWhatWasRead() {
+    const ImportedMesh original = read(writeRich());
+    QCOMPARE(original.mesh.faceCount(), std::size_t(5));
+    // No normals: all else is the same.
+    MeshData bare = original.mesh;
+    bare.normals.clear();
+    bare.cornerNormals.clear();
+    ObjExport what = exportOf(bare, bare.positions);
+    what.sourceFolder = in("source");
+    QVERIFY2(exportObj(what, in("source/again.obj")).ok(), "export");
+    const ImportedMesh again = read(in("source/again.obj"));
+    QCOMPARE(differences(again.mesh, bare), QStringList());
+    QCOMPARE(again.mesh.materialLibraries, std::vector<std::string>{"again.mtl"});
+}
+
+void ExportTest::givesBackNormalsThatAreAllGiven() {
+    const char* const text =
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 2\nvn 5 5 5\nvn 0 0 2\nvn 0 1 0\nf 1//4 2//3 3//1\nf 3//1 2//3 "
+        "1//4\n";
+    const MeshData mesh = parseObj(text).value().mesh;
+    const std::vector<glm::vec3> normals = cornerNormals(mesh, {});
+    ObjExport what = exportOf(mesh, mesh.positions);
+    what.normals = normals;
+    const Result<ImportedMesh> again = parseObj(formatObj(what, {}));
+    QVERIFY2(again.ok(), qPrintable(messageOf(again)));
+    QCOMPARE(differences(again.value().mesh, mesh), QStringList());
+}
+
+void ExportTest::keepsColours() {
+    const MeshData mesh =
+        parseObj("v 0 0 0 0.1 0.2 0.3\nv 1 0 0 0 0 1\nv 0 1 0 1 1 1\nf 1 2 3\n").value().mesh;
+    const MeshData again = parseObj(formatObj(exportOf(mesh, mesh.positions), {})).value().mesh;
+    QCOMPARE(differences(again, mesh), QStringList());
+}
+
+void ExportTest::keepsEveryFloat() {
+    std::mt19937 random(99);
+    MeshData mesh;
+    mesh.positions.resize(40000);
+    std::vector<glm::vec3> moved;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        glm::vec3 position;
+        for (int i = 0; i < 3; ++i) {
+            do {
+                position[i] = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
+            } while (!std::isfinite(position[i]));
+        }
+        moved.push_back(position);
+    }
+    moved[0].x =
+        std::bit_cast<float>(0x15ae43fdu);  // its shortest text is rounded wrongly by way of a double
+    const MeshData again = parseObj(formatObj(exportOf(mesh, moved), {})).value().mesh;
+    QCOMPARE(again.positions.size(), moved.size());
+    for (std::size_t v = 0; v < moved.size(); ++v) {
+        for (int i = 0; i < 3; ++i) {
+            QCOMPARE(std::bit_cast<std::uint32_t>(again.positions[v][i]),
+                     std::bit_cast<std::uint32_t>(moved[v][i]));
+        }
+    }
+}
+
+void ExportTest::writesTheFilesOwnNumbers() {
+    const MeshData mesh =
+        parseObj("v 0.1 123456.789012345 1e-300\nv 1 0 0\nv 0 0.7 0\nf 1 2 3\n").value().mesh;
+    std::vector<glm::vec3> positions = mesh.positions;
+    positions[2] = {0.25f, 0.1f, -3.0f};
+    const QString text = QString::fromStdString(formatObj(exportOf(mesh, positions), "a.mtl"));
+    QVERIFY2(text.contains(QStringLiteral("\nv 0.1 123456.789012345 1e-300\nv 1 0 0\nv 0.25 0.1 -3\n")),
+             qPrintable(text));
+    QVERIFY(text.contains(QStringLiteral("\nmtllib a.mtl\n")));
+}
+
+void ExportTest::undoesThePlacement() {
+    MeshData mesh = parseObj("v 100.1 0 0\nv 104.1 0 0\nv 100.1 2 0\nf 1 2 3\n").value().mesh;
+    place(mesh, 1.0f);
+    std::vector<glm::vec3> positions = mesh.positions;
+    positions[1].y += 0.25f;  // a quarter of a unit here is one in the file
+    const MeshData again = parseObj(formatObj(exportOf(mesh, positions), {})).value().mesh;
+    QVERIFY(again.filePositions.at(0) == glm::dvec3(100.1, 0, 0));
+    QVERIFY(again.filePositions.at(2) == glm::dvec3(100.1, 2, 0));
+    QVERIFY(glm::distance(again.filePositions.at(1), glm::dvec3(104.1, 1, 0)) < 1e-6);
+}
+
+void ExportTest::writesEachNormalOnce() {
+    const MeshData mesh =
+        parseObj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 0 0\nf 1//1 2//1 3//1\nf 1 2 3\n").value().mesh;
+    std::vector<glm::vec3> normals(6, glm::vec3(0, 0, 1));
+    normals[4] = {0, 1, 0};
+    ObjExport what = exportOf(mesh, mesh.positions);
+    what.normals = normals;
+    const MeshData again = parseObj(formatObj(what, {})).value().mesh;
+    // The file's own is used no longer, and goes.
+    QCOMPARE(again.normals, (std::vector<glm::vec3>{{0, 0, 1}, {0, 1, 0}}));
+    QCOMPARE(again.cornerNormals, (std::vector<std::uint32_t>{0, 0, 0, 0, 1, 0}));
+}
+
+void ExportTest::keepsFileNormalsButForTheirLength() {
+    const MeshData mesh = parseObj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 2 3\nf 1//1 2//1 3//1\n").value().mesh;
+    const std::vector<glm::vec3> normals{glm::normalize(glm::vec3(1, 2, 3)),
+                                         glm::normalize(glm::vec3(1, 2, 3)),
+                                         glm::normalize(glm::vec3(1, 2, 3.1f))};
+    ObjExport what = exportOf(mesh, mesh.positions);
+    what.normals = normals;
+    const MeshData again = parseObj(formatObj(what, {})).value().mesh;
+    QCOMPARE(again.normals, (std::vector<glm::vec3>{{1, 2, 3}, normals[2]}));
+    QCOMPARE(again.cornerNormals, (std::vector<std::uint32_t>{0, 0, 1}));
+}
+
+void ExportTest::makesNamesUsable() {
+    MeshData mesh = parseObj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 3\nf 1 2 3\n").value().mesh;
+    mesh.materials.resize(3);
+    mesh.materials[0].name = "a\nf 9 9 9";
+    mesh.materials[2].name = "a f 9 9 9";
+    mesh.faceMaterials = {0, 1, 2};
+    mesh.groups = {{FaceGroup::Kind::Group, " tab\tand\\", 0}};
+    QVERIFY(exportObj(exportOf(mesh, mesh.positions), in("target/my mesh.obj")).ok());
+    const ImportedMesh again = read(in("target/my mesh.obj"));
+    QCOMPARE(again.notes, QStringList());
+    QCOMPARE(again.mesh.faceMaterials, mesh.faceMaterials);
+    QCOMPARE(again.mesh.materials[0].name, std::string("a f 9 9 9"));
+    QCOMPARE(again.mesh.materials[1].name, std::string("material_2"));
+    QCOMPARE(again.mesh.materials[2].name, std::string("a f 9 9 9_2"));
+    QCOMPARE(again.mesh.groups[0].name, std::string("tab and/"));
+    QVERIFY(QFile::exists(in("target/my_mesh.mtl")));
+}
+
+void ExportTest::copiesTextures() {
+    const ImportedMesh original = read(writeRich());
+    ObjExport what = exportOf(original.mesh, original.mesh.positions);
+    what.sourceFolder = in("source");
+    QVERIFY(exportObj(what, in("target/a.obj")).ok());
+    QCOMPARE(readFile(in("target/wood.png")), smallPng().toStdString());
+    const ImportedMesh again = read(in("target/a.obj"));
+    QCOMPARE(again.mesh.materials[0].diffuseTexture, std::string("wood.png"));
+    QCOMPARE(again.mesh.images.size(), std::size_t(1));
+    QCOMPARE(again.mesh.materials[2].diffuseTexture, std::string("lost.png"));  // a name is better than none
+}
+
+void ExportTest::overwritesNothingElse() {
+    const ImportedMesh original = read(writeRich());
+    writeFile(in("target"), QStringLiteral("wood.png"), "another picture");
+    writeFile(in("target"), QStringLiteral("a.mtl"), "another library");
+    ObjExport what = exportOf(original.mesh, original.mesh.positions);
+    what.sourceFolder = in("source");
+    QVERIFY(exportObj(what, in("target/a.obj")).ok());
+    QCOMPARE(readFile(in("target/wood.png")), std::string("another picture"));
+    QCOMPARE(readFile(in("target/a.mtl")), std::string("another library"));
+    ImportedMesh again = read(in("target/a.obj"));
+    QCOMPARE(again.mesh.materialLibraries, std::vector<std::string>{"a-1.mtl"});
+    QCOMPARE(again.mesh.materials[0].diffuseTexture, std::string("wood-1.png"));
+    QCOMPARE(again.mesh.images.size(), std::size_t(1));
+    // The same again: the picture is there already.
+    QVERIFY(exportObj(what, in("target/b.obj")).ok());
+    QVERIFY(!QFile::exists(in("target/wood-2.png")));
+}
+
+void ExportTest::leavesTexturesOfTheOwnFolderAlone() {
+    const ImportedMesh original = read(writeRich());
+    ObjExport what = exportOf(original.mesh, original.mesh.positions);
+    what.sourceFolder = in("source");
+    QVERIFY(exportObj(what, in("source/b.obj")).ok());
+    QCOMPARE(read(in("source/b.obj")).mesh.materials[0].diffuseTexture, std::string("maps/wood.png"));
+    QVERIFY(!QFile::exists(in("source/wood.png")));
+}
+
+void ExportTest::writesEmbeddedPictures() {
+    MeshData mesh =
+        parseObj("v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nusemtl b\nf 3 2 1\n").value().mesh;
+    mesh.images = {Image{1, 1, {1, 2, 3, 255}}};
+    mesh.materials[0].diffuseImage = 0;
+    mesh.materials[1].diffuseImage = 0;
+    QVERIFY(exportObj(exportOf(mesh, mesh.positions), in("target/a.obj")).ok());
+    const ImportedMesh again = read(in("target/a.obj"));
+    QCOMPARE(again.mesh.materials[1].diffuseTexture, std::string("a_texture1.png"));
+    QCOMPARE(again.mesh.images.size(), std::size_t(1));
+    QCOMPARE(again.mesh.images[0].pixels, mesh.images[0].pixels);
+}
+
+void ExportTest::saysWhyItCannotWrite_data() {
+    QTest::addColumn<QString>("path");
+    QTest::newRow("no such folder") << "nowhere/a.obj";
+    QTest::newRow("is a folder") << "target";
+    QTest::newRow("inside a device") << "/dev/full/a.obj";
+}
+
+void ExportTest::saysWhyItCannotWrite() {
+    QFETCH(QString, path);
+    const MeshData mesh = parseObj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").value().mesh;
+    const Status written = exportObj(exportOf(mesh, mesh.positions), QDir(m_folder->path()).filePath(path));
+    QVERIFY(!written);
+    QVERIFY2(messageOf(written).contains(QStringLiteral("cannot be saved")), qPrintable(messageOf(written)));
+    QVERIFY(!written.error().where.empty() && !written.error().advice.empty());
+    const std::vector<glm::vec3> tooFew(2);
+    QVERIFY(!exportObj(exportOf(mesh, tooFew), in("target/b.obj")));
+    QVERIFY(!QFile::exists(in("target/b.obj")));
+}
+
+QTEST_GUILESS_MAIN(ExportTest)
+#include "io_export_test.moc"
