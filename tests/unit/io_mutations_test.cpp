@@ -4,6 +4,7 @@
 
 #include "io/readers/mtl_reader.h"
 #include "io/readers/obj_reader.h"
+#include "io/readers/off_reader.h"
 #include "io/readers/ply_reader.h"
 #include "io/readers/stl_reader.h"
 #include "io_support.h"
@@ -51,6 +52,9 @@ const char* const kObj =
     "s 1\nf 1/1/1 2/2/1 3/1/1 4/2/1\nf -1//-1 -2//-1 \\\n -3//-1\nl 1 2 3\np 1\ns off\n";
 const char* const kMtl =
     "newmtl m\nKa 1 1 1\nKd 0.5 0.5 0.5\nKs 0 0 0\nNs 10\nd 0.5\nmap_Kd -s 1 1 1 wood.png\nillum 2\n";
+const char* const kOff =
+    "STCNOFF\n3 2 0\n0 0 0 0 0 1 255 0 0 255 0 1\n1 0 0 0 0 1 9 9 9 0 0 0\n0 1 0 0 0 1 0 0 0 0 1 1\n"
+    "3 0 1 2\n3 2 1 0 255 0 0\n";
 const char* const kPly =
     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
     "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n"
@@ -95,6 +99,9 @@ class MutationsTest : public QObject {
 private Q_SLOTS:
     void obj() {
         tryMutations(kObj, [](const std::string& bytes) { return parseObj(bytes); });
+    }
+    void off() {
+        tryMutations(kOff, [](const std::string& bytes) { return parseOff(bytes); });
     }
     void ply() {
         tryMutations(kPly, [](const std::string& bytes) { return parsePly(bytes); });

@@ -8,7 +8,7 @@
 
 namespace hitscope {
 
-/// Reads a glTF, GLB, OFF, FBX, 3DS or DAE file with Assimp, without any of its post-processing: polygons and
+/// Reads a glTF, GLB, FBX, 3DS or DAE file with Assimp, without any of its post-processing: polygons and
 /// the file's vertices stay. The scene's meshes become one, each instance moved by its node and named as an
 /// object. Formats whose readers give each face vertices of its own (FBX, 3DS, DAE) get them shared where
 /// their positions are equal. Animations and skins are left out, with a note.

@@ -11,6 +11,7 @@
 #include "io/readers/assimp_reader.h"
 #include "io/readers/mtl_reader.h"
 #include "io/readers/obj_reader.h"
+#include "io/readers/off_reader.h"
 #include "io/readers/ply_reader.h"
 #include "io/readers/stl_reader.h"
 #include "io/readers/textures.h"
@@ -64,6 +65,9 @@ Result<ImportedMesh> parseFile(const QString& path, const ProgressSink& progress
     }
     if (suffix == QStringLiteral("stl")) {
         return parseStl(content.bytes(), progress);
+    }
+    if (suffix == QStringLiteral("off")) {
+        return parseOff(content.bytes(), progress);
     }
     return readWithAssimp(path, progress);
 }

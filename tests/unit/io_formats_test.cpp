@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "io/import.h"
+#include "io_support.h"
+
+using namespace hitscope;
+using namespace hitscope::test;
+using Indices = std::vector<std::uint32_t>;
+
+namespace {
+
+QString data(const char* name) {
+    return QDir(QStringLiteral(HITSCOPE_TEST_DATA)).filePath(QString::fromLatin1(name));
+}
+
+ImportedMesh imported(const QString& path) {
+    const Result<ImportedMesh> result = importMesh(path);
+    if (!result) {
+        qWarning("%s", result.error().message().c_str());
+        return {};
+    }
+    return result.value();
+}
+
+/// The numbers that a glTF holds as base64, and where that text stands in it.
+struct InlineNumbers {
+    std::string bytes;
+    std::size_t first = 0;
+    std::size_t size = 0;
+};
+
+InlineNumbers findNumbers(const std::string& gltf) {
+    const std::string start = "data:application/octet-stream;base64,";
+    InlineNumbers found;
+    found.first = gltf.find(start);
+    found.size = gltf.find('"', found.first) - found.first;
+    const std::string base64 = gltf.substr(found.first + start.size(), found.size - start.size());
+    found.bytes = QByteArray::fromBase64(QByteArray::fromStdString(base64)).toStdString();
+    return found;
+}
+
+void putChunk(std::string& file, std::string content, const char* type, char padding) {
+    content.resize((content.size() + 3) / 4 * 4, padding);
+    put(file, static_cast<std::uint32_t>(content.size()));
+    file.append(type, 4).append(content);
+}
+
+/// The same as a binary glTF: a header, the text and the numbers.
+std::string glbOf(std::string gltf) {
+    const InlineNumbers numbers = findNumbers(gltf);
+    const std::string uri = ",\n   \"uri\": \"";
+    const std::size_t from = numbers.first - uri.size();
+    gltf.erase(from, uri.size() + numbers.size + 1);
+    std::string chunks;
+    putChunk(chunks, gltf, "JSON", ' ');
+    putChunk(chunks, numbers.bytes, "BIN\0", '\0');
+    std::string file = "glTF";
+    put(file, std::uint32_t{2}, static_cast<std::uint32_t>(chunks.size() + 12));
+    return file + chunks;
+}
+
+std::string chunk3ds(std::uint16_t id, const std::string& content) {
+    std::string chunk;
+    put(chunk, id, static_cast<std::uint32_t>(content.size() + 6));
+    return chunk + content;
+}
+
+/// Two triangles with a common edge, in 3D Studio's nested chunks.
+std::string small3ds() {
+    std::string vertices;
+    put(vertices, std::uint16_t{4});
+    put(vertices, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 1.0f, 1.0f, 0.0f);
+    std::string faces;
+    put(faces, std::uint16_t{2});
+    for (const auto& [a, b, c] : {std::tuple{0, 1, 2}, std::tuple{2, 1, 3}}) {
+        put(faces, static_cast<std::uint16_t>(a), static_cast<std::uint16_t>(b),
+            static_cast<std::uint16_t>(c), std::uint16_t{7});
+    }
+    const std::string mesh = chunk3ds(0x4100, chunk3ds(0x4110, vertices) + chunk3ds(0x4120, faces));
+    return chunk3ds(0x4D4D, chunk3ds(0x3D3D, chunk3ds(0x4000, std::string("sheet") + '\0' + mesh)));
+}
+
+}  // namespace
+
+class FormatsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void obj();
+    void plyAndStl();
+    void off();
+    void gltf_data();
+    void gltf();
+    void externalFilesOfGltf();
+    void dae();
+    void fbx();
+    void threeDs();
+    void suffixInCapitals();
+    void listsFormats();
+
+private:
+    QTemporaryDir m_folder;
+};
+
+void FormatsTest::obj() {
+    writeFile(m_folder.path(), QStringLiteral("w.png"), smallPng().toStdString());
+    writeFile(m_folder.path(), QStringLiteral("a.mtl"), "newmtl wood\nKd 1 0 0\nmap_Kd w.png\n");
+    const ImportedMesh result = imported(writeFile(
+        m_folder.path(), QStringLiteral("a b.c.obj"),
+        "mtllib a.mtl\no body\nv 0.1 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl wood\nf 1 2 3 4\nf 1\nl 1 2\n"));
+    QCOMPARE(result.mesh.name, std::string("a b.c"));
+    QCOMPARE(result.mesh.faceStarts, (Indices{0, 4}));
+    QVERIFY(result.mesh.filePositions.at(0) == glm::dvec3(0.1, 0, 0));
+    QCOMPARE(result.mesh.materials.at(0).diffuse, glm::vec3(1, 0, 0));
+    QCOMPARE(result.mesh.images.at(0).width, 2);
+    QCOMPARE(result.mesh.lines.size(), std::size_t(1));
+    QCOMPARE(result.mesh.groups.at(0).name, std::string("body"));
+    QCOMPARE(result.notes, QStringList{QStringLiteral("1 face with fewer than three corners was left out.")});
+}
+
+void FormatsTest::plyAndStl() {
+    const QString ply =
+        writeFile(m_folder.path(), QStringLiteral("a.ply"),
+                  "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                  "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+                  "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    QCOMPARE(imported(ply).mesh.cornerVertices, (Indices{0, 1, 2}));
+    const QString stl =
+        writeFile(m_folder.path(), QStringLiteral("a.stl"),
+                  "solid a\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+                  "endfacet\nendsolid\n");
+    QCOMPARE(imported(stl).mesh.cornerVertices, (Indices{0, 1, 2}));
+}
+
+void FormatsTest::off() {
+    const MeshData mesh = imported(data("two_quads.off")).mesh;
+    QCOMPARE(mesh.vertexCount(), std::size_t(7));
+    QCOMPARE(mesh.positions[6], glm::vec3(9, 9, 9));
+    QCOMPARE(mesh.faceStarts, (Indices{0, 4, 8}));
+    QCOMPARE(mesh.cornerVertices, (Indices{0, 1, 2, 3, 1, 4, 5, 2}));
+    const MeshData rich =
+        imported(writeFile(m_folder.path(), QStringLiteral("a.off"),
+                           "STCNOFF 3 2 9\n0 0 0 0 0 1 255 0 0 255 0.5 1\n"
+                           "1 0 0 0 0 1 0 51 0 0 1 0.5 # comment\n\n0 1 0 0 0 1 0 0 0 9 0 0\n"
+                           "3 0 1 2 255 0 0\n2 0 1\n"))
+            .mesh;
+    QCOMPARE(rich.faceStarts, (Indices{0, 3}));
+    QCOMPARE(rich.colours.at(1), glm::vec3(0, 0.2f, 0));
+    QCOMPARE(rich.texcoords.at(1), glm::vec2(1, 0.5f));
+    QCOMPARE(rich.cornerNormals, (Indices{0, 1, 2}));
+}
+
+void FormatsTest::gltf_data() {
+    QTest::addColumn<bool>("binary");
+    QTest::newRow("gltf") << false;
+    QTest::newRow("glb") << true;
+}
+
+void FormatsTest::gltf() {
+    QFETCH(bool, binary);
+    const std::string text = readFile(data("two_quads.gltf"));
+    const QString path =
+        writeFile(m_folder.path(), binary ? QStringLiteral("a.glb") : QStringLiteral("a.gltf"),
+                  binary ? glbOf(text) : text);
+    const ImportedMesh result = imported(path);
+    const MeshData& mesh = result.mesh;
+    QCOMPARE(mesh.positions,
+             (std::vector<glm::vec3>{
+                 {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {10, 0, 0}, {9, 0, 0}, {10, 1, 0}, {9, 1, 0}}));
+    // The mirrored node's triangles are turned, so that they still face the same way.
+    QCOMPARE(mesh.cornerVertices, (Indices{0, 1, 2, 2, 1, 3, 6, 5, 4, 7, 5, 6}));
+    QCOMPARE(mesh.groups.size(), std::size_t(2));
+    QCOMPARE(mesh.groups[1].name, std::string("mirrored"));
+    QCOMPARE(mesh.groups[1].firstFace, 2u);
+    // glTF counts v downwards; the first vertex is its picture's lower left corner.
+    QCOMPARE(mesh.texcoords.at(0), glm::vec2(0, 0));
+    QCOMPARE(mesh.texcoords.at(3), glm::vec2(1, 1));
+    const Material& paint = mesh.materials.at(mesh.faceMaterials.at(0));
+    QCOMPARE(paint.name, std::string("paint"));
+    QCOMPARE(paint.diffuse, glm::vec3(1, 0.5f, 0));
+    QCOMPARE(mesh.images.at(static_cast<std::size_t>(paint.diffuseImage)).pixels,
+             (std::vector<std::uint8_t>{255, 0, 0, 255, 0, 255, 0, 128}));
+    QCOMPARE(result.notes, QStringList());
+}
+
+void FormatsTest::externalFilesOfGltf() {
+    // The same with its numbers in a file of its own: beside the mesh they are found, outside they are not.
+    QVERIFY(QDir(m_folder.path()).mkpath(QStringLiteral("inner")));
+    const std::string text = readFile(data("two_quads.gltf"));
+    const InlineNumbers numbers = findNumbers(text);
+    const std::string inside = std::string(text).replace(numbers.first, numbers.size, "numbers.bin");
+    const std::string outside = std::string(text).replace(numbers.first, numbers.size, "../numbers.bin");
+    writeFile(m_folder.path(), QStringLiteral("numbers.bin"), numbers.bytes);
+    const QString outsidePath = writeFile(m_folder.path(), QStringLiteral("inner/outside.gltf"), outside);
+    QVERIFY(!importMesh(outsidePath));
+    writeFile(m_folder.path(), QStringLiteral("inner/numbers.bin"), numbers.bytes);
+    const QString insidePath = writeFile(m_folder.path(), QStringLiteral("inner/inside.gltf"), inside);
+    QCOMPARE(imported(insidePath).mesh.faceCount(), std::size_t(4));
+}
+
+void FormatsTest::dae() {
+    const MeshData mesh = imported(data("quad.dae")).mesh;
+    // Its reader gives each corner a vertex of its own; equal ones are one again.
+    QCOMPARE(mesh.positions,
+             (std::vector<glm::vec3>{{10, 0, 0}, {11, 0, 0}, {11, 1, 0}, {10, 1, 0}, {12, 0.5f, 0}}));
+    QCOMPARE(mesh.faceStarts, (Indices{0, 4, 7}));
+    QCOMPARE(mesh.cornerVertices, (Indices{0, 1, 2, 3, 1, 4, 2}));
+    QCOMPARE(mesh.texcoords.at(mesh.cornerTexcoords.at(4)), glm::vec2(0, 0));
+    QCOMPARE(mesh.texcoords.at(mesh.cornerTexcoords.at(1)), glm::vec2(1, 0));
+    QCOMPARE(mesh.groups.at(0).name, std::string("moved"));
+    QCOMPARE(mesh.materials.at(mesh.faceMaterials.at(0)).diffuse, glm::vec3(1, 0.25f, 0));
+}
+
+void FormatsTest::fbx() {
+    const MeshData mesh = imported(data("quad.fbx")).mesh;
+    QCOMPARE(mesh.positions,
+             (std::vector<glm::vec3>{{10, 0, 0}, {11, 0, 0}, {11, 1, 0}, {10, 1, 0}, {12, 0.5f, 0}}));
+    QCOMPARE(mesh.faceStarts, (Indices{0, 4, 7}));
+    QCOMPARE(mesh.cornerVertices, (Indices{0, 1, 2, 3, 1, 4, 2}));
+    QCOMPARE(mesh.texcoords.at(mesh.cornerTexcoords.at(2)), glm::vec2(1, 1));
+    QCOMPARE(mesh.materials.at(mesh.faceMaterials.at(0)).diffuse, glm::vec3(1, 0.25f, 0));
+}
+
+void FormatsTest::threeDs() {
+    const MeshData mesh = imported(writeFile(m_folder.path(), QStringLiteral("a.3ds"), small3ds())).mesh;
+    QCOMPARE(mesh.vertexCount(), std::size_t(4));
+    QCOMPARE(mesh.faceCount(), std::size_t(2));
+    QCOMPARE(mesh.cornerVertices, (Indices{0, 1, 2, 2, 1, 3}));
+}
+
+void FormatsTest::suffixInCapitals() {
+    const QString path =
+        writeFile(m_folder.path(), QStringLiteral("LOUD.OBJ"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    QCOMPARE(imported(path).mesh.faceCount(), std::size_t(1));
+}
+
+void FormatsTest::listsFormats() {
+    for (const char* const suffix : {"obj", "ply", "stl", "gltf", "glb", "off", "fbx", "3ds", "dae"}) {
+        QVERIFY(importSuffixes().contains(QString::fromLatin1(suffix)));
+        QVERIFY(importNameFilters().first().contains(QStringLiteral("*.") + QString::fromLatin1(suffix)));
+    }
+}
+
+QTEST_GUILESS_MAIN(FormatsTest)
+#include "io_formats_test.moc"

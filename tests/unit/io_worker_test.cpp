@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <signal.h>
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "io/import.h"
+#include "io/mesh_stream.h"
+#include "io_support.h"
+
+using namespace hitscope;
+using namespace hitscope::test;
+
+/// Import workers that misbehave, played by shell scripts: $1 is the input, $2 the output.
+class WorkerTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void init();
+    void cleanup() { setImportWorkerPath({}); }
+    void endsBadly_data();
+    void endsBadly();
+    void doesNotStart();
+    void tellsProgressAndNotes();
+    void passesItsLimitsOn();
+    void stopsAHangingWorker();
+    void canBeCancelled();
+    void destroyingItEndsTheWorker();
+    void emitsOnce();
+
+private:
+    QString play(const char* script);
+    [[nodiscard]] QString in(const char* name) const { return m_folder->filePath(QString::fromLatin1(name)); }
+    [[nodiscard]] bool waitForWorker() const;
+    [[nodiscard]] bool workerIsGone() const;
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    QString m_mesh;
+};
+
+void WorkerTest::init() {
+    m_folder = std::make_unique<QTemporaryDir>();
+    m_mesh = writeFile(m_folder->path(), QStringLiteral("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+}
+
+/// Makes a script the worker; it notes its process id beside the mesh first.
+QString WorkerTest::play(const char* script) {
+    const std::string text = "#!/bin/sh\necho $$ > '" + in("pid").toStdString() + "'\n" + script + "\n";
+    const QString path = writeFile(m_folder->path(), QStringLiteral("worker"), text);
+    QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    setImportWorkerPath(path);
+    return path;
+}
+
+bool WorkerTest::waitForWorker() const {
+    return QTest::qWaitFor([this] { return readFile(in("pid")).ends_with('\n'); }, 20000);
+}
+
+bool WorkerTest::workerIsGone() const {
+    const pid_t worker = std::stoi(readFile(in("pid")));
+    return ::kill(worker, 0) != 0 && errno == ESRCH;
+}
+
+void WorkerTest::endsBadly_data() {
+    QTest::addColumn<QByteArray>("script");
+    QTest::addColumn<QString>("message");
+    const auto row = [](const char* title, const char* script, const char* message) {
+        QTest::newRow(title) << QByteArray(script) << message;
+    };
+    row("segmentation fault", "kill -SEGV $$", "The file makes the reader crash; it is probably damaged.");
+    row("abort", "kill -ABRT $$", "The file makes the reader crash");
+    row("killed for memory", "kill -KILL $$",
+        "The system stopped reading the file, probably for want of memory.");
+    row("too much processor time", "kill -XCPU $$", "took longer than 7 seconds");
+    row("exit status", "exit 3", "gave no usable answer (exit status 3)");
+    row("nothing", "exit 0", "gave no usable answer");
+    row("an error", "echo 'error [\"It hurts.\",\"a.obj, line 3\",\"Rest.\"]'; exit 1",
+        "a.obj, line 3: It hurts. Rest.");
+    row("an error, then a crash", "echo 'error [\"It hurts.\"]'; kill -SEGV $$", "It hurts.");
+    row("garbage in the answer", "echo garbage > \"$2\"", "The import worker's answer cannot be used");
+    row("huge lengths", "printf 'HSMESH\\r\\n\\1\\0\\0\\0\\377\\377\\377\\377\\377\\377\\377\\177' > \"$2\"",
+        "an array is longer than the rest of it");
+    row("garbage on its output", "head -c 300000 /dev/zero; kill -SEGV $$",
+        "The file makes the reader crash");
+}
+
+void WorkerTest::endsBadly() {
+    QFETCH(QByteArray, script);
+    QFETCH(QString, message);
+    play(script.constData());
+    ImportLimits limits;
+    limits.seconds = 7;
+    const Result<ImportedMesh> result = importMesh(m_mesh, limits);
+    QVERIFY2(messageOf(result).contains(message), qPrintable(messageOf(result)));
+    QVERIFY(!result.error().where.empty() || message == QStringLiteral("It hurts."));
+}
+
+void WorkerTest::doesNotStart() {
+    const QString path = writeFile(m_folder->path(), QStringLiteral("worker"),
+                                   "\x7f"
+                                   "no program");
+    QFile::setPermissions(path, QFile::ReadOwner | QFile::ExeOwner);
+    setImportWorkerPath(path);
+    const Result<ImportedMesh> result = importMesh(m_mesh);
+    QVERIFY2(messageOf(result).contains(QStringLiteral("does not start")), qPrintable(messageOf(result)));
+}
+
+void WorkerTest::tellsProgressAndNotes() {
+    MeshData mesh;
+    mesh.name = "made elsewhere";
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.faceStarts = {0, 3};
+    mesh.cornerVertices = {0, 1, 2};
+    QVERIFY(writeMeshStream(mesh, in("ready")).ok());
+    play(("echo 'progress 0.5 Reading faces'; echo nonsense; echo 'note Mended.'; cp '" +
+          in("ready").toStdString() + "' \"$2\"")
+             .c_str());
+    MeshImport import(m_mesh);
+    std::vector<std::pair<double, QString>> told;
+    connect(&import, &MeshImport::progressed, this,
+            [&](double fraction, const QString& doing) { told.emplace_back(fraction, doing); });
+    std::shared_ptr<ImportedMesh> result;
+    connect(&import, &MeshImport::finished, this,
+            [&](const std::shared_ptr<ImportedMesh>& mesh_) { result = mesh_; });
+    import.start();
+    QVERIFY(QTest::qWaitFor([&] { return result != nullptr; }, 20000));
+    QCOMPARE(result->notes, QStringList{QStringLiteral("Mended.")});
+    QCOMPARE(result->mesh.name, mesh.name);
+    QCOMPARE(told.front().second, QStringLiteral("Reading faces"));
+    QVERIFY(told.front().first > 0.0 && told.front().first < 0.5);
+    QCOMPARE(told.back().first, 1.0);
+}
+
+void WorkerTest::passesItsLimitsOn() {
+    play("echo \"error [\\\"$3 $4 ${2##*/} $#\\\"]\"; exit 1");
+    ImportLimits limits;
+    limits.seconds = 42;
+    limits.memoryBytes = 123456789;
+    QCOMPARE(messageOf(importMesh(m_mesh, limits)), QStringLiteral("42 123456789 mesh 4"));
+}
+
+void WorkerTest::stopsAHangingWorker() {
+    play("exec sleep 1000");
+    ImportLimits limits;
+    limits.seconds = 1;
+    const Result<ImportedMesh> result = importMesh(m_mesh, limits);
+    QVERIFY2(messageOf(result).contains(QStringLiteral("took longer than 1 seconds and was stopped")),
+             qPrintable(messageOf(result)));
+    QVERIFY(workerIsGone());
+}
+
+void WorkerTest::canBeCancelled() {
+    play("exec sleep 1000");
+    MeshImport import(m_mesh);
+    std::string what;
+    connect(&import, &MeshImport::failed, this, [&](const Error& error) { what = error.what; });
+    import.start();
+    QVERIFY(waitForWorker());
+    import.cancel();
+    QVERIFY(QTest::qWaitFor([&] { return !what.empty(); }, 20000));
+    QCOMPARE(what, std::string("Opening the file was cancelled."));
+    QVERIFY(QTest::qWaitFor([&] { return workerIsGone(); }, 20000));
+}
+
+void WorkerTest::destroyingItEndsTheWorker() {
+    play("exec sleep 1000");
+    auto import = std::make_unique<MeshImport>(m_mesh);
+    import->start();
+    QVERIFY(waitForWorker());
+    import.reset();
+    QVERIFY(workerIsGone());
+}
+
+void WorkerTest::emitsOnce() {
+    play("exec sleep 1000");
+    MeshImport import(m_mesh);
+    int ends = 0;
+    connect(&import, &MeshImport::failed, this, [&] { ++ends; });
+    connect(&import, &MeshImport::finished, this, [&] { ++ends; });
+    import.start();
+    import.start();
+    QCOMPARE(ends, 0);
+    QVERIFY(waitForWorker());
+    import.cancel();
+    import.cancel();
+    QCOMPARE(ends, 0);  // later, from the event loop
+    QVERIFY(QTest::qWaitFor([&] { return workerIsGone(); }, 20000));
+    QTest::qWait(50);
+    QCOMPARE(ends, 1);
+}
+
+QTEST_GUILESS_MAIN(WorkerTest)
+#include "io_worker_test.moc"
