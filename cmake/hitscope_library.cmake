@@ -9,6 +9,8 @@ target_compile_options(hitscope_options INTERFACE
   -ffp-contract=off
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-align
   -Wformat=2 -Wnull-dereference -Wno-sign-conversion
+  # GCC 12 sees an overlap in every "literal" + std::string (its bug 105651).
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   $<$<BOOL:${HITSCOPE_WERROR}>:-Werror>)
 target_compile_definitions(hitscope_options INTERFACE
   GLM_FORCE_CTOR_INIT GLM_ENABLE_EXPERIMENTAL QT_NO_KEYWORDS QT_NO_CAST_FROM_BYTEARRAY
