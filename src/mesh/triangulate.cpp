@@ -73,24 +73,16 @@ void Triangulator::project(std::span<const glm::vec3> positions, std::span<const
     }
 }
 
-/// Every corner turns left, and going round once turns round once: the direction passes from downwards to
-/// upwards one time only (a star's many times).
+/// Every corner turns left. (So does a pentagram's, which has no right triangulation: a fan is as good as
+/// any.)
 bool Triangulator::isConvex() const {
     const std::size_t count = m_points.size();
-    const auto goesUp = [](const glm::dvec2& from, const glm::dvec2& to) {
-        return to.y > from.y || (to.y == from.y && to.x > from.x);
-    };
-    int rises = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        const glm::dvec2& a = m_points[i];
-        const glm::dvec2& b = m_points[(i + 1) % count];
-        const glm::dvec2& c = m_points[(i + 2) % count];
-        if (!(turn(a, b, c) > 0.0)) {
+        if (!(turn(m_points[i], m_points[(i + 1) % count], m_points[(i + 2) % count]) > 0.0)) {
             return false;
         }
-        rises += goesUp(b, c) && !goesUp(a, b) ? 1 : 0;
     }
-    return rises <= 1;
+    return true;
 }
 
 bool Triangulator::isReflex(std::uint32_t corner) const {

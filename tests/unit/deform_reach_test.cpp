@@ -131,7 +131,7 @@ private Q_SLOTS:
         }
     }
 
-    /// The work of a hit follows the hit, however many came before it in the same place.
+    /// The work of a hit follows the hit, however many came before it, here or elsewhere.
     void hitsInOnePlaceStayLocal() {
         const RenderMesh render = buildRenderMesh(makeHighPolySphere(2.5f));
         ClusterReach reach(render.clusters);
@@ -144,6 +144,33 @@ private Q_SLOTS:
         }
         QVERIFY(first > 0 && first < render.vertices.size() / 4);
         QVERIFY(total(reach.advance(hit)) <= 2 * first);
+
+        Hit below = hit;
+        below.point = -hit.point;
+        QCOMPARE(reach.advance(below), ClusterReach(render.clusters).advance(below));
+    }
+
+    /// A vertex that float's rounding puts within reach is found, though exactly measured it is not.
+    void roundingAtTheRimIsCovered() {
+        std::mt19937 random(23);
+        std::uniform_real_distribution<float> nearOne(1.0f - 2e-7f, 1.0f + 2e-7f);
+        int beyond = 0;
+        for (int i = 0; i < 20000; ++i) {
+            DynamicVertex vertex{test::randomPoint(random, i % 2 == 0 ? 1.0f : 1000.0f), {0.0f, 1.0f, 0.0f}};
+            const Cluster cluster{0, 1, {vertex.position, 0.0f}};
+            ClusterReach reach(std::span(&cluster, 1));
+            for (int step = 0; step < 4; ++step) {
+                Hit hit = test::randomHit(random, 1.0f);
+                const float distance = hit.constants.maxDistance * nearOne(random);
+                hit.point = vertex.position + glm::normalize(hit.point) * distance;
+                const double exactly = glm::distance(glm::dvec3(hit.point), glm::dvec3(vertex.position));
+                const bool isFound = !reach.advance(hit).empty();
+                const bool isReached = deform(vertex.position, vertex.normal, hit);
+                QVERIFY(isFound || !isReached);
+                beyond += isReached && exactly > 0.5 ? 1 : 0;
+            }
+        }
+        QVERIFY(beyond > 100);
     }
 
     void whatLiesOutOfReachIsNotTouched() {

@@ -82,6 +82,28 @@ private Q_SLOTS:
         }
     }
 
+    /// Each triangle at a pole has the middle of its strip there, so that none of the picture is sheared.
+    void polesLieInTheMiddleOfTheirStrips() {
+        const MeshData sphere = makeLowPolySphere();
+        int poles = 0;
+        for (std::size_t f = 0; f < sphere.faceCount(); ++f) {
+            if (sphere.face(f).size() != 3) {
+                continue;
+            }
+            ++poles;
+            glm::vec2 pole(0.0f);
+            float others = 0.0f;
+            for (std::size_t c = sphere.faceStarts[f]; c < sphere.faceStarts[f + 1]; ++c) {
+                const glm::vec2 texcoord = sphere.texcoords[sphere.cornerTexcoords[c]];
+                const bool isPole = texcoord.y == 0.0f || texcoord.y == 1.0f;
+                pole = isPole ? texcoord : pole;
+                others += isPole ? 0.0f : 0.5f * texcoord.x;
+            }
+            QVERIFY(std::abs(pole.x - others) < 1e-6f);
+        }
+        QCOMPARE(poles, 40);
+    }
+
     void cubesHaveExactFaces() {
         const MeshData cube = makeHighPolyCube(2.5f);
         QCOMPARE(cube.normals.size(), std::size_t{6});
