@@ -28,6 +28,8 @@ public:
     [[nodiscard]] glm::mat4 view() const;
     /// aspect: width / height, > 0. Near and far planes follow the distance and the scene radius.
     [[nodiscard]] glm::mat4 projection(float aspect) const;
+    /// How far from below the pivot a floor goes on in the picture, metres; within the far plane.
+    [[nodiscard]] float floorReach() const;
     /// Through a point of the picture; ndc in [-1, 1]^2, y up.
     [[nodiscard]] Ray rayThrough(const glm::vec2& ndc, float aspect) const;
 

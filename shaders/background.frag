@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#version 330 core
+
+in vec2 v_ndc;
+
+uniform vec3 u_top;     // sRGB
+uniform vec3 u_bottom;  // sRGB
+
+out vec4 o_colour;
+
+void main()
+{
+    float height = smoothstep(-1.0, 1.0, v_ndc.y);
+    vec3 colour = mix(u_bottom, u_top, height);
+    colour *= 1.0 - 0.05 * dot(v_ndc, v_ndc) * 0.5;
+    // Half a step of noise, or eight bits would show the gradient as bands.
+    float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+    o_colour = vec4(colour + (noise - 0.5) / 255.0, 1.0);
+}

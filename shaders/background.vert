@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#version 330 core
+// One triangle that covers the picture.
+
+out vec2 v_ndc;
+
+void main()
+{
+    v_ndc = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+    gl_Position = vec4(v_ndc, 0.0, 1.0);
+}

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "render/frame_context.h"
+
+namespace hitscope::render {
+namespace {
+
+constexpr float kSpread = 1.45f;  // of the target's half size
+
+/// Of the original shape, from its clusters, in the world.
+Bounds worldBounds(const DrawItem& item) {
+    Bounds bounds;
+    for (const Cluster& cluster : item.buffers->clusters()) {
+        const glm::vec3 centre = item.model * glm::vec4(cluster.bounds.centre, 1.0f);
+        bounds.add(centre - glm::vec3(cluster.bounds.radius));
+        bounds.add(centre + glm::vec3(cluster.bounds.radius));
+    }
+    return bounds;
+}
+
+}  // namespace
+
+Status drawContactShades(const FrameContext& context) {
+    const Frame& frame = context.frame;
+    if (context.eye.y < frame.floorHeight) {
+        return Done{};
+    }
+    const auto program = context.programs.get("contact.vert", "contact.frag");
+    if (!program) {
+        return program.error();
+    }
+    const gl::Program& contact = *program.value();
+    contact.use();
+    contact.set("u_viewProjection", context.viewProjection);
+    glBindVertexArray(context.emptyArray);
+    for (const DrawItem& item : frame.targets) {
+        const Bounds bounds = worldBounds(item);
+        if (bounds.empty()) {
+            continue;
+        }
+        const glm::vec3 half = 0.5f * bounds.size();
+        const float gap = std::max(bounds.centre().y - half.y - frame.floorHeight, 0.0f);
+        const float nearness = 1.0f - gap / std::max(2.0f * half.y, 1.0e-6f);
+        if (nearness <= 0.0f) {
+            continue;
+        }
+        contact.set("u_centre", glm::vec3(bounds.centre().x, frame.floorHeight, bounds.centre().z));
+        contact.set("u_reach", kSpread * glm::vec2(half.x, half.z));
+        contact.set("u_strength", context.colours.contactShade * nearness);
+        glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    }
+    return Done{};
+}
+
+}  // namespace hitscope::render

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/material_set.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hitscope {
+namespace {
+
+constexpr float kLeastOpacity = 0.15f;  // a target that cannot be seen cannot be aimed at
+constexpr float kMostAnisotropy = 8.0f;
+
+Material makeDefaultMaterial() {
+    Material clay;
+    clay.diffuse = glm::vec3(0.60f, 0.575f, 0.545f);
+    clay.specular = glm::vec3(0.22f);
+    clay.shininess = 28.0f;
+    return clay;
+}
+
+/// Half the size in both directions; the mean of four 8-bit values, which is near enough for a fallback.
+Image halved(const Image& image) {
+    Image half;
+    half.width = std::max(1, image.width / 2);
+    half.height = std::max(1, image.height / 2);
+    half.pixels.resize(std::size_t{4} * half.width * half.height);
+    for (int y = 0; y < half.height; ++y) {
+        for (int x = 0; x < half.width; ++x) {
+            const std::array<int, 2> xs{2 * x, std::min(2 * x + 1, image.width - 1)};
+            const std::array<int, 2> ys{2 * y, std::min(2 * y + 1, image.height - 1)};
+            for (int channel = 0; channel < 4; ++channel) {
+                int sum = 0;
+                for (const int sourceY : ys) {
+                    for (const int sourceX : xs) {
+                        sum += image.pixels[std::size_t{4} * (std::size_t(sourceY) * image.width + sourceX) +
+                                            channel];
+                    }
+                }
+                half.pixels[std::size_t{4} * (std::size_t(y) * half.width + x) + channel] =
+                    static_cast<std::uint8_t>((sum + 2) / 4);
+            }
+        }
+    }
+    return half;
+}
+
+bool isUsable(const Image& image) {
+    return image.width > 0 && image.height > 0 &&
+           image.pixels.size() == std::size_t{4} * image.width * image.height;
+}
+
+void setAnisotropy() {
+    if (!epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") &&
+        !epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic")) {
+        return;
+    }
+    GLfloat most = 1.0f;
+    glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
+    glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, std::min(most, kMostAnisotropy));
+}
+
+/// Rows are read as they lie in an Image, whatever the caller's unpack state was.
+class PlainUnpacking {
+public:
+    PlainUnpacking() {
+        for (std::size_t i = 0; i < kNames.size(); ++i) {
+            glGetIntegerv(kNames[i], &m_values[i]);
+            glPixelStorei(kNames[i], kNames[i] == GL_UNPACK_ALIGNMENT ? 4 : 0);
+        }
+        glGetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &m_buffer);
+        glGetIntegerv(GL_TEXTURE_BINDING_2D, &m_texture);
+        glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    }
+    ~PlainUnpacking() {
+        for (std::size_t i = 0; i < kNames.size(); ++i) {
+            glPixelStorei(kNames[i], m_values[i]);
+        }
+        glBindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(m_buffer));
+        glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(m_texture));
+    }
+    PlainUnpacking(const PlainUnpacking&) = delete;
+    PlainUnpacking& operator=(const PlainUnpacking&) = delete;
+
+private:
+    static constexpr std::array<GLenum, 4> kNames{GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH,
+                                                  GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS};
+    std::array<GLint, 4> m_values{};
+    GLint m_buffer = 0;
+    GLint m_texture = 0;
+};
+
+gl::Texture upload(const Image& original) {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    Image smaller;
+    const Image* image = &original;
+    while (most > 0 && std::max(image->width, image->height) > most) {
+        smaller = halved(*image);
+        image = &smaller;
+    }
+    gl::Texture texture = gl::Texture::make();
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, image->width, image->height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 image->pixels.data());
+    glGenerateMipmap(GL_TEXTURE_2D);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    setAnisotropy();
+    return texture;
+}
+
+}  // namespace
+
+MaterialSet::MaterialSet(const MeshData& mesh) : m_materials(mesh.materials) {
+    m_textures.resize(mesh.images.size());
+    const PlainUnpacking plain;
+    for (Material& material : m_materials) {
+        const bool known = material.diffuseImage >= 0 &&
+                           static_cast<std::size_t>(material.diffuseImage) < mesh.images.size();
+        if (!known || !isUsable(mesh.images[static_cast<std::size_t>(material.diffuseImage)])) {
+            material.diffuseImage = -1;
+            continue;
+        }
+        const auto image = static_cast<std::size_t>(material.diffuseImage);
+        if (!m_textures[image]) {
+            m_textures[image] = upload(mesh.images[image]);
+        }
+    }
+}
+
+const Material& MaterialSet::at(std::uint32_t material) const {
+    static const Material defaultMaterial = makeDefaultMaterial();
+    return material < m_materials.size() ? m_materials[material] : defaultMaterial;
+}
+
+bool MaterialSet::isTranslucent(std::uint32_t material) const {
+    return at(material).opacity < 0.999f;
+}
+
+void MaterialSet::apply(const gl::Program& program, std::uint32_t material, bool textures) const {
+    const Material& surface = at(material);
+    const bool textured = textures && surface.diffuseImage >= 0;
+    program.set("u_diffuse", surface.diffuse);
+    program.set("u_specular", surface.specular);
+    // pow(x, 0) is one everywhere: a file's exponent of zero would make the whole lit side shine.
+    program.set("u_shininess", std::isfinite(surface.shininess) ? std::max(surface.shininess, 1.0f) : 32.0f);
+    program.set("u_opacity", std::clamp(surface.opacity, kLeastOpacity, 1.0f));
+    program.set("u_textured", textured ? 1 : 0);
+    program.set("u_texture", 0);
+    glBindTexture(GL_TEXTURE_2D,
+                  textured ? m_textures[static_cast<std::size_t>(surface.diffuseImage)].id() : 0);
+}
+
+}  // namespace hitscope

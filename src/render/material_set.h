@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gl/objects.h"
+#include "gl/program.h"
+#include "mesh/mesh_data.h"
+
+namespace hitscope {
+
+/// See renderer.h.
+class MaterialSet {
+public:
+    /// Without materials: every index gives the default one.
+    MaterialSet() = default;
+    /// Uploads the textures that materials refer to, as sRGB with mipmaps; larger ones than the driver has
+    /// are halved until they fit.
+    explicit MaterialSet(const MeshData& mesh);
+
+    /// Sets the uniforms of surface.frag and binds the texture to unit 0; the program is in use. kNoIndex and
+    /// indices out of range are the default material.
+    void apply(const gl::Program& program, std::uint32_t material, bool textures) const;
+    /// Whether what lies behind is to be seen.
+    [[nodiscard]] bool isTranslucent(std::uint32_t material) const;
+
+private:
+    [[nodiscard]] const Material& at(std::uint32_t material) const;
+
+    std::vector<Material> m_materials;
+    std::vector<gl::Texture> m_textures;  ///< one an image; without name where it is not used
+};
+
+}  // namespace hitscope

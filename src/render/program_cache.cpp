@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/program_cache.h"
+
+#include <utility>
+
+namespace hitscope::render {
+
+Result<const gl::Program*> ProgramCache::get(const std::string& vertex, const std::string& fragment,
+                                             const gl::Defines& defines) {
+    auto key = std::make_tuple(vertex, fragment, defines);
+    const auto known = m_programs.find(key);
+    if (known != m_programs.end()) {
+        return static_cast<const gl::Program*>(known->second.get());
+    }
+    Result<gl::Program> built = gl::Program::build({vertex, fragment, defines, {}});
+    if (!built) {
+        return built.error();
+    }
+    auto program = std::make_unique<gl::Program>(std::move(built).value());
+    const gl::Program* result = program.get();
+    m_programs.emplace(std::move(key), std::move(program));
+    return result;
+}
+
+}  // namespace hitscope::render

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/target_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+#include "render/material_set.h"
+
+namespace hitscope::render {
+namespace {
+
+constexpr float kRimStrength = 0.75f;
+constexpr float kRingWidth = 1.8f;  // logical pixels
+constexpr float kWireDepthBias = 4.0e-4f;
+
+const void* indexOffset(std::uint32_t first) {
+    return reinterpret_cast<const void*>(std::size_t{first} * sizeof(std::uint32_t));
+}
+
+const MaterialSet& materialsOf(const DrawItem& item) {
+    static const MaterialSet defaults;
+    return item.materials != nullptr ? *item.materials : defaults;
+}
+
+void setSurface(const gl::Program& program, const FrameContext& context) {
+    const Frame& frame = context.frame;
+    setLights(program, context);
+    program.set("u_viewProjection", context.viewProjection);
+    program.set("u_paperNormals", frame.options.normals == NormalMode::Paper ? 1 : 0);
+    program.set("u_ring", frame.highlightedHit
+                              ? glm::vec4(frame.highlightedHit->centre, frame.highlightedHit->radius)
+                              : glm::vec4(0.0f));
+    program.set("u_ringColour", toLinear(context.colours.accent));
+    program.set("u_ringWidth", std::max(1.0f, kRingWidth * frame.pixelRatio));
+    glActiveTexture(GL_TEXTURE0);
+    glBindSampler(0, 0);
+}
+
+Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, bool translucent) {
+    const auto found = context.programs.get("surface.vert", "surface.frag", pipeline.drawDefines());
+    if (!found) {
+        return found.error();
+    }
+    const gl::Program& program = *found.value();
+    program.use();
+    setSurface(program, context);
+    const glm::vec3 accent = toLinear(context.colours.accent);
+    for (const DrawItem& item : context.frame.targets) {
+        const MaterialSet& materials = materialsOf(item);
+        bool prepared = false;
+        for (const DrawRange& range : item.buffers->draws()) {
+            if (range.count == 0 || materials.isTranslucent(range.material) != translucent) {
+                continue;
+            }
+            if (!prepared) {
+                pipeline.prepareDraw(program, item.target);
+                program.set("u_model", item.model);
+                program.set("u_rim", glm::vec4(accent, item.selected ? kRimStrength : 0.0f));
+                glBindVertexArray(item.buffers->surfaceArray());
+                prepared = true;
+            }
+            materials.apply(program, range.material, context.frame.options.textures);
+            glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(range.count), GL_UNSIGNED_INT,
+                           indexOffset(range.first));
+        }
+    }
+    return Done{};
+}
+
+/// Length of a usual edge in metres, from the area the clusters' spheres cover; none of this is exact.
+float usualEdge(const TargetBuffers& buffers) {
+    float area = 0.0f;
+    for (const Cluster& cluster : buffers.clusters()) {
+        area += glm::pi<float>() * cluster.bounds.radius * cluster.bounds.radius;
+    }
+    return std::sqrt(area / static_cast<float>(std::max(buffers.vertexCount(), 1u)));
+}
+
+}  // namespace
+
+Status drawSurfaces(const FrameContext& context, DeformationPipeline& pipeline) {
+    return drawParts(context, pipeline, false);
+}
+
+Status drawTranslucentSurfaces(const FrameContext& context, DeformationPipeline& pipeline) {
+    return drawParts(context, pipeline, true);
+}
+
+Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline) {
+    const auto found = context.programs.get("surface.vert", "depth.frag", pipeline.drawDefines());
+    if (!found) {
+        return found.error();
+    }
+    const gl::Program& program = *found.value();
+    program.use();
+    program.set("u_viewProjection", context.viewProjection);
+    for (const DrawItem& item : context.frame.targets) {
+        pipeline.prepareDraw(program, item.target);
+        program.set("u_model", item.model);
+        glBindVertexArray(item.buffers->surfaceArray());
+        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(item.buffers->triangleIndexCount()),
+                       GL_UNSIGNED_INT, nullptr);
+    }
+    return Done{};
+}
+
+Status drawEdges(const FrameContext& context, DeformationPipeline& pipeline, const glm::vec4& colour) {
+    const auto found = context.programs.get("wire.vert", "wire.frag", pipeline.drawDefines());
+    if (!found) {
+        return found.error();
+    }
+    const gl::Program& program = *found.value();
+    const Frame& frame = context.frame;
+    program.use();
+    program.set("u_viewProjection", context.viewProjection);
+    program.set("u_depthBias", kWireDepthBias);
+    // Wide lines are not for core profiles to draw: on a dense screen each line is drawn side by side
+    // instead.
+    const int passes = std::clamp(static_cast<int>(std::lround(frame.pixelRatio)), 1, 4);
+    for (const DrawItem& item : frame.targets) {
+        pipeline.prepareDraw(program, item.target);
+        program.set("u_model", item.model);
+        program.set("u_colour", item.selected ? glm::vec4(context.colours.accent, colour.a) : colour);
+        program.set("u_edgePixels", usualEdge(*item.buffers) * context.pixelsAtOneMetre / frame.pixelRatio);
+        glBindVertexArray(item.buffers->edgeArray());
+        for (int pass = 0; pass < passes; ++pass) {
+            const float pixels = static_cast<float>(pass) - 0.5f * static_cast<float>(passes - 1);
+            program.set("u_shift", 2.0f * pixels / glm::vec2(frame.width, frame.height));
+            glDrawElements(GL_LINES, static_cast<GLsizei>(item.buffers->edgeIndexCount()), GL_UNSIGNED_INT,
+                           nullptr);
+        }
+    }
+    return Done{};
+}
+
+}  // namespace hitscope::render

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "render/frame_context.h"
+
+namespace hitscope::render {
+
+/// The opaque parts of the targets' surfaces. Depth test and writes are on.
+[[nodiscard]] Status drawSurfaces(const FrameContext& context, DeformationPipeline& pipeline);
+/// The translucent parts. Blending is on, depth writes are off.
+[[nodiscard]] Status drawTranslucentSurfaces(const FrameContext& context, DeformationPipeline& pipeline);
+/// Only the depth of the surfaces: hides what a wireframe without surfaces would show through them.
+[[nodiscard]] Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline);
+/// The edges. Blending is on, depth writes are off. `colour`: sRGB, opacity.
+[[nodiscard]] Status drawEdges(const FrameContext& context, DeformationPipeline& pipeline,
+                               const glm::vec4& colour);
+
+}  // namespace hitscope::render

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/theme.h"
+
+#include <cmath>
+
+namespace hitscope::render {
+namespace {
+
+const ThemeColours kDark{
+    .backgroundTop = {0.225f, 0.24f, 0.265f},
+    .backgroundBottom = {0.12f, 0.125f, 0.14f},
+    .floor = {0.05f, 0.053f, 0.06f},
+    .floorLines = {0.62f, 0.66f, 0.72f, 0.32f},
+    .contactShade = 0.5f,
+    .wire = {0.04f, 0.05f, 0.07f, 0.6f},
+    .wireOnly = {0.80f, 0.85f, 0.92f, 0.85f},
+    .accent = {1.0f, 0.62f, 0.2f},
+};
+
+const ThemeColours kLight{
+    .backgroundTop = {0.955f, 0.962f, 0.975f},
+    .backgroundBottom = {0.83f, 0.845f, 0.87f},
+    .floor = {0.55f, 0.56f, 0.58f},
+    .floorLines = {0.30f, 0.33f, 0.38f, 0.34f},
+    .contactShade = 0.38f,
+    .wire = {0.08f, 0.10f, 0.14f, 0.55f},
+    .wireOnly = {0.14f, 0.18f, 0.25f, 0.8f},
+    .accent = {0.85f, 0.36f, 0.0f},
+};
+
+float toLinear(float value) {
+    return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
+}
+
+}  // namespace
+
+const ThemeColours& themeColours(Theme theme) {
+    return theme == Theme::Light ? kLight : kDark;
+}
+
+glm::vec3 toLinear(const glm::vec3& srgb) {
+    return {toLinear(srgb.r), toLinear(srgb.g), toLinear(srgb.b)};
+}
+
+}  // namespace hitscope::render
