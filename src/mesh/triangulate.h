@@ -37,7 +37,7 @@ private:
     std::vector<std::uint32_t> m_previous;
     std::vector<std::uint32_t>
         m_reflex;  ///< corners that were reflex at the start; the others never become so
-    std::uint64_t m_workLeft = 1'000'000'000;  ///< point-in-triangle tests; without any left, fans
+    std::uint64_t m_workLeft = 300'000'000;  ///< point-in-triangle tests; without any left, fans
 };
 
 }  // namespace hitscope
