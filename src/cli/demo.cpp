@@ -74,10 +74,12 @@ std::size_t hitsOn(const Session& session, TargetId target) {
         std::count_if(hits.begin(), hits.end(), [target](const Hit& hit) { return hit.target == target; }));
 }
 
-const Target& mostHitTarget(const Session& session) {
-    return **std::max_element(
-        session.targets().begin(), session.targets().end(),
-        [&session](const auto& a, const auto& b) { return hitsOn(session, a->id) < hitsOn(session, b->id); });
+const Target& mostChangedTarget(const Session& session) {
+    const auto changed = [](const std::unique_ptr<Target>& target) {
+        return target->deformed.statistics().changedVertices;
+    };
+    return **std::max_element(session.targets().begin(), session.targets().end(),
+                              [&](const auto& a, const auto& b) { return changed(a) < changed(b); });
 }
 
 /// The demo's parts that need the same things: the session on a GPU without a window, and where the results
@@ -183,6 +185,7 @@ Status runDemo(const DemoOptions& options) {
         return status;
     }
     shootAll(session, demoShots(session, options.shots, options.seed));
+    session.selectTarget({});
 
     Result<Meshes> uniformArray = demo.apply(PipelineKind::UniformArray);
     if (!uniformArray) {
@@ -193,7 +196,7 @@ Status runDemo(const DemoOptions& options) {
     if (!feedback) {
         return feedback.error();
     }
-    const Target& exported = mostHitTarget(session);
+    const Target& exported = mostChangedTarget(session);
     for (const Status& status :
          {demo.picture(QStringLiteral("after.png"), WireframeMode::Off),
           demo.picture(QStringLiteral("wireframe.png"), WireframeMode::Over),
