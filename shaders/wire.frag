@@ -9,5 +9,5 @@ out vec4 o_colour;
 
 void main()
 {
-    o_colour = vec4(u_colour.rgb, u_colour.a * mix(0.3, 1.0, v_density));
+    o_colour = vec4(u_colour.rgb, u_colour.a * mix(0.15, 1.0, v_density));
 }

@@ -9,8 +9,8 @@ Lights defaultLights(const glm::vec3& centre, float extent) {
     Lights lights;
     const float size = std::max(extent, 1.0e-3f);
 
-    lights.directional.colours.ambient = glm::vec3(0.055f, 0.06f, 0.07f);
-    lights.directional.colours.diffuse = glm::vec3(0.62f, 0.6f, 0.56f);
+    lights.directional.colours.ambient = glm::vec3(0.085f, 0.09f, 0.1f);
+    lights.directional.colours.diffuse = glm::vec3(0.92f, 0.88f, 0.82f);
     lights.directional.colours.specular = glm::vec3(0.35f);
 
     // Warm and cool corners by turns, so that the shape reads from every side.
@@ -28,16 +28,16 @@ Lights defaultLights(const glm::vec3& centre, float extent) {
         light.quadratic = 0.65f / (reach * reach);
         const glm::vec3 tint = x * z > 0.0f ? warm : cool;
         light.colours.ambient = 0.015f * tint;
-        light.colours.diffuse = 0.42f * tint;
-        light.colours.specular = 0.25f * tint;
+        light.colours.diffuse = 0.3f * tint;
+        light.colours.specular = 0.2f * tint;
     }
 
     lights.spot.constant = 1.0f;
     lights.spot.linear = 0.1f / size;
     lights.spot.quadratic = 0.25f / (size * size);
     lights.spot.colours.ambient = glm::vec3(0.0f);
-    lights.spot.colours.diffuse = glm::vec3(0.3f, 0.29f, 0.27f);
-    lights.spot.colours.specular = glm::vec3(0.25f);
+    lights.spot.colours.diffuse = glm::vec3(0.2f, 0.195f, 0.185f);
+    lights.spot.colours.specular = glm::vec3(0.12f);
     return lights;
 }
 

@@ -15,7 +15,7 @@ struct LightColours {
 
 struct DirectionalLight {
     bool on = true;
-    glm::vec3 direction{-0.35f, -0.8f, -0.45f};  ///< the way the light travels, world
+    glm::vec3 direction{0.5f, -0.8f, -0.45f};  ///< the way the light travels, world
     LightColours colours;
 };
 

@@ -13,7 +13,7 @@ constexpr float kMostAnisotropy = 8.0f;
 
 Material makeDefaultMaterial() {
     Material clay;
-    clay.diffuse = glm::vec3(0.60f, 0.575f, 0.545f);
+    clay.diffuse = glm::vec3(0.66f, 0.615f, 0.565f);
     clay.specular = glm::vec3(0.22f);
     clay.shininess = 28.0f;
     return clay;

@@ -17,7 +17,8 @@ using namespace render;
 
 namespace {
 
-constexpr float kHiddenLines = 0.16f;  // opacity of lines behind a surface, of that of the others
+constexpr float kSelectedLines = 0.7f;  // of the accent colour, where lines are all there is to a target
+constexpr float kHiddenLines = 0.16f;   // opacity of lines behind a surface, of that of the others
 
 /// Programs that do not depend on a pipeline.
 constexpr std::array<std::pair<const char*, const char*>, 6> kPrograms{
@@ -96,7 +97,7 @@ Status drawShaded(const FrameContext& context, DeformationPipeline& pipeline) {
         return status;
     }
     return context.frame.options.wireframe == WireframeMode::Over
-               ? drawEdges(context, pipeline, context.colours.wire)
+               ? drawEdges(context, pipeline, context.colours.wire, 0.0f)
                : Status(Done{});
 }
 
@@ -111,12 +112,12 @@ Status drawWires(const FrameContext& context, DeformationPipeline& pipeline) {
         return status;
     }
     glm::vec4 colour = context.colours.wireOnly;
-    if (Status status = drawEdges(context, pipeline, colour); !status) {
+    if (Status status = drawEdges(context, pipeline, colour, kSelectedLines); !status) {
         return status;
     }
     colour.a *= kHiddenLines;
     glDepthFunc(GL_GEQUAL);
-    Status status = drawEdges(context, pipeline, colour);
+    Status status = drawEdges(context, pipeline, colour, kSelectedLines);
     glDepthFunc(GL_LESS);
     return status;
 }

@@ -105,7 +105,8 @@ Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeli
     return Done{};
 }
 
-Status drawEdges(const FrameContext& context, DeformationPipeline& pipeline, const glm::vec4& colour) {
+Status drawEdges(const FrameContext& context, DeformationPipeline& pipeline, const glm::vec4& colour,
+                 float selectionTint) {
     const auto found = context.programs.get("wire.vert", "wire.frag", pipeline.drawDefines());
     if (!found) {
         return found.error();
@@ -118,10 +119,11 @@ Status drawEdges(const FrameContext& context, DeformationPipeline& pipeline, con
     // Wide lines are not for core profiles to draw: on a dense screen each line is drawn side by side
     // instead.
     const int passes = std::clamp(static_cast<int>(std::lround(frame.pixelRatio)), 1, 4);
+    const glm::vec4 selected(glm::mix(glm::vec3(colour), context.colours.accent, selectionTint), colour.a);
     for (const DrawItem& item : frame.targets) {
         pipeline.prepareDraw(program, item.target);
         program.set("u_model", item.model);
-        program.set("u_colour", item.selected ? glm::vec4(context.colours.accent, colour.a) : colour);
+        program.set("u_colour", item.selected ? selected : colour);
         program.set("u_edgePixels", usualEdge(*item.buffers) * context.pixelsAtOneMetre / frame.pixelRatio);
         glBindVertexArray(item.buffers->edgeArray());
         for (int pass = 0; pass < passes; ++pass) {

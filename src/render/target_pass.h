@@ -12,7 +12,8 @@ namespace hitscope::render {
 /// Only the depth of the surfaces: hides what a wireframe without surfaces would show through them.
 [[nodiscard]] Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline);
 /// The edges. Blending is on, depth writes are off. `colour`: sRGB, opacity.
+/// `selectionTint`: [0, 1], how much of the accent colour a selected target's edges take on.
 [[nodiscard]] Status drawEdges(const FrameContext& context, DeformationPipeline& pipeline,
-                               const glm::vec4& colour);
+                               const glm::vec4& colour, float selectionTint);
 
 }  // namespace hitscope::render

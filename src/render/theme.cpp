@@ -18,9 +18,9 @@ const ThemeColours kDark{
 };
 
 const ThemeColours kLight{
-    .backgroundTop = {0.955f, 0.962f, 0.975f},
-    .backgroundBottom = {0.83f, 0.845f, 0.87f},
-    .floor = {0.55f, 0.56f, 0.58f},
+    .backgroundTop = {0.93f, 0.94f, 0.955f},
+    .backgroundBottom = {0.86f, 0.872f, 0.892f},
+    .floor = {0.86f, 0.87f, 0.89f},
     .floorLines = {0.30f, 0.33f, 0.38f, 0.34f},
     .contactShade = 0.38f,
     .wire = {0.08f, 0.10f, 0.14f, 0.55f},
