@@ -182,6 +182,7 @@ void PlyTest::refuses_data() {
     row("nan list", asciiPly("1", "1", "0 0 0\nnan 1 2 3\n"), "A list has a negative length");
     row("index too large", asciiPly("1", "1", "0 0 0\n3 0 0 7\n"),
         "face 1: It refers to vertex 7 (counted from 0)");
+    row("index just too large", asciiPly("1", "1", "0 0 0\n3 0 0 1\n"), "face 1: It refers to vertex 1");
     row("index negative", asciiPly("1", "1", "0 0 0\n3 0 0 -7\n"), "It refers to a vertex that cannot be");
     row("index no whole number", asciiPly("1", "1", "0 0 0\n3 0 0 0.5\n"),
         "It refers to a vertex that cannot be");
