@@ -16,7 +16,7 @@ static_assert(std::endian::native == std::endian::little, "arrays are written as
 /// What may be written as it lies in memory. GLM's vectors do not count as trivially copyable once
 /// GLM_FORCE_CTOR_INIT gives them constructors, though they are plain numbers still.
 template <class T>
-constexpr bool kIsPlain = std::is_standard_layout_v<T> && std::is_trivially_destructible_v<T>;
+constexpr bool kIsPlain = std::is_standard_layout_v<T>&& std::is_trivially_destructible_v<T>;
 
 constexpr char kMagic[8] = {'H', 'S', 'M', 'E', 'S', 'H', '\r', '\n'};
 constexpr std::uint32_t kVersion = 1;
