@@ -2,10 +2,10 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QIcon>
-#include <QStyleFactory>
 #include <QSurfaceFormat>
 
 #include "app/main_window.h"
+#include "app/theme.h"
 #include "session/session.h"
 
 int main(int argc, char** argv) {
@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
     QApplication::setApplicationVersion(QStringLiteral(HITSCOPE_VERSION));
     QApplication::setDesktopFileName(QStringLiteral("hitscope"));
     QApplication application(argc, argv);
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setStyle(hitscope::makeStyle());
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/hitscope.svg")));
 
     QCommandLineParser parser;

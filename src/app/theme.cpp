@@ -3,10 +3,23 @@
 
 #include <QApplication>
 #include <QColor>
+#include <QProxyStyle>
 
 namespace hitscope {
 
 namespace {
+
+/// Fusion, whose dialog buttons would otherwise carry icons that fit neither theme.
+class PlainFusion : public QProxyStyle {
+public:
+    PlainFusion() : QProxyStyle(QStringLiteral("Fusion")) {}
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                  QStyleHintReturn* returned) const override {
+        return hint == SH_DialogButtonBox_ButtonsHaveIcons
+                   ? 0
+                   : QProxyStyle::styleHint(hint, option, widget, returned);
+    }
+};
 
 struct Colours {
     QRgb window, base, alternate, button, text, disabled, highlight, highlightedText, link, toolTip;
@@ -77,6 +90,10 @@ QPalette paletteOf(const Colours& colours) {
 }
 
 }  // namespace
+
+QStyle* makeStyle() {
+    return new PlainFusion;
+}
 
 void applyTheme(ThemeChoice choice) {
     switch (choice) {

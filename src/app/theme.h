@@ -4,9 +4,14 @@
 #include <QPalette>
 #include <cstdint>
 
+class QStyle;
+
 namespace hitscope {
 
 enum class ThemeChoice : std::uint8_t { System, Light, Dark };
+
+/// The style that the window is drawn for; the same on every desktop. The caller owns it.
+[[nodiscard]] QStyle* makeStyle();
 
 /// Sets the application's palette; System is what the desktop says.
 void applyTheme(ThemeChoice choice);

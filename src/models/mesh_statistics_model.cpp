@@ -19,6 +19,15 @@ constexpr qint64 kMeasureInterval = 200;  // milliseconds
 
 /// One a row, in the order of MeshStatisticsModel::Row.
 constexpr const char* kRowNames[MeshStatisticsModel::RowCount] = {
+    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Displacement"),
+    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Changed vertices"),
+    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Largest (m)"),
+    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Mean (m)"),
+    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "RMS (m)"),
+    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Shape"),
+    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Bounding box (m)"),
+    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Surface area (m²)"),
+    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Volume (m³)"),
     QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Topology"),
     QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Vertices"),
     QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Edges"),
@@ -33,15 +42,6 @@ constexpr const char* kRowNames[MeshStatisticsModel::RowCount] = {
     QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Unused vertices"),
     QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Degenerate faces"),
     QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Non-manifold faces"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Shape"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Bounding box (m)"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Surface area (m²)"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Volume (m³)"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Displacement"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Changed vertices"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Largest (m)"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Mean (m)"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "RMS (m)"),
 };
 
 /// Until the numbers are there.
@@ -217,7 +217,7 @@ QVariant MeshStatisticsModel::data(const QModelIndex& index, int role) const {
         case HeadingRole:
             return row == TopologyHeading || row == ShapeHeading || row == DisplacementHeading;
         case SharedRole:
-            return row > TopologyHeading && row < ShapeHeading;
+            return row > TopologyHeading;
         default:
             return {};
     }
@@ -227,13 +227,13 @@ QString MeshStatisticsModel::cellText(int row, int column) const {
     if (column == PropertyColumn) {
         return tr(kRowNames[row]);
     }
-    if (row > TopologyHeading && row < ShapeHeading) {
+    if (row > TopologyHeading) {
         return column == OriginalColumn ? topologyText(row) : QString();
     }
-    if (row > ShapeHeading && row < DisplacementHeading) {
+    if (row > ShapeHeading && row < TopologyHeading) {
         return shapeText(row, column == OriginalColumn ? m_values.original : m_values.deformed);
     }
-    if (row > DisplacementHeading) {
+    if (row > DisplacementHeading && row < ShapeHeading) {
         return column == DeformedColumn ? displacementText(row) : QString();
     }
     return {};

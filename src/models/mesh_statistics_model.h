@@ -19,6 +19,15 @@ class MeshStatisticsModel : public QAbstractTableModel {
 public:
     enum Column : int { PropertyColumn, OriginalColumn, DeformedColumn, ColumnCount };
     enum Row : int {
+        DisplacementHeading,
+        ChangedVerticesRow,
+        LargestDisplacementRow,
+        MeanDisplacementRow,
+        RmsDisplacementRow,
+        ShapeHeading,
+        BoundingBoxRow,
+        SurfaceAreaRow,
+        VolumeRow,
         TopologyHeading,
         VerticesRow,
         EdgesRow,
@@ -33,15 +42,6 @@ public:
         UnreferencedRow,
         DegenerateRow,
         NonManifoldRow,
-        ShapeHeading,
-        BoundingBoxRow,
-        SurfaceAreaRow,
-        VolumeRow,
-        DisplacementHeading,
-        ChangedVerticesRow,
-        LargestDisplacementRow,
-        MeanDisplacementRow,
-        RmsDisplacementRow,
         RowCount
     };
     enum Role : int {

@@ -22,7 +22,7 @@ HitHistoryPanel::HitHistoryPanel(Session& session, HitHistoryModel& model, QWidg
     m_ui->table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     m_ui->table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
     const int letter = fontMetrics().averageCharWidth();
-    const int widths[HitHistoryModel::ColumnCount] = {7, 10, 17, 24, 24, 13, 14};
+    const int widths[HitHistoryModel::ColumnCount] = {6, 10, 15, 22, 22, 13, 14};
     for (int column = 0; column < HitHistoryModel::ColumnCount; ++column) {
         m_ui->table->setColumnWidth(column, widths[column] * letter);
     }
