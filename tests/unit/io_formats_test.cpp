@@ -178,6 +178,7 @@ void FormatsTest::gltf() {
     // glTF counts v downwards; the first vertex is its picture's lower left corner.
     QCOMPARE(mesh.texcoords.at(0), glm::vec2(0, 0));
     QCOMPARE(mesh.texcoords.at(3), glm::vec2(1, 1));
+    QCOMPARE(mesh.materials.size(), std::size_t(1));
     const Material& paint = mesh.materials.at(mesh.faceMaterials.at(0));
     QCOMPARE(paint.name, std::string("paint"));
     QCOMPARE(paint.diffuse, glm::vec3(1, 0.5f, 0));

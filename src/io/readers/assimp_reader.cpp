@@ -4,6 +4,7 @@
 #include <assimp/scene.h>
 
 #include <QFileInfo>
+#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>
 #include <glm/mat3x3.hpp>
@@ -191,6 +192,18 @@ Status SceneMerger::merge() {
     return Done{};
 }
 
+/// Assimp's glTF reader adds a material for primitives without one, whether there are any or not.
+void dropAddedMaterial(MeshData& mesh) {
+    const auto last = static_cast<std::uint32_t>(mesh.materials.size()) - 1;
+    const bool used =
+        mesh.materials.empty() ||
+        std::find(mesh.faceMaterials.begin(), mesh.faceMaterials.end(), last) != mesh.faceMaterials.end();
+    if (!used &&
+        (mesh.materials.back().name.empty() || mesh.materials.back().name == AI_DEFAULT_MATERIAL_NAME)) {
+        mesh.materials.pop_back();
+    }
+}
+
 void noteWhatIsLeftOut(const aiScene& scene, ImportedMesh& imported) {
     bool skinned = false;
     for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
@@ -228,6 +241,7 @@ Result<ImportedMesh> readWithAssimp(const QString& path, const ProgressSink& pro
         return merged.error();
     }
     convertMaterials(*scene, imported);
+    dropAddedMaterial(imported.mesh);
     noteWhatIsLeftOut(*scene, imported);
     tidy(imported);
     return imported;
