@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #version 330 core
+// HITSCOPE_TEXTURED   defined: the diffuse colour comes from a texture too, and where that is transparent there is
+//                     no surface. A program of its own, because a shader that may discard is run on hidden pixels.
 
 #include "lighting.glsl"
 #include "tone.glsl"
@@ -12,7 +14,6 @@ uniform vec3 u_diffuse;
 uniform vec3 u_specular;
 uniform float u_shininess;
 uniform float u_opacity;
-uniform int u_textured;
 uniform sampler2D u_texture;
 uniform vec4 u_rim;        // linear colour and strength of the selected target's rim
 uniform vec4 u_ring;       // centre and radius of the highlighted hit; radius 0: none
@@ -46,16 +47,19 @@ float ring()
 
 void main()
 {
-    // The texture is sampled before anything may discard, so that its derivatives are defined.
-    vec4 texel = u_textured != 0 ? texture(u_texture, vec2(v_texcoord.x, 1.0 - v_texcoord.y)) : vec4(1.0);
     float ringed = ring();
+    vec3 albedo = u_diffuse;
+#ifdef HITSCOPE_TEXTURED
+    vec4 texel = texture(u_texture, vec2(v_texcoord.x, 1.0 - v_texcoord.y));
     if (texel.a < 0.5) {
         discard;
     }
+    albedo *= texel.rgb;
+#endif
     Surface surface;
     surface.position = v_position;
     surface.normal = facingNormal();
-    surface.diffuse = u_diffuse * texel.rgb;
+    surface.diffuse = albedo;
     surface.specular = u_specular;
     surface.shininess = u_shininess;
 

@@ -6,7 +6,7 @@ vec3 softClip(vec3 light)
 {
     const float kShoulder = 0.7;
     vec3 over = max(light - kShoulder, 0.0);
-    return min(light, kShoulder) + (1.0 - kShoulder) * (1.0 - exp(-over / (1.0 - kShoulder)));
+    return min(light, kShoulder) + (1.0 - kShoulder) * over / (over + (1.0 - kShoulder));
 }
 
 // IEC 61966-2-1.

@@ -17,6 +17,7 @@ struct FrameContext {
     const ThemeColours& colours;
     ProgramCache& programs;
     GLuint emptyArray = 0;  ///< a vertex array without attributes, for corners made in the shader
+    glm::mat4 projection{1.0f};
     glm::mat4 viewProjection{1.0f};
     glm::vec3 eye{0.0f};
     glm::vec3 forward{0.0f};

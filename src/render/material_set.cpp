@@ -140,18 +140,21 @@ bool MaterialSet::isTranslucent(std::uint32_t material) const {
     return at(material).opacity < 0.999f;
 }
 
-void MaterialSet::apply(const gl::Program& program, std::uint32_t material, bool textures) const {
+bool MaterialSet::isTextured(std::uint32_t material) const {
+    return at(material).diffuseImage >= 0;
+}
+
+void MaterialSet::apply(const gl::Program& program, std::uint32_t material) const {
     const Material& surface = at(material);
-    const bool textured = textures && surface.diffuseImage >= 0;
     program.set("u_diffuse", surface.diffuse);
     program.set("u_specular", surface.specular);
     // pow(x, 0) is one everywhere: a file's exponent of zero would make the whole lit side shine.
     program.set("u_shininess", std::isfinite(surface.shininess) ? std::max(surface.shininess, 1.0f) : 32.0f);
     program.set("u_opacity", std::clamp(surface.opacity, kLeastOpacity, 1.0f));
-    program.set("u_textured", textured ? 1 : 0);
-    program.set("u_texture", 0);
-    glBindTexture(GL_TEXTURE_2D,
-                  textured ? m_textures[static_cast<std::size_t>(surface.diffuseImage)].id() : 0);
+    if (surface.diffuseImage >= 0) {
+        program.set("u_texture", 0);
+        glBindTexture(GL_TEXTURE_2D, m_textures[static_cast<std::size_t>(surface.diffuseImage)].id());
+    }
 }
 
 }  // namespace hitscope

@@ -19,9 +19,10 @@ public:
     /// are halved until they fit.
     explicit MaterialSet(const MeshData& mesh);
 
-    /// Sets the uniforms of surface.frag and binds the texture to unit 0; the program is in use. kNoIndex and
-    /// indices out of range are the default material.
-    void apply(const gl::Program& program, std::uint32_t material, bool textures) const;
+    /// Sets the uniforms of surface.frag and, where the material has one, binds its texture to unit 0; the
+    /// program is in use. kNoIndex and indices out of range are the default material.
+    void apply(const gl::Program& program, std::uint32_t material) const;
+    [[nodiscard]] bool isTextured(std::uint32_t material) const;
     /// Whether what lies behind is to be seen.
     [[nodiscard]] bool isTranslucent(std::uint32_t material) const;
 

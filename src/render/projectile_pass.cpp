@@ -92,7 +92,6 @@ Status ProjectilePass::draw(const FrameContext& context) {
     program.set("u_specular", glm::vec3(0.6f));
     program.set("u_shininess", 48.0f);
     program.set("u_opacity", 1.0f);
-    program.set("u_textured", 0);
     program.set("u_rim", glm::vec4(0.0f));
     program.set("u_ring", glm::vec4(0.0f));
     glBindVertexArray(m_array.id());

@@ -66,7 +66,8 @@ FrameContext makeContext(const Frame& frame, ProgramCache& programs, GLuint empt
                          .colours = themeColours(frame.options.theme),
                          .programs = programs,
                          .emptyArray = emptyArray};
-    context.viewProjection = frame.camera.projection(aspect) * frame.camera.view();
+    context.projection = frame.camera.projection(aspect);
+    context.viewProjection = context.projection * frame.camera.view();
     context.eye = frame.camera.eye();
     context.forward = frame.camera.forward();
     context.pixelsAtOneMetre =

@@ -11,8 +11,8 @@ namespace hitscope::render {
 namespace {
 
 constexpr float kRimStrength = 0.75f;
-constexpr float kRingWidth = 1.8f;  // logical pixels
-constexpr float kWireDepthBias = 4.0e-4f;
+constexpr float kRingWidth = 1.8f;   // logical pixels
+constexpr float kLinesAhead = 2.0f;  // pixels' size at their distance: lines lie before the faces they bound
 
 const void* indexOffset(std::uint32_t first) {
     return reinterpret_cast<const void*>(std::size_t{first} * sizeof(std::uint32_t));
@@ -37,30 +37,48 @@ void setSurface(const gl::Program& program, const FrameContext& context) {
     glBindSampler(0, 0);
 }
 
-Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, bool translucent) {
-    const auto found = context.programs.get("surface.vert", "surface.frag", pipeline.drawDefines());
-    if (!found) {
-        return found.error();
+void prepareSurface(const gl::Program& program, const FrameContext& context, DeformationPipeline& pipeline,
+                    const DrawItem& item) {
+    pipeline.prepareDraw(program, item.target);
+    program.set("u_model", item.model);
+    program.set("u_rim", glm::vec4(toLinear(context.colours.accent), item.selected ? kRimStrength : 0.0f));
+    glBindVertexArray(item.buffers->surfaceArray());
+}
+
+struct Parts {
+    bool translucent = false;
+    bool textured = false;
+};
+
+Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, const Parts& parts) {
+    gl::Defines defines = pipeline.drawDefines();
+    if (parts.textured) {
+        defines.emplace_back("HITSCOPE_TEXTURED", "1");
     }
-    const gl::Program& program = *found.value();
-    program.use();
-    setSurface(program, context);
-    const glm::vec3 accent = toLinear(context.colours.accent);
+    const gl::Program* program = nullptr;
     for (const DrawItem& item : context.frame.targets) {
         const MaterialSet& materials = materialsOf(item);
         bool prepared = false;
         for (const DrawRange& range : item.buffers->draws()) {
-            if (range.count == 0 || materials.isTranslucent(range.material) != translucent) {
+            const bool textured = context.frame.options.textures && materials.isTextured(range.material);
+            if (range.count == 0 || textured != parts.textured ||
+                materials.isTranslucent(range.material) != parts.translucent) {
                 continue;
             }
+            if (program == nullptr) {
+                const auto found = context.programs.get("surface.vert", "surface.frag", defines);
+                if (!found) {
+                    return found.error();
+                }
+                program = found.value();
+                program->use();
+                setSurface(*program, context);
+            }
             if (!prepared) {
-                pipeline.prepareDraw(program, item.target);
-                program.set("u_model", item.model);
-                program.set("u_rim", glm::vec4(accent, item.selected ? kRimStrength : 0.0f));
-                glBindVertexArray(item.buffers->surfaceArray());
+                prepareSurface(*program, context, pipeline, item);
                 prepared = true;
             }
-            materials.apply(program, range.material, context.frame.options.textures);
+            materials.apply(*program, range.material);
             glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(range.count), GL_UNSIGNED_INT,
                            indexOffset(range.first));
         }
@@ -80,11 +98,17 @@ float usualEdge(const TargetBuffers& buffers) {
 }  // namespace
 
 Status drawSurfaces(const FrameContext& context, DeformationPipeline& pipeline) {
-    return drawParts(context, pipeline, false);
+    if (Status status = drawParts(context, pipeline, {.translucent = false, .textured = false}); !status) {
+        return status;
+    }
+    return drawParts(context, pipeline, {.translucent = false, .textured = true});
 }
 
 Status drawTranslucentSurfaces(const FrameContext& context, DeformationPipeline& pipeline) {
-    return drawParts(context, pipeline, true);
+    if (Status status = drawParts(context, pipeline, {.translucent = true, .textured = false}); !status) {
+        return status;
+    }
+    return drawParts(context, pipeline, {.translucent = true, .textured = true});
 }
 
 Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline) {
@@ -115,7 +139,9 @@ Status drawEdges(const FrameContext& context, DeformationPipeline& pipeline, con
     const Frame& frame = context.frame;
     program.use();
     program.set("u_viewProjection", context.viewProjection);
-    program.set("u_depthBias", kWireDepthBias);
+    // clip.z = A d + B and clip.w = d at a distance d, so depth is A + B / d; b B on top is as a distance of
+    // (1 - b) d, to first order.
+    program.set("u_depthShift", context.projection[3][2] * kLinesAhead / context.pixelsAtOneMetre);
     // Wide lines are not for core profiles to draw: on a dense screen each line is drawn side by side
     // instead.
     const int passes = std::clamp(static_cast<int>(std::lround(frame.pixelRatio)), 1, 4);

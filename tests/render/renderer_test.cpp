@@ -19,22 +19,6 @@ namespace {
 constexpr int kWidth = 320;
 constexpr int kHeight = 240;
 
-int levels(QRgb a, QRgb b) {
-    return std::max(
-        {std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b))});
-}
-
-/// Pixels that differ by more than `tolerance` levels in some channel.
-int differing(const QImage& a, const QImage& b, int tolerance = 0) {
-    int count = 0;
-    for (int y = 0; y < a.height(); ++y) {
-        for (int x = 0; x < a.width(); ++x) {
-            count += levels(a.pixel(x, y), b.pixel(x, y)) > tolerance ? 1 : 0;
-        }
-    }
-    return count;
-}
-
 /// Mean of the channels over a rectangle, [0, 255].
 double brightness(const QImage& image, const QRect& part) {
     double sum = 0;
@@ -65,8 +49,6 @@ private Q_SLOTS:
     void everyLightCounts();
     void lightsOffIsDark();
     void diffuseFollowsThePapersEquation();
-    void wireframes();
-    void linesAreWiderOnDenseScreens();
     void normalsMatter();
     void themesDiffer();
     void floorIsOptional();
@@ -226,32 +208,6 @@ void RendererTest::diffuseFollowsThePapersEquation() {
     QVERIFY2(std::abs(colour.red() - expected(0.8f)) <= 1, qPrintable(colour.name()));
     QVERIFY(std::abs(colour.green() - expected(0.4f)) <= 1);
     QVERIFY(std::abs(colour.blue() - expected(0.2f)) <= 1);
-}
-
-void RendererTest::wireframes() {
-    const QImage off = draw(m_frame);
-    m_frame.options.wireframe = WireframeMode::Over;
-    const QImage over = draw(m_frame);
-    m_frame.options.wireframe = WireframeMode::Only;
-    const QImage only = draw(m_frame);
-    QVERIFY(differing(off, over, 8) > 1000);
-    QVERIFY(differing(over, only, 8) > 1000);
-}
-
-void RendererTest::linesAreWiderOnDenseScreens() {
-    m_scene = std::make_unique<TestScene>();
-    m_scene->add(*m_renderer, makeUvSphere(6, 4, 2.5f), glm::vec3(0));
-    use(PipelineKind::TransformFeedback);
-    m_frame = frameOf(*m_scene, kWidth, kHeight);
-    m_frame.options.wireframe = WireframeMode::Only;
-    m_frame.options.floor = false;
-    Frame empty = m_frame;
-    empty.targets = {};
-    const QImage background = draw(empty);
-    const int narrow = differing(draw(m_frame), background, 40);
-    m_frame.pixelRatio = 2.0f;
-    const int wide = differing(draw(m_frame), background, 40);
-    QVERIFY2(narrow > 500 && wide > narrow * 3 / 2, qPrintable(QString("%1, %2").arg(narrow).arg(wide)));
 }
 
 void RendererTest::normalsMatter() {
