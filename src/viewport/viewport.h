@@ -83,6 +83,10 @@ private:
     [[nodiscard]] float aspect() const;
     [[nodiscard]] SceneGpu::View view() const;
     [[nodiscard]] Ray rayAt(const QPointF& position) const;  ///< logical pixels
+    /// What the ray meets first: for aiming and recentring.
+    [[nodiscard]] std::optional<PhysicsWorld::RayHit> aimedAt(const Ray& ray) const;
+    /// Shoots so that the projectile lands where the ray does.
+    void shootAlong(const Ray& ray);
     void frameBounds(const Bounds& bounds);
     void beginDrag(QMouseEvent* event);
     void drag(const QPointF& delta);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "viewport/aim.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -88,7 +89,7 @@ void Viewport::fireHeldShot() {
     if (m_heldShot) {
         const Ray ray = *m_heldShot;
         m_heldShot.reset();
-        m_session.shoot(ray);
+        shootAlong(ray);
     }
 }
 
@@ -106,10 +107,21 @@ void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
     m_clickCounts = false;
 }
 
-void Viewport::recentre(const QPointF& position) {
-    const Ray ray = rayAt(position);
+std::optional<PhysicsWorld::RayHit> Viewport::aimedAt(const Ray& ray) const {
     const float length = kAimLength * (m_camera.distance() + m_session.sceneBounds().diagonal());
-    if (const auto met = m_session.physics().castRay(ray.origin, ray.direction, length)) {
+    return m_session.physics().castRay(ray.origin, ray.direction, length);
+}
+
+void Viewport::shootAlong(const Ray& ray) {
+    Ray shot = ray;
+    if (const auto met = aimedAt(ray); met && met->point != ray.origin) {
+        shot.direction = launchDirection(ray.origin, met->point, m_session.projectileSettings().speed);
+    }
+    m_session.shoot(shot);
+}
+
+void Viewport::recentre(const QPointF& position) {
+    if (const auto met = aimedAt(rayAt(position))) {
         m_camera.recentre(met->point);
         update();
     }

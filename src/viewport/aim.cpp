@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/aim.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace hitscope {
+
+namespace {
+
+constexpr double kGravity = 9.81;  // m/s^2, downwards along y, as in the physics world
+constexpr double kSteep = 1.0e-3;  // metres aside: nothing to allow for when shooting straight up or down
+
+}  // namespace
+
+glm::vec3 launchDirection(const glm::vec3& from, const glm::vec3& to, float speed) {
+    const glm::vec3 straight = to - from;
+    const double aside = std::hypot(static_cast<double>(straight.x), static_cast<double>(straight.z));
+    const double up = static_cast<double>(straight.y);
+    const double v2 = static_cast<double>(speed) * static_cast<double>(speed);
+    // y = x tan(a) - g x^2 / (2 v^2 cos(a)^2), solved for tan(a).
+    const double discriminant = v2 * v2 - kGravity * (kGravity * aside * aside + 2.0 * up * v2);
+    if (aside < kSteep || discriminant < 0.0) {
+        return glm::normalize(straight);
+    }
+    const double slope = (v2 - std::sqrt(discriminant)) / (kGravity * aside);
+    return glm::normalize(glm::vec3(straight.x, static_cast<float>(slope * aside), straight.z));
+}
+
+}  // namespace hitscope

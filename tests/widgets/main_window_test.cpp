@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole window, used as a person uses it.
+#include <QAction>
+#include <QDockWidget>
+#include <QDropEvent>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QTableView>
+#include <QToolButton>
+#include <QUrl>
+#include <vector>
+
+#include "io/import.h"
+#include "mesh/primitives.h"
+#include "widgets/window_support.h"
+
+using namespace hitscope;
+
+class MainWindowTest : public QObject {
+    Q_OBJECT
+public:
+    static void initMain() { MainWindow::setSurfaceFormat(); }
+
+private Q_SLOTS:
+    void init();
+    void cleanup();
+    void opensOnTheDefaultScene();
+    void openClickInspectExport();
+    void undoAndRedoByKey();
+    void pipelinesGiveTheSameMesh();
+    void badFilesSayOneThing_data();
+    void badFilesSayOneThing();
+    void dropOpens();
+    void openingCanBeCancelled();
+    void placesTheMeshOnRequest();
+    void layoutIsRemembered();
+    void settingsAreRemembered();
+    void savesThePicture();
+
+private:
+    [[nodiscard]] QString path(const QString& name) const { return m_folder->filePath(name); }
+    void openCube(MainWindow& window, Session& session);
+    void clickCentre(MainWindow& window, const QPoint& offset = {});
+    static QTableView* table(MainWindow& window, const char* dock) {
+        return window.findChild<QDockWidget*>(QLatin1String(dock))->findChild<QTableView*>();
+    }
+
+    std::unique_ptr<TestSettings> m_settings;
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void MainWindowTest::init() {
+    m_settings = std::make_unique<TestSettings>();
+    m_folder = std::make_unique<QTemporaryDir>();
+}
+
+void MainWindowTest::cleanup() {
+    m_settings.reset();
+    m_folder.reset();
+}
+
+void MainWindowTest::openCube(MainWindow& window, Session& session) {
+    writeObj(makeHighPolyCube(2.5f), path(QStringLiteral("cube.obj")));
+    window.openFiles({path(QStringLiteral("cube.obj"))});
+    QTRY_COMPARE_WITH_TIMEOUT(session.targets().size(), std::size_t{1}, kPatience);
+    QCOMPARE(session.targets().front()->deformed.original().vertexCount(), std::size_t{6146});
+}
+
+void MainWindowTest::clickCentre(MainWindow& window, const QPoint& offset) {
+    QTest::mouseClick(&window.viewport(), Qt::LeftButton, {}, window.viewport().rect().center() + offset);
+}
+
+void MainWindowTest::opensOnTheDefaultScene() {
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    MainWindow window(session);
+    showReady(window);
+    QCOMPARE(session.targets().size(), std::size_t{16});
+    QVERIFY(window.windowTitle().contains(session.sceneName()));
+    QVERIFY(window.findChildren<QMessageBox*>().isEmpty());
+}
+
+void MainWindowTest::openClickInspectExport() {
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    MainWindow window(session);
+    showReady(window);
+    openCube(window, session);
+    const QTableView* history = table(window, "hitHistory");
+    const QTableView* statistics = table(window, "meshStatistics");
+    const auto changed = [statistics] {
+        return statistics->model()
+            ->index(MeshStatisticsModel::ChangedVerticesRow, MeshStatisticsModel::DeformedColumn)
+            .data()
+            .toString();
+    };
+    QTRY_COMPARE(changed(), QStringLiteral("0 (0.0 %)"));
+
+    clickCentre(window);
+    QTRY_COMPARE_WITH_TIMEOUT(history->model()->rowCount(), 1, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(changed() != QStringLiteral("0 (0.0 %)"), kPatience);
+    clickCentre(window, {60, 40});
+    QTRY_COMPARE_WITH_TIMEOUT(history->model()->rowCount(), 2, kPatience);
+
+    const QString saved = path(QStringLiteral("dented.obj"));
+    const Status exported = window.exportTo(saved);
+    QVERIFY2(exported.ok(), exported.ok() ? "" : exported.error().message().c_str());
+    const Result<ImportedMesh> again = importMesh(saved);
+    QVERIFY2(again.ok(), again.ok() ? "" : again.error().message().c_str());
+    const DeformedMesh& deformed = session.targets().front()->deformed;
+    const std::vector<glm::vec3> shown(deformed.positions().begin(), deformed.positions().end());
+    QVERIFY(again.value().mesh.positions == shown);
+    QVERIFY(again.value().mesh.cornerVertices == deformed.original().cornerVertices);
+    QVERIFY(shown != deformed.original().positions);
+}
+
+void MainWindowTest::undoAndRedoByKey() {
+    Session session;
+    session.loadMesh(makeHighPolyCube(2.5f));
+    MainWindow window(session);
+    showReady(window);
+    const Target& cube = *session.targets().front();
+    clickCentre(window);
+    QTRY_COMPARE_WITH_TIMEOUT(session.history().size(), std::size_t{1}, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(cube.deformed.statistics().changedVertices > 0, kPatience);
+    const std::size_t dented = cube.deformed.statistics().changedVertices;
+
+    QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(session.history().size(), std::size_t{0});
+    QTRY_COMPARE_WITH_TIMEOUT(cube.deformed.statistics().changedVertices, std::size_t{0}, kPatience);
+    QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(session.history().size(), std::size_t{1});
+    QTRY_COMPARE_WITH_TIMEOUT(cube.deformed.statistics().changedVertices, dented, kPatience);
+}
+
+void MainWindowTest::pipelinesGiveTheSameMesh() {
+    Session session;
+    session.loadMesh(makeHighPolySphere(2.5f));
+    MainWindow window(session);
+    showReady(window);
+    for (int i = 0; i < 3; ++i) {
+        clickCentre(window, {25 * i, -20 * i});
+        QTRY_COMPARE_WITH_TIMEOUT(session.history().size(), static_cast<std::size_t>(i) + 1, kPatience);
+    }
+    const auto positions = [&] {
+        [&] { QVERIFY(window.viewport().syncNow().ok()); }();
+        const std::span<const glm::vec3> shown = session.targets().front()->deformed.positions();
+        return std::vector<glm::vec3>(shown.begin(), shown.end());
+    };
+    const std::vector<glm::vec3> first = positions();
+    session.setPipeline(session.pipeline() == PipelineKind::UniformArray ? PipelineKind::TransformFeedback
+                                                                         : PipelineKind::UniformArray);
+    QVERIFY(positions() == first);
+}
+
+void MainWindowTest::badFilesSayOneThing_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("content");
+    QTest::newRow("missing") << QStringLiteral("nowhere.obj") << QByteArray();
+    QTest::newRow("empty") << QStringLiteral("empty.ply") << QByteArray("");
+    QTest::newRow("no mesh") << QStringLiteral("words.stl") << QByteArray("these are words\n");
+    QTest::newRow("bad index") << QStringLiteral("bad.obj")
+                               << QByteArray("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+}
+
+void MainWindowTest::badFilesSayOneThing() {
+    QFETCH(QString, name);
+    QFETCH(QByteArray, content);
+    if (!content.isNull()) {
+        QFile file(path(name));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(content);
+    }
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    MainWindow window(session);
+    showReady(window);
+    window.openFiles({path(name)});
+    QTRY_COMPARE_WITH_TIMEOUT(window.findChildren<QMessageBox*>().size(), 1, kPatience);
+    const QMessageBox* box = window.findChildren<QMessageBox*>().front();
+    QVERIFY(!box->text().isEmpty());
+    QVERIFY2((box->text() + box->informativeText()).contains(name), qPrintable(box->informativeText()));
+    QCOMPARE(session.targets().size(), std::size_t{16});
+    QTest::qWait(200);
+    QCOMPARE(window.findChildren<QMessageBox*>().size(), 1);
+}
+
+void MainWindowTest::dropOpens() {
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    MainWindow window(session);
+    showReady(window);
+    writeObj(makeLowPolyCube(1.0f), path(QStringLiteral("dropped.obj")));
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path(QStringLiteral("dropped.obj")))});
+    QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&window, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop({100.0, 100.0}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&window, &drop);
+    QTRY_COMPARE_WITH_TIMEOUT(session.targets().size(), std::size_t{1}, kPatience);
+    QCOMPARE(session.targets().front()->deformed.original().vertexCount(), std::size_t{386});
+
+    QMimeData other;
+    other.setUrls({QUrl::fromLocalFile(path(QStringLiteral("notes.txt")))});
+    QDragEnterEvent refused({100, 100}, Qt::CopyAction, &other, Qt::LeftButton, {});
+    refused.ignore();
+    QCoreApplication::sendEvent(&window, &refused);
+    QVERIFY(!refused.isAccepted());
+}
+
+void MainWindowTest::openingCanBeCancelled() {
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    MainWindow window(session);
+    showReady(window);
+    writeObj(makeHighPolyCube(1.0f), path(QStringLiteral("slow.obj")));
+    window.openFiles({path(QStringLiteral("slow.obj"))});
+    window.findChild<QToolButton*>(QStringLiteral("cancelOpening"))->click();
+    QTest::qWait(1000);
+    QCOMPARE(session.targets().size(), std::size_t{16});
+    QVERIFY(window.findChildren<QMessageBox*>().isEmpty());
+}
+
+void MainWindowTest::placesTheMeshOnRequest() {
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    MainWindow window(session);
+    showReady(window);
+    MeshData far = makeLowPolyCube(50.0f);
+    for (glm::vec3& position : far.positions) {
+        position += glm::vec3(1000.0f, 0.0f, 0.0f);
+    }
+    writeObj(far, path(QStringLiteral("far.obj")));
+    window.openFiles({path(QStringLiteral("far.obj"))});
+    QTRY_COMPARE_WITH_TIMEOUT(session.targets().size(), std::size_t{1}, kPatience);
+    QCOMPARE(session.sceneBounds().size().x, 100.0f);
+    window.placeMesh(5.0);
+    QCOMPARE(session.sceneBounds().size().x, 5.0f);
+    QCOMPARE(session.sceneBounds().centre().x, 0.0f);
+    QVERIFY(window.exportTo(path(QStringLiteral("again.obj"))).ok());
+    const Result<ImportedMesh> again = importMesh(path(QStringLiteral("again.obj")));
+    QVERIFY(again.ok());
+    QVERIFY(again.value().mesh.positions == far.positions);
+    window.placeMesh(0.0);
+    QCOMPARE(session.sceneBounds().size().x, 100.0f);
+}
+
+void MainWindowTest::layoutIsRemembered() {
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    {
+        MainWindow window(session);
+        showReady(window);
+        auto* lights = window.findChild<QDockWidget*>(QStringLiteral("lights"));
+        auto* rate = window.findChild<QDockWidget*>(QStringLiteral("frameRate"));
+        QVERIFY(rate->isVisible());
+        lights->toggleViewAction()->trigger();
+        QVERIFY(!lights->toggleViewAction()->isChecked());
+        window.addDockWidget(Qt::LeftDockWidgetArea, rate);
+        window.close();
+    }
+    MainWindow window(session);
+    showReady(window);
+    QVERIFY(!window.findChild<QDockWidget*>(QStringLiteral("lights"))->toggleViewAction()->isChecked());
+    auto* rate = window.findChild<QDockWidget*>(QStringLiteral("frameRate"));
+    QCOMPARE(window.dockWidgetArea(rate), Qt::LeftDockWidgetArea);
+    QCOMPARE(window.centralWidget(), &window.viewport());
+}
+
+void MainWindowTest::settingsAreRemembered() {
+    DeformationConstants constants;
+    constants.power = 0.07f;
+    {
+        Session session;
+        session.loadPaperRow(kDefaultPaperRow);
+        MainWindow window(session);
+        showReady(window);
+        QVERIFY(session.setConstants(constants, true).ok());
+        session.setPipeline(PipelineKind::UniformArray);
+        QTest::keyClick(&window, Qt::Key_L);
+        QTest::keyClick(&window, Qt::Key_H);
+        QVERIFY(!session.lights().points[2].on);
+        QCOMPARE(window.viewport().options().wireframe, WireframeMode::Over);
+        window.close();
+    }
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    MainWindow window(session);
+    QVERIFY(session.constants() == constants);
+    QCOMPARE(session.pipeline(), PipelineKind::UniformArray);
+    QVERIFY(!session.lights().points[2].on);
+    QVERIFY(session.lights().spot.on);
+    QCOMPARE(window.viewport().options().wireframe, WireframeMode::Over);
+}
+
+void MainWindowTest::savesThePicture() {
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    MainWindow window(session);
+    showReady(window);
+    const QString file = path(QStringLiteral("picture.png"));
+    QVERIFY(window.savePictureTo(file).ok());
+    const QImage picture(file);
+    QCOMPARE(picture.size(), window.viewport().size() * window.viewport().devicePixelRatioF());
+    QVERIFY(picture.pixel(picture.width() / 2, picture.height() / 2) != picture.pixel(2, 2));
+}
+
+QTEST_MAIN(MainWindowTest)
+#include "main_window_test.moc"

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The docks' panels on a session, without a window around them.
+#include <QAction>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTableView>
+#include <QTest>
+
+#include "mesh/primitives.h"
+#include "panels/deformation_constants/deformation_constants_panel.h"
+#include "panels/frame_rate/frame_rate_panel.h"
+#include "panels/hit_history/hit_history_panel.h"
+#include "panels/icons/themed_icon.h"
+#include "panels/lights/lights_panel.h"
+#include "panels/mesh_statistics/mesh_statistics_panel.h"
+
+using namespace hitscope;
+
+namespace {
+
+void addHits(Session& session, int count) {
+    for (int i = 0; i < count; ++i) {
+        Hit hit;
+        hit.target = session.targets()[static_cast<std::size_t>(i) % session.targets().size()]->id;
+        hit.point = {0.0f, static_cast<float>(i), 2.5f};
+        QVERIFY(session.addHit(hit).ok());
+    }
+}
+
+}  // namespace
+
+class PanelsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void historySelectsRemovesAndCopies();
+    void constantsApplyToThePastOnRequest();
+    void constantsSliderCoversTheRange();
+    void lightsSwitchAndTint();
+    void statisticsChooseTheTarget();
+    void frameRateReadsOut();
+    void iconsAreDrawnInThePalette();
+};
+
+void PanelsTest::historySelectsRemovesAndCopies() {
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    HitHistoryModel model(session);
+    HitHistoryPanel panel(session, model);
+    panel.show();
+    panel.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&panel));
+    addHits(session, 5);
+    auto* table = panel.findChild<QTableView*>();
+    table->selectRow(2);
+    QCOMPARE(session.selectedHit(), std::optional<std::size_t>(2));
+    session.selectHit(std::nullopt);
+    QVERIFY(!table->selectionModel()->hasSelection());
+    session.selectHit(3);
+    QVERIFY(table->selectionModel()->isRowSelected(3));
+
+    table->setFocus();
+    QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
+    const QString copied = QGuiApplication::clipboard()->text();
+    QCOMPARE(copied.count(u'\n'), 2);
+    QVERIFY(copied.section(u'\n', 1, 1).startsWith(QStringLiteral("4,")));
+    QTest::keyClick(table, Qt::Key_Delete);
+    QCOMPARE(session.history().size(), std::size_t{4});
+    QCOMPARE(session.history().hits()[3].point.y, 4.0f);
+
+    table->selectAll();
+    QTest::keyClick(table, Qt::Key_Delete);
+    QCOMPARE(session.history().size(), std::size_t{0});
+}
+
+void PanelsTest::constantsApplyToThePastOnRequest() {
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    addHits(session, 2);
+    DeformationConstantsPanel panel(session);
+    auto* power = panel.findChild<QDoubleSpinBox*>(QStringLiteral("power"));
+    auto* past = panel.findChild<QCheckBox*>(QStringLiteral("past"));
+    QCOMPARE(power->value(), 0.05);
+    past->setChecked(false);
+    power->setValue(0.1);
+    QCOMPARE(session.constants().power, 0.1f);
+    QCOMPARE(session.history().hits()[0].constants.power, 0.05f);
+    past->setChecked(true);
+    QCOMPARE(session.history().hits()[0].constants.power, 0.1f);
+    panel.findChild<QPushButton*>(QStringLiteral("reset"))->click();
+    QVERIFY(session.constants() == DeformationConstants{});
+    QCOMPARE(power->value(), 0.05);
+    QVERIFY(session.history().hits()[1].constants == DeformationConstants{});
+}
+
+void PanelsTest::constantsSliderCoversTheRange() {
+    Session session;
+    DeformationConstantsPanel panel(session);
+    const QList<QSlider*> sliders = panel.findChildren<QSlider*>();
+    QCOMPARE(sliders.size(), 3);
+    const ParameterDescriptor& distance = deformationParameters()[0];
+    QCOMPARE(sliders[0]->value(), (sliders[0]->maximum() + 1) / 2);
+    sliders[0]->setValue(sliders[0]->maximum());
+    QCOMPARE(session.constants().maxDistance, static_cast<float>(distance.maximum));
+    sliders[0]->setValue(0);
+    QCOMPARE(session.constants().maxDistance, static_cast<float>(distance.minimum));
+}
+
+void PanelsTest::lightsSwitchAndTint() {
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    LightsPanel panel(session);
+    panel.findChild<QCheckBox*>(QStringLiteral("pointsOn"))->click();
+    for (const PointLight& light : session.lights().points) {
+        QVERIFY(!light.on);
+    }
+    QVERIFY(session.lights().directional.on);
+    panel.findChild<QDoubleSpinBox*>(QStringLiteral("spotIntensity"))->setValue(0.5);
+    QVERIFY(std::abs(session.lights().spot.colours.diffuse.g - 0.5f) < 1.0e-4f);
+
+    Lights lights = session.lights();
+    lights.directional.on = false;
+    session.setLights(lights);
+    QVERIFY(!panel.findChild<QCheckBox*>(QStringLiteral("directionalOn"))->isChecked());
+    panel.findChild<QPushButton*>(QStringLiteral("reset"))->click();
+    QVERIFY(session.lights().directional.on && session.lights().points[0].on);
+}
+
+void PanelsTest::statisticsChooseTheTarget() {
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    MeshStatisticsModel model(session);
+    MeshStatisticsPanel panel(session, model);
+    auto* box = panel.findChild<QComboBox*>();
+    QCOMPARE(box->count(), 16);
+    session.selectTarget(session.targets()[7]->id);
+    QCOMPARE(box->currentIndex(), 7);
+    Q_EMIT box->activated(3);
+    QCOMPARE(session.selectedTarget(), session.targets()[3]->id);
+    auto* table = panel.findChild<QTableView*>();
+    QCOMPARE(table->columnSpan(MeshStatisticsModel::VerticesRow, MeshStatisticsModel::OriginalColumn), 2);
+    QCOMPARE(table->columnSpan(MeshStatisticsModel::VolumeRow, MeshStatisticsModel::OriginalColumn), 1);
+}
+
+void PanelsTest::frameRateReadsOut() {
+    QAction continuous(QStringLiteral("Draw continuously"));
+    FrameRatePanel panel(continuous);
+    panel.resize(400, 240);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    for (int i = 0; i < 10; ++i) {
+        panel.addFrame(0.02);
+    }
+    auto* mean = panel.findChild<QLabel*>(QStringLiteral("mean"));
+    QTRY_COMPARE(mean->text(), QStringLiteral("20.0 ms"));
+    QCOMPARE(panel.findChild<QLabel*>(QStringLiteral("low"))->text(), QStringLiteral("50.0"));
+    panel.clear();
+    QCOMPARE(mean->text(), QStringLiteral("–"));
+}
+
+void PanelsTest::iconsAreDrawnInThePalette() {
+    const QColor ink(10, 200, 30);
+    const QPalette before = QGuiApplication::palette();
+    QPalette palette = before;
+    palette.setColor(QPalette::Active, QPalette::WindowText, ink);
+    QGuiApplication::setPalette(palette);
+    for (const char* name : {"open", "export", "undo", "redo", "wireframe", "frame", "remove", "copy",
+                             "reset", "continuous", "close"}) {
+        const QImage image = themedIcon(QLatin1String(name)).pixmap(64, 64).toImage();
+        bool inked = false;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                inked = inked || image.pixelColor(x, y) == ink;
+            }
+        }
+        QVERIFY2(inked, name);
+    }
+    QGuiApplication::setPalette(before);
+}
+
+QTEST_MAIN(PanelsTest)
+#include "panels_test.moc"

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Mouse and keys in the viewport.
+#include <QSignalSpy>
+#include <QWheelEvent>
+#include <cmath>
+
+#include "mesh/primitives.h"
+#include "viewport/aim.h"
+#include "widgets/window_support.h"
+
+using namespace hitscope;
+
+namespace {
+
+bool near(const glm::vec3& a, const glm::vec3& b, float distance = 1.0e-3f) {
+    return glm::length(a - b) <= distance;
+}
+
+}  // namespace
+
+class ViewportTest : public QObject {
+    Q_OBJECT
+public:
+    static void initMain() { MainWindow::setSurfaceFormat(); }
+
+private Q_SLOTS:
+    void init();
+    void clickShootsWhereItPoints();
+    void aimAllowsForTheFall();
+    void dragOrbitsAndShootsNothing();
+    void rightAndShiftDragPan();
+    void wheelZooms();
+    void doubleClickRecentresAndShootsNothing();
+    void slowSecondClickIsAnotherShot();
+    void spaceShootsRepeatedlyWhileHeld();
+    void flyKeysMoveWhileHeld();
+    void framing();
+    void idleDrawsNothing();
+
+private:
+    [[nodiscard]] QPoint centre() const { return m_window->viewport().rect().center(); }
+    void drag(Qt::MouseButton button, Qt::KeyboardModifiers keys, const QPoint& by);
+    [[nodiscard]] std::size_t flying() const { return m_session->physics().projectileCount(); }
+
+    TestSettings m_settings;
+    std::unique_ptr<Session> m_session;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+void ViewportTest::init() {
+    m_window.reset();
+    m_session = std::make_unique<Session>();
+    m_session->loadMesh(makeHighPolySphere(2.5f));
+    m_window = std::make_unique<MainWindow>(*m_session);
+    showReady(*m_window);
+}
+
+void ViewportTest::drag(Qt::MouseButton button, Qt::KeyboardModifiers keys, const QPoint& by) {
+    Viewport& viewport = m_window->viewport();
+    QTest::mousePress(&viewport, button, keys, centre());
+    for (int step = 1; step <= 4; ++step) {
+        const QPointF at = centre() + QPointF(by) * (step / 4.0);
+        QMouseEvent move(QEvent::MouseMove, at, viewport.mapToGlobal(at), Qt::NoButton, button, keys);
+        QCoreApplication::sendEvent(&viewport, &move);
+    }
+    QTest::mouseRelease(&viewport, button, keys, centre() + by);
+}
+
+void ViewportTest::clickShootsWhereItPoints() {
+    const Viewport& viewport = m_window->viewport();
+    QTest::mouseClick(&m_window->viewport(), Qt::LeftButton, {}, centre());
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{1}, kPatience);
+    const Hit& hit = m_session->history().hits().front();
+    const Camera& camera = viewport.camera();
+    const auto aimed = m_session->physics().castRay(camera.eye(), camera.forward(), 100.0f);
+    QVERIFY(aimed.has_value());
+    QVERIFY(near(hit.point, aimed->point, 0.1f));
+    QVERIFY(glm::dot(hit.direction, camera.forward()) > 0.97f);
+}
+
+void ViewportTest::aimAllowsForTheFall() {
+    for (const glm::vec3& to :
+         {glm::vec3(20.0f, 0.0f, 0.0f), glm::vec3(-15.0f, 6.0f, 30.0f), glm::vec3(0.0f, -40.0f, 25.0f)}) {
+        const glm::dvec3 velocity = 30.0 * glm::dvec3(launchDirection({}, to, 30.0f));
+        const double time = std::hypot(to.x, to.z) / std::hypot(velocity.x, velocity.z);
+        const glm::dvec3 there = velocity * time - glm::dvec3(0.0, 0.5 * 9.81 * time * time, 0.0);
+        QVERIFY(near(glm::vec3(there), to, 0.01f));
+    }
+    // Out of reach, or straight down: along the line.
+    QVERIFY(near(launchDirection({}, {0.0f, 0.0f, -500.0f}, 30.0f), {0.0f, 0.0f, -1.0f}));
+    QVERIFY(near(launchDirection({1.0f, 9.0f, 2.0f}, {1.0f, 0.0f, 2.0f}, 30.0f), {0.0f, -1.0f, 0.0f}));
+}
+
+void ViewportTest::dragOrbitsAndShootsNothing() {
+    const Camera before = m_window->viewport().camera();
+    drag(Qt::LeftButton, {}, {80, 30});
+    const Camera& after = m_window->viewport().camera();
+    QVERIFY(near(after.pivot(), before.pivot()));
+    QVERIFY(std::abs(after.distance() - before.distance()) < 1.0e-3f);
+    // The scene turns with the hand: dragged right and down, the eye goes left and up.
+    QVERIFY(glm::dot(after.eye() - before.eye(), before.right()) < -0.1f);
+    QVERIFY(after.eye().y > before.eye().y + 0.1f);
+    QTest::qWait(2 * Viewport::kDoubleClickGrace);
+    QCOMPARE(flying(), std::size_t{0});
+}
+
+void ViewportTest::rightAndShiftDragPan() {
+    for (const auto& [button, keys] : {std::pair(Qt::RightButton, Qt::KeyboardModifiers()),
+                                       std::pair(Qt::LeftButton, Qt::KeyboardModifiers(Qt::ShiftModifier))}) {
+        const Camera before = m_window->viewport().camera();
+        drag(button, keys, {60, -40});
+        const Camera& after = m_window->viewport().camera();
+        QVERIFY(near(after.forward(), before.forward(), 1.0e-4f));
+        // What was under the cursor follows it: the pivot goes the other way.
+        QVERIFY(glm::dot(after.pivot() - before.pivot(), before.right()) < -0.05f);
+        QVERIFY(glm::dot(after.pivot() - before.pivot(), before.up()) < -0.05f);
+    }
+    QTest::qWait(2 * Viewport::kDoubleClickGrace);
+    QCOMPARE(flying(), std::size_t{0});
+}
+
+void ViewportTest::wheelZooms() {
+    Viewport& viewport = m_window->viewport();
+    const float before = viewport.camera().distance();
+    const auto turn = [&](int amount) {
+        QWheelEvent event(centre(), viewport.mapToGlobal(centre()), {}, {0, amount}, Qt::NoButton, {},
+                          Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&viewport, &event);
+    };
+    turn(120);
+    const float nearer = viewport.camera().distance();
+    QVERIFY(nearer < before);
+    turn(-120);
+    QVERIFY(std::abs(viewport.camera().distance() - before) < 1.0e-3f);
+}
+
+void ViewportTest::doubleClickRecentresAndShootsNothing() {
+    Viewport& viewport = m_window->viewport();
+    const Camera before = viewport.camera();
+    const QPoint at = centre() + QPoint(40, -30);
+    QTest::mouseClick(&viewport, Qt::LeftButton, {}, at);
+    QTest::mouseDClick(&viewport, Qt::LeftButton, {}, at);
+    QVERIFY(!near(viewport.camera().pivot(), before.pivot(), 0.1f));
+    QVERIFY(std::abs(glm::length(viewport.camera().pivot()) - 2.5f) < 0.1f);
+    QTest::qWait(2 * Viewport::kDoubleClickGrace);
+    QCOMPARE(flying(), std::size_t{0});
+    QCOMPARE(m_session->history().size(), std::size_t{0});
+}
+
+void ViewportTest::slowSecondClickIsAnotherShot() {
+    Viewport& viewport = m_window->viewport();
+    const glm::vec3 before = viewport.camera().pivot();
+    QTest::mouseClick(&viewport, Qt::LeftButton, {}, centre());
+    QTRY_COMPARE_WITH_TIMEOUT(flying(), std::size_t{1}, kPatience);
+    // The desktop still calls the second press a double click.
+    QMouseEvent second(QEvent::MouseButtonDblClick, centre(), viewport.mapToGlobal(QPointF(centre())),
+                       Qt::LeftButton, Qt::LeftButton, {});
+    second.setTimestamp(static_cast<quint64>(QTest::lastMouseTimestamp));
+    QCoreApplication::sendEvent(&viewport, &second);
+    QTest::mouseRelease(&viewport, Qt::LeftButton, {}, centre());
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{2}, kPatience);
+    QVERIFY(near(viewport.camera().pivot(), before));
+}
+
+void ViewportTest::spaceShootsRepeatedlyWhileHeld() {
+    Viewport& viewport = m_window->viewport();
+    QTest::keyPress(&viewport, Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(flying() + m_session->history().size() >= 3, kPatience);
+    QTest::keyRelease(&viewport, Qt::Key_Space);
+    const std::size_t shot = flying();
+    QTest::qWait(4 * Viewport::kRepeatInterval);
+    QVERIFY(flying() <= shot);
+}
+
+void ViewportTest::flyKeysMoveWhileHeld() {
+    Viewport& viewport = m_window->viewport();
+    const Camera before = viewport.camera();
+    QTest::keyPress(&viewport, Qt::Key_D);
+    QTRY_VERIFY_WITH_TIMEOUT(glm::dot(viewport.camera().eye() - before.eye(), before.right()) > 0.2f,
+                             kPatience);
+    QTest::keyRelease(&viewport, Qt::Key_D);
+    const glm::vec3 there = viewport.camera().eye();
+    QTest::qWait(300);
+    QVERIFY(near(viewport.camera().eye(), there));
+}
+
+void ViewportTest::framing() {
+    Viewport& viewport = m_window->viewport();
+    const Camera before = viewport.camera();
+    viewport.flyStep({3.0f, 1.0f, 2.0f});
+    QVERIFY(!near(viewport.camera().pivot(), before.pivot(), 0.1f));
+    QTest::keyClick(m_window.get(), Qt::Key_F);
+    QVERIFY(near(viewport.camera().pivot(), before.pivot()));
+    QVERIFY(std::abs(viewport.camera().distance() - before.distance()) < 0.05f);
+}
+
+void ViewportTest::idleDrawsNothing() {
+    Viewport& viewport = m_window->viewport();
+    QTest::qWait(500);
+    const QSignalSpy frames(&viewport, &Viewport::framePainted);
+    QTest::qWait(500);
+    QVERIFY(frames.size() <= 1);
+    viewport.setDrawsContinuously(true);
+    QTRY_VERIFY_WITH_TIMEOUT(frames.size() > 10, kPatience);
+    viewport.setDrawsContinuously(false);
+}
+
+QTEST_MAIN(ViewportTest)
+#include "viewport_test.moc"
