@@ -10,7 +10,7 @@ Lights defaultLights(const glm::vec3& centre, float extent) {
     const float size = std::max(extent, 1.0e-3f);
 
     lights.directional.colours.ambient = glm::vec3(0.085f, 0.09f, 0.1f);
-    lights.directional.colours.diffuse = glm::vec3(0.92f, 0.88f, 0.82f);
+    lights.directional.colours.diffuse = glm::vec3(1.05f, 1.0f, 0.93f);
     lights.directional.colours.specular = glm::vec3(0.35f);
 
     // Warm and cool corners by turns, so that the shape reads from every side.
@@ -28,15 +28,15 @@ Lights defaultLights(const glm::vec3& centre, float extent) {
         light.quadratic = 0.65f / (reach * reach);
         const glm::vec3 tint = x * z > 0.0f ? warm : cool;
         light.colours.ambient = 0.015f * tint;
-        light.colours.diffuse = 0.3f * tint;
-        light.colours.specular = 0.2f * tint;
+        light.colours.diffuse = 0.25f * tint;
+        light.colours.specular = 0.14f * tint;
     }
 
     lights.spot.constant = 1.0f;
     lights.spot.linear = 0.1f / size;
     lights.spot.quadratic = 0.25f / (size * size);
     lights.spot.colours.ambient = glm::vec3(0.0f);
-    lights.spot.colours.diffuse = glm::vec3(0.2f, 0.195f, 0.185f);
+    lights.spot.colours.diffuse = glm::vec3(0.1f, 0.0975f, 0.0925f);
     lights.spot.colours.specular = glm::vec3(0.12f);
     return lights;
 }

@@ -13,9 +13,9 @@ constexpr float kMostAnisotropy = 8.0f;
 
 Material makeDefaultMaterial() {
     Material clay;
-    clay.diffuse = glm::vec3(0.66f, 0.615f, 0.565f);
-    clay.specular = glm::vec3(0.22f);
-    clay.shininess = 28.0f;
+    clay.diffuse = glm::vec3(0.47f, 0.435f, 0.40f);
+    clay.specular = glm::vec3(0.30f);
+    clay.shininess = 40.0f;
     return clay;
 }
 

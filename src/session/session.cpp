@@ -56,7 +56,9 @@ void Session::loadMesh(const PreparedMesh& mesh, const QString& sourcePath) {
 }
 
 void Session::loadTeapot() {
-    loadMesh(makeTeapot());
+    // Fine enough that a dent of 0.5 m in radius shows its rim.
+    constexpr int kDivisions = 32;
+    loadMesh(makeTeapot(kDivisions));
 }
 
 QString Session::sceneName() const {
