@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #version 330 core
 
+#define HITSCOPE_MATTE
 #include "lighting.glsl"
 #include "tone.glsl"
 

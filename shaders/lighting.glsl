@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Phong lighting by the paper's equations 7-14: a directional light, four point lights, a spotlight at the eye.
 // All positions are in the world, metres; all colours linear.
+//
+// HITSCOPE_MATTE   defined: the surface has no specular colour, so none is worked out
 
 struct LightColours {
     vec3 ambient;
@@ -45,6 +47,9 @@ struct View {
 vec3 diffuseAndSpecular(LightColours light, Surface s, View view, vec3 toLight)
 {
     float diff = max(dot(s.normal, toLight), 0.0);
+#ifdef HITSCOPE_MATTE
+    return light.diffuse * diff * s.diffuse;
+#endif
     float spec = diff > 0.0 ? pow(max(dot(toLight, view.mirrored), 1.0e-6), s.shininess) : 0.0;
     return light.diffuse * diff * s.diffuse + light.specular * spec * s.specular;
 }

@@ -112,10 +112,10 @@ void MainWindow::makeDocks() {
         addDock(QStringLiteral("frameRate"), tr("Frame rate"), m_frameRate, Qt::BottomDockWidgetArea);
     tabifyDockWidget(constants, lights);
     constants->raise();
-    resizeDocks({statistics, constants}, {330, 330}, Qt::Horizontal);
+    resizeDocks({statistics, constants}, {350, 350}, Qt::Horizontal);
     resizeDocks({statistics, constants}, {420, 170}, Qt::Vertical);
     resizeDocks({history, frameRate}, {190, 190}, Qt::Vertical);
-    resizeDocks({history, frameRate}, {560, 380}, Qt::Horizontal);
+    resizeDocks({history, frameRate}, {620, 380}, Qt::Horizontal);
 }
 
 void MainWindow::restoreWindow() {

@@ -30,4 +30,13 @@ RendererInfo rendererInfo() {
     return info;
 }
 
+bool RendererInfo::isSoftware() const {
+    for (const char* name : {"llvmpipe", "softpipe", "swrast", "SwiftShader", "SWR"}) {
+        if (renderer.find(name) != std::string::npos) {
+            return true;
+        }
+    }
+    return false;
+}
+
 }  // namespace hitscope::gl

@@ -17,6 +17,9 @@ struct RendererInfo {
     int major = 0;
     int minor = 0;
     int maxVertexUniformComponents = 0;
+
+    /// The CPU draws: what a GPU does on the side costs time here.
+    [[nodiscard]] bool isSoftware() const;
 };
 [[nodiscard]] RendererInfo rendererInfo();
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "gl/context.h"
+#include "viewport/surface_format.h"
 
 namespace hitscope {
 
@@ -47,6 +48,7 @@ int affordableSamples(const QSurfaceFormat& format) {
 }  // namespace
 
 Viewport::Viewport(Session& session, QWidget* parent) : QOpenGLWidget(parent), m_session(session) {
+    setFormat(viewportFormat());
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(240, 180);
     QSurfaceFormat surface = format();
