@@ -176,6 +176,7 @@ void MainWindow::makeViewMenu() {
     m_continuous = addToggle(menu, tr("Draw C&ontinuously"), {}, false,
                              [this](bool on) { m_viewport->setDrawsContinuously(on); });
     m_continuous->setIcon(themedIcon(QStringLiteral("continuous")));
+    m_continuous->setIconVisibleInMenu(false);  // it would hide the check mark
     m_continuous->setToolTip(
         tr("Draw frame after frame even if nothing moves: for measuring the frame rate"));
 }

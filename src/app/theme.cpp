@@ -3,13 +3,16 @@
 
 #include <QApplication>
 #include <QColor>
+#include <QPainter>
 #include <QProxyStyle>
+#include <QStyleOption>
 
 namespace hitscope {
 
 namespace {
 
-/// Fusion, whose dialog buttons would otherwise carry icons that fit neither theme.
+/// Fusion without the icons on dialog buttons, which fit neither theme, and with flat tool bars: their white
+/// edge is meant for light windows only.
 class PlainFusion : public QProxyStyle {
 public:
     PlainFusion() : QProxyStyle(QStringLiteral("Fusion")) {}
@@ -19,6 +22,20 @@ public:
                    ? 0
                    : QProxyStyle::styleHint(hint, option, widget, returned);
     }
+    void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+        if (element != CE_ToolBar) {
+            QProxyStyle::drawControl(element, option, painter, widget);
+            return;
+        }
+        const QColor window = option->palette.color(QPalette::Window);
+        painter->fillRect(option->rect, window);
+        painter->setPen(window.darker(kEdge));
+        painter->drawLine(option->rect.bottomLeft(), option->rect.bottomRight());
+    }
+
+private:
+    static constexpr int kEdge = 125;  // per cent
 };
 
 struct Colours {

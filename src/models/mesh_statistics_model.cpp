@@ -25,7 +25,9 @@ constexpr const char* kRowNames[MeshStatisticsModel::RowCount] = {
     QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Mean (m)"),
     QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "RMS (m)"),
     QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Shape"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Bounding box (m)"),
+    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Bounding box x (m)"),
+    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Bounding box y (m)"),
+    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Bounding box z (m)"),
     QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Surface area (m²)"),
     QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Volume (m³)"),
     QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Topology"),
@@ -282,10 +284,13 @@ QString MeshStatisticsModel::shapeText(int row, const std::optional<GeometryStat
         return notKnown();
     }
     const glm::vec3 size = geometry->bounds.size();
-    const auto side = [](float length) { return QString::number(static_cast<double>(length), 'g', 4); };
     switch (row) {
-        case BoundingBoxRow:
-            return QStringLiteral("%1 × %2 × %3").arg(side(size.x), side(size.y), side(size.z));
+        case SizeXRow:
+            return quantityText(static_cast<double>(size.x));
+        case SizeYRow:
+            return quantityText(static_cast<double>(size.y));
+        case SizeZRow:
+            return quantityText(static_cast<double>(size.z));
         case SurfaceAreaRow:
             return quantityText(geometry->surfaceArea);
         case VolumeRow:

@@ -67,7 +67,8 @@ void MeshStatisticsModelTest::describesTheOriginal() {
     QCOMPARE(cell(model, Model::EdgesRow, Model::OriginalColumn), QStringLiteral("768"));
     QCOMPARE(cell(model, Model::EulerRow, Model::OriginalColumn), QStringLiteral("2"));
     QCOMPARE(cell(model, Model::WatertightRow, Model::OriginalColumn), QStringLiteral("yes"));
-    QCOMPARE(cell(model, Model::BoundingBoxRow, Model::OriginalColumn), QStringLiteral("5 × 5 × 5"));
+    QCOMPARE(cell(model, Model::SizeXRow, Model::OriginalColumn), QStringLiteral("5.0000"));
+    QCOMPARE(cell(model, Model::SizeZRow, Model::PropertyColumn), QStringLiteral("Bounding box z (m)"));
     QCOMPARE(cell(model, Model::SurfaceAreaRow, Model::OriginalColumn), QStringLiteral("150.00"));
     QCOMPARE(cell(model, Model::VolumeRow, Model::OriginalColumn), QStringLiteral("125.00"));
     QCOMPARE(cell(model, Model::VolumeRow, Model::DeformedColumn), QStringLiteral("125.00"));

@@ -60,6 +60,7 @@ void PanelsTest::historySelectsRemovesAndCopies() {
     auto* table = panel.findChild<QTableView*>();
     table->selectRow(2);
     QCOMPARE(session.selectedHit(), std::optional<std::size_t>(2));
+    QCOMPARE(session.selectedTarget(), session.targets()[2]->id);
     session.selectHit(std::nullopt);
     QVERIFY(!table->selectionModel()->hasSelection());
     session.selectHit(3);

@@ -139,7 +139,7 @@ void FrameRatePanel::plotSamples() {
         if (age < -kWindow - 1.0 || sample.cost <= 0.0) {
             continue;
         }
-        if (sample.end - before > kGap && !when.isEmpty()) {
+        if (sample.end - sample.cost - before > kGap && !when.isEmpty()) {
             when.append(age);
             values.append(std::numeric_limits<double>::quiet_NaN());
         }

@@ -14,6 +14,12 @@
 
 namespace hitscope {
 
+namespace {
+
+constexpr int kCellPadding = 14;  // pixels
+
+}  // namespace
+
 HitHistoryPanel::HitHistoryPanel(Session& session, HitHistoryModel& model, QWidget* parent)
     : QWidget(parent), m_session(session), m_model(model), m_ui(std::make_unique<Ui::HitHistory>()) {
     m_ui->setupUi(this);
@@ -21,10 +27,18 @@ HitHistoryPanel::HitHistoryPanel(Session& session, HitHistoryModel& model, QWidg
     // Sizes by hand: measuring the contents of 100,000 rows would cost time with every hit.
     m_ui->table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     m_ui->table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
-    const int letter = fontMetrics().averageCharWidth();
-    const int widths[HitHistoryModel::ColumnCount] = {6, 10, 15, 22, 22, 13, 14};
+    const QString widest[HitHistoryModel::ColumnCount] = {QStringLiteral("000,000"),
+                                                          QStringLiteral("0000.00"),
+                                                          QStringLiteral("HP sphere 10"),
+                                                          QStringLiteral("-00.000, -00.000, -00.000"),
+                                                          QStringLiteral("-0.000, -0.000, -0.000"),
+                                                          QStringLiteral("000.00"),
+                                                          QStringLiteral("000.00")};
     for (int column = 0; column < HitHistoryModel::ColumnCount; ++column) {
-        m_ui->table->setColumnWidth(column, widths[column] * letter);
+        const QString title = model.headerData(column, Qt::Horizontal).toString();
+        m_ui->table->setColumnWidth(column,
+                                    kCellPadding + std::max(fontMetrics().horizontalAdvance(widest[column]),
+                                                            fontMetrics().horizontalAdvance(title)));
     }
     makeActions();
     updateSummary();
@@ -90,8 +104,15 @@ void HitHistoryPanel::followSelection() {
     }
     m_following = true;
     const QModelIndex current = m_ui->table->selectionModel()->currentIndex();
-    const bool chosen = m_ui->table->selectionModel()->isSelected(current);
-    m_session.selectHit(chosen ? std::optional(static_cast<std::size_t>(current.row())) : std::nullopt);
+    const bool chosen = m_ui->table->selectionModel()->isSelected(current) &&
+                        static_cast<std::size_t>(current.row()) < m_session.history().size();
+    if (chosen) {
+        const std::size_t hit = static_cast<std::size_t>(current.row());
+        m_session.selectTarget(m_session.history().hits()[hit].target);  // the statistics are about it
+        m_session.selectHit(hit);
+    } else {
+        m_session.selectHit(std::nullopt);
+    }
     updateSummary();
     m_following = false;
 }

@@ -34,8 +34,8 @@ MeshStatisticsPanel::MeshStatisticsPanel(Session& session, MeshStatisticsModel& 
     m_ui->table->setModel(&model);
     m_ui->table->setItemDelegate(new SectionDelegate(m_ui->table));
     QHeaderView* columns = m_ui->table->horizontalHeader();
-    columns->setSectionResizeMode(QHeaderView::ResizeToContents);
-    columns->setSectionResizeMode(MeshStatisticsModel::DeformedColumn, QHeaderView::Stretch);
+    columns->setSectionResizeMode(QHeaderView::Stretch);
+    columns->setSectionResizeMode(MeshStatisticsModel::PropertyColumn, QHeaderView::ResizeToContents);
     columns->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_ui->table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
     mergeSharedCells();
