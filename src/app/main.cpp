@@ -2,34 +2,78 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QIcon>
-#include <QSurfaceFormat>
+#include <QMessageBox>
+#include <algorithm>
+#include <cstdio>
+#include <span>
+#include <string_view>
 
 #include "app/main_window.h"
 #include "app/theme.h"
 #include "session/session.h"
+#include "viewport/surface_format.h"
 
-int main(int argc, char** argv) {
-    // Before the application: Qt makes its shared context with the default format.
-    hitscope::MainWindow::setSurfaceFormat();
-    QApplication::setOrganizationName(QStringLiteral("Hitscope"));
-    QApplication::setApplicationName(QStringLiteral("hitscope"));
-    QApplication::setApplicationDisplayName(QStringLiteral("Hitscope"));
-    QApplication::setApplicationVersion(QStringLiteral(HITSCOPE_VERSION));
-    QApplication::setDesktopFileName(QStringLiteral("hitscope"));
-    QApplication application(argc, argv);
-    QApplication::setStyle(hitscope::makeStyle());
-    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/hitscope.svg")));
+namespace {
 
-    QCommandLineParser parser;
+void describe(QCommandLineParser& parser) {
     parser.setApplicationDescription(
-        QApplication::translate("main", "Shoot a mesh, see exactly what moved, save the result."));
+        QCoreApplication::translate("main", "Shoot a mesh, see exactly what moved, save the result."));
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addPositionalArgument(
         QStringLiteral("mesh"),
-        QApplication::translate("main", "Mesh file to open: OBJ, PLY, STL, glTF, GLB, OFF, FBX, 3DS or DAE."),
+        QCoreApplication::translate("main",
+                                    "Mesh file to open: OBJ, PLY, STL, glTF, GLB, OFF, FBX, 3DS or DAE."),
         QStringLiteral("[mesh]"));
+}
+
+/// Help and version are for terminals, where there may be no display.
+bool asksOnlyForWords(std::span<char*> arguments) {
+    return std::any_of(arguments.begin(), arguments.end(), [](std::string_view argument) {
+        return argument == "-h" || argument == "--help" || argument == "--help-all" || argument == "-v" ||
+               argument == "--version";
+    });
+}
+
+bool hasDisplay() {
+    return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
+           !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    QCoreApplication::setOrganizationName(QStringLiteral("Hitscope"));
+    QCoreApplication::setApplicationName(QStringLiteral("hitscope"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(HITSCOPE_VERSION));
+    QCommandLineParser parser;
+    if (asksOnlyForWords({argv, static_cast<std::size_t>(argc)})) {
+        const QCoreApplication application(argc, argv);
+        describe(parser);
+        parser.process(application);
+        return 0;
+    }
+    if (!hasDisplay()) {
+        std::fputs("hitscope: there is no display to open a window on. hitscope-cli works without one.\n",
+                   stderr);
+        return 1;
+    }
+
+    // Before the application: Qt makes its shared context with the default format.
+    hitscope::MainWindow::setSurfaceFormat();
+    const QApplication application(argc, argv);
+    QApplication::setApplicationDisplayName(QStringLiteral("Hitscope"));
+    QApplication::setDesktopFileName(QStringLiteral("hitscope"));
+    QApplication::setStyle(hitscope::makeStyle());
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/hitscope.svg")));
+    describe(parser);
     parser.process(application);
+
+    if (const hitscope::Status openGl = hitscope::checkOpenGl(); !openGl) {
+        std::fprintf(stderr, "hitscope: %s\n", openGl.error().message().c_str());
+        QMessageBox::critical(nullptr, {}, QString::fromStdString(openGl.error().message()));
+        return 1;
+    }
 
     hitscope::Session session;
     session.loadPaperRow(hitscope::kDefaultPaperRow);

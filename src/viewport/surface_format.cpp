@@ -3,6 +3,8 @@
 
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <optional>
+#include <utility>
 
 #include "gl/context.h"
 
@@ -11,31 +13,50 @@ namespace hitscope {
 namespace {
 
 constexpr int kSamples = 4;
+constexpr std::pair kNeeded(3, 3);  // OpenGL version
 
-bool drawsInSoftware(const QSurfaceFormat& format) {
-    QOpenGLContext context;
-    context.setFormat(format);
-    QOffscreenSurface surface;
-    surface.setFormat(format);
-    surface.create();
-    if (!context.create() || !context.makeCurrent(&surface)) {
-        return false;  // the viewport will say what is wrong
-    }
-    const bool software = gl::rendererInfo().isSoftware();
-    context.doneCurrent();
-    return software;
+QSurfaceFormat baseFormat() {
+    QSurfaceFormat format;
+    format.setVersion(kNeeded.first, kNeeded.second);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    return format;
+}
+
+/// What a context of the base format is; nothing where there is none.
+const std::optional<gl::RendererInfo>& driver() {
+    static const std::optional<gl::RendererInfo> info = []() -> std::optional<gl::RendererInfo> {
+        QOpenGLContext context;
+        context.setFormat(baseFormat());
+        QOffscreenSurface surface;
+        surface.setFormat(baseFormat());
+        surface.create();
+        if (!context.create() || !context.makeCurrent(&surface)) {
+            return std::nullopt;
+        }
+        gl::RendererInfo found = gl::rendererInfo();
+        context.doneCurrent();
+        return found;
+    }();
+    return info;
 }
 
 }  // namespace
 
 QSurfaceFormat viewportFormat() {
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    static const bool software = drawsInSoftware(format);
+    QSurfaceFormat format = baseFormat();
+    const bool software = driver() && driver()->isSoftware();
     format.setSamples(software ? 0 : kSamples);
     return format;
+}
+
+Status checkOpenGl() {
+    if (driver() && std::pair(driver()->major, driver()->minor) >= kNeeded) {
+        return Done{};
+    }
+    return Error{"Hitscope's window needs OpenGL 3.3, and there is none here.",
+                 driver() ? driver()->renderer + ' ' + driver()->version : "",
+                 "Update the graphics driver, or start with LIBGL_ALWAYS_SOFTWARE=1 to draw in software."};
 }
 
 }  // namespace hitscope

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/viewport.h"
 
-#include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QPainter>
 #include <algorithm>
@@ -15,7 +14,6 @@ namespace hitscope {
 
 namespace {
 
-constexpr int kSamples = 4;
 constexpr int kCrosshairStays = 1500;   // milliseconds after the last shot with Space
 constexpr double kLongestStep = 0.25;   // seconds: a window that stood still does not make the scene jump
 constexpr float kFlySpeed = 0.7f;       // camera distances a second
@@ -23,37 +21,12 @@ constexpr float kFastFactor = 3.0f;     // with Shift
 constexpr float kStride = 0.15f;        // camera distances
 constexpr double kNanosecond = 1.0e-9;  // seconds
 
-/// Samples a pixel that this machine can afford: with four of them, software rendering is five times slower
-/// (llvmpipe of Mesa 22.3: 270 ms a frame instead of 50). Asked of a context of its own, since a widget's
-/// format is settled before it has one.
-int affordableSamples(const QSurfaceFormat& format) {
-    QOffscreenSurface surface;
-    surface.setFormat(format);
-    surface.create();
-    QOpenGLContext probe;
-    probe.setFormat(format);
-    if (!probe.create() || !probe.makeCurrent(&surface)) {
-        return 0;
-    }
-    const QString renderer = QString::fromStdString(gl::rendererInfo().renderer);
-    probe.doneCurrent();
-    for (const char* software : {"llvmpipe", "softpipe", "swrast", "SwiftShader"}) {
-        if (renderer.contains(QLatin1String(software), Qt::CaseInsensitive)) {
-            return 0;
-        }
-    }
-    return kSamples;
-}
-
 }  // namespace
 
 Viewport::Viewport(Session& session, QWidget* parent) : QOpenGLWidget(parent), m_session(session) {
     setFormat(viewportFormat());
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(240, 180);
-    QSurfaceFormat surface = format();
-    surface.setSamples(affordableSamples(surface));
-    setFormat(surface);
     m_holdTimer.setSingleShot(true);
     m_holdTimer.setInterval(kDoubleClickGrace);
     m_crosshairTimer.setSingleShot(true);

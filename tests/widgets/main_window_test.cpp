@@ -113,6 +113,15 @@ void MainWindowTest::openClickInspectExport() {
     QVERIFY(again.value().mesh.positions == shown);
     QVERIFY(again.value().mesh.cornerVertices == deformed.original().cornerVertices);
     QVERIFY(shown != deformed.original().positions);
+
+    // A hit that no frame has shown yet is in the file all the same.
+    Hit unseen = session.history().hits().front();
+    unseen.point = {0.0f, 2.5f, 0.0f};
+    QVERIFY(session.addHit(unseen).ok());
+    QVERIFY(window.exportTo(saved).ok());
+    const Result<ImportedMesh> last = importMesh(saved);
+    QVERIFY(last.ok());
+    QVERIFY(last.value().mesh.positions != shown);
 }
 
 void MainWindowTest::undoAndRedoByKey() {
