@@ -21,7 +21,6 @@
 #include "io/import.h"
 #include "io/save_image.h"
 #include "models/focus_target.h"
-#include "models/quantity_text.h"
 #include "session/export_target.h"
 #include "viewport/viewport.h"
 
@@ -128,8 +127,8 @@ void MainWindow::saidOpened(const QString& path, const QStringList& notes) {
     const float extent = std::max({size.x, size.y, size.z});
     if (extent > 0.0f && (extent < kSmallestExtent || extent > kLargestExtent)) {
         lines.prepend(tr("This mesh is %1 m across; hits reach %2 m around where they land.")
-                          .arg(quantityText(static_cast<double>(extent)),
-                               quantityText(static_cast<double>(m_session.constants().maxDistance))));
+                          .arg(static_cast<double>(extent), 0, 'g', 3)
+                          .arg(static_cast<double>(m_session.constants().maxDistance), 0, 'g', 3));
         m_notice->say(lines.join(u'\n'), tr("Scale to %1 m").arg(kUsualExtent),
                       [this] { placeMesh(kUsualExtent); });
     } else if (!lines.isEmpty()) {

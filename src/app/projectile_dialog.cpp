@@ -14,6 +14,10 @@ ProjectileDialog::ProjectileDialog(Session& session, QWidget* parent)
         connect(box, &QDoubleSpinBox::valueChanged, this, &ProjectileDialog::apply);
     }
     connect(m_ui->bounces, &QCheckBox::toggled, this, &ProjectileDialog::apply);
+    for (QAbstractButton* button : m_ui->buttons->buttons()) {
+        // Enter ends the editing of a number and presses nothing.
+        qobject_cast<QPushButton*>(button)->setAutoDefault(false);
+    }
     connect(m_ui->buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     connect(m_ui->buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
             [this] { m_session.setProjectileSettings(ProjectileSettings{}); });
