@@ -20,7 +20,7 @@ using namespace physics;
 
 namespace {
 
-const glm::vec3 kGravity(0.0f, -9.81f, 0.0f);  // m/s^2
+const glm::vec3 kFall(0.0f, -PhysicsWorld::kGravity, 0.0f);  // m/s^2
 constexpr float kStepSeconds = static_cast<float>(PhysicsWorld::kStep);
 constexpr float kRestitution = 0.6f;
 constexpr float kFriction = 0.6f;
@@ -129,7 +129,7 @@ struct PhysicsWorld::Private {
 };
 
 PhysicsWorld::Private::Private() {
-    world.setGravity(toBullet(kGravity));
+    world.setGravity(toBullet(kFall));
 }
 
 PhysicsWorld::Private::~Private() {
@@ -180,7 +180,7 @@ void PhysicsWorld::Private::approach(Flight& flight) {
     if (!body.isActive()) {
         return;
     }
-    flight.velocity += kGravity * kStepSeconds;
+    flight.velocity += kFall * kStepSeconds;
     const glm::vec3 motion = flight.velocity * kStepSeconds;
     const glm::vec3 start = fromBullet(body.getWorldTransform().getOrigin());
     if (glm::length(motion) < 1.0e-6f) {

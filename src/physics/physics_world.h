@@ -118,7 +118,8 @@ public:
     [[nodiscard]] std::optional<RayHit> castRay(const glm::vec3& origin, const glm::vec3& direction,
                                                 float length) const;
 
-    static constexpr double kStep = 1.0 / 240.0;
+    static constexpr double kStep = 1.0 / 240.0;  ///< seconds
+    static constexpr float kGravity = 9.81f;      ///< m/s^2, downwards along y
     static constexpr int kMaxSteps = 60;
 
 private:

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "physics/physics_world.h"
+
 namespace hitscope {
 
 namespace {
 
-constexpr double kGravity = 9.81;  // m/s^2, downwards along y, as in the physics world
+constexpr double kGravity = PhysicsWorld::kGravity;
 constexpr double kSteep = 1.0e-3;  // metres aside: nothing to allow for when shooting straight up or down
 
 }  // namespace
