@@ -55,23 +55,11 @@ Agreement compare(const Meshes& a, const Meshes& b) {
 Meshes referenceMeshes(const Session& session) {
     Meshes meshes;
     for (const std::unique_ptr<Target>& target : session.targets()) {
-        std::vector<Hit> hits;
-        for (const Hit& hit : session.history().hits()) {
-            if (hit.target == target->id) {
-                hits.push_back(hit);
-            }
-        }
         ReferenceDeformation reference(target->deformed.render());
-        reference.apply(hits);
+        reference.apply(session.history().hitsOn(target->id));
         meshes.emplace_back(reference.vertices().begin(), reference.vertices().end());
     }
     return meshes;
-}
-
-std::size_t hitsOn(const Session& session, TargetId target) {
-    const std::span<const Hit> hits = session.history().hits();
-    return static_cast<std::size_t>(
-        std::count_if(hits.begin(), hits.end(), [target](const Hit& hit) { return hit.target == target; }));
 }
 
 const Target& mostChangedTarget(const Session& session) {
@@ -128,7 +116,7 @@ void printTable(QTextStream& out, const Session& session) {
         const DisplacementStatistics statistics = target->deformed.statistics();
         out << target->name.leftJustified(nameWidth, QLatin1Char(' '), true)
             << QString::number(target->deformed.original().vertexCount()).rightJustified(10)
-            << QString::number(hitsOn(session, target->id)).rightJustified(6)
+            << QString::number(session.history().hitsOn(target->id).size()).rightJustified(6)
             << QString::number(statistics.changedVertices).rightJustified(10)
             << QStringLiteral("%1 m\n").arg(statistics.maximum, 20, 'f', 3);
     }

@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deform/hit_history.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace hitscope {
+
+std::vector<Hit> HitHistory::hitsOn(TargetId target) const {
+    std::vector<Hit> hits;
+    std::copy_if(m_hits.begin(), m_hits.end(), std::back_inserter(hits),
+                 [target](const Hit& hit) { return hit.target == target; });
+    return hits;
+}
 
 void HitHistory::append(const Hit& hit) {
     m_hits.push_back(hit);

@@ -17,6 +17,8 @@ class HitHistory {
 public:
     [[nodiscard]] std::span<const Hit> hits() const { return m_hits; }
     [[nodiscard]] std::size_t size() const { return m_hits.size(); }
+    /// The hits on one target, in order.
+    [[nodiscard]] std::vector<Hit> hitsOn(TargetId target) const;
     [[nodiscard]] std::uint64_t revision() const { return m_revision; }
 
     void append(const Hit& hit);                                    ///< `hit` has passed checkedHit()

@@ -20,14 +20,8 @@ namespace {
 std::size_t differences(const Session& session) {
     std::size_t count = 0;
     for (const std::unique_ptr<Target>& target : session.targets()) {
-        std::vector<Hit> hits;
-        for (const Hit& hit : session.history().hits()) {
-            if (hit.target == target->id) {
-                hits.push_back(hit);
-            }
-        }
         ReferenceDeformation reference(target->deformed.render());
-        reference.apply(hits);
+        reference.apply(session.history().hitsOn(target->id));
         for (std::size_t i = 0; i < reference.vertices().size(); ++i) {
             const DynamicVertex& is = target->deformed.vertices()[i];
             const DynamicVertex& should = reference.vertices()[i];
