@@ -71,7 +71,7 @@ public:
         std::string_view rest = *content;
         for (std::size_t line = 1; !rest.empty(); ++line) {
             const std::size_t end = std::min(rest.find('\n'), rest.size());
-            const Status added = addLine(rest.substr(0, end), number, line);
+            Status added = addLine(rest.substr(0, end), number, line);
             if (!added) {
                 return added;
             }
@@ -98,7 +98,7 @@ private:
             return Done{};
         }
         if (std::find(source.files.begin(), source.files.end(), *include) == source.files.end()) {
-            const Status added = add(*include, source.files[file] + ":" + std::to_string(line));
+            Status added = add(*include, source.files[file] + ":" + std::to_string(line));
             if (!added) {
                 return added;
             }

@@ -14,6 +14,8 @@ namespace hitscope {
 namespace {
 
 bool sameBits(const glm::vec3& a, const glm::vec3& b) {
+    // The bits are meant: -0 and 0 are written differently.
+    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
     return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
