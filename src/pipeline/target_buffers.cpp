@@ -16,7 +16,7 @@ gl::Buffer makeBuffer(std::span<const T> content, GLenum usage) {
 }
 
 const void* bufferOffset(std::size_t bytes) {
-    return reinterpret_cast<const void*>(bytes);
+    return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): GL's way to say it
 }
 
 /// Makes `attribute` of the bound vertex array read `components` floats at `offset` of each `stride` bytes.

@@ -142,7 +142,9 @@ void TransformFeedbackPipeline::flush(TargetState& target, std::vector<CaptureRu
 }
 
 void TransformFeedbackPipeline::readBack(const ReadBackSink& sink) {
-    for (auto& [id, target] : m_targets) {
+    for (auto& entry : m_targets) {  // clang 14 cannot capture structured bindings
+        const TargetId id = entry.first;
+        TargetState& target = entry.second;
         if (target.unread.empty()) {
             continue;
         }

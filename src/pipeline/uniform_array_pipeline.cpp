@@ -139,7 +139,9 @@ void UniformArrayPipeline::fillArrays() {
 
 void UniformArrayPipeline::readBack(const ReadBackSink& sink) {
     std::vector<DynamicVertex> vertices;
-    for (auto& [id, target] : m_targets) {
+    for (auto& entry : m_targets) {  // clang 14 cannot capture structured bindings
+        const TargetId id = entry.first;
+        TargetState& target = entry.second;
         if (target.unread.empty()) {
             continue;
         }

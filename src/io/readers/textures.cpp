@@ -39,7 +39,7 @@ Image toImage(const QImage& decoded) {
 
 /// Files from other machines name "C:\textures\wood.png": the same name beside the mesh is meant.
 QString findTexture(const QString& folder, const QString& name) {
-    const QString direct = resolveInside(folder, name);
+    QString direct = resolveInside(folder, name);
     if (!direct.isEmpty()) {
         return direct;
     }
