@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/readers/assimp_files.h"
 
+#include <assimp/IOSystem.hpp>
+#include <utility>
+
 #include <assimp/MemoryIOWrapper.h>
 
 #include <QFile>
@@ -9,6 +12,26 @@
 #include "io/file_scope.h"
 
 namespace hitscope {
+namespace {
+
+class FolderFiles : public Assimp::IOSystem {
+public:
+    explicit FolderFiles(QString folder) : m_folder(std::move(folder)) {}
+
+    bool Exists(const char* name) const override;
+    [[nodiscard]] char getOsSeparator() const override { return '/'; }
+    Assimp::IOStream* Open(const char* name, const char* mode) override;
+    void Close(Assimp::IOStream* stream) override;
+
+private:
+    QString m_folder;
+};
+
+}  // namespace
+
+std::unique_ptr<Assimp::IOSystem> makeFolderFiles(const QString& folder) {
+    return std::make_unique<FolderFiles>(folder);
+}
 
 bool FolderFiles::Exists(const char* name) const {
     return !resolveInside(m_folder, QString::fromUtf8(name)).isEmpty();

@@ -5,6 +5,7 @@
 
 #include <QFileInfo>
 #include <algorithm>
+#include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>
 #include <glm/mat3x3.hpp>
@@ -219,7 +220,7 @@ void noteWhatIsLeftOut(const aiScene& scene, ImportedMesh& imported) {
 Result<ImportedMesh> readWithAssimp(const QString& path, const ProgressSink& progress) {
     const QFileInfo info(path);
     Assimp::Importer importer;
-    importer.SetIOHandler(new FolderFiles(info.absolutePath()));
+    importer.SetIOHandler(makeFolderFiles(info.absolutePath()).release());  // the importer deletes it
     importer.SetProgressHandler(new Progress(progress));
     const aiScene* const scene = importer.ReadFile(info.absoluteFilePath().toUtf8().constData(), 0);
     if (!scene || !scene->mRootNode) {
