@@ -20,6 +20,9 @@ struct Hit {
     double time = 0.0;                       ///< seconds of simulated time
     float speed = 0.0f;                      ///< m/s, of the projectile just before impact
     float impulse = 0.0f;                    ///< newton seconds, as Bullet applied it
+    bool enabled = true;                     ///< off: it stays in the history and deforms nothing
+
+    bool operator==(const Hit&) const = default;
 };
 
 /// A hit with its direction made unit length; an error for a non-finite number, a zero direction or constants

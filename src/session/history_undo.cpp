@@ -1,69 +1,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/history_undo.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace hitscope {
 
-void HistoryUndo::recordAppend(std::size_t count) {
-    m_redo.clear();
-    Step step;
-    step.appended = count;
-    m_undo.push_back(std::move(step));
+namespace {
+
+/// Makes `earlier` do what it and then `later` do, where both replace the same hits; dragging a slider makes
+/// hundreds of such.
+bool absorb(HistoryEdit& earlier, HistoryEdit& later) {
+    if (earlier.first != later.first || earlier.after.size() != later.before.size()) {
+        return false;
+    }
+    earlier.after = std::move(later.after);
+    return true;
 }
 
-void HistoryUndo::recordChange(const HitHistory& history, const DeformationConstants& constants,
-                               Merge merge) {
-    m_redo.clear();
-    if (merge == Merge::WithSameKind && canUndo() && m_undo.back().merge == merge) {
+}  // namespace
+
+void HistoryUndo::record(Change change) {
+    std::erase_if(change.edits,
+                  [](const HistoryEdit& edit) { return edit.before.empty() && edit.after.empty(); });
+    if (change.edits.empty()) {
         return;
     }
-    Step step;
-    step.hits.assign(history.hits().begin(), history.hits().end());
-    step.constants = constants;
-    step.merge = merge;
-    m_undo.push_back(std::move(step));
+    m_redo.clear();
+    if (change.merge == Merge::WithSameKind && canUndo() && m_undo.back().merge == change.merge) {
+        Change& last = m_undo.back();
+        for (HistoryEdit& edit : change.edits) {
+            if (!absorb(last.edits.back(), edit)) {
+                last.edits.push_back(std::move(edit));
+            }
+        }
+        last.constantsAfter = change.constantsAfter;
+        return;
+    }
+    m_undo.push_back(std::move(change));
 }
 
-void HistoryUndo::swapWhole(Step& step, HitHistory& history, DeformationConstants& constants) {
-    std::vector<Hit> now(history.hits().begin(), history.hits().end());
-    history.assign(std::exchange(step.hits, std::move(now)));
-    std::swap(step.constants, constants);
-    // Undone and made again, it is finished: a later change is a step of its own.
-    step.merge = Merge::Never;
-}
-
-DeformationConstants HistoryUndo::undo(HitHistory& history, const DeformationConstants& constants) {
-    Step step = std::move(m_undo.back());
+DeformationConstants HistoryUndo::undo(HitHistory& history) {
+    Change change = std::move(m_undo.back());
     m_undo.pop_back();
-    DeformationConstants restored = constants;
-    if (step.appended > 0) {
-        const std::span<const Hit> last = history.hits().last(step.appended);
-        step.hits.assign(last.begin(), last.end());
-        for (std::size_t i = 0; i < step.appended; ++i) {
-            history.removeLast();
-        }
-    } else {
-        swapWhole(step, history, restored);
-    }
-    m_redo.push_back(std::move(step));
-    return restored;
+    std::for_each(change.edits.rbegin(), change.edits.rend(),
+                  [&history](const HistoryEdit& edit) { history.undo(edit); });
+    // Undone and made again, it is finished: a later change is a step of its own.
+    change.merge = Merge::Never;
+    const DeformationConstants constants = change.constantsBefore;
+    m_redo.push_back(std::move(change));
+    return constants;
 }
 
-DeformationConstants HistoryUndo::redo(HitHistory& history, const DeformationConstants& constants) {
-    Step step = std::move(m_redo.back());
+DeformationConstants HistoryUndo::redo(HitHistory& history) {
+    Change change = std::move(m_redo.back());
     m_redo.pop_back();
-    DeformationConstants restored = constants;
-    if (step.appended > 0) {
-        for (const Hit& hit : step.hits) {
-            history.append(hit);
-        }
-        step.hits.clear();
-    } else {
-        swapWhole(step, history, restored);
+    for (const HistoryEdit& edit : change.edits) {
+        history.redo(edit);
     }
-    m_undo.push_back(std::move(step));
-    return restored;
+    const DeformationConstants constants = change.constantsAfter;
+    m_undo.push_back(std::move(change));
+    return constants;
 }
 
 void HistoryUndo::clear() {

@@ -8,42 +8,36 @@
 
 namespace hitscope {
 
-/// Steps back and forward through the changes of a hit history. Hits that were made cost a step only their
-/// number; any other change keeps the history as it was before.
+/// Steps back and forward through the changes of a hit history, and of the deformation constants in force. A
+/// step costs what changed, not what there is.
 class HistoryUndo {
 public:
     [[nodiscard]] bool canUndo() const { return !m_undo.empty(); }
     [[nodiscard]] bool canRedo() const { return !m_redo.empty(); }
-
-    /// `count` hits were appended.
-    void recordAppend(std::size_t count);
 
     enum class Merge : std::uint8_t {
         Never,
         WithSameKind  ///< with the last step, if that was recorded with WithSameKind too and nothing came
                       ///< between
     };
-    /// `history` is about to change in another way; `constants` are those in force.
-    void recordChange(const HitHistory& history, const DeformationConstants& constants,
-                      Merge merge = Merge::Never);
+    /// What one action of a person changed. A change of the history: without one nothing is recorded.
+    struct Change {
+        std::vector<HistoryEdit> edits;  ///< in the order made
+        DeformationConstants constantsBefore;
+        DeformationConstants constantsAfter;
+        Merge merge = Merge::Never;
+    };
+    void record(Change change);
 
     /// Takes the last change back; returns the constants that were in force then. canUndo().
-    DeformationConstants undo(HitHistory& history, const DeformationConstants& constants);
-    /// Makes the last change taken back again; canRedo().
-    DeformationConstants redo(HitHistory& history, const DeformationConstants& constants);
+    DeformationConstants undo(HitHistory& history);
+    /// Makes the last change taken back again; returns the constants then in force. canRedo().
+    DeformationConstants redo(HitHistory& history);
     void clear();
 
 private:
-    struct Step {
-        std::size_t appended = 0;  ///< > 0: this many hits were appended
-        std::vector<Hit> hits;     ///< the appended hits while undone; else all hits on the step's other side
-        DeformationConstants constants;
-        Merge merge = Merge::Never;
-    };
-    static void swapWhole(Step& step, HitHistory& history, DeformationConstants& constants);
-
-    std::vector<Step> m_undo;
-    std::vector<Step> m_redo;
+    std::vector<Change> m_undo;
+    std::vector<Change> m_redo;
 };
 
 }  // namespace hitscope

@@ -50,7 +50,6 @@ struct SceneGpu::Private {
     std::unordered_map<TargetId, GpuTarget> targets;
     std::unique_ptr<DeformationPipeline> pipeline;  // below the buffers it is given, so that it goes first
     std::unordered_map<const MeshData*, std::weak_ptr<const MaterialSet>> materials;
-    std::size_t appliedHits = 0;
     std::uint64_t appliedRevision = 0;
 
     void followTargets();
@@ -130,13 +129,16 @@ Status SceneGpu::Private::followPipeline(bool& startOver) {
 
 void SceneGpu::Private::followHistory(bool startOver) {
     const HitHistory& history = session.history();
-    if (startOver || history.revision() != appliedRevision || history.size() < appliedHits) {
+    const auto edits = history.editsSince(appliedRevision);
+    const auto isAppend = [](const HistoryEdit& edit) { return edit.before.empty(); };
+    if (startOver || !edits || !std::all_of(edits->begin(), edits->end(), isAppend)) {
         pipeline->reset(history.hits());
-    } else if (history.size() > appliedHits) {
-        pipeline->append(history.hits().subspan(appliedHits));
+    } else {
+        for (const HistoryEdit& edit : *edits) {
+            pipeline->append(edit.after);
+        }
     }
     appliedRevision = history.revision();
-    appliedHits = history.size();
 }
 
 void SceneGpu::Private::readBack() {

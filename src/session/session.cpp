@@ -154,13 +154,15 @@ void Session::appendHits(std::span<const Hit> hits) {
     }
     const int first = static_cast<int>(m_history.size());
     Q_EMIT hitsAboutToBeAppended(first, first + static_cast<int>(hits.size()) - 1);
-    for (const Hit& hit : hits) {
-        m_history.append(hit);
-    }
-    m_undo.recordAppend(hits.size());
+    recordUndo({m_history.append(hits)});
     Q_EMIT hitsAppended();
     selectTarget(hits.back().target);
     Q_EMIT pictureChanged();
+}
+
+/// The constants in force stay as they are.
+void Session::recordUndo(std::vector<HistoryEdit> edits) {
+    m_undo.record({std::move(edits), m_constants, m_constants, HistoryUndo::Merge::Never});
 }
 
 void Session::announceHistoryReset() {
@@ -174,14 +176,14 @@ void Session::announceHistoryReset() {
 
 void Session::undoHit() {
     if (canUndo()) {
-        takeConstants(m_undo.undo(m_history, m_constants));
+        takeConstants(m_undo.undo(m_history));
         announceHistoryReset();
     }
 }
 
 void Session::redoHit() {
     if (canRedo()) {
-        takeConstants(m_undo.redo(m_history, m_constants));
+        takeConstants(m_undo.redo(m_history));
         announceHistoryReset();
     }
 }
@@ -190,16 +192,14 @@ void Session::removeHit(std::size_t index) {
     if (index >= m_history.size()) {
         return;
     }
-    m_undo.recordChange(m_history, m_constants);
-    m_history.remove(index);
+    recordUndo({m_history.remove(index)});
     selectHit(std::nullopt);
     announceHistoryReset();
 }
 
 void Session::clearHits() {
     if (m_history.size() > 0) {
-        m_undo.recordChange(m_history, m_constants);
-        m_history.clear();
+        recordUndo({m_history.clear()});
         announceHistoryReset();
     }
 }
@@ -222,13 +222,12 @@ Status Session::setConstants(const DeformationConstants& constants, bool past) {
         return Error{"A deformation constant is out of its range.", "",
                      "Keep to the ranges the panel shows."};
     }
-    const auto differs = [&constants](const Hit& hit) { return hit.constants != constants; };
-    const bool changesHistory =
-        past && std::any_of(m_history.hits().begin(), m_history.hits().end(), differs);
-    if (changesHistory) {
+    bool changesHistory = false;
+    if (past) {
+        HistoryEdit edit = m_history.setConstantsOfAll(constants);
+        changesHistory = !edit.after.empty();
         // Dragging a slider is one change, not hundreds.
-        m_undo.recordChange(m_history, m_constants, HistoryUndo::Merge::WithSameKind);
-        m_history.setConstantsOfAll(constants);
+        m_undo.record({{std::move(edit)}, m_constants, constants, HistoryUndo::Merge::WithSameKind});
     }
     takeConstants(constants);
     if (changesHistory) {

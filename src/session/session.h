@@ -113,6 +113,7 @@ private:
     void announceScene(const QString& name);
     Target& addTarget(const TargetPlan& plan);
     void appendHits(std::span<const Hit> hits);
+    void recordUndo(std::vector<HistoryEdit> edits);
     void announceHistoryReset();
     void takeConstants(const DeformationConstants& constants);
 

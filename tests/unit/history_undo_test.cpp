@@ -31,30 +31,26 @@ private Q_SLOTS:
     void undoesAndRedoesEveryKindOfChangeInOrder() {
         HitHistory history;
         HistoryUndo undo;
-        DeformationConstants constants;
-        const auto append = [&](float x) {
-            history.append(hitAt(x));
-            undo.recordAppend(1);
-        };
-        append(1);
-        append(2);
-        append(3);
-        undo.recordChange(history, constants);
-        history.remove(1);
-        append(4);
-        undo.recordChange(history, constants);
-        history.clear();
+        const auto record = [&](std::vector<HistoryEdit> edits) { undo.record({std::move(edits), {}, {}}); };
+        record({history.append(hitAt(1))});
+        record({history.append(hitAt(2))});
+        record({history.append(hitAt(3))});
+        record({history.remove(1)});
+        record({history.append(hitAt(4))});
+        record(history.move(2, 0));
+        record({history.clear()});
 
-        const std::vector<std::vector<float>> states = {{}, {1}, {1, 2}, {1, 2, 3}, {1, 3}, {1, 3, 4}, {}};
+        const std::vector<std::vector<float>> states = {{},     {1},       {1, 2},    {1, 2, 3},
+                                                        {1, 3}, {1, 3, 4}, {4, 1, 3}, {}};
         for (std::size_t i = states.size() - 1; i-- > 0;) {
             QVERIFY(undo.canUndo());
-            constants = undo.undo(history, constants);
+            undo.undo(history);
             QCOMPARE(places(history), states[i]);
         }
         QVERIFY(!undo.canUndo());
         for (std::size_t i = 1; i < states.size(); ++i) {
             QVERIFY(undo.canRedo());
-            constants = undo.redo(history, constants);
+            undo.redo(history);
             QCOMPARE(places(history), states[i]);
         }
         QVERIFY(!undo.canRedo());
@@ -63,13 +59,18 @@ private Q_SLOTS:
     void newChangeEndsRedo() {
         HitHistory history;
         HistoryUndo undo;
-        history.append(hitAt(1));
-        undo.recordAppend(1);
-        undo.undo(history, {});
+        undo.record({{history.append(hitAt(1))}, {}, {}});
+        undo.undo(history);
         QVERIFY(undo.canRedo());
-        history.append(hitAt(2));
-        undo.recordAppend(1);
+        undo.record({{history.append(hitAt(2))}, {}, {}});
         QVERIFY(!undo.canRedo());
+    }
+
+    void whatChangesNothingIsNoStep() {
+        HitHistory history;
+        HistoryUndo undo;
+        undo.record({{history.clear()}, {}, {}});
+        QVERIFY(!undo.canUndo());
     }
 
     void draggingConstantsIsOneStep() {
@@ -77,28 +78,31 @@ private Q_SLOTS:
         HistoryUndo undo;
         const DeformationConstants before;
         DeformationConstants constants = before;
-        history.append(hitAt(1));
-        undo.recordAppend(1);
+        undo.record({{history.append(hitAt(1))}, before, before});
+        undo.record({{history.append(hitAt(2))}, before, before});
         for (const float power : {0.06f, 0.07f, 0.08f}) {
-            undo.recordChange(history, constants, HistoryUndo::Merge::WithSameKind);
-            constants.power = power;
-            history.setConstantsOfAll(constants);
+            DeformationConstants next = constants;
+            next.power = power;
+            undo.record(
+                {{history.setConstantsOfAll(next)}, constants, next, HistoryUndo::Merge::WithSameKind});
+            constants = next;
         }
-        constants = undo.undo(history, constants);
-        QCOMPARE(constants.power, before.power);
-        QCOMPARE(history.hits()[0].constants.power, before.power);
-        constants = undo.redo(history, constants);
-        QCOMPARE(constants.power, 0.08f);
-        QCOMPARE(history.hits()[0].constants.power, 0.08f);
+        QCOMPARE(undo.undo(history).power, before.power);
+        for (const Hit& hit : history.hits()) {
+            QCOMPARE(hit.constants.power, before.power);
+        }
+        QCOMPARE(undo.redo(history).power, 0.08f);
+        for (const Hit& hit : history.hits()) {
+            QCOMPARE(hit.constants.power, 0.08f);
+        }
     }
 
     void undoBringsEveryRevisionForward() {
         HitHistory history;
         HistoryUndo undo;
-        history.append(hitAt(1));
-        undo.recordAppend(1);
+        undo.record({{history.append(hitAt(1))}, {}, {}});
         const std::uint64_t revision = history.revision();
-        undo.undo(history, {});
+        undo.undo(history);
         QVERIFY(history.revision() > revision);
     }
 };
