@@ -4,26 +4,14 @@
 #include <QTextStream>
 #include <limits>
 
+#include "cli/bench/bench_command.h"
+#include "cli/command_line.h"
 #include "cli/commands.h"
 
 namespace {
 
-constexpr int kFailed = 1;
-constexpr int kWrongUsage = 2;
-
-int wrongUsage(const QString& text) {
-    QTextStream(stderr) << "hitscope-cli: " << text << "\n"
-                        << "Run hitscope-cli --help for what it can do.\n";
-    return kWrongUsage;
-}
-
-int finish(const hitscope::Status& status) {
-    if (!status) {
-        QTextStream(stderr) << "hitscope-cli: " << QString::fromStdString(status.error().message()) << "\n";
-        return kFailed;
-    }
-    return 0;
-}
+using hitscope::cli::finish;
+using hitscope::cli::wrongUsage;
 
 int demo(const QStringList& arguments) {
     QCommandLineParser parser;
@@ -90,7 +78,8 @@ int printUsage() {
         << "Commands:\n"
         << "  demo   shoot at the paper's scene or a mesh, compare the pipelines, write pictures\n"
         << "         and the deformed mesh\n"
-        << "  info   print what is in a mesh file\n\n"
+        << "  info   print what is in a mesh file\n"
+        << "  bench  measure the pipelines: frames, hits, the paper's tables\n\n"
         << "Options:\n"
         << "  --help     this text; hitscope-cli COMMAND --help for a command's options\n"
         << "  --version  the version\n";
@@ -123,6 +112,9 @@ int main(int argc, char** argv) {
     }
     if (command == QLatin1String("info")) {
         return info(arguments);
+    }
+    if (command == QLatin1String("bench")) {
+        return hitscope::bench::benchCommand(arguments);
     }
     return wrongUsage(QStringLiteral("there is no command \"%1\".").arg(command));
 }
