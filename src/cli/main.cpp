@@ -56,9 +56,14 @@ int demo(const QStringList& arguments) {
 
 int info(const QStringList& arguments) {
     QCommandLineParser parser;
-    parser.setApplicationDescription(QStringLiteral("Prints what is in a mesh file."));
+    parser.setApplicationDescription(QStringLiteral("Prints what is in a mesh file, or what draws."));
     parser.addHelpOption();
-    parser.addPositionalArgument(QStringLiteral("mesh"), QStringLiteral("Mesh file."));
+    const QCommandLineOption renderer(
+        QStringLiteral("renderer"),
+        QStringLiteral("Print what draws, and whether it deforms as the reference does in every bit."));
+    parser.addOption(renderer);
+    parser.addPositionalArgument(QStringLiteral("mesh"), QStringLiteral("Mesh file."),
+                                 QStringLiteral("[mesh]"));
     if (!parser.parse(arguments)) {
         return wrongUsage(parser.errorText() + QLatin1Char('.'));
     }
@@ -66,8 +71,11 @@ int info(const QStringList& arguments) {
         QTextStream(stdout) << parser.helpText();
         return 0;
     }
-    if (parser.positionalArguments().size() != 1) {
-        return wrongUsage(QStringLiteral("info takes one mesh file."));
+    if (parser.positionalArguments().size() != (parser.isSet(renderer) ? 0 : 1)) {
+        return wrongUsage(QStringLiteral("info takes one mesh file, or --renderer alone."));
+    }
+    if (parser.isSet(renderer)) {
+        return finish(hitscope::cli::runRendererInfo());
     }
     return finish(hitscope::cli::runInfo(parser.positionalArguments().constFirst()));
 }
@@ -78,7 +86,7 @@ int printUsage() {
         << "Commands:\n"
         << "  demo   shoot at the paper's scene or a mesh, compare the pipelines, write pictures\n"
         << "         and the deformed mesh\n"
-        << "  info   print what is in a mesh file\n"
+        << "  info   print what is in a mesh file, or what draws (--renderer)\n"
         << "  bench  measure the pipelines: frames, hits, the paper's tables\n\n"
         << "Options:\n"
         << "  --help     this text; hitscope-cli COMMAND --help for a command's options\n"
