@@ -37,7 +37,7 @@ StatusLine::StatusLine(const Session& session, QStatusBar& bar, QObject* parent)
     connect(&session, &Session::targetSelected, this, &StatusLine::showTarget);
     connect(&session, &Session::hitsAppended, this, &StatusLine::showHits);
     connect(&session, &Session::historyReset, this, &StatusLine::showHits);
-    connect(&session, &Session::droppedHitsChanged, this, &StatusLine::showHits);
+    connect(&session, &Session::capacityChanged, this, &StatusLine::showHits);
     connect(&session, &Session::pipelineChanged, this, &StatusLine::showPipeline);
     showScene();
     showPipeline();
@@ -125,7 +125,7 @@ void StatusLine::showHits() {
     const std::size_t hits = m_session.history().size();
     QString text = hits == 1 ? tr("1 hit") : tr("%1 hits").arg(countText(hits));
     if (m_session.droppedHits() > 0) {
-        text += tr(" (oldest %1 dropped)").arg(countText(m_session.droppedHits()));
+        text += tr(", %1 dropped").arg(countText(m_session.droppedHits()));
     }
     m_hits->setText(text);
 }
@@ -138,5 +138,16 @@ void StatusLine::showPipeline() {
         }
     }
 }
+    if (m_session.disabledHits() > 0) {
+        text += tr(", %1 disabled").arg(countText(m_session.disabledHits()));
+    }
 
 }  // namespace hitscope
+    const CapacityReport& report = m_session.capacity();
+    QString tip = tr("Hits made so far");
+    if (report.capacity) {
+        tip += u'\n' + (report.perTarget ? tr("The pipeline keeps the last %1 on each target.")
+                                         : tr("The pipeline keeps the last %1 of the scene."))
+                           .arg(countText(*report.capacity));
+    }
+    m_hits->setToolTip(tip);

@@ -35,6 +35,20 @@ void writeShadingNormals(TargetBuffers& buffers, std::span<const std::uint32_t> 
     }
 }
 
+/// The oldest enabled hits are those dropped.
+CapacityReport capacityOf(const DeformationPipeline& pipeline, const Session& session) {
+    CapacityReport report;
+    report.capacity = pipeline.capacity();
+    const std::span<const Hit> hits = session.history().hits();
+    for (std::size_t i = 0; i < hits.size() && report.dropped.size() < pipeline.droppedHits(); ++i) {
+        if (hits[i].enabled) {
+            report.dropped.push_back(i);
+        }
+    }
+    report.used = hits.size() - session.disabledHits() - report.dropped.size();
+    return report;
+}
+
 }  // namespace
 
 struct SceneGpu::Private {
@@ -152,7 +166,7 @@ void SceneGpu::Private::readBack() {
                                 target->trueNormals.normals());
         }
     }
-    session.setDroppedHits(pipeline->droppedHits());
+    session.setCapacity(capacityOf(*pipeline, session));
 }
 
 Status SceneGpu::sync() {

@@ -69,11 +69,4 @@ std::vector<Session::ChangedNormals> Session::finishReadBack() {
     return changes;
 }
 
-void Session::setDroppedHits(std::size_t count) {
-    if (count != m_droppedHits) {
-        m_droppedHits = count;
-        Q_EMIT droppedHitsChanged();
-    }
-}
-
 }  // namespace hitscope
