@@ -26,12 +26,11 @@ StatusLine::StatusLine(const Session& session, QStatusBar& bar, QObject* parent)
     : QObject(parent), m_session(session), m_bar(bar) {
     makeProgress();
     m_pipeline = addCell(tr("Pipeline that applies the hits"));
-    m_renderer = addCell(tr("What draws"));
+    m_renderer = addCell({});
     m_target = addCell(tr("Target in focus"));
     m_vertices = addCell(tr("Vertices of all targets"));
     m_hits = addCell(tr("Hits made so far"));
     m_frameRate = addCell(tr("Frames drawn in the last second"));
-    m_renderer->hide();
     setFrameRate(0.0);
     connect(&session, &Session::sceneReplaced, this, &StatusLine::showScene);
     connect(&session, &Session::targetSelected, this, &StatusLine::showTarget);
@@ -39,8 +38,10 @@ StatusLine::StatusLine(const Session& session, QStatusBar& bar, QObject* parent)
     connect(&session, &Session::historyReset, this, &StatusLine::showHits);
     connect(&session, &Session::capacityChanged, this, &StatusLine::showHits);
     connect(&session, &Session::pipelineChanged, this, &StatusLine::showPipeline);
+    connect(&session, &Session::exactnessChanged, this, &StatusLine::showRenderer);
     showScene();
     showPipeline();
+    showRenderer();
 }
 
 QLabel* StatusLine::addCell(const QString& toolTip) {
@@ -97,8 +98,21 @@ void StatusLine::endProgress() {
 }
 
 void StatusLine::setRenderer(const QString& name) {
-    m_renderer->setText(name);
-    m_renderer->setVisible(!name.isEmpty());
+    m_rendererName = name;
+    showRenderer();
+}
+
+void StatusLine::showRenderer() {
+    const std::optional<Exactness>& exactness = m_session.exactness();
+    QString text = m_rendererName;
+    QString toolTip = tr("What draws");
+    if (exactness) {
+        text += exactness->exact ? tr(", bit-exact") : tr(", not bit-exact");
+        toolTip += QStringLiteral("\n") + QString::fromStdString(describe(*exactness));
+    }
+    m_renderer->setText(text);
+    m_renderer->setToolTip(toolTip);
+    m_renderer->setVisible(!m_rendererName.isEmpty());
 }
 
 void StatusLine::setFrameRate(double framesPerSecond) {

@@ -19,6 +19,8 @@ struct Exactness {
     std::size_t different = 0;  ///< of these, in any bit of position or normal
     float largest = 0.0f;       ///< metres between a position and the reference's; infinite for a NaN
 
+    bool operator==(const Exactness&) const = default;
+
     /// For every program that includes deform.glsl, as gl::Defines: the variant that was measured.
     [[nodiscard]] std::vector<std::pair<std::string, std::string>> defines() const;
 };

@@ -82,6 +82,11 @@ Result<std::unique_ptr<SceneGpu>> SceneGpu::create(Session& session) {
     if (!renderer) {
         return renderer.error();
     }
+    const Result<Exactness> exactness = measureExactness();
+    if (!exactness) {
+        return exactness.error();
+    }
+    session.setExactness(exactness.value());
     std::unique_ptr<SceneGpu> scene(new SceneGpu(session));
     scene->d->renderer = std::move(renderer).value();
     return scene;

@@ -12,6 +12,7 @@
 #include "core/result.h"
 #include "deform/hit_history.h"
 #include "physics/physics_world.h"
+#include "pipeline/exactness.h"
 #include "pipeline/pipeline_kind.h"
 #include "render/camera.h"
 #include "render/lights.h"
@@ -92,6 +93,9 @@ public:
     [[nodiscard]] const PhysicsWorld& physics() const { return m_physics; }
 
     // What SceneGpu reports back
+    void setExactness(const Exactness& exactness);
+    /// Of the renderer that draws; nothing before there is one.
+    [[nodiscard]] const std::optional<Exactness>& exactness() const { return m_exactness; }
     /// The pipeline starts over: every target's CPU copy goes back to its original until it is read back.
     void restartReadBack();
     /// What the active pipeline made of a target: vertices [first, first + vertices.size()).
@@ -123,6 +127,7 @@ Q_SIGNALS:
     void lightsChanged();
     void projectileSettingsChanged();
     void pipelineChanged();
+    void exactnessChanged();
     void targetSelected(hitscope::TargetId target);
     void hitSelected();
     void capacityChanged();
@@ -155,6 +160,7 @@ private:
     Lights m_lights;
     ProjectileSettings m_projectileSettings;
     PipelineKind m_pipeline = PipelineKind::TransformFeedback;
+    std::optional<Exactness> m_exactness;
     PhysicsWorld m_physics;
     std::size_t m_disabledHits = 0;
     CapacityReport m_capacity;

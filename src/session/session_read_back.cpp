@@ -46,6 +46,13 @@ void Session::takeReadBack(TargetId id, std::uint32_t first, std::span<const Dyn
     target->deformed.write(first, vertices);
 }
 
+void Session::setExactness(const Exactness& exactness) {
+    if (exactness != m_exactness) {
+        m_exactness = exactness;
+        Q_EMIT exactnessChanged();
+    }
+}
+
 std::vector<Session::ChangedNormals> Session::finishReadBack() {
     std::vector<ChangedNormals> changes;
     for (auto& [id, moved] : m_moved) {
