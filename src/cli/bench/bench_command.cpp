@@ -16,9 +16,10 @@ struct Benchmark {
     int (*run)(const QStringList&);
 };
 
-constexpr std::array<Benchmark, 2> kBenchmarks{
+constexpr std::array<Benchmark, 3> kBenchmarks{
     {{"paper", "the paper's tables 1 and 2: frame rates of its nine scenes", paperCommand},
-     {"frame", "frame time against the number of hits", frameCommand}}};
+     {"frame", "frame time against the number of hits", frameCommand},
+     {"hit", "time a hit takes against the size of the mesh", hitCommand}}};
 
 int printUsage() {
     QTextStream out(stdout);

@@ -88,6 +88,7 @@ void PaperFeedback::capture(const Hit& hit) {
     glEndTransformFeedback();
     glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
     glBindVertexArray(0);
+    glUseProgram(0);  // left in use it would be gone behind the back of whoever puts it back later
     glDisable(GL_RASTERIZER_DISCARD);
 }
 
