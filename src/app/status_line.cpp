@@ -138,10 +138,21 @@ void StatusLine::showTarget() {
 void StatusLine::showHits() {
     const std::size_t hits = m_session.history().size();
     QString text = hits == 1 ? tr("1 hit") : tr("%1 hits").arg(countText(hits));
+    if (m_session.disabledHits() > 0) {
+        text += tr(", %1 disabled").arg(countText(m_session.disabledHits()));
+    }
     if (m_session.droppedHits() > 0) {
         text += tr(", %1 dropped").arg(countText(m_session.droppedHits()));
     }
     m_hits->setText(text);
+    const CapacityReport& report = m_session.capacity();
+    QString tip = tr("Hits made so far");
+    if (report.capacity) {
+        tip += u'\n' + (report.perTarget ? tr("The pipeline keeps the last %1 on each target.")
+                                         : tr("The pipeline keeps the last %1 of the scene."))
+                           .arg(countText(*report.capacity));
+    }
+    m_hits->setToolTip(tip);
 }
 
 void StatusLine::showPipeline() {
@@ -152,16 +163,5 @@ void StatusLine::showPipeline() {
         }
     }
 }
-    if (m_session.disabledHits() > 0) {
-        text += tr(", %1 disabled").arg(countText(m_session.disabledHits()));
-    }
 
 }  // namespace hitscope
-    const CapacityReport& report = m_session.capacity();
-    QString tip = tr("Hits made so far");
-    if (report.capacity) {
-        tip += u'\n' + (report.perTarget ? tr("The pipeline keeps the last %1 on each target.")
-                                         : tr("The pipeline keeps the last %1 of the scene."))
-                           .arg(countText(*report.capacity));
-    }
-    m_hits->setToolTip(tip);
