@@ -92,6 +92,9 @@ AppSettings loadAppSettings(const QSettings& settings) {
     display.floor = settings.value(QStringLiteral("display/floor"), display.floor).toBool();
     display.textures = settings.value(QStringLiteral("display/textures"), display.textures).toBool();
     display.crosshair = settings.value(QStringLiteral("display/crosshair"), display.crosshair).toBool();
+    if (settings.contains(QStringLiteral("exportNormals"))) {
+        values.exportNormals = readEnum(settings, QStringLiteral("exportNormals"), 2, NormalMode::True);
+    }
     values.recentFiles =
         settings.value(QStringLiteral("recentFiles")).toStringList().mid(0, AppSettings::kMostRecentFiles);
     values.folder = settings.value(QStringLiteral("folder")).toString();
@@ -111,6 +114,11 @@ void saveAppSettings(QSettings& settings, const AppSettings& values) {
     settings.setValue(QStringLiteral("display/floor"), display.floor);
     settings.setValue(QStringLiteral("display/textures"), display.textures);
     settings.setValue(QStringLiteral("display/crosshair"), display.crosshair);
+    if (values.exportNormals) {
+        settings.setValue(QStringLiteral("exportNormals"), static_cast<int>(*values.exportNormals));
+    } else {
+        settings.remove(QStringLiteral("exportNormals"));
+    }
     settings.setValue(QStringLiteral("recentFiles"), values.recentFiles);
     settings.setValue(QStringLiteral("folder"), values.folder);
 }

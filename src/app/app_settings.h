@@ -18,8 +18,9 @@ struct AppSettings {
     ThemeChoice theme = ThemeChoice::System;
     std::optional<Theme> viewportTheme;  ///< nothing: as the window
     DisplayOptions display;
-    QStringList recentFiles;  ///< newest first
-    QString folder;           ///< where the last file was opened or saved
+    std::optional<NormalMode> exportNormals;  ///< nothing: those on the screen
+    QStringList recentFiles;                  ///< newest first
+    QString folder;                           ///< where the last file was opened or saved
 
     static constexpr int kMostRecentFiles = 10;
     void addRecentFile(const QString& path);

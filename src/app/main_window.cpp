@@ -13,8 +13,10 @@
 
 #include "app/dialogs.h"
 #include "app/notice_bar.h"
+#include "app/pipeline_chooser.h"
 #include "app/scene_files.h"
 #include "app/status_line.h"
+#include "models/undo_text.h"
 #include "panels/deformation_constants/deformation_constants_panel.h"
 #include "panels/frame_rate/frame_rate_panel.h"
 #include "panels/hit_history/hit_history_panel.h"
@@ -49,7 +51,8 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_viewport(new Viewport(session, this)),
       m_notice(new NoticeBar(m_viewport)),
       m_files(new SceneFiles(session, this)),
-      m_status(new StatusLine(session, *statusBar(), this)) {
+      m_status(new StatusLine(session, *statusBar(), this)),
+      m_pipelines(new PipelineChooser(session, this)) {
     loadSessionSettings(QSettings(), session);
     applyTheme(m_settings.theme);
     m_viewport->setOptions(m_settings.display);
@@ -65,6 +68,10 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     connect(&session, &Session::hitsAppended, this, &MainWindow::followHistory);
     connect(&session, &Session::historyReset, this, &MainWindow::followHistory);
     connect(&session, &Session::lightsChanged, this, &MainWindow::followLights);
+    // Later: it is found out in the middle of drawing a frame.
+    connect(
+        m_pipelines, &PipelineChooser::fellBack, this,
+        [this](const QString& notice) { m_notice->say(notice); }, Qt::QueuedConnection);
     connect(m_viewport, &Viewport::framePainted, m_frameRate, &FrameRatePanel::addFrame);
     connect(m_viewport, &Viewport::rendererKnown, this,
             [this] { m_status->setRenderer(m_viewport->rendererName()); });
@@ -164,8 +171,13 @@ void MainWindow::followScene() {
 }
 
 void MainWindow::followHistory() {
-    m_undo->setEnabled(m_session.canUndo());
-    m_redo->setEnabled(m_session.canRedo());
+    const auto name = [](QAction& action, const QString& text, const auto& step) {
+        action.setEnabled(step.has_value());
+        action.setText(step ? text + u' ' + undoText(*step) : text);
+    };
+    name(*m_undo, tr("&Undo"), m_session.undoName());
+    name(*m_redo, tr("&Redo"), m_session.redoName());
+    m_enableAll->setEnabled(m_session.disabledHits() > 0);
     m_clear->setEnabled(m_session.history().size() > 0);
 }
 
@@ -195,6 +207,9 @@ void MainWindow::followViewportTheme() {
 void MainWindow::changeDisplay(const std::function<void(DisplayOptions&)>& change) {
     DisplayOptions display = m_viewport->options();
     change(display);
+    if (display.normals != m_viewport->options().normals) {
+        m_settings.exportNormals.reset();  // export follows the screen again
+    }
     m_viewport->setOptions(display);
     followDisplay();
 }

@@ -4,6 +4,7 @@
 #include <QMainWindow>
 #include <QTimer>
 #include <functional>
+#include <optional>
 
 #include "app/app_settings.h"
 #include "models/hit_history_model.h"
@@ -11,7 +12,6 @@
 #include "session/session.h"
 
 class QActionGroup;
-class QComboBox;
 class QDockWidget;
 class QMenu;
 
@@ -19,6 +19,7 @@ namespace hitscope {
 
 class FrameRatePanel;
 class NoticeBar;
+class PipelineChooser;
 class SceneFiles;
 class StatusLine;
 class Viewport;
@@ -39,8 +40,9 @@ public:
 
     /// Opens the first; if there are more, says that they were left out. Nothing for an empty list.
     void openFiles(const QStringList& paths);
-    /// Writes the target in focus as it is on the screen. Errors are exportTarget()'s.
-    [[nodiscard]] Status exportTo(const QString& path);
+    /// Writes the target in focus as it is on the screen, its normals too unless others are asked for. Errors
+    /// are exportTarget()'s.
+    [[nodiscard]] Status exportTo(const QString& path, std::optional<NormalMode> normals = {});
     [[nodiscard]] Status savePictureTo(const QString& path);
     /// Reloads the scene's only mesh with its centre at the origin and its largest extent `extent` metres,
     /// or, for extent 0, in its file's own coordinates. Hits are lost.
@@ -68,7 +70,6 @@ private:
     void makeHelpMenu();
     void makeToolBar();
     QMenu* makeWireframeMenu();
-    QComboBox* makePipelineBox();
     void connectFiles();
     void restoreWindow();
     void resetLayout();
@@ -113,6 +114,7 @@ private:
     NoticeBar* m_notice = nullptr;
     SceneFiles* m_files = nullptr;
     StatusLine* m_status = nullptr;
+    PipelineChooser* m_pipelines = nullptr;
     FrameRatePanel* m_frameRate = nullptr;
     QTimer m_frameRateTimer;
     QByteArray m_firstLayout;
@@ -124,6 +126,7 @@ private:
     QAction* m_export = nullptr;
     QAction* m_undo = nullptr;
     QAction* m_redo = nullptr;
+    QAction* m_enableAll = nullptr;
     QAction* m_clear = nullptr;
     QAction* m_frame = nullptr;
     QAction* m_continuous = nullptr;
@@ -136,7 +139,6 @@ private:
     QAction* m_floor = nullptr;
     QAction* m_crosshair = nullptr;
     QAction* m_lights[3] = {};  ///< directional, points, spot
-    QActionGroup* m_pipelines = nullptr;
 };
 
 }  // namespace hitscope

@@ -159,22 +159,30 @@ void MainWindow::chooseExport() {
     }
     const QString name =
         target->sourcePath.isEmpty() ? target->name : QFileInfo(target->sourcePath).completeBaseName();
+    const QStringList filters{tr("Wavefront OBJ, true normals (*.obj)"),
+                              tr("Wavefront OBJ, the paper's normals (*.obj)")};  // by NormalMode
+    const NormalMode shown = m_viewport->options().normals;
+    QString filter = filters[static_cast<int>(m_settings.exportNormals.value_or(shown))];
     const QString path = QFileDialog::getSaveFileName(
         this, tr("Export “%1” as it is now").arg(target->name),
-        suggestedPath(folderOr(m_settings.folder), name, QStringLiteral("_deformed.obj")), tr("OBJ (*.obj)"));
+        suggestedPath(folderOr(m_settings.folder), name, QStringLiteral("_deformed.obj")),
+        filters.join(QStringLiteral(";;")), &filter);
     if (path.isEmpty()) {
         return;
     }
+    const NormalMode normals =
+        filter == filters[static_cast<int>(NormalMode::Paper)] ? NormalMode::Paper : NormalMode::True;
+    m_settings.exportNormals = normals == shown ? std::nullopt : std::optional(normals);
     const QString full = withSuffix(path, QStringLiteral("obj"));
     m_settings.folder = QFileInfo(full).absolutePath();
-    if (Status exported = exportTo(full); !exported) {
+    if (Status exported = exportTo(full, normals); !exported) {
         showError(this, exported.error());
     } else {
         statusBar()->showMessage(tr("Exported “%1” to %2").arg(target->name, full), kMessageStays);
     }
 }
 
-Status MainWindow::exportTo(const QString& path) {
+Status MainWindow::exportTo(const QString& path, std::optional<NormalMode> normals) {
     const Target* target = focusTarget(m_session);
     if (target == nullptr) {
         return Error{"There is nothing to export.", path.toStdString(), "Open a mesh first."};
@@ -182,7 +190,7 @@ Status MainWindow::exportTo(const QString& path) {
     if (Status current = m_viewport->syncNow(); !current) {
         return current;
     }
-    return exportTarget(*target, path, m_viewport->options().normals);
+    return exportTarget(*target, path, normals.value_or(m_viewport->options().normals));
 }
 
 void MainWindow::choosePicture() {

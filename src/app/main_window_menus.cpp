@@ -11,19 +11,12 @@
 #include "app/dialogs.h"
 #include "app/keys_sheet.h"
 #include "app/main_window.h"
+#include "app/pipeline_chooser.h"
 #include "app/projectile_dialog.h"
 #include "panels/icons/themed_icon.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
-
-namespace {
-
-QString text(std::string_view words) {
-    return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
-}
-
-}  // namespace
 
 QAction* MainWindow::addAction(QMenu& menu, const QString& text, const QKeySequence& keys,
                                std::function<void()> act, const QString& icon) {
@@ -95,10 +88,11 @@ void MainWindow::makeFileMenu() {
 void MainWindow::makeEditMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Edit"));
     m_undo = addAction(
-        menu, tr("&Undo Hit"), QKeySequence::Undo, [this] { m_session.undoHit(); }, QStringLiteral("undo"));
+        menu, tr("&Undo"), QKeySequence::Undo, [this] { m_session.undoHit(); }, QStringLiteral("undo"));
     m_redo = addAction(
-        menu, tr("&Redo Hit"), tr("Ctrl+Shift+Z"), [this] { m_session.redoHit(); }, QStringLiteral("redo"));
+        menu, tr("&Redo"), tr("Ctrl+Shift+Z"), [this] { m_session.redoHit(); }, QStringLiteral("redo"));
     menu.addSeparator();
+    m_enableAll = addAction(menu, tr("&Enable All Hits"), {}, [this] { m_session.enableAllHits(); });
     m_clear = addAction(
         menu, tr("&Clear Hits"), tr("Ctrl+Shift+Del"), [this] { m_session.clearHits(); },
         QStringLiteral("remove"));
@@ -208,21 +202,7 @@ void MainWindow::makeMeshMenu() {
     m_placeMesh = addAction(menu, tr("&Centre and Scale…"), {}, [this] { choosePlacement(); });
     m_fileCoordinates = addAction(menu, tr("File's Own C&oordinates"), {}, [this] { placeMesh(0.0); });
     menu.addSeparator();
-    QMenu& pipelines = *menu.addMenu(tr("&Pipeline"));
-    pipelines.setToolTipsVisible(true);
-    m_pipelines = new QActionGroup(this);
-    for (const PipelineTraits& traits : allPipelines()) {
-        QAction* action =
-            addChoice(pipelines, *m_pipelines, text(traits.name), m_session.pipeline() == traits.kind,
-                      [this, kind = traits.kind] { m_session.setPipeline(kind); });
-        action->setToolTip(text(traits.description));
-        action->setData(static_cast<int>(traits.kind));
-    }
-    connect(&m_session, &Session::pipelineChanged, this, [this] {
-        for (QAction* action : m_pipelines->actions()) {
-            action->setChecked(action->data().toInt() == static_cast<int>(m_session.pipeline()));
-        }
-    });
+    m_pipelines->fill(*menu.addMenu(tr("&Pipeline")));
 }
 
 void MainWindow::makeShootMenu() {
@@ -278,27 +258,6 @@ void MainWindow::makeHelpMenu() {
     });
 }
 
-QComboBox* MainWindow::makePipelineBox() {
-    auto* box = new QComboBox(this);
-    box->setObjectName(QStringLiteral("pipeline"));
-    for (const PipelineTraits& traits : allPipelines()) {
-        box->addItem(text(traits.name), static_cast<int>(traits.kind));
-        box->setItemData(box->count() - 1, text(traits.description), Qt::ToolTipRole);
-    }
-    const auto show = [this, box] {
-        const int index = box->findData(static_cast<int>(m_session.pipeline()));
-        box->setCurrentIndex(index);
-        box->setToolTip(tr("How hits are applied. %1").arg(box->itemData(index, Qt::ToolTipRole).toString()));
-    };
-    connect(box, &QComboBox::activated, this, [this, box](int index) {
-        m_session.setPipeline(static_cast<PipelineKind>(box->itemData(index).toInt()));
-        m_viewport->setFocus();  // where the keys are expected next
-    });
-    connect(&m_session, &Session::pipelineChanged, this, show);
-    show();
-    return box;
-}
-
 void MainWindow::makeToolBar() {
     QToolBar& bar = *addToolBar(tr("Tools"));
     bar.setObjectName(QStringLiteral("tools"));
@@ -321,7 +280,9 @@ void MainWindow::makeToolBar() {
     auto* label = new QLabel(tr("Pipeline"), &bar);
     label->setContentsMargins(6, 0, 6, 0);
     bar.addWidget(label);
-    bar.addWidget(makePipelineBox());
+    bar.addWidget(m_pipelines->makeBox(&bar));
+    connect(m_pipelines, &PipelineChooser::chosenInBox, m_viewport,
+            [this] { m_viewport->setFocus(); });  // where the keys are expected next
     m_docksMenu->addSeparator();
     m_docksMenu->addAction(bar.toggleViewAction());
 }

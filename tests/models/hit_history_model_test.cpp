@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAbstractItemModelTester>
+#include <QMimeData>
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
 #include <array>
+#include <memory>
 
 #include "models/hit_history_model.h"
 
@@ -31,6 +34,11 @@ private Q_SLOTS:
     void cellsSayWhatTheHitIs();
     void csvIsExactAndQuoted();
     void manyHits();
+    void checkBoxEnables();
+    void statesAreTold();
+    void persistentIndexesStayWithTheirHits();
+    void dragsRows();
+    void survivesAnythingWhileHitsStreamIn();
 };
 
 void HitHistoryModelTest::followsEveryChange() {
@@ -114,7 +122,11 @@ void HitHistoryModelTest::csvIsExactAndQuoted() {
     QVERIFY(session.addHit(hitOn(session, 0, 2.0f)).ok());
     const QString all = model.csv();
     QCOMPARE(all.count(u'\n'), 3);
+    QVERIFY(all.section(u'\n', 0, 0).endsWith(QStringLiteral(",enabled")));
     const QString first = all.section(u'\n', 1, 1);
+    QVERIFY(first.endsWith(QStringLiteral(",1")));
+    session.setHitsEnabled(std::array<std::size_t, 1>{0}, false);
+    QVERIFY(model.csv().section(u'\n', 1, 1).endsWith(QStringLiteral(",0")));
     QVERIFY2(first.startsWith(QStringLiteral("1,1.5,\"a, \"\"quoted\"\" mesh\",0.100000001,0.5,-1.25,")),
              qPrintable(first));
     const std::array<int, 2> rows{1, 99};
@@ -134,6 +146,179 @@ void HitHistoryModelTest::manyHits() {
     QCOMPARE(model.rowCount(), kMany);
     QCOMPARE(model.index(kMany - 1, HitHistoryModel::NumberColumn).data().toString(),
              QStringLiteral("100,000"));
+}
+
+void HitHistoryModelTest::checkBoxEnables() {
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    HitHistoryModel model(session);
+    const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    for (int i = 0; i < 3; ++i) {
+        QVERIFY(session.addHit(hitOn(session, 0, 0.1f * static_cast<float>(i))).ok());
+    }
+    const QModelIndex number = model.index(1, HitHistoryModel::NumberColumn);
+    const QModelIndex time = model.index(1, HitHistoryModel::TimeColumn);
+    QVERIFY(number.flags().testFlag(Qt::ItemIsUserCheckable));
+    QVERIFY(!time.flags().testFlag(Qt::ItemIsUserCheckable));
+    QVERIFY(!time.data(Qt::CheckStateRole).isValid());
+    QCOMPARE(number.data(Qt::CheckStateRole).toInt(), static_cast<int>(Qt::Checked));
+    const QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
+    const QSignalSpy layout(&model, &QAbstractItemModel::layoutChanged);
+    QVERIFY(model.setData(number, Qt::Unchecked, Qt::CheckStateRole));
+    QVERIFY(!session.history().hits()[1].enabled);
+    QCOMPARE(number.data(Qt::CheckStateRole).toInt(), static_cast<int>(Qt::Unchecked));
+    QCOMPARE(changed.size(), 1);
+    QCOMPARE(changed[0][0].toModelIndex().row(), 1);
+    QCOMPARE(changed[0][1].toModelIndex().row(), 1);
+    QCOMPARE(layout.size(), 0);
+    QVERIFY(!model.setData(time, Qt::Checked, Qt::CheckStateRole));
+    QVERIFY(!model.setData(number, 7));
+    session.undoHit();
+    QCOMPARE(number.data(Qt::CheckStateRole).toInt(), static_cast<int>(Qt::Checked));
+}
+
+void HitHistoryModelTest::statesAreTold() {
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    session.setPipeline(PipelineKind::UniformArray);
+    HitHistoryModel model(session);
+    for (int i = 0; i < 4; ++i) {
+        QVERIFY(session.addHit(hitOn(session, 0, 0.1f * static_cast<float>(i))).ok());
+    }
+    const auto state = [&model](int row) {
+        return model.index(row, 0).data(HitHistoryModel::HitStateRole).toInt();
+    };
+    const auto tip = [&model](int row) { return model.index(row, 0).data(Qt::ToolTipRole).toString(); };
+    const QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
+    session.setHitsEnabled(std::array<std::size_t, 1>{2}, false);
+    session.setCapacity({2, false, 2, {0}});
+    QCOMPARE(changed.size(), 2);
+    QCOMPARE(state(0), static_cast<int>(HitHistoryModel::Dropped));
+    QCOMPARE(state(1), static_cast<int>(HitHistoryModel::Applied));
+    QCOMPARE(state(2), static_cast<int>(HitHistoryModel::Disabled));
+    QVERIFY2(tip(0).startsWith(QStringLiteral(
+                 "Dropped: the pipeline “Uniform array” keeps the last 2 hits of the scene.\n")),
+             qPrintable(tip(0)));
+    QVERIFY(tip(1).startsWith(QStringLiteral("Max distance")));
+    QVERIFY(tip(2).startsWith(QStringLiteral("Disabled")));
+    session.setCapacity({2, true, 2, {0}});
+    QVERIFY(tip(0).contains(QStringLiteral("on each target")));
+}
+
+void HitHistoryModelTest::persistentIndexesStayWithTheirHits() {
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    HitHistoryModel model(session);
+    const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    std::vector<QPersistentModelIndex> kept;
+    for (int i = 0; i < 8; ++i) {
+        QVERIFY(session.addHit(hitOn(session, 0, static_cast<float>(i))).ok());
+    }
+    for (int i = 0; i < 8; ++i) {
+        kept.emplace_back(model.index(i, HitHistoryModel::PointColumn));
+    }
+    const auto staysRight = [&](std::size_t i) {
+        return !kept[i].isValid() || kept[i].data().toString().startsWith(QStringLiteral("%1.000").arg(i));
+    };
+    const auto allRight = [&] {
+        for (std::size_t i = 0; i < kept.size(); ++i) {
+            if (!staysRight(i)) {
+                return false;
+            }
+        }
+        return true;
+    };
+    session.moveHits(std::array<std::size_t, 2>{1, 6}, 4);
+    QVERIFY(allRight());
+    QCOMPARE(kept[6].row(), 4);
+    session.removeHits(std::array<std::size_t, 2>{0, 3});
+    QVERIFY(allRight());
+    QVERIFY(!kept[0].isValid());
+    QCOMPARE(kept[7].row(), 5);
+    session.undoHit();
+    session.undoHit();
+    QVERIFY(allRight());
+    QCOMPARE(kept[7].row(), 7);
+}
+
+void HitHistoryModelTest::dragsRows() {
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    HitHistoryModel model(session);
+    const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    for (int i = 0; i < 5; ++i) {
+        QVERIFY(session.addHit(hitOn(session, 0, static_cast<float>(i))).ok());
+    }
+    const auto xs = [&session] {
+        std::vector<float> points;
+        for (const Hit& hit : session.history().hits()) {
+            points.push_back(hit.point.x);
+        }
+        return points;
+    };
+    QVERIFY(model.index(0, 3).flags().testFlag(Qt::ItemIsDragEnabled));
+    QVERIFY(!model.index(0, 3).flags().testFlag(Qt::ItemIsDropEnabled));
+    QVERIFY(model.flags({}).testFlag(Qt::ItemIsDropEnabled));
+    const std::unique_ptr<QMimeData> data(
+        model.mimeData({model.index(1, 0), model.index(1, 1), model.index(3, 0), model.index(3, 1)}));
+    QVERIFY(!model.dropMimeData(data.get(), Qt::CopyAction, 0, 0, {}));
+    QVERIFY(model.dropMimeData(data.get(), Qt::MoveAction, 0, 0, {}));
+    QCOMPARE(xs(), (std::vector<float>{1, 3, 0, 2, 4}));
+    QVERIFY(!model.removeRows(1, 1));  // what the view asks for after a move
+    QCOMPARE(model.rowCount(), 5);
+    const std::unique_ptr<QMimeData> first(model.mimeData({model.index(0, 0)}));
+    QVERIFY(model.dropMimeData(first.get(), Qt::MoveAction, -1, -1, {}));
+    QCOMPARE(xs(), (std::vector<float>{3, 0, 2, 4, 1}));
+    const QMimeData other;
+    QVERIFY(!model.dropMimeData(&other, Qt::MoveAction, 0, 0, {}));
+    session.undoHit();
+    session.undoHit();
+    QCOMPARE(xs(), (std::vector<float>{0, 1, 2, 3, 4}));
+}
+
+void HitHistoryModelTest::survivesAnythingWhileHitsStreamIn() {
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    HitHistoryModel model(session);
+    const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    std::uint32_t seed = 1;
+    const auto random = [&seed](std::size_t below) {
+        seed = seed * 1664525u + 1013904223u;
+        return static_cast<std::size_t>(seed >> 8) % below;
+    };
+    for (int i = 0; i < 400; ++i) {
+        QVERIFY(session.addHit(hitOn(session, random(16), static_cast<float>(i))).ok());
+        const std::size_t hits = session.history().size();
+        const std::array<std::size_t, 3> some{random(hits), random(hits), random(hits)};
+        switch (random(7)) {
+            case 0:
+                session.setHitsEnabled(some, random(2) == 0);
+                break;
+            case 1:
+                session.moveHits(some, random(hits + 1));
+                break;
+            case 2:
+                session.removeHit(some[0]);
+                break;
+            case 3:
+                session.undoHit();
+                session.undoHit();
+                break;
+            case 4:
+                session.redoHit();
+                break;
+            case 5:
+                session.setCapacity({hits / 2, false, hits / 2, {some[0]}});
+                break;
+            default:
+                break;
+        }
+        QCOMPARE(static_cast<std::size_t>(model.rowCount()), session.history().size());
+        const std::span<const Hit> now = session.history().hits();
+        QCOMPARE(session.disabledHits(),
+                 static_cast<std::size_t>(
+                     std::count_if(now.begin(), now.end(), [](const Hit& hit) { return !hit.enabled; })));
+    }
 }
 
 QTEST_GUILESS_MAIN(HitHistoryModelTest)

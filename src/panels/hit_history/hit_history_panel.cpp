@@ -261,11 +261,11 @@ void HitHistoryPanel::updateSummary() {
 void HitHistoryPanel::updateActions() {
     const std::vector<std::size_t> rows = selectedRows();
     const bool some = !rows.empty();
-    const std::size_t hits = m_session.history().size();
     m_toggle->setEnabled(some);
     m_toggle->setText(!some || isAnyEnabled(rows) ? tr("Disable") : tr("Enable"));
-    m_up->setEnabled(some && rows.front() > 0);
-    m_down->setEnabled(some && rows.back() + 1 < hits);
+    // Also at the ends: a key that is not taken would move the cursor.
+    m_up->setEnabled(some);
+    m_down->setEnabled(some);
     m_selectTargets->setEnabled(some);
     m_remove->setEnabled(some);
 }

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pipeline_chooser.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QComboBox>
+#include <QMenu>
+#include <QStandardItemModel>
+
+namespace hitscope {
+
+namespace {
+
+constexpr PipelineKind kFallback = PipelineKind::TransformFeedback;  // what OpenGL 3.3 has everywhere
+
+QString text(std::string_view words) {
+    return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
+}
+
+}  // namespace
+
+PipelineChooser::PipelineChooser(Session& session, QObject* parent)
+    : QObject(parent), m_session(session), m_actions(new QActionGroup(this)) {
+    connect(&session, &Session::pipelineChanged, this, &PipelineChooser::follow);
+    connect(&session, &Session::unavailablePipelinesChanged, this, &PipelineChooser::follow);
+    connect(&session, &Session::unavailablePipelinesChanged, this, &PipelineChooser::leaveUnavailable);
+}
+
+void PipelineChooser::fill(QMenu& menu) {
+    menu.setToolTipsVisible(true);
+    for (const PipelineTraits& traits : allPipelines()) {
+        QAction* action = menu.addAction(text(traits.name));
+        action->setCheckable(true);
+        action->setData(static_cast<int>(traits.kind));
+        m_actions->addAction(action);
+        connect(action, &QAction::triggered, this,
+                [this, kind = traits.kind] { m_session.setPipeline(kind); });
+    }
+    follow();
+}
+
+QComboBox* PipelineChooser::makeBox(QWidget* parent) {
+    m_box = new QComboBox(parent);
+    m_box->setObjectName(QStringLiteral("pipeline"));
+    for (const PipelineTraits& traits : allPipelines()) {
+        m_box->addItem(text(traits.name), static_cast<int>(traits.kind));
+    }
+    connect(m_box, &QComboBox::activated, this, [this](int index) {
+        m_session.setPipeline(static_cast<PipelineKind>(m_box->itemData(index).toInt()));
+        Q_EMIT chosenInBox();
+    });
+    follow();
+    return m_box;
+}
+
+QString PipelineChooser::toolTip(const PipelineTraits& traits) const {
+    const QString reason = m_session.whyUnavailable(traits.kind);
+    QString tip = text(traits.description);
+    if (!reason.isEmpty()) {
+        tip.prepend(tr("Not available here: %1").arg(reason) + u'\n');
+    }
+    return tip;
+}
+
+void PipelineChooser::follow() {
+    for (QAction* action : m_actions->actions()) {
+        const auto kind = static_cast<PipelineKind>(action->data().toInt());
+        action->setChecked(kind == m_session.pipeline());
+        action->setEnabled(m_session.whyUnavailable(kind).isEmpty());
+        action->setToolTip(toolTip(pipelineTraits(kind)));
+    }
+    if (m_box == nullptr) {
+        return;
+    }
+    const auto* items = qobject_cast<const QStandardItemModel*>(m_box->model());
+    for (int row = 0; row < m_box->count(); ++row) {
+        const auto kind = static_cast<PipelineKind>(m_box->itemData(row).toInt());
+        items->item(row)->setEnabled(m_session.whyUnavailable(kind).isEmpty());
+        items->item(row)->setToolTip(toolTip(pipelineTraits(kind)));
+    }
+    m_box->setCurrentIndex(m_box->findData(static_cast<int>(m_session.pipeline())));
+    m_box->setToolTip(tr("How hits are applied. %1").arg(toolTip(pipelineTraits(m_session.pipeline()))));
+}
+
+void PipelineChooser::leaveUnavailable() {
+    const PipelineTraits& traits = pipelineTraits(m_session.pipeline());
+    const QString reason = m_session.whyUnavailable(traits.kind);
+    if (reason.isEmpty() || !m_session.whyUnavailable(kFallback).isEmpty()) {
+        return;
+    }
+    m_session.setPipeline(kFallback);
+    Q_EMIT fellBack(tr("The pipeline “%1” cannot run here: %2\nUsing “%3” instead.")
+                        .arg(text(traits.name), reason, text(pipelineTraits(kFallback).name)));
+}
+
+}  // namespace hitscope

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include "session/history_undo.h"
+
+namespace hitscope {
+
+/// What a step of the history is called behind "Undo" and "Redo" in a menu: "Hit", "Remove 3 Hits".
+[[nodiscard]] QString undoText(const HistoryUndo::Name& name);
+
+}  // namespace hitscope

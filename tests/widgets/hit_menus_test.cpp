@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window's menus say and do about hits, pipelines and the normals of an export.
+#include <QAction>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QStandardItemModel>
+#include <QStatusBar>
+#include <QTimer>
+#include <functional>
+
+#include "app/notice_bar.h"
+#include "mesh/primitives.h"
+#include "widgets/window_support.h"
+
+using namespace hitscope;
+
+class HitMenusTest : public QObject {
+    Q_OBJECT
+public:
+    static void initMain() { MainWindow::setSurfaceFormat(); }
+
+private Q_SLOTS:
+    void init();
+    void cleanup();
+    void undoNamesTheStep();
+    void enablesAll();
+    void statusBarCountsHits();
+    void unavailablePipelinesAreGrey();
+    void rememberedPipelineFallsBack();
+    void exportOffersEitherNormals();
+
+private:
+    void addHits(int count);
+    QAction* action(const MainWindow& window, const QString& start) const;
+    QByteArray chooseInDialog(MainWindow& window, const std::function<void(QFileDialog&)>& choose) const;
+
+    std::unique_ptr<TestSettings> m_settings;
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<Session> m_session;
+};
+
+void HitMenusTest::init() {
+    m_settings = std::make_unique<TestSettings>();
+    m_folder = std::make_unique<QTemporaryDir>();
+    m_session = std::make_unique<Session>();
+    m_session->loadMesh(makeHighPolyCube(2.5f));
+}
+
+void HitMenusTest::cleanup() {
+    m_session.reset();
+    m_folder.reset();
+    m_settings.reset();
+}
+
+void HitMenusTest::addHits(int count) {
+    for (int i = 0; i < count; ++i) {
+        Hit hit;
+        hit.target = m_session->targets().front()->id;
+        hit.point = {0.1f * static_cast<float>(i), 0.0f, 2.5f};
+        hit.direction = {0.6f, 0.0f, -0.8f};
+        QVERIFY(m_session->addHit(hit).ok());
+    }
+}
+
+QAction* HitMenusTest::action(const MainWindow& window, const QString& start) const {
+    for (QAction* action : window.findChildren<QAction*>()) {
+        if (action->text().startsWith(start)) {
+            return action;
+        }
+    }
+    return nullptr;
+}
+
+void HitMenusTest::undoNamesTheStep() {
+    MainWindow window(*m_session);
+    showReady(window);
+    QAction* undo = action(window, QStringLiteral("&Undo"));
+    QAction* redo = action(window, QStringLiteral("&Redo"));
+    QCOMPARE(undo->text(), QStringLiteral("&Undo"));
+    QVERIFY(!undo->isEnabled());
+    addHits(5);
+    QCOMPARE(undo->text(), QStringLiteral("&Undo Hit"));
+    m_session->removeHits(std::vector<std::size_t>{0, 2, 3});
+    QCOMPARE(undo->text(), QStringLiteral("&Undo Remove 3 Hits"));
+    m_session->moveHits(std::vector<std::size_t>{0}, 2);
+    QCOMPARE(undo->text(), QStringLiteral("&Undo Move Hit"));
+    m_session->setHitsEnabled(std::vector<std::size_t>{0, 1}, false);
+    QCOMPARE(undo->text(), QStringLiteral("&Undo Disable 2 Hits"));
+    DeformationConstants constants;
+    constants.power = 0.1f;
+    QVERIFY(m_session->setConstants(constants, true).ok());
+    QCOMPARE(undo->text(), QStringLiteral("&Undo Constants"));
+    QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(undo->text(), QStringLiteral("&Undo Disable 2 Hits"));
+    QCOMPARE(redo->text(), QStringLiteral("&Redo Constants"));
+    QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(m_session->disabledHits(), std::size_t{0});
+    QCOMPARE(redo->text(), QStringLiteral("&Redo Disable 2 Hits"));
+}
+
+void HitMenusTest::enablesAll() {
+    MainWindow window(*m_session);
+    showReady(window);
+    addHits(3);
+    QAction* enable = action(window, QStringLiteral("&Enable All"));
+    QVERIFY(!enable->isEnabled());
+    m_session->setHitsEnabled(std::vector<std::size_t>{0, 2}, false);
+    QVERIFY(enable->isEnabled());
+    enable->trigger();
+    QCOMPARE(m_session->disabledHits(), std::size_t{0});
+    QVERIFY(!enable->isEnabled());
+}
+
+void HitMenusTest::statusBarCountsHits() {
+    MainWindow window(*m_session);
+    showReady(window);
+    const auto says = [&window](const QString& text) {
+        const QList<QLabel*> labels = window.statusBar()->findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(),
+                           [&](const QLabel* label) { return label->text() == text; });
+    };
+    addHits(3);
+    QVERIFY(says(QStringLiteral("3 hits")));
+    m_session->setHitsEnabled(std::vector<std::size_t>{1}, false);
+    QVERIFY(says(QStringLiteral("3 hits, 1 disabled")));
+    m_session->setCapacity({1, false, 1, {0}});
+    QVERIFY(says(QStringLiteral("3 hits, 1 disabled, 1 dropped")));
+}
+
+void HitMenusTest::unavailablePipelinesAreGrey() {
+    MainWindow window(*m_session);
+    showReady(window);
+    auto* box = window.findChild<QComboBox*>(QStringLiteral("pipeline"));
+    QCOMPARE(static_cast<std::size_t>(box->count()), allPipelines().size());
+    const auto* items = qobject_cast<const QStandardItemModel*>(box->model());
+    const int row = box->findData(static_cast<int>(PipelineKind::UniformArray));
+    QAction* entry = action(window, QStringLiteral("Uniform array"));
+    const QString reason = QStringLiteral("It needs OpenGL 9.9.");
+    QVERIFY(items->item(row)->isEnabled() && entry->isEnabled());
+    m_session->setUnavailablePipelines({{PipelineKind::UniformArray, reason}});
+    QVERIFY(!items->item(row)->isEnabled() && !entry->isEnabled());
+    QVERIFY(items->item(row)->toolTip().contains(reason) && entry->toolTip().contains(reason));
+    QVERIFY(items->item(row)->toolTip().contains(QLatin1String("Every vertex")));
+    m_session->setUnavailablePipelines({});
+    QVERIFY(items->item(row)->isEnabled() && entry->isEnabled());
+
+    entry->trigger();
+    QCOMPARE(m_session->pipeline(), PipelineKind::UniformArray);
+    QCOMPARE(box->currentIndex(), row);
+}
+
+void HitMenusTest::rememberedPipelineFallsBack() {
+    {
+        MainWindow window(*m_session);
+        showReady(window);
+        m_session->setPipeline(PipelineKind::UniformArray);
+        window.close();
+    }
+    MainWindow window(*m_session);
+    QCOMPARE(m_session->pipeline(), PipelineKind::UniformArray);
+    m_session->setUnavailablePipelines({{PipelineKind::UniformArray, QStringLiteral("Too few uniforms.")}});
+    QCOMPARE(m_session->pipeline(), PipelineKind::TransformFeedback);
+    const auto* notice = window.findChild<NoticeBar*>();
+    QTRY_VERIFY2(notice->text().contains(QStringLiteral("Too few uniforms.")), qPrintable(notice->text()));
+    QVERIFY(notice->text().contains(QStringLiteral("Uniform array")));
+    QVERIFY(notice->text().contains(QStringLiteral("Transform feedback")));
+}
+
+/// What Ctrl+E writes when `choose` has been at its dialog.
+QByteArray HitMenusTest::chooseInDialog(MainWindow& window,
+                                        const std::function<void(QFileDialog&)>& choose) const {
+    const QString path = m_folder->filePath(QStringLiteral("dented.obj"));
+    QFile::remove(path);
+    QTimer timer;
+    connect(&timer, &QTimer::timeout, &window, [&] {
+        if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+            timer.stop();
+            choose(*dialog);
+            dialog->selectFile(path);
+            QMetaObject::invokeMethod(dialog, "accept");
+        }
+    });
+    timer.start(50);
+    QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void HitMenusTest::exportOffersEitherNormals() {
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    addHits(3);
+    const auto written = [this](MainWindow& window, NormalMode mode) {
+        const QString path = m_folder->filePath(QStringLiteral("expected.obj"));
+        [&] { QVERIFY(window.exportTo(path, mode).ok()); }();
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    const QString paper = QStringLiteral("Wavefront OBJ, the paper's normals (*.obj)");
+    const QString real = QStringLiteral("Wavefront OBJ, true normals (*.obj)");
+    QString preselected;
+    const auto keep = [&](QFileDialog& dialog) { preselected = dialog.selectedNameFilter(); };
+    {
+        MainWindow window(*m_session);
+        showReady(window);
+        const QByteArray withTrue = written(window, NormalMode::True);
+        const QByteArray withPapers = written(window, NormalMode::Paper);
+        QVERIFY(!withTrue.isEmpty() && withTrue != withPapers);
+        QVERIFY(chooseInDialog(window, keep) == withTrue);
+        QCOMPARE(preselected, real);
+        QTest::keyClick(&window, Qt::Key_N);
+        QVERIFY(chooseInDialog(window, keep) == withPapers);
+        QCOMPARE(preselected, paper);
+        QTest::keyClick(&window, Qt::Key_N);
+        QVERIFY(chooseInDialog(window, [&](QFileDialog& dialog) { dialog.selectNameFilter(paper); }) ==
+                withPapers);
+        window.close();
+    }
+    MainWindow window(*m_session);
+    showReady(window);
+    QVERIFY(!chooseInDialog(window, keep).isEmpty());
+    QCOMPARE(preselected, paper);  // as chosen the last time
+}
+
+QTEST_MAIN(HitMenusTest)
+#include "hit_menus_test.moc"
