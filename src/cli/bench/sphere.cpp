@@ -15,12 +15,12 @@ constexpr int kNearPaper = 100;  // "8K" means the paper's as well
 
 }  // namespace
 
-// Twice as many segments around as rings down: 2 rings^2 vertices.
+// Twice as many segments around as rings down: 2 rings (rings - 1) + 2 vertices.
 MeshData makeSphere(int vertices) {
     if (std::abs(vertices - kPaperVertices) <= kNearPaper) {
         return makeHighPolySphere(kSphereRadius);
     }
-    const int rings = std::max(2, static_cast<int>(std::lround(std::sqrt(0.5 * vertices))));
+    const int rings = std::max(2, static_cast<int>(std::lround(0.5 + 0.5 * std::sqrt(2.0 * vertices - 3.0))));
     return makeUvSphere(2 * rings, rings, kSphereRadius);
 }
 

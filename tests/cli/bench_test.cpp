@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// hitscope-cli bench as a person runs it. No time is asserted: machines differ.
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+
+namespace {
+
+struct Run {
+    int status = -1;
+    QString out;
+    QString err;
+};
+
+Run runBench(const QString& arguments) {
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.remove(QStringLiteral("DISPLAY"));
+    environment.remove(QStringLiteral("WAYLAND_DISPLAY"));
+    process.setProcessEnvironment(environment);
+    process.start(
+        qEnvironmentVariable("HITSCOPE_CLI"),
+        QStringList{QStringLiteral("bench")} + arguments.split(QLatin1Char(' '), Qt::SkipEmptyParts));
+    Run run;
+    if (process.waitForFinished(100000) && process.exitStatus() == QProcess::NormalExit) {
+        run.status = process.exitCode();
+    }
+    run.out = QString::fromUtf8(process.readAllStandardOutput());
+    run.err = QString::fromUtf8(process.readAllStandardError());
+    return run;
+}
+
+QJsonArray recordsOf(const QString& json) {
+    return QJsonDocument::fromJson(json.toUtf8()).object()[QStringLiteral("records")].toArray();
+}
+
+double number(const QJsonValue& record, const char* field) {
+    return record.toObject()[QLatin1String(field)].toDouble(-1.0);
+}
+
+QString text(const QJsonValue& record, const char* field) {
+    return record.toObject()[QLatin1String(field)].toString();
+}
+
+}  // namespace
+
+class BenchTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void paperGivesFramesOfEveryPipeline() {
+        const Run run =
+            runBench(QStringLiteral("paper --quick --rows 6 --size 64x36 --json "
+                                    "--pipelines uniform-array,transform-feedback"));
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        QVERIFY2(run.err.isEmpty(), qPrintable(run.err));
+        const QJsonObject json = QJsonDocument::fromJson(run.out.toUtf8()).object();
+        QCOMPARE(json[QStringLiteral("benchmark")].toString(), QStringLiteral("paper"));
+        const QJsonObject header = json[QStringLiteral("header")].toObject();
+        for (const char* name : {"program", "renderer", "OpenGL", "processor", "picture", "date", "note"}) {
+            QVERIFY2(!header[QLatin1String(name)].toString().isEmpty(), name);
+        }
+        QVERIFY(header[QStringLiteral("note")].toString().contains(QStringLiteral("of this renderer")));
+        const QJsonArray records = recordsOf(run.out);
+        QCOMPARE(records.size(), 3);  // transform feedback with hits arriving and without
+        for (const QJsonValue& record : records) {
+            QCOMPARE(number(record, "row"), 6.0);
+            QCOMPARE(number(record, "lp_spheres"), 10.0);
+            QCOMPARE(number(record, "hits_present"), 600.0);
+            QVERIFY(number(record, "samples") >= 2.0);
+            QVERIFY(number(record, "fps_median") > 0.0);
+            QVERIFY(number(record, "fps_low") <= number(record, "fps_median"));
+            QVERIFY(number(record, "fps_high") >= number(record, "fps_median"));
+            QVERIFY(number(record, "fps_ratio_to_uniform_array") > 0.0);
+        }
+        QCOMPARE(text(records[0], "paper_l2"), QStringLiteral("200-350"));
+        QCOMPARE(number(records[1], "hit_every"), 10.0);
+        QVERIFY(number(records[1], "time_ratio_to_no_hits") > 0.0);
+    }
+
+    void paperPutsTexturesOn() {
+        const QTemporaryDir folder;
+        const QString csv = folder.filePath(QStringLiteral("r.csv"));
+        const Run run =
+            runBench(QStringLiteral("paper --quick --rows 6 --size 64x36 --textures none,1k --hit-every 0 "
+                                    "--pipelines transform-feedback --csv ") +
+                     csv);
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        QVERIFY(
+            run.out.contains(QStringLiteral("Table 2: Transform feedback; 600 hits present; textures: 1k")));
+        QFile file(csv);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QStringList lines;
+        for (const QString& line : QString::fromUtf8(file.readAll()).split(QLatin1Char('\n'))) {
+            if (!line.isEmpty() && !line.startsWith(QLatin1Char('#'))) {
+                lines << line;
+            }
+        }
+        QCOMPARE(lines.size(), 3);
+        QCOMPARE(lines[1].count(QLatin1Char(',')), lines[0].count(QLatin1Char(',')));
+        QVERIFY(lines[2].contains(QStringLiteral(",1k,")));
+    }
+
+    void frameComparesHistories() {
+        const Run run =
+            runBench(QStringLiteral("frame --quick --gentle --size 64x36 --vertices 500 --hits 0,700 --json "
+                                    "--pipelines uniform-array,transform-feedback"));
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        const QJsonArray records = recordsOf(run.out);
+        QCOMPARE(records.size(), 4);
+        QCOMPARE(number(records[0], "time_ratio_to_no_hits"), 1.0);
+        QCOMPARE(number(records[1], "hits"), 700.0);
+        QCOMPARE(number(records[1], "hits_kept"), 600.0);
+        QCOMPARE(number(records[3], "hits_kept"), 700.0);
+    }
+
+    void hitComparesSizes() {
+        const Run run = runBench(QStringLiteral(
+            "hit --quick --vertices 1K,7938 --hits-a-frame 1,10 --pipelines transform-feedback"));
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        QVERIFY(run.out.contains(QStringLiteral("The paper's own way")));
+        QVERIFY(run.out.contains(QStringLiteral("memcpy")));
+        QVERIFY(run.out.contains(QStringLiteral("Time a hit over that on")));
+    }
+
+    void checkMeasuresOne() {
+        const Run run = runBench(QStringLiteral("check --quick --only paper-way-8k --json"));
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        const QJsonArray records = recordsOf(run.out);
+        QCOMPARE(records.size(), 1);
+        QVERIFY(number(records[0], "ratio") > 0.0);
+        QCOMPARE(number(records[0], "at_most"), 0.1);
+        QVERIFY(records[0].toObject()[QStringLiteral("kept")].isBool());
+    }
+
+    void wrongUsageIsToldApart_data() {
+        QTest::addColumn<QString>("arguments");
+        QTest::addColumn<QString>("piece");
+        QTest::addRow("nothing") << QString() << QStringLiteral("paper, frame, hit or check");
+        QTest::addRow("unknown") << QStringLiteral("speed") << QStringLiteral("\"speed\"");
+        QTest::addRow("size") << QStringLiteral("paper --size big") << QStringLiteral("--size");
+        QTest::addRow("row") << QStringLiteral("paper --rows 10") << QStringLiteral("--rows");
+        QTest::addRow("texture") << QStringLiteral("paper --textures 8k") << QStringLiteral("\"8k\"");
+        QTest::addRow("pipeline") << QStringLiteral("frame --pipelines magic") << QStringLiteral("\"magic\"");
+        QTest::addRow("hits") << QStringLiteral("frame --hits many") << QStringLiteral("\"many\"");
+        QTest::addRow("vertices") << QStringLiteral("hit --vertices 3") << QStringLiteral("--vertices");
+        QTest::addRow("check") << QStringLiteral("check --only luck") << QStringLiteral("\"luck\"");
+        QTest::addRow("option") << QStringLiteral("check --fast") << QStringLiteral("fast");
+    }
+    void wrongUsageIsToldApart() {
+        QFETCH(QString, arguments);
+        QFETCH(QString, piece);
+        const Run run = runBench(arguments);
+        QCOMPARE(run.status, 2);
+        QVERIFY(run.out.isEmpty());
+        QVERIFY2(run.err.contains(piece), qPrintable(run.err));
+    }
+
+    void fileThatCannotBeWrittenFailsAtOnce() {
+        const Run run = runBench(QStringLiteral("paper --json /nowhere/at/all.json"));
+        QCOMPARE(run.status, 1);
+        QVERIFY2(run.err.contains(QStringLiteral("/nowhere/at/all.json")), qPrintable(run.err));
+        QVERIFY(run.out.isEmpty());
+    }
+
+    void helpIsGiven() {
+        for (const char* what : {"", "paper ", "frame ", "hit ", "check "}) {
+            const Run run = runBench(QLatin1String(what) + QStringLiteral("--help"));
+            QCOMPARE(run.status, 0);
+            QVERIFY(!run.out.isEmpty());
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(BenchTest)
+#include "bench_test.moc"
