@@ -129,16 +129,19 @@ Status SceneGpu::Private::followPipeline(bool& startOver) {
 
 void SceneGpu::Private::followHistory(bool startOver) {
     const HitHistory& history = session.history();
+    if (!startOver && appliedRevision == history.revision()) {
+        return;
+    }
     const auto edits = history.editsSince(appliedRevision);
-    const auto isAppend = [](const HistoryEdit& edit) { return edit.before.empty(); };
-    if (startOver || !edits || !std::all_of(edits->begin(), edits->end(), isAppend)) {
+    if (startOver || !edits) {
         pipeline->reset(history.hits());
     } else {
         for (const HistoryEdit& edit : *edits) {
-            pipeline->append(edit.after);
+            pipeline->edit(edit);
         }
     }
     appliedRevision = history.revision();
+    session.setDroppedHits(pipeline->capacity().dropped.size());
 }
 
 void SceneGpu::Private::readBack() {
@@ -152,7 +155,6 @@ void SceneGpu::Private::readBack() {
                                 target->trueNormals.normals());
         }
     }
-    session.setDroppedHits(pipeline->droppedHits());
 }
 
 Status SceneGpu::sync() {
