@@ -31,7 +31,7 @@ void showError(QWidget* parent, const Error& error) {
     box->open();
 }
 
-void showAbout(QWidget* parent, const QString& renderer, const QString& version) {
+void showAbout(QWidget* parent, const QString& renderer, const QString& version, const QString& exactness) {
     auto* box = new QMessageBox(QMessageBox::NoIcon, tr("About Hitscope"), {}, QMessageBox::Close, parent);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setIconPixmap(QIcon(QStringLiteral(":/icons/hitscope.svg")).pixmap(64, 64));
@@ -39,9 +39,9 @@ void showAbout(QWidget* parent, const QString& renderer, const QString& version)
                      .arg(QStringLiteral(HITSCOPE_VERSION)));
     box->setInformativeText(
         tr("<p>The deformation is that of “Real-time polygon mesh deformation” by Alessio Quercia.</p>"
-           "<p>Renderer: %1<br>OpenGL: %2<br>Qt: %3</p>"
+           "<p>Renderer: %1<br>OpenGL: %2<br>Deformation: %3<br>Qt: %4</p>"
            "<p>Free software under the GNU General Public License, version 3 or later.</p>")
-            .arg(renderer.toHtmlEscaped(), version.toHtmlEscaped(), QString::fromLatin1(qVersion())));
+            .arg(renderer.toHtmlEscaped(), version.toHtmlEscaped(), exactness.toHtmlEscaped(), QString::fromLatin1(qVersion())));
     box->open();
 }
 

@@ -271,8 +271,11 @@ void MainWindow::makeHelpMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Help"));
     addAction(menu, tr("&Keys and Mouse"), Qt::Key_F1, [this] { showKeysSheet(this); });
     menu.addSeparator();
-    addAction(menu, tr("&About Hitscope"), {},
-              [this] { showAbout(this, m_viewport->rendererName(), m_viewport->rendererVersion()); });
+    addAction(menu, tr("&About Hitscope"), {}, [this] {
+        const std::optional<Exactness>& exactness = m_session.exactness();
+        showAbout(this, m_viewport->rendererName(), m_viewport->rendererVersion(),
+                  exactness ? QString::fromStdString(describe(*exactness)) : QString());
+    });
 }
 
 QComboBox* MainWindow::makePipelineBox() {

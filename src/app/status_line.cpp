@@ -26,21 +26,22 @@ StatusLine::StatusLine(const Session& session, QStatusBar& bar, QObject* parent)
     : QObject(parent), m_session(session), m_bar(bar) {
     makeProgress();
     m_pipeline = addCell(tr("Pipeline that applies the hits"));
-    m_renderer = addCell(tr("What draws"));
+    m_renderer = addCell({});
     m_target = addCell(tr("Target in focus"));
     m_vertices = addCell(tr("Vertices of all targets"));
     m_hits = addCell(tr("Hits made so far"));
     m_frameRate = addCell(tr("Frames drawn in the last second"));
-    m_renderer->hide();
     setFrameRate(0.0);
     connect(&session, &Session::sceneReplaced, this, &StatusLine::showScene);
     connect(&session, &Session::targetSelected, this, &StatusLine::showTarget);
     connect(&session, &Session::hitsAppended, this, &StatusLine::showHits);
     connect(&session, &Session::historyReset, this, &StatusLine::showHits);
-    connect(&session, &Session::droppedHitsChanged, this, &StatusLine::showHits);
+    connect(&session, &Session::capacityChanged, this, &StatusLine::showHits);
     connect(&session, &Session::pipelineChanged, this, &StatusLine::showPipeline);
+    connect(&session, &Session::exactnessChanged, this, &StatusLine::showRenderer);
     showScene();
     showPipeline();
+    showRenderer();
 }
 
 QLabel* StatusLine::addCell(const QString& toolTip) {
@@ -97,8 +98,21 @@ void StatusLine::endProgress() {
 }
 
 void StatusLine::setRenderer(const QString& name) {
-    m_renderer->setText(name);
-    m_renderer->setVisible(!name.isEmpty());
+    m_rendererName = name;
+    showRenderer();
+}
+
+void StatusLine::showRenderer() {
+    const std::optional<Exactness>& exactness = m_session.exactness();
+    QString text = m_rendererName;
+    QString toolTip = tr("What draws");
+    if (exactness) {
+        text += exactness->exact ? tr(", bit-exact") : tr(", not bit-exact");
+        toolTip += QStringLiteral("\n") + QString::fromStdString(describe(*exactness));
+    }
+    m_renderer->setText(text);
+    m_renderer->setToolTip(toolTip);
+    m_renderer->setVisible(!m_rendererName.isEmpty());
 }
 
 void StatusLine::setFrameRate(double framesPerSecond) {
@@ -124,10 +138,21 @@ void StatusLine::showTarget() {
 void StatusLine::showHits() {
     const std::size_t hits = m_session.history().size();
     QString text = hits == 1 ? tr("1 hit") : tr("%1 hits").arg(countText(hits));
+    if (m_session.disabledHits() > 0) {
+        text += tr(", %1 disabled").arg(countText(m_session.disabledHits()));
+    }
     if (m_session.droppedHits() > 0) {
-        text += tr(" (oldest %1 dropped)").arg(countText(m_session.droppedHits()));
+        text += tr(", %1 dropped").arg(countText(m_session.droppedHits()));
     }
     m_hits->setText(text);
+    const CapacityReport& report = m_session.capacity();
+    QString tip = tr("Hits made so far");
+    if (report.capacity) {
+        tip += u'\n' + (report.perTarget ? tr("The pipeline keeps the last %1 on each target.")
+                                         : tr("The pipeline keeps the last %1 of the scene."))
+                           .arg(countText(*report.capacity));
+    }
+    m_hits->setToolTip(tip);
 }
 
 void StatusLine::showPipeline() {

@@ -37,6 +37,7 @@ private:
     void showTarget();
     void showHits();
     void showPipeline();
+    void showRenderer();
 
     const Session& m_session;
     QStatusBar& m_bar;
@@ -49,6 +50,7 @@ private:
     QWidget* m_progress = nullptr;
     QLabel* m_doing = nullptr;
     QProgressBar* m_fraction = nullptr;
+    QString m_rendererName;
     QString m_opening;  ///< base name of the file
     QTimer m_progressDelay;
 };

@@ -23,4 +23,12 @@ struct DemoOptions {
 /// Prints what is in a mesh file.
 [[nodiscard]] Status runInfo(const QString& meshPath);
 
+/// Prints what draws without a window, how many hits its uniform arrays hold, and whether it deforms as the
+/// reference does in every bit.
+[[nodiscard]] Status runRendererInfo();
+
+/// Prints what draws without a window, how many hits its uniform arrays hold, and whether it deforms as the
+/// reference does in every bit.
+[[nodiscard]] Status runRendererInfo();
+
 }  // namespace hitscope::cli

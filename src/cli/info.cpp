@@ -2,8 +2,11 @@
 #include <QTextStream>
 
 #include "cli/commands.h"
+#include "gl/context.h"
 #include "io/import.h"
 #include "mesh/topology.h"
+#include "pipeline/deformation_pipeline.h"
+#include "pipeline/exactness.h"
 
 namespace hitscope::cli {
 
@@ -85,6 +88,30 @@ Status runInfo(const QString& meshPath) {
     for (const QString& note : imported.value().notes) {
         out << "  note: " << note << "\n";
     }
+    return Done{};
+}
+
+Status runRendererInfo() {
+    const Result<std::unique_ptr<gl::OffscreenContext>> context = gl::OffscreenContext::create();
+    if (!context) {
+        return context.error();
+    }
+    const Result<std::unique_ptr<DeformationPipeline>> arrays = makePipeline(PipelineKind::UniformArray);
+    if (!arrays) {
+        return arrays.error();
+    }
+    const Result<Exactness> exactness = measureExactness();
+    if (!exactness) {
+        return exactness.error();
+    }
+    const gl::RendererInfo info = gl::rendererInfo();
+    QTextStream out(stdout);
+    Table table(out);
+    table.row(QStringLiteral("renderer"), QString::fromStdString(info.renderer));
+    table.row(QStringLiteral("vendor"), QString::fromStdString(info.vendor));
+    table.row(QStringLiteral("OpenGL"), QString::fromStdString(info.version));
+    table.row(QStringLiteral("hits in uniform arrays"), arrays.value()->capacity().value_or(0));
+    table.row(QStringLiteral("deformation"), QString::fromStdString(describe(exactness.value())));
     return Done{};
 }
 

@@ -4,6 +4,21 @@
 #include <cmath>
 
 namespace hitscope {
+namespace {
+
+/// Nearer than 1e-11 m counts as r = 0. Some renderers flush denormal numbers to zero; from here on that
+/// changes nothing: a sum of two squares that feels a lost denormal is below 1e-30, less than half a unit in
+/// the last place of r2.
+constexpr float kNoDistance2 = 1e-22f;
+/// Smaller components of a turned normal count as 0, so that neither they nor the residuals by which
+/// exactDivide() in deform.glsl corrects a quotient are denormal.
+constexpr float kNoComponent = 1e-20f;
+
+float turnedComponent(float s, float length) {
+    return std::abs(s) < kNoComponent ? 0.0f : s / length;
+}
+
+}  // namespace
 
 // The order of operations, which shaders/deform.glsl mirrors. Every operation is rounded to float; there are
 // no contractions, no library normalize() or length(), and the rim is decided on squares: the function jumps
@@ -13,11 +28,12 @@ namespace hitscope {
 //   r2 = (dx * dx + dy * dy) + dz * dz
 //   not (r2 <= max_distance * max_distance): out of reach (a NaN is out of reach, too)
 //   r = sqrt(r2)
-//   m = r2 == 0 ? max_magnitude : min(power / r, max_magnitude)        eq. 4; at r = 0 the cap applies
+//   m = r2 < 1e-22 ? max_magnitude : min(power / r, max_magnitude)     eq. 4; at r = 0 the cap applies
 //   v = d * m                                                          eq. 3
 //   p = p + v                                                          eq. 1
 //   s = n + v,  len2 = (s.x * s.x + s.y * s.y) + s.z * s.z             eq. 2
-//   len2 > 1e-12: n = s / sqrt(len2); else n stays, since the sum has no direction
+//   len2 > 1e-12: n = s / sqrt(len2), components of s below 1e-20 as 0; else n stays, since the sum has no
+//   direction
 bool deform(glm::vec3& position, glm::vec3& normal, const Hit& hit) {
     const float dx = position.x - hit.point.x;
     const float dy = position.y - hit.point.y;
@@ -26,9 +42,9 @@ bool deform(glm::vec3& position, glm::vec3& normal, const Hit& hit) {
     if (!(r2 <= hit.constants.maxDistance * hit.constants.maxDistance)) {
         return false;
     }
-    const float r = std::sqrt(r2);
     float magnitude = hit.constants.maxMagnitude;
-    if (r2 != 0.0f) {
+    if (r2 >= kNoDistance2) {
+        const float r = std::sqrt(r2);
         const float ratio = hit.constants.power / r;
         magnitude = ratio < magnitude ? ratio : magnitude;
     }
@@ -45,9 +61,9 @@ bool deform(glm::vec3& position, glm::vec3& normal, const Hit& hit) {
     const float len2 = (sx * sx + sy * sy) + sz * sz;
     if (len2 > 1e-12f) {
         const float length = std::sqrt(len2);
-        normal.x = sx / length;
-        normal.y = sy / length;
-        normal.z = sz / length;
+        normal.x = turnedComponent(sx, length);
+        normal.y = turnedComponent(sy, length);
+        normal.z = turnedComponent(sz, length);
     }
     return true;
 }

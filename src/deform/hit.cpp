@@ -13,6 +13,22 @@ bool isFinite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+/// Numbers so small that deforming with them could give denormal ones, which some renderers flush to zero,
+/// count as 0 from the start.
+float withoutTiny(float value, float smallest) {
+    return std::abs(value) < smallest ? 0.0f : value;
+}
+
+void removeTiny(Hit& hit) {
+    constexpr float kSmallestComponent = 1e-20f;
+    constexpr float kSmallestConstant = 1e-15f;  // square metres, metres
+    for (glm::length_t i = 0; i < 3; ++i) {
+        hit.direction[i] = withoutTiny(hit.direction[i], kSmallestComponent);
+    }
+    hit.constants.power = withoutTiny(hit.constants.power, kSmallestConstant);
+    hit.constants.maxMagnitude = withoutTiny(hit.constants.maxMagnitude, kSmallestConstant);
+}
+
 Error notFinite(const char* field) {
     return {"A number of the hit is infinite or not a number.", field,
             "Give a finite number, or leave this hit out."};
@@ -59,6 +75,7 @@ Result<Hit> checkedHit(Hit hit) {
     if (std::abs(lengthSquared - 1.0) > 2.5e-7) {
         hit.direction = glm::vec3(direction / std::sqrt(lengthSquared));
     }
+    removeTiny(hit);
     return hit;
 }
 

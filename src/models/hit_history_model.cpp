@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "models/hit_history_model.h"
 
+#include <QDataStream>
+#include <QIODevice>
+#include <QMimeData>
+#include <algorithm>
+
 #include "models/quantity_text.h"
 
 namespace hitscope {
 
 namespace {
+
+constexpr auto kRowsType = "application/x-hitscope-hit-rows";
 
 struct Header {
     const char* title;
@@ -71,12 +78,14 @@ QString exact(float value) {
 
 }  // namespace
 
-HitHistoryModel::HitHistoryModel(const Session& session, QObject* parent)
+HitHistoryModel::HitHistoryModel(Session& session, QObject* parent)
     : QAbstractTableModel(parent), m_session(session), m_rows(static_cast<int>(session.history().size())) {
     connect(&session, &Session::hitsAboutToBeAppended, this, &HitHistoryModel::beginAppend);
     connect(&session, &Session::hitsAppended, this, &HitHistoryModel::endAppend);
-    connect(&session, &Session::historyReset, this, &HitHistoryModel::reset);
+    connect(&session, &Session::hitsChanged, this, &HitHistoryModel::refresh);
+    connect(&session, &Session::hitsRearranged, this, &HitHistoryModel::rearrange);
     connect(&session, &Session::sceneReplaced, this, &HitHistoryModel::reset);
+    connect(&session, &Session::capacityChanged, this, [this] { refresh(0, m_rows - 1); });
 }
 
 int HitHistoryModel::rowCount(const QModelIndex& parent) const {
@@ -92,18 +101,21 @@ QVariant HitHistoryModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || static_cast<std::size_t>(index.row()) >= hits.size()) {
         return {};
     }
-    const Hit& hit = hits[static_cast<std::size_t>(index.row())];
+    const auto row = static_cast<std::size_t>(index.row());
+    const Hit& hit = hits[row];
     switch (role) {
         case Qt::DisplayRole:
             return text(hit, index.row(), index.column());
+        case Qt::CheckStateRole:
+            return index.column() == NumberColumn ? QVariant(hit.enabled ? Qt::Checked : Qt::Unchecked)
+                                                  : QVariant();
         case Qt::TextAlignmentRole:
             return index.column() == TargetColumn ? QVariant(Qt::AlignLeft | Qt::AlignVCenter)
                                                   : QVariant(Qt::AlignRight | Qt::AlignVCenter);
         case Qt::ToolTipRole:
-            return tr("Max distance %1 m, power %2 m², max magnitude %3 m")
-                .arg(quantityText(static_cast<double>(hit.constants.maxDistance)),
-                     quantityText(static_cast<double>(hit.constants.power)),
-                     quantityText(static_cast<double>(hit.constants.maxMagnitude)));
+            return toolTip(hit, row);
+        case HitStateRole:
+            return stateOf(row);
         case RawValueRole:
             return rawValue(hit, index.row(), index.column());
         default:
@@ -132,6 +144,34 @@ QString HitHistoryModel::text(const Hit& hit, int row, int column) const {
     }
 }
 
+HitHistoryModel::HitState HitHistoryModel::stateOf(std::size_t row) const {
+    if (!m_session.history().hits()[row].enabled) {
+        return Disabled;
+    }
+    return m_session.isDropped(row) ? Dropped : Applied;
+}
+
+QString HitHistoryModel::toolTip(const Hit& hit, std::size_t row) const {
+    QString tip = tr("Max distance %1 m, power %2 m², max magnitude %3 m")
+                      .arg(quantityText(static_cast<double>(hit.constants.maxDistance)),
+                           quantityText(static_cast<double>(hit.constants.power)),
+                           quantityText(static_cast<double>(hit.constants.maxMagnitude)));
+    const HitState state = stateOf(row);
+    if (state == Disabled) {
+        tip.prepend(tr("Disabled: the mesh is as if this hit had not been made.") + u'\n');
+    } else if (state == Dropped) {
+        const CapacityReport& report = m_session.capacity();
+        const std::string_view pipeline = pipelineTraits(m_session.pipeline()).name;
+        const QString why = report.perTarget
+                                ? tr("Dropped: the pipeline “%1” keeps the last %2 hits on each target.")
+                                : tr("Dropped: the pipeline “%1” keeps the last %2 hits of the scene.");
+        tip.prepend(why.arg(QString::fromUtf8(pipeline.data(), static_cast<qsizetype>(pipeline.size())),
+                            countText(report.capacity.value_or(report.used))) +
+                    u'\n');
+    }
+    return tip;
+}
+
 QString HitHistoryModel::targetName(const Hit& hit) const {
     const Target* target = m_session.target(hit.target);
     return target != nullptr ? target->name : QString();
@@ -154,23 +194,86 @@ QVariant HitHistoryModel::headerData(int section, Qt::Orientation orientation, i
     }
 }
 
+Qt::ItemFlags HitHistoryModel::flags(const QModelIndex& index) const {
+    if (!index.isValid()) {
+        return Qt::ItemIsDropEnabled;  // between the rows; the rows themselves take nothing
+    }
+    const Qt::ItemFlags flags = QAbstractTableModel::flags(index) | Qt::ItemIsDragEnabled;
+    return index.column() == NumberColumn ? flags | Qt::ItemIsUserCheckable : flags;
+}
+
+bool HitHistoryModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (!index.isValid() || index.column() != NumberColumn || role != Qt::CheckStateRole) {
+        return false;
+    }
+    const auto row = static_cast<std::size_t>(index.row());
+    m_session.setHitsEnabled({&row, 1}, value.toInt() == Qt::Checked);
+    return true;
+}
+
+QStringList HitHistoryModel::mimeTypes() const {
+    return {QString::fromLatin1(kRowsType)};
+}
+
+QMimeData* HitHistoryModel::mimeData(const QModelIndexList& indexes) const {
+    QList<qint32> rows;
+    rows.reserve(indexes.size());
+    for (const QModelIndex& index : indexes) {
+        rows.append(index.row());
+    }
+    QByteArray bytes;
+    QDataStream out(&bytes, QIODevice::WriteOnly);
+    out << rows;
+    auto* data = new QMimeData;
+    data->setData(QString::fromLatin1(kRowsType), bytes);
+    return data;
+}
+
+/// The view then asks to have the rows removed where they came from, which removeRows() refuses: they have
+/// been moved already.
+bool HitHistoryModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                                   const QModelIndex& parent) {
+    if (!canDropMimeData(data, action, row, column, parent) || parent.isValid()) {
+        return false;
+    }
+    QList<qint32> rows;
+    QDataStream in(data->data(QString::fromLatin1(kRowsType)));
+    in >> rows;
+    std::vector<std::size_t> moved;
+    for (const qint32 from : rows) {
+        if (from >= 0) {
+            moved.push_back(static_cast<std::size_t>(from));
+        }
+    }
+    m_session.moveHits(moved, static_cast<std::size_t>(row < 0 ? m_rows : row));  // -1: below the last
+    return true;
+}
+
 QString HitHistoryModel::csv(std::span<const int> rows) const {
     QString text = QStringLiteral(
         "number,time_s,target,point_x_m,point_y_m,point_z_m,direction_x,direction_y,direction_z,"
-        "speed_m_per_s,impulse_n_s,max_distance_m,power_m2,max_magnitude_m\n");
+        "speed_m_per_s,impulse_n_s,max_distance_m,power_m2,max_magnitude_m,enabled\n");
     const std::span<const Hit> hits = m_session.history().hits();
     const auto append = [&](std::size_t row) {
         if (row >= hits.size()) {
             return;
         }
         const Hit& hit = hits[row];
-        const QStringList fields{QString::number(row + 1),   QString::number(hit.time, 'g', 17),
-                                 csvField(targetName(hit)),  exact(hit.point.x),
-                                 exact(hit.point.y),         exact(hit.point.z),
-                                 exact(hit.direction.x),     exact(hit.direction.y),
-                                 exact(hit.direction.z),     exact(hit.speed),
-                                 exact(hit.impulse),         exact(hit.constants.maxDistance),
-                                 exact(hit.constants.power), exact(hit.constants.maxMagnitude)};
+        const QStringList fields{QString::number(row + 1),
+                                 QString::number(hit.time, 'g', 17),
+                                 csvField(targetName(hit)),
+                                 exact(hit.point.x),
+                                 exact(hit.point.y),
+                                 exact(hit.point.z),
+                                 exact(hit.direction.x),
+                                 exact(hit.direction.y),
+                                 exact(hit.direction.z),
+                                 exact(hit.speed),
+                                 exact(hit.impulse),
+                                 exact(hit.constants.maxDistance),
+                                 exact(hit.constants.power),
+                                 exact(hit.constants.maxMagnitude),
+                                 QString::number(hit.enabled ? 1 : 0)};
         text += fields.join(u',') + u'\n';
     };
     if (rows.empty()) {
@@ -192,6 +295,26 @@ void HitHistoryModel::beginAppend(int first, int last) {
 void HitHistoryModel::endAppend() {
     m_rows = m_rowsAfterAppend;
     endInsertRows();
+}
+
+void HitHistoryModel::refresh(int first, int last) {
+    if (first <= last) {
+        Q_EMIT dataChanged(index(first, 0), index(last, ColumnCount - 1));
+    }
+}
+
+void HitHistoryModel::rearrange(const HitRows& rows) {
+    Q_EMIT layoutAboutToBeChanged();
+    m_rows = static_cast<int>(rows.size());
+    const QModelIndexList before = persistentIndexList();
+    QModelIndexList now;
+    now.reserve(before.size());
+    for (const QModelIndex& old : before) {
+        const std::optional<std::size_t> row = rows.now(static_cast<std::size_t>(old.row()));
+        now.append(row ? index(static_cast<int>(*row), old.column()) : QModelIndex());
+    }
+    changePersistentIndexList(before, now);
+    Q_EMIT layoutChanged();
 }
 
 void HitHistoryModel::reset() {

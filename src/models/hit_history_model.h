@@ -10,6 +10,9 @@ namespace hitscope {
 
 /// The session's hits, oldest first, one a row; follows the session live. Cells are made when they are asked
 /// for, so the cost of a hit does not grow with the number of hits before it.
+///
+/// Rows are checked when the hit is enabled, and can be dragged to another place; both go through the session
+/// and can be undone there. Persistent indexes, so selections too, stay with their hits.
 class HitHistoryModel : public QAbstractTableModel {
     Q_OBJECT
 public:
@@ -29,16 +32,32 @@ public:
         /// times (s), speeds (m/s) and impulses (N s), QVariantList of three doubles for points (m) and
         /// directions.
         RawValueRole = Qt::UserRole,
+        HitStateRole,  ///< HitState as int: whether the mesh on screen shows the hit
+    };
+    enum HitState : int {
+        Applied,
+        Disabled,
+        Dropped,  ///< enabled, but the pipeline's capacity was reached
     };
 
     /// `session` outlives the model.
-    explicit HitHistoryModel(const Session& session, QObject* parent = nullptr);
+    explicit HitHistoryModel(Session& session, QObject* parent = nullptr);
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
                                       int role = Qt::DisplayRole) const override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+    /// Qt::CheckStateRole of the first column enables and disables; all else is refused.
+    bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
+
+    // Dragging: rows of this model, between its rows.
+    [[nodiscard]] Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
+    [[nodiscard]] QStringList mimeTypes() const override;
+    [[nodiscard]] QMimeData* mimeData(const QModelIndexList& indexes) const override;
+    bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                      const QModelIndex& parent) override;
 
     /// The given rows (all of them when empty) as comma-separated text with a header line, numbers in full
     /// precision with a point whatever the locale. Rows out of range are passed over.
@@ -47,12 +66,16 @@ public:
 private:
     void beginAppend(int first, int last);
     void endAppend();
+    void refresh(int first, int last);
+    void rearrange(const HitRows& rows);
     void reset();
+    [[nodiscard]] HitState stateOf(std::size_t row) const;
+    [[nodiscard]] QString toolTip(const Hit& hit, std::size_t row) const;
     [[nodiscard]] QString text(const Hit& hit, int row, int column) const;
     [[nodiscard]] QString targetName(const Hit& hit) const;
 
-    const Session& m_session;
-    /// What the views were told. The history changes before historyReset() arrives, and a view must not see
+    Session& m_session;
+    /// What the views were told. The history changes before the session says so, and a view must not see
     /// that in between.
     int m_rows = 0;
     int m_rowsAfterAppend = 0;

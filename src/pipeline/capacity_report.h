@@ -7,12 +7,12 @@
 
 namespace hitscope {
 
-/// What a pipeline keeps of the history, where it cannot keep all.
+/// How full a pipeline is, and which hits of the history it no longer applies because of that.
 struct CapacityReport {
-    std::optional<std::size_t> capacity;  ///< most hits kept; nothing: unlimited
-    bool perTarget = false;               ///< capacity is that of each target, not of the scene
-    std::size_t used = 0;                 ///< hits kept; per target: of the target with the most
-    std::vector<std::size_t> dropped;     ///< indices into the history of enabled hits not kept, ascending
+    std::optional<std::size_t> capacity;  ///< most hits it keeps; nothing: any number
+    bool perTarget = false;               ///< the capacity is each target's own, not the scene's
+    std::size_t used = 0;                 ///< hits kept now; those of the fullest target if perTarget
+    std::vector<std::size_t> dropped;     ///< indices into the history, ascending; enabled hits only
 
     bool operator==(const CapacityReport&) const = default;
 };

@@ -98,7 +98,7 @@ void Session::clearScene() {
     m_undo.clear();
     m_selectedHit.reset();
     m_selectedTarget = {};
-    m_droppedHits = 0;
+    m_disabledHits = 0;
 }
 
 Target& Session::addTarget(const TargetPlan& plan) {
@@ -128,91 +128,10 @@ void Session::announceScene(const QString& name) {
     m_lights.spot.quadratic = placed.spot.quadratic;
     Q_EMIT sceneReplaced();
     Q_EMIT historyReset();
+    setCapacity({m_capacity.capacity, m_capacity.perTarget, 0, {}});
     Q_EMIT lightsChanged();
     Q_EMIT targetSelected(m_selectedTarget);
     Q_EMIT pictureChanged();
-}
-
-// Hits
-
-Status Session::addHit(const Hit& hit) {
-    Result<Hit> checked = checkedHit(hit);
-    if (!checked) {
-        return checked.error();
-    }
-    if (target(hit.target) == nullptr) {
-        return Error{"The hit is on a target that is not in the scene.", "",
-                     "Load the scene it was made in."};
-    }
-    appendHits({&checked.value(), 1});
-    return Done{};
-}
-
-void Session::appendHits(std::span<const Hit> hits) {
-    if (hits.empty()) {
-        return;
-    }
-    const int first = static_cast<int>(m_history.size());
-    Q_EMIT hitsAboutToBeAppended(first, first + static_cast<int>(hits.size()) - 1);
-    recordUndo({m_history.append(hits)});
-    Q_EMIT hitsAppended();
-    selectTarget(hits.back().target);
-    Q_EMIT pictureChanged();
-}
-
-/// The constants in force stay as they are.
-void Session::recordUndo(std::vector<HistoryEdit> edits) {
-    m_undo.record({std::move(edits), m_constants, m_constants, HistoryUndo::Merge::Never});
-}
-
-void Session::announceHistoryReset() {
-    if (m_selectedHit && *m_selectedHit >= m_history.size()) {
-        m_selectedHit.reset();
-        Q_EMIT hitSelected();
-    }
-    Q_EMIT historyReset();
-    Q_EMIT pictureChanged();
-}
-
-void Session::undoHit() {
-    if (canUndo()) {
-        takeConstants(m_undo.undo(m_history));
-        announceHistoryReset();
-    }
-}
-
-void Session::redoHit() {
-    if (canRedo()) {
-        takeConstants(m_undo.redo(m_history));
-        announceHistoryReset();
-    }
-}
-
-void Session::removeHit(std::size_t index) {
-    if (index >= m_history.size()) {
-        return;
-    }
-    recordUndo({m_history.remove(index)});
-    selectHit(std::nullopt);
-    announceHistoryReset();
-}
-
-void Session::clearHits() {
-    if (m_history.size() > 0) {
-        recordUndo({m_history.clear()});
-        announceHistoryReset();
-    }
-}
-
-void Session::selectHit(std::optional<std::size_t> index) {
-    if (index && *index >= m_history.size()) {
-        index.reset();
-    }
-    if (index != m_selectedHit) {
-        m_selectedHit = index;
-        Q_EMIT hitSelected();
-        Q_EMIT pictureChanged();
-    }
 }
 
 // Settings
@@ -222,17 +141,18 @@ Status Session::setConstants(const DeformationConstants& constants, bool past) {
         return Error{"A deformation constant is out of its range.", "",
                      "Keep to the ranges the panel shows."};
     }
-    bool changesHistory = false;
+    std::vector<HistoryEdit> edits;
     if (past) {
-        HistoryEdit edit = m_history.setConstantsOfAll(constants);
-        changesHistory = !edit.after.empty();
+        edits.push_back(m_history.setConstantsOfAll(constants));
         // Dragging a slider is one change, not hundreds.
-        m_undo.record({{std::move(edit)}, m_constants, constants, HistoryUndo::Merge::WithSameKind});
+        m_undo.record({edits,
+                       m_constants,
+                       constants,
+                       HistoryUndo::Merge::WithSameKind,
+                       {HistoryUndo::Kind::Constants, m_history.size()}});
     }
     takeConstants(constants);
-    if (changesHistory) {
-        announceHistoryReset();
-    }
+    announceEdits(edits);
     return Done{};
 }
 
@@ -260,6 +180,18 @@ void Session::setPipeline(PipelineKind kind) {
         Q_EMIT pipelineChanged();
         Q_EMIT pictureChanged();
     }
+}
+
+void Session::setUnavailablePipelines(std::map<PipelineKind, QString> reasons) {
+    if (reasons != m_unavailablePipelines) {
+        m_unavailablePipelines = std::move(reasons);
+        Q_EMIT unavailablePipelinesChanged();
+    }
+}
+
+QString Session::whyUnavailable(PipelineKind kind) const {
+    const auto reason = m_unavailablePipelines.find(kind);
+    return reason == m_unavailablePipelines.end() ? QString() : reason->second;
 }
 
 // Time

@@ -12,10 +12,13 @@
 #include "core/result.h"
 #include "deform/hit_history.h"
 #include "physics/physics_world.h"
+#include "pipeline/capacity_report.h"
+#include "pipeline/exactness.h"
 #include "pipeline/pipeline_kind.h"
 #include "render/camera.h"
 #include "render/lights.h"
 #include "session/history_undo.h"
+#include "session/hit_rows.h"
 #include "session/scene_presets.h"
 #include "session/target.h"
 
@@ -49,15 +52,26 @@ public:
     /// Appends a hit made elsewhere (a file, a script); refused as checkedHit() says, or if there is no such
     /// target.
     [[nodiscard]] Status addHit(const Hit& hit);
-    /// Undo and redo cover every change of the history: hits made, removed, cleared, their constants changed.
+    /// Undo and redo cover every change of the history: hits made, removed, moved, disabled, cleared, their
+    /// constants changed.
     [[nodiscard]] bool canUndo() const { return m_undo.canUndo(); }
     [[nodiscard]] bool canRedo() const { return m_undo.canRedo(); }
     void undoHit();
     void redoHit();
+    /// What undoHit() and redoHit() would be about; nothing when they would do nothing.
+    [[nodiscard]] std::optional<HistoryUndo::Name> undoName() const { return nameOf(m_undo.toUndo()); }
+    [[nodiscard]] std::optional<HistoryUndo::Name> redoName() const { return nameOf(m_undo.toRedo()); }
     void removeHit(std::size_t index);
     void clearHits();
+    /// Each of these is one step to undo, however many hits; indices out of range are passed over.
+    void setHitsEnabled(std::span<const std::size_t> indices, bool enabled);
+    void enableAllHits();
+    /// The hits come to stand together, in their order, before the hit that is now at `to` (<= size()).
+    void moveHits(std::span<const std::size_t> indices, std::size_t to);
+    void removeHits(std::span<const std::size_t> indices);
     [[nodiscard]] std::optional<std::size_t> selectedHit() const { return m_selectedHit; }
     void selectHit(std::optional<std::size_t> index);
+    [[nodiscard]] std::size_t disabledHits() const { return m_disabledHits; }
 
     // Settings
     [[nodiscard]] const DeformationConstants& constants() const { return m_constants; }
@@ -71,6 +85,8 @@ public:
     void setPipeline(PipelineKind kind);
 
     // Time
+    /// Why the driver cannot run a pipeline, in words for the interface; empty: it can, as far as is known.
+    [[nodiscard]] QString whyUnavailable(PipelineKind kind) const;
     void shoot(const Ray& ray);  ///< world
     /// Steps the physics; contacts become hits.
     void advance(double seconds);
@@ -78,6 +94,9 @@ public:
     [[nodiscard]] const PhysicsWorld& physics() const { return m_physics; }
 
     // What SceneGpu reports back
+    void setExactness(const Exactness& exactness);
+    /// Of the renderer that draws; nothing before there is one.
+    [[nodiscard]] const std::optional<Exactness>& exactness() const { return m_exactness; }
     /// The pipeline starts over: every target's CPU copy goes back to its original until it is read back.
     void restartReadBack();
     /// What the active pipeline made of a target: vertices [first, first + vertices.size()).
@@ -89,23 +108,31 @@ public:
     /// The read-back is complete: recomputes true normals around what moved and emits meshChanged() for each
     /// target concerned. Returns the render vertices whose shading normal changed.
     std::vector<ChangedNormals> finishReadBack();
-    void setDroppedHits(std::size_t count);
-    /// Oldest hits that the active pipeline no longer shows because its capacity was reached.
-    [[nodiscard]] std::size_t droppedHits() const { return m_droppedHits; }
+    void setCapacity(CapacityReport report);
+    [[nodiscard]] const CapacityReport& capacity() const { return m_capacity; }
+    /// Hits that the active pipeline no longer applies because its capacity was reached.
+    [[nodiscard]] std::size_t droppedHits() const { return m_capacity.dropped.size(); }
+    [[nodiscard]] bool isDropped(std::size_t index) const;
+    void setUnavailablePipelines(std::map<PipelineKind, QString> reasons);
 
 Q_SIGNALS:
     void sceneReplaced();  ///< all targets are new, the history is empty
     void hitsAboutToBeAppended(int first, int last);
     void hitsAppended();
-    void historyReset();                          ///< changed in any other way
-    void meshChanged(hitscope::TargetId target);  ///< its DeformedMesh did
+    /// Hits [first, last] are where they were; they were enabled or disabled, or got other constants.
+    void hitsChanged(int first, int last);
+    void hitsRearranged(const hitscope::HitRows& rows);  ///< removed, put back, moved
+    void historyReset();                                 ///< after either of these, and with a new scene
+    void meshChanged(hitscope::TargetId target);         ///< its DeformedMesh did
     void constantsChanged();
     void lightsChanged();
     void projectileSettingsChanged();
     void pipelineChanged();
+    void exactnessChanged();
     void targetSelected(hitscope::TargetId target);
     void hitSelected();
-    void droppedHitsChanged();
+    void capacityChanged();
+    void unavailablePipelinesChanged();
     void pictureChanged();  ///< anything that a new frame would show
 
 private:
@@ -113,8 +140,13 @@ private:
     void announceScene(const QString& name);
     Target& addTarget(const TargetPlan& plan);
     void appendHits(std::span<const Hit> hits);
-    void recordUndo(std::vector<HistoryEdit> edits);
-    void announceHistoryReset();
+    void recordUndo(std::vector<HistoryEdit> edits, HistoryUndo::Name name);
+    void changeHistory(std::vector<HistoryEdit> edits, HistoryUndo::Name name);
+    void announceEdits(std::span<const HistoryEdit> edits);
+    void announceRows(const HitRows& rows);
+    static std::optional<HistoryUndo::Name> nameOf(const HistoryUndo::Change* change) {
+        return change != nullptr ? std::optional(change->name) : std::nullopt;
+    }
     void takeConstants(const DeformationConstants& constants);
 
     QString m_sceneName;
@@ -129,8 +161,11 @@ private:
     Lights m_lights;
     ProjectileSettings m_projectileSettings;
     PipelineKind m_pipeline = PipelineKind::TransformFeedback;
+    std::optional<Exactness> m_exactness;
     PhysicsWorld m_physics;
-    std::size_t m_droppedHits = 0;
+    std::size_t m_disabledHits = 0;
+    CapacityReport m_capacity;
+    std::map<PipelineKind, QString> m_unavailablePipelines;
     std::map<TargetId, std::vector<std::uint32_t>>
         m_moved;  ///< file vertices, since the last finishReadBack()
 };

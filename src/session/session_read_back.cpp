@@ -46,6 +46,13 @@ void Session::takeReadBack(TargetId id, std::uint32_t first, std::span<const Dyn
     target->deformed.write(first, vertices);
 }
 
+void Session::setExactness(const Exactness& exactness) {
+    if (exactness != m_exactness) {
+        m_exactness = exactness;
+        Q_EMIT exactnessChanged();
+    }
+}
+
 std::vector<Session::ChangedNormals> Session::finishReadBack() {
     std::vector<ChangedNormals> changes;
     for (auto& [id, moved] : m_moved) {
@@ -67,13 +74,6 @@ std::vector<Session::ChangedNormals> Session::finishReadBack() {
         Q_EMIT meshChanged(change.target);
     }
     return changes;
-}
-
-void Session::setDroppedHits(std::size_t count) {
-    if (count != m_droppedHits) {
-        m_droppedHits = count;
-        Q_EMIT droppedHitsChanged();
-    }
 }
 
 }  // namespace hitscope

@@ -139,22 +139,24 @@ private Q_SLOTS:
         const float cap = DeformationConstants().maxMagnitude;
         mesh.vertices = {{{0, 0, 0}, {0, 1, 0}},
                          {{1e-30f, 0, 0}, {0, 1, 0}},
+                         {{0.99e-11f, 0, 0}, {1e-21f, 1, -1e-21f}},
+                         {{1.01e-11f, 0, 0}, {1e-19f, 1, -1e-19f}},
                          {{0.01f, 0, 0}, {0, 0, cap}},
                          {{0, 0.5f, 0}, {0, 0, 1}},
                          {{0, 0.50000006f, 0}, {0, 0, 1}},
                          {{-0.3f, 0, 0.4f}, {0, 0, -1}},
                          {{-0.0f, -0.0f, -0.0f}, {-0.0f, 1, 0}}};
-        mesh.clusters = {{0, 7, {glm::vec3(-1.0f), glm::vec3(1.0f)}}};
+        mesh.clusters = {{0, 9, {glm::vec3(-1.0f), glm::vec3(1.0f)}}};
         const std::vector<Hit> hits = {Hit{TargetId{1}, {0, 0, 0}, {0, 0, -1}, {}}};
-        const std::vector<CaptureRun> runs = {{{0, 7}, 0, 1}};
+        const std::vector<CaptureRun> runs = {{{0, 9}, 0, 1}};
         std::size_t moved = 0;
         const std::vector<DynamicVertex> expected = onCpu(mesh, hits, runs, moved);
         const std::vector<DynamicVertex> actual = onGpu(*m_pass, mesh, hits, runs);
         QCOMPARE(difference(actual, expected), QString());
         QCOMPARE(actual[0].position.z, -cap);
-        QCOMPARE(actual[2].normal, glm::vec3(0, 0, cap));
-        QVERIFY(actual[3].position.z < 0);
-        QCOMPARE(actual[4].position.z, 0.0f);
+        QCOMPARE(actual[4].normal, glm::vec3(0, 0, cap));
+        QVERIFY(actual[5].position.z < 0);
+        QCOMPARE(actual[6].position.z, 0.0f);
     }
 
 private:

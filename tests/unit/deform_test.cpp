@@ -38,7 +38,7 @@ void deformRounded(glm::vec3& position, glm::vec3& normal, const Hit& hit) {
         return;
     }
     float m = hit.constants.maxMagnitude;
-    if (r2 > 0.0f) {
+    if (r2 >= 1e-22f) {
         m = std::min(rounded(hit.constants.power / rounded(std::sqrt(r2))), m);
     }
     glm::vec3 sum;
@@ -50,7 +50,8 @@ void deformRounded(glm::vec3& position, glm::vec3& normal, const Hit& hit) {
     const float len2 = dot(sum.x, sum.y, sum.z);
     if (len2 > 1e-12f) {
         for (glm::length_t i = 0; i < 3; ++i) {
-            normal[i] = rounded(sum[i] / rounded(std::sqrt(len2)));
+            const float turned = rounded(sum[i] / rounded(std::sqrt(len2)));
+            normal[i] = std::abs(sum[i]) < 1e-20f ? 0.0f : turned;
         }
     }
 }
@@ -123,6 +124,59 @@ private Q_SLOTS:
         p = glm::vec3(0.0f);
         QVERIFY(deform(p, n, hit));
         QVERIFY(p == glm::vec3(0.0f));
+    }
+
+    // Weak enough that the cap would not apply a little farther out.
+    void nextToTheHitPointTheCapApplies() {
+        Hit hit = plainHit();
+        hit.constants.power = 1e-12f;
+        for (const float distance : {0.0f, 1e-44f, 1e-30f, 0.99e-11f}) {
+            glm::vec3 p(distance, 0.0f, 0.0f);
+            glm::vec3 n(0.0f, 1.0f, 0.0f);
+            QVERIFY(deform(p, n, hit));
+            QCOMPARE(p, glm::vec3(distance, 0.0f, -1.0f));
+        }
+        glm::vec3 p(2e-11f, 0.0f, 0.0f);
+        glm::vec3 n(0.0f, 1.0f, 0.0f);
+        QVERIFY(deform(p, n, hit));
+        QVERIFY(std::abs(p.z + 0.05f) < 1e-6f);
+    }
+
+    void tinyComponentsOfATurnedNormalVanish() {
+        for (const float tiny : {0.99e-20f, -0.99e-20f, 1e-40f, -1e-40f, -0.0f}) {
+            glm::vec3 p(1.0f, 0.0f, 0.0f);
+            glm::vec3 n(tiny, 1.0f, 0.0f);
+            QVERIFY(deform(p, n, plainHit()));
+            QVERIFY(n.x == 0.0f && !std::signbit(n.x));
+        }
+        glm::vec3 p(1.0f, 0.0f, 0.0f);
+        glm::vec3 n(-1.1e-20f, 1.0f, 0.0f);
+        QVERIFY(deform(p, n, plainHit()));
+        QVERIFY(n.x < 0.0f);
+    }
+
+    // What would make denormal numbers is gone before it comes here.
+    void tinyNumbersOfAHitVanish() {
+        Hit hit = plainHit();
+        hit.direction = {0.99e-20f, -1e-44f, -1.0f};
+        hit.constants.power = 0.99e-15f;
+        hit.constants.maxMagnitude = 1e-45f;
+        const Hit checked = checkedHit(hit).value();
+        QCOMPARE(checked.direction, glm::vec3(0.0f, 0.0f, -1.0f));
+        QCOMPARE(checked.constants.power, 0.0f);
+        QCOMPARE(checked.constants.maxMagnitude, 0.0f);
+        const Hit twice = checkedHit(checked).value();
+        QVERIFY(std::memcmp(&checked.direction, &twice.direction, sizeof(glm::vec3)) == 0);
+
+        hit.direction = {1.1e-20f, 0.0f, -1.0f};
+        hit.constants.power = 1.1e-15f;
+        hit.constants.maxMagnitude = 1.1e-15f;
+        const Hit kept = checkedHit(hit).value();
+        QCOMPARE(kept.direction, hit.direction);
+        QVERIFY(kept.constants == hit.constants);
+        // Of any length: it is the unit vector's components that count.
+        hit.direction = {1e-5f, 0.0f, -1e30f};
+        QCOMPARE(checkedHit(hit).value().direction, glm::vec3(0.0f, 0.0f, -1.0f));
     }
 
     void notANumberIsOutOfReach() {

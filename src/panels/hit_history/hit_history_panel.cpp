@@ -5,10 +5,12 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QHeaderView>
+#include <QItemSelection>
 #include <QScrollBar>
 #include <algorithm>
 
 #include "models/quantity_text.h"
+#include "panels/hit_history/hit_delegate.h"
 #include "panels/icons/themed_icon.h"
 #include "ui_hit_history.h"
 
@@ -18,15 +20,32 @@ namespace {
 
 constexpr int kCellPadding = 14;  // pixels
 
+QString withKey(const QString& text, const QKeySequence& key) {
+    return QStringLiteral("%1 (%2)").arg(text, key.toString(QKeySequence::NativeText));
+}
+
 }  // namespace
 
 HitHistoryPanel::HitHistoryPanel(Session& session, HitHistoryModel& model, QWidget* parent)
     : QWidget(parent), m_session(session), m_model(model), m_ui(std::make_unique<Ui::HitHistory>()) {
     m_ui->setupUi(this);
-    m_ui->table->setModel(&model);
+    setUpTable();
+    makeActions();
+    m_ui->meter->follow(session);
+    updateSummary();
+    updateActions();
+    connectAll();
+}
+
+HitHistoryPanel::~HitHistoryPanel() = default;
+
+void HitHistoryPanel::setUpTable() {
+    QTableView& table = *m_ui->table;
+    table.setModel(&m_model);
+    table.setItemDelegate(new HitDelegate(&table));
     // Sizes by hand: measuring the contents of 100,000 rows would cost time with every hit.
-    m_ui->table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    m_ui->table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
+    table.verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    table.verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
     const QString widest[HitHistoryModel::ColumnCount] = {QStringLiteral("000,000"),
                                                           QStringLiteral("0000.00"),
                                                           QStringLiteral("HP sphere 10"),
@@ -35,67 +54,151 @@ HitHistoryPanel::HitHistoryPanel(Session& session, HitHistoryModel& model, QWidg
                                                           QStringLiteral("000.00"),
                                                           QStringLiteral("000.00")};
     for (int column = 0; column < HitHistoryModel::ColumnCount; ++column) {
-        const QString title = model.headerData(column, Qt::Horizontal).toString();
-        m_ui->table->setColumnWidth(column,
-                                    kCellPadding + std::max(fontMetrics().horizontalAdvance(widest[column]),
-                                                            fontMetrics().horizontalAdvance(title)));
+        const QString title = m_model.headerData(column, Qt::Horizontal).toString();
+        int width = kCellPadding + std::max(fontMetrics().horizontalAdvance(widest[column]),
+                                            fontMetrics().horizontalAdvance(title));
+        if (column == HitHistoryModel::NumberColumn) {
+            width += style()->pixelMetric(QStyle::PM_IndicatorWidth, nullptr, &table);
+        }
+        table.setColumnWidth(column, width);
     }
-    makeActions();
-    updateSummary();
+}
 
-    connect(m_ui->table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-            &HitHistoryPanel::followSelection);
-    connect(m_ui->table->selectionModel(), &QItemSelectionModel::currentChanged, this,
-            &HitHistoryPanel::followSelection);
-    connect(&session, &Session::hitSelected, this, &HitHistoryPanel::showSelectedHit);
-    connect(&model, &QAbstractItemModel::modelReset, this, &HitHistoryPanel::showSelectedHit);
-    connect(&model, &QAbstractItemModel::modelReset, this, &HitHistoryPanel::updateSummary);
-    connect(&model, &QAbstractItemModel::rowsAboutToBeInserted, this, [this] {
+void HitHistoryPanel::connectAll() {
+    const QItemSelectionModel* selection = m_ui->table->selectionModel();
+    connect(selection, &QItemSelectionModel::selectionChanged, this, &HitHistoryPanel::followSelection);
+    connect(selection, &QItemSelectionModel::currentChanged, this, &HitHistoryPanel::followSelection);
+    connect(&m_session, &Session::hitSelected, this, &HitHistoryPanel::showSelectedHit);
+    connect(&m_model, &QAbstractItemModel::modelReset, this, &HitHistoryPanel::showSelectedHit);
+    connect(&m_model, &QAbstractItemModel::rowsAboutToBeInserted, this, [this] {
         const QScrollBar* bar = m_ui->table->verticalScrollBar();
         m_atNewest = bar->value() == bar->maximum();
     });
-    connect(&model, &QAbstractItemModel::rowsInserted, this, &HitHistoryPanel::scrollToNewest);
-    connect(&model, &QAbstractItemModel::rowsInserted, this, &HitHistoryPanel::updateSummary);
-    connect(&session, &Session::droppedHitsChanged, this, &HitHistoryPanel::updateSummary);
+    connect(&m_model, &QAbstractItemModel::rowsInserted, this, &HitHistoryPanel::scrollToNewest);
+    connect(&m_session, &Session::hitsAppended, this, &HitHistoryPanel::updateSummary);
+    connect(&m_session, &Session::capacityChanged, this, &HitHistoryPanel::updateSummary);
+    connect(&m_session, &Session::historyReset, this, [this] {
+        updateSummary();
+        updateActions();
+    });
 }
 
-HitHistoryPanel::~HitHistoryPanel() = default;
+QAction* HitHistoryPanel::makeAction(const QString& text, const QKeySequence& key,
+                                     void (HitHistoryPanel::*act)()) {
+    auto* action = new QAction(text, this);
+    action->setShortcut(key);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    m_ui->table->addAction(action);
+    connect(action, &QAction::triggered, this, act);
+    return action;
+}
 
 void HitHistoryPanel::makeActions() {
-    m_remove = new QAction(themedIcon(QStringLiteral("remove")), tr("Remove hits"), this);
-    m_remove->setShortcut(QKeySequence::Delete);
-    m_copy = new QAction(themedIcon(QStringLiteral("copy")), tr("Copy as CSV"), this);
-    m_copy->setShortcut(QKeySequence::Copy);
-    m_remove->setToolTip(tr("Remove the selected hits; the mesh becomes what the others make of it (Del)"));
-    m_copy->setToolTip(tr("Copy the selected hits, or all, as comma-separated text (Ctrl+C)"));
-    for (QAction* action : {m_copy, m_remove}) {
-        action->setShortcutContext(Qt::WidgetShortcut);
-        m_ui->table->addAction(action);
-    }
+    const auto addSeparator = [this] {
+        auto* separator = new QAction(this);
+        separator->setSeparator(true);
+        m_ui->table->addAction(separator);
+    };
+    m_toggle = makeAction(tr("Disable"), Qt::Key_Space, &HitHistoryPanel::toggleSelected);
+    m_toggle->setObjectName(QStringLiteral("toggleHits"));
+    addSeparator();
+    m_up = makeAction(tr("Move Up"), Qt::ALT | Qt::Key_Up, &HitHistoryPanel::moveSelectedUp);
+    m_down = makeAction(tr("Move Down"), Qt::ALT | Qt::Key_Down, &HitHistoryPanel::moveSelectedDown);
+    addSeparator();
+    m_selectTargets = makeAction(tr("Select All on This Target"), {}, &HitHistoryPanel::selectTargetsHits);
+    m_copy = makeAction(tr("Copy as CSV"), QKeySequence::Copy, &HitHistoryPanel::copySelected);
+    addSeparator();
+    m_remove = makeAction(tr("Remove"), QKeySequence::Delete, &HitHistoryPanel::removeSelected);
+    m_remove->setIcon(themedIcon(QStringLiteral("remove")));
+    m_copy->setIcon(themedIcon(QStringLiteral("copy")));
+    m_remove->setToolTip(withKey(tr("Remove the selected hits; the mesh becomes what the others make of it"),
+                                 m_remove->shortcut()));
+    m_copy->setToolTip(
+        withKey(tr("Copy the selected hits, or all, as comma-separated text"), m_copy->shortcut()));
     m_ui->remove->setDefaultAction(m_remove);
     m_ui->copy->setDefaultAction(m_copy);
-    connect(m_remove, &QAction::triggered, this, &HitHistoryPanel::removeSelected);
-    connect(m_copy, &QAction::triggered, this, &HitHistoryPanel::copySelected);
 }
 
-std::vector<int> HitHistoryPanel::selectedRows() const {
-    std::vector<int> rows;
-    for (const QModelIndex& index : m_ui->table->selectionModel()->selectedRows()) {
-        rows.push_back(index.row());
+std::vector<std::size_t> HitHistoryPanel::selectedRows() const {
+    std::vector<std::size_t> rows;
+    for (const QItemSelectionRange& range : m_ui->table->selectionModel()->selection()) {
+        for (int row = range.top(); row <= range.bottom(); ++row) {
+            rows.push_back(static_cast<std::size_t>(row));
+        }
     }
     std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
     return rows;
 }
 
-void HitHistoryPanel::removeSelected() {
-    const std::vector<int> rows = selectedRows();
-    for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
-        m_session.removeHit(static_cast<std::size_t>(*row));
+bool HitHistoryPanel::isAnyEnabled(const std::vector<std::size_t>& rows) const {
+    const std::span<const Hit> hits = m_session.history().hits();
+    return std::any_of(rows.begin(), rows.end(),
+                       [hits](std::size_t row) { return row < hits.size() && hits[row].enabled; });
+}
+
+void HitHistoryPanel::toggleSelected() {
+    const std::vector<std::size_t> rows = selectedRows();
+    m_session.setHitsEnabled(rows, !isAnyEnabled(rows));
+}
+
+void HitHistoryPanel::moveSelectedUp() {
+    const std::vector<std::size_t> rows = selectedRows();
+    if (!rows.empty() && rows.front() > 0) {
+        moveSelected(rows.front() - 1);
     }
 }
 
+void HitHistoryPanel::moveSelectedDown() {
+    const std::vector<std::size_t> rows = selectedRows();
+    if (!rows.empty() && rows.back() + 1 < m_session.history().size()) {
+        moveSelected(rows.back() + 2);
+    }
+}
+
+void HitHistoryPanel::moveSelected(std::size_t to) {
+    m_session.moveHits(selectedRows(), to);
+    m_ui->table->scrollTo(m_ui->table->currentIndex());
+}
+
+/// The cursor stays at the place, so that the arrow keys go on from there.
+void HitHistoryPanel::removeSelected() {
+    const std::vector<std::size_t> rows = selectedRows();
+    if (rows.empty()) {
+        return;
+    }
+    m_ui->table->clearSelection();  // following it row by row into nothing would cost time
+    m_session.removeHits(rows);
+    const int next = std::min(static_cast<int>(rows.front()), m_model.rowCount() - 1);
+    m_ui->table->selectionModel()->setCurrentIndex(m_model.index(next, 0), QItemSelectionModel::NoUpdate);
+}
+
 void HitHistoryPanel::copySelected() {
-    QGuiApplication::clipboard()->setText(m_model.csv(selectedRows()));
+    const std::vector<std::size_t> rows = selectedRows();
+    const std::vector<int> numbers(rows.begin(), rows.end());
+    QGuiApplication::clipboard()->setText(m_model.csv(numbers));
+}
+
+void HitHistoryPanel::selectTargetsHits() {
+    const std::span<const Hit> hits = m_session.history().hits();
+    const auto current = static_cast<std::size_t>(m_ui->table->currentIndex().row());
+    if (current >= hits.size()) {
+        return;
+    }
+    QItemSelection selection;
+    const auto isOnIt = [&](std::size_t row) { return hits[row].target == hits[current].target; };
+    for (std::size_t row = 0; row < hits.size(); ++row) {
+        if (!isOnIt(row)) {
+            continue;
+        }
+        const std::size_t first = row;
+        while (row + 1 < hits.size() && isOnIt(row + 1)) {
+            ++row;
+        }
+        selection.append({m_model.index(static_cast<int>(first), 0),
+                          m_model.index(static_cast<int>(row), HitHistoryModel::ColumnCount - 1)});
+    }
+    m_ui->table->selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
 }
 
 void HitHistoryPanel::followSelection() {
@@ -113,7 +216,7 @@ void HitHistoryPanel::followSelection() {
     } else {
         m_session.selectHit(std::nullopt);
     }
-    updateSummary();
+    updateActions();
     m_following = false;
 }
 
@@ -122,12 +225,15 @@ void HitHistoryPanel::showSelectedHit() {
         return;
     }
     m_following = true;
-    if (const std::optional<std::size_t> hit = m_session.selectedHit()) {
-        m_ui->table->selectRow(static_cast<int>(*hit));
-    } else {
+    const std::optional<std::size_t> hit = m_session.selectedHit();
+    const QModelIndex current = m_ui->table->currentIndex();
+    if (!hit) {
         m_ui->table->clearSelection();
-    }
-    updateSummary();
+    } else if (current.row() != static_cast<int>(*hit) ||
+               !m_ui->table->selectionModel()->isSelected(current)) {
+        m_ui->table->selectRow(static_cast<int>(*hit));
+    }  // else it has moved, and the selection with it
+    updateActions();
     m_following = false;
 }
 
@@ -138,16 +244,30 @@ void HitHistoryPanel::scrollToNewest() {
 }
 
 void HitHistoryPanel::updateSummary() {
-    const std::size_t hits = static_cast<std::size_t>(m_model.rowCount());
+    const std::size_t hits = m_session.history().size();
     QString text = hits == 0   ? tr("No hits yet: click on a target")
                    : hits == 1 ? tr("1 hit")
                                : tr("%1 hits").arg(countText(hits));
+    if (m_session.disabledHits() > 0) {
+        text += tr(", %1 disabled").arg(countText(m_session.disabledHits()));
+    }
     if (m_session.droppedHits() > 0) {
-        text += tr(", oldest %1 not shown").arg(countText(m_session.droppedHits()));
+        text += tr(", %1 dropped").arg(countText(m_session.droppedHits()));
     }
     m_ui->summary->setText(text);
-    m_remove->setEnabled(m_ui->table->selectionModel()->hasSelection());
     m_copy->setEnabled(hits > 0);
+}
+
+void HitHistoryPanel::updateActions() {
+    const std::vector<std::size_t> rows = selectedRows();
+    const bool some = !rows.empty();
+    const std::size_t hits = m_session.history().size();
+    m_toggle->setEnabled(some);
+    m_toggle->setText(!some || isAnyEnabled(rows) ? tr("Disable") : tr("Enable"));
+    m_up->setEnabled(some && rows.front() > 0);
+    m_down->setEnabled(some && rows.back() + 1 < hits);
+    m_selectTargets->setEnabled(some);
+    m_remove->setEnabled(some);
 }
 
 }  // namespace hitscope

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bench/bench_command.h"
+
+#include <QTextStream>
+#include <array>
+
+#include "cli/command_line.h"
+
+namespace hitscope::bench {
+
+namespace {
+
+struct Benchmark {
+    const char* name;
+    const char* about;
+    int (*run)(const QStringList&);
+};
+
+constexpr std::array<Benchmark, 3> kBenchmarks{
+    {{"paper", "the paper's tables 1 and 2: frame rates of its nine scenes", paperCommand},
+     {"frame", "frame time against the number of hits", frameCommand},
+     {"hit", "time a hit takes against the size of the mesh", hitCommand}}};
+
+int printUsage() {
+    QTextStream out(stdout);
+    out << "Usage: hitscope-cli bench WHAT [options]\n\n";
+    for (const Benchmark& benchmark : kBenchmarks) {
+        out << "  " << QString::fromLatin1(benchmark.name).leftJustified(7) << benchmark.about << "\n";
+    }
+    out << "\nhitscope-cli bench WHAT --help tells the options of each.\n";
+    return 0;
+}
+
+}  // namespace
+
+int benchCommand(QStringList arguments) {
+    const QString what = arguments.value(1);
+    if (what == QLatin1String("--help") || what == QLatin1String("-h")) {
+        return printUsage();
+    }
+    if (what.isEmpty()) {
+        return cli::wrongUsage(QStringLiteral("bench takes paper, frame, hit or check."));
+    }
+    arguments.removeAt(1);
+    for (const Benchmark& benchmark : kBenchmarks) {
+        if (what == QLatin1String(benchmark.name)) {
+            return benchmark.run(arguments);
+        }
+    }
+    return cli::wrongUsage(
+        QStringLiteral("there is no benchmark \"%1\"; bench takes paper, frame, hit or check.").arg(what));
+}
+
+}  // namespace hitscope::bench

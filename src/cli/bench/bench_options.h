@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "cli/bench/arguments.h"
+#include "cli/bench/harness.h"
+#include "cli/bench/report.h"
+#include "pipeline/pipeline_kind.h"
+
+namespace hitscope::bench {
+
+/// What all benchmarks take.
+struct CommonOptions {
+    Plan plan;
+    Destinations destinations;
+    std::vector<PipelineKind> pipelines;
+    std::uint32_t seed = 1;
+    int width = 1280;  ///< pixels
+    int height = 720;  ///< pixels
+};
+
+/// `withPicture`: --size as well.
+void addCommonOptions(Arguments& arguments, bool withPicture);
+/// arguments.error() says whether it is of use.
+[[nodiscard]] CommonOptions takeCommonOptions(Arguments& arguments, bool withPicture);
+/// arguments.parse() with what may stand alone here.
+void parseBenchArguments(Arguments& arguments, const QStringList& list);
+
+[[nodiscard]] inline QString pipelineName(PipelineKind kind) {
+    const std::string_view name = pipelineTraits(kind).name;
+    return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+}
+[[nodiscard]] inline QString pipelineKey(PipelineKind kind) {
+    const std::string_view key = pipelineTraits(kind).key;
+    return QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size()));
+}
+
+}  // namespace hitscope::bench

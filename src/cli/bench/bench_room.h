@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "cli/bench/bench_options.h"
+#include "gl/context.h"
+#include "gl/render_target.h"
+
+namespace hitscope::bench {
+
+/// What a benchmark is made in: a context without a window, the picture, and how it tells how far it is.
+class BenchRoom {
+public:
+    /// width, height: of the picture, pixels.
+    [[nodiscard]] static Result<std::unique_ptr<BenchRoom>> open(int width, int height);
+
+    [[nodiscard]] const gl::RenderTarget& picture() const { return *m_picture; }
+
+    /// Measures; OpenGL errors on the way are errors. `what` is told on a terminal while it lasts.
+    [[nodiscard]] Result<std::vector<Samples>> measure(const QString& what,
+                                                       const std::vector<Variant>& variants,
+                                                       const Plan& plan) const;
+    /// Says on a terminal what is being done; empty: clears the line. Not a terminal: nothing.
+    void say(const QString& what) const;
+
+private:
+    BenchRoom() = default;
+    std::unique_ptr<gl::OffscreenContext> m_context;
+    std::optional<gl::RenderTarget> m_picture;
+    bool m_onTerminal = false;
+};
+
+/// An error if OpenGL has reported one since the last time.
+[[nodiscard]] Status noGlErrors();
+
+/// Bytes of memory that the system could give; nothing where it does not say.
+[[nodiscard]] std::optional<double> availableMemory();
+/// Why something that needs so many bytes is not tried; empty: it fits.
+[[nodiscard]] QString whyItDoesNotFit(double bytes);
+
+}  // namespace hitscope::bench

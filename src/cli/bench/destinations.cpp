@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDir>
+#include <QFileInfo>
+#include <QSaveFile>
+#include <QTextStream>
+
+#include "cli/bench/report.h"
+
+namespace hitscope::bench {
+
+namespace {
+
+const QString kStandardOutput = QStringLiteral("-");
+
+bool isFile(const QString& destination) {
+    return !destination.isEmpty() && destination != kStandardOutput;
+}
+
+Error cannotWrite(const QString& path, const QString& why) {
+    return Error{"The report cannot be written: " + why.toStdString() + ".",
+                 QDir::toNativeSeparators(path).toStdString(), "Choose a file in a folder you may write to."};
+}
+
+Status checkFile(const QString& path) {
+    if (!isFile(path)) {
+        return Done{};
+    }
+    const QFileInfo file(path);
+    const QFileInfo folder(file.absolutePath());
+    if (!folder.isDir()) {
+        return cannotWrite(path, QStringLiteral("its folder does not exist"));
+    }
+    if (file.isDir() || !folder.isWritable() || (file.exists() && !file.isWritable())) {
+        return cannotWrite(path, QStringLiteral("it is not a file that you may write"));
+    }
+    return Done{};
+}
+
+Status write(const QString& destination, const QByteArray& bytes) {
+    if (!isFile(destination)) {
+        if (!destination.isEmpty()) {
+            QTextStream(stdout) << QString::fromUtf8(bytes);
+        }
+        return Done{};
+    }
+    QSaveFile file(destination);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
+        return cannotWrite(destination, file.errorString());
+    }
+    return Done{};
+}
+
+}  // namespace
+
+Status checkDestinations(const Destinations& destinations) {
+    if (destinations.json == kStandardOutput && destinations.csv == kStandardOutput) {
+        return Error{"JSON and CSV cannot both go to the standard output.", "", "Give one of them a file."};
+    }
+    Status status = checkFile(destinations.json);
+    return status ? checkFile(destinations.csv) : status;
+}
+
+Status writeReport(const Report& report, const Destinations& destinations) {
+    if (destinations.json != kStandardOutput && destinations.csv != kStandardOutput) {
+        QTextStream(stdout) << toText(report);
+    }
+    Status json = write(destinations.json, toJson(report));
+    Status csv = write(destinations.csv, toCsv(report));
+    return json ? csv : json;
+}
+
+}  // namespace hitscope::bench

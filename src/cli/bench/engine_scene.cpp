@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "cli/bench/scene.h"
+#include "cli/bench/texture.h"
+#include "cli/bench_gl/finish.h"
+
+namespace hitscope::bench {
+
+namespace {
+
+glm::mat4 modelMatrix(const RigidTransform& transform) {
+    glm::mat4 model = glm::mat4_cast(transform.rotation);
+    model[3] = glm::vec4(transform.position, 1.0f);
+    return model;
+}
+
+Bounds worldBounds(const TargetPlan& plan) {
+    const Bounds& local = plan.shape.render->bounds;
+    Bounds world;
+    for (int corner = 0; corner < 8; ++corner) {
+        world.add(plan.transform.toWorld({(corner & 1) != 0 ? local.max.x : local.min.x,
+                                          (corner & 2) != 0 ? local.max.y : local.min.y,
+                                          (corner & 4) != 0 ? local.max.z : local.min.z}));
+    }
+    return world;
+}
+
+TargetId idOf(std::size_t index) {
+    return TargetId{static_cast<std::uint32_t>(index + 1)};
+}
+
+class EngineScene final : public Scene {
+public:
+    EngineScene(const RowParts& parts, std::unique_ptr<DeformationPipeline> pipeline, Renderer& renderer,
+                const gl::RenderTarget& picture)
+        : m_parts(parts), m_renderer(renderer), m_picture(picture), m_pipeline(std::move(pipeline)) {
+        addTargets();
+        frameTargets();
+    }
+
+    void append(std::span<const Hit> hits) override {
+        m_arrived.insert(m_arrived.end(), hits.begin(), hits.end());
+    }
+
+    Status draw() override {
+        if (!m_arrived.empty()) {
+            m_pipeline->append(m_arrived);
+            m_arrived.clear();
+        }
+        m_pipeline->pollReadBack(
+            [this](TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices) {
+                m_copies[target.value - 1].write(first, vertices);
+            });
+        Status status = m_renderer.draw(m_frame, *m_pipeline, m_picture.framebuffer());
+        finishGpu();
+        return status;
+    }
+
+    std::vector<HitTarget> hitTargets() const override {
+        std::vector<HitTarget> targets;
+        for (std::size_t i = 0; i < m_parts.plans.size(); ++i) {
+            targets.push_back({idOf(i), m_parts.plans[i].shape.render.get()});
+        }
+        return targets;
+    }
+
+    std::size_t droppedHits() const override { return m_pipeline->capacity().dropped.size(); }
+
+private:
+    void addTargets() {
+        for (const TargetPlan& plan : m_parts.plans) {
+            const TargetId id = idOf(m_buffers.size());
+            m_buffers.push_back(std::make_unique<TargetBuffers>(*plan.shape.render));
+            m_copies.emplace_back(plan.shape.mesh, plan.shape.render);
+            m_pipeline->addTarget(id, *m_buffers.back());
+            m_items.push_back(
+                {id, m_buffers.back().get(), m_parts.materials.get(), modelMatrix(plan.transform), false});
+        }
+    }
+
+    void frameTargets() {
+        Bounds bounds;
+        for (const TargetPlan& plan : m_parts.plans) {
+            bounds.add(worldBounds(plan));
+        }
+        const glm::vec3 size = bounds.size();
+        m_frame.width = m_picture.width();
+        m_frame.height = m_picture.height();
+        m_frame.camera.frame(bounds, static_cast<float>(m_frame.width) / static_cast<float>(m_frame.height));
+        m_frame.lights = defaultLights(bounds.centre(), std::max({size.x, size.y, size.z}));
+        m_frame.options.normals = NormalMode::Paper;
+        m_frame.floorHeight = bounds.min.y;
+        m_frame.targets = m_items;
+    }
+
+    const RowParts& m_parts;
+    Renderer& m_renderer;
+    const gl::RenderTarget& m_picture;
+    std::vector<std::unique_ptr<TargetBuffers>> m_buffers;
+    std::unique_ptr<DeformationPipeline> m_pipeline;  // below the buffers it is given, so that it goes first
+    std::vector<DeformedMesh> m_copies;
+    std::vector<DrawItem> m_items;
+    std::vector<Hit> m_arrived;
+    Frame m_frame;
+};
+
+}  // namespace
+
+std::vector<TargetPlan> planRow(const PaperRow& row, bool textured) {
+    std::vector<TargetPlan> plans = planPaperRow(row);
+    if (!textured) {
+        return plans;
+    }
+    std::map<const MeshData*, PreparedMesh> shapes;
+    for (TargetPlan& plan : plans) {
+        PreparedMesh& shape = shapes[plan.shape.mesh.get()];
+        if (!shape.mesh) {
+            MeshData mesh = *plan.shape.mesh;
+            useTexture(mesh);
+            shape = prepareMesh(std::move(mesh));
+        }
+        plan.shape = shape;
+    }
+    return plans;
+}
+
+Result<std::unique_ptr<Scene>> makeEngineScene(const RowParts& parts, PipelineKind pipeline,
+                                               Renderer& renderer, const gl::RenderTarget& picture) {
+    Result<std::unique_ptr<DeformationPipeline>> made = makePipeline(pipeline);
+    if (!made) {
+        return made.error();
+    }
+    return std::unique_ptr<Scene>(
+        std::make_unique<EngineScene>(parts, std::move(made).value(), renderer, picture));
+}
+
+}  // namespace hitscope::bench

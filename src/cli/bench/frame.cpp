@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTextStream>
+
+#include "cli/bench/bench_command.h"
+#include "cli/bench/history.h"
+#include "cli/bench/report_header.h"
+#include "cli/command_line.h"
+#include "pipeline/deformation_pipeline.h"
+
+namespace hitscope::bench {
+
+namespace {
+
+struct FrameOptions {
+    CommonOptions common;
+    std::vector<int> hits;
+    int row = kDefaultPaperRow;
+    std::vector<int> vertices;  ///< empty: the paper's row
+    bool gentle = false;
+};
+
+/// The figures of one scene under one pipeline.
+struct FrameSeries {
+    QString scene;
+    double vertices = 0.0;
+    PipelineKind pipeline = PipelineKind::TransformFeedback;
+    std::vector<HistoryFigure> figures;
+};
+
+/// Frame time over that of the history without hits; 0: there is none.
+double overNoHits(const FrameSeries& series, const HistoryFigure& figure) {
+    for (const HistoryFigure& base : series.figures) {
+        if (base.hits == 0) {
+            return timeRatio(figure.frames, base.frames);
+        }
+    }
+    return 0.0;
+}
+
+Table tableOf(const FrameSeries& series) {
+    Table table;
+    table.title = QStringLiteral("%1; %2, %3 vertices")
+                      .arg(pipelineName(series.pipeline), series.scene,
+                           grouped(static_cast<qulonglong>(series.vertices)));
+    table.columns = {QStringLiteral("hits"), QStringLiteral("kept"), QStringLiteral("frame"),
+                     QStringLiteral("(range)"), QStringLiteral("over 0 hits")};
+    for (const HistoryFigure& figure : series.figures) {
+        const double ratio = overNoHits(series, figure);
+        table.rows.push_back(
+            {grouped(static_cast<qulonglong>(figure.hits)), grouped(figure.kept),
+             shortTime(figure.frames.median()),
+             QStringLiteral("(%1-%2)").arg(shortTime(figure.frames.least()), shortTime(figure.frames.most())),
+             ratio > 0.0 ? QStringLiteral("x%1").arg(ratio, 0, 'f', 3) : QStringLiteral("-")});
+    }
+    return table;
+}
+
+QJsonObject record(const FrameSeries& series, const HistoryFigure& figure, bool gentle) {
+    const double ratio = overNoHits(series, figure);
+    return {{QStringLiteral("scene"), series.scene},
+            {QStringLiteral("vertices"), series.vertices},
+            {QStringLiteral("pipeline"), pipelineKey(series.pipeline)},
+            {QStringLiteral("gentle"), gentle},
+            {QStringLiteral("hits"), figure.hits},
+            {QStringLiteral("hits_kept"), static_cast<qint64>(figure.kept)},
+            {QStringLiteral("samples"), static_cast<qint64>(figure.frames.size())},
+            {QStringLiteral("frame_seconds_median"), figure.frames.median()},
+            {QStringLiteral("frame_seconds_least"), figure.frames.least()},
+            {QStringLiteral("frame_seconds_most"), figure.frames.most()},
+            {QStringLiteral("time_ratio_to_no_hits"), ratio > 0.0 ? QJsonValue(ratio) : QJsonValue()}};
+}
+
+QStringList frameNotes(bool gentle) {
+    QStringList notes{
+        QStringLiteral("Same view in all; nothing arrives while it is measured. Kept: a uniform array "
+                       "holds the scene's last hits and drops older ones.")};
+    notes << (gentle ? QStringLiteral(
+                           "Gentle: the hits move vertices by a micrometre at most, so that all histories "
+                           "of a scene give the same picture, and what is compared is their length.")
+                     : QStringLiteral(
+                           "The hits deform as usual. Thousands of them wreck the shapes, and a wreck costs "
+                           "more or less to draw than a sphere: --gentle compares the length alone."));
+    return notes;
+}
+
+/// All pipelines on one scene; what cannot be measured becomes a note.
+Status measureScene(const BenchRoom& room, const FrameOptions& options, const QString& name,
+                    const StillScene& scene, Report& report) {
+    for (const PipelineKind pipeline : options.common.pipelines) {
+        const QString what = QStringLiteral("%1, %2").arg(name, pipelineName(pipeline));
+        if (Result<std::unique_ptr<DeformationPipeline>> made = makePipeline(pipeline); !made) {
+            report.notes << QStringLiteral("%1 cannot run here: %2")
+                                .arg(pipelineName(pipeline), QString::fromStdString(made.error().message()));
+            continue;
+        }
+        Result<std::vector<HistoryFigure>> figures = measureHistories(
+            room, scene, {pipeline, options.hits, options.gentle, options.common.seed, options.common.plan},
+            what);
+        if (!figures) {
+            report.notes << QString::fromStdString(figures.error().message());
+            if (Status status = noGlErrors(); !status) {
+                return status;
+            }
+            continue;
+        }
+        const FrameSeries series{name, scene.vertices, pipeline, std::move(figures).value()};
+        report.tables.push_back(tableOf(series));
+        for (const HistoryFigure& figure : series.figures) {
+            report.records.push_back(record(series, figure, options.gentle));
+        }
+    }
+    return Done{};
+}
+
+Status runFrame(const FrameOptions& options) {
+    if (Status status = checkDestinations(options.common.destinations); !status) {
+        return status;
+    }
+    Result<std::unique_ptr<BenchRoom>> room = BenchRoom::open(options.common.width, options.common.height);
+    if (!room) {
+        return room.error();
+    }
+    Report report;
+    report.benchmark = QStringLiteral("frame");
+    report.header = reportHeader(options.common.width, options.common.height);
+    report.fields = {QStringLiteral("scene"),
+                     QStringLiteral("vertices"),
+                     QStringLiteral("pipeline"),
+                     QStringLiteral("gentle"),
+                     QStringLiteral("hits"),
+                     QStringLiteral("hits_kept"),
+                     QStringLiteral("samples"),
+                     QStringLiteral("frame_seconds_median"),
+                     QStringLiteral("frame_seconds_least"),
+                     QStringLiteral("frame_seconds_most"),
+                     QStringLiteral("time_ratio_to_no_hits")};
+    report.notes = frameNotes(options.gentle);
+    Status status = Done{};
+    if (options.vertices.empty()) {
+        const QString name = paperRows()[static_cast<std::size_t>(options.row)].label();
+        status = measureScene(*room.value(), options, name, paperRowScene(options.row), report);
+    }
+    for (std::size_t i = 0; status && i < options.vertices.size(); ++i) {
+        room.value()->say(QStringLiteral("making a sphere"));
+        status = measureScene(*room.value(), options, QStringLiteral("sphere"),
+                              sphereScene(options.vertices[i]), report);
+    }
+    if (!status) {
+        return status;
+    }
+    return writeReport(report, options.common.destinations);
+}
+
+}  // namespace
+
+int frameCommand(const QStringList& list) {
+    Arguments arguments(
+        QStringLiteral("Measures frames of a scene at rest against the number of hits behind it."));
+    addCommonOptions(arguments, true);
+    arguments.addOption(QStringLiteral("hits"),
+                        QStringLiteral("Numbers of hits; K is a thousand, M a million."),
+                        QStringLiteral("list"), QStringLiteral("0,100,600,1K,10K,100K"));
+    arguments.addOption(QStringLiteral("row"), QStringLiteral("Row of the paper's tables to show."),
+                        QStringLiteral("number"), QString::number(kDefaultPaperRow + 1));
+    arguments.addOption(QStringLiteral("vertices"),
+                        QStringLiteral("Instead of a row, spheres of about so many vertices each."),
+                        QStringLiteral("list"));
+    arguments.addFlag(QStringLiteral("gentle"),
+                      QStringLiteral("Hits too weak to be seen, so that the picture is always the same."));
+    parseBenchArguments(arguments, list);
+    if (arguments.error().isEmpty() && arguments.wantsHelp()) {
+        QTextStream(stdout) << arguments.help();
+        return 0;
+    }
+    FrameOptions options;
+    options.common = takeCommonOptions(arguments, true);
+    options.hits = arguments.wholeNumbers(QStringLiteral("hits"), 0, 1000000);
+    options.row = arguments.wholeNumber(QStringLiteral("row"), 1, static_cast<int>(paperRows().size())) - 1;
+    if (arguments.isSet(QStringLiteral("vertices"))) {
+        options.vertices = arguments.wholeNumbers(QStringLiteral("vertices"), 8, 20000000);
+    }
+    options.gentle = arguments.isSet(QStringLiteral("gentle"));
+    if (!arguments.error().isEmpty()) {
+        return cli::wrongUsage(arguments.error());
+    }
+    return cli::finish(runFrame(options));
+}
+
+}  // namespace hitscope::bench

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTextStream>
+
+#include "cli/bench/bench_command.h"
+#include "cli/bench/hit_size.h"
+#include "cli/bench/report_header.h"
+#include "cli/command_line.h"
+
+namespace hitscope::bench {
+
+namespace {
+
+using Method = HitFigure::Method;
+
+struct HitCommandOptions {
+    CommonOptions common;
+    HitOptions hits;
+    std::vector<int> vertices;
+};
+
+/// What was measured on one size.
+struct MeasuredSize {
+    std::size_t vertices = 0;
+    DeformationConstants constants;
+    std::vector<HitFigure> figures;
+};
+
+QString methodName(const HitFigure& figure) {
+    switch (figure.method) {
+        case Method::Pipeline:
+            return pipelineName(figure.pipeline);
+        case Method::WithReadBack:
+            return pipelineName(figure.pipeline) + QStringLiteral(", read back");
+        case Method::PaperFeedback:
+            return QStringLiteral("The paper's own way");
+        case Method::Copy:
+            return QStringLiteral("memcpy");
+    }
+    return {};
+}
+
+QString methodKey(const HitFigure& figure) {
+    switch (figure.method) {
+        case Method::PaperFeedback:
+            return QStringLiteral("paper-own-way");
+        case Method::Copy:
+            return QStringLiteral("memcpy");
+        default:
+            return pipelineKey(figure.pipeline);
+    }
+}
+
+/// How many times as long the yardstick takes; 0: not measured.
+double yardstickOver(const std::vector<HitFigure>& figures, Method yardstick, const HitFigure& figure) {
+    const HitFigure* measure = findFigure(figures, yardstick);
+    return measure != nullptr ? timeRatio(measure->hits, figure.hits) : 0.0;
+}
+
+/// How many times as long it takes as the physical limit; 0: not measured.
+double overCopy(const std::vector<HitFigure>& figures, const HitFigure& figure) {
+    const HitFigure* copy = findFigure(figures, Method::Copy);
+    return copy != nullptr ? timeRatio(figure.hits, copy->hits) : 0.0;
+}
+
+QString times(double ratio) {
+    return ratio > 0.0 ? QStringLiteral("x%1").arg(shortNumber(ratio)) : QStringLiteral("-");
+}
+
+Table tableOf(const MeasuredSize& size) {
+    Table table;
+    table.title =
+        QStringLiteral("Sphere of %1 vertices; a hit reaches %2 m")
+            .arg(grouped(size.vertices), shortNumber(static_cast<double>(size.constants.maxDistance)));
+    table.columns = {QStringLiteral("method"),     QStringLiteral("hits a frame"),
+                     QStringLiteral("affected"),   QStringLiteral("a hit"),
+                     QStringLiteral("(range)"),    QStringLiteral("paper's way takes"),
+                     QStringLiteral("over memcpy")};
+    for (const HitFigure& figure : size.figures) {
+        table.rows.push_back(
+            {methodName(figure), grouped(static_cast<qulonglong>(figure.hitsAFrame)),
+             QString::number(figure.affected, 'f', 1), shortTime(figure.hits.median()),
+             QStringLiteral("(%1-%2)").arg(shortTime(figure.hits.least()), shortTime(figure.hits.most())),
+             times(yardstickOver(size.figures, Method::PaperFeedback, figure)),
+             times(overCopy(size.figures, figure))});
+    }
+    return table;
+}
+
+/// Each method's time a hit over that on the first size.
+Table growthTable(const std::vector<MeasuredSize>& sizes) {
+    Table table;
+    table.title = QStringLiteral("Time a hit over that on %1 vertices, one hit a frame")
+                      .arg(grouped(sizes.front().vertices));
+    table.columns << QStringLiteral("method");
+    for (const MeasuredSize& size : sizes) {
+        table.columns << grouped(size.vertices);
+    }
+    for (const HitFigure& first : sizes.front().figures) {
+        if (first.hitsAFrame != sizes.front().figures.front().hitsAFrame) {
+            continue;
+        }
+        QStringList cells{methodName(first)};
+        for (const MeasuredSize& size : sizes) {
+            const HitFigure* figure =
+                findFigure(size.figures, first.method, first.pipeline, first.hitsAFrame);
+            cells << times(figure != nullptr ? timeRatio(figure->hits, first.hits) : 0.0);
+        }
+        table.rows.push_back(cells);
+    }
+    return table;
+}
+
+QJsonObject record(const MeasuredSize& size, const HitFigure& figure) {
+    const auto orNull = [](double value) { return value > 0.0 ? QJsonValue(value) : QJsonValue(); };
+    return {{QStringLiteral("vertices"), static_cast<qint64>(size.vertices)},
+            {QStringLiteral("max_distance"), static_cast<double>(size.constants.maxDistance)},
+            {QStringLiteral("method"), methodKey(figure)},
+            {QStringLiteral("read_back"), figure.method == Method::WithReadBack},
+            {QStringLiteral("hits_a_frame"), figure.hitsAFrame},
+            {QStringLiteral("affected"), figure.affected},
+            {QStringLiteral("samples"), static_cast<qint64>(figure.hits.size())},
+            {QStringLiteral("hit_seconds_median"), figure.hits.median()},
+            {QStringLiteral("hit_seconds_least"), figure.hits.least()},
+            {QStringLiteral("hit_seconds_most"), figure.hits.most()},
+            {QStringLiteral("paper_way_over_it"),
+             orNull(yardstickOver(size.figures, Method::PaperFeedback, figure))},
+            {QStringLiteral("it_over_memcpy"), orNull(overCopy(size.figures, figure))}};
+}
+
+QStringList hitNotes() {
+    return {QStringLiteral(
+                "A sample is 100 hits or more all over the sphere, frame after frame, until the GPU is "
+                "done; before it the sphere is made whole. Affected: vertices a hit moves, counted."),
+            QStringLiteral(
+                "Hits on finer spheres are smaller in all directions, so that they move as many vertices. "
+                "Read back: the CPU's copy is brought up to date after each frame's hits."),
+            QStringLiteral(
+                "The paper's own way: capture all vertices, read all back, replace the modified, upload "
+                "all. memcpy: the affected vertices' 24 bytes each; nothing that moves them is faster."),
+            QStringLiteral(
+                "A uniform array only notes the hit; what the hit costs there, every frame costs: bench "
+                "frame measures it.")};
+}
+
+Result<MeasuredSize> measureSize(const BenchRoom& room, int vertices, const HitCommandOptions& options,
+                                 QStringList& notes) {
+    const QString what = QStringLiteral("%1 vertices").arg(grouped(static_cast<qulonglong>(vertices)));
+    room.say(what + QStringLiteral(": making the sphere"));
+    Result<std::unique_ptr<HitSizeBench>> bench = HitSizeBench::create(vertices, options.hits);
+    if (!bench) {
+        return bench.error();
+    }
+    notes << bench.value()->notes();
+    Result<std::vector<Samples>> samples = room.measure(what, bench.value()->variants(), options.common.plan);
+    if (!samples) {
+        return samples.error();
+    }
+    return MeasuredSize{bench.value()->vertexCount(), bench.value()->constants(),
+                        bench.value()->figures(samples.value())};
+}
+
+Status runHit(const HitCommandOptions& options) {
+    if (Status status = checkDestinations(options.common.destinations); !status) {
+        return status;
+    }
+    Result<std::unique_ptr<BenchRoom>> room = BenchRoom::open(16, 16);
+    if (!room) {
+        return room.error();
+    }
+    Report report;
+    report.benchmark = QStringLiteral("hit");
+    report.header = reportHeader(0, 0);
+    report.fields = {QStringLiteral("vertices"),
+                     QStringLiteral("max_distance"),
+                     QStringLiteral("method"),
+                     QStringLiteral("read_back"),
+                     QStringLiteral("hits_a_frame"),
+                     QStringLiteral("affected"),
+                     QStringLiteral("samples"),
+                     QStringLiteral("hit_seconds_median"),
+                     QStringLiteral("hit_seconds_least"),
+                     QStringLiteral("hit_seconds_most"),
+                     QStringLiteral("paper_way_over_it"),
+                     QStringLiteral("it_over_memcpy")};
+    report.notes = hitNotes();
+    std::vector<MeasuredSize> sizes;
+    for (const int vertices : options.vertices) {
+        Result<MeasuredSize> size = measureSize(*room.value(), vertices, options, report.notes);
+        if (!size) {
+            report.notes << QString::fromStdString(size.error().message());
+            continue;
+        }
+        report.tables.push_back(tableOf(size.value()));
+        for (const HitFigure& figure : size.value().figures) {
+            report.records.push_back(record(size.value(), figure));
+        }
+        sizes.push_back(std::move(size).value());
+    }
+    if (sizes.empty()) {
+        return Error{"No size could be measured.", "", report.notes.last().toStdString()};
+    }
+    if (sizes.size() > 1) {
+        report.tables.push_back(growthTable(sizes));
+    }
+    report.notes.removeDuplicates();
+    return writeReport(report, options.common.destinations);
+}
+
+}  // namespace
+
+int hitCommand(const QStringList& list) {
+    Arguments arguments(QStringLiteral(
+        "Measures what a hit costs on spheres of different sizes, beside the paper's own way and memcpy."));
+    addCommonOptions(arguments, false);
+    arguments.addOption(QStringLiteral("vertices"), QStringLiteral("Sizes; K is a thousand, M a million."),
+                        QStringLiteral("list"), QStringLiteral("7938,100K,1M,4M,10M"));
+    arguments.addOption(QStringLiteral("affected"), QStringLiteral("Vertices that a hit moves, about."),
+                        QStringLiteral("number"), QStringLiteral("80"));
+    arguments.addOption(QStringLiteral("hits-a-frame"), QStringLiteral("Hits that arrive at once."),
+                        QStringLiteral("list"), QStringLiteral("1,10,100,1000"));
+    parseBenchArguments(arguments, list);
+    if (arguments.error().isEmpty() && arguments.wantsHelp()) {
+        QTextStream(stdout) << arguments.help();
+        return 0;
+    }
+    HitCommandOptions options;
+    options.common = takeCommonOptions(arguments, false);
+    options.vertices = arguments.wholeNumbers(QStringLiteral("vertices"), 8, 20000000);
+    options.hits.pipelines = options.common.pipelines;
+    options.hits.affected = arguments.number(QStringLiteral("affected"), 1.0, 1e6);
+    options.hits.hitsAFrame = arguments.wholeNumbers(QStringLiteral("hits-a-frame"), 1, 10000);
+    options.hits.seed = options.common.seed;
+    if (!arguments.error().isEmpty()) {
+        return cli::wrongUsage(arguments.error());
+    }
+    return cli::finish(runHit(options));
+}
+
+}  // namespace hitscope::bench

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bench/report.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <algorithm>
+#include <cmath>
+
+namespace hitscope::bench {
+
+namespace {
+
+QString cell(const QStringList& row, qsizetype column) {
+    return row.value(column);
+}
+
+std::vector<int> columnWidths(const Table& table) {
+    std::vector<int> widths;
+    for (qsizetype column = 0; column < table.columns.size(); ++column) {
+        auto width = table.columns[column].size();
+        for (const QStringList& row : table.rows) {
+            width = std::max(width, cell(row, column).size());
+        }
+        widths.push_back(static_cast<int>(width));
+    }
+    return widths;
+}
+
+QString tableLine(const QStringList& cells, const std::vector<int>& widths) {
+    QString line;
+    for (std::size_t column = 0; column < widths.size(); ++column) {
+        const QString text = cell(cells, static_cast<qsizetype>(column));
+        line += column == 0 ? text.leftJustified(widths[column]) : text.rightJustified(widths[column] + 2);
+    }
+    while (line.endsWith(QLatin1Char(' '))) {
+        line.chop(1);
+    }
+    return line + QLatin1Char('\n');
+}
+
+QString tableText(const Table& table) {
+    const std::vector<int> widths = columnWidths(table);
+    QString text = table.title + QLatin1Char('\n') + tableLine(table.columns, widths);
+    for (const QStringList& row : table.rows) {
+        text += tableLine(row, widths);
+    }
+    for (const QString& note : table.notes) {
+        text += QStringLiteral("  ") + note + QLatin1Char('\n');
+    }
+    return text;
+}
+
+QString csvCell(const QJsonValue& value) {
+    QString text = value.toVariant().toString();
+    if (text.contains(QLatin1Char('"')) || text.contains(QLatin1Char(',')) ||
+        text.contains(QLatin1Char('\n'))) {
+        text.replace(QLatin1String("\""), QLatin1String("\"\""));
+        return QLatin1Char('"') + text + QLatin1Char('"');
+    }
+    return text;
+}
+
+}  // namespace
+
+QString toText(const Report& report) {
+    QString text;
+    for (const auto& [name, value] : report.header) {
+        text += name + QStringLiteral(": ") + value + QLatin1Char('\n');
+    }
+    for (const Table& table : report.tables) {
+        text += QLatin1Char('\n') + tableText(table);
+    }
+    if (!report.notes.isEmpty()) {
+        text += QLatin1Char('\n') + report.notes.join(QLatin1Char('\n')) + QLatin1Char('\n');
+    }
+    return text;
+}
+
+QByteArray toJson(const Report& report) {
+    QJsonObject header;
+    for (const auto& [name, value] : report.header) {
+        header.insert(name, value);
+    }
+    QJsonArray records;
+    for (const QJsonObject& record : report.records) {
+        records.append(record);
+    }
+    return QJsonDocument(QJsonObject{{QStringLiteral("benchmark"), report.benchmark},
+                                     {QStringLiteral("header"), header},
+                                     {QStringLiteral("fields"), QJsonArray::fromStringList(report.fields)},
+                                     {QStringLiteral("records"), records},
+                                     {QStringLiteral("notes"), QJsonArray::fromStringList(report.notes)}})
+        .toJson();
+}
+
+QByteArray toCsv(const Report& report) {
+    QString text = QStringLiteral("# benchmark: %1\n").arg(report.benchmark);
+    for (const auto& [name, value] : report.header) {
+        text += QStringLiteral("# %1: %2\n").arg(name, value);
+    }
+    for (const QString& note : report.notes) {
+        text += QStringLiteral("# ") + note + QLatin1Char('\n');
+    }
+    text += report.fields.join(QLatin1Char(',')) + QLatin1Char('\n');
+    for (const QJsonObject& record : report.records) {
+        QStringList cells;
+        for (const QString& field : report.fields) {
+            cells << csvCell(record.value(field));
+        }
+        text += cells.join(QLatin1Char(',')) + QLatin1Char('\n');
+    }
+    return text.toUtf8();
+}
+
+QString shortNumber(double value) {
+    const double size = std::abs(value);
+    if (size == 0.0 || !std::isfinite(size)) {
+        return size == 0.0 ? QStringLiteral("0") : QStringLiteral("-");
+    }
+    const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
+    return QString::number(value, 'f', decimals);
+}
+
+QString shortTime(double seconds) {
+    if (seconds < 1e-3) {
+        return shortNumber(seconds * 1e6) + QStringLiteral(" µs");
+    }
+    return seconds < 1.0 ? shortNumber(seconds * 1e3) + QStringLiteral(" ms")
+                         : shortNumber(seconds) + QStringLiteral(" s");
+}
+
+QString grouped(qulonglong value) {
+    QString text = QString::number(value);
+    for (qsizetype at = text.size() - 3; at > 0; at -= 3) {
+        text.insert(at, QLatin1Char(','));
+    }
+    return text;
+}
+
+}  // namespace hitscope::bench

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QJsonObject>
+#include <QString>
+#include <QStringList>
+#include <utility>
+#include <vector>
+
+#include "core/result.h"
+
+namespace hitscope::bench {
+
+/// A table as people read it: text in columns, the first to the left, all others to the right.
+struct Table {
+    QString title;
+    QStringList columns;
+    std::vector<QStringList> rows;  ///< as many entries as columns; fewer: the rest is empty
+    QStringList notes;              ///< below it, a line each
+};
+
+/// What a benchmark found: tables for people, and the same figures as records, all with the same fields, for
+/// programs.
+struct Report {
+    QString benchmark;                                ///< "paper"
+    std::vector<std::pair<QString, QString>> header;  ///< name and value, what the figures belong to
+    std::vector<Table> tables;
+    QStringList fields;  ///< of the records, in the order of the CSV's columns
+    std::vector<QJsonObject> records;
+    QStringList notes;  ///< on the whole
+};
+
+/// Header, tables, notes.
+[[nodiscard]] QString toText(const Report& report);
+/// {"benchmark", "header": {name: value}, "fields", "records": [{field: value}], "notes"}. UTF-8.
+[[nodiscard]] QByteArray toJson(const Report& report);
+/// The header and the notes as lines that start with #, a line of field names, a line a record (RFC 4180,
+/// but for line ends: \n). UTF-8.
+[[nodiscard]] QByteArray toCsv(const Report& report);
+
+/// Where a report goes. "-" is the standard output, and then the tables for people stay away from it.
+struct Destinations {
+    QString json;  ///< file; empty: none
+    QString csv;   ///< file; empty: none
+};
+/// Fails where a file could not be written, before hours are spent on what goes into it.
+[[nodiscard]] Status checkDestinations(const Destinations& destinations);
+/// Files are written whole or not at all.
+[[nodiscard]] Status writeReport(const Report& report, const Destinations& destinations);
+
+/// Three significant digits or so, without an exponent: "1234", "123", "12.3", "0.0123".
+[[nodiscard]] QString shortNumber(double value);
+/// Like "12.3 µs", "4.56 ms", "1.23 s".
+[[nodiscard]] QString shortTime(double seconds);
+/// 1000000 as "1,000,000".
+[[nodiscard]] QString grouped(qulonglong value);
+
+}  // namespace hitscope::bench

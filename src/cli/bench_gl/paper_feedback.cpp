@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bench_gl/paper_feedback.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "pipeline/target_buffers.h"
+
+namespace hitscope::bench {
+
+namespace {
+
+GLsizeiptr bytesOf(const std::vector<DynamicVertex>& vertices) {
+    return static_cast<GLsizeiptr>(vertices.size() * sizeof(DynamicVertex));
+}
+
+void describeAttribute(Attribute attribute, std::size_t offset) {
+    const auto index = static_cast<GLuint>(attribute);
+    glEnableVertexAttribArray(index);
+    glVertexAttribPointer(index, 3, GL_FLOAT, GL_FALSE, sizeof(DynamicVertex),
+                          reinterpret_cast<const void*>(offset));
+}
+
+}  // namespace
+
+Result<PaperFeedback> PaperFeedback::create(std::span<const DynamicVertex> vertices) {
+    gl::Defines defines = hitArrayDefines(1);
+    defines.emplace_back("HITSCOPE_OWN_HITS_ONLY", "1");
+    Result<gl::Program> program =
+        gl::Program::build({"capture.vert", {}, std::move(defines), {"capturedPosition", "capturedNormal"}});
+    if (!program) {
+        return program.error();
+    }
+    return PaperFeedback(std::move(program).value(), vertices);
+}
+
+PaperFeedback::PaperFeedback(gl::Program program, std::span<const DynamicVertex> vertices)
+    : m_program(std::move(program)),
+      m_hit(1),
+      m_framebuffer(1, 1),
+      m_buffer(gl::Buffer::make()),
+      m_captured(gl::Buffer::make()),
+      m_array(gl::VertexArray::make()),
+      m_readBack(vertices.size()) {
+    restore(vertices);
+    glBindVertexArray(m_array.id());
+    glBindBuffer(GL_ARRAY_BUFFER, m_buffer.id());
+    describeAttribute(Attribute::Position, offsetof(DynamicVertex, position));
+    describeAttribute(Attribute::Normal, offsetof(DynamicVertex, normal));
+    glBindVertexArray(0);
+    glBindBuffer(GL_ARRAY_BUFFER, m_captured.id());
+    glBufferData(GL_ARRAY_BUFFER, bytesOf(m_mesh), nullptr, GL_STREAM_READ);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+void PaperFeedback::restore(std::span<const DynamicVertex> vertices) {
+    m_mesh.assign(vertices.begin(), vertices.end());
+    upload();
+}
+
+void PaperFeedback::apply(const Hit& hit) {
+    capture(hit);
+    glBindBuffer(GL_COPY_READ_BUFFER, m_captured.id());
+    glGetBufferSubData(GL_COPY_READ_BUFFER, 0, bytesOf(m_readBack), m_readBack.data());
+    glBindBuffer(GL_COPY_READ_BUFFER, 0);
+    for (std::size_t i = 0; i < m_mesh.size(); ++i) {
+        if (m_readBack[i].position != m_mesh[i].position || m_readBack[i].normal != m_mesh[i].normal) {
+            m_mesh[i] = m_readBack[i];
+        }
+    }
+    upload();
+}
+
+void PaperFeedback::capture(const Hit& hit) {
+    m_hit = HitArrays(1);
+    static_cast<void>(m_hit.add(hit));  // empty arrays have room
+    glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.framebuffer());
+    glEnable(GL_RASTERIZER_DISCARD);
+    m_program.use();
+    m_hit.upload(m_program);
+    m_program.set("u_firstHit", 0);
+    m_program.set("u_lastHit", 1);
+    glBindVertexArray(m_array.id());
+    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, m_captured.id());
+    glBeginTransformFeedback(GL_POINTS);
+    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(m_mesh.size()));
+    glEndTransformFeedback();
+    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
+    glBindVertexArray(0);
+    glUseProgram(0);  // left in use it would be gone behind the back of whoever puts it back later
+    glDisable(GL_RASTERIZER_DISCARD);
+}
+
+void PaperFeedback::upload() {
+    glBindBuffer(GL_ARRAY_BUFFER, m_buffer.id());
+    glBufferData(GL_ARRAY_BUFFER, bytesOf(m_mesh), m_mesh.data(), GL_DYNAMIC_DRAW);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+}  // namespace hitscope::bench

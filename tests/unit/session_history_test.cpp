@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Changing the session's history, and who is told what of it.
+#include <QSignalSpy>
+#include <QtTest>
+#include <array>
+#include <numeric>
+
+#include "session/session.h"
+
+using namespace hitscope;
+
+namespace {
+
+using Rows = std::vector<std::size_t>;
+
+void addHits(Session& session, int count) {
+    for (int i = 0; i < count; ++i) {
+        Hit hit;
+        hit.target = session.targets()[static_cast<std::size_t>(i) % session.targets().size()]->id;
+        hit.point.x = static_cast<float>(session.history().size());
+        QVERIFY(session.addHit(hit).ok());
+    }
+}
+
+/// The hits by the number they were made with; disabled ones negative, less one.
+std::vector<int> state(const Session& session) {
+    std::vector<int> numbers;
+    for (const Hit& hit : session.history().hits()) {
+        const int number = static_cast<int>(hit.point.x);
+        numbers.push_back(hit.enabled ? number : -number - 1);
+    }
+    return numbers;
+}
+
+std::vector<int> upTo(int count) {
+    std::vector<int> numbers(static_cast<std::size_t>(count));
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return numbers;
+}
+
+}  // namespace
+
+class SessionHistoryTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() {
+        m_session = std::make_unique<Session>();
+        m_session->loadPaperRow(kDefaultPaperRow);
+        addHits(*m_session, 6);
+    }
+
+    void disablingManyIsOneStep() {
+        Session& session = *m_session;
+        const QSignalSpy changed(&session, &Session::hitsChanged);
+        const QSignalSpy rearranged(&session, &Session::hitsRearranged);
+        session.setHitsEnabled(Rows{4, 1, 2, 99, 1}, false);
+        QCOMPARE(state(session), (std::vector<int>{0, -2, -3, 3, -5, 5}));
+        QCOMPARE(session.disabledHits(), std::size_t{3});
+        QCOMPARE(changed.size(), 1);
+        QCOMPARE(changed[0][0].toInt(), 1);
+        QCOMPARE(changed[0][1].toInt(), 4);
+        QCOMPARE(session.undoName(), (HistoryUndo::Name{HistoryUndo::Kind::Disable, 3}));
+        session.enableAllHits();
+        QCOMPARE(session.disabledHits(), std::size_t{0});
+        QCOMPARE(session.undoName(), (HistoryUndo::Name{HistoryUndo::Kind::Enable, 3}));
+        session.undoHit();
+        QCOMPARE(session.disabledHits(), std::size_t{3});
+        session.undoHit();
+        QCOMPARE(state(session), upTo(6));
+        QCOMPARE(session.disabledHits(), std::size_t{0});
+        QCOMPARE(session.redoName(), (HistoryUndo::Name{HistoryUndo::Kind::Disable, 3}));
+        session.redoHit();
+        QCOMPARE(session.disabledHits(), std::size_t{3});
+        QCOMPARE(changed.size(), 5);
+        QCOMPARE(rearranged.size(), 0);
+    }
+
+    void disablingTheDisabledIsNoStep() {
+        m_session->setHitsEnabled(Rows{3}, false);
+        const QSignalSpy changed(m_session.get(), &Session::hitsChanged);
+        const QSignalSpy reset(m_session.get(), &Session::historyReset);
+        m_session->setHitsEnabled(Rows{3}, false);
+        QCOMPARE(changed.size() + reset.size(), 0);
+        m_session->undoHit();
+        QCOMPARE(m_session->disabledHits(), std::size_t{0});
+    }
+
+    void movesTogether_data() {
+        QTest::addColumn<Rows>("rows");
+        QTest::addColumn<std::size_t>("to");
+        QTest::addColumn<std::vector<int>>("after");
+        const auto row = [](const char* name, Rows rows, std::size_t to, std::vector<int> after) {
+            QTest::newRow(name) << rows << to << after;
+        };
+        row("up", {3}, 1, {0, 3, 1, 2, 4, 5});
+        row("down", {1}, 4, {0, 2, 3, 1, 4, 5});
+        row("to the end", {0}, 6, {1, 2, 3, 4, 5, 0});
+        row("several from both sides", {5, 0, 2}, 4, {1, 3, 0, 2, 5, 4});
+        row("before one of them", {1, 3}, 3, {0, 2, 1, 3, 4, 5});
+        row("where they stand", {2, 3}, 3, {0, 1, 2, 3, 4, 5});
+        row("after where they stand", {2, 3}, 4, {0, 1, 2, 3, 4, 5});
+        row("out of range", {2}, 7, {0, 1, 2, 3, 4, 5});
+    }
+    void movesTogether() {
+        QFETCH(Rows, rows);
+        QFETCH(std::size_t, to);
+        QFETCH(std::vector<int>, after);
+        Session& session = *m_session;
+        session.moveHits(rows, to);
+        QCOMPARE(state(session), after);
+        if (after != upTo(6)) {
+            QCOMPARE(session.undoName(), (HistoryUndo::Name{HistoryUndo::Kind::Move, rows.size()}));
+            session.undoHit();
+            QCOMPARE(state(session), upTo(6));
+            session.redoHit();
+            QCOMPARE(state(session), after);
+        } else {
+            QCOMPARE(session.undoName(), (HistoryUndo::Name{HistoryUndo::Kind::Hit, 1}));
+        }
+    }
+
+    void removesManyAtOnce() {
+        Session& session = *m_session;
+        session.removeHits(Rows{0, 5, 2, 3});
+        QCOMPARE(state(session), (std::vector<int>{1, 4}));
+        QCOMPARE(session.undoName(), (HistoryUndo::Name{HistoryUndo::Kind::Remove, 4}));
+        session.undoHit();
+        QCOMPARE(state(session), upTo(6));
+    }
+
+    /// So many apart that they are one edit over all between.
+    void scatteredRowsToo() {
+        Session& session = *m_session;
+        addHits(session, 494);
+        Rows even;
+        std::vector<int> odd;
+        std::vector<int> moved;
+        for (int i = 0; i < 500; i += 2) {
+            even.push_back(static_cast<std::size_t>(i));
+            odd.push_back(i + 1);
+            moved.push_back(i);
+        }
+        moved.insert(moved.begin(), odd.begin(), odd.begin() + 100);
+        moved.insert(moved.end(), odd.begin() + 100, odd.end());
+        session.moveHits(even, 200);
+        QCOMPARE(state(session), moved);
+        session.undoHit();
+        QCOMPARE(state(session), upTo(500));
+        session.removeHits(even);
+        QCOMPARE(state(session), odd);
+        session.undoHit();
+        QCOMPARE(state(session), upTo(500));
+    }
+
+    void selectedHitGoesWhereItsHitGoes() {
+        Session& session = *m_session;
+        const QSignalSpy selected(&session, &Session::hitSelected);
+        session.selectHit(4);
+        session.moveHits(Rows{4}, 1);
+        QCOMPARE(session.selectedHit(), std::optional<std::size_t>(1));
+        session.removeHit(0);
+        QCOMPARE(session.selectedHit(), std::optional<std::size_t>(0));
+        session.undoHit();
+        QCOMPARE(session.selectedHit(), std::optional<std::size_t>(1));
+        session.undoHit();
+        QCOMPARE(session.selectedHit(), std::optional<std::size_t>(4));
+        session.setHitsEnabled(Rows{4}, false);
+        QCOMPARE(session.selectedHit(), std::optional<std::size_t>(4));
+        QCOMPARE(selected.size(), 5);
+        session.removeHit(4);
+        QVERIFY(!session.selectedHit());
+        QCOMPARE(selected.size(), 6);
+    }
+
+    void rowsSayWhereEachHitWent() {
+        Session& session = *m_session;
+        std::optional<HitRows> rows;
+        const auto connection =
+            connect(&session, &Session::hitsRearranged, this, [&rows](const HitRows& now) { rows = now; });
+        session.moveHits(Rows{0, 1}, 4);
+        const std::array<std::size_t, 6> after{2, 3, 0, 1, 4, 5};
+        for (std::size_t i = 0; i < after.size(); ++i) {
+            QCOMPARE(rows->now(i), std::optional(after[i]));
+        }
+        session.removeHits(Rows{1, 4});
+        QCOMPARE(rows->size(), std::size_t{4});
+        QVERIFY(!rows->now(1) && !rows->now(4));
+        QCOMPARE(rows->now(5), std::optional<std::size_t>(3));
+        session.undoHit();
+        QCOMPARE(rows->now(3), std::optional<std::size_t>(5));
+        session.clearHits();
+        QVERIFY(!rows->now(0));
+        disconnect(connection);
+    }
+
+    void equalHitsKeepTheirOrder() {
+        HitHistory history;
+        const std::vector<Hit> same(4);
+        history.append(same);
+        const std::vector<HistoryEdit> edits{history.splice(1, 2, {}),
+                                             history.splice(2, 0, {same.data(), 2})};
+        const HitRows rows(4, edits);
+        QCOMPARE(rows.now(1), std::optional<std::size_t>(2));
+        QCOMPARE(rows.now(2), std::optional<std::size_t>(3));
+    }
+
+    void everyChangeHasItsName() {
+        Session& session = *m_session;
+        DeformationConstants constants;
+        constants.power = 0.2f;
+        QVERIFY(session.setConstants(constants, true).ok());
+        QCOMPARE(session.undoName(), (HistoryUndo::Name{HistoryUndo::Kind::Constants, 6}));
+        session.clearHits();
+        QCOMPARE(session.undoName(), (HistoryUndo::Name{HistoryUndo::Kind::Clear, 6}));
+        QVERIFY(!session.redoName());
+    }
+
+    void capacityIsPassedOn() {
+        const QSignalSpy changed(m_session.get(), &Session::capacityChanged);
+        m_session->setCapacity({4, false, 4, {0, 3}});
+        QCOMPARE(m_session->droppedHits(), std::size_t{2});
+        QVERIFY(m_session->isDropped(0) && !m_session->isDropped(1) && m_session->isDropped(3));
+        m_session->setCapacity({4, false, 4, {0, 3}});
+        QCOMPARE(changed.size(), 1);
+        m_session->loadTeapot();
+        QCOMPARE(m_session->droppedHits(), std::size_t{0});
+        QCOMPARE(changed.size(), 2);
+    }
+
+    void unavailablePipelinesHaveAReason() {
+        const QSignalSpy changed(m_session.get(), &Session::unavailablePipelinesChanged);
+        QVERIFY(m_session->whyUnavailable(PipelineKind::UniformArray).isEmpty());
+        m_session->setUnavailablePipelines({{PipelineKind::UniformArray, QStringLiteral("Too old.")}});
+        QCOMPARE(m_session->whyUnavailable(PipelineKind::UniformArray), QStringLiteral("Too old."));
+        QVERIFY(m_session->whyUnavailable(PipelineKind::TransformFeedback).isEmpty());
+        QCOMPARE(changed.size(), 1);
+    }
+
+private:
+    std::unique_ptr<Session> m_session;
+};
+
+QTEST_GUILESS_MAIN(SessionHistoryTest)
+#include "session_history_test.moc"
