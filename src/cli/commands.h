@@ -27,8 +27,4 @@ struct DemoOptions {
 /// reference does in every bit.
 [[nodiscard]] Status runRendererInfo();
 
-/// Prints what draws without a window, how many hits its uniform arrays hold, and whether it deforms as the
-/// reference does in every bit.
-[[nodiscard]] Status runRendererInfo();
-
 }  // namespace hitscope::cli

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QCommandLineParser>
+#include <QCoreApplication>
+#include <QTextStream>
+#include <limits>
+
+#include "cli/bench/bench_command.h"
+#include "cli/command_line.h"
+#include "cli/commands.h"
+
+namespace {
+
+using hitscope::cli::finish;
+using hitscope::cli::wrongUsage;
+
+int demo(const QStringList& arguments) {
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral(
+        "Shoots at the paper's scene, or at one mesh, with no display; compares the pipelines and writes\n"
+        "before.png, after.png, wireframe.png and deformed.obj."));
+    parser.addHelpOption();
+    const QCommandLineOption out(QStringLiteral("out"), QStringLiteral("Folder for the results."),
+                                 QStringLiteral("folder"), QStringLiteral("hitscope-demo"));
+    const QCommandLineOption shots(QStringLiteral("shots"), QStringLiteral("Number of shots, 1 to 100000."),
+                                   QStringLiteral("number"), QStringLiteral("50"));
+    const QCommandLineOption seed(QStringLiteral("seed"), QStringLiteral("Another seed gives other shots."),
+                                  QStringLiteral("number"), QStringLiteral("1"));
+    parser.addOptions({out, shots, seed});
+    parser.addPositionalArgument(QStringLiteral("mesh"), QStringLiteral("Mesh file to shoot at."),
+                                 QStringLiteral("[mesh]"));
+    if (!parser.parse(arguments)) {
+        return wrongUsage(parser.errorText() + QLatin1Char('.'));
+    }
+    if (parser.isSet(QStringLiteral("help"))) {
+        QTextStream(stdout) << parser.helpText();
+        return 0;
+    }
+    hitscope::cli::DemoOptions options;
+    bool shotsOk = false;
+    bool seedOk = false;
+    options.folder = parser.value(out);
+    options.shots = parser.value(shots).toInt(&shotsOk);
+    options.seed = parser.value(seed).toUInt(&seedOk);
+    if (!shotsOk || options.shots < 1 || options.shots > 100000) {
+        return wrongUsage(QStringLiteral("--shots takes a whole number from 1 to 100000."));
+    }
+    if (!seedOk) {
+        return wrongUsage(QStringLiteral("--seed takes a whole number, 0 or more."));
+    }
+    if (parser.positionalArguments().size() > 1) {
+        return wrongUsage(QStringLiteral("demo takes one mesh at most."));
+    }
+    options.meshPath = parser.positionalArguments().value(0);
+    return finish(hitscope::cli::runDemo(options));
+}
+
+int info(const QStringList& arguments) {
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral("Prints what is in a mesh file, or what draws."));
+    parser.addHelpOption();
+    const QCommandLineOption renderer(
+        QStringLiteral("renderer"),
+        QStringLiteral("Print what draws, and whether it deforms as the reference does in every bit."));
+    parser.addOption(renderer);
+    parser.addPositionalArgument(QStringLiteral("mesh"), QStringLiteral("Mesh file."),
+                                 QStringLiteral("[mesh]"));
+    if (!parser.parse(arguments)) {
+        return wrongUsage(parser.errorText() + QLatin1Char('.'));
+    }
+    if (parser.isSet(QStringLiteral("help"))) {
+        QTextStream(stdout) << parser.helpText();
+        return 0;
+    }
+    if (parser.positionalArguments().size() != (parser.isSet(renderer) ? 0 : 1)) {
+        return wrongUsage(QStringLiteral("info takes one mesh file, or --renderer alone."));
+    }
+    if (parser.isSet(renderer)) {
+        return finish(hitscope::cli::runRendererInfo());
+    }
+    return finish(hitscope::cli::runInfo(parser.positionalArguments().constFirst()));
+}
+
+int printUsage() {
+    QTextStream(stdout)
+        << "Usage: hitscope-cli COMMAND [options]\n\n"
+        << "Commands:\n"
+        << "  demo   shoot at the paper's scene or a mesh, compare the pipelines, write pictures\n"
+        << "         and the deformed mesh\n"
+        << "  info   print what is in a mesh file, or what draws (--renderer)\n"
+        << "  bench  measure the pipelines: frames, hits, the paper's tables\n\n"
+        << "Options:\n"
+        << "  --help     this text; hitscope-cli COMMAND --help for a command's options\n"
+        << "  --version  the version\n";
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const QCoreApplication app(argc, argv);
+    QCoreApplication::setApplicationName(QStringLiteral("hitscope-cli"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(HITSCOPE_VERSION));
+
+    QStringList arguments = QCoreApplication::arguments();
+    const QString command = arguments.value(1);
+    if (command == QLatin1String("--help") || command == QLatin1String("-h") ||
+        command == QLatin1String("help")) {
+        return printUsage();
+    }
+    if (command == QLatin1String("--version") || command == QLatin1String("-v")) {
+        QTextStream(stdout) << "hitscope-cli " << QCoreApplication::applicationVersion() << "\n";
+        return 0;
+    }
+    if (command.isEmpty()) {
+        return wrongUsage(QStringLiteral("a command is missing."));
+    }
+    arguments.removeAt(1);
+    if (command == QLatin1String("demo")) {
+        return demo(arguments);
+    }
+    if (command == QLatin1String("info")) {
+        return info(arguments);
+    }
+    if (command == QLatin1String("bench")) {
+        return hitscope::bench::benchCommand(arguments);
+    }
+    return wrongUsage(QStringLiteral("there is no command \"%1\".").arg(command));
+}
