@@ -41,7 +41,8 @@ void showAbout(QWidget* parent, const QString& renderer, const QString& version,
         tr("<p>The deformation is that of “Real-time polygon mesh deformation” by Alessio Quercia.</p>"
            "<p>Renderer: %1<br>OpenGL: %2<br>Deformation: %3<br>Qt: %4</p>"
            "<p>Free software under the GNU General Public License, version 3 or later.</p>")
-            .arg(renderer.toHtmlEscaped(), version.toHtmlEscaped(), exactness.toHtmlEscaped(), QString::fromLatin1(qVersion())));
+            .arg(renderer.toHtmlEscaped(), version.toHtmlEscaped(), exactness.toHtmlEscaped(),
+                 QString::fromLatin1(qVersion())));
     box->open();
 }
 

@@ -56,22 +56,22 @@ public:
     /// constants changed.
     [[nodiscard]] bool canUndo() const { return m_undo.canUndo(); }
     [[nodiscard]] bool canRedo() const { return m_undo.canRedo(); }
-    void undoHit();
-    void redoHit();
     /// What undoHit() and redoHit() would be about; nothing when they would do nothing.
     [[nodiscard]] std::optional<HistoryUndo::Name> undoName() const { return nameOf(m_undo.toUndo()); }
     [[nodiscard]] std::optional<HistoryUndo::Name> redoName() const { return nameOf(m_undo.toRedo()); }
-    void removeHit(std::size_t index);
-    void clearHits();
+    void undoHit();
+    void redoHit();
     /// Each of these is one step to undo, however many hits; indices out of range are passed over.
     void setHitsEnabled(std::span<const std::size_t> indices, bool enabled);
     void enableAllHits();
     /// The hits come to stand together, in their order, before the hit that is now at `to` (<= size()).
     void moveHits(std::span<const std::size_t> indices, std::size_t to);
     void removeHits(std::span<const std::size_t> indices);
+    void removeHit(std::size_t index);
+    void clearHits();
+    [[nodiscard]] std::size_t disabledHits() const { return m_disabledHits; }
     [[nodiscard]] std::optional<std::size_t> selectedHit() const { return m_selectedHit; }
     void selectHit(std::optional<std::size_t> index);
-    [[nodiscard]] std::size_t disabledHits() const { return m_disabledHits; }
 
     // Settings
     [[nodiscard]] const DeformationConstants& constants() const { return m_constants; }
@@ -83,10 +83,10 @@ public:
     void setProjectileSettings(const ProjectileSettings& settings);
     [[nodiscard]] PipelineKind pipeline() const { return m_pipeline; }
     void setPipeline(PipelineKind kind);
-
-    // Time
     /// Why the driver cannot run a pipeline, in words for the interface; empty: it can, as far as is known.
     [[nodiscard]] QString whyUnavailable(PipelineKind kind) const;
+
+    // Time
     void shoot(const Ray& ray);  ///< world
     /// Steps the physics; contacts become hits.
     void advance(double seconds);

@@ -16,10 +16,11 @@ struct Benchmark {
     int (*run)(const QStringList&);
 };
 
-constexpr std::array<Benchmark, 3> kBenchmarks{
+constexpr std::array<Benchmark, 4> kBenchmarks{
     {{"paper", "the paper's tables 1 and 2: frame rates of its nine scenes", paperCommand},
      {"frame", "frame time against the number of hits", frameCommand},
-     {"hit", "time a hit takes against the size of the mesh", hitCommand}}};
+     {"hit", "time a hit takes against the size of the mesh", hitCommand},
+     {"check", "the ratios that Hitscope promises, measured", checkCommand}}};
 
 int printUsage() {
     QTextStream out(stdout);

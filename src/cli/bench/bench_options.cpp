@@ -31,15 +31,7 @@ Plan takePlan(Arguments& arguments) {
 
 }  // namespace
 
-void addCommonOptions(Arguments& arguments, bool withPicture) {
-    if (withPicture) {
-        arguments.addOption(QStringLiteral("size"), QStringLiteral("Picture in pixels."),
-                            QStringLiteral("WIDTHxHEIGHT"), QStringLiteral("1280x720"));
-    }
-    arguments.addOption(QStringLiteral("pipelines"),
-                        QStringLiteral("Which to measure: %1. Default: all that run here.")
-                            .arg(pipelineKeys().join(QStringLiteral(", "))),
-                        QStringLiteral("list"), pipelineKeys().join(QLatin1Char(',')));
+void addMeasuringOptions(Arguments& arguments) {
     arguments.addOption(QStringLiteral("seconds"),
                         QStringLiteral("Time for each variant; a slow one is still sampled three times."),
                         QStringLiteral("number"), QStringLiteral("2"));
@@ -47,16 +39,35 @@ void addCommonOptions(Arguments& arguments, bool withPicture) {
                         QStringLiteral("number"), QStringLiteral("100"));
     arguments.addFlag(QStringLiteral("quick"),
                       QStringLiteral("A few samples each: to see that it runs, not to measure."));
-    arguments.addOption(QStringLiteral("seed"), QStringLiteral("Another seed gives other hits."),
-                        QStringLiteral("number"), QStringLiteral("1"));
     arguments.addOption(QStringLiteral("json"),
                         QStringLiteral("Also as JSON; without a file, or to \"-\": instead of the tables."),
                         QStringLiteral("file"));
     arguments.addOption(QStringLiteral("csv"), QStringLiteral("Likewise as CSV."), QStringLiteral("file"));
 }
 
-CommonOptions takeCommonOptions(Arguments& arguments, bool withPicture) {
+CommonOptions takeMeasuringOptions(Arguments& arguments) {
     CommonOptions options;
+    options.plan = takePlan(arguments);
+    options.destinations = {arguments.text(QStringLiteral("json")), arguments.text(QStringLiteral("csv"))};
+    return options;
+}
+
+void addCommonOptions(Arguments& arguments, bool withPicture) {
+    if (withPicture) {
+        arguments.addOption(QStringLiteral("size"), QStringLiteral("Picture in pixels."),
+                            QStringLiteral("WIDTHxHEIGHT"), QStringLiteral("1280x720"));
+    }
+    const QStringList keys = pipelineKeys();
+    arguments.addOption(QStringLiteral("pipelines"),
+                        QStringLiteral("Which to measure, of %1.").arg(keys.join(QStringLiteral(", "))),
+                        QStringLiteral("list"), keys.join(QLatin1Char(',')));
+    arguments.addOption(QStringLiteral("seed"), QStringLiteral("Another seed gives other hits."),
+                        QStringLiteral("number"), QStringLiteral("1"));
+    addMeasuringOptions(arguments);
+}
+
+CommonOptions takeCommonOptions(Arguments& arguments, bool withPicture) {
+    CommonOptions options = takeMeasuringOptions(arguments);
     if (withPicture) {
         const Arguments::Size size = arguments.size(QStringLiteral("size"));
         options.width = size.width;
@@ -68,9 +79,7 @@ CommonOptions takeCommonOptions(Arguments& arguments, bool withPicture) {
             options.pipelines.push_back(traits.kind);
         }
     }
-    options.plan = takePlan(arguments);
     options.seed = static_cast<std::uint32_t>(arguments.wholeNumber(QStringLiteral("seed"), 0, 2147483647));
-    options.destinations = {arguments.text(QStringLiteral("json")), arguments.text(QStringLiteral("csv"))};
     return options;
 }
 

@@ -11,7 +11,7 @@
 
 namespace hitscope::bench {
 
-/// What all benchmarks take.
+/// What the benchmarks have in common.
 struct CommonOptions {
     Plan plan;
     Destinations destinations;
@@ -21,10 +21,15 @@ struct CommonOptions {
     int height = 720;  ///< pixels
 };
 
-/// `withPicture`: --size as well.
-void addCommonOptions(Arguments& arguments, bool withPicture);
+// How long to measure and where the report goes: all benchmarks take that.
+void addMeasuringOptions(Arguments& arguments);
 /// arguments.error() says whether it is of use.
+[[nodiscard]] CommonOptions takeMeasuringOptions(Arguments& arguments);
+
+// Also which pipelines and hits and, `withPicture`, how large.
+void addCommonOptions(Arguments& arguments, bool withPicture);
 [[nodiscard]] CommonOptions takeCommonOptions(Arguments& arguments, bool withPicture);
+
 /// arguments.parse() with what may stand alone here.
 void parseBenchArguments(Arguments& arguments, const QStringList& list);
 

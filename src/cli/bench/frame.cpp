@@ -141,9 +141,15 @@ Status runFrame(const FrameOptions& options) {
         status = measureScene(*room.value(), options, name, paperRowScene(options.row), report);
     }
     for (std::size_t i = 0; status && i < options.vertices.size(); ++i) {
+        const int vertices = options.vertices[i];
+        if (const QString why = whyItDoesNotFit(kSphereSceneBytes * vertices); !why.isEmpty()) {
+            report.notes << QStringLiteral("%1 vertices are left out: %2.")
+                                .arg(grouped(static_cast<qulonglong>(vertices)), why);
+            continue;
+        }
         room.value()->say(QStringLiteral("making a sphere"));
-        status = measureScene(*room.value(), options, QStringLiteral("sphere"),
-                              sphereScene(options.vertices[i]), report);
+        status =
+            measureScene(*room.value(), options, QStringLiteral("sphere"), sphereScene(vertices), report);
     }
     if (!status) {
         return status;

@@ -15,6 +15,8 @@ struct StillScene {
 [[nodiscard]] StillScene paperRowScene(int row);
 /// One sphere with about so many vertices. Making it takes seconds for millions.
 [[nodiscard]] StillScene sphereScene(int vertices);
+/// Memory that making it takes for each vertex, bytes.
+inline constexpr double kSphereSceneBytes = 500.0;
 
 struct HistoryOptions {
     PipelineKind pipeline = PipelineKind::TransformFeedback;

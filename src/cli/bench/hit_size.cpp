@@ -21,9 +21,10 @@ constexpr int kHitsASample = 100;  // a single hit is too short for the clock
 constexpr int kCopiesASample = 2000;
 constexpr int kSmallMesh = 100000;  // vertices; above, one hit the paper's way is long enough
 
-// Measured with 10,000,000 vertices: the mesh while it is made; and for each pipeline buffers and state.
-constexpr double kMeshBytes = 420.0;
-constexpr double kPipelineBytes = 190.0;
+// Measured with 4,000,000 vertices, and a little more: the mesh with the yardsticks; a pipeline's buffers and
+// state.
+constexpr double kMeshBytes = 300.0;
+constexpr double kPipelineBytes = 120.0;
 
 /// A pipeline with the sphere as its only target.
 struct Entrant {

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <functional>
+#include <span>
+
+#include "cli/bench/bench_room.h"
+
+namespace hitscope::bench {
+
+/// A promise about speed, as a ratio of times measured in one run.
+struct Check {
+    const char* name;   ///< "history"
+    const char* about;  ///< what over what
+    double atMost;      ///< the ratio kept
+    /// Measures it. The error says why it cannot be measured here.
+    std::function<Result<double>(const BenchRoom&, const Plan&)> measure;
+};
+
+/// Picture size of the checks that draw, pixels.
+inline constexpr int kCheckWidth = 320;
+inline constexpr int kCheckHeight = 180;
+
+/// All of them, in the order in which they are measured.
+[[nodiscard]] std::span<const Check> allChecks();
+
+}  // namespace hitscope::bench
