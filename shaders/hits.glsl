@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Applies the hits that a pipeline keeps in uniform arrays (paper, section 2.1). With pipelines that keep the
-// deformed vertices in the buffer there is nothing to do, and applyHits() does nothing.
+// Applies hits to a vertex: those that a pipeline keeps in uniform arrays (paper, section 2.1), or a batch of
+// them from buffers (section 2.2). Where a target's buffer holds its deformed vertices already there is nothing to
+// do, and applyHits() does nothing.
 //
+// HITSCOPE_HIT_LISTS      hits come from buffers; for each cluster there is a list of those that may reach it
 // HITSCOPE_UNIFORM_HITS   the number of hits the arrays hold; not defined: no arrays
 // HITSCOPE_HIT_CONSTANTS  the number of different constants they can have
 // HITSCOPE_OWN_HITS_ONLY  defined: the loop starts and ends with the target's own hits
 
-#ifdef HITSCOPE_UNIFORM_HITS
-
+#if defined(HITSCOPE_UNIFORM_HITS) || defined(HITSCOPE_HIT_LISTS)
 #include "deform.glsl"
+#endif
+
+#ifdef HITSCOPE_UNIFORM_HITS
 
 uniform vec3 u_hitPoints[HITSCOPE_UNIFORM_HITS];
 uniform vec3 u_hitDirections[HITSCOPE_UNIFORM_HITS];
@@ -33,6 +37,29 @@ bool applyHits(inout vec3 p, inout vec3 n)
 #endif
         uint index = (u_hitConstantsIndex[i >> 2] >> (8u * (uint(i) & 3u))) & 0xffu;
         if (deform(p, n, u_hitPoints[i], u_hitDirections[i], u_hitConstants[index])) {
+            reached = true;
+        }
+    }
+    return reached;
+}
+
+#elif defined(HITSCOPE_HIT_LISTS)
+
+uniform samplerBuffer u_hits;  // three texels a hit, see src/pipeline/hit_batch.h
+uniform usamplerBuffer u_hitIndices;
+uniform int u_hitBase;   // where the batch's hits start
+uniform int u_firstHit;  // the vertex's list is [u_firstHit, u_lastHit) of the indices
+uniform int u_lastHit;
+
+bool applyHits(inout vec3 p, inout vec3 n)
+{
+    bool reached = false;
+    for (int i = u_firstHit; i < u_lastHit; ++i) {
+        int hit = 3 * (u_hitBase + int(texelFetch(u_hitIndices, i).x));
+        vec4 a = texelFetch(u_hits, hit);
+        vec4 b = texelFetch(u_hits, hit + 1);
+        vec4 c = texelFetch(u_hits, hit + 2);
+        if (deform(p, n, a.xyz, b.xyz, vec3(a.w, b.w, c.x))) {
             reached = true;
         }
     }

@@ -110,7 +110,7 @@ Status runRendererInfo() {
     table.row(QStringLiteral("renderer"), QString::fromStdString(info.renderer));
     table.row(QStringLiteral("vendor"), QString::fromStdString(info.vendor));
     table.row(QStringLiteral("OpenGL"), QString::fromStdString(info.version));
-    table.row(QStringLiteral("hits in uniform arrays"), arrays.value()->capacity().value_or(0));
+    table.row(QStringLiteral("hits in uniform arrays"), arrays.value()->capacity().capacity.value_or(0));
     table.row(QStringLiteral("deformation"), QString::fromStdString(describe(exactness.value())));
     return Done{};
 }

@@ -2,116 +2,235 @@
 #include "deform/cluster_reach.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <glm/geometric.hpp>
+#include <utility>
 
 namespace hitscope {
 namespace {
 
-// deform() decides and moves in float, the spheres are kept in double: this is what float rounding can add,
-// as a part of the numbers involved. Sixteen units in float's last place, where the sums in question lose a
-// few.
-constexpr double kRounding = 1e-6;
+// deform() decides and moves in float: this is what its rounding, and ours, can add, as a part of the numbers
+// involved. Sixteen units in float's last place, where the sums in question lose a few.
+constexpr float kRounding = 1e-6f;
 
-double largestCoordinate(const glm::dvec3& v) {
+float reachOf(const Hit& hit) {
+    return hit.constants.maxDistance * (1.0f + 2.0f * kRounding);
+}
+
+/// Square of the distance from `point` to the box; infinite if that is empty.
+float distanceSquared(const Bounds& box, const glm::vec3& point) {
+    const glm::vec3 gap = glm::max(glm::max(box.min - point, point - box.max), glm::vec3(0.0f));
+    return gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
+}
+
+bool reaches(const Hit& hit, const Bounds& box) {
+    const float reach = reachOf(hit);
+    return distanceSquared(box, hit.point) <= reach * reach;
+}
+
+float largestCoordinate(const glm::vec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-double slackOf(const glm::dvec3& centre, double radius) {
-    return kRounding * (largestCoordinate(centre) + radius);
+/// `box` and wherever the hit may move what lies within it. The part within reach moves along the direction,
+/// by power / maxDistance at least and by what it is at the nearest place at most (eq. 4).
+Bounds grownBy(const Bounds& box, const Hit& hit) {
+    const float reach = reachOf(hit);
+    Bounds part;
+    part.min = glm::max(box.min, hit.point - reach);
+    part.max = glm::min(box.max, hit.point + reach);
+    const float cap = hit.constants.maxMagnitude;
+    const float nearest = std::sqrt(distanceSquared(box, hit.point)) * (1.0f - 2.0f * kRounding);
+    const float most = nearest > 0.0f ? std::min(hit.constants.power / nearest, cap) : cap;
+    const float least = std::min(hit.constants.power / reach, most);
+    const float slack =
+        kRounding *
+        (std::max({largestCoordinate(part.min), largestCoordinate(part.max), largestCoordinate(hit.point)}) +
+         reach + most);
+    const glm::vec3 shortest = hit.direction * least;
+    const glm::vec3 longest = hit.direction * most;
+    part.min += glm::min(shortest, longest) - slack;
+    part.max += glm::max(shortest, longest) + slack;
+    Bounds grown = box;
+    grown.add(part);
+    return grown;
 }
 
-/// How far from `centre` the hit can leave a vertex that it moves: such a vertex ends within maxDistance of
-/// the path from the hit point to maxMagnitude along the direction.
-double farthestMoved(const glm::dvec3& centre, const Hit& hit) {
-    const glm::dvec3 start(hit.point);
-    const glm::dvec3 end =
-        start + glm::dvec3(hit.direction) * static_cast<double>(hit.constants.maxMagnitude);
-    return std::max(glm::distance(centre, start), glm::distance(centre, end)) + hit.constants.maxDistance;
+Bounds around(std::span<const DynamicVertex> vertices) {
+    Bounds box;
+    for (const DynamicVertex& vertex : vertices) {
+        box.add(vertex.position);
+    }
+    return box;
+}
+
+bool isSame(const Bounds& a, const Bounds& b) {
+    return a.min == b.min && a.max == b.max;
 }
 
 }  // namespace
 
-std::vector<VertexRange> merged(std::vector<VertexRange> ranges) {
-    std::erase_if(ranges, [](const VertexRange& range) { return range.count == 0; });
-    std::sort(ranges.begin(), ranges.end(),
-              [](const VertexRange& a, const VertexRange& b) { return a.first < b.first; });
-    std::size_t kept = 0;
-    for (const VertexRange& range : ranges) {
-        if (kept > 0 && range.first <= ranges[kept - 1].first + ranges[kept - 1].count) {
-            VertexRange& last = ranges[kept - 1];
-            last.count = std::max(last.first + last.count, range.first + range.count) - last.first;
+ClusterReach::ClusterReach(std::span<const Cluster> clusters)
+    : m_clusters(clusters), m_leaves(std::bit_ceil(std::max<std::size_t>(clusters.size(), 1))) {
+    restart();
+}
+
+void ClusterReach::restart() {
+    m_now.assign(2 * m_leaves, Bounds{});
+    for (std::size_t i = 0; i < m_clusters.size(); ++i) {
+        m_now[m_leaves + i] = m_clusters[i].bounds;
+    }
+    for (std::size_t node = m_leaves - 1; node > 0; --node) {
+        m_now[node] = m_now[2 * node];
+        m_now[node].add(m_now[2 * node + 1]);
+    }
+    m_ever = m_now;
+}
+
+/// Makes a leaf's ancestors hold their children again.
+void ClusterReach::refit(Tree& tree, std::size_t leaf) {
+    for (std::size_t node = leaf / 2; node > 0; node /= 2) {
+        Bounds box = tree[2 * node];
+        box.add(tree[2 * node + 1]);
+        if (isSame(box, tree[node])) {
+            return;
+        }
+        tree[node] = box;
+    }
+}
+
+void ClusterReach::setNow(std::uint32_t cluster, const Bounds& box) {
+    m_now[m_leaves + cluster] = box;
+    refit(m_now, m_leaves + cluster);
+}
+
+void ClusterReach::setEver(std::uint32_t cluster, const Bounds& box) {
+    m_ever[m_leaves + cluster] = box;
+    refit(m_ever, m_leaves + cluster);
+}
+
+/// Depth first, left to right, so that what is found is sorted.
+void ClusterReach::find(const Tree& tree, const Hit& hit, std::vector<std::uint32_t>& found) const {
+    std::array<std::size_t, 64> stack{};  // a level has one node waiting at most, and levels are 32
+    std::size_t waiting = 0;
+    stack[waiting++] = 1;
+    while (waiting > 0) {
+        const std::size_t node = stack[--waiting];
+        if (!reaches(hit, tree[node])) {
+            continue;
+        }
+        if (node >= m_leaves) {
+            found.push_back(static_cast<std::uint32_t>(node - m_leaves));
         } else {
-            ranges[kept++] = range;
+            stack[waiting++] = 2 * node + 1;
+            stack[waiting++] = 2 * node;
         }
     }
-    ranges.resize(kept);
+}
+
+void ClusterReach::grow(std::uint32_t cluster, const Hit& hit) {
+    const Bounds& now = m_now[m_leaves + cluster];
+    const Bounds grown = grownBy(now, hit);
+    if (isSame(grown, now)) {
+        return;
+    }
+    setNow(cluster, grown);
+    Bounds ever = m_ever[m_leaves + cluster];
+    ever.add(grown);
+    setEver(cluster, ever);
+}
+
+void ClusterReach::advance(const Hit& hit, std::vector<std::uint32_t>& reached) {
+    const std::size_t before = reached.size();
+    find(m_now, hit, reached);
+    for (std::size_t i = before; i < reached.size(); ++i) {
+        grow(reached[i], hit);
+    }
+}
+
+void ClusterReach::advanceWithin(std::span<const std::uint32_t> among, const Hit& hit,
+                                 std::vector<std::uint32_t>& reached) {
+    for (const std::uint32_t cluster : among) {
+        if (reaches(hit, m_now[m_leaves + cluster])) {
+            reached.push_back(cluster);
+            grow(cluster, hit);
+        }
+    }
+}
+
+void ClusterReach::everReached(const Hit& hit, std::vector<std::uint32_t>& reached) const {
+    find(m_ever, hit, reached);
+}
+
+bool ClusterReach::mayEverReach(const Hit& hit) const {
+    return reaches(hit, m_ever[1]);
+}
+
+void ClusterReach::restart(std::span<const std::uint32_t> clusters) {
+    for (const std::uint32_t cluster : clusters) {
+        setNow(cluster, m_clusters[cluster].bounds);
+        setEver(cluster, m_clusters[cluster].bounds);
+    }
+}
+
+void ClusterReach::goBack(std::span<const std::uint32_t> clusters) {
+    for (const std::uint32_t cluster : clusters) {
+        setNow(cluster, m_ever[m_leaves + cluster]);
+    }
+}
+
+void ClusterReach::place(std::uint32_t first, std::span<const DynamicVertex> vertices,
+                         std::span<const Hit> since) {
+    const auto end = first + static_cast<std::uint32_t>(vertices.size());
+    const VertexRange range{first, end - first};
+    for (const std::uint32_t index : clustersIn({&range, 1})) {
+        const Cluster& cluster = m_clusters[index];
+        const std::uint32_t begin = std::max(cluster.first, first);
+        const std::uint32_t count = std::min(cluster.first + cluster.count, end) - begin;
+        Bounds box = around(vertices.subspan(begin - first, count));
+        for (const Hit& hit : since) {
+            if (reaches(hit, box)) {
+                box = grownBy(box, hit);
+            }
+        }
+        if (count < cluster.count) {
+            box.add(m_now[m_leaves + index]);
+        }
+        setNow(index, box);
+        box.add(m_ever[m_leaves + index]);
+        setEver(index, box);
+    }
+}
+
+std::vector<std::uint32_t> ClusterReach::clustersIn(std::span<const VertexRange> ranges) const {
+    std::vector<std::uint32_t> found;
+    for (const VertexRange& range : ranges) {
+        auto cluster = std::partition_point(m_clusters.begin(), m_clusters.end(), [&range](const Cluster& c) {
+            return c.first + c.count <= range.first;
+        });
+        for (; cluster != m_clusters.end() && cluster->first < range.first + range.count; ++cluster) {
+            const auto index = static_cast<std::uint32_t>(cluster - m_clusters.begin());
+            if (found.empty() || found.back() != index) {
+                found.push_back(index);
+            }
+        }
+    }
+    return found;
+}
+
+std::vector<VertexRange> ClusterReach::rangesOf(std::span<const std::uint32_t> clusters) const {
+    std::vector<VertexRange> ranges;
+    ranges.reserve(clusters.size());
+    for (const std::uint32_t index : clusters) {
+        const Cluster& cluster = m_clusters[index];
+        if (!ranges.empty() && ranges.back().first + ranges.back().count == cluster.first) {
+            ranges.back().count += cluster.count;
+        } else {
+            ranges.push_back({cluster.first, cluster.count});
+        }
+    }
     return ranges;
-}
-
-ClusterReach::ClusterReach(std::span<const Cluster> clusters) {
-    if (clusters.empty()) {
-        return;
-    }
-    m_nodes.reserve(2 * clusters.size() - 1);
-    m_nodes.emplace_back();
-    build(clusters, 0);
-}
-
-/// Clusters that follow each other are neighbours in space, so halving the run gives a good tree.
-void ClusterReach::build(std::span<const Cluster> clusters, std::size_t node) {
-    if (clusters.size() == 1) {
-        Node& leaf = m_nodes[node];
-        const Sphere& bounds = clusters.front().bounds;
-        leaf.centre = glm::dvec3(bounds.centre);
-        leaf.radius = bounds.radius + slackOf(leaf.centre, bounds.radius);
-        leaf.range = {clusters.front().first, clusters.front().count};
-        return;
-    }
-    const std::size_t firstChild = m_nodes.size();
-    m_nodes.resize(firstChild + 2);
-    const std::size_t half = clusters.size() / 2;
-    build(clusters.first(half), firstChild);
-    build(clusters.subspan(half), firstChild + 1);
-
-    Node& inner = m_nodes[node];
-    inner.firstChild = static_cast<std::uint32_t>(firstChild);
-    inner.centre = 0.5 * (m_nodes[firstChild].centre + m_nodes[firstChild + 1].centre);
-    encloseChildren(inner);
-}
-
-void ClusterReach::encloseChildren(Node& node) const {
-    for (const std::size_t i : {node.firstChild, node.firstChild + 1}) {
-        const Node& child = m_nodes[i];
-        node.radius = std::max(node.radius, glm::distance(node.centre, child.centre) + child.radius);
-    }
-}
-
-std::vector<VertexRange> ClusterReach::advance(const Hit& hit) {
-    std::vector<VertexRange> found;
-    if (!m_nodes.empty()) {
-        visit(0, hit, found);
-    }
-    return merged(std::move(found));
-}
-
-void ClusterReach::visit(std::size_t index, const Hit& hit, std::vector<VertexRange>& found) {
-    Node& node = m_nodes[index];
-    const double distance = glm::distance(node.centre, glm::dvec3(hit.point));
-    const double reach = node.radius + hit.constants.maxDistance;
-    if (distance > reach + kRounding * reach) {
-        return;
-    }
-    if (node.firstChild == 0) {
-        found.push_back(node.range);
-        const double pushed =
-            std::min(node.radius + hit.constants.maxMagnitude, farthestMoved(node.centre, hit));
-        node.radius = std::max(node.radius, pushed + slackOf(node.centre, pushed));
-        return;
-    }
-    visit(node.firstChild, hit, found);
-    visit(node.firstChild + 1, hit, found);
-    encloseChildren(node);
 }
 
 }  // namespace hitscope

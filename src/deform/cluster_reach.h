@@ -2,49 +2,70 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
+#include "core/bounds.h"
 #include "deform/hit.h"
+#include "deform/vertex_range.h"
 #include "mesh/render_mesh.h"
 
 namespace hitscope {
 
-/// A run of render vertices, [first, first + count).
-struct VertexRange {
-    std::uint32_t first = 0;
-    std::uint32_t count = 0;
-    bool operator==(const VertexRange&) const = default;
-};
-
-/// Sorts, and joins ranges that touch or overlap.
-[[nodiscard]] std::vector<VertexRange> merged(std::vector<VertexRange> ranges);
-
-/// Which clusters of a target a hit can reach, as its vertices move. The spheres only ever grow, and by no
-/// more than the hits so far could have moved a vertex (max_magnitude each, and never beyond the hit's own
-/// reach), so a vertex pushed far out is still found and hits piling on one spot do not swell the spheres
-/// without end. A tree over the clusters makes a query cost what it finds, not what the mesh has.
+/// Which clusters of a target a hit can reach, as its vertices move.
+///
+/// Each cluster has two boxes. One holds its vertices as they are: a hit grows it by what it can do to the
+/// part within its reach, and where vertices are known (read back, or because the CPU moves them) it is drawn
+/// tight. The other holds every place they have been at since their original, so that the vertices a hit in
+/// the middle of the history has reached, or would have, can be told. Trees over both make a query cost what
+/// it finds, not what the mesh has.
 class ClusterReach {
 public:
+    /// `clusters` outlive this. Their vertices are at their original.
     explicit ClusterReach(std::span<const Cluster> clusters);
 
-    /// The vertices of the clusters within hit.constants.maxDistance of hit.point, as sorted, merged ranges;
-    /// grows these clusters' spheres by what the hit can do. Call once for each hit, in order.
-    [[nodiscard]] std::vector<VertexRange> advance(const Hit& hit);
+    [[nodiscard]] std::span<const Cluster> clusters() const { return m_clusters; }
+
+    // Clusters are lists of indices into clusters(), ascending; what is found is appended.
+
+    /// Finds the clusters that may have a vertex within hit.constants.maxDistance of hit.point, and takes
+    /// into account what the hit may do to them. Call once for each hit, in order.
+    void advance(const Hit& hit, std::vector<std::uint32_t>& reached);
+    /// Likewise, among these clusters only: for taking some through all the hits again.
+    void advanceWithin(std::span<const std::uint32_t> among, const Hit& hit,
+                       std::vector<std::uint32_t>& reached);
+    /// Finds the clusters that a hit may reach at whatever time it strikes.
+    void everReached(const Hit& hit, std::vector<std::uint32_t>& reached) const;
+    /// Whether everReached() may find any.
+    [[nodiscard]] bool mayEverReach(const Hit& hit) const;
+
+    /// All clusters, or these, are back at their original.
+    void restart();
+    void restart(std::span<const std::uint32_t> clusters);
+    /// These are at some earlier state of theirs.
+    void goBack(std::span<const std::uint32_t> clusters);
+    /// Vertices [first, first + vertices.size()) were as given, and then came the hits `since`. Clusters
+    /// given in part keep what they had and grow.
+    void place(std::uint32_t first, std::span<const DynamicVertex> vertices, std::span<const Hit> since = {});
+
+    /// The clusters that have a vertex in these ranges (sorted, merged).
+    [[nodiscard]] std::vector<std::uint32_t> clustersIn(std::span<const VertexRange> ranges) const;
+    /// The vertices of these clusters, sorted and merged.
+    [[nodiscard]] std::vector<VertexRange> rangesOf(std::span<const std::uint32_t> clusters) const;
 
 private:
-    struct Node {
-        glm::dvec3 centre{0.0};
-        double radius = -1.0;
-        std::uint32_t firstChild = 0;  ///< children are firstChild and firstChild + 1; 0: a leaf
-        VertexRange range;             ///< leaf: its vertices
-    };
-    void build(std::span<const Cluster> clusters, std::size_t node);
-    void visit(std::size_t node, const Hit& hit, std::vector<VertexRange>& found);
-    void encloseChildren(Node& node) const;
+    using Tree =
+        std::vector<Bounds>;  ///< node i has children 2 i and 2 i + 1; the root is 1; leaves at the end
+    void find(const Tree& tree, const Hit& hit, std::vector<std::uint32_t>& found) const;
+    void grow(std::uint32_t cluster, const Hit& hit);
+    void setNow(std::uint32_t cluster, const Bounds& box);
+    void setEver(std::uint32_t cluster, const Bounds& box);
+    void refit(Tree& tree, std::size_t leaf);
 
-    std::vector<Node> m_nodes;  ///< the root first; empty when there are no clusters
+    std::span<const Cluster> m_clusters;
+    std::size_t m_leaves = 1;  ///< a power of two; those beyond the clusters are empty
+    Tree m_now;
+    Tree m_ever;
 };
 
 }  // namespace hitscope

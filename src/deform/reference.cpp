@@ -9,17 +9,22 @@ ReferenceDeformation::ReferenceDeformation(const RenderMesh& mesh)
     : m_vertices(mesh.vertices), m_reach(mesh.clusters) {}
 
 std::vector<VertexRange> ReferenceDeformation::apply(std::span<const Hit> hits) {
-    std::vector<VertexRange> touched;
+    ChangedRanges touched;
+    std::vector<std::uint32_t> reached;
     for (const Hit& hit : hits) {
-        const std::vector<VertexRange> ranges = m_reach.advance(hit);
+        reached.clear();
+        m_reach.advance(hit, reached);
+        const std::vector<VertexRange> ranges = m_reach.rangesOf(reached);
         for (const VertexRange& range : ranges) {
-            for (DynamicVertex& vertex : std::span(m_vertices).subspan(range.first, range.count)) {
+            const auto vertices = std::span(m_vertices).subspan(range.first, range.count);
+            for (DynamicVertex& vertex : vertices) {
                 deform(vertex.position, vertex.normal, hit);
             }
+            m_reach.place(range.first, vertices);
         }
-        touched.insert(touched.end(), ranges.begin(), ranges.end());
+        touched.add(ranges);
     }
-    return merged(std::move(touched));
+    return touched.take();
 }
 
 }  // namespace hitscope

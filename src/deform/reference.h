@@ -10,7 +10,7 @@
 
 namespace hitscope {
 
-/// The C++ deformation of one target: what the GPU pipelines are held against.
+/// The C++ deformation of one target, needing no GPU: what the pipelines are held against.
 class ReferenceDeformation {
 public:
     /// Starts from the mesh's original vertices. `mesh` outlives this.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/program.h"
 
+#include <array>
 #include <glm/gtc/type_ptr.hpp>
+#include <memory>
 
 #include "gl/shader_source.h"
 
@@ -83,8 +85,10 @@ Status link(GLuint program, const ProgramSource& source) {
     GLint linked = GL_FALSE;
     glGetProgramiv(program, GL_LINK_STATUS, &linked);
     if (linked != GL_TRUE) {
-        const std::string files =
-            source.fragment.empty() ? source.vertex : source.vertex + " with " + source.fragment;
+        std::string files = source.compute.empty() ? source.vertex : source.compute;
+        if (!source.fragment.empty()) {
+            files += " with " + source.fragment;
+        }
         return refused(files, programLog(program));
     }
     return Done{};
@@ -95,20 +99,21 @@ Status link(GLuint program, const ProgramSource& source) {
 Result<Program> Program::build(const ProgramSource& source) {
     Program program;
     program.m_id = glCreateProgram();
-    const Shader vertex(GL_VERTEX_SHADER);
-    Status status = attach(program.m_id, vertex, source.vertex, source.defines);
-    if (!status) {
-        return status.error();
-    }
-    const Shader fragment(GL_FRAGMENT_SHADER);
-    if (!source.fragment.empty()) {
-        status = attach(program.m_id, fragment, source.fragment, source.defines);
-        if (!status) {
+    const std::array<std::pair<GLenum, const std::string&>, 3> stages = {
+        {{GL_VERTEX_SHADER, source.vertex},
+         {GL_FRAGMENT_SHADER, source.fragment},
+         {GL_COMPUTE_SHADER, source.compute}}};
+    std::vector<std::unique_ptr<Shader>> shaders;  // until the program is linked
+    for (const auto& [stage, file] : stages) {
+        if (file.empty()) {
+            continue;
+        }
+        shaders.push_back(std::make_unique<Shader>(stage));
+        if (Status status = attach(program.m_id, *shaders.back(), file, source.defines); !status) {
             return status.error();
         }
     }
-    status = link(program.m_id, source);
-    if (!status) {
+    if (Status status = link(program.m_id, source); !status) {
         return status.error();
     }
     return program;

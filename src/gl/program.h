@@ -22,10 +22,11 @@ using Defines = std::vector<std::pair<std::string, std::string>>;
 
 /// What a program is made of. File names are those in shaders/, embedded under :/shaders/.
 struct ProgramSource {
-    std::string vertex;
-    std::string fragment;  ///< empty: none (rasterizer discard)
-    Defines defines;
-    std::vector<std::string> captured;  ///< varyings for interleaved transform feedback, in order
+    std::string vertex = {};
+    std::string fragment = {};  ///< empty: none (rasterizer discard)
+    Defines defines = {};
+    std::vector<std::string> captured = {};  ///< varyings for interleaved transform feedback, in order
+    std::string compute = {};                ///< alone: no other stage is given
 };
 
 /// The text of an embedded shader with its #include "file" lines replaced and #line kept, so that a driver's

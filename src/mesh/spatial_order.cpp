@@ -2,24 +2,16 @@
 #include "mesh/spatial_order.h"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <limits>
 
 namespace hitscope {
 namespace {
 
-Sphere sphereAround(std::span<const glm::vec3> points, std::span<const std::uint32_t> members) {
+Bounds boxAround(std::span<const glm::vec3> points, std::span<const std::uint32_t> members) {
     Bounds box;
     for (const std::uint32_t member : members) {
         box.add(points[member]);
     }
-    double radius = 0.0;
-    for (const std::uint32_t member : members) {
-        radius = std::max(radius, glm::distance(glm::dvec3(box.centre()), glm::dvec3(points[member])));
-    }
-    // Rounded up: the sphere contains its points, not nearly.
-    return {box.centre(), std::nextafter(static_cast<float>(radius), std::numeric_limits<float>::infinity())};
+    return box;
 }
 
 struct Splitter {
@@ -32,7 +24,7 @@ struct Splitter {
             // Within a cluster the given order stays: it is the file's, and that serves the vertex cache.
             std::sort(members.begin(), members.end());
             result.clusters.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count),
-                                       sphereAround(points, members)});
+                                       boxAround(points, members)});
             return;
         }
         // The cut is at a multiple of the cluster size, so that all clusters but the last are full.
@@ -49,11 +41,7 @@ struct Splitter {
     }
 
     [[nodiscard]] glm::length_t longestAxis(std::span<const std::uint32_t> members) const {
-        Bounds box;
-        for (const std::uint32_t member : members) {
-            box.add(points[member]);
-        }
-        const glm::vec3 size = box.size();
+        const glm::vec3 size = boxAround(points, members).size();
         if (size.x >= size.y && size.x >= size.z) {
             return 0;
         }

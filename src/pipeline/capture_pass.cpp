@@ -39,8 +39,7 @@ private:
 
 }  // namespace
 
-Result<CapturePass> CapturePass::create(std::size_t hits) {
-    gl::Defines defines = hitArrayDefines(hits);
+Result<CapturePass> CapturePass::create(gl::Defines defines) {
     defines.emplace_back("HITSCOPE_OWN_HITS_ONLY", "1");
     Result<gl::Program> program =
         gl::Program::build({"capture.vert", {}, std::move(defines), {"capturedPosition", "capturedNormal"}});
@@ -54,6 +53,8 @@ Result<CapturePass> CapturePass::create(std::size_t hits) {
 // that draws nothing fails; one pixel of our own makes the pass independent of what the caller has bound.
 CapturePass::CapturePass(gl::Program program)
     : m_program(std::move(program)),
+      m_firstHit(m_program.location("u_firstHit")),
+      m_lastHit(m_program.location("u_lastHit")),
       m_framebuffer(gl::Framebuffer::make()),
       m_colour(gl::Renderbuffer::make()),
       m_scratch(gl::Buffer::make()) {
@@ -63,12 +64,6 @@ CapturePass::CapturePass(gl::Program program)
     glBindRenderbuffer(GL_RENDERBUFFER, 0);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, m_framebuffer.id());
     glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, m_colour.id());
-}
-
-void CapturePass::upload(const HitArrays& hits) {
-    const KeepState keep;
-    m_program.use();
-    hits.upload(m_program);
 }
 
 void CapturePass::reserveScratch(std::size_t vertices) {
@@ -83,58 +78,71 @@ void CapturePass::reserveScratch(std::size_t vertices) {
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
 }
 
-void CapturePass::run(const TargetBuffers& buffers, std::span<const CaptureRun> runs,
+void CapturePass::run(const TargetBuffers& buffers, std::span<const CaptureRun> runs, const Prepare& prepare,
                       const Captured& captured) {
-    std::vector<Piece> pieces;
-    std::vector<VertexRange> ranges;
     std::size_t vertices = 0;
-    const auto flush = [&] {
-        if (!pieces.empty()) {
-            capture(buffers, pieces, vertices);
-            captured(ranges);
-        }
-        pieces.clear();
-        ranges.clear();
-        vertices = 0;
-    };
     for (const CaptureRun& run : runs) {
-        for (VertexRange rest : run.ranges) {
-            while (rest.count > 0) {
-                const auto room = static_cast<std::uint32_t>(kMostScratchVertices - vertices);
-                const VertexRange range{rest.first, std::min(rest.count, room)};
-                pieces.push_back({&run, range});
-                ranges.push_back(range);
-                vertices += range.count;
-                rest = {rest.first + range.count, rest.count - range.count};
-                if (vertices == kMostScratchVertices) {
-                    flush();
-                }
-            }
-        }
+        vertices += run.range.count;
     }
-    flush();
-}
-
-void CapturePass::capture(const TargetBuffers& buffers, std::span<const Piece> pieces, std::size_t vertices) {
+    if (vertices == 0) {
+        return;
+    }
     const KeepState keep;
     reserveScratch(vertices);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, m_framebuffer.id());
     glEnable(GL_RASTERIZER_DISCARD);
     m_program.use();
+    prepare(m_program);
     glBindVertexArray(buffers.captureArray());
     glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, m_scratch.id());
-    glBeginTransformFeedback(GL_POINTS);
-    const CaptureRun* current = nullptr;
-    for (const Piece& piece : pieces) {
-        if (std::exchange(current, piece.run) != piece.run) {
-            m_program.set("u_firstHit", static_cast<int>(piece.run->firstHit));
-            m_program.set("u_lastHit", static_cast<int>(piece.run->lastHit));
+
+    std::vector<CaptureRun> piece;
+    std::vector<VertexRange> ranges;
+    std::size_t held = 0;
+    const auto flush = [&] {
+        capture(piece);
+        captured(ranges);
+        piece.clear();
+        ranges.clear();
+        held = 0;
+    };
+    for (CaptureRun rest : runs) {
+        while (rest.range.count > 0) {
+            const auto room = static_cast<std::uint32_t>(kMostScratchVertices - held);
+            const VertexRange range{rest.range.first, std::min(rest.range.count, room)};
+            piece.push_back({range, rest.firstHit, rest.lastHit});
+            if (!ranges.empty() && ranges.back().first + ranges.back().count == range.first) {
+                ranges.back().count += range.count;
+            } else {
+                ranges.push_back(range);
+            }
+            held += range.count;
+            rest.range = {range.first + range.count, rest.range.count - range.count};
+            if (held == kMostScratchVertices) {
+                flush();
+            }
         }
-        glDrawArrays(GL_POINTS, static_cast<GLint>(piece.range.first),
-                     static_cast<GLsizei>(piece.range.count));
+    }
+    if (held > 0) {
+        flush();
+    }
+    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
+}
+
+void CapturePass::capture(std::span<const CaptureRun> runs) {
+    glBeginTransformFeedback(GL_POINTS);
+    const CaptureRun* before = nullptr;
+    for (const CaptureRun& run : runs) {
+        if (before == nullptr || before->firstHit != run.firstHit) {
+            glUniform1i(m_firstHit, static_cast<GLint>(run.firstHit));
+        }
+        if (before == nullptr || before->lastHit != run.lastHit) {
+            glUniform1i(m_lastHit, static_cast<GLint>(run.lastHit));
+        }
+        glDrawArrays(GL_POINTS, static_cast<GLint>(run.range.first), static_cast<GLsizei>(run.range.count));
+        before = &run;
     }
     glEndTransformFeedback();
-    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
 }
 
 }  // namespace hitscope

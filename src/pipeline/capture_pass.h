@@ -6,17 +6,16 @@
 #include <vector>
 
 #include "core/result.h"
-#include "deform/cluster_reach.h"
+#include "deform/vertex_range.h"
 #include "gl/objects.h"
 #include "gl/program.h"
-#include "pipeline/hit_arrays.h"
 #include "pipeline/target_buffers.h"
 
 namespace hitscope {
 
-/// Vertices that the same hits reach: hits [firstHit, lastHit) of the arrays.
+/// Vertices that the same hits may reach: u_firstHit and u_lastHit of hits.glsl, [firstHit, lastHit).
 struct CaptureRun {
-    std::vector<VertexRange> ranges;
+    VertexRange range;
     std::size_t firstHit = 0;
     std::size_t lastHit = 0;
 };
@@ -26,31 +25,29 @@ struct CaptureRun {
 /// destructor.
 class CapturePass {
 public:
-    /// hits > 0: the most that one upload() holds. The error is the driver's.
-    [[nodiscard]] static Result<CapturePass> create(std::size_t hits);
+    /// `defines` say where the hits are, see hits.glsl. The error is the driver's.
+    [[nodiscard]] static Result<CapturePass> create(gl::Defines defines);
 
-    /// The hits that the following run()s apply.
-    void upload(const HitArrays& hits);
-
+    /// Called with the program in use: brings it its hits.
+    using Prepare = std::function<void(const gl::Program& program)>;
     /// Told when the vertices of `ranges` lie in the scratch buffer, one range after the other from its
     /// start.
     using Captured = std::function<void(std::span<const VertexRange> ranges)>;
-    /// Captures the vertices of all runs, in pieces that the scratch buffer holds; each vertex once. Leaves
-    /// the caller's framebuffer, program and vertex array bound.
-    void run(const TargetBuffers& buffers, std::span<const CaptureRun> runs, const Captured& captured);
+    /// Captures the vertices of all runs (ascending), in pieces that the scratch buffer holds; each vertex
+    /// once. Leaves the caller's framebuffer, program and vertex array bound.
+    void run(const TargetBuffers& buffers, std::span<const CaptureRun> runs, const Prepare& prepare,
+             const Captured& captured);
 
     [[nodiscard]] GLuint scratch() const { return m_scratch.id(); }
 
 private:
-    struct Piece {
-        const CaptureRun* run = nullptr;
-        VertexRange range;
-    };
-    CapturePass(gl::Program program);
+    explicit CapturePass(gl::Program program);
     void reserveScratch(std::size_t vertices);
-    void capture(const TargetBuffers& buffers, std::span<const Piece> pieces, std::size_t vertices);
+    void capture(std::span<const CaptureRun> runs);
 
     gl::Program m_program;
+    GLint m_firstHit;
+    GLint m_lastHit;
     gl::Framebuffer m_framebuffer;
     gl::Renderbuffer m_colour;
     gl::Buffer m_scratch;

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "core/ids.h"
 #include "core/result.h"
-#include "deform/hit.h"
+#include "deform/hit_history.h"
 #include "gl/program.h"
 #include "mesh/render_mesh.h"
+#include "pipeline/capacity_report.h"
 #include "pipeline/pipeline_kind.h"
 #include "pipeline/target_buffers.h"
 
@@ -21,9 +22,9 @@ namespace hitscope {
 using ReadBackSink =
     std::function<void(TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices)>;
 
-/// A way to apply hits to targets on the GPU. After reset(h) and any appends, each target's mesh is its
-/// original with its hits applied in order, whatever the pipeline: on the GPU, in the dynamic buffer or in
-/// the vertex shader as the pipeline's nature is. A context is current for every call and the destructor.
+/// A way to apply hits to targets. After reset(h) and any edits, each target's mesh is its original with its
+/// enabled hits applied in order, whatever the pipeline: on the GPU, in the dynamic buffer or in the vertex
+/// shader as the pipeline's nature is. A context is current for every call and the destructor.
 class DeformationPipeline {
 public:
     virtual ~DeformationPipeline() = default;
@@ -32,24 +33,28 @@ public:
     DeformationPipeline& operator=(const DeformationPipeline&) = delete;
 
     [[nodiscard]] virtual const PipelineTraits& traits() const = 0;
-    /// Most hits kept in the scene; nothing: unlimited.
-    [[nodiscard]] virtual std::optional<std::size_t> capacity() const = 0;
-    /// Oldest hits of the history that no longer count because the capacity was reached.
-    [[nodiscard]] virtual std::size_t droppedHits() const = 0;
+    [[nodiscard]] virtual CapacityReport capacity() const = 0;
 
     /// `buffers` outlive their registration. They are at their original, and so is what readBack()'s receiver
-    /// has of the target.
+    /// has of the target. Hits on it that the history has already are applied.
     virtual void addTarget(TargetId target, TargetBuffers& buffers) = 0;
     virtual void removeTarget(TargetId target) = 0;
 
     /// Starts over from the originals and applies the whole history. Hits on unknown targets are passed over.
-    virtual void reset(std::span<const Hit> history) = 0;
-    /// Applies more hits, which come after all those before.
-    virtual void append(std::span<const Hit> hits) = 0;
+    void reset(std::span<const Hit> history);
+    /// Follows a change of the history, at the cost of what the hits concerned reach.
+    void edit(const HistoryEdit& edit);
+    /// Follows an edit that puts these hits at the end.
+    void append(std::span<const Hit> hits);
 
-    /// Calls `sink` for every range that may have changed since the last call (after a reset: since before
+    /// Delivers every vertex that may have changed since it was last delivered (after a reset: since before
     /// it, so that the receiver ends with this pipeline's state of every vertex). Waits for the GPU.
     virtual void readBack(const ReadBackSink& sink) = 0;
+    /// Delivers what has arrived of what was asked for before, and asks for what has changed since. Never
+    /// waits: what changed in a frame comes a frame or two later, in order.
+    virtual void pollReadBack(const ReadBackSink& sink) = 0;
+    /// Whether pollReadBack() still has something to deliver.
+    [[nodiscard]] virtual bool isReadBackPending() const = 0;
 
     /// Definitions for the programs that draw targets; they include hits.glsl, which loops where these say
     /// so.
@@ -57,14 +62,25 @@ public:
     /// Sets the uniforms of hits.glsl on a program built with drawDefines(), in use, before it draws
     /// `target`.
     virtual void prepareDraw(const gl::Program& program, TargetId target) = 0;
+
+private:
+    virtual void startOver(std::span<const Hit> history) = 0;
+    virtual void follow(const HistoryEdit& edit) = 0;
+
+    std::size_t m_historySize = 0;
 };
 
-/// Limits taken from the context unless a test forces smaller ones.
-struct PipelineLimits {
+struct PipelineOptions {
+    /// As if the context had so many; for tests.
     std::optional<int> vertexUniformComponents;
+    /// For programs that include deform.glsl (Exactness::defines()).
+    gl::Defines deformDefines;
 };
 
+/// The error is why this context cannot run it, or the driver's.
 [[nodiscard]] Result<std::unique_ptr<DeformationPipeline>> makePipeline(PipelineKind kind,
-                                                                        const PipelineLimits& limits = {});
+                                                                        const PipelineOptions& options = {});
+/// Why the current context cannot run it, in words for people; nothing: it can.
+[[nodiscard]] std::optional<std::string> whyUnavailable(PipelineKind kind);
 
 }  // namespace hitscope

@@ -39,11 +39,14 @@ bool HitArrays::add(const Hit& hit) {
     return true;
 }
 
-void HitArrays::clear() {
-    m_points.clear();
-    m_directions.clear();
-    m_constants.clear();
-    m_constantsIndex.clear();
+bool HitArrays::hasRoom(std::span<const Hit> hits) const {
+    std::vector<DeformationConstants> palette = m_constants;
+    for (const Hit& hit : hits) {
+        if (std::find(palette.begin(), palette.end(), hit.constants) == palette.end()) {
+            palette.push_back(hit.constants);
+        }
+    }
+    return m_points.size() + hits.size() <= m_capacity && palette.size() <= kHitConstants;
 }
 
 void HitArrays::upload(const gl::Program& program) const {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "deform/hit.h"
@@ -22,7 +23,8 @@ public:
     /// Appends a hit; false, and nothing done, when there is no room for it or its constants. Empty arrays
     /// have room.
     [[nodiscard]] bool add(const Hit& hit);
-    void clear();
+    /// Whether add() takes them all.
+    [[nodiscard]] bool hasRoom(std::span<const Hit> hits) const;
     [[nodiscard]] std::size_t size() const { return m_points.size(); }
 
     /// Sets the arrays and u_hitCount. The program is in use, built with hitArrayDefines(n), n >= size().

@@ -7,7 +7,13 @@
 
 namespace hitscope {
 
-enum class PipelineKind : std::uint8_t { UniformArray, TransformFeedback };
+enum class PipelineKind : std::uint8_t {
+    UniformArray,
+    UniformArrayCulled,
+    TransformFeedback,
+    Compute,
+    Reference
+};
 
 /// What people are told about a pipeline.
 struct PipelineTraits {
@@ -15,6 +21,8 @@ struct PipelineTraits {
     std::string_view key;          ///< as on the command line: "uniform-array"
     std::string_view name;         ///< as in the interface: "Uniform array"
     std::string_view description;  ///< one sentence
+    std::string_view needs;        ///< "OpenGL 3.3"
+    std::string_view keeps;        ///< "the last 600 hits of the scene"
 };
 /// Every pipeline there is, in the order the interface lists them.
 [[nodiscard]] std::span<const PipelineTraits> allPipelines();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/target_buffers.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <glm/geometric.hpp>
 
 namespace hitscope {
 namespace {
@@ -48,6 +50,20 @@ std::vector<glm::vec3> normalsOf(std::span<const DynamicVertex> vertices) {
     return normals;
 }
 
+/// From a few hundred edges, evenly spread over the list.
+float usualEdgeOf(const RenderMesh& mesh) {
+    constexpr std::size_t kLooks = 512;
+    const std::size_t edges = mesh.edges.size() / 2;
+    const std::size_t step = std::max<std::size_t>(1, edges / kLooks);
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (std::size_t edge = 0; edge < edges; edge += step, ++count) {
+        sum += glm::distance(mesh.vertices[mesh.edges[2 * edge]].position,
+                             mesh.vertices[mesh.edges[2 * edge + 1]].position);
+    }
+    return count == 0 ? 0.0f : static_cast<float>(sum / static_cast<double>(count));
+}
+
 /// Leaves the caller's vertex array and array buffer as they were.
 class KeepBindings {
 public:
@@ -75,6 +91,8 @@ TargetBuffers::TargetBuffers(const RenderMesh& mesh)
       m_edgeIndexCount(static_cast<std::uint32_t>(mesh.edges.size())),
       m_draws(mesh.draws),
       m_clusters(mesh.clusters),
+      m_bounds(mesh.bounds),
+      m_usualEdge(usualEdgeOf(mesh)),
       m_dynamic(makeBuffer(std::span<const DynamicVertex>(mesh.vertices), GL_DYNAMIC_COPY)),
       m_original(makeBuffer(std::span<const DynamicVertex>(mesh.vertices), GL_STATIC_DRAW)),
       m_texcoords(makeBuffer(std::span<const glm::vec2>(mesh.texcoords), GL_STATIC_DRAW)),
@@ -99,6 +117,20 @@ TargetBuffers::TargetBuffers(const RenderMesh& mesh)
 
     glBindVertexArray(m_captureArray.id());
     attachDynamic(m_dynamic);
+}
+
+void TargetBuffers::read(const VertexRange& range, std::span<DynamicVertex> vertices) const {
+    glBindBuffer(GL_COPY_READ_BUFFER, m_dynamic.id());
+    glGetBufferSubData(GL_COPY_READ_BUFFER, static_cast<GLintptr>(range.first * sizeof(DynamicVertex)),
+                       static_cast<GLsizeiptr>(vertices.size_bytes()), vertices.data());
+    glBindBuffer(GL_COPY_READ_BUFFER, 0);
+}
+
+void TargetBuffers::write(std::uint32_t first, std::span<const DynamicVertex> vertices) {
+    glBindBuffer(GL_COPY_WRITE_BUFFER, m_dynamic.id());
+    glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(first * sizeof(DynamicVertex)),
+                    static_cast<GLsizeiptr>(vertices.size_bytes()), vertices.data());
+    glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
 }
 
 void TargetBuffers::restoreOriginal() {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "deform/cluster_reach.h"
+#include "deform/vertex_range.h"
 #include "gl/objects.h"
 #include "mesh/render_mesh.h"
 
@@ -43,7 +43,14 @@ public:
     [[nodiscard]] std::uint32_t edgeIndexCount() const { return m_edgeIndexCount; }
     [[nodiscard]] std::span<const DrawRange> draws() const { return m_draws; }
     [[nodiscard]] std::span<const Cluster> clusters() const { return m_clusters; }
+    [[nodiscard]] const Bounds& originalBounds() const { return m_bounds; }
+    /// About the length of an edge of the original, in metres.
+    [[nodiscard]] float usualEdge() const { return m_usualEdge; }
 
+    /// Vertices of the dynamic buffer; vertices.size() == range.count. Waits for the GPU.
+    void read(const VertexRange& range, std::span<DynamicVertex> vertices) const;
+    /// Replaces vertices [first, first + vertices.size()) of the dynamic buffer.
+    void write(std::uint32_t first, std::span<const DynamicVertex> vertices);
     /// The dynamic buffer back to the original, on the GPU.
     void restoreOriginal();
     /// Likewise, only these vertices.
@@ -57,6 +64,8 @@ private:
     std::uint32_t m_edgeIndexCount = 0;
     std::vector<DrawRange> m_draws;
     std::vector<Cluster> m_clusters;
+    Bounds m_bounds;
+    float m_usualEdge = 0.0f;
     gl::Buffer m_dynamic;
     gl::Buffer m_original;
     gl::Buffer m_texcoords;

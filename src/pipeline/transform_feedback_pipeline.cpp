@@ -1,35 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/transform_feedback_pipeline.h"
 
-#include <algorithm>
 #include <utility>
-
-#include "pipeline/reach_groups.h"
 
 namespace hitscope {
 
 namespace {
 
-constexpr std::size_t kBatchHits = 64;  // a program of that many fits the least uniform space GL 3.3 has
+constexpr std::size_t kTexels = 65536;  // what a buffer texture is sure to hold
+constexpr std::size_t kTexelsPerHit = sizeof(PackedHit) / (4 * sizeof(float));
+static_assert(HitBatch::kMostHits * kTexelsPerHit <= kTexels && HitBatch::kMostIndices <= kTexels);
 
-/// Calls take(first, vertices) for each range of the dynamic buffer. Waits for the GPU.
-template <class Take>
-void readVertices(const TargetBuffers& buffers, std::span<const VertexRange> ranges, const Take& take) {
-    std::vector<DynamicVertex> vertices;
+// Texture units that nothing else uses, among the 16 that a vertex shader is sure to have.
+constexpr GLint kHitUnit = 14;
+constexpr GLint kIndexUnit = 15;
+
+void attach(const gl::Texture& texture, GLenum format, const StreamBuffer& buffer) {
+    glBindTexture(GL_TEXTURE_BUFFER, texture.id());
+    glTexBuffer(GL_TEXTURE_BUFFER, format, buffer.id());
+    glBindTexture(GL_TEXTURE_BUFFER, 0);
+}
+
+void bind(GLint unit, const gl::Texture& texture) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_BUFFER, texture.id());
+}
+
+void copyBack(GLuint scratch, GLuint dynamic, std::span<const VertexRange> ranges) {
+    glBindBuffer(GL_COPY_READ_BUFFER, scratch);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, dynamic);
+    GLintptr captured = 0;
     for (const VertexRange& range : ranges) {
-        vertices.resize(range.count);
-        glBindBuffer(GL_COPY_READ_BUFFER, buffers.dynamicBuffer());
-        glGetBufferSubData(GL_COPY_READ_BUFFER, static_cast<GLintptr>(range.first * sizeof(DynamicVertex)),
-                           static_cast<GLsizeiptr>(range.count * sizeof(DynamicVertex)), vertices.data());
-        glBindBuffer(GL_COPY_READ_BUFFER, 0);
-        take(range.first, std::span<const DynamicVertex>(vertices));
+        const auto bytes = static_cast<GLsizeiptr>(range.count * sizeof(DynamicVertex));
+        glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, captured,
+                            static_cast<GLintptr>(range.first * sizeof(DynamicVertex)), bytes);
+        captured += bytes;
     }
+    glBindBuffer(GL_COPY_READ_BUFFER, 0);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
 }
 
 }  // namespace
 
-Result<std::unique_ptr<DeformationPipeline>> TransformFeedbackPipeline::create() {
-    Result<CapturePass> pass = CapturePass::create(kBatchHits);
+Result<std::unique_ptr<DeformationPipeline>> TransformFeedbackPipeline::create(
+    const PipelineOptions& options) {
+    gl::Defines defines = options.deformDefines;
+    defines.emplace_back("HITSCOPE_HIT_LISTS", "1");
+    Result<CapturePass> pass = CapturePass::create(std::move(defines));
     if (!pass) {
         return pass.error();
     }
@@ -37,127 +54,43 @@ Result<std::unique_ptr<DeformationPipeline>> TransformFeedbackPipeline::create()
 }
 
 TransformFeedbackPipeline::TransformFeedbackPipeline(CapturePass pass)
-    : m_pass(std::move(pass)), m_batch(kBatchHits) {}
+    : m_pass(std::move(pass)),
+      m_hits(sizeof(PackedHit), kTexels / kTexelsPerHit),
+      m_indices(sizeof(std::uint32_t), kTexels),
+      m_hitTexture(gl::Texture::make()),
+      m_indexTexture(gl::Texture::make()) {
+    attach(m_hitTexture, GL_RGBA32F, m_hits);
+    attach(m_indexTexture, GL_R32UI, m_indices);
+}
 
 const PipelineTraits& TransformFeedbackPipeline::traits() const {
     return pipelineTraits(PipelineKind::TransformFeedback);
 }
 
-void TransformFeedbackPipeline::addTarget(TargetId target, TargetBuffers& buffers) {
-    m_targets.insert_or_assign(target, TargetState(buffers));
+void TransformFeedbackPipeline::prepare(const gl::Program& program, std::size_t firstHit) const {
+    GLint unit = 0;
+    glGetIntegerv(GL_ACTIVE_TEXTURE, &unit);
+    bind(kHitUnit, m_hitTexture);
+    bind(kIndexUnit, m_indexTexture);
+    glActiveTexture(static_cast<GLenum>(unit));
+    program.set("u_hits", kHitUnit);
+    program.set("u_hitIndices", kIndexUnit);
+    program.set("u_hitBase", static_cast<int>(firstHit));
 }
 
-void TransformFeedbackPipeline::removeTarget(TargetId target) {
-    m_targets.erase(target);
-}
-
-void TransformFeedbackPipeline::reset(std::span<const Hit> history) {
-    for (auto& [id, target] : m_targets) {
-        const std::vector<VertexRange> moved = target.moved.take();
-        target.buffers->restoreOriginal(moved);
-        target.unread.add(moved);
-        target.reach.reset();
+void TransformFeedbackPipeline::deform(TargetId /*target*/, TargetBuffers& buffers, const HitBatch& batch) {
+    const std::size_t firstHit = m_hits.write(batch.hits().data(), batch.hits().size());
+    const std::size_t firstIndex = m_indices.write(batch.indices().data(), batch.indices().size());
+    m_runs.clear();
+    for (const ClusterHits& run : batch.runs()) {
+        const std::size_t first = firstIndex + run.firstIndex;
+        m_runs.push_back({{run.firstVertex, run.vertexCount}, first, first + run.indexCount});
     }
-    append(history);
+    m_pass.run(
+        buffers, m_runs, [&](const gl::Program& program) { prepare(program, firstHit); },
+        [&](std::span<const VertexRange> ranges) {
+            copyBack(m_pass.scratch(), buffers.dynamicBuffer(), ranges);
+        });
 }
-
-void TransformFeedbackPipeline::append(std::span<const Hit> hits) {
-    // Targets do not influence one another: each takes its own hits, in their order.
-    std::unordered_map<TargetId, std::vector<const Hit*>> hitsOf;
-    for (const Hit& hit : hits) {
-        if (m_targets.contains(hit.target)) {
-            hitsOf[hit.target].push_back(&hit);
-        }
-    }
-    for (const auto& [id, own] : hitsOf) {
-        apply(m_targets.at(id), own);
-    }
-}
-
-void TransformFeedbackPipeline::apply(TargetState& target, std::span<const Hit* const> hits) {
-    while (!hits.empty()) {
-        const std::size_t count = std::min(hits.size(), kBatchHits);
-        const std::vector<VertexRange> reached = applyBatch(target, hits.first(count));
-        hits = hits.subspan(count);
-        // Hits as they arrive never wait for the GPU. A long history does, now and then, since knowing where
-        // the vertices are saves most of its work.
-        if (!hits.empty()) {
-            readVertices(*target.buffers, reached,
-                         [&](std::uint32_t first, std::span<const DynamicVertex> vertices) {
-                             target.reach.place(first, vertices);
-                         });
-            target.reach.update();
-        }
-    }
-}
-
-/// Returns what the hits reach, sorted and merged.
-std::vector<VertexRange> TransformFeedbackPipeline::applyBatch(TargetState& target,
-                                                               std::span<const Hit* const> hits) {
-    std::vector<CaptureRun> runs;
-    ChangedRanges reached;
-    for (const ReachGroup& group : groupByReach(target.reach, hits)) {
-        reached.add(group.ranges);
-        // A batch that is full is captured and copied back before the group's next hits are applied.
-        for (std::size_t next = 0; next < group.hits.size();) {
-            const std::size_t first = m_batch.size();
-            while (next < group.hits.size() && m_batch.add(*hits[group.hits[next]])) {
-                ++next;
-            }
-            if (m_batch.size() > first) {
-                runs.push_back({group.ranges, first, m_batch.size()});
-            }
-            if (next < group.hits.size()) {
-                flush(target, runs);
-            }
-        }
-    }
-    flush(target, runs);
-    std::vector<VertexRange> ranges = reached.take();
-    target.moved.add(ranges);
-    target.unread.add(ranges);
-    return ranges;
-}
-
-void TransformFeedbackPipeline::flush(TargetState& target, std::vector<CaptureRun>& runs) {
-    if (runs.empty()) {
-        return;
-    }
-    m_pass.upload(m_batch);
-    m_pass.run(*target.buffers, runs, [&](std::span<const VertexRange> ranges) {
-        glBindBuffer(GL_COPY_READ_BUFFER, m_pass.scratch());
-        glBindBuffer(GL_COPY_WRITE_BUFFER, target.buffers->dynamicBuffer());
-        GLintptr captured = 0;
-        for (const VertexRange& range : ranges) {
-            const auto bytes = static_cast<GLsizeiptr>(range.count * sizeof(DynamicVertex));
-            glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, captured,
-                                static_cast<GLintptr>(range.first * sizeof(DynamicVertex)), bytes);
-            captured += bytes;
-        }
-        glBindBuffer(GL_COPY_READ_BUFFER, 0);
-        glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
-    });
-    m_batch.clear();
-    runs.clear();
-}
-
-void TransformFeedbackPipeline::readBack(const ReadBackSink& sink) {
-    for (auto& entry : m_targets) {  // clang 14 cannot capture structured bindings
-        const TargetId id = entry.first;
-        TargetState& target = entry.second;
-        if (target.unread.empty()) {
-            continue;
-        }
-        readVertices(*target.buffers, target.unread.take(),
-                     [&](std::uint32_t first, std::span<const DynamicVertex> vertices) {
-                         target.reach.place(first, vertices);
-                         sink(id, first, vertices);
-                     });
-        target.reach.update();
-    }
-}
-
-// The dynamic buffer holds the deformed vertices: there is nothing to tell a program.
-void TransformFeedbackPipeline::prepareDraw(const gl::Program& /*program*/, TargetId /*target*/) {}
 
 }  // namespace hitscope

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <set>
+#include <iterator>
 #include <utility>
 
 namespace hitscope {
@@ -15,163 +15,316 @@ std::uint64_t nextStamp() {
     return ++last;
 }
 
-int vertexUniformComponents(const PipelineLimits& limits) {
-    if (limits.vertexUniformComponents) {
-        return *limits.vertexUniformComponents;
+int vertexUniformComponents(const PipelineOptions& options) {
+    if (options.vertexUniformComponents) {
+        return *options.vertexUniformComponents;
     }
     GLint components = 0;
     glGetIntegerv(GL_MAX_VERTEX_UNIFORM_COMPONENTS, &components);
     return components;
 }
 
+Result<CapturePass> passFor(std::size_t hits, const gl::Defines& deformDefines) {
+    gl::Defines defines = hitArrayDefines(hits);
+    defines.insert(defines.end(), deformDefines.begin(), deformDefines.end());
+    return CapturePass::create(std::move(defines));
+}
+
+std::vector<Hit> hitsOf(std::span<const KeptHit> kept) {
+    std::vector<Hit> hits;
+    hits.reserve(kept.size());
+    for (const KeptHit& hit : kept) {
+        hits.push_back(hit.hit);
+    }
+    return hits;
+}
+
+/// The hits that only one of the two lists has.
+std::vector<Hit> difference(std::span<const KeptHit> a, std::span<const KeptHit> b) {
+    std::vector<Hit> hits;
+    for (const auto& [mine, others] : {std::pair(a, b), std::pair(b, a)}) {
+        std::set<std::uint64_t> serials;
+        for (const KeptHit& hit : others) {
+            serials.insert(hit.serial);
+        }
+        for (const KeptHit& hit : mine) {
+            if (!serials.contains(hit.serial)) {
+                hits.push_back(hit.hit);
+            }
+        }
+    }
+    return hits;
+}
+
 }  // namespace
 
-Result<std::unique_ptr<DeformationPipeline>> UniformArrayPipeline::create(const PipelineLimits& limits) {
-    const int components = vertexUniformComponents(limits);
+Result<std::unique_ptr<DeformationPipeline>> UniformArrayPipeline::create(PipelineKind kind,
+                                                                          const PipelineOptions& options) {
+    const int components = vertexUniformComponents(options);
     // OpenGL leaves it to the driver how densely arrays are packed. The capturing program has arrays that
     // take up the other programs' share as well: if it links, they will.
     std::size_t capacity = hitsThatFit(components, UniformPacking::Tight);
-    Result<CapturePass> pass = CapturePass::create(capacity + kOtherUniformsInHits);
+    Result<CapturePass> pass = passFor(capacity + kOtherUniformsInHits, options.deformDefines);
     if (!pass) {
         capacity = hitsThatFit(components, UniformPacking::Registers);
-        pass = CapturePass::create(capacity);
+        pass = passFor(capacity, options.deformDefines);
     }
     if (!pass) {
         return pass.error();
     }
-    return std::unique_ptr<DeformationPipeline>(new UniformArrayPipeline(std::move(pass).value(), capacity));
+    return std::unique_ptr<DeformationPipeline>(
+        new UniformArrayPipeline(kind, std::move(pass).value(), capacity, options.deformDefines));
 }
 
-UniformArrayPipeline::UniformArrayPipeline(CapturePass pass, std::size_t capacity)
-    : m_pass(std::move(pass)), m_capacity(capacity), m_arrays(capacity), m_stamp(nextStamp()) {}
+UniformArrayPipeline::UniformArrayPipeline(PipelineKind kind, CapturePass pass, std::size_t capacity,
+                                           gl::Defines defines)
+    : m_kind(kind), m_pass(std::move(pass)), m_capacity(capacity), m_deformDefines(std::move(defines)) {}
 
-const PipelineTraits& UniformArrayPipeline::traits() const {
-    return pipelineTraits(PipelineKind::UniformArray);
+CapacityReport UniformArrayPipeline::capacity() const {
+    CapacityReport report{m_capacity, isCulled(), 0, m_dropped};
+    for (const auto& [id, window] : m_windows) {
+        report.used = std::max(report.used, window.hits().size());
+    }
+    return report;
 }
 
 void UniformArrayPipeline::addTarget(TargetId target, TargetBuffers& buffers) {
-    removeTarget(target);
+    m_targets.erase(target);
     m_targets.emplace(target, TargetState(buffers));
+    refill();
 }
 
 void UniformArrayPipeline::removeTarget(TargetId target) {
     if (m_targets.erase(target) > 0) {
-        std::erase_if(m_hits, [target](const Hit& hit) { return hit.target == target; });
-        fillArrays();
+        refill();
     }
 }
 
-void UniformArrayPipeline::reset(std::span<const Hit> history) {
-    m_hits.clear();
-    m_dropped = 0;
-    for (auto& [id, target] : m_targets) {
-        target.unread.add(target.moved.take());
-        target.reach.reset();
+void UniformArrayPipeline::startOver(std::span<const Hit> history) {
+    m_history.clear();
+    for (const Hit& hit : history) {
+        m_history.push_back({0, m_nextSerial++, hit});
     }
-    append(history);
+    refill();
 }
 
-void UniformArrayPipeline::append(std::span<const Hit> hits) {
-    for (const Hit& hit : hits) {
-        const auto target = m_targets.find(hit.target);
-        if (target != m_targets.end()) {
-            m_hits.push_back(hit);
-            const std::vector<VertexRange> reached = target->second.reach.advance(hit);
-            target->second.moved.add(reached);
-            target->second.unread.add(reached);
-        }
-        if (m_hits.size() > 2 * m_capacity) {
-            dropOldest();  // a long history passes through without being held
-        }
+void UniformArrayPipeline::follow(const HistoryEdit& edit) {
+    const auto first = m_history.begin() + static_cast<std::ptrdiff_t>(edit.first);
+    const auto at = m_history.erase(first, first + static_cast<std::ptrdiff_t>(edit.before.size()));
+    const bool isAppend = edit.before.empty() && at == m_history.end();
+    std::vector<KeptHit> after;
+    after.reserve(edit.after.size());
+    for (const Hit& hit : edit.after) {
+        after.push_back({0, m_nextSerial++, hit});
     }
-    dropOldest();
-    fillArrays();
+    m_history.insert(at, after.begin(), after.end());
+    if (isAppend) {
+        append(edit.first);
+    } else {
+        refill();
+    }
 }
 
-/// The newest hits that the arrays hold, the palette of their constants included.
-std::size_t UniformArrayPipeline::hitsToKeep() const {
-    std::vector<DeformationConstants> palette;
-    std::size_t kept = 0;
-    for (auto newest = m_hits.rbegin(); newest != m_hits.rend() && kept < m_capacity; ++newest, ++kept) {
-        const DeformationConstants& constants = newest->constants;
-        if (std::find(palette.begin(), palette.end(), constants) == palette.end()) {
-            if (palette.size() == kHitConstants) {
-                break;
-            }
-            palette.push_back(constants);
-        }
-    }
-    return kept;
+HitWindow& UniformArrayPipeline::windowOf(TargetId target) {
+    return m_windows.try_emplace(isCulled() ? target : TargetId{}, m_capacity).first->second;
 }
 
-/// Without the dropped hits a vertex may take another way, past other hits; only one that no hit has ever
-/// moved surely stays where it is.
-void UniformArrayPipeline::dropOldest() {
-    const std::size_t kept = hitsToKeep();
+/// Only hits that are enabled and whose target is there take up room.
+void UniformArrayPipeline::push(std::size_t index, std::vector<KeptHit>& dropped) {
+    const auto& [unset, serial, hit] = m_history[index];
+    if (hit.enabled && m_targets.contains(hit.target)) {
+        windowOf(hit.target).push({index, serial, hit}, dropped);
+    }
+}
+
+/// Takes the hits [firstHit, ...) of the history, which come after all those before.
+void UniformArrayPipeline::append(std::size_t firstHit) {
+    std::vector<KeptHit> dropped;
     std::set<TargetId> concerned;
-    for (; m_hits.size() > kept; ++m_dropped) {
-        concerned.insert(m_hits.front().target);
-        m_hits.pop_front();
+    for (std::size_t i = firstHit; i < m_history.size(); ++i) {
+        push(i, dropped);
+        concerned.insert(m_history[i].hit.target);
     }
-    for (const TargetId id : concerned) {
-        TargetState& target = m_targets.at(id);
-        target.unread.add(target.moved.ranges());
+    for (const KeptHit& hit : dropped) {
+        m_dropped.insert(std::upper_bound(m_dropped.begin(), m_dropped.end(), hit.index), hit.index);
+        concerned.insert(hit.hit.target);
     }
+    keepWhatWindowsHold(concerned);
 }
 
-/// A target's hits stand together, in their order; targets do not influence one another.
-void UniformArrayPipeline::fillArrays() {
-    std::unordered_map<TargetId, std::vector<const Hit*>> hitsOf;
-    for (const Hit& hit : m_hits) {
-        hitsOf[hit.target].push_back(&hit);
+/// The history changed in its past: what the windows hold is found anew.
+void UniformArrayPipeline::refill() {
+    m_windows.clear();
+    std::vector<KeptHit> dropped;
+    for (std::size_t i = 0; i < m_history.size(); ++i) {
+        push(i, dropped);
     }
-    m_arrays.clear();
-    for (auto& [id, target] : m_targets) {
-        target.firstHit = m_arrays.size();
-        for (const Hit* hit : hitsOf[id]) {
-            static_cast<void>(m_arrays.add(*hit));  // hitsToKeep() has seen to it that there is room
+    m_dropped.clear();
+    for (const KeptHit& hit : dropped) {
+        m_dropped.push_back(hit.index);
+    }
+    std::sort(m_dropped.begin(), m_dropped.end());
+    std::set<TargetId> all;
+    for (const auto& [id, target] : m_targets) {
+        all.insert(id);
+    }
+    keepWhatWindowsHold(all);
+}
+
+void UniformArrayPipeline::keepWhatWindowsHold(const std::set<TargetId>& targets) {
+    std::map<TargetId, std::vector<KeptHit>> kept;
+    for (const auto& [id, window] : m_windows) {
+        for (const KeptHit& hit : window.hits()) {
+            if (targets.contains(hit.hit.target)) {
+                kept[hit.hit.target].push_back(hit);
+            }
         }
-        target.lastHit = m_arrays.size();
     }
-    m_stamp = nextStamp();
-    m_captureIsCurrent = false;
+    for (const TargetId id : targets) {
+        const auto known = m_targets.find(id);
+        if (known == m_targets.end()) {
+            continue;
+        }
+        TargetState& target = known->second;
+        const std::vector<KeptHit> before = std::exchange(target.kept, std::move(kept[id]));
+        const bool isAppend =
+            before.size() <= target.kept.size() &&
+            std::equal(before.begin(), before.end(), target.kept.begin(),
+                       [](const KeptHit& a, const KeptHit& b) { return a.serial == b.serial; });
+        if (!isAppend) {
+            reconsider(target, difference(before, target.kept));
+            continue;
+        }
+        std::vector<std::uint32_t> reached;
+        for (std::size_t i = before.size(); i < target.kept.size(); ++i) {
+            reached.clear();
+            target.reach.advance(target.kept[i].hit, reached);
+            target.unread.add(target.reach.rangesOf(reached));
+        }
+    }
+    fillPages();
 }
 
-void UniformArrayPipeline::readBack(const ReadBackSink& sink) {
-    std::vector<DynamicVertex> vertices;
+/// Only clusters that a hit taken out or put in may have reached can come out otherwise.
+void UniformArrayPipeline::reconsider(TargetState& target, std::span<const Hit> changed) {
+    ++target.epoch;
+    std::vector<std::uint32_t> concerned;
+    for (const Hit& hit : changed) {
+        target.reach.everReached(hit, concerned);
+    }
+    std::sort(concerned.begin(), concerned.end());
+    concerned.erase(std::unique(concerned.begin(), concerned.end()), concerned.end());
+    target.unread.add(target.reach.rangesOf(concerned));
+    target.reach.restart(concerned);
+    std::vector<std::uint32_t> reached;
+    for (const KeptHit& hit : target.kept) {
+        reached.clear();
+        target.reach.advanceWithin(concerned, hit.hit, reached);
+    }
+}
+
+/// A target's hits stand together, in their order; targets do not influence one another. As the paper has it
+/// all fit in one page.
+void UniformArrayPipeline::fillPages() {
+    m_pages.clear();
+    m_pages.push_back({HitArrays(m_capacity), nextStamp()});
+    for (auto& [id, target] : m_targets) {
+        std::vector<Hit> hits = hitsOf(target.kept);
+        if (isCulled()) {
+            std::erase_if(hits,
+                          [&target = target](const Hit& hit) { return !target.reach.mayEverReach(hit); });
+        }
+        if (!m_pages.back().arrays.hasRoom(hits)) {
+            m_pages.push_back({HitArrays(m_capacity), nextStamp()});
+        }
+        HitArrays& arrays = m_pages.back().arrays;
+        target.page = m_pages.size() - 1;
+        target.firstHit = arrays.size();
+        for (const Hit& hit : hits) {
+            static_cast<void>(arrays.add(hit));  // a window's hits fit
+        }
+        target.lastHit = arrays.size();
+    }
+}
+
+void UniformArrayPipeline::requestReadBack() {
     for (auto& entry : m_targets) {  // clang 14 cannot capture structured bindings
-        const TargetId id = entry.first;
         TargetState& target = entry.second;
         if (target.unread.empty()) {
             continue;
         }
-        if (!std::exchange(m_captureIsCurrent, true)) {
-            m_pass.upload(m_arrays);
+        std::vector<CaptureRun> runs;
+        for (const VertexRange& range : target.unread.take()) {
+            runs.push_back({range, target.firstHit, target.lastHit});
         }
-        const CaptureRun run{target.unread.take(), target.firstHit, target.lastHit};
-        m_pass.run(*target.buffers, std::span(&run, 1), [&](std::span<const VertexRange> ranges) {
-            GLintptr captured = 0;
-            for (const VertexRange& range : ranges) {
-                vertices.resize(range.count);
-                const auto bytes = static_cast<GLsizeiptr>(range.count * sizeof(DynamicVertex));
-                glBindBuffer(GL_COPY_READ_BUFFER, m_pass.scratch());
-                glGetBufferSubData(GL_COPY_READ_BUFFER, captured, bytes, vertices.data());
-                glBindBuffer(GL_COPY_READ_BUFFER, 0);
-                captured += bytes;
-                target.reach.place(range.first, vertices);
-                sink(id, range.first, vertices);
-            }
-        });
-        target.reach.update();
+        m_pass.run(
+            *target.buffers, runs,
+            [&](const gl::Program& program) {
+                const Page& page = m_pages[target.page];
+                if (program.contentStamp() != page.stamp) {
+                    page.arrays.upload(program);
+                    program.setContentStamp(page.stamp);
+                }
+            },
+            [&](std::span<const VertexRange> ranges) {
+                m_readBack.request({{.target = entry.first,
+                                     .buffer = m_pass.scratch(),
+                                     .packed = true,
+                                     .ranges = {ranges.begin(), ranges.end()},
+                                     .moment = {m_nextSerial, target.epoch}}});
+            });
     }
 }
 
-void UniformArrayPipeline::prepareDraw(const gl::Program& program, TargetId target) {
-    if (program.contentStamp() != m_stamp) {
-        m_arrays.upload(program);
-        program.setContentStamp(m_stamp);
+ReadBackQueue::Take UniformArrayPipeline::delivery(const ReadBackSink& sink) {
+    return [this, &sink](const ReadBackQueue::Part& part, std::uint32_t first,
+                         std::span<const DynamicVertex> vertices) {
+        const auto known = m_targets.find(part.target);
+        if (known == m_targets.end()) {
+            return;
+        }
+        TargetState& target = known->second;
+        if (target.epoch == part.moment.epoch) {
+            const auto later =
+                std::partition_point(target.kept.begin(), target.kept.end(),
+                                     [&part](const KeptHit& hit) { return hit.serial < part.moment.hits; });
+            target.reach.place(first, vertices, hitsOf({later, target.kept.end()}));
+        }
+        sink(part.target, first, vertices);
+    };
+}
+
+void UniformArrayPipeline::readBack(const ReadBackSink& sink) {
+    requestReadBack();
+    m_readBack.takeAll(delivery(sink));
+}
+
+void UniformArrayPipeline::pollReadBack(const ReadBackSink& sink) {
+    requestReadBack();
+    m_readBack.takeArrived(delivery(sink));
+}
+
+bool UniformArrayPipeline::isReadBackPending() const {
+    return !m_readBack.empty() || std::any_of(m_targets.begin(), m_targets.end(),
+                                              [](const auto& entry) { return !entry.second.unread.empty(); });
+}
+
+gl::Defines UniformArrayPipeline::drawDefines() const {
+    gl::Defines defines = hitArrayDefines(m_capacity);
+    if (isCulled()) {
+        defines.emplace_back("HITSCOPE_OWN_HITS_ONLY", "1");
     }
+    defines.insert(defines.end(), m_deformDefines.begin(), m_deformDefines.end());
+    return defines;
+}
+
+void UniformArrayPipeline::prepareDraw(const gl::Program& program, TargetId target) {
     const auto known = m_targets.find(target);
+    const Page& page = m_pages.at(known == m_targets.end() ? 0 : known->second.page);
+    if (program.contentStamp() != page.stamp) {
+        page.arrays.upload(program);
+        program.setContentStamp(page.stamp);
+    }
     program.set("u_firstHit", known == m_targets.end() ? 0 : static_cast<int>(known->second.firstHit));
     program.set("u_lastHit", known == m_targets.end() ? 0 : static_cast<int>(known->second.lastHit));
 }

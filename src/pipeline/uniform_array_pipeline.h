@@ -1,61 +1,83 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <deque>
-#include <unordered_map>
+#include <map>
+#include <set>
 #include <vector>
 
+#include "deform/cluster_reach.h"
 #include "pipeline/capture_pass.h"
-#include "pipeline/changed_ranges.h"
 #include "pipeline/deformation_pipeline.h"
 #include "pipeline/hit_arrays.h"
-#include "pipeline/target_reach.h"
+#include "pipeline/hit_window.h"
+#include "pipeline/read_back_queue.h"
 
 namespace hitscope {
 
-/// The paper's method 1 (section 2.1, Algorithm 1): the last hits of the scene stand in uniform arrays, and
-/// whoever draws a target applies them to its original vertices, every frame. The dynamic buffer is never
-/// written.
+/// The paper's method 1 (section 2.1, Algorithm 1): the last hits stand in uniform arrays, and whoever draws
+/// a target applies them to its original vertices, every frame. The dynamic buffer is never written. As the
+/// paper has it the arrays hold the last hits of the scene, and every target loops over them all; culled,
+/// they hold the last hits on each target, and it loops over those that can reach it.
 class UniformArrayPipeline final : public DeformationPipeline {
 public:
-    [[nodiscard]] static Result<std::unique_ptr<DeformationPipeline>> create(const PipelineLimits& limits);
+    /// `kind` is UniformArray or UniformArrayCulled.
+    [[nodiscard]] static Result<std::unique_ptr<DeformationPipeline>> create(PipelineKind kind,
+                                                                             const PipelineOptions& options);
 
-    [[nodiscard]] const PipelineTraits& traits() const override;
-    [[nodiscard]] std::optional<std::size_t> capacity() const override { return m_capacity; }
-    [[nodiscard]] std::size_t droppedHits() const override { return m_dropped; }
+    [[nodiscard]] const PipelineTraits& traits() const override { return pipelineTraits(m_kind); }
+    [[nodiscard]] CapacityReport capacity() const override;
     void addTarget(TargetId target, TargetBuffers& buffers) override;
     void removeTarget(TargetId target) override;
-    void reset(std::span<const Hit> history) override;
-    void append(std::span<const Hit> hits) override;
     /// Captures what the drawing programs compute, with the same code over the same vertices.
     void readBack(const ReadBackSink& sink) override;
-    [[nodiscard]] gl::Defines drawDefines() const override { return hitArrayDefines(m_capacity); }
+    void pollReadBack(const ReadBackSink& sink) override;
+    [[nodiscard]] bool isReadBackPending() const override;
+    [[nodiscard]] gl::Defines drawDefines() const override;
     void prepareDraw(const gl::Program& program, TargetId target) override;
 
 private:
+    void startOver(std::span<const Hit> history) override;
+    void follow(const HistoryEdit& edit) override;
     struct TargetState {
         explicit TargetState(TargetBuffers& targetBuffers)
             : buffers(&targetBuffers), reach(targetBuffers.clusters()) {}
         TargetBuffers* buffers;
-        TargetReach reach;
-        ChangedRanges moved;       ///< since the original
-        ChangedRanges unread;      ///< since the last readBack()
-        std::size_t firstHit = 0;  ///< the target's hits in the arrays: [firstHit, lastHit)
+        ClusterReach reach;
+        ChangedRanges unread;
+        std::uint64_t epoch = 0;
+        std::vector<KeptHit> kept;  ///< in order
+        std::size_t page = 0;       ///< its hits are [firstHit, lastHit) of that page's arrays
+        std::size_t firstHit = 0;
         std::size_t lastHit = 0;
     };
-    UniformArrayPipeline(CapturePass pass, std::size_t capacity);
-    [[nodiscard]] std::size_t hitsToKeep() const;
-    void dropOldest();
-    void fillArrays();
+    /// Arrays as a program has them at a time.
+    struct Page {
+        HitArrays arrays;
+        std::uint64_t stamp = 0;  ///< names what is in them, among all pipelines there ever were
+    };
+    UniformArrayPipeline(PipelineKind kind, CapturePass pass, std::size_t capacity, gl::Defines defines);
+    [[nodiscard]] bool isCulled() const { return m_kind == PipelineKind::UniformArrayCulled; }
+    [[nodiscard]] HitWindow& windowOf(TargetId target);
+    void push(std::size_t index, std::vector<KeptHit>& dropped);
+    void append(std::size_t firstHit);
+    void refill();
+    void keepWhatWindowsHold(const std::set<TargetId>& targets);
+    void reconsider(TargetState& target, std::span<const Hit> changed);
+    void fillPages();
+    void requestReadBack();
+    [[nodiscard]] ReadBackQueue::Take delivery(const ReadBackSink& sink);
 
+    PipelineKind m_kind;
     CapturePass m_pass;
     std::size_t m_capacity;
-    std::unordered_map<TargetId, TargetState> m_targets;
-    std::deque<Hit> m_hits;  ///< of the scene, oldest first
-    std::size_t m_dropped = 0;
-    HitArrays m_arrays;         ///< m_hits, each target's together
-    std::uint64_t m_stamp = 0;  ///< names what is in m_arrays, among all pipelines there ever were
-    bool m_captureIsCurrent = false;
+    gl::Defines m_deformDefines;
+    std::vector<KeptHit> m_history;  ///< all of it; `index` is set when one is kept
+    std::uint64_t m_nextSerial = 1;
+    std::map<TargetId, HitWindow> m_windows;  ///< as the paper has it: one, of no target
+    std::vector<std::size_t> m_dropped;       ///< indices into the history, ascending
+    std::map<TargetId, TargetState> m_targets;
+    std::vector<Page> m_pages;
+    ReadBackQueue m_readBack;
 };
 
 }  // namespace hitscope

@@ -9,14 +9,20 @@ namespace {
 
 constexpr float kSpread = 1.45f;  // of the target's half size
 
-/// Of the original shape, from its clusters, in the world.
+/// Of the original shape, in the world.
 Bounds worldBounds(const DrawItem& item) {
+    const Bounds& local = item.buffers->originalBounds();
     Bounds bounds;
-    for (const Cluster& cluster : item.buffers->clusters()) {
-        const glm::vec3 centre = item.model * glm::vec4(cluster.bounds.centre, 1.0f);
-        bounds.add(centre - glm::vec3(cluster.bounds.radius));
-        bounds.add(centre + glm::vec3(cluster.bounds.radius));
+    if (local.empty()) {
+        return bounds;
     }
+    const glm::mat3 rotation(item.model);
+    const glm::vec3 half = 0.5f * local.size();
+    const glm::vec3 reach =
+        glm::abs(rotation[0]) * half.x + glm::abs(rotation[1]) * half.y + glm::abs(rotation[2]) * half.z;
+    const glm::vec3 centre = item.model * glm::vec4(local.centre(), 1.0f);
+    bounds.add(centre - reach);
+    bounds.add(centre + reach);
     return bounds;
 }
 

@@ -86,15 +86,6 @@ Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, con
     return Done{};
 }
 
-/// Length of a usual edge in metres, from the area the clusters' spheres cover; none of this is exact.
-float usualEdge(const TargetBuffers& buffers) {
-    float area = 0.0f;
-    for (const Cluster& cluster : buffers.clusters()) {
-        area += glm::pi<float>() * cluster.bounds.radius * cluster.bounds.radius;
-    }
-    return std::sqrt(area / static_cast<float>(std::max(buffers.vertexCount(), 1u)));
-}
-
 }  // namespace
 
 Status drawSurfaces(const FrameContext& context, DeformationPipeline& pipeline) {
@@ -150,7 +141,7 @@ Status drawEdges(const FrameContext& context, DeformationPipeline& pipeline, con
         pipeline.prepareDraw(program, item.target);
         program.set("u_model", item.model);
         program.set("u_colour", item.selected ? selected : colour);
-        program.set("u_edgePixels", usualEdge(*item.buffers) * context.pixelsAtOneMetre / frame.pixelRatio);
+        program.set("u_edgePixels", item.buffers->usualEdge() * context.pixelsAtOneMetre / frame.pixelRatio);
         glBindVertexArray(item.buffers->edgeArray());
         for (int pass = 0; pass < passes; ++pass) {
             const float pixels = static_cast<float>(pass) - 0.5f * static_cast<float>(passes - 1);

@@ -2,6 +2,7 @@
 #include "session/scene_gpu.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -35,18 +36,14 @@ void writeShadingNormals(TargetBuffers& buffers, std::span<const std::uint32_t> 
     }
 }
 
-/// The oldest enabled hits are those dropped.
-CapacityReport capacityOf(const DeformationPipeline& pipeline, const Session& session) {
-    CapacityReport report;
-    report.capacity = pipeline.capacity();
-    const std::span<const Hit> hits = session.history().hits();
-    for (std::size_t i = 0; i < hits.size() && report.dropped.size() < pipeline.droppedHits(); ++i) {
-        if (hits[i].enabled) {
-            report.dropped.push_back(i);
+std::map<PipelineKind, QString> unavailablePipelines() {
+    std::map<PipelineKind, QString> reasons;
+    for (const PipelineTraits& traits : allPipelines()) {
+        if (const std::optional<std::string> reason = whyUnavailable(traits.kind)) {
+            reasons[traits.kind] = QString::fromStdString(*reason);
         }
     }
-    report.used = hits.size() - session.disabledHits() - report.dropped.size();
-    return report;
+    return reasons;
 }
 
 }  // namespace
@@ -65,11 +62,15 @@ struct SceneGpu::Private {
     std::unique_ptr<DeformationPipeline> pipeline;  // below the buffers it is given, so that it goes first
     std::unordered_map<const MeshData*, std::weak_ptr<const MaterialSet>> materials;
     std::uint64_t appliedRevision = 0;
+    gl::Defines deformDefines;
 
     void followTargets();
     Status followPipeline(bool& startOver);
-    void followHistory(bool startOver);
-    void readBack();
+    /// Returns whether the pipeline started over.
+    bool followHistory(bool startOver);
+    enum class Delivery { WhatHasArrived, All };
+    void readBack(Delivery delivery);
+    Status follow(Delivery delivery);
     std::shared_ptr<const MaterialSet> materialsOf(const DeformedMesh& mesh);
 };
 
@@ -87,7 +88,9 @@ Result<std::unique_ptr<SceneGpu>> SceneGpu::create(Session& session) {
         return exactness.error();
     }
     session.setExactness(exactness.value());
+    session.setUnavailablePipelines(unavailablePipelines());
     std::unique_ptr<SceneGpu> scene(new SceneGpu(session));
+    scene->d->deformDefines = exactness.value().defines();
     scene->d->renderer = std::move(renderer).value();
     return scene;
 }
@@ -133,7 +136,8 @@ Status SceneGpu::Private::followPipeline(bool& startOver) {
     if (!startOver) {
         return Done{};
     }
-    Result<std::unique_ptr<DeformationPipeline>> made = makePipeline(session.pipeline());
+    Result<std::unique_ptr<DeformationPipeline>> made = 
+        makePipeline(session.pipeline(), {.vertexUniformComponents = {}, .deformDefines = deformDefines});
     if (!made) {
         return made.error();
     }
@@ -146,24 +150,34 @@ Status SceneGpu::Private::followPipeline(bool& startOver) {
     return Done{};
 }
 
-void SceneGpu::Private::followHistory(bool startOver) {
+bool SceneGpu::Private::followHistory(bool startOver) {
     const HitHistory& history = session.history();
+    if (!startOver && appliedRevision == history.revision()) {
+        return false;
+    }
     const auto edits = history.editsSince(appliedRevision);
-    const auto isAppend = [](const HistoryEdit& edit) { return edit.before.empty(); };
-    if (startOver || !edits || !std::all_of(edits->begin(), edits->end(), isAppend)) {
+    startOver = startOver || !edits;
+    if (startOver) {
         pipeline->reset(history.hits());
     } else {
         for (const HistoryEdit& edit : *edits) {
-            pipeline->append(edit.after);
+            pipeline->edit(edit);
         }
     }
     appliedRevision = history.revision();
+    session.setCapacity(pipeline->capacity());
+    return startOver;
 }
 
-void SceneGpu::Private::readBack() {
-    pipeline->readBack([this](TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices) {
+void SceneGpu::Private::readBack(Delivery delivery) {
+    const auto take = [this](TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices) {
         session.takeReadBack(target, first, vertices);
-    });
+    };
+    if (delivery == Delivery::All) {
+        pipeline->readBack(take);
+    } else {
+        pipeline->pollReadBack(take);
+    }
     for (const Session::ChangedNormals& change : session.finishReadBack()) {
         const Target* target = session.target(change.target);
         if (target != nullptr) {
@@ -171,22 +185,32 @@ void SceneGpu::Private::readBack() {
                                 target->trueNormals.normals());
         }
     }
-    session.setCapacity(capacityOf(*pipeline, session));
 }
 
-Status SceneGpu::sync() {
-    d->followTargets();
+Status SceneGpu::Private::follow(Delivery delivery) {
+    followTargets();
     bool startOver = false;
-    if (Status status = d->followPipeline(startOver); !status) {
+    if (Status status = followPipeline(startOver); !status) {
         return status;
     }
-    d->followHistory(startOver);
-    d->readBack();
+    // Started over, the CPU copy is at the originals: it must not be seen like that for a frame or two.
+    if (followHistory(startOver)) {
+        delivery = Delivery::All;
+    }
+    readBack(delivery);
     return Done{};
 }
 
+Status SceneGpu::sync() {
+    return d->follow(Private::Delivery::All);
+}
+
+bool SceneGpu::isReadBackPending() const {
+    return d->pipeline && d->pipeline->isReadBackPending();
+}
+
 Status SceneGpu::draw(const View& view, unsigned framebuffer) {
-    if (Status status = sync(); !status) {
+    if (Status status = d->follow(Private::Delivery::WhatHasArrived); !status) {
         return status;
     }
     const Session& session = d->session;

@@ -21,8 +21,8 @@ public:
     SceneGpu(const SceneGpu&) = delete;
     SceneGpu& operator=(const SceneGpu&) = delete;
 
-    /// Brings the GPU to the session's state: new targets, pipeline, hits; then reads back what changed into
-    /// the session.
+    /// Brings the GPU to the session's state: new targets, pipeline, hits; then waits for what changed to be
+    /// read back into the session.
     [[nodiscard]] Status sync();
 
     struct View {
@@ -32,8 +32,11 @@ public:
         Camera camera;
         DisplayOptions options;
     };
-    /// sync() and one picture into the framebuffer object of that name (0: the default framebuffer).
+    /// As sync(), but waits for nothing: what changed comes to the session with one of the next frames. Then
+    /// one picture into the framebuffer object of that name (0: the default framebuffer).
     [[nodiscard]] Status draw(const View& view, unsigned framebuffer);
+    /// Whether the session is behind what was drawn: another draw() or sync() brings it on.
+    [[nodiscard]] bool isReadBackPending() const;
 
 private:
     explicit SceneGpu(Session& session);

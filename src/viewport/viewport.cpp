@@ -133,7 +133,8 @@ void Viewport::paintError() {
 }
 
 bool Viewport::wantsFrames() const {
-    return isVisible() && (m_continuous || m_flyKeys.any() || m_session.isMoving());
+    return isVisible() && (m_continuous || m_flyKeys.any() || m_session.isMoving() ||
+                           (m_scene && m_scene->isReadBackPending()));
 }
 
 void Viewport::moveOn() {
@@ -207,6 +208,7 @@ Status Viewport::syncNow() {
     makeCurrent();
     Status status = m_scene->sync();
     doneCurrent();
+    update();  // normals may have come with it
     return status;
 }
 

@@ -9,6 +9,7 @@
 #include "deform/deform.h"
 #include "gl/pipeline_support.h"
 #include "pipeline/capture_pass.h"
+#include "pipeline/hit_arrays.h"
 #include "support/gl_fixture.h"
 
 namespace hitscope {
@@ -29,9 +30,8 @@ std::vector<DynamicVertex> onGpu(CapturePass& pass, const RenderMesh& mesh, std:
             return {};
         }
     }
-    pass.upload(arrays);
     std::vector<DynamicVertex> result(mesh.vertices.size());
-    pass.run(buffers, runs, [&](std::span<const VertexRange> ranges) {
+    const auto read = [&](std::span<const VertexRange> ranges) {
         GLintptr offset = 0;
         for (const VertexRange& range : ranges) {
             const auto bytes = static_cast<GLsizeiptr>(range.count * sizeof(DynamicVertex));
@@ -39,7 +39,9 @@ std::vector<DynamicVertex> onGpu(CapturePass& pass, const RenderMesh& mesh, std:
             glGetBufferSubData(GL_COPY_READ_BUFFER, offset, bytes, result.data() + range.first);
             offset += bytes;
         }
-    });
+    };
+    pass.run(
+        buffers, runs, [&](const gl::Program& program) { arrays.upload(program); }, read);
     return result;
 }
 
@@ -47,11 +49,9 @@ std::vector<DynamicVertex> onCpu(const RenderMesh& mesh, std::span<const Hit> hi
                                  std::span<const CaptureRun> runs, std::size_t& moved) {
     std::vector<DynamicVertex> result = mesh.vertices;
     for (const CaptureRun& run : runs) {
-        for (const VertexRange& range : run.ranges) {
-            for (DynamicVertex& vertex : std::span(result).subspan(range.first, range.count)) {
-                for (std::size_t hit = run.firstHit; hit < run.lastHit; ++hit) {
-                    moved += deform(vertex.position, vertex.normal, hits[hit]) ? 1 : 0;
-                }
+        for (DynamicVertex& vertex : std::span(result).subspan(run.range.first, run.range.count)) {
+            for (std::size_t hit = run.firstHit; hit < run.lastHit; ++hit) {
+                moved += deform(vertex.position, vertex.normal, hits[hit]) ? 1 : 0;
             }
         }
     }
@@ -77,7 +77,7 @@ private Q_SLOTS:
         if (!m_gl.open()) {
             return;
         }
-        Result<CapturePass> pass = CapturePass::create(kHits);
+        Result<CapturePass> pass = CapturePass::create(hitArrayDefines(kHits));
         QVERIFY2(pass.ok(), pass.ok() ? "" : pass.error().message().c_str());
         m_pass = std::make_unique<CapturePass>(std::move(pass).value());
     }
@@ -100,7 +100,7 @@ private Q_SLOTS:
         for (std::uint32_t seed = 0; seed < 4; ++seed) {
             const std::vector<Hit> hits = randomHits(scene, seed, kHits, 16);
             const std::vector<CaptureRun> all = {
-                {{{0, static_cast<std::uint32_t>(mesh.vertices.size())}}, 0, kHits}};
+                {{0, static_cast<std::uint32_t>(mesh.vertices.size())}, 0, kHits}};
             const std::vector<DynamicVertex> expected = onCpu(mesh, hits, all, moved);
             QCOMPARE(difference(onGpu(*m_pass, mesh, hits, all), expected), QString());
         }
@@ -124,7 +124,7 @@ private Q_SLOTS:
                 const auto axis = static_cast<int>(random() % 3);
                 vertex.position[axis] = nudged(vertex.position[axis], static_cast<int>(random() % 9) - 4);
             }
-            runs.push_back({{{i * kVerticesPerHit, kVerticesPerHit}}, i, i + 1});
+            runs.push_back({{i * kVerticesPerHit, kVerticesPerHit}, i, i + 1});
         }
         std::size_t moved = 0;
         const std::vector<DynamicVertex> expected = onCpu(mesh, hits, runs, moved);
@@ -146,9 +146,9 @@ private Q_SLOTS:
                          {{0, 0.50000006f, 0}, {0, 0, 1}},
                          {{-0.3f, 0, 0.4f}, {0, 0, -1}},
                          {{-0.0f, -0.0f, -0.0f}, {-0.0f, 1, 0}}};
-        mesh.clusters = {{0, 9, {{0, 0, 0}, 1.0f}}};
+        mesh.clusters = {{0, 9, {glm::vec3(-1.0f), glm::vec3(1.0f)}}};
         const std::vector<Hit> hits = {Hit{TargetId{1}, {0, 0, 0}, {0, 0, -1}, {}}};
-        const std::vector<CaptureRun> runs = {{{{0, 9}}, 0, 1}};
+        const std::vector<CaptureRun> runs = {{{0, 9}, 0, 1}};
         std::size_t moved = 0;
         const std::vector<DynamicVertex> expected = onCpu(mesh, hits, runs, moved);
         const std::vector<DynamicVertex> actual = onGpu(*m_pass, mesh, hits, runs);
@@ -178,7 +178,7 @@ private Q_SLOTS:
         along.direction = {0, 0, -1};
         const std::vector<Hit> hits = {weak, along, weak};
         const auto count = static_cast<std::uint32_t>(mesh.vertices.size());
-        const std::vector<CaptureRun> runs = {{{{0, count}}, 0, hits.size()}};
+        const std::vector<CaptureRun> runs = {{{0, count}, 0, hits.size()}};
         std::size_t moved = 0;
         const std::vector<DynamicVertex> expected = onCpu(mesh, hits, runs, moved);
         QCOMPARE(moved, hits.size() * mesh.vertices.size());

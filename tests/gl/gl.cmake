@@ -7,4 +7,3 @@ foreach(test deform_shader pipelines uniform_array)
     SOURCES ${test}_test.cpp pipeline_support.cpp ../support/gl_fixture.cpp
     LINK hitscope_pipeline)
 endforeach()
-hitscope_test(target_reach LABEL gl SOURCES target_reach_test.cpp LINK hitscope_pipeline)

@@ -36,12 +36,12 @@ MeshData meshNamed(const QString& name) {
     return makeLowPolyCube();
 }
 
-Sphere enclosing(std::span<const DynamicVertex> vertices) {
+Bounds enclosing(std::span<const DynamicVertex> vertices) {
     Bounds bounds;
     for (const DynamicVertex& vertex : vertices) {
         bounds.add(vertex.position);
     }
-    return {bounds.centre(), 0.5f * bounds.diagonal() * 1.0001f};
+    return bounds;
 }
 
 bool sameBits(const DynamicVertex& a, const DynamicVertex& b) {

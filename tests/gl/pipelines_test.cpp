@@ -47,21 +47,23 @@ private Q_SLOTS:
         QTest::addColumn<int>("hits");
         QTest::addColumn<int>("palette");
         QTest::addColumn<QStringList>("meshes");
-        const auto add = [](const char* name, PipelineKind kind, int hits, int palette,
+        const auto add = [](const QByteArray& name, PipelineKind kind, int hits, int palette,
                             const QStringList& meshes) {
-            QTest::newRow(name) << static_cast<int>(kind) << hits << palette << meshes;
+            QTest::newRow(name.constData()) << static_cast<int>(kind) << hits << palette << meshes;
         };
         const QStringList sphere{QStringLiteral("HP sphere")};
         const QStringList cube{QStringLiteral("HP cube")};
         const QStringList four{QStringLiteral("LP cube"), QStringLiteral("HP sphere"),
                                QStringLiteral("LP sphere"), QStringLiteral("HP cube")};
-        add("uniform array, sphere", PipelineKind::UniformArray, 600, 1, sphere);
-        add("uniform array, cube, mixed constants", PipelineKind::UniformArray, 600, 16, cube);
-        add("uniform array, four targets", PipelineKind::UniformArray, 600, 7, four);
-        add("feedback, sphere", PipelineKind::TransformFeedback, 1500, 1, sphere);
-        add("feedback, cube, more constants than a batch holds", PipelineKind::TransformFeedback, 1500, 20,
-            cube);
-        add("feedback, four targets", PipelineKind::TransformFeedback, 2000, 7, four);
+        for (const PipelineTraits& traits : allPipelines()) {
+            const QByteArray key(traits.key.data(), static_cast<qsizetype>(traits.key.size()));
+            const bool isLimited =
+                traits.kind == PipelineKind::UniformArray || traits.kind == PipelineKind::UniformArrayCulled;
+            add(key + ", sphere", traits.kind, isLimited ? 600 : 1500, 1, sphere);
+            add(key + ", cube, many constants", traits.kind, isLimited ? 600 : 1500, isLimited ? 16 : 20,
+                cube);
+            add(key + ", four targets", traits.kind, isLimited ? 600 : 2000, 7, four);
+        }
     }
     void equalsReference() {
         QFETCH(const int, kind);
@@ -77,7 +79,7 @@ private Q_SLOTS:
         pipeline->reset(history);
         mirror.readBack(*pipeline);
         QCOMPARE(differenceFromReference(mirror, scene, history), QString());
-        QCOMPARE(pipeline->droppedHits(), std::size_t{0});
+        QCOMPARE(pipeline->capacity().dropped.size(), std::size_t{0});
         QVERIFY(!difference(mirror.vertices(scene[0].id), scene[0].mesh.vertices).isEmpty());
     }
 

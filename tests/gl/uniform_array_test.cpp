@@ -12,9 +12,9 @@ using namespace test;
 
 namespace {
 
-constexpr PipelineLimits kLeastLimits{1024};  // what OpenGL 3.3 guarantees
+constexpr PipelineOptions kLeastLimits{1024, {}};  // what OpenGL 3.3 guarantees
 
-std::unique_ptr<DeformationPipeline> uniformArray(TestScene& scene, const PipelineLimits& limits = {}) {
+std::unique_ptr<DeformationPipeline> uniformArray(TestScene& scene, const PipelineOptions& limits = {}) {
     Result<std::unique_ptr<DeformationPipeline>> made = makePipeline(PipelineKind::UniformArray, limits);
     if (!made) {
         qWarning("%s", made.error().message().c_str());
@@ -106,7 +106,7 @@ private Q_SLOTS:
         TestScene scene = makeScene({QStringLiteral("LP sphere"), QStringLiteral("LP cube")});
         const auto pipeline = uniformArray(scene, kLeastLimits);
         QVERIFY(pipeline);
-        QCOMPARE(pipeline->capacity(), std::optional<std::size_t>(128));
+        QCOMPARE(pipeline->capacity().capacity, std::optional<std::size_t>(128));
         const std::vector<Hit> hits = randomHits(scene, 17, 400, 3);
         Mirror mirror(scene);
         for (std::size_t done = 0; done < hits.size();) {
@@ -115,14 +115,14 @@ private Q_SLOTS:
             done += count;
             mirror.readBack(*pipeline);
             const std::size_t kept = std::min<std::size_t>(done, 128);
-            QCOMPARE(pipeline->droppedHits(), done - kept);
+            QCOMPARE(pipeline->capacity().dropped.size(), done - kept);
             if (done % 50 == 0 || done == hits.size()) {
                 QCOMPARE(differenceFromReference(mirror, scene, std::span(hits).subspan(done - kept, kept)),
                          QString());
             }
         }
         pipeline->reset(std::span(hits).first(10));
-        QCOMPARE(pipeline->droppedHits(), std::size_t{0});
+        QCOMPARE(pipeline->capacity().dropped.size(), std::size_t{0});
         mirror.readBack(*pipeline);
         QCOMPARE(differenceFromReference(mirror, scene, std::span(hits).first(10)), QString());
     }
@@ -139,11 +139,11 @@ private Q_SLOTS:
         Mirror mirror(scene);
         pipeline->reset(hits);
         mirror.readBack(*pipeline);
-        QCOMPARE(pipeline->droppedHits(), std::size_t{20});
+        QCOMPARE(pipeline->capacity().dropped.size(), std::size_t{20});
         QCOMPARE(differenceFromReference(mirror, scene, std::span(hits).subspan(20)), QString());
         const std::vector<Hit> more(1, hits.back());
         pipeline->append(more);
-        QCOMPARE(pipeline->droppedHits(), std::size_t{20});
+        QCOMPARE(pipeline->capacity().dropped.size(), std::size_t{20});
     }
 
     // The paper's loop, over all hits of the scene, gives what readBack() reads.
@@ -155,7 +155,7 @@ private Q_SLOTS:
     void drawingProgramsComputeWhatIsRead() {
         QFETCH(const bool, least);
         TestScene scene = makeScene({QStringLiteral("LP cube"), QStringLiteral("HP sphere")});
-        const auto pipeline = uniformArray(scene, least ? kLeastLimits : PipelineLimits{});
+        const auto pipeline = uniformArray(scene, least ? kLeastLimits : PipelineOptions{});
         QVERIFY(pipeline);
         Result<gl::Program> program = drawingProgram(*pipeline);
         Result<gl::Program> second = drawingProgram(*pipeline);
@@ -206,7 +206,7 @@ private Q_SLOTS:
         Result<std::unique_ptr<DeformationPipeline>> made = makePipeline(PipelineKind::TransformFeedback);
         QVERIFY(made.ok());
         DeformationPipeline& pipeline = *made.value();
-        QVERIFY(!pipeline.capacity());
+        QVERIFY(!pipeline.capacity().capacity);
         pipeline.addTarget(scene[0].id, *scene[0].buffers);
         pipeline.append(randomHits(scene, 41, 30));
         const Result<gl::Program> program = drawingProgram(pipeline);

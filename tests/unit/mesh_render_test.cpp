@@ -113,9 +113,8 @@ private Q_SLOTS:
             QVERIFY(cluster.count > 0 && cluster.count <= kClusterVertices);
             next += cluster.count;
             for (std::uint32_t r = cluster.first; r < next; ++r) {
-                QVERIFY(glm::distance(glm::dvec3(render.vertices[r].position),
-                                      glm::dvec3(cluster.bounds.centre)) <=
-                        static_cast<double>(cluster.bounds.radius));
+                QVERIFY(glm::all(glm::lessThanEqual(cluster.bounds.min, render.vertices[r].position)));
+                QVERIFY(glm::all(glm::lessThanEqual(render.vertices[r].position, cluster.bounds.max)));
                 QVERIFY(glm::all(glm::lessThanEqual(render.bounds.min, render.vertices[r].position)));
                 QVERIFY(glm::all(glm::lessThanEqual(render.vertices[r].position, render.bounds.max)));
             }
@@ -286,7 +285,7 @@ private Q_SLOTS:
     void clustersAreCompact() {
         const RenderMesh render = buildRenderMesh(makeHighPolySphere(2.5f));
         for (const Cluster& cluster : render.clusters) {
-            QVERIFY(cluster.bounds.radius < 1.6f);  // a 33rd of the surface of a sphere of 2.5
+            QVERIFY(cluster.bounds.diagonal() < 1.7f);  // a 129th of the surface of a sphere of 2.5
         }
     }
 };

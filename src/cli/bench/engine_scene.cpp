@@ -50,7 +50,7 @@ public:
             m_pipeline->append(m_arrived);
             m_arrived.clear();
         }
-        m_pipeline->readBack(
+        m_pipeline->pollReadBack(
             [this](TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices) {
                 m_copies[target.value - 1].write(first, vertices);
             });
@@ -67,7 +67,7 @@ public:
         return targets;
     }
 
-    std::size_t droppedHits() const override { return m_pipeline->droppedHits(); }
+    std::size_t droppedHits() const override { return m_pipeline->capacity().dropped.size(); }
 
 private:
     void addTargets() {

@@ -126,7 +126,7 @@ void HitSizeBench::Private::enter(PipelineKind kind) {
     entrant->kind = kind;
     entrant->buffers = std::make_unique<TargetBuffers>(mesh);
     entrant->pipeline = std::move(made).value();
-    entrant->keepsFew = entrant->pipeline->capacity().has_value();
+    entrant->keepsFew = entrant->pipeline->capacity().capacity.has_value();
     entrant->pipeline->addTarget(kTarget, *entrant->buffers);
     entrants.push_back(std::move(entrant));
 }

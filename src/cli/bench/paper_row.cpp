@@ -36,7 +36,7 @@ RowBench::RowBench(const BenchRoom& room, const RowOptions& options) : m_room(ro
             m_unavailable[kind] = pipeline.error().message();
             return true;
         }
-        m_keepsFew[kind] = pipeline.value()->capacity().has_value();
+        m_keepsFew[kind] = pipeline.value()->capacity().capacity.has_value();
         return false;
     });
 }

@@ -108,8 +108,11 @@ double countAffected(const RenderMesh& mesh, const std::vector<Hit>& hits) {
     std::vector<DynamicVertex> vertices = mesh.vertices;
     ClusterReach reach(mesh.clusters);
     std::size_t affected = 0;
+    std::vector<std::uint32_t> reached;
     for (const Hit& hit : hits) {
-        for (const VertexRange& range : reach.advance(hit)) {
+        reached.clear();
+        reach.advance(hit, reached);
+        for (const VertexRange& range : reach.rangesOf(reached)) {
             for (DynamicVertex& vertex : std::span(vertices).subspan(range.first, range.count)) {
                 affected += deform(vertex.position, vertex.normal, hit) ? 1 : 0;
             }

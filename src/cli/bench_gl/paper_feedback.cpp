@@ -73,7 +73,7 @@ void PaperFeedback::apply(const Hit& hit) {
 }
 
 void PaperFeedback::capture(const Hit& hit) {
-    m_hit.clear();
+    m_hit = HitArrays(1);
     static_cast<void>(m_hit.add(hit));  // empty arrays have room
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.framebuffer());
     glEnable(GL_RASTERIZER_DISCARD);

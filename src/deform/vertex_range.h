@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
-#include "deform/cluster_reach.h"
-
 namespace hitscope {
+
+/// A run of render vertices, [first, first + count).
+struct VertexRange {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    bool operator==(const VertexRange&) const = default;
+};
+
+/// Sorts, and joins ranges that touch or overlap.
+[[nodiscard]] std::vector<VertexRange> merged(std::vector<VertexRange> ranges);
+
+/// Sum of the ranges' vertices.
+[[nodiscard]] std::size_t vertexCount(std::span<const VertexRange> ranges);
 
 /// Vertex ranges gathered over many hits. Holds no more than a small multiple of the different ranges,
 /// however often they are added.
@@ -14,8 +26,6 @@ class ChangedRanges {
 public:
     void add(std::span<const VertexRange> ranges);
     [[nodiscard]] bool empty() const { return m_ranges.empty(); }
-    /// All that was added, in no order.
-    [[nodiscard]] std::span<const VertexRange> ranges() const { return m_ranges; }
     /// All that was added, sorted and merged; nothing is left.
     [[nodiscard]] std::vector<VertexRange> take();
 

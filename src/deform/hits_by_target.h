@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "deform/hit_history.h"
+
+namespace hitscope {
+
+/// A change of the enabled hits on one target: those at [first, first + before.size()) became `after`.
+struct TargetEdit {
+    TargetId target;
+    std::size_t first = 0;
+    std::vector<Hit> before;
+    std::vector<Hit> after;
+};
+
+/// The enabled hits of a history, sorted by target. Targets do not influence one another, so this is how
+/// whoever deforms meshes sees a history.
+class HitsByTarget {
+public:
+    /// Follows an edit of the history. Returns what it changes, each target once; nothing where it changes
+    /// nothing.
+    std::vector<TargetEdit> apply(const HistoryEdit& edit);
+    /// Starts over with these hits.
+    void reset(std::span<const Hit> history);
+
+    [[nodiscard]] std::span<const Hit> of(TargetId target) const;
+
+private:
+    struct Place {
+        TargetId target;
+        bool enabled = true;
+    };
+    [[nodiscard]] std::size_t enabledBefore(std::size_t index, TargetId target) const;
+
+    std::vector<Place> m_places;  ///< one a hit of the history
+    std::unordered_map<TargetId, std::vector<Hit>> m_hits;
+};
+
+}  // namespace hitscope

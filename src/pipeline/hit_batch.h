@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "deform/hit.h"
+#include "deform/vertex_range.h"
+#include "mesh/render_mesh.h"
+
+namespace hitscope {
+
+/// A hit as the shaders of hits.glsl and deform.comp read it from a buffer: three vec4.
+struct PackedHit {
+    glm::vec3 point;
+    float maxDistance;
+    glm::vec3 direction;
+    float power;
+    float maxMagnitude;
+    float unused[3];
+};
+static_assert(sizeof(PackedHit) == 48);
+
+/// A cluster and the hits of a batch that may reach it: entries [firstIndex, firstIndex + indexCount) of the
+/// batch's list of hits, in the order they strike. A uvec4 to deform.comp.
+struct ClusterHits {
+    std::uint32_t firstVertex = 0;
+    std::uint32_t vertexCount = 0;
+    std::uint32_t firstIndex = 0;
+    std::uint32_t indexCount = 0;
+};
+static_assert(sizeof(ClusterHits) == 16);
+
+/// Hits on one target that are applied in one pass. A vertex meets only the hits that may reach its cluster;
+/// order matters only within a vertex, so clusters may be done in any order and side by side.
+class HitBatch {
+public:
+    /// `clusters` outlive this.
+    explicit HitBatch(std::span<const Cluster> clusters) : m_clusters(clusters) {}
+
+    /// What a buffer texture is sure to hold, in texels.
+    static constexpr std::size_t kMostIndices = 65536;
+    static constexpr std::size_t kMostHits = 4096;
+
+    /// Whether add() may be called for one more hit that may reach that many clusters. Empty batches have
+    /// room.
+    [[nodiscard]] bool hasRoom(std::size_t reached) const;
+    /// The next hit and the clusters it may reach. A hit that reaches none is left out.
+    void add(const Hit& hit, std::span<const std::uint32_t> reached);
+    [[nodiscard]] bool empty() const { return m_hits.empty(); }
+    void clear();
+
+    /// Sorts the hits by cluster: call when all are added, and before reading the rest.
+    void finish();
+    [[nodiscard]] std::span<const PackedHit> hits() const { return m_hits; }
+    [[nodiscard]] std::span<const std::uint32_t> indices() const { return m_indices; }  ///< into hits()
+    /// The clusters reached, ascending.
+    [[nodiscard]] std::span<const ClusterHits> clusters() const { return m_work; }
+    /// Likewise, neighbours that meet the same hits put together.
+    [[nodiscard]] std::vector<ClusterHits> runs() const;
+    /// All vertices of the clusters reached, sorted and merged.
+    [[nodiscard]] std::vector<VertexRange> ranges() const;
+
+private:
+    struct Reach {
+        std::uint32_t cluster;
+        std::uint32_t hit;
+    };
+    void shareIndices(ClusterHits& work);
+
+    std::span<const Cluster> m_clusters;
+    std::vector<PackedHit> m_hits;
+    std::vector<Reach> m_reaches;  ///< as added: in the order of the hits
+    std::vector<std::uint32_t> m_indices;
+    std::vector<ClusterHits> m_work;
+};
+
+}  // namespace hitscope

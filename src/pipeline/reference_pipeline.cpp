@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/reference_pipeline.h"
+
+#include "deform/deform.h"
+
+namespace hitscope {
+
+const PipelineTraits& ReferencePipeline::traits() const {
+    return pipelineTraits(PipelineKind::Reference);
+}
+
+void ReferencePipeline::learnTarget(TargetId target, const TargetBuffers& buffers) {
+    std::vector<DynamicVertex>& vertices = m_vertices[target];
+    vertices.resize(buffers.vertexCount());
+    buffers.read({0, buffers.vertexCount()}, vertices);
+}
+
+void ReferencePipeline::forgetTarget(TargetId target) {
+    m_vertices.erase(target);
+}
+
+void ReferencePipeline::followWrites(TargetId target, const TargetBuffers& buffers,
+                                     std::span<const VertexRange> ranges) {
+    const std::span<DynamicVertex> vertices(m_vertices.at(target));
+    for (const VertexRange& range : ranges) {
+        buffers.read(range, vertices.subspan(range.first, range.count));
+    }
+}
+
+void ReferencePipeline::deform(TargetId target, TargetBuffers& buffers, const HitBatch& batch) {
+    m_hits.clear();
+    for (const PackedHit& hit : batch.hits()) {
+        m_hits.push_back({.target = target,
+                          .point = hit.point,
+                          .direction = hit.direction,
+                          .constants = {hit.maxDistance, hit.power, hit.maxMagnitude}});
+    }
+    const std::span<DynamicVertex> vertices(m_vertices.at(target));
+    for (const ClusterHits& cluster : batch.clusters()) {
+        const auto indices = batch.indices().subspan(cluster.firstIndex, cluster.indexCount);
+        for (DynamicVertex& vertex : vertices.subspan(cluster.firstVertex, cluster.vertexCount)) {
+            for (const std::uint32_t index : indices) {
+                hitscope::deform(vertex.position, vertex.normal, m_hits[index]);
+            }
+        }
+    }
+    for (const VertexRange& range : batch.ranges()) {
+        buffers.write(range.first, vertices.subspan(range.first, range.count));
+    }
+}
+
+}  // namespace hitscope
