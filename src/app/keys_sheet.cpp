@@ -43,12 +43,14 @@ constexpr Line kDisplay[] = {{TEXT("L"), TEXT("Wireframe: off, over, only")},
 constexpr Line kFiles[] = {{TEXT("Ctrl+O"), TEXT("Open a mesh; or drop it on the window")},
                            {TEXT("Ctrl+E"), TEXT("Export the deformed mesh")},
                            {TEXT("F12"), TEXT("Save the picture")},
-                           {TEXT("Ctrl+Z"), TEXT("Undo a hit")},
+                           {TEXT("Ctrl+Z"), TEXT("Undo the last change of the hits")},
                            {TEXT("Ctrl+Shift+Z"), TEXT("Redo")},
                            {TEXT("Ctrl+Shift+Del"), TEXT("Clear all hits")},
-                           {TEXT("Del"), TEXT("Remove the hits selected in the hit history")},
-                           {TEXT("Ctrl+C"), TEXT("Copy the selected hits as CSV")},
                            {TEXT("Ctrl+Q"), TEXT("Quit")}};
+constexpr Line kHistory[] = {{TEXT("Space"), TEXT("Disable or enable the selected hits")},
+                             {TEXT("Alt+Up Alt+Down"), TEXT("Move them; or drag them to another place")},
+                             {TEXT("Del"), TEXT("Remove them")},
+                             {TEXT("Ctrl+C"), TEXT("Copy them as CSV")}};
 #undef TEXT
 
 QString text(const char* words) {
@@ -90,9 +92,12 @@ void showKeysSheet(QWidget* parent) {
     layout->addWidget(
         section(text(QT_TRANSLATE_NOOP("hitscope::KeysSheet", "Files and hits")), kFiles, colour, sheet), 1,
         1);
+    layout->addWidget(
+        section(text(QT_TRANSLATE_NOOP("hitscope::KeysSheet", "Hit history")), kHistory, colour, sheet), 2,
+        0);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, sheet);
     QObject::connect(buttons, &QDialogButtonBox::rejected, sheet, &QDialog::close);
-    layout->addWidget(buttons, 2, 0, 1, 2);
+    layout->addWidget(buttons, 3, 0, 1, 2);
     layout->setSizeConstraint(QLayout::SetFixedSize);
     sheet->show();
 }

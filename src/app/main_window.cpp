@@ -85,8 +85,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     followLights();
     followViewportTheme();
     restoreWindow();
-    statusBar()->showMessage(
-        tr("Click shoots, drag orbits, right-drag pans, wheel zooms. F1 lists all keys."), kHintStays);
+    statusBar()->showMessage(tr("Click shoots, drag orbits, wheel zooms. F1 lists all keys."), kHintStays);
     m_viewport->setFocus();
 }
 

@@ -53,13 +53,15 @@ QComboBox* PipelineChooser::makeBox(QWidget* parent) {
     return m_box;
 }
 
+/// Rich text, which is broken into lines.
 QString PipelineChooser::toolTip(const PipelineTraits& traits) const {
+    const auto paragraph = [](const QString& words) {
+        return QStringLiteral("<p>%1</p>").arg(words.toHtmlEscaped());
+    };
     const QString reason = m_session.whyUnavailable(traits.kind);
-    QString tip = text(traits.description);
-    if (!reason.isEmpty()) {
-        tip.prepend(tr("Not available here: %1").arg(reason) + u'\n');
-    }
-    return tip;
+    return (reason.isEmpty() ? QString() : paragraph(tr("Not available here: %1").arg(reason))) +
+           paragraph(text(traits.description)) +
+           paragraph(tr("Needs %1. Keeps %2.").arg(text(traits.needs), text(traits.keeps)));
 }
 
 void PipelineChooser::follow() {
@@ -79,7 +81,7 @@ void PipelineChooser::follow() {
         items->item(row)->setToolTip(toolTip(pipelineTraits(kind)));
     }
     m_box->setCurrentIndex(m_box->findData(static_cast<int>(m_session.pipeline())));
-    m_box->setToolTip(tr("How hits are applied. %1").arg(toolTip(pipelineTraits(m_session.pipeline()))));
+    m_box->setToolTip(toolTip(pipelineTraits(m_session.pipeline())));
 }
 
 void PipelineChooser::leaveUnavailable() {

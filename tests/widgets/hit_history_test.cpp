@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QLabel>
 #include <QMenu>
-#include <QProgressBar>
 #include <QScrollBar>
 #include <QStyle>
 #include <QStyleOptionViewItem>
@@ -13,6 +12,7 @@
 #include <QWindow>
 #include <functional>
 
+#include "panels/hit_history/capacity_meter.h"
 #include "panels/hit_history/hit_history_panel.h"
 
 using namespace hitscope;
@@ -259,23 +259,32 @@ void HitHistoryTest::selectsAllOnTheTarget() {
 
 void HitHistoryTest::summaryAndMeter() {
     const auto* summary = m_panel->findChild<QLabel*>(QStringLiteral("summary"));
-    auto* meter = m_panel->findChild<QProgressBar*>(QStringLiteral("meter"));
+    const auto* meter = m_panel->findChild<CapacityMeter*>();
     QCOMPARE(summary->text(), QStringLiteral("6 hits"));
     QVERIFY(!meter->isVisible());
     m_session->setPipeline(PipelineKind::UniformArray);
     m_session->setCapacity({10, false, 6, {}});
     QVERIFY(meter->isVisible());
     QCOMPARE(meter->text(), QStringLiteral("6 of 10 hits in the uniform array"));
-    const QColor calm = meter->palette().color(QPalette::Highlight);
+    QVERIFY(!meter->isFull());
     m_session->setHitsEnabled(std::vector<std::size_t>{5}, false);
     m_session->setCapacity({4, false, 4, {0}});
     QCOMPARE(summary->text(), QStringLiteral("6 hits, 1 disabled, 1 dropped"));
     QCOMPARE(meter->text(), QStringLiteral("4 of 4 hits in the uniform array"));
-    QVERIFY(meter->palette().color(QPalette::Highlight) != calm);
+    QVERIFY(meter->isFull());
     QVERIFY(meter->toolTip().contains(QStringLiteral("Dropped so far: 1")));
     m_session->setCapacity({4, true, 3, {}});
     QCOMPARE(meter->text(), QStringLiteral("3 of 4 hits on the fullest target"));
-    QCOMPARE(meter->palette().color(QPalette::Highlight), calm);
+    QVERIFY(!meter->isFull());
+    // Full, it is of another colour.
+    const auto filled = [this] {
+        auto* drawn = m_panel->findChild<CapacityMeter*>();
+        return drawn->grab().toImage().pixelColor(4, drawn->height() / 2);
+    };
+    m_session->setCapacity({4, false, 4, {}});
+    const QColor full = filled();
+    m_session->setCapacity({4, false, 3, {}});
+    QVERIFY(filled() != full);
     m_session->setCapacity({});
     QVERIFY(!meter->isVisible());
 }

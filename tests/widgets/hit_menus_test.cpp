@@ -143,7 +143,11 @@ void HitMenusTest::unavailablePipelinesAreGrey() {
     m_session->setUnavailablePipelines({{PipelineKind::UniformArray, reason}});
     QVERIFY(!items->item(row)->isEnabled() && !entry->isEnabled());
     QVERIFY(items->item(row)->toolTip().contains(reason) && entry->toolTip().contains(reason));
-    QVERIFY(items->item(row)->toolTip().contains(QLatin1String("Every vertex")));
+    const PipelineTraits& traits = pipelineTraits(PipelineKind::UniformArray);
+    for (const std::string_view words : {traits.description, traits.needs, traits.keeps}) {
+        const QString text = QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
+        QVERIFY2(items->item(row)->toolTip().contains(text.toHtmlEscaped()), qPrintable(text));
+    }
     m_session->setUnavailablePipelines({});
     QVERIFY(items->item(row)->isEnabled() && entry->isEnabled());
 

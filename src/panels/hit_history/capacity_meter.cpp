@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/hit_history/capacity_meter.h"
 
-#include <QEvent>
-#include <QGuiApplication>
+#include <QStyleOptionProgressBar>
+#include <QStylePainter>
 #include <algorithm>
 
 #include "models/quantity_text.h"
@@ -25,7 +25,7 @@ QString nameInside(PipelineKind kind) {
 
 }  // namespace
 
-CapacityMeter::CapacityMeter(QWidget* parent) : QProgressBar(parent) {
+CapacityMeter::CapacityMeter(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     hide();
 }
@@ -46,10 +46,10 @@ void CapacityMeter::read(const Session& session) {
     const QString used = countText(report.used);
     const QString capacity = countText(*report.capacity);
     const QString pipeline = nameInside(session.pipeline());
-    setRange(0, std::max(1, static_cast<int>(*report.capacity)));
-    setValue(std::min(maximum(), static_cast<int>(report.used)));
-    setFormat(report.perTarget ? tr("%1 of %2 hits on the fullest target").arg(used, capacity)
-                               : tr("%1 of %2 hits in the %3").arg(used, capacity, pipeline));
+    m_capacity = std::max(1, static_cast<int>(*report.capacity));
+    m_used = std::min(m_capacity, static_cast<int>(report.used));
+    m_text = report.perTarget ? tr("%1 of %2 hits on the fullest target").arg(used, capacity)
+                              : tr("%1 of %2 hits in the %3").arg(used, capacity, pipeline);
     QString tip = report.perTarget
                       ? tr("The %1 keeps the last %2 hits on each target; older ones are dropped.")
                       : tr("The %1 keeps the last %2 hits of the scene; older ones are dropped.");
@@ -61,30 +61,28 @@ void CapacityMeter::read(const Session& session) {
     }
     setToolTip(tip);
     updateGeometry();
-    colour();
+    update();
 }
 
-void CapacityMeter::colour() {
-    QPalette palette = QGuiApplication::palette();
-    if (maximum() > 0 && value() == maximum()) {
+void CapacityMeter::paintEvent(QPaintEvent*) {
+    QStyleOptionProgressBar option;
+    option.initFrom(this);
+    option.state |= QStyle::State_Horizontal;
+    option.maximum = m_capacity;
+    option.progress = m_used;
+    option.text = fontMetrics().elidedText(m_text, Qt::ElideRight, width() - 4);
+    option.textVisible = true;
+    option.textAlignment = Qt::AlignCenter;
+    if (isFull()) {
         const bool dark =
-            palette.color(QPalette::WindowText).lightness() > palette.color(QPalette::Window).lightness();
-        palette.setColor(QPalette::Highlight, QColor(dark ? kFullOnDark : kFullOnLight));
+            palette().color(QPalette::WindowText).lightness() > palette().color(QPalette::Window).lightness();
+        option.palette.setColor(QPalette::Highlight, QColor(dark ? kFullOnDark : kFullOnLight));
     }
-    if (palette != this->palette()) {
-        setPalette(palette);
-    }
-}
-
-void CapacityMeter::changeEvent(QEvent* event) {
-    QProgressBar::changeEvent(event);
-    if (event->type() == QEvent::ApplicationPaletteChange) {
-        colour();
-    }
+    QStylePainter(this).drawControl(QStyle::CE_ProgressBar, option);
 }
 
 QSize CapacityMeter::sizeHint() const {
-    return {fontMetrics().horizontalAdvance(text()) + kPadding, fontMetrics().height() + 2};
+    return {fontMetrics().horizontalAdvance(m_text) + kPadding, fontMetrics().height() + 2};
 }
 
 QSize CapacityMeter::minimumSizeHint() const {
