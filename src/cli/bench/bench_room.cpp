@@ -27,8 +27,19 @@ Result<std::unique_ptr<BenchRoom>> BenchRoom::open(int width, int height) {
         return Error{"The driver cannot draw a picture of that size.",
                      std::to_string(width) + "x" + std::to_string(height), "Choose a smaller --size."};
     }
+    const Result<Exactness> exactness = measureExactness();
+    if (!exactness) {
+        return exactness.error();
+    }
+    room->m_exactness = exactness.value();
     room->m_onTerminal = isatty(STDERR_FILENO) == 1;
     return room;
+}
+
+Result<std::unique_ptr<DeformationPipeline>> BenchRoom::makePipeline(PipelineKind kind) const {
+    PipelineOptions options;
+    options.deformDefines = m_exactness.defines();
+    return hitscope::makePipeline(kind, options);
 }
 
 void BenchRoom::say(const QString& what) const {

@@ -9,6 +9,8 @@
 #include "cli/bench/bench_options.h"
 #include "gl/context.h"
 #include "gl/render_target.h"
+#include "pipeline/deformation_pipeline.h"
+#include "pipeline/exactness.h"
 
 namespace hitscope::bench {
 
@@ -19,6 +21,9 @@ public:
     [[nodiscard]] static Result<std::unique_ptr<BenchRoom>> open(int width, int height);
 
     [[nodiscard]] const gl::RenderTarget& picture() const { return *m_picture; }
+    [[nodiscard]] const Exactness& exactness() const { return m_exactness; }
+    /// As the window makes it. The error says why it cannot run here.
+    [[nodiscard]] Result<std::unique_ptr<DeformationPipeline>> makePipeline(PipelineKind kind) const;
 
     /// Measures; OpenGL errors on the way are errors. `what` is told on a terminal while it lasts.
     [[nodiscard]] Result<std::vector<Samples>> measure(const QString& what,
@@ -31,6 +36,7 @@ private:
     BenchRoom() = default;
     std::unique_ptr<gl::OffscreenContext> m_context;
     std::optional<gl::RenderTarget> m_picture;
+    Exactness m_exactness;
     bool m_onTerminal = false;
 };
 

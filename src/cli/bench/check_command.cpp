@@ -60,7 +60,7 @@ Result<bool> runChecks(const CheckOptions& options) {
     }
     Report report;
     report.benchmark = QStringLiteral("check");
-    report.header = reportHeader(kCheckWidth, kCheckHeight);
+    report.header = reportHeader(*room.value(), kCheckWidth, kCheckHeight);
     report.fields = {QStringLiteral("name"), QStringLiteral("about"), QStringLiteral("ratio"),
                      QStringLiteral("at_most"), QStringLiteral("kept")};
     report.tables.push_back(

@@ -44,7 +44,7 @@ Result<std::vector<std::vector<HitFigure>>> measureSizes(const BenchRoom& room, 
     for (const int vertices : sizes) {
         room.say(
             QStringLiteral("making a sphere of %1 vertices").arg(grouped(static_cast<qulonglong>(vertices))));
-        Result<std::unique_ptr<HitSizeBench>> bench = HitSizeBench::create(vertices, options);
+        Result<std::unique_ptr<HitSizeBench>> bench = HitSizeBench::create(room, vertices, options);
         if (!bench) {
             return bench.error();
         }

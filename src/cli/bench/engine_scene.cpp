@@ -127,14 +127,9 @@ std::vector<TargetPlan> planRow(const PaperRow& row, bool textured) {
     return plans;
 }
 
-Result<std::unique_ptr<Scene>> makeEngineScene(const RowParts& parts, PipelineKind pipeline,
-                                               Renderer& renderer, const gl::RenderTarget& picture) {
-    Result<std::unique_ptr<DeformationPipeline>> made = makePipeline(pipeline);
-    if (!made) {
-        return made.error();
-    }
-    return std::unique_ptr<Scene>(
-        std::make_unique<EngineScene>(parts, std::move(made).value(), renderer, picture));
+std::unique_ptr<Scene> makeEngineScene(const RowParts& parts, std::unique_ptr<DeformationPipeline> pipeline,
+                                       Renderer& renderer, const gl::RenderTarget& picture) {
+    return std::make_unique<EngineScene>(parts, std::move(pipeline), renderer, picture);
 }
 
 }  // namespace hitscope::bench

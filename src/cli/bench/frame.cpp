@@ -5,7 +5,6 @@
 #include "cli/bench/history.h"
 #include "cli/bench/report_header.h"
 #include "cli/command_line.h"
-#include "pipeline/deformation_pipeline.h"
 
 namespace hitscope::bench {
 
@@ -88,7 +87,7 @@ Status measureScene(const BenchRoom& room, const FrameOptions& options, const QS
                     const StillScene& scene, Report& report) {
     for (const PipelineKind pipeline : options.common.pipelines) {
         const QString what = QStringLiteral("%1, %2").arg(name, pipelineName(pipeline));
-        if (Result<std::unique_ptr<DeformationPipeline>> made = makePipeline(pipeline); !made) {
+        if (Result<std::unique_ptr<DeformationPipeline>> made = room.makePipeline(pipeline); !made) {
             report.notes << QStringLiteral("%1 cannot run here: %2")
                                 .arg(pipelineName(pipeline), QString::fromStdString(made.error().message()));
             continue;
@@ -122,7 +121,7 @@ Status runFrame(const FrameOptions& options) {
     }
     Report report;
     report.benchmark = QStringLiteral("frame");
-    report.header = reportHeader(options.common.width, options.common.height);
+    report.header = reportHeader(*room.value(), options.common.width, options.common.height);
     report.fields = {QStringLiteral("scene"),
                      QStringLiteral("vertices"),
                      QStringLiteral("pipeline"),

@@ -30,7 +30,7 @@ QString methodName(const HitFigure& figure) {
         case Method::Pipeline:
             return pipelineName(figure.pipeline);
         case Method::WithReadBack:
-            return pipelineName(figure.pipeline) + QStringLiteral(", read back");
+            return pipelineName(figure.pipeline) + QStringLiteral(", CPU follows");
         case Method::PaperFeedback:
             return QStringLiteral("The paper's own way");
         case Method::Copy:
@@ -133,7 +133,7 @@ QStringList hitNotes() {
                 "done; before it the sphere is made whole. Affected: vertices a hit moves, counted."),
             QStringLiteral(
                 "Hits on finer spheres are smaller in all directions, so that they move as many vertices. "
-                "Read back: the CPU's copy is brought up to date after each frame's hits."),
+                "CPU follows: what changed is read back as well, as the window does it."),
             QStringLiteral(
                 "The paper's own way: capture all vertices, read all back, replace the modified, upload "
                 "all. memcpy: the affected vertices' 24 bytes each; nothing that moves them is faster."),
@@ -146,7 +146,7 @@ Result<MeasuredSize> measureSize(const BenchRoom& room, int vertices, const HitC
                                  QStringList& notes) {
     const QString what = QStringLiteral("%1 vertices").arg(grouped(static_cast<qulonglong>(vertices)));
     room.say(what + QStringLiteral(": making the sphere"));
-    Result<std::unique_ptr<HitSizeBench>> bench = HitSizeBench::create(vertices, options.hits);
+    Result<std::unique_ptr<HitSizeBench>> bench = HitSizeBench::create(room, vertices, options.hits);
     if (!bench) {
         return bench.error();
     }
@@ -169,7 +169,7 @@ Status runHit(const HitCommandOptions& options) {
     }
     Report report;
     report.benchmark = QStringLiteral("hit");
-    report.header = reportHeader(0, 0);
+    report.header = reportHeader(*room.value(), 0, 0);
     report.fields = {QStringLiteral("vertices"),
                      QStringLiteral("max_distance"),
                      QStringLiteral("method"),

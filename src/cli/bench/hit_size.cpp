@@ -8,7 +8,6 @@
 #include "cli/bench/sphere.h"
 #include "cli/bench_gl/finish.h"
 #include "cli/bench_gl/paper_feedback.h"
-#include "pipeline/deformation_pipeline.h"
 
 namespace hitscope::bench {
 
@@ -33,6 +32,9 @@ struct Entrant {
     std::unique_ptr<DeformationPipeline> pipeline;  // below the buffers it is given, so that it goes first
     bool keepsFew = false;
 
+    void pollReadBack() const {
+        pipeline->pollReadBack([](TargetId, std::uint32_t, std::span<const DynamicVertex>) {});
+    }
     void readBack() const {
         pipeline->readBack([](TargetId, std::uint32_t, std::span<const DynamicVertex>) {});
     }
@@ -64,7 +66,7 @@ struct HitSizeBench::Private {
     std::vector<DynamicVertex> copy;
     std::vector<std::unique_ptr<Run>> runs;
 
-    void enter(PipelineKind kind);
+    void enter(const BenchRoom& room, PipelineKind kind);
     Run& addRun(Method method, PipelineKind kind, int hitsAFrame, int frames);
     Variant pipelineVariant(Entrant& entrant, int hitsAFrame, Method method);
     Variant paperVariant();
@@ -84,7 +86,8 @@ const QStringList& HitSizeBench::notes() const {
     return d->notes;
 }
 
-Result<std::unique_ptr<HitSizeBench>> HitSizeBench::create(int vertices, const HitOptions& options) {
+Result<std::unique_ptr<HitSizeBench>> HitSizeBench::create(const BenchRoom& room, int vertices,
+                                                           const HitOptions& options) {
     const double bytes =
         vertices * (kMeshBytes + kPipelineBytes * static_cast<double>(options.pipelines.size()));
     if (const QString why = whyItDoesNotFit(bytes); !why.isEmpty()) {
@@ -99,7 +102,7 @@ Result<std::unique_ptr<HitSizeBench>> HitSizeBench::create(int vertices, const H
     const auto made = static_cast<double>(d.mesh.vertices.size());
     d.constants = constantsReaching(options.affected, made, static_cast<double>(kSphereRadius));
     for (const PipelineKind kind : options.pipelines) {
-        d.enter(kind);
+        d.enter(room, kind);
     }
     if (options.yardsticks) {
         Result<PaperFeedback> paper = PaperFeedback::create(d.mesh.vertices);
@@ -115,8 +118,8 @@ Result<std::unique_ptr<HitSizeBench>> HitSizeBench::create(int vertices, const H
     return bench;
 }
 
-void HitSizeBench::Private::enter(PipelineKind kind) {
-    Result<std::unique_ptr<DeformationPipeline>> made = makePipeline(kind);
+void HitSizeBench::Private::enter(const BenchRoom& room, PipelineKind kind) {
+    Result<std::unique_ptr<DeformationPipeline>> made = room.makePipeline(kind);
     if (!made) {
         notes << QStringLiteral("%1 cannot run here: %2")
                      .arg(pipelineName(kind), QString::fromStdString(made.error().message()));
@@ -160,7 +163,7 @@ Variant HitSizeBench::Private::pipelineVariant(Entrant& entrant, int hitsAFrame,
         for (std::size_t frame = 0; frame < static_cast<std::size_t>(run->frames); ++frame) {
             entry->pipeline->append(std::span<const Hit>(run->hits).subspan(frame * count, count));
             if (method == Method::WithReadBack) {
-                entry->readBack();
+                entry->pollReadBack();
             }
         }
         finishGpu();

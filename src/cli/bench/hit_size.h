@@ -22,7 +22,7 @@ struct HitOptions {
 struct HitFigure {
     enum class Method : std::uint8_t {
         Pipeline,       ///< append(), until the GPU is done
-        WithReadBack,   ///< and what changed read back, after each frame's hits
+        WithReadBack,   ///< and the CPU's copy following, frame after frame, as the window has it do
         PaperFeedback,  ///< the paper's own way, see paper_feedback.h
         Copy            ///< memcpy of the affected vertices' bytes: nothing that moves them can be faster
     };
@@ -38,7 +38,7 @@ struct HitFigure {
 class HitSizeBench {
 public:
     /// About so many vertices. The error says why it cannot be: memory, or the driver.
-    [[nodiscard]] static Result<std::unique_ptr<HitSizeBench>> create(int vertices,
+    [[nodiscard]] static Result<std::unique_ptr<HitSizeBench>> create(const BenchRoom& room, int vertices,
                                                                       const HitOptions& options);
     ~HitSizeBench();
     HitSizeBench(const HitSizeBench&) = delete;

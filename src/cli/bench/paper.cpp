@@ -75,7 +75,7 @@ Status runPaper(const PaperOptions& options) {
     }
     Report report;
     report.benchmark = QStringLiteral("paper");
-    report.header = reportHeader(options.common.width, options.common.height);
+    report.header = reportHeader(*room.value(), options.common.width, options.common.height);
     report.notes = paperNotes(bench);
     addPaperRows(report, rows);
     return writeReport(report, options.common.destinations);

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "cli/bench/texture.h"
-#include "pipeline/deformation_pipeline.h"
 
 namespace hitscope::bench {
 
@@ -31,7 +30,7 @@ struct RowBench::Entrant {
 
 RowBench::RowBench(const BenchRoom& room, const RowOptions& options) : m_room(room), m_options(options) {
     std::erase_if(m_options.pipelines, [this](PipelineKind kind) {
-        const Result<std::unique_ptr<DeformationPipeline>> pipeline = makePipeline(kind);
+        const Result<std::unique_ptr<DeformationPipeline>> pipeline = m_room.makePipeline(kind);
         if (!pipeline) {
             m_unavailable[kind] = pipeline.error().message();
             return true;
@@ -71,13 +70,13 @@ Result<std::vector<std::unique_ptr<RowBench::Entrant>>> RowBench::enter(const Ro
         }
         const bool hitsArrive = m_options.hitEvery > 0 && !m_keepsFew.at(kind);
         for (const int hitEvery : {hitsArrive ? m_options.hitEvery : 0, 0}) {
-            Result<std::unique_ptr<Scene>> scene =
-                makeEngineScene(parts, kind, *renderer.value(), m_room.picture());
-            if (!scene) {
-                return scene.error();
+            Result<std::unique_ptr<DeformationPipeline>> pipeline = m_room.makePipeline(kind);
+            if (!pipeline) {
+                return pipeline.error();
             }
             auto entrant = std::make_unique<Entrant>();
-            entrant->scene = std::move(scene).value();
+            entrant->scene =
+                makeEngineScene(parts, std::move(pipeline).value(), *renderer.value(), m_room.picture());
             RandomHits hits(entrant->scene->hitTargets(), DeformationConstants(), m_options.seed);
             entrant->scene->append(hits.next(kPaperHits));
             entrant->figure.pipeline = kind;

@@ -28,13 +28,14 @@ QString processorName() {
 
 }  // namespace
 
-std::vector<std::pair<QString, QString>> reportHeader(int width, int height) {
+std::vector<std::pair<QString, QString>> reportHeader(const BenchRoom& room, int width, int height) {
     const gl::RendererInfo renderer = gl::rendererInfo();
     const unsigned threads = std::thread::hardware_concurrency();
     return {
         {QStringLiteral("program"), QStringLiteral("Hitscope " HITSCOPE_VERSION)},
         {QStringLiteral("renderer"), QString::fromStdString(renderer.renderer)},
         {QStringLiteral("OpenGL"), QString::fromStdString(renderer.version)},
+        {QStringLiteral("deformation"), QString::fromStdString(describe(room.exactness()))},
         {QStringLiteral("processor"),
          QStringLiteral("%1, %2 %3")
              .arg(processorName())

@@ -48,10 +48,9 @@ struct RowParts {
 [[nodiscard]] std::vector<TargetPlan> planRow(const PaperRow& row, bool textured);
 
 /// The targets straight on pipeline and renderer, without a session: so they can have textures, which a row
-/// of the paper's scene has not. `parts`, `renderer` and `picture` outlive the scene. The error says why the
-/// pipeline cannot run here.
-[[nodiscard]] Result<std::unique_ptr<Scene>> makeEngineScene(const RowParts& parts, PipelineKind pipeline,
-                                                             Renderer& renderer,
-                                                             const gl::RenderTarget& picture);
+/// of the paper's scene has not. `parts`, `renderer` and `picture` outlive the scene.
+[[nodiscard]] std::unique_ptr<Scene> makeEngineScene(const RowParts& parts,
+                                                     std::unique_ptr<DeformationPipeline> pipeline,
+                                                     Renderer& renderer, const gl::RenderTarget& picture);
 
 }  // namespace hitscope::bench
