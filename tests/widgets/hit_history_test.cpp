@@ -53,6 +53,7 @@ private Q_SLOTS:
     void selectionAndPlaceSurviveChanges();
     void selectsAllOnTheTarget();
     void summaryAndMeter();
+    void hitsThatDoNothingAreGrey();
     void manyRowsAreHandledAtOnce();
 
 private:
@@ -287,6 +288,18 @@ void HitHistoryTest::summaryAndMeter() {
     QVERIFY(filled() != full);
     m_session->setCapacity({});
     QVERIFY(!meter->isVisible());
+}
+
+void HitHistoryTest::hitsThatDoNothingAreGrey() {
+    const auto picture = [this](int number) { return m_table->viewport()->grab(row(number)).toImage(); };
+    const QImage disabledBefore = picture(1);
+    const QImage droppedBefore = picture(2);
+    const QImage otherBefore = picture(3);
+    m_session->setHitsEnabled(std::vector<std::size_t>{1}, false);
+    m_session->setCapacity({4, false, 4, {2}});
+    QVERIFY(picture(1) != disabledBefore);
+    QVERIFY(picture(2) != droppedBefore);
+    QVERIFY(picture(3) == otherBefore);
 }
 
 void HitHistoryTest::manyRowsAreHandledAtOnce() {
