@@ -10,6 +10,7 @@
 
 #include "app/main_window.h"
 #include "app/theme.h"
+#include "core/memory.h"
 #include "session/session.h"
 #include "viewport/surface_format.h"
 
@@ -43,6 +44,7 @@ bool hasDisplay() {
 }  // namespace
 
 int main(int argc, char** argv) {
+    hitscope::keepFreedMemory();
     QCoreApplication::setOrganizationName(QStringLiteral("Hitscope"));
     QCoreApplication::setApplicationName(QStringLiteral("hitscope"));
     QCoreApplication::setApplicationVersion(QStringLiteral(HITSCOPE_VERSION));

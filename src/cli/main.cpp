@@ -7,6 +7,7 @@
 #include "cli/bench/bench_command.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "core/memory.h"
 
 namespace {
 
@@ -97,6 +98,7 @@ int printUsage() {
 }  // namespace
 
 int main(int argc, char** argv) {
+    hitscope::keepFreedMemory();
     const QCoreApplication app(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("hitscope-cli"));
     QCoreApplication::setApplicationVersion(QStringLiteral(HITSCOPE_VERSION));

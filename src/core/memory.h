@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace hitscope {
+
+/// Has the C library keep memory that is given back for the next time, instead of handing it to the system
+/// and asking for it again. A software renderer takes and gives back megabytes with every draw: without this
+/// a fifth of a frame goes into fresh pages (llvmpipe, 25,000 vertices at 320x180: 18.0 against 14.2 ms, in
+/// turn). Call first thing in main().
+void keepFreedMemory();
+
+}  // namespace hitscope
