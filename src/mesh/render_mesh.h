@@ -47,7 +47,7 @@ struct RenderMesh {
     std::vector<std::uint32_t> triangleFaces;  ///< 1 a triangle: index of its face in MeshData
     std::vector<std::uint32_t> edges;          ///< 2 an edge, each edge of the file's polygons once
     std::vector<DrawRange> draws;              ///< cover `triangles`, one a material
-    std::vector<Cluster> clusters;             ///< cover `vertices`, in order
+    std::vector<Cluster> clusters;             ///< cover `vertices`, in order; all but the last are full
     Bounds bounds;                             ///< of the original positions
 
     /// File vertex -> its render vertices: renderVerticesOf(v) lists them; empty for a vertex no face uses.

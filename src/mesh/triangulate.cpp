@@ -16,6 +16,14 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
 }  // namespace
 
 glm::dvec3 doubleAreaVector(std::span<const glm::vec3> positions, std::span<const std::uint32_t> vertices) {
+    const auto at = [&](std::size_t corner) { return glm::dvec3(positions[vertices[corner]]); };
+    // Nearly all faces are these; the sum below comes to the same.
+    if (vertices.size() == 3) {
+        return glm::cross(at(1) - at(0), at(2) - at(0));
+    }
+    if (vertices.size() == 4) {
+        return glm::cross(at(2) - at(0), at(3) - at(1));
+    }
     const glm::dvec3 origin(positions[vertices[0]]);
     glm::dvec3 sum(0.0);
     glm::dvec3 previous = glm::dvec3(positions[vertices[1]]) - origin;

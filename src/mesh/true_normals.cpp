@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <system_error>
+#include <thread>
 #include <tuple>
 
 #include "mesh/triangulate.h"
@@ -38,6 +40,9 @@ glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& from, const glm::dvec3&
     }
     return cosine * v + glm::cross(axis, v) + axis * (glm::dot(axis, v) / (1.0 + cosine));
 }
+
+/// Fewer are done sooner than a thread is started.
+constexpr std::size_t kGroupsPerThread = 1024;
 
 }  // namespace
 
@@ -128,12 +133,14 @@ void TrueNormals::recompute(std::uint32_t group, std::span<const glm::vec3> posi
     const glm::vec3 original = m_originals[members.front()];
     const glm::dvec3 before = m_originalAreas[group];
     const glm::dvec3 now = areaOf(group, positions);
-    const double sizes = glm::length(before) * glm::length(now);
+    const double sizeBefore = glm::length(before);
+    const double sizeNow = glm::length(now);
+    const double sizes = sizeBefore * sizeNow;
     glm::vec3 normal = original;
-    // Faces without area, before or now, have no normal to follow: the original stays.
+    // Faces without area, before or now, have no normal to follow: the original stays. A turn keeps its
+    // length.
     if (now != before && sizes > 0.0 && std::isfinite(sizes)) {
-        normal = glm::vec3(
-            glm::normalize(turned(glm::dvec3(original), glm::normalize(before), glm::normalize(now))));
+        normal = glm::vec3(turned(glm::dvec3(original), before / sizeBefore, now / sizeNow));
     }
     for (const std::uint32_t member : members) {
         m_normals[member] = normal;
@@ -147,12 +154,13 @@ void TrueNormals::update(std::span<const glm::vec3> positions,
         std::fill(m_visited.begin(), m_visited.end(), 0);
         m_pass = 1;
     }
+    m_concerned.clear();
     const auto visit = [&](std::uint32_t group) {
         if (m_visited[group] == m_pass) {
             return;
         }
         m_visited[group] = m_pass;
-        recompute(group, positions);
+        m_concerned.push_back(group);
         updated.insert(updated.end(), m_renderVertices.begin() + m_renderStarts[group],
                        m_renderVertices.begin() + m_renderStarts[group + 1]);
     };
@@ -165,6 +173,30 @@ void TrueNormals::update(std::span<const glm::vec3> positions,
                           m_cornerGroups.begin() + m_faceStarts[face + 1], visit);
         }
     }
+    recompute(m_concerned, positions);
+}
+
+/// Groups write different normals: many are shared among the processors.
+void TrueNormals::recompute(std::span<const std::uint32_t> groups, std::span<const glm::vec3> positions) {
+    const std::size_t processors = std::clamp(std::thread::hardware_concurrency(), 1u, 8u);
+    const std::size_t parts = std::clamp<std::size_t>(groups.size() / kGroupsPerThread, 1, processors);
+    const std::size_t size = (groups.size() + parts - 1) / parts;
+    const auto work = [this, positions](std::span<const std::uint32_t> part) {
+        for (const std::uint32_t group : part) {
+            recompute(group, positions);
+        }
+    };
+    std::vector<std::jthread> helpers;
+    for (std::size_t first = size; first < groups.size(); first += size) {
+        const std::span<const std::uint32_t> part =
+            groups.subspan(first, std::min(size, groups.size() - first));
+        try {
+            helpers.emplace_back(work, part);
+        } catch (const std::system_error&) {  // no more threads to be had
+            work(part);
+        }
+    }
+    work(groups.first(std::min(size, groups.size())));
 }
 
 void TrueNormals::reset() {

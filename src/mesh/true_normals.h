@@ -38,6 +38,7 @@ private:
     void groupFaces(const RenderMesh& render);
     [[nodiscard]] glm::dvec3 areaOf(std::uint32_t group, std::span<const glm::vec3> positions) const;
     void recompute(std::uint32_t group, std::span<const glm::vec3> positions);
+    void recompute(std::span<const std::uint32_t> groups, std::span<const glm::vec3> positions);
 
     std::vector<glm::vec3> m_normals;
     std::vector<glm::vec3> m_originals;           ///< one a render vertex
@@ -52,6 +53,7 @@ private:
     std::vector<glm::dvec3> m_originalAreas;  ///< group -> sum of its faces' area vectors, undented
     std::vector<std::uint32_t> m_visited;     ///< group -> the update() that recomputed it last
     std::uint32_t m_pass = 0;
+    std::vector<std::uint32_t> m_concerned;  ///< groups, of the update() that runs
 };
 
 }  // namespace hitscope

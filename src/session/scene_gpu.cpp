@@ -36,6 +36,21 @@ void writeShadingNormals(TargetBuffers& buffers, std::span<const std::uint32_t> 
     }
 }
 
+/// Hits that came one by one are applied in one pass all the same.
+std::vector<HistoryEdit> withAppendsJoined(std::vector<HistoryEdit> edits) {
+    std::vector<HistoryEdit> joined;
+    for (HistoryEdit& edit : edits) {
+        HistoryEdit* last = joined.empty() ? nullptr : &joined.back();
+        if (last != nullptr && last->before.empty() && edit.before.empty() &&
+            last->first + last->after.size() == edit.first) {
+            last->after.insert(last->after.end(), edit.after.begin(), edit.after.end());
+        } else {
+            joined.push_back(std::move(edit));
+        }
+    }
+    return joined;
+}
+
 std::map<PipelineKind, QString> unavailablePipelines() {
     std::map<PipelineKind, QString> reasons;
     for (const PipelineTraits& traits : allPipelines()) {
@@ -136,7 +151,7 @@ Status SceneGpu::Private::followPipeline(bool& startOver) {
     if (!startOver) {
         return Done{};
     }
-    Result<std::unique_ptr<DeformationPipeline>> made = 
+    Result<std::unique_ptr<DeformationPipeline>> made =
         makePipeline(session.pipeline(), {.vertexUniformComponents = {}, .deformDefines = deformDefines});
     if (!made) {
         return made.error();
@@ -155,12 +170,12 @@ bool SceneGpu::Private::followHistory(bool startOver) {
     if (!startOver && appliedRevision == history.revision()) {
         return false;
     }
-    const auto edits = history.editsSince(appliedRevision);
+    auto edits = history.editsSince(appliedRevision);
     startOver = startOver || !edits;
     if (startOver) {
         pipeline->reset(history.hits());
     } else {
-        for (const HistoryEdit& edit : *edits) {
+        for (const HistoryEdit& edit : withAppendsJoined(*std::move(edits))) {
             pipeline->edit(edit);
         }
     }
