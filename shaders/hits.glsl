@@ -3,7 +3,8 @@
 // them from buffers (section 2.2). Where a target's buffer holds its deformed vertices already there is nothing to
 // do, and applyHits() does nothing.
 //
-// HITSCOPE_HIT_LISTS      hits come from buffers; for each cluster there is a list of those that may reach it
+// HITSCOPE_HIT_LISTS      hits come from buffers; for each cluster there is a list of those that may reach it;
+//                         HITSCOPE_CLUSTER_VERTICES: vertices of a cluster
 // HITSCOPE_UNIFORM_HITS   the number of hits the arrays hold; not defined: no arrays
 // HITSCOPE_HIT_CONSTANTS  the number of different constants they can have
 // HITSCOPE_OWN_HITS_ONLY  defined: the loop starts and ends with the target's own hits
@@ -45,16 +46,21 @@ bool applyHits(inout vec3 p, inout vec3 n)
 
 #elif defined(HITSCOPE_HIT_LISTS)
 
-uniform samplerBuffer u_hits;  // three texels a hit, see src/pipeline/hit_batch.h
+// What the buffers hold: src/pipeline/hit_batch.h.
+uniform samplerBuffer u_hits;  // three texels a hit
 uniform usamplerBuffer u_hitIndices;
-uniform int u_hitBase;   // where the batch's hits start
-uniform int u_firstHit;  // the vertex's list is [u_firstHit, u_lastHit) of the indices
-uniform int u_lastHit;
+uniform usamplerBuffer u_clusters;  // the batch's: first vertex, vertices, first index, indices
+uniform int u_hitBase;              // where the batch's hits, its indices ...
+uniform int u_indexBase;
+uniform int u_clusterBase;  // ... and cluster 0 of the target, if it were there, start
 
 bool applyHits(inout vec3 p, inout vec3 n)
 {
+    uvec4 cluster = texelFetch(u_clusters, u_clusterBase + gl_VertexID / HITSCOPE_CLUSTER_VERTICES);
+    int first = u_indexBase + int(cluster.z);
+    int last = first + int(cluster.w);
     bool reached = false;
-    for (int i = u_firstHit; i < u_lastHit; ++i) {
+    for (int i = first; i < last; ++i) {
         int hit = 3 * (u_hitBase + int(texelFetch(u_hitIndices, i).x));
         vec4 a = texelFetch(u_hits, hit);
         vec4 b = texelFetch(u_hits, hit + 1);

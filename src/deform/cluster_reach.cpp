@@ -5,7 +5,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <utility>
+#include <glm/vector_relational.hpp>
+#include <iterator>
 
 namespace hitscope {
 namespace {
@@ -65,6 +66,11 @@ Bounds around(std::span<const DynamicVertex> vertices) {
     return box;
 }
 
+bool holds(const Bounds& box, const Bounds& other) {
+    return glm::all(glm::lessThanEqual(box.min, other.min)) &&
+           glm::all(glm::greaterThanEqual(box.max, other.max));
+}
+
 bool isSame(const Bounds& a, const Bounds& b) {
     return a.min == b.min && a.max == b.max;
 }
@@ -100,45 +106,47 @@ void ClusterReach::refit(Tree& tree, std::size_t leaf) {
     }
 }
 
-void ClusterReach::setNow(std::uint32_t cluster, const Bounds& box) {
-    m_now[m_leaves + cluster] = box;
-    refit(m_now, m_leaves + cluster);
+/// Adds to a leaf, and to those of its ancestors that do not hold `box` yet.
+void ClusterReach::enlarge(Tree& tree, std::size_t leaf, const Bounds& box) {
+    for (std::size_t node = leaf; node > 0 && !holds(tree[node], box); node /= 2) {
+        tree[node].add(box);
+    }
 }
 
-void ClusterReach::setEver(std::uint32_t cluster, const Bounds& box) {
-    m_ever[m_leaves + cluster] = box;
-    refit(m_ever, m_leaves + cluster);
+/// Puts a box in the place of one that the vertices may have been in.
+void ClusterReach::replace(std::uint32_t cluster, const Bounds& box) {
+    const std::size_t leaf = m_leaves + cluster;
+    enlarge(m_ever, leaf, m_now[leaf]);
+    m_now[leaf] = box;
+    refit(m_now, leaf);
 }
 
 /// Depth first, left to right, so that what is found is sorted.
 void ClusterReach::find(const Tree& tree, const Hit& hit, std::vector<std::uint32_t>& found) const {
     std::array<std::size_t, 64> stack{};  // a level has one node waiting at most, and levels are 32
     std::size_t waiting = 0;
-    stack[waiting++] = 1;
-    while (waiting > 0) {
-        const std::size_t node = stack[--waiting];
-        if (!reaches(hit, tree[node])) {
-            continue;
-        }
-        if (node >= m_leaves) {
+    const float reach = reachOf(hit);
+    const float reachSquared = reach * reach;
+    std::size_t node = 1;
+    for (;;) {
+        if (distanceSquared(tree[node], hit.point) <= reachSquared) {
+            if (node < m_leaves) {
+                stack[waiting++] = 2 * node + 1;
+                node = 2 * node;
+                continue;
+            }
             found.push_back(static_cast<std::uint32_t>(node - m_leaves));
-        } else {
-            stack[waiting++] = 2 * node + 1;
-            stack[waiting++] = 2 * node;
         }
+        if (waiting == 0) {
+            return;
+        }
+        node = stack[--waiting];
     }
 }
 
 void ClusterReach::grow(std::uint32_t cluster, const Hit& hit) {
-    const Bounds& now = m_now[m_leaves + cluster];
-    const Bounds grown = grownBy(now, hit);
-    if (isSame(grown, now)) {
-        return;
-    }
-    setNow(cluster, grown);
-    Bounds ever = m_ever[m_leaves + cluster];
-    ever.add(grown);
-    setEver(cluster, ever);
+    const std::size_t leaf = m_leaves + cluster;
+    enlarge(m_now, leaf, grownBy(m_now[leaf], hit));
 }
 
 void ClusterReach::advance(const Hit& hit, std::vector<std::uint32_t>& reached) {
@@ -160,23 +168,31 @@ void ClusterReach::advanceWithin(std::span<const std::uint32_t> among, const Hit
 }
 
 void ClusterReach::everReached(const Hit& hit, std::vector<std::uint32_t>& reached) const {
-    find(m_ever, hit, reached);
+    std::vector<std::uint32_t> before;
+    std::vector<std::uint32_t> now;
+    find(m_ever, hit, before);
+    find(m_now, hit, now);
+    std::set_union(before.begin(), before.end(), now.begin(), now.end(), std::back_inserter(reached));
 }
 
 bool ClusterReach::mayEverReach(const Hit& hit) const {
-    return reaches(hit, m_ever[1]);
+    return reaches(hit, m_ever[1]) || reaches(hit, m_now[1]);
 }
 
 void ClusterReach::restart(std::span<const std::uint32_t> clusters) {
     for (const std::uint32_t cluster : clusters) {
-        setNow(cluster, m_clusters[cluster].bounds);
-        setEver(cluster, m_clusters[cluster].bounds);
+        const std::size_t leaf = m_leaves + cluster;
+        m_now[leaf] = m_clusters[cluster].bounds;
+        m_ever[leaf] = m_clusters[cluster].bounds;
+        refit(m_now, leaf);
+        refit(m_ever, leaf);
     }
 }
 
 void ClusterReach::goBack(std::span<const std::uint32_t> clusters) {
     for (const std::uint32_t cluster : clusters) {
-        setNow(cluster, m_ever[m_leaves + cluster]);
+        const std::size_t leaf = m_leaves + cluster;
+        enlarge(m_now, leaf, m_ever[leaf]);
     }
 }
 
@@ -197,9 +213,7 @@ void ClusterReach::place(std::uint32_t first, std::span<const DynamicVertex> ver
         if (count < cluster.count) {
             box.add(m_now[m_leaves + index]);
         }
-        setNow(index, box);
-        box.add(m_ever[m_leaves + index]);
-        setEver(index, box);
+        replace(index, box);
     }
 }
 

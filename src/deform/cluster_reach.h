@@ -58,14 +58,14 @@ private:
         std::vector<Bounds>;  ///< node i has children 2 i and 2 i + 1; the root is 1; leaves at the end
     void find(const Tree& tree, const Hit& hit, std::vector<std::uint32_t>& found) const;
     void grow(std::uint32_t cluster, const Hit& hit);
-    void setNow(std::uint32_t cluster, const Bounds& box);
-    void setEver(std::uint32_t cluster, const Bounds& box);
-    void refit(Tree& tree, std::size_t leaf);
+    void replace(std::uint32_t cluster, const Bounds& box);
+    static void refit(Tree& tree, std::size_t leaf);
+    static void enlarge(Tree& tree, std::size_t leaf, const Bounds& box);
 
     std::span<const Cluster> m_clusters;
     std::size_t m_leaves = 1;  ///< a power of two; those beyond the clusters are empty
     Tree m_now;
-    Tree m_ever;
+    Tree m_ever;  ///< where a box of m_now was before it was drawn tight; with that one, every place
 };
 
 }  // namespace hitscope

@@ -53,8 +53,7 @@ Result<CapturePass> CapturePass::create(gl::Defines defines) {
 // that draws nothing fails; one pixel of our own makes the pass independent of what the caller has bound.
 CapturePass::CapturePass(gl::Program program)
     : m_program(std::move(program)),
-      m_firstHit(m_program.location("u_firstHit")),
-      m_lastHit(m_program.location("u_lastHit")),
+      m_clusterBase(m_program.location("u_clusterBase")),
       m_framebuffer(gl::Framebuffer::make()),
       m_colour(gl::Renderbuffer::make()),
       m_scratch(gl::Buffer::make()) {
@@ -110,7 +109,7 @@ void CapturePass::run(const TargetBuffers& buffers, std::span<const CaptureRun> 
         while (rest.range.count > 0) {
             const auto room = static_cast<std::uint32_t>(kMostScratchVertices - held);
             const VertexRange range{rest.range.first, std::min(rest.range.count, room)};
-            piece.push_back({range, rest.firstHit, rest.lastHit});
+            piece.push_back({range, rest.clusterBase});
             if (!ranges.empty() && ranges.back().first + ranges.back().count == range.first) {
                 ranges.back().count += range.count;
             } else {
@@ -131,16 +130,9 @@ void CapturePass::run(const TargetBuffers& buffers, std::span<const CaptureRun> 
 
 void CapturePass::capture(std::span<const CaptureRun> runs) {
     glBeginTransformFeedback(GL_POINTS);
-    const CaptureRun* before = nullptr;
     for (const CaptureRun& run : runs) {
-        if (before == nullptr || before->firstHit != run.firstHit) {
-            glUniform1i(m_firstHit, static_cast<GLint>(run.firstHit));
-        }
-        if (before == nullptr || before->lastHit != run.lastHit) {
-            glUniform1i(m_lastHit, static_cast<GLint>(run.lastHit));
-        }
+        glUniform1i(m_clusterBase, run.clusterBase);
         glDrawArrays(GL_POINTS, static_cast<GLint>(run.range.first), static_cast<GLsizei>(run.range.count));
-        before = &run;
     }
     glEndTransformFeedback();
 }

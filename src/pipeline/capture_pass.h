@@ -13,11 +13,10 @@
 
 namespace hitscope {
 
-/// Vertices that the same hits may reach: u_firstHit and u_lastHit of hits.glsl, [firstHit, lastHit).
+/// Vertices to capture, and u_clusterBase of hits.glsl for them (where hits come in lists).
 struct CaptureRun {
     VertexRange range;
-    std::size_t firstHit = 0;
-    std::size_t lastHit = 0;
+    int clusterBase = 0;
 };
 
 /// Deforms vertices of a target's dynamic buffer in a vertex shader and captures them by transform feedback
@@ -46,8 +45,7 @@ private:
     void capture(std::span<const CaptureRun> runs);
 
     gl::Program m_program;
-    GLint m_firstHit;
-    GLint m_lastHit;
+    GLint m_clusterBase;
     gl::Framebuffer m_framebuffer;
     gl::Renderbuffer m_colour;
     gl::Buffer m_scratch;

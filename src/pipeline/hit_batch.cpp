@@ -2,6 +2,7 @@
 #include "pipeline/hit_batch.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace hitscope {
 
@@ -22,64 +23,59 @@ void HitBatch::add(const Hit& hit, std::span<const std::uint32_t> reached) {
                       hit.constants.maxMagnitude,
                       {}});
     for (const std::uint32_t cluster : reached) {
-        m_reaches.push_back({cluster, index});
+        std::uint32_t& slot = m_slotOf[cluster];
+        if (slot == kNoIndex) {
+            slot = static_cast<std::uint32_t>(m_reached.size());
+            m_reached.push_back(cluster);
+            m_counts.push_back(0);
+        }
+        ++m_counts[slot];
+        m_reaches.push_back({slot, index});
     }
 }
 
 void HitBatch::clear() {
+    for (const std::uint32_t cluster : m_reached) {
+        m_slotOf[cluster] = kNoIndex;
+    }
+    m_reached.clear();
+    m_counts.clear();
     m_hits.clear();
     m_reaches.clear();
     m_indices.clear();
     m_work.clear();
 }
 
+/// A counting sort: the hits of a cluster stay in their order.
 void HitBatch::finish() {
-    // One hit's clusters come sorted.
-    if (m_hits.size() > 1) {
-        std::stable_sort(m_reaches.begin(), m_reaches.end(),
-                         [](const Reach& a, const Reach& b) { return a.cluster < b.cluster; });
+    std::vector<std::uint32_t> starts(m_counts.size());
+    std::exclusive_scan(m_counts.begin(), m_counts.end(), starts.begin(), 0u);
+    std::vector<std::uint32_t> next = starts;
+    std::vector<std::uint32_t> hits(m_reaches.size());
+    for (const Reach& reach : m_reaches) {
+        hits[next[reach.slot]++] = reach.hit;
     }
+    std::vector<std::uint32_t> clusters = m_reached;
+    std::sort(clusters.begin(), clusters.end());
     m_indices.clear();
     m_work.clear();
-    for (std::size_t begin = 0; begin < m_reaches.size();) {
-        const Cluster& cluster = m_clusters[m_reaches[begin].cluster];
-        ClusterHits work{cluster.first, cluster.count, static_cast<std::uint32_t>(m_indices.size()), 0};
-        std::size_t end = begin;
-        for (; end < m_reaches.size() && m_reaches[end].cluster == m_reaches[begin].cluster; ++end) {
-            m_indices.push_back(m_reaches[end].hit);
-        }
-        work.indexCount = static_cast<std::uint32_t>(end - begin);
-        shareIndices(work);
-        m_work.push_back(work);
-        begin = end;
+    for (const std::uint32_t cluster : clusters) {
+        const std::uint32_t slot = m_slotOf[cluster];
+        addWork(cluster, std::span(hits).subspan(starts[slot], m_counts[slot]));
     }
 }
 
 /// Neighbours are often reached by the same hits: then they have one list.
-void HitBatch::shareIndices(ClusterHits& work) {
-    if (m_work.empty() || m_work.back().indexCount != work.indexCount) {
-        return;
-    }
-    const auto mine = m_indices.begin() + work.firstIndex;
-    const auto neighbours = m_indices.begin() + m_work.back().firstIndex;
-    if (std::equal(mine, m_indices.end(), neighbours)) {
-        m_indices.erase(mine, m_indices.end());
+void HitBatch::addWork(std::uint32_t cluster, std::span<const std::uint32_t> hits) {
+    ClusterHits work{m_clusters[cluster].first, m_clusters[cluster].count,
+                     static_cast<std::uint32_t>(m_indices.size()), static_cast<std::uint32_t>(hits.size())};
+    if (!m_work.empty() && m_work.back().indexCount == work.indexCount &&
+        std::equal(hits.begin(), hits.end(), m_indices.begin() + m_work.back().firstIndex)) {
         work.firstIndex = m_work.back().firstIndex;
+    } else {
+        m_indices.insert(m_indices.end(), hits.begin(), hits.end());
     }
-}
-
-std::vector<ClusterHits> HitBatch::runs() const {
-    std::vector<ClusterHits> runs;
-    runs.reserve(m_work.size());
-    for (const ClusterHits& work : m_work) {
-        if (!runs.empty() && runs.back().firstIndex == work.firstIndex &&
-            runs.back().firstVertex + runs.back().vertexCount == work.firstVertex) {
-            runs.back().vertexCount += work.vertexCount;
-        } else {
-            runs.push_back(work);
-        }
-    }
-    return runs;
+    m_work.push_back(work);
 }
 
 std::vector<VertexRange> HitBatch::ranges() const {

@@ -24,7 +24,7 @@ struct PackedHit {
 static_assert(sizeof(PackedHit) == 48);
 
 /// A cluster and the hits of a batch that may reach it: entries [firstIndex, firstIndex + indexCount) of the
-/// batch's list of hits, in the order they strike. A uvec4 to deform.comp.
+/// batch's list of hits, in the order they strike. A uvec4 to the shaders.
 struct ClusterHits {
     std::uint32_t firstVertex = 0;
     std::uint32_t vertexCount = 0;
@@ -38,7 +38,8 @@ static_assert(sizeof(ClusterHits) == 16);
 class HitBatch {
 public:
     /// `clusters` outlive this.
-    explicit HitBatch(std::span<const Cluster> clusters) : m_clusters(clusters) {}
+    explicit HitBatch(std::span<const Cluster> clusters)
+        : m_clusters(clusters), m_slotOf(clusters.size(), kNoIndex) {}
 
     /// What a buffer texture is sure to hold, in texels.
     static constexpr std::size_t kMostIndices = 65536;
@@ -58,21 +59,22 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> indices() const { return m_indices; }  ///< into hits()
     /// The clusters reached, ascending.
     [[nodiscard]] std::span<const ClusterHits> clusters() const { return m_work; }
-    /// Likewise, neighbours that meet the same hits put together.
-    [[nodiscard]] std::vector<ClusterHits> runs() const;
     /// All vertices of the clusters reached, sorted and merged.
     [[nodiscard]] std::vector<VertexRange> ranges() const;
 
 private:
     struct Reach {
-        std::uint32_t cluster;
+        std::uint32_t slot;
         std::uint32_t hit;
     };
-    void shareIndices(ClusterHits& work);
+    void addWork(std::uint32_t cluster, std::span<const std::uint32_t> hits);
 
     std::span<const Cluster> m_clusters;
     std::vector<PackedHit> m_hits;
-    std::vector<Reach> m_reaches;  ///< as added: in the order of the hits
+    std::vector<std::uint32_t> m_slotOf;   ///< cluster -> its place in m_reached, or kNoIndex
+    std::vector<std::uint32_t> m_reached;  ///< clusters, in the order in which they were first reached
+    std::vector<std::uint32_t> m_counts;   ///< slot -> hits
+    std::vector<Reach> m_reaches;          ///< as added: in the order of the hits
     std::vector<std::uint32_t> m_indices;
     std::vector<ClusterHits> m_work;
 };

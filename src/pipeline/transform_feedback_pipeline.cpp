@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/transform_feedback_pipeline.h"
 
+#include <algorithm>
+#include <string>
 #include <utility>
 
 namespace hitscope {
@@ -12,8 +14,9 @@ constexpr std::size_t kTexelsPerHit = sizeof(PackedHit) / (4 * sizeof(float));
 static_assert(HitBatch::kMostHits * kTexelsPerHit <= kTexels && HitBatch::kMostIndices <= kTexels);
 
 // Texture units that nothing else uses, among the 16 that a vertex shader is sure to have.
-constexpr GLint kHitUnit = 14;
-constexpr GLint kIndexUnit = 15;
+constexpr GLint kHitUnit = 13;
+constexpr GLint kIndexUnit = 14;
+constexpr GLint kClusterUnit = 15;
 
 void attach(const gl::Texture& texture, GLenum format, const StreamBuffer& buffer) {
     glBindTexture(GL_TEXTURE_BUFFER, texture.id());
@@ -46,6 +49,7 @@ Result<std::unique_ptr<DeformationPipeline>> TransformFeedbackPipeline::create(
     const PipelineOptions& options) {
     gl::Defines defines = options.deformDefines;
     defines.emplace_back("HITSCOPE_HIT_LISTS", "1");
+    defines.emplace_back("HITSCOPE_CLUSTER_VERTICES", std::to_string(kClusterVertices));
     Result<CapturePass> pass = CapturePass::create(std::move(defines));
     if (!pass) {
         return pass.error();
@@ -57,37 +61,59 @@ TransformFeedbackPipeline::TransformFeedbackPipeline(CapturePass pass)
     : m_pass(std::move(pass)),
       m_hits(sizeof(PackedHit), kTexels / kTexelsPerHit),
       m_indices(sizeof(std::uint32_t), kTexels),
+      m_clusters(sizeof(ClusterHits), kTexels),
       m_hitTexture(gl::Texture::make()),
-      m_indexTexture(gl::Texture::make()) {
+      m_indexTexture(gl::Texture::make()),
+      m_clusterTexture(gl::Texture::make()) {
     attach(m_hitTexture, GL_RGBA32F, m_hits);
     attach(m_indexTexture, GL_R32UI, m_indices);
+    attach(m_clusterTexture, GL_RGBA32UI, m_clusters);
 }
 
 const PipelineTraits& TransformFeedbackPipeline::traits() const {
     return pipelineTraits(PipelineKind::TransformFeedback);
 }
 
-void TransformFeedbackPipeline::prepare(const gl::Program& program, std::size_t firstHit) const {
+void TransformFeedbackPipeline::prepare(const gl::Program& program, std::size_t firstHit,
+                                        std::size_t firstIndex) const {
     GLint unit = 0;
     glGetIntegerv(GL_ACTIVE_TEXTURE, &unit);
     bind(kHitUnit, m_hitTexture);
     bind(kIndexUnit, m_indexTexture);
+    bind(kClusterUnit, m_clusterTexture);
     glActiveTexture(static_cast<GLenum>(unit));
     program.set("u_hits", kHitUnit);
     program.set("u_hitIndices", kIndexUnit);
+    program.set("u_clusters", kClusterUnit);
     program.set("u_hitBase", static_cast<int>(firstHit));
+    program.set("u_indexBase", static_cast<int>(firstIndex));
 }
 
 void TransformFeedbackPipeline::deform(TargetId /*target*/, TargetBuffers& buffers, const HitBatch& batch) {
     const std::size_t firstHit = m_hits.write(batch.hits().data(), batch.hits().size());
     const std::size_t firstIndex = m_indices.write(batch.indices().data(), batch.indices().size());
+    for (auto rest = batch.clusters(); !rest.empty(); rest = rest.subspan(std::min(rest.size(), kTexels))) {
+        deformPart(buffers, rest.first(std::min(rest.size(), kTexels)), firstHit, firstIndex);
+    }
+}
+
+void TransformFeedbackPipeline::deformPart(TargetBuffers& buffers, std::span<const ClusterHits> clusters,
+                                           std::size_t firstHit, std::size_t firstIndex) {
+    const auto firstCluster = static_cast<int>(m_clusters.write(clusters.data(), clusters.size()));
     m_runs.clear();
-    for (const ClusterHits& run : batch.runs()) {
-        const std::size_t first = firstIndex + run.firstIndex;
-        m_runs.push_back({{run.firstVertex, run.vertexCount}, first, first + run.indexCount});
+    for (std::size_t i = 0; i < clusters.size(); ++i) {
+        const ClusterHits& cluster = clusters[i];
+        const int base =
+            firstCluster + static_cast<int>(i) - static_cast<int>(cluster.firstVertex / kClusterVertices);
+        // Neighbours in the mesh are neighbours here: they have the same base.
+        if (!m_runs.empty() && m_runs.back().clusterBase == base) {
+            m_runs.back().range.count += cluster.vertexCount;
+        } else {
+            m_runs.push_back({{cluster.firstVertex, cluster.vertexCount}, base});
+        }
     }
     m_pass.run(
-        buffers, m_runs, [&](const gl::Program& program) { prepare(program, firstHit); },
+        buffers, m_runs, [&](const gl::Program& program) { prepare(program, firstHit, firstIndex); },
         [&](std::span<const VertexRange> ranges) {
             copyBack(m_pass.scratch(), buffers.dynamicBuffer(), ranges);
         });

@@ -18,13 +18,17 @@ public:
 private:
     explicit TransformFeedbackPipeline(CapturePass pass);
     void deform(TargetId target, TargetBuffers& buffers, const HitBatch& batch) override;
-    void prepare(const gl::Program& program, std::size_t firstHit) const;
+    void deformPart(TargetBuffers& buffers, std::span<const ClusterHits> clusters, std::size_t firstHit,
+                    std::size_t firstIndex);
+    void prepare(const gl::Program& program, std::size_t firstHit, std::size_t firstIndex) const;
 
     CapturePass m_pass;
     StreamBuffer m_hits;
     StreamBuffer m_indices;
+    StreamBuffer m_clusters;
     gl::Texture m_hitTexture;
     gl::Texture m_indexTexture;
+    gl::Texture m_clusterTexture;
     std::vector<CaptureRun> m_runs;
 };
 

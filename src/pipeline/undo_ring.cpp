@@ -10,7 +10,7 @@ namespace hitscope {
 
 namespace {
 
-constexpr std::uint64_t kRingBytes = std::uint64_t{32} << 20;  // thousands of the paper's hits
+constexpr std::uint64_t kRingBytes = std::uint64_t{8} << 20;  // about 800 of the paper's hits
 constexpr std::uint64_t kMostEntryBytes = kRingBytes / 4;
 
 GLintptr bytesOf(std::uint64_t vertices) {

@@ -255,7 +255,7 @@ void UniformArrayPipeline::requestReadBack() {
         }
         std::vector<CaptureRun> runs;
         for (const VertexRange& range : target.unread.take()) {
-            runs.push_back({range, target.firstHit, target.lastHit});
+            runs.push_back({range});
         }
         m_pass.run(
             *target.buffers, runs,
@@ -265,6 +265,8 @@ void UniformArrayPipeline::requestReadBack() {
                     page.arrays.upload(program);
                     program.setContentStamp(page.stamp);
                 }
+                program.set("u_firstHit", static_cast<int>(target.firstHit));
+                program.set("u_lastHit", static_cast<int>(target.lastHit));
             },
             [&](std::span<const VertexRange> ranges) {
                 m_readBack.request({{.target = entry.first,

@@ -20,9 +20,16 @@ namespace {
 
 constexpr std::size_t kHits = 64;
 
+/// Vertices, and the hits [firstHit, lastHit) that are applied to them.
+struct Run {
+    VertexRange range;
+    std::size_t firstHit = 0;
+    std::size_t lastHit = 0;
+};
+
 /// The vertices as the shader deforms them, each run's by its hits.
 std::vector<DynamicVertex> onGpu(CapturePass& pass, const RenderMesh& mesh, std::span<const Hit> hits,
-                                 std::span<const CaptureRun> runs) {
+                                 std::span<const Run> runs) {
     const TargetBuffers buffers(mesh);
     HitArrays arrays(kHits);
     for (const Hit& hit : hits) {
@@ -31,24 +38,28 @@ std::vector<DynamicVertex> onGpu(CapturePass& pass, const RenderMesh& mesh, std:
         }
     }
     std::vector<DynamicVertex> result(mesh.vertices.size());
-    const auto read = [&](std::span<const VertexRange> ranges) {
-        GLintptr offset = 0;
-        for (const VertexRange& range : ranges) {
-            const auto bytes = static_cast<GLsizeiptr>(range.count * sizeof(DynamicVertex));
-            glBindBuffer(GL_COPY_READ_BUFFER, pass.scratch());
-            glGetBufferSubData(GL_COPY_READ_BUFFER, offset, bytes, result.data() + range.first);
-            offset += bytes;
-        }
-    };
-    pass.run(
-        buffers, runs, [&](const gl::Program& program) { arrays.upload(program); }, read);
+    for (const Run& run : runs) {
+        const CaptureRun captured{run.range};
+        pass.run(
+            buffers, {&captured, 1},
+            [&](const gl::Program& program) {
+                arrays.upload(program);
+                program.set("u_firstHit", static_cast<int>(run.firstHit));
+                program.set("u_lastHit", static_cast<int>(run.lastHit));
+            },
+            [&](std::span<const VertexRange> ranges) {
+                const auto bytes = static_cast<GLsizeiptr>(ranges[0].count * sizeof(DynamicVertex));
+                glBindBuffer(GL_COPY_READ_BUFFER, pass.scratch());
+                glGetBufferSubData(GL_COPY_READ_BUFFER, 0, bytes, result.data() + ranges[0].first);
+            });
+    }
     return result;
 }
 
-std::vector<DynamicVertex> onCpu(const RenderMesh& mesh, std::span<const Hit> hits,
-                                 std::span<const CaptureRun> runs, std::size_t& moved) {
+std::vector<DynamicVertex> onCpu(const RenderMesh& mesh, std::span<const Hit> hits, std::span<const Run> runs,
+                                 std::size_t& moved) {
     std::vector<DynamicVertex> result = mesh.vertices;
-    for (const CaptureRun& run : runs) {
+    for (const Run& run : runs) {
         for (DynamicVertex& vertex : std::span(result).subspan(run.range.first, run.range.count)) {
             for (std::size_t hit = run.firstHit; hit < run.lastHit; ++hit) {
                 moved += deform(vertex.position, vertex.normal, hits[hit]) ? 1 : 0;
@@ -99,8 +110,7 @@ private Q_SLOTS:
         std::size_t moved = 0;
         for (std::uint32_t seed = 0; seed < 4; ++seed) {
             const std::vector<Hit> hits = randomHits(scene, seed, kHits, 16);
-            const std::vector<CaptureRun> all = {
-                {{0, static_cast<std::uint32_t>(mesh.vertices.size())}, 0, kHits}};
+            const std::vector<Run> all = {{{0, static_cast<std::uint32_t>(mesh.vertices.size())}, 0, kHits}};
             const std::vector<DynamicVertex> expected = onCpu(mesh, hits, all, moved);
             QCOMPARE(difference(onGpu(*m_pass, mesh, hits, all), expected), QString());
         }
@@ -113,7 +123,7 @@ private Q_SLOTS:
         RenderMesh mesh = pointCloud(41, kHits * kVerticesPerHit, 1.0f);
         std::mt19937 random(43);
         std::vector<Hit> hits(kHits);
-        std::vector<CaptureRun> runs;
+        std::vector<Run> runs;
         for (std::uint32_t i = 0; i < kHits; ++i) {
             hits[i].point = mesh.vertices[i].position * 2.5f;
             hits[i].direction = mesh.vertices[i].normal;
@@ -148,7 +158,7 @@ private Q_SLOTS:
                          {{-0.0f, -0.0f, -0.0f}, {-0.0f, 1, 0}}};
         mesh.clusters = {{0, 9, {glm::vec3(-1.0f), glm::vec3(1.0f)}}};
         const std::vector<Hit> hits = {Hit{TargetId{1}, {0, 0, 0}, {0, 0, -1}, {}}};
-        const std::vector<CaptureRun> runs = {{{0, 9}, 0, 1}};
+        const std::vector<Run> runs = {{{0, 9}, 0, 1}};
         std::size_t moved = 0;
         const std::vector<DynamicVertex> expected = onCpu(mesh, hits, runs, moved);
         const std::vector<DynamicVertex> actual = onGpu(*m_pass, mesh, hits, runs);
@@ -178,7 +188,7 @@ private Q_SLOTS:
         along.direction = {0, 0, -1};
         const std::vector<Hit> hits = {weak, along, weak};
         const auto count = static_cast<std::uint32_t>(mesh.vertices.size());
-        const std::vector<CaptureRun> runs = {{{0, count}, 0, hits.size()}};
+        const std::vector<Run> runs = {{{0, count}, 0, hits.size()}};
         std::size_t moved = 0;
         const std::vector<DynamicVertex> expected = onCpu(mesh, hits, runs, moved);
         QCOMPARE(moved, hits.size() * mesh.vertices.size());

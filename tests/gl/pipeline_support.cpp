@@ -106,14 +106,35 @@ Mirror::Mirror(const TestScene& scene) {
     }
 }
 
+void Mirror::take(TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices) {
+    std::copy(vertices.begin(), vertices.end(),
+              m_vertices.at(target).begin() + static_cast<std::ptrdiff_t>(first));
+}
+
 std::size_t Mirror::readBack(DeformationPipeline& pipeline) {
     std::size_t delivered = 0;
     pipeline.readBack([&](TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices) {
-        std::copy(vertices.begin(), vertices.end(),
-                  m_vertices.at(target).begin() + static_cast<std::ptrdiff_t>(first));
+        take(target, first, vertices);
         delivered += vertices.size();
     });
     return delivered;
+}
+
+void Mirror::poll(DeformationPipeline& pipeline) {
+    pipeline.pollReadBack([this](TargetId target, std::uint32_t first,
+                                 std::span<const DynamicVertex> vertices) { take(target, first, vertices); });
+}
+
+std::unique_ptr<DeformationPipeline> pipelineOn(PipelineKind kind, TestScene& scene) {
+    Result<std::unique_ptr<DeformationPipeline>> made = makePipeline(kind);
+    if (!made) {
+        qWarning("%s", made.error().message().c_str());
+        return nullptr;
+    }
+    for (TestTarget& target : scene) {
+        made.value()->addTarget(target.id, *target.buffers);
+    }
+    return std::move(made).value();
 }
 
 QString difference(std::span<const DynamicVertex> actual, std::span<const DynamicVertex> expected) {

@@ -30,6 +30,9 @@ using TestScene = std::vector<TestTarget>;
 /// Only vertices and clusters: `count` points in a cube of half extent `extent`, unit normals.
 [[nodiscard]] RenderMesh pointCloud(std::uint32_t seed, std::uint32_t count, float extent);
 
+/// A pipeline with the scene's targets; null, and a warning, where it cannot be made.
+[[nodiscard]] std::unique_ptr<DeformationPipeline> pipelineOn(PipelineKind kind, TestScene& scene);
+
 /// Hits near the surfaces of random targets of the scene, from all sides, with `palette` different constants.
 [[nodiscard]] std::vector<Hit> randomHits(const TestScene& scene, std::uint32_t seed, std::size_t count,
                                           std::size_t palette = 1);
@@ -41,11 +44,15 @@ public:
     explicit Mirror(const TestScene& scene);
     /// Takes what the pipeline reads back; returns the number of vertices delivered.
     std::size_t readBack(DeformationPipeline& pipeline);
+    /// Takes what has arrived and asks for more, without waiting.
+    void poll(DeformationPipeline& pipeline);
     [[nodiscard]] std::span<const DynamicVertex> vertices(TargetId target) const {
         return m_vertices.at(target);
     }
 
 private:
+    void take(TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices);
+
     std::map<TargetId, std::vector<DynamicVertex>> m_vertices;
 };
 

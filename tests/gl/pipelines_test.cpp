@@ -14,18 +14,6 @@ using namespace test;
 
 namespace {
 
-std::unique_ptr<DeformationPipeline> pipelineOn(PipelineKind kind, TestScene& scene) {
-    Result<std::unique_ptr<DeformationPipeline>> made = makePipeline(kind);
-    if (!made) {
-        qWarning("%s", made.error().message().c_str());
-        return nullptr;
-    }
-    for (TestTarget& target : scene) {
-        made.value()->addTarget(target.id, *target.buffers);
-    }
-    return std::move(made).value();
-}
-
 void addPipelineRows(const QString& suffix = {}) {
     for (const PipelineTraits& traits : allPipelines()) {
         const QString name =
