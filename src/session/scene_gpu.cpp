@@ -136,7 +136,7 @@ Status SceneGpu::Private::followPipeline(bool& startOver) {
     if (!startOver) {
         return Done{};
     }
-    Result<std::unique_ptr<DeformationPipeline>> made = 
+    Result<std::unique_ptr<DeformationPipeline>> made =
         makePipeline(session.pipeline(), {.vertexUniformComponents = {}, .deformDefines = deformDefines});
     if (!made) {
         return made.error();
@@ -217,6 +217,9 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
     std::vector<DrawItem> items;
     items.reserve(session.targets().size());
     for (const std::unique_ptr<Target>& target : session.targets()) {
+        if (!target->visible) {
+            continue;
+        }
         const Private::GpuTarget& gpu = d->targets.at(target->id);
         items.push_back({target->id, gpu.buffers.get(), gpu.materials.get(), modelMatrix(target->transform),
                          target->id == session.selectedTarget() && session.targets().size() > 1});
