@@ -78,6 +78,10 @@ QString undoText(const SessionUndo::Name& name) {
             one = TEXT("Reset Target");
             many = TEXT("Reset %1 Targets");
             break;
+        case SessionUndo::Kind::TargetPhysics:
+            one = TEXT("Physics of Target");
+            many = TEXT("Physics of %1 Targets");
+            break;
         case SessionUndo::Kind::Constants:
             return translated(TEXT("Constants"));
     }

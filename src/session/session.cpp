@@ -71,41 +71,4 @@ QString Session::whyUnavailable(PipelineKind kind) const {
     return reason == m_unavailablePipelines.end() ? QString() : reason->second;
 }
 
-// Time
-
-void Session::shoot(const Ray& ray) {
-    m_physics.shoot(ray.origin, ray.direction, m_projectileSettings);
-    Q_EMIT pictureChanged();
-}
-
-void Session::advance(double seconds) {
-    const bool wasMoving = isMoving();
-    std::vector<Hit> hits;
-    for (const Impact& impact : m_physics.advance(seconds)) {
-        const Target* struck = target(impact.target);
-        if (struck == nullptr) {
-            continue;
-        }
-        Hit hit;
-        hit.target = impact.target;
-        hit.point = struck->transform.toLocal(impact.point);
-        hit.direction = struck->transform.directionToLocal(impact.direction);
-        hit.constants = m_constants;
-        hit.time = impact.time;
-        hit.speed = impact.speed;
-        hit.impulse = impact.impulse;
-        if (Result<Hit> checked = checkedHit(hit)) {
-            hits.push_back(checked.value());
-        }
-    }
-    appendHits(hits);
-    if (wasMoving) {
-        Q_EMIT pictureChanged();
-    }
-}
-
-bool Session::isMoving() const {
-    return m_physics.projectileCount() > 0;
-}
-
 }  // namespace hitscope

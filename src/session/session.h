@@ -107,10 +107,24 @@ public:
 
     // Time
     void shoot(const Ray& ray);  ///< world
-    /// Steps the physics; contacts become hits.
+    /// A hit without flight, where the ray first meets a target: exact and repeatable. Returns whether there
+    /// is one.
+    bool hitscan(const Ray& ray);
+    /// Steps the physics; contacts become hits, dynamic targets move.
     void advance(double seconds);
-    [[nodiscard]] bool isMoving() const;  ///< projectiles are alive
+    void stepOnce();  ///< one physics step, paused or not
+    bool isPaused() const { return m_physics.isPaused(); }
+    void setPaused(bool paused);
+    /// 1: as real time goes; clamped to timeScaleParameter().
+    void setTimeScale(double scale);
+    void setPhysicsStep(double seconds);  ///< clamped to stepParameter()
+    /// Time goes on and something moves with it: projectiles, dynamic targets.
+    [[nodiscard]] bool isMoving() const;
     [[nodiscard]] const PhysicsWorld& physics() const { return m_physics; }
+    /// One step to undo. Refused for a target too large to be knocked about.
+    [[nodiscard]] Status setTargetPhysics(TargetId id, const TargetPhysics& physics);
+    /// Why shots pass a target, in words for the interface; empty: they do not.
+    [[nodiscard]] QString whyNotHittable(TargetId id) const;
 
     // What SceneGpu reports back
     void setExactness(const Exactness& exactness);
@@ -152,6 +166,7 @@ Q_SIGNALS:
     void projectileSettingsChanged();
     void pipelineChanged();
     void exactnessChanged();
+    void timeChanged();  ///< paused or not, time scale, physics step
     void targetSelected(hitscope::TargetId target);
     void hitSelected();
     void capacityChanged();
@@ -165,6 +180,8 @@ private:
     Target& insertTarget(std::size_t index, const TargetState& state);
     void eraseTarget(std::size_t index);
     void letCollide(const Target& target);
+    void takeImpacts(std::span<const Impact> impacts);
+    void followDynamicTargets();
     [[nodiscard]] std::optional<std::size_t> indexOf(TargetId id) const;
     [[nodiscard]] std::vector<std::size_t> indicesOf(std::span<const TargetId> ids) const;
     [[nodiscard]] std::vector<std::size_t> hitsOn(std::span<const TargetId> ids) const;
@@ -202,6 +219,7 @@ private:
     PipelineKind m_pipeline = PipelineKind::TransformFeedback;
     std::optional<Exactness> m_exactness;
     PhysicsWorld m_physics;
+    std::map<TargetId, QString> m_notHittable;  ///< why
     std::size_t m_disabledHits = 0;
     CapacityReport m_capacity;
     std::map<PipelineKind, QString> m_unavailablePipelines;

@@ -80,6 +80,7 @@ void Session::clearScene() {
     m_physics.removeProjectiles();
     m_targets.clear();
     m_moved.clear();
+    m_notHittable.clear();
     m_history.clear();
     m_undo.clear();
     m_selectedHit.reset();

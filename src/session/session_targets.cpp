@@ -94,6 +94,8 @@ TargetState Session::newTarget(TargetPlan plan) {
     state.transform = plan.transform;
     state.sourcePath = std::move(plan.sourcePath);
     state.shape = std::move(plan.shape);
+    // A primitive is struck as what it is until its first dent, then as its triangles.
+    std::visit([&state](auto& collider) { collider.surface = state.shape.collision; }, plan.collider);
     state.collider = std::make_shared<const Collider>(std::move(plan.collider));
     return state;
 }
@@ -109,18 +111,10 @@ void Session::eraseTarget(std::size_t index) {
     const TargetId id = m_targets[index]->id;
     m_physics.removeTarget(id);
     m_moved.erase(id);
+    m_notHittable.erase(id);
     m_targets.erase(m_targets.begin() + static_cast<std::ptrdiff_t>(index));
     if (m_selectedTarget == id) {
         selectTarget({});
-    }
-}
-
-/// Puts it where it is now, or takes it out if it is hidden.
-void Session::letCollide(const Target& target) {
-    if (target.visible) {
-        m_physics.addTarget(target.id, target.transform, *target.collider);
-    } else {
-        m_physics.removeTarget(target.id);
     }
 }
 
@@ -158,11 +152,15 @@ void Session::follow(const TargetEdit& edit) {
         return;
     }
     Target& target = *m_targets[edit.index];
+    const RigidTransform where = target.transform;
     static_cast<TargetState&>(target) = *edit.after;
-    if (edit.before->visible != target.visible ||
-        edit.before->transform.position != target.transform.position ||
-        edit.before->transform.rotation != target.transform.rotation) {
+    const bool moves = edit.before->transform.position != target.transform.position ||
+                       edit.before->transform.rotation != target.transform.rotation;
+    if (moves || edit.before->visible != target.visible || edit.before->physics != target.physics) {
         letCollide(target);
+    } else {
+        // Knocked about since the change was noted down.
+        target.transform = where;
     }
     Q_EMIT targetChanged(id);
 }

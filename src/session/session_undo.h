@@ -37,7 +37,8 @@ public:
         RenameTarget,
         ShowTarget,
         HideTarget,
-        ResetTarget
+        ResetTarget,
+        TargetPhysics
     };
     /// What a step is called where it is offered to be undone.
     struct Name {

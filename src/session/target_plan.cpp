@@ -10,17 +10,6 @@ namespace {
 
 constexpr float kGap = 0.1f;  // of the smaller of the two widths
 
-/// Any mesh collides with its own triangles, at its original shape.
-MeshCollider meshCollider(const RenderMesh& mesh) {
-    MeshCollider collider;
-    collider.vertices.reserve(mesh.vertices.size());
-    for (const DynamicVertex& vertex : mesh.vertices) {
-        collider.vertices.push_back(vertex.position);
-    }
-    collider.triangles = mesh.triangles;
-    return collider;
-}
-
 bool overlap(const Bounds& a, const Bounds& b) {
     return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y &&
            a.min.z < b.max.z && b.min.z < a.max.z;
@@ -49,7 +38,7 @@ TargetPlan planMesh(MeshData mesh, const QString& sourcePath) {
 }
 
 TargetPlan planMesh(const PreparedMesh& mesh, const QString& sourcePath) {
-    return {QString::fromStdString(mesh.mesh->name), mesh, {}, meshCollider(*mesh.render), sourcePath};
+    return {QString::fromStdString(mesh.mesh->name), mesh, {}, MeshCollider{mesh.collision}, sourcePath};
 }
 
 Bounds worldBounds(const RenderMesh& mesh, const RigidTransform& transform) {

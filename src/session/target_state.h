@@ -19,6 +19,7 @@ struct TargetState {
     RigidTransform transform;
     bool visible = true;  ///< hidden, it is neither drawn nor hit; its hits stay
     QString sourcePath;   ///< the file it came from; empty: made by us
+    TargetPhysics physics;  ///< whether it stays where it is put
     PreparedMesh shape;
     std::shared_ptr<const Collider> collider;
 };
