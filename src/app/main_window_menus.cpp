@@ -88,9 +88,9 @@ void MainWindow::makeFileMenu() {
 void MainWindow::makeEditMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Edit"));
     m_undo = addAction(
-        menu, tr("&Undo"), QKeySequence::Undo, [this] { m_session.undoHit(); }, QStringLiteral("undo"));
+        menu, tr("&Undo"), QKeySequence::Undo, [this] { m_session.undo(); }, QStringLiteral("undo"));
     m_redo = addAction(
-        menu, tr("&Redo"), tr("Ctrl+Shift+Z"), [this] { m_session.redoHit(); }, QStringLiteral("redo"));
+        menu, tr("&Redo"), tr("Ctrl+Shift+Z"), [this] { m_session.redo(); }, QStringLiteral("redo"));
     menu.addSeparator();
     m_enableAll = addAction(menu, tr("&Enable All Hits"), {}, [this] { m_session.enableAllHits(); });
     m_clear = addAction(

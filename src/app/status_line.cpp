@@ -33,6 +33,9 @@ StatusLine::StatusLine(const Session& session, QStatusBar& bar, QObject* parent)
     m_frameRate = addCell(tr("Frames drawn in the last second"));
     setFrameRate(0.0);
     connect(&session, &Session::sceneReplaced, this, &StatusLine::showScene);
+    connect(&session, &Session::targetAdded, this, &StatusLine::showScene);
+    connect(&session, &Session::targetRemoved, this, &StatusLine::showScene);
+    connect(&session, &Session::targetChanged, this, &StatusLine::showTarget);
     connect(&session, &Session::targetSelected, this, &StatusLine::showTarget);
     connect(&session, &Session::hitsAppended, this, &StatusLine::showHits);
     connect(&session, &Session::historyReset, this, &StatusLine::showHits);

@@ -54,6 +54,9 @@ Result<Hit> checkedHit(Hit hit) {
     if (!isFinite(hit.direction)) {
         return notFinite("hit direction");
     }
+    if (!isFinite(hit.normal)) {
+        return notFinite("hit normal");
+    }
     if (!std::isfinite(hit.time) || !std::isfinite(hit.speed) || !std::isfinite(hit.impulse)) {
         return notFinite("hit time, speed or impulse");
     }

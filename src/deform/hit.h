@@ -7,6 +7,7 @@
 #include "core/ids.h"
 #include "core/result.h"
 #include "deform/deformation_constants.h"
+#include "mesh/mesh_data.h"
 
 namespace hitscope {
 
@@ -21,6 +22,10 @@ struct Hit {
     float speed = 0.0f;                      ///< m/s, of the projectile just before impact
     float impulse = 0.0f;                    ///< newton seconds, as Bullet applied it
     bool enabled = true;                     ///< off: it stays in the history and deforms nothing
+    glm::vec3 normal{0.0f};  ///< unit, local frame: of the surface there, towards where it came from;
+                             ///< zero: not known
+    std::uint32_t triangle = kNoIndex;  ///< that it struck, of the render mesh; kNoIndex: not known, or an
+                                        ///< undented primitive, which is struck as what it is
 
     bool operator==(const Hit&) const = default;
 };

@@ -85,6 +85,8 @@ HitHistoryModel::HitHistoryModel(Session& session, QObject* parent)
     connect(&session, &Session::hitsChanged, this, &HitHistoryModel::refresh);
     connect(&session, &Session::hitsRearranged, this, &HitHistoryModel::rearrange);
     connect(&session, &Session::sceneReplaced, this, &HitHistoryModel::reset);
+    // Its name may have.
+    connect(&session, &Session::targetChanged, this, [this] { refresh(0, m_rows - 1); });
     connect(&session, &Session::capacityChanged, this, [this] { refresh(0, m_rows - 1); });
 }
 

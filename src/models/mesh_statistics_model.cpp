@@ -79,6 +79,8 @@ MeshStatisticsModel::MeshStatisticsModel(const Session& session, std::size_t imm
     connect(&m_timer, &QTimer::timeout, this, &MeshStatisticsModel::measure);
     connect(&session, &Session::sceneReplaced, this, &MeshStatisticsModel::startOver);
     connect(&session, &Session::targetSelected, this, &MeshStatisticsModel::follow);
+    connect(&session, &Session::targetAdded, this, &MeshStatisticsModel::follow);
+    connect(&session, &Session::targetRemoved, this, &MeshStatisticsModel::follow);
     connect(&session, &Session::hitsAppended, this, &MeshStatisticsModel::follow);
     connect(&session, &Session::historyReset, this, &MeshStatisticsModel::follow);
     connect(&session, &Session::meshChanged, this, [this](TargetId target) {

@@ -15,38 +15,78 @@ QString translated(const char* words) {
 
 }  // namespace
 
-QString undoText(const HistoryUndo::Name& name) {
+QString undoText(const SessionUndo::Name& name) {
 #define TEXT(words) QT_TRANSLATE_NOOP("hitscope::UndoText", words)
     const char* one = TEXT("Hit");
     const char* many = TEXT("%1 Hits");
     switch (name.kind) {
-        case HistoryUndo::Kind::Hit:
+        case SessionUndo::Kind::Hit:
             break;
-        case HistoryUndo::Kind::Remove:
+        case SessionUndo::Kind::Remove:
             one = TEXT("Remove Hit");
             many = TEXT("Remove %1 Hits");
             break;
-        case HistoryUndo::Kind::Clear:
+        case SessionUndo::Kind::Clear:
             one = TEXT("Clear Hit");
             many = TEXT("Clear %1 Hits");
             break;
-        case HistoryUndo::Kind::Move:
+        case SessionUndo::Kind::Move:
             one = TEXT("Move Hit");
             many = TEXT("Move %1 Hits");
             break;
-        case HistoryUndo::Kind::Enable:
+        case SessionUndo::Kind::Enable:
             one = TEXT("Enable Hit");
             many = TEXT("Enable %1 Hits");
             break;
-        case HistoryUndo::Kind::Disable:
+        case SessionUndo::Kind::Disable:
             one = TEXT("Disable Hit");
             many = TEXT("Disable %1 Hits");
             break;
-        case HistoryUndo::Kind::Constants:
+        case SessionUndo::Kind::AddTarget:
+            one = TEXT("Add Target");
+            many = TEXT("Add %1 Targets");
+            break;
+        case SessionUndo::Kind::DuplicateTarget:
+            one = TEXT("Duplicate Target");
+            many = TEXT("Duplicate %1 Targets");
+            break;
+        case SessionUndo::Kind::RemoveTarget:
+            one = TEXT("Remove Target");
+            many = TEXT("Remove %1 Targets");
+            break;
+        case SessionUndo::Kind::MoveTarget:
+            one = TEXT("Move Target");
+            many = TEXT("Move %1 Targets");
+            break;
+        case SessionUndo::Kind::RotateTarget:
+            one = TEXT("Rotate Target");
+            many = TEXT("Rotate %1 Targets");
+            break;
+        case SessionUndo::Kind::RenameTarget:
+            one = TEXT("Rename Target");
+            many = TEXT("Rename %1 Targets");
+            break;
+        case SessionUndo::Kind::ShowTarget:
+            one = TEXT("Show Target");
+            many = TEXT("Show %1 Targets");
+            break;
+        case SessionUndo::Kind::HideTarget:
+            one = TEXT("Hide Target");
+            many = TEXT("Hide %1 Targets");
+            break;
+        case SessionUndo::Kind::ResetTarget:
+            one = TEXT("Reset Target");
+            many = TEXT("Reset %1 Targets");
+            break;
+        case SessionUndo::Kind::TargetPhysics:
+            one = TEXT("Physics of Target");
+            many = TEXT("Physics of %1 Targets");
+            break;
+        case SessionUndo::Kind::Constants:
             return translated(TEXT("Constants"));
     }
 #undef TEXT
-    return name.hits == 1 ? translated(one) : translated(many).arg(countText(name.hits));
+    return name.count == 1 ? translated(one) : translated(many).arg(countText(name.count));
 }
 
 }  // namespace hitscope

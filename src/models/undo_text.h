@@ -3,11 +3,11 @@
 
 #include <QString>
 
-#include "session/history_undo.h"
+#include "session/session_undo.h"
 
 namespace hitscope {
 
 /// What a step of the history is called behind "Undo" and "Redo" in a menu: "Hit", "Remove 3 Hits".
-[[nodiscard]] QString undoText(const HistoryUndo::Name& name);
+[[nodiscard]] QString undoText(const SessionUndo::Name& name);
 
 }  // namespace hitscope

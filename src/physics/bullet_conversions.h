@@ -9,8 +9,8 @@
 
 namespace hitscope::physics {
 
-/// Coordinates further out than this are not simulated: Bullet drops bodies whose box overflows.
-inline constexpr float kFarthest = 1.0e5f;
+/// Coordinates further out than this, metres, are not simulated: there a float is a metre coarse.
+inline constexpr float kFarthest = 1.0e7f;
 
 inline btVector3 toBullet(const glm::vec3& v) {
     return {v.x, v.y, v.z};
@@ -20,6 +20,9 @@ inline btQuaternion toBullet(const glm::quat& q) {
 }
 inline glm::vec3 fromBullet(const btVector3& v) {
     return {v.x(), v.y(), v.z()};
+}
+inline glm::quat fromBullet(const btQuaternion& q) {
+    return {q.w(), q.x(), q.y(), q.z()};
 }
 
 /// Finite and near enough to be simulated.

@@ -2,15 +2,13 @@
 #include "physics/collision_shape.h"
 
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
-#include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
 
 #include <algorithm>
-#include <cstddef>
+#include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
-#include <limits>
 
 #include "physics/bullet_conversions.h"
 
@@ -20,72 +18,43 @@ namespace {
 // Bullet rounds a box's corners by its margin: far below anything one can see, yet not zero, which GJK does
 // not like between two polyhedra.
 constexpr float kLargestMargin = 0.001f;
-// Bullet's quantized tree keeps a triangle's index in 21 bits.
-constexpr std::size_t kMostQuantizedTriangles = (std::size_t{1} << 21u) - 1;
 
-bool hasArea(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-    const glm::vec3 ab = b - a;
-    const glm::vec3 ac = c - a;
-    const float longest = std::max(glm::dot(ab, ab), glm::dot(ac, ac));
-    const glm::vec3 normal = glm::cross(ab, ac);
-    return glm::dot(normal, normal) > 1.0e-12f * longest * longest;
+Error noSize(const char* what) {
+    return {std::string("The ") + what + " has no size, or one that is not a number or too large.", "",
+            "Give it a size above zero and below 10,000 km."};
 }
 
-/// The mesh without what Bullet cannot use: indices out of range, corners not finite, triangles without area.
-MeshCollider usableTriangles(const MeshCollider& mesh) {
-    MeshCollider usable;
-    usable.vertices = mesh.vertices;
-    for (glm::vec3& vertex : usable.vertices) {
-        if (!isUsable(vertex)) {
-            vertex = glm::vec3(std::numeric_limits<float>::quiet_NaN());
+/// The twelve triangles of a box: what a sphere that sweeps past corners and edges needs, exactly.
+std::array<Triangle, 12> boxTriangles(const glm::vec3& halfExtent) {
+    std::array<Triangle, 12> triangles;
+    std::size_t next = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double side : {-1.0, 1.0}) {
+            const auto corner = [&](double u, double v) {
+                glm::dvec3 p(halfExtent);
+                p[axis] *= side;
+                p[(axis + 1) % 3] *= u;
+                p[(axis + 2) % 3] *= v;
+                return p;
+            };
+            triangles[next++] = {corner(-1, -1), corner(1, -1), corner(1, 1)};
+            triangles[next++] = {corner(-1, -1), corner(1, 1), corner(-1, 1)};
         }
     }
-    usable.triangles.reserve(mesh.triangles.size());
-    const std::size_t count = usable.vertices.size();
-    for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
-        const std::uint32_t* t = &mesh.triangles[i];
-        // A NaN corner makes the area NaN, which is not greater than anything.
-        if (t[0] < count && t[1] < count && t[2] < count &&
-            hasArea(usable.vertices[t[0]], usable.vertices[t[1]], usable.vertices[t[2]])) {
-            usable.triangles.insert(usable.triangles.end(), t, t + 3);
-        }
-    }
-    return usable;
+    return triangles;
 }
 
-/// Ericson, Real-Time Collision Detection, 5.1.5: the Voronoi region of the triangle that `p` lies in.
-glm::vec3 nearestOnTriangle(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-    const glm::vec3 ab = b - a;
-    const glm::vec3 ac = c - a;
-    const float d1 = glm::dot(ab, p - a);
-    const float d2 = glm::dot(ac, p - a);
-    if (d1 <= 0.0f && d2 <= 0.0f) {
-        return a;
+std::optional<SurfaceCast> castAtBox(const glm::vec3& halfExtent, const glm::dvec3& start,
+                                     const glm::dvec3& motion, double radius) {
+    std::optional<SurfaceCast> first;
+    for (const Triangle& triangle : boxTriangles(halfExtent)) {
+        const auto fraction =
+            radius > 0.0 ? castSphere(triangle, start, motion, radius) : castPoint(triangle, start, motion);
+        if (fraction && (!first || *fraction < first->fraction)) {
+            first = SurfaceCast{*fraction, -1};
+        }
     }
-    const float d3 = glm::dot(ab, p - b);
-    const float d4 = glm::dot(ac, p - b);
-    if (d3 >= 0.0f && d4 <= d3) {
-        return b;
-    }
-    const float vc = d1 * d4 - d3 * d2;
-    if (vc <= 0.0f && d1 >= 0.0f && d3 <= 0.0f) {
-        return a + ab * (d1 / (d1 - d3));
-    }
-    const float d5 = glm::dot(ab, p - c);
-    const float d6 = glm::dot(ac, p - c);
-    if (d6 >= 0.0f && d5 <= d6) {
-        return c;
-    }
-    const float vb = d5 * d2 - d1 * d6;
-    if (vb <= 0.0f && d2 >= 0.0f && d6 <= 0.0f) {
-        return a + ac * (d2 / (d2 - d6));
-    }
-    const float va = d3 * d6 - d5 * d4;
-    if (va <= 0.0f && d4 >= d3 && d5 >= d6) {
-        return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
-    }
-    const float scale = 1.0f / (va + vb + vc);
-    return a + ab * (vb * scale) + ac * (vc * scale);
+    return first;
 }
 
 glm::vec3 nearestOnBox(const glm::vec3& p, const glm::vec3& halfExtent) {
@@ -107,70 +76,146 @@ glm::vec3 unitOr(const glm::vec3& v, const glm::vec3& fallback) {
 
 }  // namespace
 
-CollisionShape::CollisionShape(const Collider& collider) {
+Result<std::unique_ptr<CollisionShape>> CollisionShape::make(const Collider& collider) {
+    std::unique_ptr<CollisionShape> shape(new CollisionShape);
+    Status status = Done{};
     if (const auto* box = std::get_if<BoxCollider>(&collider)) {
-        const float smallest = std::min({box->halfExtent.x, box->halfExtent.y, box->halfExtent.z});
-        if (isUsable(box->halfExtent) && smallest > 0.0f) {
-            m_collider = *box;
-            m_shape = std::make_unique<btBoxShape>(toBullet(box->halfExtent));
-            m_shape->setMargin(std::min(kLargestMargin, 0.1f * smallest));
-        }
+        status = shape->takeBox(*box);
     } else if (const auto* sphere = std::get_if<SphereCollider>(&collider)) {
-        if (sphere->radius > 0.0f && sphere->radius <= kFarthest) {
-            m_collider = *sphere;
-            m_shape = std::make_unique<btSphereShape>(sphere->radius);
-        }
+        status = shape->takeSphere(*sphere);
     } else {
-        makeMesh(std::get<MeshCollider>(collider));
+        status = shape->takeMesh(std::get<MeshCollider>(collider));
+    }
+    if (!status) {
+        return status.error();
+    }
+    shape->m_collider = collider;
+    return shape;
+}
+
+Status CollisionShape::takeBox(const BoxCollider& box) {
+    const float smallest = std::min({box.halfExtent.x, box.halfExtent.y, box.halfExtent.z});
+    if (!isUsable(box.halfExtent) || !(smallest > 0.0f)) {
+        return noSize("box");
+    }
+    m_primitive = std::make_unique<btBoxShape>(toBullet(box.halfExtent));
+    m_primitive->setMargin(std::min(kLargestMargin, 0.1f * smallest));
+    prepareSurface(box.surface);
+    return Done{};
+}
+
+Status CollisionShape::takeSphere(const SphereCollider& sphere) {
+    if (!(sphere.radius > 0.0f) || !(sphere.radius <= kFarthest)) {
+        return noSize("sphere");
+    }
+    m_primitive = std::make_unique<btSphereShape>(sphere.radius);
+    prepareSurface(sphere.surface);
+    return Done{};
+}
+
+Status CollisionShape::takeMesh(const MeshCollider& mesh) {
+    if (!mesh.surface || !mesh.surface->hasSurface()) {
+        return Error{"The mesh has no triangle with an area: nothing can hit it.", "",
+                     "Check that its faces have three different corners that are not in a line."};
+    }
+    const Bounds bounds = mesh.surface->bounds();
+    if (!isUsable(bounds.min) || !isUsable(bounds.max)) {
+        return Error{"The mesh reaches farther than 10,000 km from its origin.", "",
+                     "Move it nearer to the origin, or scale it down."};
+    }
+    m_centre = bounds.centre();
+    prepareSurface(mesh.surface);
+    return Done{};
+}
+
+void CollisionShape::prepareSurface(const std::shared_ptr<const CollisionMesh>& surface) {
+    if (surface && surface->hasSurface()) {
+        m_mesh = std::make_unique<MeshShape>(surface, m_centre);
     }
 }
 
-void CollisionShape::makeMesh(const MeshCollider& mesh) {
-    auto& kept = m_collider.emplace<MeshCollider>(usableTriangles(mesh));
-    if (kept.triangles.empty()) {
-        return;
-    }
-    // The tree's bounds are taken over triangles only, so vertices that none of them uses may stay NaN.
-    btIndexedMesh part;
-    part.m_numTriangles = static_cast<int>(kept.triangles.size() / 3);
-    part.m_triangleIndexBase = reinterpret_cast<const unsigned char*>(kept.triangles.data());
-    part.m_triangleIndexStride = 3 * sizeof(std::uint32_t);
-    part.m_numVertices = static_cast<int>(kept.vertices.size());
-    part.m_vertexBase = reinterpret_cast<const unsigned char*>(kept.vertices.data());
-    part.m_vertexStride = sizeof(glm::vec3);
-    part.m_vertexType = PHY_FLOAT;
-    m_arrays = std::make_unique<btTriangleIndexVertexArray>();
-    m_arrays->addIndexedMesh(part, PHY_INTEGER);
-    const bool quantized = kept.triangles.size() / 3 <= kMostQuantizedTriangles;
-    m_shape = std::make_unique<btBvhTriangleMeshShape>(m_arrays.get(), quantized);
+bool CollisionShape::usesMesh() const {
+    return !m_primitive || (m_mesh && m_mesh->surface().isDented());
 }
 
-std::unique_ptr<CollisionShape> CollisionShape::make(const Collider& collider) {
-    std::unique_ptr<CollisionShape> shape(new CollisionShape(collider));
-    return shape->m_shape ? std::move(shape) : nullptr;
+btCollisionShape* CollisionShape::bullet() const {
+    return usesMesh() ? static_cast<btCollisionShape*>(m_mesh.get()) : m_primitive.get();
+}
+
+Bounds CollisionShape::bounds() const {
+    if (usesMesh()) {
+        return m_mesh->surface().bounds();
+    }
+    const auto* box = std::get_if<BoxCollider>(&m_collider);
+    const glm::vec3 reach =
+        box != nullptr ? box->halfExtent : glm::vec3(std::get<SphereCollider>(m_collider).radius);
+    return {-reach, reach};
+}
+
+bool CollisionShape::update(std::uint32_t first, std::span<const DynamicVertex> vertices) {
+    const btCollisionShape* before = bullet();
+    if (m_mesh) {
+        m_mesh->surface().update(first, vertices);
+    }
+    return bullet() != before;
+}
+
+bool CollisionShape::reset() {
+    const btCollisionShape* before = bullet();
+    if (m_mesh) {
+        m_mesh->surface().reset();
+    }
+    return bullet() != before;
+}
+
+std::optional<SurfaceCast> CollisionShape::cast(const glm::dvec3& start, const glm::dvec3& motion,
+                                                double radius) const {
+    if (usesMesh()) {
+        return m_mesh->surface().cast(start, motion, radius);
+    }
+    if (const auto* box = std::get_if<BoxCollider>(&m_collider)) {
+        return castAtBox(box->halfExtent, start, motion, radius);
+    }
+    const double ball = static_cast<double>(std::get<SphereCollider>(m_collider).radius);
+    const auto fraction = castAtBall(glm::dvec3(0.0), ball, start, motion, radius);
+    return fraction ? std::optional(SurfaceCast{*fraction, -1}) : std::nullopt;
 }
 
 std::optional<SurfacePoint> CollisionShape::nearest(const glm::vec3& from, int triangle) const {
+    if (usesMesh()) {
+        const std::size_t count = m_mesh->surface().original().corners()->size() / 3;
+        if (triangle < 0 || static_cast<std::size_t>(triangle) >= count) {
+            return std::nullopt;
+        }
+        const Triangle struck = m_mesh->surface().triangle(static_cast<std::uint32_t>(triangle));
+        const glm::dvec3 point = nearestPoint(struck, glm::dvec3(from));
+        const glm::vec3 away(glm::dvec3(from) - point);
+        return SurfacePoint{glm::vec3(point), unitOr(away, glm::vec3(struck.normal())), triangle};
+    }
     if (const auto* sphere = std::get_if<SphereCollider>(&m_collider)) {
         const glm::vec3 normal = unitOr(from, glm::vec3(0, 1, 0));
-        return SurfacePoint{normal * sphere->radius, normal};
+        return SurfacePoint{normal * sphere->radius, normal, -1};
+    }
+    const glm::vec3 halfExtent = std::get<BoxCollider>(m_collider).halfExtent;
+    const glm::vec3 point = nearestOnBox(from, halfExtent);
+    const bool inside = glm::all(glm::lessThanEqual(glm::abs(from), halfExtent));
+    const glm::vec3 outwards = inside ? point - from : from - point;
+    return SurfacePoint{point, unitOr(outwards, unitOr(from, glm::vec3(0, 1, 0))), -1};
+}
+
+glm::vec3 CollisionShape::normalAt(const glm::vec3& point, int triangle) const {
+    if (usesMesh()) {
+        return glm::vec3(m_mesh->surface().triangle(static_cast<std::uint32_t>(triangle)).normal());
     }
     if (const auto* box = std::get_if<BoxCollider>(&m_collider)) {
-        const glm::vec3 point = nearestOnBox(from, box->halfExtent);
-        const bool inside = glm::all(glm::lessThanEqual(glm::abs(from), box->halfExtent));
-        const glm::vec3 outwards = inside ? point - from : from - point;
-        return SurfacePoint{point, unitOr(outwards, unitOr(from, glm::vec3(0, 1, 0)))};
+        const glm::vec3 inside = box->halfExtent - glm::abs(point);
+        const int axis =
+            inside.x <= inside.y ? (inside.x <= inside.z ? 0 : 2) : (inside.y <= inside.z ? 1 : 2);
+        glm::vec3 normal(0.0f);
+        normal[axis] = point[axis] < 0.0f ? -1.0f : 1.0f;
+        return normal;
     }
-    const auto& mesh = std::get<MeshCollider>(m_collider);
-    if (triangle < 0 || static_cast<std::size_t>(triangle) >= mesh.triangles.size() / 3) {
-        return std::nullopt;
-    }
-    const std::uint32_t* t = &mesh.triangles[3 * static_cast<std::size_t>(triangle)];
-    const glm::vec3& a = mesh.vertices[t[0]];
-    const glm::vec3& b = mesh.vertices[t[1]];
-    const glm::vec3& c = mesh.vertices[t[2]];
-    const glm::vec3 point = nearestOnTriangle(from, a, b, c);
-    return SurfacePoint{point, unitOr(from - point, glm::normalize(glm::cross(b - a, c - a)))};
+    return unitOr(point, glm::vec3(0, 1, 0));
 }
 
 }  // namespace hitscope::physics

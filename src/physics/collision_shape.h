@@ -2,12 +2,14 @@
 #pragma once
 
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
-#include <BulletCollision/CollisionShapes/btTriangleIndexVertexArray.h>
 
 #include <memory>
 #include <optional>
+#include <span>
 
-#include "physics/physics_world.h"
+#include "core/result.h"
+#include "physics/collider.h"
+#include "physics/mesh_shape.h"
 
 namespace hitscope::physics {
 
@@ -15,27 +17,47 @@ namespace hitscope::physics {
 struct SurfacePoint {
     glm::vec3 point{0.0f};   ///< metres
     glm::vec3 normal{0.0f};  ///< unit, towards the projectile
+    int triangle = -1;       ///< -1: not a mesh
 };
 
-/// Bullet's shape for a collider, with the arrays that a mesh shape points into.
+/// A target's collider as it is now: exact while it is an unhurt primitive, else its triangles.
 class CollisionShape {
 public:
-    /// Nothing when the collider has no surface: no usable triangle, or a size that is zero or not finite.
-    [[nodiscard]] static std::unique_ptr<CollisionShape> make(const Collider& collider);
+    /// An error when the collider has no surface: no triangle with an area, a size that is zero, not finite
+    /// or too large.
+    [[nodiscard]] static Result<std::unique_ptr<CollisionShape>> make(const Collider& collider);
 
-    [[nodiscard]] btCollisionShape* bullet() const { return m_shape.get(); }
+    /// What Bullet shall collide with; another one after update() or reset() returned true.
+    [[nodiscard]] btCollisionShape* bullet() const;
+    /// The origin of Bullet's frame in the local one; the body turns about it.
+    [[nodiscard]] const glm::vec3& centre() const { return m_centre; }
+    [[nodiscard]] Bounds bounds() const;  ///< local frame
 
-    /// The point of the surface nearest to `from` (metres, local frame). For a mesh: on `triangle`, an index
-    /// as Bullet reports it; nothing when there is none such.
+    /// The mesh's vertices [first, first + vertices.size()) are now there. Returns whether bullet() changed.
+    [[nodiscard]] bool update(std::uint32_t first, std::span<const DynamicVertex> vertices);
+    [[nodiscard]] bool reset();
+
+    /// First contact of a sphere, `radius` 0: of a point; local frame.
+    [[nodiscard]] std::optional<SurfaceCast> cast(const glm::dvec3& start, const glm::dvec3& motion,
+                                                  double radius) const;
+    /// The point of the surface nearest to `from` (metres, local frame). For a mesh: on `triangle`; nothing
+    /// when there is none such.
     [[nodiscard]] std::optional<SurfacePoint> nearest(const glm::vec3& from, int triangle) const;
+    /// Unit; the surface's own side, at `point` on it (of `triangle`, for a mesh).
+    [[nodiscard]] glm::vec3 normalAt(const glm::vec3& point, int triangle) const;
 
 private:
-    explicit CollisionShape(const Collider& collider);
-    void makeMesh(const MeshCollider& mesh);
+    CollisionShape() = default;
+    Status takeBox(const BoxCollider& box);
+    Status takeSphere(const SphereCollider& sphere);
+    Status takeMesh(const MeshCollider& mesh);
+    void prepareSurface(const std::shared_ptr<const CollisionMesh>& surface);
+    [[nodiscard]] bool usesMesh() const;
 
-    std::variant<BoxCollider, SphereCollider, MeshCollider> m_collider;  ///< a mesh: usable triangles only
-    std::unique_ptr<btTriangleIndexVertexArray> m_arrays;
-    std::unique_ptr<btCollisionShape> m_shape;
+    Collider m_collider;
+    glm::vec3 m_centre{0.0f};
+    std::unique_ptr<btCollisionShape> m_primitive;  ///< null: a mesh from the start
+    std::unique_ptr<MeshShape> m_mesh;              ///< null: a primitive that cannot be dented
 };
 
 }  // namespace hitscope::physics

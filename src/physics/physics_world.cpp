@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Targets, the floor, the clock.
 #include "physics/physics_world.h"
-
-#include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
-#include <btBulletDynamicsCommon.h>
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
+#include <utility>
 
 #include "physics/bullet_conversions.h"
-#include "physics/collision_shape.h"
-#include "physics/motion_sweep.h"
-#include "physics/touches.h"
+#include "physics/world_private.h"
 
 namespace hitscope {
 
@@ -20,116 +16,52 @@ using namespace physics;
 
 namespace {
 
-const glm::vec3 kFall(0.0f, -PhysicsWorld::kGravity, 0.0f);  // m/s^2
-constexpr float kStepSeconds = static_cast<float>(PhysicsWorld::kStep);
-constexpr float kRestitution = 0.6f;
-constexpr float kFriction = 0.6f;
-constexpr float kRollingFriction = 0.05f;  // metres: without it a sphere on a plane rolls for ever
-constexpr float kLeastImpactSpeed = 1.0e-3f;
-constexpr float kLeastBounceSpeed = 0.25f;  // along the normal: a projectile that rolls does not strike
-// Of the radius: Bullet makes a contact only where bodies overlap, so a projectile that arrives is let in
-// this far.
-constexpr float kSinkIn = 0.002f;
-constexpr float kMostSpeed = 1.0e4f;
-constexpr float kMostLifetime = 3600.0f;
+constexpr float kLargestDynamic = 1.0e5f;  // metres: Bullet drops moving bodies whose box is much larger
 
-float clampedOr(float value, float low, float high, float fallback) {
-    return std::isfinite(value) ? std::clamp(value, low, high) : fallback;
-}
-
-ProjectileSettings usable(ProjectileSettings settings) {
-    const ProjectileSettings standard;
-    settings.radius = clampedOr(settings.radius, 0.001f, 100.0f, standard.radius);
-    settings.mass = clampedOr(settings.mass, 0.001f, 1.0e6f, standard.mass);
-    settings.speed = clampedOr(settings.speed, 0.0f, kMostSpeed, standard.speed);
-    settings.lifetime = clampedOr(settings.lifetime, 0.0f, kMostLifetime, standard.lifetime);
-    return settings;
-}
-
-void setSurface(btRigidBody& body) {
-    body.setRestitution(kRestitution);
-    body.setFriction(kFriction);
-    body.setRollingFriction(kRollingFriction);
-}
-
-std::unique_ptr<btRigidBody> makeStaticBody(btCollisionShape* shape, BodyKind kind, std::uint32_t id) {
-    const btRigidBody::btRigidBodyConstructionInfo info(0.0f, nullptr, shape);
-    auto body = std::make_unique<btRigidBody>(info);
-    setSurface(*body);
-    body->setUserIndex(static_cast<int>(kind));
-    body->setUserIndex2(static_cast<int>(id));
-    return body;
-}
-
-void moveTo(btRigidBody& body, const glm::vec3& position) {
-    body.getWorldTransform().setOrigin(toBullet(position));
-    body.setInterpolationWorldTransform(body.getWorldTransform());
-}
-
-struct TargetBody {
-    RigidTransform transform;
-    std::unique_ptr<CollisionShape> shape;
-    std::unique_ptr<btRigidBody> body;
-};
-
-/// What a projectile is about to strike in this step.
-struct Strike {
-    TargetId target;
-    SurfacePoint surface;  ///< world
-};
-
-struct Flight {
-    ProjectileSettings settings;
-    std::unique_ptr<btSphereShape> shape;
-    std::unique_ptr<btRigidBody> body;
-    std::int64_t endStep = 0;        ///< the step after which it disappears
-    bool hasHit = false;             ///< it has made a hit
-    std::vector<TargetId> touching;  ///< after the last step; sorted
-    glm::vec3 velocity{0.0f};        ///< just before any impact of this step, m/s
-    std::optional<Strike> strike;
-
-    [[nodiscard]] bool touches(TargetId target) const {
-        return std::binary_search(touching.begin(), touching.end(), target);
+/// `transform` with a rotation of unit length.
+Result<RigidTransform> usablePlace(const RigidTransform& transform) {
+    const float turn = glm::length(transform.rotation);
+    if (!isUsable(transform.position) || !(turn > 0.0f) || !std::isfinite(turn)) {
+        return Error{"The target's place is not a number, or farther than 10,000 km from the origin.", "",
+                     "Put it nearer to the origin."};
     }
-};
+    return RigidTransform{transform.position, transform.rotation / turn};
+}
+
+Status checkDynamic(const CollisionShape& shape, const TargetPhysics& physics) {
+    if (physics.isDynamic && !(shape.bounds().diagonal() <= kLargestDynamic)) {
+        return Error{"The target is too large to be knocked about: more than 100 km across.", "",
+                     "Leave it static, or scale it down."};
+    }
+    return Done{};
+}
+
+void setMotion(btRigidBody& body, btCollisionShape& shape, const TargetPhysics& physics) {
+    btVector3 inertia(0, 0, 0);
+    const float mass = physics.isDynamic ? physics.mass : 0.0f;
+    if (physics.isDynamic) {
+        shape.calculateLocalInertia(mass, inertia);
+    }
+    body.setMassProps(mass, inertia);
+    body.updateInertiaTensor();
+    body.setFriction(physics.friction);
+    body.setRollingFriction(kRollingFriction);
+    body.setRestitution(physics.restitution);
+}
 
 }  // namespace
 
-struct PhysicsWorld::Private {
-    Private();
-    ~Private();
-    Private(const Private&) = delete;
-    Private& operator=(const Private&) = delete;
-
-    void step(std::vector<Impact>& impacts);
-    void approach(Flight& flight);
-    void collect(ProjectileId id, Flight& flight, const std::map<TouchKey, Touch>& contacts,
-                 std::vector<Impact>& impacts);
-    void stopAtSurface(Flight& flight, Touch& touch);
-    void strike(ProjectileId id, Flight& flight, TargetId target, const Touch& touch,
-                std::vector<Impact>& impacts);
-    void removeFlight(std::map<ProjectileId, Flight>::iterator flight);
-    void removeSpentFlights();
-    void wakeAll();
-    [[nodiscard]] std::optional<SurfacePoint> surfacePoint(TargetId target, const glm::vec3& from,
-                                                           int triangle) const;
-
-    btDefaultCollisionConfiguration configuration;
-    btCollisionDispatcher dispatcher{&configuration};
-    btDbvtBroadphase broadphase;
-    btSequentialImpulseConstraintSolver solver;
-    btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
-    std::map<TargetId, TargetBody> targets;
-    std::map<ProjectileId, Flight> flights;
-    std::unique_ptr<btStaticPlaneShape> floorShape;
-    std::unique_ptr<btRigidBody> floor;
-    std::uint32_t nextProjectile = 1;
-    std::int64_t steps = 0;
-    double waiting = 0.0;  ///< seconds not simulated yet, < kStep
-};
+void TargetBody::place() {
+    previous = transform;
+    const btTransform where(toBullet(transform.rotation), toBullet(transform.toWorld(shape->centre())));
+    body->setWorldTransform(where);
+    body->setInterpolationWorldTransform(where);
+    body->setLinearVelocity(btVector3(0, 0, 0));
+    body->setAngularVelocity(btVector3(0, 0, 0));
+}
 
 PhysicsWorld::Private::Private() {
-    world.setGravity(toBullet(kFall));
+    world.setGravity(btVector3(0, -kGravity, 0));
 }
 
 PhysicsWorld::Private::~Private() {
@@ -145,174 +77,56 @@ PhysicsWorld::Private::~Private() {
     }
 }
 
-void PhysicsWorld::Private::removeFlight(std::map<ProjectileId, Flight>::iterator flight) {
-    world.removeRigidBody(flight->second.body.get());
-    flights.erase(flight);
-}
-
 void PhysicsWorld::Private::wakeAll() {
     for (auto& [id, flight] : flights) {
         flight.body->activate(true);
     }
-}
-
-std::optional<SurfacePoint> PhysicsWorld::Private::surfacePoint(TargetId target, const glm::vec3& from,
-                                                                int triangle) const {
-    const auto found = targets.find(target);
-    if (found == targets.end()) {
-        return std::nullopt;
-    }
-    const RigidTransform& transform = found->second.transform;
-    const auto local = found->second.shape->nearest(transform.toLocal(from), triangle);
-    if (!local) {
-        return std::nullopt;
-    }
-    return SurfacePoint{transform.toWorld(local->point), transform.directionToWorld(local->normal)};
-}
-
-/// Looks ahead along the step's motion and puts the projectile where it first touches something, its velocity
-/// untouched: Bullet then finds the contact with the full velocity of the flight and solves it in this step.
-/// Left to itself it would brake the projectile short of the surface over several steps.
-void PhysicsWorld::Private::approach(Flight& flight) {
-    flight.strike.reset();
-    btRigidBody& body = *flight.body;
-    flight.velocity = fromBullet(body.getLinearVelocity());
-    if (!body.isActive()) {
-        return;
-    }
-    flight.velocity += kFall * kStepSeconds;
-    const glm::vec3 motion = flight.velocity * kStepSeconds;
-    const glm::vec3 start = fromBullet(body.getWorldTransform().getOrigin());
-    if (glm::length(motion) < 1.0e-6f) {
-        return;
-    }
-    const auto contact = sweep(world, body, *flight.shape, start, motion);
-    if (!contact) {
-        return;
-    }
-    const int kind = contact->body->getUserIndex();
-    const TargetId target{static_cast<std::uint32_t>(contact->body->getUserIndex2())};
-    const bool strikes = kind == static_cast<int>(BodyKind::Target) && !flight.touches(target);
-    const bool lands = kind == static_cast<int>(BodyKind::Floor) && -motion.y > 0.5f * flight.settings.radius;
-    if (!strikes && !lands) {
-        return;
-    }
-    glm::vec3 centre = start + motion * contact->fraction;
-    if (strikes) {
-        if (const auto surface = surfacePoint(target, centre, contact->triangle)) {
-            flight.strike = Strike{target, *surface};
-            centre = surface->point + surface->normal * ((1.0f - kSinkIn) * flight.settings.radius);
-        }
-    }
-    moveTo(body, centre);
-}
-
-/// Bullet found no contact where its own cast did: bounce the projectile as Bullet would have.
-void PhysicsWorld::Private::stopAtSurface(Flight& flight, Touch& touch) {
-    const glm::vec3 normal = touch.deepest.normal;
-    const float inwards = -glm::dot(flight.velocity, normal);
-    if (inwards <= 0.0f) {
-        return;
-    }
-    touch.impulse = flight.settings.mass * inwards * (1.0f + kRestitution * kRestitution);
-    btRigidBody& body = *flight.body;
-    moveTo(body, touch.deepest.point + normal * flight.settings.radius);
-    body.setLinearVelocity(toBullet(flight.velocity + normal * (touch.impulse / flight.settings.mass)));
-}
-
-void PhysicsWorld::Private::strike(ProjectileId id, Flight& flight, TargetId target, const Touch& touch,
-                                   std::vector<Impact>& impacts) {
-    const float speed = glm::length(flight.velocity);
-    const float inwards = -glm::dot(flight.velocity, touch.deepest.normal);
-    const bool counts = flight.hasHit ? flight.settings.bouncesCount && inwards >= kLeastBounceSpeed
-                                      : speed >= kLeastImpactSpeed;
-    if (!counts) {
-        return;
-    }
-    flight.hasHit = true;
-    Impact impact;
-    impact.target = target;
-    impact.projectile = id;
-    impact.point = touch.deepest.point;
-    impact.direction = flight.velocity / speed;
-    impact.normal = touch.deepest.normal;
-    impact.speed = speed;
-    impact.impulse = touch.impulse;
-    impact.time = static_cast<double>(steps) * kStep;
-    impacts.push_back(impact);
-}
-
-void PhysicsWorld::Private::collect(ProjectileId id, Flight& flight,
-                                    const std::map<TouchKey, Touch>& contacts, std::vector<Impact>& impacts) {
-    std::map<TargetId, Touch> touched;
-    for (auto it = contacts.lower_bound({id, TargetId{0}}); it != contacts.end() && it->first.first == id;
-         ++it) {
-        touched.emplace(it->first.second, it->second);
-    }
-    if (flight.strike) {
-        Touch& touch = touched[flight.strike->target];
-        touch.deepest = flight.strike->surface;
-        if (touch.impulse <= 0.0f) {
-            stopAtSurface(flight, touch);
-        }
-    }
-    std::vector<TargetId> touching;
-    for (const auto& [target, touch] : touched) {
-        touching.push_back(target);
-        if (!flight.touches(target)) {
-            strike(id, flight, target, touch, impacts);
-        }
-    }
-    flight.touching = std::move(touching);
-}
-
-void PhysicsWorld::Private::removeSpentFlights() {
-    for (auto it = flights.begin(); it != flights.end();) {
-        const auto current = it++;
-        const glm::vec3 position = fromBullet(current->second.body->getWorldTransform().getOrigin());
-        if (steps >= current->second.endStep || !isUsable(position)) {
-            removeFlight(current);
+    for (auto& [id, target] : targets) {
+        if (target.physics.isDynamic) {
+            target.body->activate(true);
         }
     }
 }
 
-void PhysicsWorld::Private::step(std::vector<Impact>& impacts) {
-    ++steps;
-    if (flights.empty()) {
-        return;
-    }
-    for (auto& [id, flight] : flights) {
-        approach(flight);
-    }
-    world.stepSimulation(kStepSeconds, 0);
-    const auto contacts = touches(dispatcher);
-    for (auto& [id, flight] : flights) {
-        collect(id, flight, contacts, impacts);
-    }
-    removeSpentFlights();
+/// Bullet sorts a body into static and dynamic ones when it is added, and keeps what it knows of its shape.
+void PhysicsWorld::Private::addBody(TargetBody& target) {
+    target.body->setCollisionShape(target.shape->bullet());
+    setMotion(*target.body, *target.shape->bullet(), target.physics);
+    world.addRigidBody(target.body.get());
 }
 
 PhysicsWorld::PhysicsWorld() : d(std::make_unique<Private>()) {}
 PhysicsWorld::~PhysicsWorld() = default;
 
-void PhysicsWorld::addTarget(TargetId target, const RigidTransform& transform, const Collider& collider) {
+// Targets
+
+Status PhysicsWorld::addTarget(TargetId target, const RigidTransform& transform, const Collider& collider,
+                               const TargetPhysics& physics) {
     removeTarget(target);
-    const float turn = glm::length(transform.rotation);
-    if (!isUsable(transform.position) || !(turn > 0.0f) || !std::isfinite(turn)) {
-        return;
+    const Result<RigidTransform> place = usablePlace(transform);
+    if (!place) {
+        return place.error();
+    }
+    Result<std::unique_ptr<CollisionShape>> shape = CollisionShape::make(collider);
+    if (!shape) {
+        return shape.error();
+    }
+    if (Status status = checkDynamic(*shape.value(), physics); !status) {
+        return status;
     }
     TargetBody entry;
-    entry.transform = {transform.position, transform.rotation / turn};
-    entry.shape = CollisionShape::make(collider);
-    if (!entry.shape) {
-        return;
-    }
-    entry.body = makeStaticBody(entry.shape->bullet(), BodyKind::Target, target.value);
-    entry.body->setWorldTransform(
-        btTransform(toBullet(entry.transform.rotation), toBullet(entry.transform.position)));
-    d->world.addRigidBody(entry.body.get());
-    d->targets.emplace(target, std::move(entry));
+    entry.transform = place.value();
+    entry.physics = clamped(physics);
+    entry.shape = std::move(shape).value();
+    const btRigidBody::btRigidBodyConstructionInfo info(0.0f, nullptr, entry.shape->bullet());
+    entry.body = std::make_unique<btRigidBody>(info);
+    entry.body->setUserIndex(static_cast<int>(BodyKind::Target));
+    entry.body->setUserIndex2(static_cast<int>(target.value));
+    entry.body->setUserPointer(entry.shape.get());
+    entry.place();
+    d->addBody(d->targets.emplace(target, std::move(entry)).first->second);
     d->wakeAll();
+    return Done{};
 }
 
 void PhysicsWorld::removeTarget(TargetId target) {
@@ -328,13 +142,105 @@ void PhysicsWorld::removeTarget(TargetId target) {
     d->wakeAll();
 }
 
+bool PhysicsWorld::hasTarget(TargetId target) const {
+    return d->targets.contains(target);
+}
+
+Status PhysicsWorld::moveTarget(TargetId target, const RigidTransform& transform) {
+    const Result<RigidTransform> place = usablePlace(transform);
+    if (!place) {
+        return place.error();
+    }
+    const auto found = d->targets.find(target);
+    if (found != d->targets.end()) {
+        found->second.transform = place.value();
+        found->second.place();
+        d->world.updateSingleAabb(found->second.body.get());
+        d->wakeAll();
+    }
+    return Done{};
+}
+
+Status PhysicsWorld::setTargetPhysics(TargetId target, const TargetPhysics& physics) {
+    const auto found = d->targets.find(target);
+    if (found == d->targets.end()) {
+        return Done{};
+    }
+    TargetBody& entry = found->second;
+    if (Status status = checkDynamic(*entry.shape, physics); !status) {
+        return status;
+    }
+    entry.physics = clamped(physics);
+    d->world.removeRigidBody(entry.body.get());
+    entry.place();
+    d->addBody(entry);
+    d->wakeAll();
+    return Done{};
+}
+
+void PhysicsWorld::updateTarget(TargetId target, std::uint32_t first,
+                                std::span<const DynamicVertex> vertices) {
+    const auto found = d->targets.find(target);
+    if (found != d->targets.end()) {
+        d->reshape(target, found->second, found->second.shape->update(first, vertices));
+    }
+}
+
+void PhysicsWorld::resetTarget(TargetId target) {
+    const auto found = d->targets.find(target);
+    if (found != d->targets.end()) {
+        d->reshape(target, found->second, found->second.shape->reset());
+    }
+}
+
+void PhysicsWorld::Private::reshape(TargetId id, TargetBody& target, bool shapeChanged) {
+    if (shapeChanged) {
+        const btVector3 velocity = target.body->getLinearVelocity();
+        const btVector3 spin = target.body->getAngularVelocity();
+        world.removeRigidBody(target.body.get());
+        addBody(target);
+        target.body->setLinearVelocity(velocity);
+        target.body->setAngularVelocity(spin);
+    } else {
+        world.updateSingleAabb(target.body.get());
+    }
+    // What rests on it may have lost its ground.
+    for (auto& [flightId, flight] : flights) {
+        if (flight.touches(id)) {
+            flight.body->activate(true);
+        }
+    }
+}
+
+std::vector<TargetPose> PhysicsWorld::dynamicTargets() const {
+    std::vector<TargetPose> states;
+    for (const auto& [id, target] : d->targets) {
+        if (target.physics.isDynamic) {
+            const RigidTransform& from = target.previous;
+            const RigidTransform& to = target.transform;
+            const float t = d->between();
+            states.push_back({id,
+                              to,
+                              {glm::mix(from.position, to.position, t),
+                               glm::normalize(glm::slerp(from.rotation, to.rotation, t))}});
+        }
+    }
+    return states;
+}
+
 void PhysicsWorld::setFloor(float y) {
     removeFloor();
     if (!(std::abs(y) <= kFarthest)) {
         return;
     }
     d->floorShape = std::make_unique<btStaticPlaneShape>(btVector3(0, 1, 0), y);
-    d->floor = makeStaticBody(d->floorShape.get(), BodyKind::Floor, 0);
+    const btRigidBody::btRigidBodyConstructionInfo info(0.0f, nullptr, d->floorShape.get());
+    d->floor = std::make_unique<btRigidBody>(info);
+    d->floor->setUserIndex(static_cast<int>(BodyKind::Floor));
+    d->floor->setUserIndex2(0);
+    d->floor->setRestitution(kRestitution);
+    d->floor->setFriction(kFriction);
+    d->floor->setRollingFriction(kRollingFriction);
     d->world.addRigidBody(d->floor.get());
     d->wakeAll();
 }
@@ -348,96 +254,74 @@ void PhysicsWorld::removeFloor() {
     }
 }
 
-ProjectileId PhysicsWorld::shoot(const glm::vec3& origin, const glm::vec3& direction,
-                                 const ProjectileSettings& settings) {
-    const float length = glm::length(direction);
-    if (!isUsable(origin) || !(length > 0.0f) || !std::isfinite(length)) {
-        return {};
-    }
-    Flight flight;
-    flight.settings = usable(settings);
-    const ProjectileSettings& shot = flight.settings;
-    flight.shape = std::make_unique<btSphereShape>(shot.radius);
-    btVector3 inertia(0, 0, 0);
-    flight.shape->calculateLocalInertia(shot.mass, inertia);
-    const btRigidBody::btRigidBodyConstructionInfo info(shot.mass, nullptr, flight.shape.get(), inertia);
-    flight.body = std::make_unique<btRigidBody>(info);
-    btRigidBody& body = *flight.body;
-    setSurface(body);
-    const ProjectileId id{d->nextProjectile++};
-    body.setUserIndex(static_cast<int>(BodyKind::Projectile));
-    body.setUserIndex2(static_cast<int>(id.value));
-    const btTransform where(btQuaternion::getIdentity(), toBullet(origin));
-    body.setWorldTransform(where);
-    body.setInterpolationWorldTransform(where);
-    body.setLinearVelocity(toBullet(direction * (shot.speed / length)));
-    // Motion of more than half a radius a step is swept by Bullet too: it keeps what a bounce sends elsewhere
-    // within the same step, and projectiles that meet, from passing through.
-    body.setCcdMotionThreshold(0.5f * shot.radius);
-    body.setCcdSweptSphereRadius(0.9f * shot.radius);
-    d->world.addRigidBody(&body);
-    flight.endStep = d->steps + std::max<std::int64_t>(1, std::llround(shot.lifetime / kStep));
-    d->flights.emplace(id, std::move(flight));
-    return id;
-}
-
-void PhysicsWorld::removeProjectiles() {
-    while (!d->flights.empty()) {
-        d->removeFlight(d->flights.begin());
-    }
-}
+// Time
 
 std::vector<Impact> PhysicsWorld::advance(double seconds) {
     std::vector<Impact> impacts;
-    if (!(seconds > 0.0) || !std::isfinite(seconds)) {
+    if (d->isPaused || !(seconds > 0.0) || !std::isfinite(seconds)) {
         return impacts;
     }
-    d->waiting += seconds;
+    d->waiting += seconds * d->timeScale;
     // A frame of exactly n steps must not lose one to rounding.
-    const double due = std::floor(d->waiting / kStep + 1.0e-6);
-    const int count = static_cast<int>(std::min(due, static_cast<double>(kMaxSteps)));
-    d->waiting = due > kMaxSteps ? 0.0 : std::max(0.0, d->waiting - count * kStep);
+    const double due = std::floor(d->waiting / d->stepSeconds + 1.0e-6);
+    const double most = std::round(kLongestFrame / d->stepSeconds);
+    const int count = static_cast<int>(std::min(due, most));
+    d->waiting = due > most ? 0.0 : std::max(0.0, d->waiting - count * d->stepSeconds);
     for (int i = 0; i < count; ++i) {
         d->step(impacts);
     }
     return impacts;
 }
 
-std::vector<ProjectileState> PhysicsWorld::projectiles() const {
-    std::vector<ProjectileState> states;
-    states.reserve(d->flights.size());
-    for (const auto& [id, flight] : d->flights) {
-        states.push_back(
-            {id, fromBullet(flight.body->getWorldTransform().getOrigin()), flight.settings.radius});
-    }
-    return states;
-}
-
-std::size_t PhysicsWorld::projectileCount() const {
-    return d->flights.size();
+std::vector<Impact> PhysicsWorld::stepOnce() {
+    std::vector<Impact> impacts;
+    d->step(impacts);
+    // What is drawn after a single step is that step.
+    d->waiting = std::nextafter(d->stepSeconds, 0.0);
+    return impacts;
 }
 
 double PhysicsWorld::time() const {
-    return static_cast<double>(d->steps) * kStep;
+    return d->time();
 }
 
-std::optional<PhysicsWorld::RayHit> PhysicsWorld::castRay(const glm::vec3& origin, const glm::vec3& direction,
-                                                          float length) const {
-    if (!isUsable(origin) || !isUsable(direction) || !(length > 0.0f)) {
-        return std::nullopt;
+double PhysicsWorld::step() const {
+    return d->stepSeconds;
+}
+
+void PhysicsWorld::setStep(double seconds) {
+    const ParameterDescriptor& range = stepParameter();
+    if (std::isfinite(seconds)) {
+        d->timeBefore = d->time();
+        d->steps = 0;
+        d->waiting = 0.0;
+        d->stepSeconds = std::clamp(seconds, range.minimum, range.maximum);
     }
-    const glm::vec3 end = origin + direction * std::min(length, kFarthest);
-    const auto contact = castLine(d->world, origin, end);
-    if (!contact) {
-        return std::nullopt;
+}
+
+double PhysicsWorld::timeScale() const {
+    return d->timeScale;
+}
+
+void PhysicsWorld::setTimeScale(double scale) {
+    const ParameterDescriptor& range = timeScaleParameter();
+    if (std::isfinite(scale)) {
+        d->timeScale = std::clamp(scale, range.minimum, range.maximum);
     }
-    const TargetId target{static_cast<std::uint32_t>(contact->body->getUserIndex2())};
-    RayHit hit{target, glm::mix(origin, end, contact->fraction), contact->normal};
-    // The fraction of a long line is coarse: back onto the surface.
-    if (const auto surface = d->surfacePoint(target, hit.point, contact->triangle)) {
-        hit.point = surface->point;
-    }
-    return hit;
+}
+
+bool PhysicsWorld::isPaused() const {
+    return d->isPaused;
+}
+
+void PhysicsWorld::setPaused(bool paused) {
+    d->isPaused = paused;
+}
+
+bool PhysicsWorld::isMoving() const {
+    return !d->flights.empty() || std::any_of(d->targets.begin(), d->targets.end(), [](const auto& entry) {
+        return entry.second.physics.isDynamic && entry.second.body->isActive();
+    });
 }
 
 }  // namespace hitscope

@@ -13,10 +13,6 @@ namespace {
 // hovers by about this much.
 constexpr float kTouchDistance = 0.002f;
 
-bool isKind(const btCollisionObject* body, BodyKind kind) {
-    return body->getUserIndex() == static_cast<int>(kind);
-}
-
 void add(Touch& touch, const btPersistentManifold& manifold, bool targetIsB) {
     for (int i = 0; i < manifold.getNumContacts(); ++i) {
         const btManifoldPoint& point = manifold.getContactPoint(i);
@@ -29,7 +25,8 @@ void add(Touch& touch, const btPersistentManifold& manifold, bool targetIsB) {
             touch.distance = point.getDistance();
             const btVector3& position = targetIsB ? point.getPositionWorldOnB() : point.getPositionWorldOnA();
             const btVector3 normal = targetIsB ? point.m_normalWorldOnB : -point.m_normalWorldOnB;
-            touch.deepest = {fromBullet(position), fromBullet(normal)};
+            const int triangle = targetIsB ? point.m_index1 : point.m_index0;
+            touch.deepest = {fromBullet(position), fromBullet(normal), triangle};
         }
     }
 }
@@ -42,10 +39,10 @@ std::map<TouchKey, Touch> touches(btDispatcher& dispatcher) {
         const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
         const btCollisionObject* a = manifold.getBody0();
         const btCollisionObject* b = manifold.getBody1();
-        const bool targetIsB = isKind(b, BodyKind::Target);
+        const bool targetIsB = isKind(*b, BodyKind::Target);
         const btCollisionObject* target = targetIsB ? b : a;
         const btCollisionObject* projectile = targetIsB ? a : b;
-        if (!isKind(target, BodyKind::Target) || !isKind(projectile, BodyKind::Projectile)) {
+        if (!isKind(*target, BodyKind::Target) || !isKind(*projectile, BodyKind::Projectile)) {
             continue;
         }
         Touch touch;

@@ -7,12 +7,9 @@
 #include <utility>
 
 #include "core/ids.h"
-#include "physics/collision_shape.h"
+#include "physics/motion_sweep.h"
 
 namespace hitscope::physics {
-
-/// What a body of the world is; kept in Bullet's two user indices.
-enum class BodyKind : int { Target = 1, Floor = 2, Projectile = 3 };
 
 /// A projectile in contact with a target after a step, over all of Bullet's manifolds between the two.
 struct Touch {

@@ -45,11 +45,14 @@ std::optional<Ray> shotAt(const Target& target, std::mt19937& random) {
 std::vector<Ray> demoShots(const Session& session, int count, std::uint32_t seed) {
     std::mt19937 random(seed);
     std::vector<Ray> shots;
-    if (session.targets().empty()) {
-        return shots;
+    std::vector<const Target*> targets;
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        if (target->visible) {
+            targets.push_back(target.get());
+        }
     }
-    for (int i = 0; i < count; ++i) {
-        const Target& target = *session.targets()[static_cast<std::size_t>(i) % session.targets().size()];
+    for (int i = 0; i < count && !targets.empty(); ++i) {
+        const Target& target = *targets[static_cast<std::size_t>(i) % targets.size()];
         if (const std::optional<Ray> shot = shotAt(target, random)) {
             shots.push_back(*shot);
         }

@@ -6,6 +6,7 @@
 #include "mesh/mesh_data.h"
 #include "mesh/render_mesh.h"
 #include "mesh/true_normals.h"
+#include "physics/collision_mesh.h"
 
 namespace hitscope {
 
@@ -15,6 +16,7 @@ struct PreparedMesh {
     std::shared_ptr<const MeshData> mesh;
     std::shared_ptr<const RenderMesh> render;
     std::shared_ptr<const TrueNormals> trueNormals;  ///< at the original shape
+    std::shared_ptr<const CollisionMesh> collision;  ///< the render mesh's triangles
 };
 
 /// `mesh` has passed validate().

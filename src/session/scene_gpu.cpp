@@ -232,6 +232,9 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
     std::vector<DrawItem> items;
     items.reserve(session.targets().size());
     for (const std::unique_ptr<Target>& target : session.targets()) {
+        if (!target->visible) {
+            continue;
+        }
         const Private::GpuTarget& gpu = d->targets.at(target->id);
         items.push_back({target->id, gpu.buffers.get(), gpu.materials.get(), modelMatrix(target->transform),
                          target->id == session.selectedTarget() && session.targets().size() > 1});

@@ -5,8 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/physics_world.h"
-#include "session/prepared_mesh.h"
+#include "session/target_plan.h"
 
 namespace hitscope {
 
@@ -27,14 +26,6 @@ struct PaperRow {
 [[nodiscard]] std::span<const PaperRow> paperRows();
 /// The row that the window opens on: one with all four meshes.
 inline constexpr int kDefaultPaperRow = 1;
-
-/// A target to be: what it is called, its shape, where it stands and how it collides.
-struct TargetPlan {
-    QString name;
-    PreparedMesh shape;
-    RigidTransform transform;
-    Collider collider;
-};
 
 /// The targets of a row on the paper's grid: 4 x 4, 15 m apart, each of half extent (or radius) 2.5 m,
 /// standing on y = 0; LP cubes first, then HP cubes, LP spheres, HP spheres.

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -17,9 +18,9 @@
 #include "pipeline/pipeline_kind.h"
 #include "render/camera.h"
 #include "render/lights.h"
-#include "session/history_undo.h"
 #include "session/hit_rows.h"
 #include "session/scene_presets.h"
+#include "session/session_undo.h"
 #include "session/target.h"
 
 namespace hitscope {
@@ -34,7 +35,8 @@ public:
     ~Session() override;
 
     // Scene
-    void loadPaperRow(int row);  ///< replaces targets and history; 0 <= row < paperRows().size()
+    void loadScene(ScenePlan plan);  ///< replaces targets and history
+    void loadPaperRow(int row);      ///< likewise; 0 <= row < paperRows().size()
     /// Replaces targets and history by one mesh standing on the floor. `mesh` has passed validate().
     void loadMesh(MeshData mesh, const QString& sourcePath = {});
     void loadMesh(const PreparedMesh& mesh, const QString& sourcePath = {});
@@ -42,25 +44,42 @@ public:
     [[nodiscard]] QString sceneName() const;  ///< for the window's title
     [[nodiscard]] std::span<const std::unique_ptr<Target>> targets() const { return m_targets; }
     [[nodiscard]] const Target* target(TargetId id) const;  ///< null: no such target
-    [[nodiscard]] Bounds sceneBounds() const;               ///< world, original shapes
+    /// World, original shapes; of the hidden ones only if there are no others.
+    [[nodiscard]] Bounds sceneBounds() const;
     [[nodiscard]] float floorHeight() const { return m_floorHeight; }
     [[nodiscard]] TargetId selectedTarget() const { return m_selectedTarget; }
     void selectTarget(TargetId id);
+
+    // Targets. Each of these is one step to undo; ids of no target are passed over.
+    /// Adds them where they are clear of the others and of the floor (makeRoom()), under names of their own.
+    /// The last one is selected.
+    void addTargets(std::vector<TargetPlan> plans);
+    /// Adds copies as they are now, hits included, beside the others.
+    void duplicateTargets(std::span<const TargetId> ids);
+    void removeTargets(std::span<const TargetId> ids);  ///< and their hits
+    void resetTargets(std::span<const TargetId> ids);   ///< to their original shape: removes their hits
+    /// Spaces at the ends are dropped; an empty name is refused.
+    [[nodiscard]] Status renameTarget(TargetId id, const QString& name);
+    void setTargetsVisible(std::span<const TargetId> ids, bool visible);
+    /// Hits go along, since they are kept in the local frame. The rotation is made unit. Refused when a
+    /// number is not finite or the rotation is none.
+    [[nodiscard]] Status setTargetTransform(TargetId id, const RigidTransform& transform,
+                                            SessionUndo::Merge merge = SessionUndo::Merge::Never);
 
     // Hits
     [[nodiscard]] const HitHistory& history() const { return m_history; }
     /// Appends a hit made elsewhere (a file, a script); refused as checkedHit() says, or if there is no such
     /// target.
     [[nodiscard]] Status addHit(const Hit& hit);
-    /// Undo and redo cover every change of the history: hits made, removed, moved, disabled, cleared, their
-    /// constants changed.
+    /// Undo and redo cover every change of the history (hits made, removed, moved, disabled, cleared, their
+    /// constants changed) and of the targets.
     [[nodiscard]] bool canUndo() const { return m_undo.canUndo(); }
     [[nodiscard]] bool canRedo() const { return m_undo.canRedo(); }
-    /// What undoHit() and redoHit() would be about; nothing when they would do nothing.
-    [[nodiscard]] std::optional<HistoryUndo::Name> undoName() const { return nameOf(m_undo.toUndo()); }
-    [[nodiscard]] std::optional<HistoryUndo::Name> redoName() const { return nameOf(m_undo.toRedo()); }
-    void undoHit();
-    void redoHit();
+    /// What undo() and redo() would be about; nothing when they would do nothing.
+    [[nodiscard]] std::optional<SessionUndo::Name> undoName() const { return nameOf(m_undo.toUndo()); }
+    [[nodiscard]] std::optional<SessionUndo::Name> redoName() const { return nameOf(m_undo.toRedo()); }
+    void undo();
+    void redo();
     /// Each of these is one step to undo, however many hits; indices out of range are passed over.
     void setHitsEnabled(std::span<const std::size_t> indices, bool enabled);
     void enableAllHits();
@@ -88,10 +107,24 @@ public:
 
     // Time
     void shoot(const Ray& ray);  ///< world
-    /// Steps the physics; contacts become hits.
+    /// A hit without flight, where the ray first meets a target: exact and repeatable. Returns whether there
+    /// is one.
+    bool hitscan(const Ray& ray);
+    /// Steps the physics; contacts become hits, dynamic targets move.
     void advance(double seconds);
-    [[nodiscard]] bool isMoving() const;  ///< projectiles are alive
+    void stepOnce();  ///< one physics step, paused or not
+    bool isPaused() const { return m_physics.isPaused(); }
+    void setPaused(bool paused);
+    /// 1: as real time goes; clamped to timeScaleParameter().
+    void setTimeScale(double scale);
+    void setPhysicsStep(double seconds);  ///< clamped to stepParameter()
+    /// Time goes on and something moves with it: projectiles, dynamic targets.
+    [[nodiscard]] bool isMoving() const;
     [[nodiscard]] const PhysicsWorld& physics() const { return m_physics; }
+    /// One step to undo. Refused for a target too large to be knocked about.
+    [[nodiscard]] Status setTargetPhysics(TargetId id, const TargetPhysics& physics);
+    /// Why shots pass a target, in words for the interface; empty: they do not.
+    [[nodiscard]] QString whyNotHittable(TargetId id) const;
 
     // What SceneGpu reports back
     void setExactness(const Exactness& exactness);
@@ -117,6 +150,10 @@ public:
 
 Q_SIGNALS:
     void sceneReplaced();  ///< all targets are new, the history is empty
+    void targetAdded(hitscope::TargetId target);
+    void targetRemoved(hitscope::TargetId target);  ///< its hits went before it
+    void targetChanged(hitscope::TargetId target);  ///< name, transform or visibility
+    void undoChanged();                             ///< what there is to undo or redo
     void hitsAboutToBeAppended(int first, int last);
     void hitsAppended();
     /// Hits [first, last] are where they were; they were enabled or disabled, or got other constants.
@@ -129,6 +166,7 @@ Q_SIGNALS:
     void projectileSettingsChanged();
     void pipelineChanged();
     void exactnessChanged();
+    void timeChanged();  ///< paused or not, time scale, physics step
     void targetSelected(hitscope::TargetId target);
     void hitSelected();
     void capacityChanged();
@@ -138,13 +176,31 @@ Q_SIGNALS:
 private:
     void clearScene();
     void announceScene(const QString& name);
-    Target& addTarget(const TargetPlan& plan);
+    TargetState newTarget(TargetPlan plan);
+    Target& insertTarget(std::size_t index, const TargetState& state);
+    void eraseTarget(std::size_t index);
+    void letCollide(const Target& target);
+    void takeImpacts(std::span<const Impact> impacts);
+    void followDynamicTargets();
+    [[nodiscard]] std::optional<std::size_t> indexOf(TargetId id) const;
+    [[nodiscard]] std::vector<std::size_t> indicesOf(std::span<const TargetId> ids) const;
+    [[nodiscard]] std::vector<std::size_t> hitsOn(std::span<const TargetId> ids) const;
+    [[nodiscard]] std::set<QString> targetNames() const;
     void appendHits(std::span<const Hit> hits);
-    void recordUndo(std::vector<HistoryEdit> edits, HistoryUndo::Name name);
-    void changeHistory(std::vector<HistoryEdit> edits, HistoryUndo::Name name);
+    std::vector<HistoryEdit> spliceOut(std::span<const std::size_t> hits);
+    void recordUndo(SessionUndo::Change change);
+    void changeHistory(std::vector<HistoryEdit> edits, SessionUndo::Name name);
+    void changeTargets(std::vector<TargetEdit> targets, SessionUndo::Name name,
+                       std::vector<HistoryEdit> edits = {},
+                       SessionUndo::Merge merge = SessionUndo::Merge::Never);
+    void changeTarget(const Target& target, TargetState after, SessionUndo::Name name,
+                      SessionUndo::Merge merge = SessionUndo::Merge::Never);
+    void makeAgain(const SessionUndo::Change& change);
+    void follow(const SessionUndo::Change& change);
+    void follow(const TargetEdit& edit);
     void announceEdits(std::span<const HistoryEdit> edits);
     void announceRows(const HitRows& rows);
-    static std::optional<HistoryUndo::Name> nameOf(const HistoryUndo::Change* change) {
+    static std::optional<SessionUndo::Name> nameOf(const SessionUndo::Change* change) {
         return change != nullptr ? std::optional(change->name) : std::nullopt;
     }
     void takeConstants(const DeformationConstants& constants);
@@ -155,7 +211,7 @@ private:
     float m_floorHeight = 0.0f;
     TargetId m_selectedTarget;
     HitHistory m_history;
-    HistoryUndo m_undo;
+    SessionUndo m_undo;
     std::optional<std::size_t> m_selectedHit;
     DeformationConstants m_constants;
     Lights m_lights;
@@ -163,6 +219,7 @@ private:
     PipelineKind m_pipeline = PipelineKind::TransformFeedback;
     std::optional<Exactness> m_exactness;
     PhysicsWorld m_physics;
+    std::map<TargetId, QString> m_notHittable;  ///< why
     std::size_t m_disabledHits = 0;
     CapacityReport m_capacity;
     std::map<PipelineKind, QString> m_unavailablePipelines;

@@ -96,16 +96,6 @@ std::size_t countDisabled(std::span<const Hit> hits) {
         std::count_if(hits.begin(), hits.end(), [](const Hit& hit) { return !hit.enabled; }));
 }
 
-/// What undoing them does.
-std::vector<HistoryEdit> inverse(std::span<const HistoryEdit> edits) {
-    std::vector<HistoryEdit> undone;
-    undone.reserve(edits.size());
-    std::for_each(edits.rbegin(), edits.rend(), [&undone](const HistoryEdit& edit) {
-        undone.push_back({edit.first, edit.after, edit.before});
-    });
-    return undone;
-}
-
 }  // namespace
 
 Status Session::addHit(const Hit& hit) {
@@ -127,21 +117,30 @@ void Session::appendHits(std::span<const Hit> hits) {
     }
     const int first = static_cast<int>(m_history.size());
     Q_EMIT hitsAboutToBeAppended(first, first + static_cast<int>(hits.size()) - 1);
-    recordUndo({m_history.append(hits)}, {HistoryUndo::Kind::Hit, hits.size()});
+    recordUndo({{m_history.append(hits)},
+                m_constants,
+                m_constants,
+                SessionUndo::Merge::Never,
+                {SessionUndo::Kind::Hit, hits.size()}});
     m_disabledHits += countDisabled(hits);
     Q_EMIT hitsAppended();
     selectTarget(hits.back().target);
     Q_EMIT pictureChanged();
 }
 
-/// The constants in force stay as they are.
-void Session::recordUndo(std::vector<HistoryEdit> edits, HistoryUndo::Name name) {
-    m_undo.record({std::move(edits), m_constants, m_constants, HistoryUndo::Merge::Never, name});
+void Session::recordUndo(SessionUndo::Change change) {
+    m_undo.record(std::move(change));
+    Q_EMIT undoChanged();
 }
 
-void Session::changeHistory(std::vector<HistoryEdit> edits, HistoryUndo::Name name) {
-    recordUndo(edits, name);
+/// The constants in force stay as they are.
+void Session::changeHistory(std::vector<HistoryEdit> edits, SessionUndo::Name name) {
+    recordUndo({edits, m_constants, m_constants, SessionUndo::Merge::Never, name});
     announceEdits(edits);
+}
+
+std::vector<HistoryEdit> Session::spliceOut(std::span<const std::size_t> hits) {
+    return hits.empty() ? std::vector<HistoryEdit>{} : remove(m_history, hits);
 }
 
 void Session::announceEdits(std::span<const HistoryEdit> edits) {
@@ -181,20 +180,25 @@ void Session::announceRows(const HitRows& rows) {
     }
 }
 
-void Session::undoHit() {
-    if (const HistoryUndo::Change* change = m_undo.toUndo()) {
-        const std::vector<HistoryEdit> edits = inverse(change->edits);
-        takeConstants(m_undo.undo(m_history));
-        announceEdits(edits);
+void Session::undo() {
+    if (m_undo.canUndo()) {
+        makeAgain(m_undo.undo());
     }
 }
 
-void Session::redoHit() {
-    if (const HistoryUndo::Change* change = m_undo.toRedo()) {
-        const std::vector<HistoryEdit> edits = change->edits;
-        takeConstants(m_undo.redo(m_history));
-        announceEdits(edits);
+void Session::redo() {
+    if (m_undo.canRedo()) {
+        makeAgain(m_undo.redo());
     }
+}
+
+void Session::makeAgain(const SessionUndo::Change& change) {
+    for (const HistoryEdit& edit : change.edits) {
+        m_history.redo(edit);
+    }
+    takeConstants(change.constantsAfter);
+    follow(change);
+    Q_EMIT undoChanged();
 }
 
 void Session::setHitsEnabled(std::span<const std::size_t> indices, bool enabled) {
@@ -210,7 +214,7 @@ void Session::setHitsEnabled(std::span<const std::size_t> indices, bool enabled)
         edits.push_back(m_history.splice(run.first, run.count, after));
     }
     changeHistory(std::move(edits),
-                  {enabled ? HistoryUndo::Kind::Enable : HistoryUndo::Kind::Disable, changed});
+                  {enabled ? SessionUndo::Kind::Enable : SessionUndo::Kind::Disable, changed});
 }
 
 void Session::enableAllHits() {
@@ -228,13 +232,13 @@ void Session::moveHits(std::span<const std::size_t> indices, std::size_t to) {
     if (together && to >= sorted.front() && to <= sorted.back() + 1) {
         return;  // they stand there
     }
-    changeHistory(move(m_history, sorted, to), {HistoryUndo::Kind::Move, sorted.size()});
+    changeHistory(move(m_history, sorted, to), {SessionUndo::Kind::Move, sorted.size()});
 }
 
 void Session::removeHits(std::span<const std::size_t> indices) {
     const std::vector<std::size_t> sorted = inOrder(indices, m_history.size());
     if (!sorted.empty()) {
-        changeHistory(remove(m_history, sorted), {HistoryUndo::Kind::Remove, sorted.size()});
+        changeHistory(remove(m_history, sorted), {SessionUndo::Kind::Remove, sorted.size()});
     }
 }
 
@@ -245,7 +249,7 @@ void Session::removeHit(std::size_t index) {
 void Session::clearHits() {
     const std::size_t hits = m_history.size();
     if (hits > 0) {
-        changeHistory({m_history.clear()}, {HistoryUndo::Kind::Clear, hits});
+        changeHistory({m_history.clear()}, {SessionUndo::Kind::Clear, hits});
     }
 }
 

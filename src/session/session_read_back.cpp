@@ -54,6 +54,7 @@ void Session::restartReadBack() {
             }
         }
         mesh.reset();
+        m_physics.resetTarget(target->id);
     }
 }
 
@@ -71,6 +72,7 @@ void Session::takeReadBack(TargetId id, std::uint32_t first, std::span<const Dyn
         }
     }
     target->deformed.write(first, vertices);
+    m_physics.updateTarget(id, first, vertices);
 }
 
 void Session::setExactness(const Exactness& exactness) {

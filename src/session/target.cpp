@@ -5,12 +5,8 @@
 
 namespace hitscope {
 
-Target::Target(TargetId targetId, QString targetName, const RigidTransform& where, const PreparedMesh& shape)
-    : id(targetId),
-      name(std::move(targetName)),
-      transform(where),
-      deformed(shape.mesh, shape.render),
-      trueNormals(*shape.trueNormals) {}
+Target::Target(TargetState state)
+    : TargetState(std::move(state)), deformed(shape.mesh, shape.render), trueNormals(*shape.trueNormals) {}
 
 const TopologyStatistics& Target::topology() const {
     if (!m_topology) {
@@ -27,17 +23,7 @@ const GeometryStatistics& Target::originalGeometry() const {
 }
 
 Bounds Target::worldBounds() const {
-    const Bounds& local = deformed.render().bounds;
-    Bounds world;
-    if (local.empty()) {
-        return world;
-    }
-    for (int corner = 0; corner < 8; ++corner) {
-        world.add(transform.toWorld({(corner & 1) != 0 ? local.max.x : local.min.x,
-                                     (corner & 2) != 0 ? local.max.y : local.min.y,
-                                     (corner & 4) != 0 ? local.max.z : local.min.z}));
-    }
-    return world;
+    return hitscope::worldBounds(deformed.render(), transform);
 }
 
 }  // namespace hitscope

@@ -1,26 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QString>
 #include <optional>
 
-#include "core/ids.h"
 #include "deform/deformed_mesh.h"
 #include "mesh/topology.h"
 #include "mesh/true_normals.h"
-#include "physics/physics_world.h"
-#include "session/prepared_mesh.h"
+#include "session/target_plan.h"
+#include "session/target_state.h"
 
 namespace hitscope {
 
-/// A mesh in the scene that can be hit.
-struct Target {
-    Target(TargetId targetId, QString targetName, const RigidTransform& where, const PreparedMesh& shape);
+/// A mesh in the scene that can be hit, and what hits have made of it.
+struct Target : TargetState {
+    explicit Target(TargetState state);
 
-    TargetId id;
-    QString name;
-    RigidTransform transform;
-    QString sourcePath;  ///< the file it came from; empty: made by us
     DeformedMesh deformed;
     TrueNormals trueNormals;
 

@@ -38,6 +38,9 @@ Viewport::Viewport(Session& session, QWidget* parent) : QOpenGLWidget(parent), m
     connect(this, &QOpenGLWidget::frameSwapped, this, &Viewport::moveOn);
     connect(&session, &Session::pictureChanged, this, qOverload<>(&QWidget::update));
     connect(&session, &Session::sceneReplaced, this, &Viewport::followScene);
+    connect(&session, &Session::targetAdded, this, &Viewport::followSize);
+    connect(&session, &Session::targetRemoved, this, &Viewport::followSize);
+    connect(&session, &Session::targetChanged, this, &Viewport::followSize);
     followScene();
 }
 
@@ -169,8 +172,12 @@ void Viewport::setDrawsContinuously(bool on) {
 
 void Viewport::followScene() {
     m_heldShot.reset();
-    m_camera.setSceneRadius(std::max(m_session.sceneBounds().diagonal(), 1.0e-3f));
+    followSize();
     frameAll();
+}
+
+void Viewport::followSize() {
+    m_camera.setSceneRadius(std::max(m_session.sceneBounds().diagonal(), 1.0e-3f));
 }
 
 void Viewport::frameBounds(const Bounds& bounds) {

@@ -78,6 +78,7 @@ private:
     void report(const Error& error);
     void paintError();
     void followScene();
+    void followSize();
     [[nodiscard]] bool wantsFrames() const;
     void moveOn();  ///< after a frame: advances what moves by the time since the last
     [[nodiscard]] float aspect() const;

@@ -4,6 +4,7 @@
 
 #include <QTemporaryDir>
 #include <QtTest>
+#include <array>
 #include <glm/geometric.hpp>
 
 #include "deform/reference.h"
@@ -79,10 +80,10 @@ private Q_SLOTS:
         QVERIFY(synced());
         QVERIFY(changed(session) > 100);
 
-        session.undoHit();
-        session.undoHit();
+        session.undo();
+        session.undo();
         QVERIFY(synced());
-        session.redoHit();
+        session.redo();
         QVERIFY(synced());
         session.removeHit(4);
         QVERIFY(synced());
@@ -97,13 +98,57 @@ private Q_SLOTS:
         session.clearHits();
         QVERIFY(synced());
         QCOMPARE(changed(session), std::size_t{0});
-        session.undoHit();
+        session.undo();
         QVERIFY(synced());
         session.loadTeapot();
         QVERIFY(synced());
         shootAll(session, demoShots(session, 20, 5));
         QVERIFY(synced());
         QVERIFY(changed(session) > 100);
+    }
+
+    void followsEveryChangeOfTheTargets_data() { followsEveryChangeOfTheHistory_data(); }
+    void followsEveryChangeOfTheTargets() {
+        QFETCH(int, kind);
+        Session session;
+        session.loadPaperRow(kDefaultPaperRow);
+        session.setPipeline(static_cast<PipelineKind>(kind));
+        Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
+        QVERIFY(made);
+        SceneGpu& gpu = *made.value();
+        const auto synced = [&] { return gpu.sync().ok() && differences(session) == 0; };
+        shootAll(session, demoShots(session, 40, 3));
+        QVERIFY(synced());
+        const std::size_t dented = changed(session);
+        const TargetId first = session.targets()[0]->id;
+        const TargetId last = session.targets()[15]->id;
+        QVERIFY(!session.history().hitsOn(first).empty());
+
+        session.removeTargets(std::array{first, last});
+        QVERIFY(synced());
+        QVERIFY(changed(session) < dented);
+        session.undo();
+        QVERIFY(synced());
+        QCOMPARE(changed(session), dented);
+        // Gone and back between two frames.
+        session.removeTargets(std::array{first});
+        session.undo();
+        QVERIFY(synced());
+        QCOMPARE(changed(session), dented);
+        session.duplicateTargets(std::array{first});
+        QVERIFY(synced());
+        QVERIFY(changed(session) > dented);
+        session.resetTargets(std::array{first});
+        QVERIFY(synced());
+        session.undo();
+        session.undo();
+        session.removeTargets(std::array{last});
+        session.addTargets({planMesh(makeHighPolySphere())});
+        QVERIFY(synced());
+        session.undo();
+        session.undo();
+        QVERIFY(synced());
+        QCOMPARE(changed(session), dented);
     }
 
     void switchingPipelinesKeepsEveryBit() {
@@ -137,7 +182,7 @@ private Q_SLOTS:
         QVERIFY(session.addHit(headOn));
         QVERIFY(made.value()->sync());
         QVERIFY(!std::equal(before.begin(), before.end(), target.trueNormals.normals().begin()));
-        session.undoHit();
+        session.undo();
         QVERIFY(made.value()->sync());
         QVERIFY(std::equal(before.begin(), before.end(), target.trueNormals.normals().begin()));
     }

@@ -53,10 +53,10 @@ void HitHistoryModelTest::followsEveryChange() {
                     .ok());
     }
     QCOMPARE(model.rowCount(), 20);
-    session.undoHit();
-    session.undoHit();
+    session.undo();
+    session.undo();
     QCOMPARE(model.rowCount(), 18);
-    session.redoHit();
+    session.redo();
     QCOMPARE(model.rowCount(), 19);
     session.removeHit(0);
     QCOMPARE(model.rowCount(), 18);
@@ -173,7 +173,7 @@ void HitHistoryModelTest::checkBoxEnables() {
     QCOMPARE(layout.size(), 0);
     QVERIFY(!model.setData(time, Qt::Checked, Qt::CheckStateRole));
     QVERIFY(!model.setData(number, 7));
-    session.undoHit();
+    session.undo();
     QCOMPARE(number.data(Qt::CheckStateRole).toInt(), static_cast<int>(Qt::Checked));
 }
 
@@ -235,8 +235,8 @@ void HitHistoryModelTest::persistentIndexesStayWithTheirHits() {
     QVERIFY(allRight());
     QVERIFY(!kept[0].isValid());
     QCOMPARE(kept[7].row(), 5);
-    session.undoHit();
-    session.undoHit();
+    session.undo();
+    session.undo();
     QVERIFY(allRight());
     QCOMPARE(kept[7].row(), 7);
 }
@@ -271,8 +271,8 @@ void HitHistoryModelTest::dragsRows() {
     QCOMPARE(xs(), (std::vector<float>{3, 0, 2, 4, 1}));
     const QMimeData other;
     QVERIFY(!model.dropMimeData(&other, Qt::MoveAction, 0, 0, {}));
-    session.undoHit();
-    session.undoHit();
+    session.undo();
+    session.undo();
     QCOMPARE(xs(), (std::vector<float>{0, 1, 2, 3, 4}));
 }
 
@@ -301,11 +301,11 @@ void HitHistoryModelTest::survivesAnythingWhileHitsStreamIn() {
                 session.removeHit(some[0]);
                 break;
             case 3:
-                session.undoHit();
-                session.undoHit();
+                session.undo();
+                session.undo();
                 break;
             case 4:
-                session.redoHit();
+                session.redo();
                 break;
             case 5:
                 session.setCapacity({hits / 2, false, hits / 2, {some[0]}});

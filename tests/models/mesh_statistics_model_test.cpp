@@ -98,7 +98,7 @@ void MeshStatisticsModelTest::followsHitsAndUndo() {
     QVERIFY(cell(model, Model::VolumeRow, Model::DeformedColumn) !=
             cell(model, Model::VolumeRow, Model::OriginalColumn));
 
-    session.undoHit();
+    session.undo();
     applyOnCpu(session);
     QTRY_COMPARE(cell(model, Model::ChangedVerticesRow, Model::DeformedColumn), QStringLiteral("0 (0.0 %)"));
     QCOMPARE(cell(model, Model::VolumeRow, Model::DeformedColumn),

@@ -12,24 +12,27 @@ private Q_SLOTS:
         QTest::addColumn<int>("kind");
         QTest::addColumn<int>("hits");
         QTest::addColumn<QString>("text");
-        const auto row = [](HistoryUndo::Kind kind, int hits, const char* text) {
+        const auto row = [](SessionUndo::Kind kind, int hits, const char* text) {
             QTest::newRow(text) << static_cast<int>(kind) << hits << QString::fromLatin1(text);
         };
-        row(HistoryUndo::Kind::Hit, 1, "Hit");
-        row(HistoryUndo::Kind::Hit, 2, "2 Hits");
-        row(HistoryUndo::Kind::Remove, 1, "Remove Hit");
-        row(HistoryUndo::Kind::Remove, 3, "Remove 3 Hits");
-        row(HistoryUndo::Kind::Clear, 1000, "Clear 1,000 Hits");
-        row(HistoryUndo::Kind::Move, 1, "Move Hit");
-        row(HistoryUndo::Kind::Enable, 2, "Enable 2 Hits");
-        row(HistoryUndo::Kind::Disable, 1, "Disable Hit");
-        row(HistoryUndo::Kind::Constants, 12, "Constants");
+        row(SessionUndo::Kind::Hit, 1, "Hit");
+        row(SessionUndo::Kind::Hit, 2, "2 Hits");
+        row(SessionUndo::Kind::Remove, 1, "Remove Hit");
+        row(SessionUndo::Kind::Remove, 3, "Remove 3 Hits");
+        row(SessionUndo::Kind::Clear, 1000, "Clear 1,000 Hits");
+        row(SessionUndo::Kind::Move, 1, "Move Hit");
+        row(SessionUndo::Kind::Enable, 2, "Enable 2 Hits");
+        row(SessionUndo::Kind::Disable, 1, "Disable Hit");
+        row(SessionUndo::Kind::Constants, 12, "Constants");
+        row(SessionUndo::Kind::AddTarget, 1, "Add Target");
+        row(SessionUndo::Kind::RemoveTarget, 4, "Remove 4 Targets");
+        row(SessionUndo::Kind::RenameTarget, 1, "Rename Target");
     }
     void namesTheStep() {
         QFETCH(int, kind);
         QFETCH(int, hits);
         QFETCH(QString, text);
-        QCOMPARE(undoText({static_cast<HistoryUndo::Kind>(kind), static_cast<std::size_t>(hits)}), text);
+        QCOMPARE(undoText({static_cast<SessionUndo::Kind>(kind), static_cast<std::size_t>(hits)}), text);
     }
 };
 

@@ -42,7 +42,7 @@ void PhysicsFlightsTest::doesNotTunnel() {
         PhysicsWorld world;
         RigidTransform where;
         where.rotation = glm::angleAxis(random.between(0, 6), random.direction());
-        world.addTarget(kTarget, where, sheet(5));
+        place(world, kTarget, where, sheet(5));
         // From either side, up to 80 degrees off the normal, through anywhere on the sheet.
         const float side = shot % 2 == 0 ? 1.0f : -1.0f;
         const glm::vec3 through(0, random.between(-4, 4), random.between(-4, 4));
@@ -69,9 +69,9 @@ void PhysicsFlightsTest::doesNotTunnelThroughAMesh_data() {
 
 void PhysicsFlightsTest::doesNotTunnelThroughAMesh() {
     QFETCH(float, speed);
-    const MeshCollider mesh = sphereMesh(2, 40, 20);
+    const Triangles mesh = sphereMesh(2, 40, 20);
     PhysicsWorld world;
-    world.addTarget(kTarget, {}, mesh);
+    place(world, kTarget, {}, mesh);
     Random random(5);
     for (int shot = 0; shot < 100; ++shot) {
         // Half of them from inside: the surface has two sides, and none may leave.
@@ -91,8 +91,8 @@ void PhysicsFlightsTest::bouncesCountOnlyWhenAsked() {
     for (const bool count : {false, true}) {
         PhysicsWorld world;
         // A shaft: the projectile goes back and forth between two walls.
-        world.addTarget({1}, {{-2, 0, 0}, {1, 0, 0, 0}}, BoxCollider{{1, 20, 20}});
-        world.addTarget({2}, {{2, 0, 0}, {1, 0, 0, 0}}, BoxCollider{{1, 20, 20}});
+        place(world, {1}, {{-2, 0, 0}, {1, 0, 0, 0}}, BoxCollider{{1, 20, 20}});
+        place(world, {2}, {{2, 0, 0}, {1, 0, 0, 0}}, BoxCollider{{1, 20, 20}});
         ProjectileSettings settings;
         settings.bouncesCount = count;
         world.shoot({0, 5, 0}, {1, 0, 0}, settings);
@@ -113,7 +113,7 @@ void PhysicsFlightsTest::restingProjectileDoesNotHitAgain() {
     PhysicsWorld world;
     RigidTransform flat;
     flat.rotation = glm::angleAxis(1.5707963f, glm::vec3(0, 0, 1));
-    world.addTarget(kTarget, flat, sheet(5));
+    place(world, kTarget, flat, sheet(5));
     ProjectileSettings settings;
     settings.bouncesCount = true;
     settings.speed = 0.0f;
@@ -135,7 +135,7 @@ void PhysicsFlightsTest::sameCallsGiveTheSameImpacts() {
                 glm::angleAxis(static_cast<float>(i), glm::vec3(0, 1, 0))};
             const Collider colliders[] = {SphereCollider{2}, BoxCollider{glm::vec3(2)},
                                           sphereMesh(2, 24, 12)};
-            world.addTarget({i + 1}, where, colliders[i % 3]);
+            place(world, {i + 1}, where, colliders[i % 3]);
         }
         ProjectileSettings settings;
         settings.bouncesCount = true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QtGlobal>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
@@ -31,6 +32,24 @@ private:
     std::mt19937 m_engine;
 };
 
+/// A target that must be accepted.
+inline void place(PhysicsWorld& world, TargetId target, const RigidTransform& where, const Collider& collider,
+                  const TargetPhysics& physics = {}) {
+    if (const Status status = world.addTarget(target, where, collider, physics); !status) {
+        qFatal("%s", status.error().message().c_str());
+    }
+}
+
+struct Triangles {
+    std::vector<glm::vec3> vertices;
+    std::vector<std::uint32_t> corners;
+    [[nodiscard]] std::shared_ptr<const CollisionMesh> prepared() const {
+        return std::make_shared<const CollisionMesh>(
+            vertices, std::make_shared<const std::vector<std::uint32_t>>(corners));
+    }
+    operator Collider() const { return MeshCollider{prepared()}; }
+};
+
 /// Advances in frames of 1/60 s and collects the impacts.
 inline std::vector<Impact> run(PhysicsWorld& world, double seconds) {
     std::vector<Impact> all;
@@ -42,14 +61,14 @@ inline std::vector<Impact> run(PhysicsWorld& world, double seconds) {
 }
 
 /// A quad of two triangles in the plane x = 0, half extent in metres.
-inline MeshCollider sheet(float halfExtent) {
+inline Triangles sheet(float halfExtent) {
     const float h = halfExtent;
     return {{{0, -h, -h}, {0, h, -h}, {0, h, h}, {0, -h, h}}, {0, 1, 2, 0, 2, 3}};
 }
 
 /// A UV sphere as triangles.
-inline MeshCollider sphereMesh(float radius, int segments, int rings) {
-    MeshCollider mesh;
+inline Triangles sphereMesh(float radius, int segments, int rings) {
+    Triangles mesh;
     for (int ring = 0; ring <= rings; ++ring) {
         const float theta = 3.14159265f * static_cast<float>(ring) / static_cast<float>(rings);
         for (int i = 0; i < segments; ++i) {
@@ -66,7 +85,7 @@ inline MeshCollider sphereMesh(float radius, int segments, int rings) {
             // At the poles one of the two has no area: such triangles belong to the test.
             for (const std::uint32_t index : {at(ring, i), at(ring + 1, i), at(ring + 1, i + 1), at(ring, i),
                                               at(ring + 1, i + 1), at(ring, i + 1)}) {
-                mesh.triangles.push_back(index);
+                mesh.corners.push_back(index);
             }
         }
     }

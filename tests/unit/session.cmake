@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-hitscope_test(history_undo LABEL unit SOURCES ${CMAKE_CURRENT_LIST_DIR}/history_undo_test.cpp LINK hitscope_session)
+hitscope_test(session_undo LABEL unit SOURCES ${CMAKE_CURRENT_LIST_DIR}/session_undo_test.cpp LINK hitscope_session)
 hitscope_test(session LABEL unit SOURCES ${CMAKE_CURRENT_LIST_DIR}/session_test.cpp LINK hitscope_session)

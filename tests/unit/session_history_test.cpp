@@ -60,17 +60,17 @@ private Q_SLOTS:
         QCOMPARE(changed.size(), 1);
         QCOMPARE(changed[0][0].toInt(), 1);
         QCOMPARE(changed[0][1].toInt(), 4);
-        QCOMPARE(session.undoName(), (HistoryUndo::Name{HistoryUndo::Kind::Disable, 3}));
+        QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::Disable, 3}));
         session.enableAllHits();
         QCOMPARE(session.disabledHits(), std::size_t{0});
-        QCOMPARE(session.undoName(), (HistoryUndo::Name{HistoryUndo::Kind::Enable, 3}));
-        session.undoHit();
+        QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::Enable, 3}));
+        session.undo();
         QCOMPARE(session.disabledHits(), std::size_t{3});
-        session.undoHit();
+        session.undo();
         QCOMPARE(state(session), upTo(6));
         QCOMPARE(session.disabledHits(), std::size_t{0});
-        QCOMPARE(session.redoName(), (HistoryUndo::Name{HistoryUndo::Kind::Disable, 3}));
-        session.redoHit();
+        QCOMPARE(session.redoName(), (SessionUndo::Name{SessionUndo::Kind::Disable, 3}));
+        session.redo();
         QCOMPARE(session.disabledHits(), std::size_t{3});
         QCOMPARE(changed.size(), 5);
         QCOMPARE(rearranged.size(), 0);
@@ -82,7 +82,7 @@ private Q_SLOTS:
         const QSignalSpy reset(m_session.get(), &Session::historyReset);
         m_session->setHitsEnabled(Rows{3}, false);
         QCOMPARE(changed.size() + reset.size(), 0);
-        m_session->undoHit();
+        m_session->undo();
         QCOMPARE(m_session->disabledHits(), std::size_t{0});
     }
 
@@ -110,13 +110,13 @@ private Q_SLOTS:
         session.moveHits(rows, to);
         QCOMPARE(state(session), after);
         if (after != upTo(6)) {
-            QCOMPARE(session.undoName(), (HistoryUndo::Name{HistoryUndo::Kind::Move, rows.size()}));
-            session.undoHit();
+            QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::Move, rows.size()}));
+            session.undo();
             QCOMPARE(state(session), upTo(6));
-            session.redoHit();
+            session.redo();
             QCOMPARE(state(session), after);
         } else {
-            QCOMPARE(session.undoName(), (HistoryUndo::Name{HistoryUndo::Kind::Hit, 1}));
+            QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::Hit, 1}));
         }
     }
 
@@ -124,8 +124,8 @@ private Q_SLOTS:
         Session& session = *m_session;
         session.removeHits(Rows{0, 5, 2, 3});
         QCOMPARE(state(session), (std::vector<int>{1, 4}));
-        QCOMPARE(session.undoName(), (HistoryUndo::Name{HistoryUndo::Kind::Remove, 4}));
-        session.undoHit();
+        QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::Remove, 4}));
+        session.undo();
         QCOMPARE(state(session), upTo(6));
     }
 
@@ -145,11 +145,11 @@ private Q_SLOTS:
         moved.insert(moved.end(), odd.begin() + 100, odd.end());
         session.moveHits(even, 200);
         QCOMPARE(state(session), moved);
-        session.undoHit();
+        session.undo();
         QCOMPARE(state(session), upTo(500));
         session.removeHits(even);
         QCOMPARE(state(session), odd);
-        session.undoHit();
+        session.undo();
         QCOMPARE(state(session), upTo(500));
     }
 
@@ -161,9 +161,9 @@ private Q_SLOTS:
         QCOMPARE(session.selectedHit(), std::optional<std::size_t>(1));
         session.removeHit(0);
         QCOMPARE(session.selectedHit(), std::optional<std::size_t>(0));
-        session.undoHit();
+        session.undo();
         QCOMPARE(session.selectedHit(), std::optional<std::size_t>(1));
-        session.undoHit();
+        session.undo();
         QCOMPARE(session.selectedHit(), std::optional<std::size_t>(4));
         session.setHitsEnabled(Rows{4}, false);
         QCOMPARE(session.selectedHit(), std::optional<std::size_t>(4));
@@ -187,7 +187,7 @@ private Q_SLOTS:
         QCOMPARE(rows->size(), std::size_t{4});
         QVERIFY(!rows->now(1) && !rows->now(4));
         QCOMPARE(rows->now(5), std::optional<std::size_t>(3));
-        session.undoHit();
+        session.undo();
         QCOMPARE(rows->now(3), std::optional<std::size_t>(5));
         session.clearHits();
         QVERIFY(!rows->now(0));
@@ -210,9 +210,9 @@ private Q_SLOTS:
         DeformationConstants constants;
         constants.power = 0.2f;
         QVERIFY(session.setConstants(constants, true).ok());
-        QCOMPARE(session.undoName(), (HistoryUndo::Name{HistoryUndo::Kind::Constants, 6}));
+        QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::Constants, 6}));
         session.clearHits();
-        QCOMPARE(session.undoName(), (HistoryUndo::Name{HistoryUndo::Kind::Clear, 6}));
+        QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::Clear, 6}));
         QVERIFY(!session.redoName());
     }
 

@@ -121,7 +121,7 @@ private Q_SLOTS:
         QCOMPARE(session.history().hits()[0].constants.power, 0.05f);
         QVERIFY(session.setConstants(constants, true));
         QCOMPARE(session.history().hits()[0].constants.power, 0.2f);
-        session.undoHit();
+        session.undo();
         QCOMPARE(session.history().hits()[0].constants.power, 0.05f);
         constants.power = -1.0f;
         QVERIFY(!session.setConstants(constants, true));

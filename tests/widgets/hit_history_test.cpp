@@ -156,7 +156,7 @@ void HitHistoryTest::deleteIsOneStep() {
     QCOMPARE(order(*m_session), (std::vector<int>{0, 2, 3, 5}));
     QVERIFY(!m_session->selectedHit());
     QCOMPARE(m_table->currentIndex().row(), 1);
-    m_session->undoHit();
+    m_session->undo();
     QCOMPARE(order(*m_session), (std::vector<int>{0, 1, 2, 3, 4, 5}));
 }
 
@@ -219,7 +219,7 @@ void HitHistoryTest::rowsAreDragged() {
     QCOMPARE(order(*m_session), (std::vector<int>{0, 2, 3, 1, 4, 5}));
     QCOMPARE(selected(), (std::vector<int>{3}));
     QCOMPARE(m_session->selectedHit(), std::optional<std::size_t>(3));
-    m_session->undoHit();
+    m_session->undo();
     QCOMPARE(order(*m_session), (std::vector<int>{0, 1, 2, 3, 4, 5}));
 }
 
@@ -229,7 +229,7 @@ void HitHistoryTest::severalRowsAreDragged() {
     drag(row(3).center(), QPoint(row(0).center().x(), row(0).top() + 1));
     QCOMPARE(order(*m_session), (std::vector<int>{3, 5, 0, 1, 2, 4}));
     QCOMPARE(selected(), (std::vector<int>{0, 1}));
-    m_session->undoHit();
+    m_session->undo();
     QCOMPARE(order(*m_session), (std::vector<int>{0, 1, 2, 3, 4, 5}));
 }
 
@@ -242,7 +242,7 @@ void HitHistoryTest::selectionAndPlaceSurviveChanges() {
     addHits(*m_session, 3);
     m_session->removeHits(std::vector<std::size_t>{400, 450});
     m_session->moveHits(std::vector<std::size_t>{480}, 470);
-    m_session->undoHit();
+    m_session->undo();
     QCoreApplication::processEvents();
     QCOMPARE(selected(), (std::vector<int>{200}));
     QCOMPARE(m_session->selectedHit(), std::optional<std::size_t>(200));
@@ -307,12 +307,12 @@ void HitHistoryTest::manyRowsAreHandledAtOnce() {
     m_table->selectAll();
     QTest::keyClick(m_table, Qt::Key_Space);
     QCOMPARE(m_session->disabledHits(), std::size_t{20'006});
-    m_session->undoHit();
+    m_session->undo();
     m_table->selectRow(0);
     action(QStringLiteral("Select All on This Target"))->trigger();
     QTest::keyClick(m_table, Qt::Key_Delete);
     QCOMPARE(m_session->history().size(), std::size_t{15'004});
-    m_session->undoHit();
+    m_session->undo();
     QCOMPARE(m_session->history().size(), std::size_t{20'006});
 }
 

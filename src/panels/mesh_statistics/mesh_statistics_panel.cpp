@@ -44,6 +44,9 @@ MeshStatisticsPanel::MeshStatisticsPanel(Session& session, MeshStatisticsModel& 
     connect(&model, &QAbstractItemModel::modelReset, this, &MeshStatisticsPanel::mergeSharedCells);
     connect(&model, &MeshStatisticsModel::shownTargetChanged, this, &MeshStatisticsPanel::showTarget);
     connect(&session, &Session::sceneReplaced, this, &MeshStatisticsPanel::listTargets);
+    connect(&session, &Session::targetAdded, this, &MeshStatisticsPanel::listTargets);
+    connect(&session, &Session::targetRemoved, this, &MeshStatisticsPanel::listTargets);
+    connect(&session, &Session::targetChanged, this, &MeshStatisticsPanel::listTargets);
     connect(m_ui->target, &QComboBox::activated, this,
             [this](int index) { m_session.selectTarget(TargetId{m_ui->target->itemData(index).toUInt()}); });
 }

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/mesh_shape.h"
+
+#include <BulletCollision/CollisionShapes/btTriangleCallback.h>
+#include <LinearMath/btAabbUtil2.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "physics/bullet_conversions.h"
+
+namespace hitscope::physics {
+namespace {
+
+const btVector3 kUnscaled(1, 1, 1);
+
+}  // namespace
+
+MeshShape::MeshShape(std::shared_ptr<const CollisionMesh> original, const glm::vec3& centre)
+    : m_surface(std::move(original)), m_centre(centre) {
+    m_shapeType = CUSTOM_CONCAVE_SHAPE_TYPE;
+    m_collisionMargin = 0.0f;
+    for (const glm::vec3& point : m_surface.original().hull()) {
+        m_hull.addPoint(toBullet(point - centre), false);
+    }
+    m_hull.recalcLocalAabb();
+    const Bounds bounds = m_surface.bounds();
+    m_hull.setMargin(std::min(0.001f, 0.01f * bounds.diagonal()));
+}
+
+void MeshShape::getAabb(const btTransform& transform, btVector3& low, btVector3& high) const {
+    const Bounds bounds = m_surface.bounds();
+    btTransformAabb(toBullet(bounds.min - m_centre), toBullet(bounds.max - m_centre), m_hull.getMargin(),
+                    transform, low, high);
+}
+
+void MeshShape::processAllTriangles(btTriangleCallback* callback, const btVector3& low,
+                                    const btVector3& high) const {
+    const Bounds box{fromBullet(low) + m_centre, fromBullet(high) + m_centre};
+    m_surface.visitWithin(box, [&](std::uint32_t index, const Triangle& triangle) {
+        btVector3 corners[3] = {toBullet(glm::vec3(triangle.a) - m_centre),
+                                toBullet(glm::vec3(triangle.b) - m_centre),
+                                toBullet(glm::vec3(triangle.c) - m_centre)};
+        callback->processTriangle(corners, 0, static_cast<int>(index));
+    });
+}
+
+void MeshShape::setLocalScaling(const btVector3& /*scaling*/) {}
+
+const btVector3& MeshShape::getLocalScaling() const {
+    return kUnscaled;
+}
+
+void MeshShape::calculateLocalInertia(btScalar mass, btVector3& inertia) const {
+    m_hull.calculateLocalInertia(mass, inertia);
+}
+
+}  // namespace hitscope::physics

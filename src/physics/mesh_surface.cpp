@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/mesh_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+#include <utility>
+
+namespace hitscope::physics {
+namespace {
+
+/// Ericson, Real-Time Collision Detection, 5.3.3: a segment against a box, by separating axes. Divides by
+/// nothing, and errs on the side of touching.
+bool segmentMeetsBox(const glm::dvec3& start, const glm::dvec3& motion, const Bounds& box, double margin) {
+    const glm::dvec3 low(box.min);
+    const glm::dvec3 high(box.max);
+    const glm::dvec3 half = 0.5 * (high - low) + margin;
+    const glm::dvec3 h = 0.5 * motion;
+    const glm::dvec3 m = start + h - 0.5 * (low + high);
+    glm::dvec3 a = glm::abs(h);
+    if (glm::any(glm::greaterThan(glm::abs(m), half + a))) {
+        return false;
+    }
+    a += 1.0e-9 * (a.x + a.y + a.z);
+    return std::abs(m.y * h.z - m.z * h.y) <= half.y * a.z + half.z * a.y &&
+           std::abs(m.z * h.x - m.x * h.z) <= half.x * a.z + half.z * a.x &&
+           std::abs(m.x * h.y - m.y * h.x) <= half.x * a.y + half.y * a.x;
+}
+
+}  // namespace
+
+MeshSurface::MeshSurface(std::shared_ptr<const CollisionMesh> original)
+    : m_original(std::move(original)), m_vertices(m_original->vertices()), m_tree(m_original->tree()) {}
+
+void MeshSurface::update(std::uint32_t first, std::span<const DynamicVertex> vertices) {
+    if (first > m_vertices.size() || vertices.size() > m_vertices.size() - first) {
+        return;
+    }
+    // Neighbours in the buffer are neighbours in space, but only within a run of this length: a region over
+    // several dents would take in all that lies between them.
+    for (std::size_t i = 0; i < vertices.size(); i += kClusterVertices) {
+        const std::size_t count = std::min<std::size_t>(kClusterVertices, vertices.size() - i);
+        moveRun(first + static_cast<std::uint32_t>(i), vertices.subspan(i, count));
+    }
+}
+
+void MeshSurface::moveRun(std::uint32_t first, std::span<const DynamicVertex> vertices) {
+    const std::vector<glm::vec3>& original = m_original->vertices();
+    Bounds moved;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        glm::vec3& vertex = m_vertices[first + i];
+        const glm::vec3& position = vertices[i].position;
+        if (vertex != position) {
+            moved.add(vertex);
+            m_changed += (position != original[first + i] ? 1u : 0u);
+            m_changed -= (vertex != original[first + i] ? 1u : 0u);
+            vertex = position;
+        }
+    }
+    if (!moved.empty()) {
+        m_tree.refit(m_vertices, *m_original->corners(), moved);
+    }
+}
+
+void MeshSurface::reset() {
+    if (isDented()) {
+        m_vertices = m_original->vertices();
+        m_tree = m_original->tree();
+        m_changed = 0;
+    }
+}
+
+Triangle MeshSurface::triangle(std::uint32_t index) const {
+    const std::uint32_t* corners = &(*m_original->corners())[std::size_t{3} * index];
+    return {m_vertices[corners[0]], m_vertices[corners[1]], m_vertices[corners[2]]};
+}
+
+std::optional<SurfaceCast> MeshSurface::cast(const glm::dvec3& start, const glm::dvec3& motion,
+                                             double radius) const {
+    SurfaceCast first;
+    bool found = false;
+    const auto accept = [&](const Bounds& box) {
+        return segmentMeetsBox(start, motion * first.fraction, box, radius);
+    };
+    m_tree.visit(glm::vec3(motion), accept, [&](std::uint32_t index) {
+        const Triangle candidate = triangle(index);
+        if (!candidate.hasArea()) {
+            return;
+        }
+        const auto fraction =
+            radius > 0.0 ? castSphere(candidate, start, motion, radius) : castPoint(candidate, start, motion);
+        if (fraction && (!found || *fraction < first.fraction)) {
+            first = {*fraction, static_cast<int>(index)};
+            found = true;
+        }
+    });
+    return found ? std::optional(first) : std::nullopt;
+}
+
+void MeshSurface::visitNear(const glm::vec3& point, float distance,
+                            const std::function<void(std::uint32_t, const Triangle&)>& visit) const {
+    const auto accept = [&](const Bounds& box) {
+        const glm::vec3 away = glm::max(glm::max(box.min - point, point - box.max), glm::vec3(0.0f));
+        return glm::dot(away, away) <= distance * distance;
+    };
+    m_tree.visit(glm::vec3(0.0f), accept, [&](std::uint32_t index) {
+        const Triangle candidate = triangle(index);
+        if (candidate.hasArea()) {
+            visit(index, candidate);
+        }
+    });
+}
+
+void MeshSurface::visitWithin(const Bounds& box,
+                              const std::function<void(std::uint32_t, const Triangle&)>& visit) const {
+    const auto accept = [&](const Bounds& other) {
+        return glm::all(glm::lessThanEqual(other.min, box.max)) &&
+               glm::all(glm::lessThanEqual(box.min, other.max));
+    };
+    m_tree.visit(glm::vec3(0.0f), accept, [&](std::uint32_t index) {
+        const Triangle candidate = triangle(index);
+        if (candidate.hasArea()) {
+            visit(index, candidate);
+        }
+    });
+}
+
+}  // namespace hitscope::physics

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mesh/render_mesh.h"
+#include "physics/collision_mesh.h"
+#include "physics/triangle_math.h"
+#include "physics/triangle_tree.h"
+
+namespace hitscope::physics {
+
+/// Where a moving point or sphere first meets a surface.
+struct SurfaceCast {
+    double fraction = 1.0;  ///< of the motion, [0, 1]
+    int triangle = -1;      ///< of a mesh; -1: not a mesh
+};
+
+/// One target's triangles as they are now. Local frame, metres.
+class MeshSurface {
+public:
+    /// `original` has a surface.
+    explicit MeshSurface(std::shared_ptr<const CollisionMesh> original);
+
+    /// Vertices [first, first + vertices.size()) are now there; out of range: ignored. Costs by the triangles
+    /// around those that moved.
+    void update(std::uint32_t first, std::span<const DynamicVertex> vertices);
+    void reset();                                                  ///< to the original
+    [[nodiscard]] bool isDented() const { return m_changed > 0; }  ///< a vertex is not where it was
+    [[nodiscard]] Bounds bounds() const { return m_tree.bounds(); }
+    [[nodiscard]] const CollisionMesh& original() const { return *m_original; }
+
+    [[nodiscard]] Triangle triangle(std::uint32_t index) const;
+    /// First contact of a sphere, `radius` 0: of a point.
+    [[nodiscard]] std::optional<SurfaceCast> cast(const glm::dvec3& start, const glm::dvec3& motion,
+                                                  double radius) const;
+    /// Calls `visit(triangle index, triangle)` for the triangles with an area in boxes within `distance` of
+    /// `point`.
+    void visitNear(const glm::vec3& point, float distance,
+                   const std::function<void(std::uint32_t, const Triangle&)>& visit) const;
+    /// Likewise for those in boxes that overlap `box`.
+    void visitWithin(const Bounds& box,
+                     const std::function<void(std::uint32_t, const Triangle&)>& visit) const;
+
+private:
+    void moveRun(std::uint32_t first, std::span<const DynamicVertex> vertices);
+
+    std::shared_ptr<const CollisionMesh> m_original;
+    std::vector<glm::vec3> m_vertices;
+    TriangleTree m_tree;
+    std::size_t m_changed = 0;  ///< vertices that are not at their original place
+};
+
+}  // namespace hitscope::physics

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Projectiles, instant shots, rays.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "physics/bullet_conversions.h"
+#include "physics/physics_world.h"
+#include "physics/world_private.h"
+
+namespace hitscope {
+
+using namespace physics;
+
+namespace {
+
+constexpr float kWholeWorld = 2.0f * kFarthest;  // metres: longer than any line between two usable points
+
+bool isDirection(const glm::vec3& v) {
+    const float length = glm::length(v);
+    return length > 0.0f && std::isfinite(length);
+}
+
+/// A sphere of these settings, not in the world yet.
+Flight makeFlight(const ProjectileSettings& settings, const glm::vec3& origin, const glm::vec3& direction) {
+    Flight flight;
+    flight.settings = settings;
+    flight.shape = std::make_unique<btSphereShape>(settings.radius);
+    btVector3 inertia(0, 0, 0);
+    flight.shape->calculateLocalInertia(settings.mass, inertia);
+    const btRigidBody::btRigidBodyConstructionInfo info(settings.mass, nullptr, flight.shape.get(), inertia);
+    flight.body = std::make_unique<btRigidBody>(info);
+    btRigidBody& body = *flight.body;
+    body.setRestitution(kRestitution);
+    body.setFriction(kFriction);
+    body.setRollingFriction(kRollingFriction);
+    const btTransform where(btQuaternion::getIdentity(), toBullet(origin));
+    body.setWorldTransform(where);
+    body.setInterpolationWorldTransform(where);
+    body.setLinearVelocity(toBullet(glm::normalize(direction) * settings.speed));
+    flight.previous = origin;
+    return flight;
+}
+
+}  // namespace
+
+bool Flight::touches(TargetId target) const {
+    return std::binary_search(touching.begin(), touching.end(), target);
+}
+
+ProjectileId PhysicsWorld::shoot(const glm::vec3& origin, const glm::vec3& direction,
+                                 const ProjectileSettings& settings) {
+    if (!isUsable(origin) || !isDirection(direction)) {
+        return {};
+    }
+    const ProjectileSettings shot = clamped(settings);
+    while (d->flights.size() >= static_cast<std::size_t>(shot.mostAlive)) {
+        d->removeFlight(d->flights.begin());
+    }
+    Flight flight = makeFlight(shot, origin, direction);
+    const ProjectileId id{d->nextProjectile++};
+    flight.body->setUserIndex(static_cast<int>(BodyKind::Projectile));
+    flight.body->setUserIndex2(static_cast<int>(id.value));
+    // Half a step less, so that rounding never adds one; it lives for a step at least.
+    flight.end =
+        d->time() + std::max(0.5 * d->stepSeconds, static_cast<double>(shot.lifetime) - 0.5 * d->stepSeconds);
+    d->world.addRigidBody(flight.body.get());
+    d->flights.emplace(id, std::move(flight));
+    return id;
+}
+
+void PhysicsWorld::Private::removeFlight(std::map<ProjectileId, Flight>::iterator flight) {
+    world.removeRigidBody(flight->second.body.get());
+    flights.erase(flight);
+}
+
+void PhysicsWorld::removeProjectiles() {
+    while (!d->flights.empty()) {
+        d->removeFlight(d->flights.begin());
+    }
+}
+
+std::vector<ProjectileState> PhysicsWorld::projectiles() const {
+    std::vector<ProjectileState> states;
+    states.reserve(d->flights.size());
+    for (const auto& [id, flight] : d->flights) {
+        const glm::vec3 position = fromBullet(flight.body->getWorldTransform().getOrigin());
+        states.push_back({id, position, glm::mix(flight.previous, position, d->between()),
+                          fromBullet(flight.body->getLinearVelocity()), flight.settings.radius});
+    }
+    return states;
+}
+
+std::size_t PhysicsWorld::projectileCount() const {
+    return d->flights.size();
+}
+
+std::optional<SurfacePoint> PhysicsWorld::Private::surfacePoint(TargetId target, const glm::vec3& from,
+                                                                int triangle) const {
+    const auto found = targets.find(target);
+    if (found == targets.end()) {
+        return std::nullopt;
+    }
+    const RigidTransform& transform = found->second.transform;
+    const auto local = found->second.shape->nearest(transform.toLocal(from), triangle);
+    if (!local) {
+        return std::nullopt;
+    }
+    return SurfacePoint{transform.toWorld(local->point), transform.directionToWorld(local->normal),
+                        local->triangle};
+}
+
+std::optional<PhysicsWorld::RayHit> PhysicsWorld::castRay(const glm::vec3& origin, const glm::vec3& direction,
+                                                          float length) const {
+    if (!isUsable(origin) || !isUsable(direction) || !(length > 0.0f)) {
+        return std::nullopt;
+    }
+    const auto struck = d->castLine(origin, direction * std::min(length, kWholeWorld));
+    return struck ? std::optional(RayHit{struck->target, struck->surface.point, struck->surface.normal})
+                  : std::nullopt;
+}
+
+std::optional<Strike> PhysicsWorld::Private::castLine(const glm::vec3& origin,
+                                                      const glm::vec3& motion) const {
+    const auto contact = sweep(broadphase, nullptr, Meets::Targets, origin, motion, 0.0f);
+    if (!contact) {
+        return std::nullopt;
+    }
+    const glm::vec3 point(glm::dvec3(origin) + glm::dvec3(motion) * contact->fraction);
+    if (isKind(*contact->body, BodyKind::Floor)) {
+        return Strike{{}, {point, glm::vec3(0, 1, 0), -1}};
+    }
+    const TargetId id{static_cast<std::uint32_t>(contact->body->getUserIndex2())};
+    const TargetBody& target = targets.at(id);
+    const glm::vec3 local = target.transform.toLocal(point);
+    const glm::vec3 outwards =
+        target.transform.directionToWorld(target.shape->normalAt(local, contact->triangle));
+    const glm::vec3 normal = glm::dot(outwards, motion) > 0.0f ? -outwards : outwards;
+    return Strike{id, {point, normal, contact->triangle}};
+}
+
+std::optional<Impact> PhysicsWorld::hitscan(const glm::vec3& origin, const glm::vec3& direction,
+                                            const ProjectileSettings& settings) {
+    if (!isUsable(origin) || !isDirection(direction)) {
+        return std::nullopt;
+    }
+    const auto struck = d->castLine(origin, glm::normalize(direction) * kWholeWorld);
+    if (!struck || !struck->target) {
+        return std::nullopt;
+    }
+    Flight flight = makeFlight(clamped(settings), origin, direction);
+    flight.velocity = glm::normalize(direction) * flight.settings.speed;
+    Touch touch{0.0f, struck->surface, 0.0f};
+    TargetBody& target = d->targets.at(struck->target);
+    bounce(flight, target, touch);
+    return impactOf(struck->target, target.transform, flight.velocity, touch, d->time());
+}
+
+}  // namespace hitscope

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One step: projectiles are brought to what they strike, Bullet solves, impacts are collected.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "physics/bullet_conversions.h"
+#include "physics/physics_world.h"
+#include "physics/world_private.h"
+
+namespace hitscope {
+
+using namespace physics;
+
+namespace {
+
+const glm::vec3 kFall(0.0f, -PhysicsWorld::kGravity, 0.0f);  // m/s^2
+constexpr float kLeastImpactSpeed = 1.0e-3f;
+constexpr float kLeastBounceSpeed = 0.25f;  // along the normal: a projectile that rolls does not strike
+// Of the radius: Bullet makes a contact only where bodies overlap, so a projectile that arrives is let in
+// this far.
+constexpr float kSinkIn = 0.002f;
+
+void moveTo(btRigidBody& body, const glm::vec3& position) {
+    body.getWorldTransform().setOrigin(toBullet(position));
+    body.setInterpolationWorldTransform(body.getWorldTransform());
+}
+
+}  // namespace
+
+void physics::bounce(Flight& flight, TargetBody& target, Touch& touch) {
+    const glm::vec3 normal = touch.deepest.normal;
+    const float inwards = -glm::dot(flight.velocity, normal);
+    if (inwards <= 0.0f) {
+        return;
+    }
+    const float mass = flight.settings.mass;
+    // Two bodies: the lighter one takes most of the change of speed.
+    const float shared =
+        target.physics.isDynamic ? mass * target.physics.mass / (mass + target.physics.mass) : mass;
+    touch.impulse = shared * inwards * (1.0f + kRestitution * target.physics.restitution);
+    btRigidBody& body = *flight.body;
+    moveTo(body, touch.deepest.point + normal * flight.settings.radius);
+    body.setLinearVelocity(toBullet(flight.velocity + normal * (touch.impulse / mass)));
+    if (target.physics.isDynamic) {
+        target.body->activate(true);
+        target.body->applyImpulse(
+            toBullet(-normal * touch.impulse),
+            toBullet(touch.deepest.point) - target.body->getWorldTransform().getOrigin());
+    }
+}
+
+Impact physics::impactOf(TargetId target, const RigidTransform& where, const glm::vec3& velocity,
+                         const Touch& touch, double time) {
+    Impact impact;
+    impact.target = target;
+    impact.point = touch.deepest.point;
+    impact.speed = glm::length(velocity);
+    impact.direction = velocity / impact.speed;
+    impact.normal = touch.deepest.normal;
+    impact.where = where;
+    impact.triangle =
+        touch.deepest.triangle < 0 ? kNoIndex : static_cast<std::uint32_t>(touch.deepest.triangle);
+    impact.impulse = touch.impulse;
+    impact.time = time;
+    return impact;
+}
+
+/// Looks ahead along the step's motion and puts the projectile where it first touches something, its velocity
+/// untouched: Bullet then finds the contact with the full velocity of the flight and solves it in this step.
+/// Left to itself it would brake the projectile short of the surface over several steps.
+void PhysicsWorld::Private::approach(Flight& flight) {
+    flight.strike.reset();
+    btRigidBody& body = *flight.body;
+    flight.velocity = fromBullet(body.getLinearVelocity());
+    flight.previous = fromBullet(body.getWorldTransform().getOrigin());
+    if (!body.isActive()) {
+        return;
+    }
+    flight.velocity += kFall * static_cast<float>(stepSeconds);
+    const glm::vec3 motion = flight.velocity * static_cast<float>(stepSeconds);
+    if (glm::length(motion) < 1.0e-6f) {
+        return;
+    }
+    const float radius = flight.settings.radius;
+    const auto contact = sweep(broadphase, &body, Meets::Targets, flight.previous, motion, radius);
+    if (!contact) {
+        return;
+    }
+    const TargetId target{static_cast<std::uint32_t>(contact->body->getUserIndex2())};
+    const bool strikes = isKind(*contact->body, BodyKind::Target) && !flight.touches(target);
+    const bool lands = isKind(*contact->body, BodyKind::Floor) && -motion.y > 0.5f * radius;
+    if (!strikes && !lands) {
+        return;
+    }
+    glm::vec3 centre = flight.previous + motion * static_cast<float>(contact->fraction);
+    if (strikes) {
+        if (const auto surface = surfacePoint(target, centre, contact->triangle)) {
+            flight.strike = Strike{target, *surface};
+            centre = surface->point + surface->normal * ((1.0f - kSinkIn) * radius);
+        }
+    }
+    moveTo(body, centre);
+}
+
+void PhysicsWorld::Private::strike(ProjectileId id, Flight& flight, TargetId target, const Touch& touch,
+                                   std::vector<Impact>& impacts) {
+    const float speed = glm::length(flight.velocity);
+    const float inwards = -glm::dot(flight.velocity, touch.deepest.normal);
+    const bool counts = flight.hasHit ? flight.settings.bouncesCount && inwards >= kLeastBounceSpeed
+                                      : speed >= kLeastImpactSpeed;
+    if (counts) {
+        flight.hasHit = true;
+        // Where the target was when Bullet found the contact: it has moved on since.
+        impacts.push_back(impactOf(target, targets.at(target).previous, flight.velocity, touch, time()));
+        impacts.back().projectile = id;
+    }
+}
+
+void PhysicsWorld::Private::collect(ProjectileId id, Flight& flight,
+                                    const std::map<TouchKey, Touch>& contacts, std::vector<Impact>& impacts) {
+    std::map<TargetId, Touch> touched;
+    for (auto it = contacts.lower_bound({id, TargetId{0}}); it != contacts.end() && it->first.first == id;
+         ++it) {
+        touched.emplace(it->first.second, it->second);
+    }
+    if (flight.strike) {
+        Touch& touch = touched[flight.strike->target];
+        touch.deepest = flight.strike->surface;
+        if (touch.impulse <= 0.0f) {
+            // Bullet found no contact where the sweep did.
+            bounce(flight, targets.at(flight.strike->target), touch);
+        }
+    }
+    std::vector<TargetId> touching;
+    for (const auto& [target, touch] : touched) {
+        touching.push_back(target);
+        if (!flight.touches(target)) {
+            strike(id, flight, target, touch, impacts);
+        }
+    }
+    flight.touching = std::move(touching);
+}
+
+void PhysicsWorld::Private::followDynamicTargets() {
+    for (auto& [id, target] : targets) {
+        if (target.physics.isDynamic) {
+            const btTransform& where = target.body->getWorldTransform();
+            target.transform.rotation = glm::normalize(fromBullet(where.getRotation()));
+            target.transform.position =
+                fromBullet(where.getOrigin()) - target.transform.rotation * target.shape->centre();
+        }
+    }
+}
+
+void PhysicsWorld::Private::removeSpentFlights() {
+    for (auto it = flights.begin(); it != flights.end();) {
+        const auto current = it++;
+        const glm::vec3 position = fromBullet(current->second.body->getWorldTransform().getOrigin());
+        if (time() >= current->second.end || !isUsable(position)) {
+            removeFlight(current);
+        }
+    }
+}
+
+void PhysicsWorld::Private::step(std::vector<Impact>& impacts) {
+    ++steps;
+    bool isMoving = !flights.empty();
+    for (auto& [id, target] : targets) {
+        target.previous = target.transform;
+        isMoving = isMoving || target.physics.isDynamic;
+    }
+    if (!isMoving) {
+        return;
+    }
+    for (auto& [id, flight] : flights) {
+        approach(flight);
+    }
+    world.stepSimulation(static_cast<btScalar>(stepSeconds), 0);
+    const auto contacts = touches(dispatcher);
+    for (auto& [id, flight] : flights) {
+        collect(id, flight, contacts, impacts);
+    }
+    followDynamicTargets();
+    removeSpentFlights();
+}
+
+}  // namespace hitscope

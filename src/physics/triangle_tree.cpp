@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/triangle_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/vector_relational.hpp>
+
+namespace hitscope::physics {
+namespace {
+
+constexpr std::size_t kLeafTriangles = 4;
+
+bool isFinite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool overlap(const Bounds& a, const Bounds& b) {
+    return glm::all(glm::lessThanEqual(a.min, b.max)) && glm::all(glm::lessThanEqual(b.min, a.max));
+}
+
+}  // namespace
+
+struct TriangleTree::Item {
+    glm::vec3 centre;
+    std::uint32_t triangle;
+};
+
+TriangleTree::TriangleTree(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> corners) {
+    std::vector<Item> items;
+    items.reserve(corners.size() / 3);
+    for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+        const std::uint32_t* c = &corners[i];
+        if (std::max({c[0], c[1], c[2]}) >= vertices.size()) {
+            continue;
+        }
+        const glm::vec3 centre = vertices[c[0]] / 3.0f + vertices[c[1]] / 3.0f + vertices[c[2]] / 3.0f;
+        if (isFinite(centre)) {
+            items.push_back({centre, static_cast<std::uint32_t>(i / 3)});
+        }
+    }
+    if (items.empty()) {
+        return;
+    }
+    m_nodes.reserve(items.size());
+    build(items, 0);
+    m_nodes.shrink_to_fit();
+    auto order = std::make_shared<std::vector<std::uint32_t>>();
+    order->reserve(items.size());
+    for (const Item& item : items) {
+        order->push_back(item.triangle);
+    }
+    m_order = std::move(order);
+    constexpr float kEverywhere = std::numeric_limits<float>::infinity();
+    refit(vertices, corners, {glm::vec3(-kEverywhere), glm::vec3(kEverywhere)});
+}
+
+std::uint32_t TriangleTree::build(std::span<Item> items, std::uint32_t begin) {
+    const auto index = static_cast<std::uint32_t>(m_nodes.size());
+    Node& node = m_nodes.emplace_back();
+    // Not known yet: until the first refit every box overlaps every region.
+    constexpr float kEverywhere = std::numeric_limits<float>::infinity();
+    node.bounds = {glm::vec3(-kEverywhere), glm::vec3(kEverywhere)};
+    if (items.size() <= kLeafTriangles) {
+        node.first = begin;
+        node.count = static_cast<std::uint32_t>(items.size());
+        return index;
+    }
+    Bounds centres;
+    for (const Item& item : items) {
+        centres.add(item.centre);
+    }
+    const glm::vec3 size = centres.size();
+    const int axis = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
+    const std::size_t half = items.size() / 2;
+    std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
+                     [axis](const Item& a, const Item& b) {
+                         // The triangle decides between equals, so that every library splits the same.
+                         return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis]
+                                                                 : a.triangle < b.triangle;
+                     });
+    build(items.first(half), begin);
+    const std::uint32_t right = build(items.subspan(half), begin + static_cast<std::uint32_t>(half));
+    m_nodes[index].first = right;
+    return index;
+}
+
+void TriangleTree::refit(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> corners,
+                         const Bounds& region) {
+    if (!empty()) {
+        refitNode(0, vertices, corners, region);
+    }
+}
+
+void TriangleTree::refitNode(std::uint32_t index, std::span<const glm::vec3> vertices,
+                             std::span<const std::uint32_t> corners, const Bounds& region) {
+    Node& node = m_nodes[index];
+    if (!overlap(node.bounds, region)) {
+        return;
+    }
+    Bounds bounds;
+    if (node.count > 0) {
+        for (std::uint32_t i = 0; i < node.count; ++i) {
+            const std::uint32_t* c = &corners[std::size_t{3} * (*m_order)[node.first + i]];
+            for (int k = 0; k < 3; ++k) {
+                bounds.add(vertices[c[k]]);
+            }
+        }
+    } else {
+        refitNode(index + 1, vertices, corners, region);
+        refitNode(node.first, vertices, corners, region);
+        bounds = m_nodes[index + 1].bounds;
+        bounds.add(m_nodes[node.first].bounds);
+    }
+    node.bounds = bounds;
+}
+
+}  // namespace hitscope::physics

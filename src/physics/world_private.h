@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <btBulletDynamicsCommon.h>
+
+#include <map>
+
+#include "physics/mesh_contacts.h"
+#include "physics/motion_sweep.h"
+#include "physics/physics_world.h"
+#include "physics/stepped_world.h"
+#include "physics/touches.h"
+
+namespace hitscope {
+
+namespace physics {
+
+inline constexpr float kRestitution = 0.6f;  // of projectiles and the floor; Bullet multiplies the two
+inline constexpr float kFriction = 0.6f;
+inline constexpr float kRollingFriction = 0.05f;  // metres: without it a sphere on a plane rolls for ever
+
+struct TargetBody {
+    RigidTransform transform;  ///< after the last step
+    RigidTransform previous;   ///< before it
+    TargetPhysics physics;
+    std::unique_ptr<CollisionShape> shape;
+    std::unique_ptr<btRigidBody> body;
+
+    void place();  ///< the body to `transform`, at rest
+};
+
+/// What a projectile is about to strike in this step.
+struct Strike {
+    TargetId target;
+    SurfacePoint surface;  ///< world
+};
+
+struct Flight {
+    ProjectileSettings settings;
+    std::unique_ptr<btSphereShape> shape;
+    std::unique_ptr<btRigidBody> body;
+    double end = 0.0;                ///< simulated time when it disappears
+    bool hasHit = false;             ///< it has made a hit
+    std::vector<TargetId> touching;  ///< after the last step; sorted
+    glm::vec3 velocity{0.0f};        ///< just before any impact of this step, m/s
+    glm::vec3 previous{0.0f};        ///< position before the last step
+    std::optional<Strike> strike;
+
+    [[nodiscard]] bool touches(TargetId target) const;
+};
+
+/// Bounces a flight off a target where it touches, as Bullet would have, and pushes a dynamic target; writes
+/// the impulse into `touch`. Moving away: nothing.
+void bounce(Flight& flight, TargetBody& target, Touch& touch);
+
+/// `where`: of the target when the touch was found.
+[[nodiscard]] Impact impactOf(TargetId target, const RigidTransform& where, const glm::vec3& velocity,
+                              const Touch& touch, double time);
+
+}  // namespace physics
+
+struct PhysicsWorld::Private {
+    Private();
+    ~Private();
+    Private(const Private&) = delete;
+    Private& operator=(const Private&) = delete;
+
+    // physics_step.cpp
+    void step(std::vector<Impact>& impacts);
+    void approach(physics::Flight& flight);
+    void collect(ProjectileId id, physics::Flight& flight,
+                 const std::map<physics::TouchKey, physics::Touch>& contacts, std::vector<Impact>& impacts);
+    void strike(ProjectileId id, physics::Flight& flight, TargetId target, const physics::Touch& touch,
+                std::vector<Impact>& impacts);
+    void followDynamicTargets();
+    void removeSpentFlights();
+
+    void addBody(physics::TargetBody& target);
+    void reshape(TargetId id, physics::TargetBody& target, bool shapeChanged);
+    /// First target, or the floor (target 0), on a line.
+    [[nodiscard]] std::optional<physics::Strike> castLine(const glm::vec3& origin,
+                                                          const glm::vec3& motion) const;
+    void removeFlight(std::map<ProjectileId, physics::Flight>::iterator flight);
+    void wakeAll();
+    [[nodiscard]] std::optional<physics::SurfacePoint> surfacePoint(TargetId target, const glm::vec3& from,
+                                                                    int triangle) const;
+    [[nodiscard]] double time() const { return timeBefore + static_cast<double>(steps) * stepSeconds; }
+    /// How far the moment to draw is from the step before the last to the last, [0, 1].
+    [[nodiscard]] float between() const { return static_cast<float>(waiting / stepSeconds); }
+
+    btDefaultCollisionConfiguration configuration;
+    btCollisionDispatcher dispatcher{&configuration};
+    physics::MeshContacts meshContacts{dispatcher};
+    mutable btDbvtBroadphase broadphase;  // its ray test is not const
+    btSequentialImpulseConstraintSolver solver;
+    physics::SteppedWorld world{&dispatcher, &broadphase, &solver, &configuration};
+    std::map<TargetId, physics::TargetBody> targets;
+    std::map<ProjectileId, physics::Flight> flights;
+    std::unique_ptr<btStaticPlaneShape> floorShape;
+    std::unique_ptr<btRigidBody> floor;
+    std::uint32_t nextProjectile = 1;
+    double stepSeconds = kStep;
+    double timeBefore = 0.0;  ///< simulated before the step's length was last set
+    std::int64_t steps = 0;   ///< since then
+    double waiting = 0.0;     ///< seconds not simulated yet, < stepSeconds
+    double timeScale = 1.0;
+    bool isPaused = false;
+};
+
+}  // namespace hitscope

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/primitive_target.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <array>
+
+#include "mesh/geodesic_sphere.h"
+#include "mesh/grid_primitives.h"
+#include "mesh/primitives.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr float kTube = 0.25f;  // of a torus's outer radius
+
+int clamped(const Primitive& primitive) {
+    const PrimitiveTraits& traits = traitsOf(primitive.kind);
+    return std::clamp(primitive.resolution, traits.least, traits.most);
+}
+
+/// Cells that are about square on the side of a cylinder as high as wide, and on its ends.
+int rowsOfCylinder(int around) {
+    return std::max(1, around / 3);
+}
+int ringsOfCylinder(int around) {
+    return std::max(1, around / 6);
+}
+/// Likewise for the tube of a torus.
+int tubeOfTorus(int around) {
+    return std::max(3, around / 3);
+}
+
+MeshData makeMesh(PrimitiveKind kind, int n, float size) {
+    const float half = 0.5f * size;
+    switch (kind) {
+        case PrimitiveKind::Cube:
+            return makeCube(n, half);
+        case PrimitiveKind::UvSphere:
+            return makeUvSphere(n, n / 2, half);
+        case PrimitiveKind::GeodesicSphere:
+            return makeGeodesicSphere(n, half);
+        case PrimitiveKind::Torus:
+            return makeTorus(n, tubeOfTorus(n), half * (1.0f - kTube), half * kTube);
+        case PrimitiveKind::Cylinder:
+            return makeCylinder(n, rowsOfCylinder(n), ringsOfCylinder(n), half, size);
+        case PrimitiveKind::Sheet:
+            return makeSheet(n, n, size, size);
+    }
+    return {};
+}
+
+}  // namespace
+
+std::span<const PrimitiveTraits> allPrimitives() {
+    static constexpr std::array<PrimitiveTraits, 6> kTraits = {
+        {{PrimitiveKind::Cube, QT_TRANSLATE_NOOP("hitscope::Primitive", "Quads along an edge"), 1, 32, 408},
+         {PrimitiveKind::UvSphere, QT_TRANSLATE_NOOP("hitscope::Primitive", "Segments around"), 4, 96, 1416},
+         {PrimitiveKind::GeodesicSphere, QT_TRANSLATE_NOOP("hitscope::Primitive", "Triangles along an edge"),
+          1, 24, 316},
+         {PrimitiveKind::Torus, QT_TRANSLATE_NOOP("hitscope::Primitive", "Segments around"), 9, 120, 1732},
+         {PrimitiveKind::Cylinder, QT_TRANSLATE_NOOP("hitscope::Primitive", "Segments around"), 6, 96, 1224},
+         {PrimitiveKind::Sheet, QT_TRANSLATE_NOOP("hitscope::Primitive", "Quads along an edge"), 1, 64,
+          1000}}};
+    return kTraits;
+}
+
+const PrimitiveTraits& traitsOf(PrimitiveKind kind) {
+    return allPrimitives()[static_cast<std::size_t>(kind)];
+}
+
+QString primitiveName(PrimitiveKind kind) {
+    constexpr std::array<const char*, 6> kNames = {
+        QT_TRANSLATE_NOOP("hitscope::Primitive", "Cube"),
+        QT_TRANSLATE_NOOP("hitscope::Primitive", "UV sphere"),
+        QT_TRANSLATE_NOOP("hitscope::Primitive", "Geodesic sphere"),
+        QT_TRANSLATE_NOOP("hitscope::Primitive", "Torus"),
+        QT_TRANSLATE_NOOP("hitscope::Primitive", "Cylinder"),
+        QT_TRANSLATE_NOOP("hitscope::Primitive", "Sheet")};
+    return QCoreApplication::translate("hitscope::Primitive", kNames[static_cast<std::size_t>(kind)]);
+}
+
+std::size_t vertexCount(const Primitive& primitive) {
+    const auto n = static_cast<std::size_t>(clamped(primitive));
+    const int around = static_cast<int>(n);
+    switch (primitive.kind) {
+        case PrimitiveKind::Cube:
+            return 6 * n * n + 2;
+        case PrimitiveKind::UvSphere:
+            return n * (n / 2 - 1) + 2;
+        case PrimitiveKind::GeodesicSphere:
+            return 10 * n * n + 2;
+        case PrimitiveKind::Torus:
+            return n * static_cast<std::size_t>(tubeOfTorus(around));
+        case PrimitiveKind::Cylinder:
+            return n * static_cast<std::size_t>(rowsOfCylinder(around) + 1 +
+                                                2 * (ringsOfCylinder(around) - 1)) +
+                   2;
+        case PrimitiveKind::Sheet:
+            return (n + 1) * (n + 1);
+    }
+    return 0;
+}
+
+TargetPlan planPrimitive(const Primitive& primitive) {
+    TargetPlan plan = planMesh(makeMesh(primitive.kind, clamped(primitive), primitive.size));
+    plan.name = primitiveName(primitive.kind);
+    plan.transform.position.y = -plan.shape.render->bounds.min.y;
+    if (primitive.kind == PrimitiveKind::Cube) {
+        plan.collider = BoxCollider{glm::vec3(0.5f * primitive.size)};
+    } else if (primitive.kind == PrimitiveKind::UvSphere || primitive.kind == PrimitiveKind::GeodesicSphere) {
+        plan.collider = SphereCollider{0.5f * primitive.size};
+    }
+    return plan;
+}
+
+}  // namespace hitscope

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The session's physics: shots, time, what collides and what is knocked about.
+#include <algorithm>
+
+#include "session/session.h"
+
+namespace hitscope {
+
+namespace {
+
+Hit hitOf(const Impact& impact, const DeformationConstants& constants) {
+    Hit hit;
+    hit.target = impact.target;
+    hit.point = impact.where.toLocal(impact.point);
+    hit.direction = impact.where.directionToLocal(impact.direction);
+    hit.normal = impact.where.directionToLocal(impact.normal);
+    hit.triangle = impact.triangle;
+    hit.constants = constants;
+    hit.time = impact.time;
+    hit.speed = impact.speed;
+    hit.impulse = impact.impulse;
+    return hit;
+}
+
+/// The power of a hit of that impulse, where the settings say that one follows the other.
+float powerOf(const DeformationConstants& constants, const ProjectileSettings& settings, float impulse) {
+    if (!settings.powerFollowsImpulse) {
+        return constants.power;
+    }
+    const double most = deformationParameters()[1].maximum;
+    const float scaled = constants.power * (impulse / settings.referenceImpulse);
+    return std::min(scaled, static_cast<float>(most));
+}
+
+}  // namespace
+
+// Shots
+
+void Session::shoot(const Ray& ray) {
+    m_physics.shoot(ray.origin, ray.direction, m_projectileSettings);
+    Q_EMIT pictureChanged();
+}
+
+bool Session::hitscan(const Ray& ray) {
+    const auto impact = m_physics.hitscan(ray.origin, ray.direction, m_projectileSettings);
+    const std::size_t before = m_history.size();
+    if (impact) {
+        takeImpacts({&*impact, 1});
+    }
+    return m_history.size() > before;
+}
+
+void Session::takeImpacts(std::span<const Impact> impacts) {
+    std::vector<Hit> hits;
+    for (const Impact& impact : impacts) {
+        Hit hit = hitOf(impact, m_constants);
+        hit.constants.power = powerOf(m_constants, m_projectileSettings, impact.impulse);
+        if (Result<Hit> checked = checkedHit(hit); checked && target(impact.target) != nullptr) {
+            hits.push_back(checked.value());
+        }
+    }
+    appendHits(hits);
+}
+
+// Time
+
+void Session::advance(double seconds) {
+    const bool wasMoving = isMoving();
+    takeImpacts(m_physics.advance(seconds));
+    if (wasMoving) {
+        followDynamicTargets();
+        Q_EMIT pictureChanged();
+    }
+}
+
+void Session::stepOnce() {
+    takeImpacts(m_physics.stepOnce());
+    followDynamicTargets();
+    Q_EMIT pictureChanged();
+}
+
+void Session::setPaused(bool paused) {
+    if (paused != m_physics.isPaused()) {
+        m_physics.setPaused(paused);
+        Q_EMIT timeChanged();
+        Q_EMIT pictureChanged();
+    }
+}
+
+void Session::setTimeScale(double scale) {
+    m_physics.setTimeScale(scale);
+    Q_EMIT timeChanged();
+}
+
+void Session::setPhysicsStep(double seconds) {
+    m_physics.setStep(seconds);
+    Q_EMIT timeChanged();
+}
+
+bool Session::isMoving() const {
+    return !m_physics.isPaused() && m_physics.isMoving();
+}
+
+void Session::followDynamicTargets() {
+    for (const TargetPose& pose : m_physics.dynamicTargets()) {
+        Target& moved = *m_targets[*indexOf(pose.id)];
+        if (moved.transform.position != pose.drawn.position ||
+            moved.transform.rotation != pose.drawn.rotation) {
+            moved.transform = pose.drawn;
+            Q_EMIT targetChanged(pose.id);
+        }
+    }
+}
+
+// Targets
+
+/// Puts it where it is now, or takes it out if it is hidden.
+void Session::letCollide(const Target& target) {
+    m_notHittable.erase(target.id);
+    if (!target.visible) {
+        m_physics.removeTarget(target.id);
+        return;
+    }
+    const bool isNew = !m_physics.hasTarget(target.id);
+    Status status = isNew ? m_physics.addTarget(target.id, target.transform, *target.collider, target.physics)
+                          : m_physics.moveTarget(target.id, target.transform);
+    if (status && !isNew) {
+        status = m_physics.setTargetPhysics(target.id, target.physics);
+    }
+    if (!status) {
+        m_physics.removeTarget(target.id);
+        m_notHittable[target.id] = QString::fromStdString(status.error().message());
+        return;
+    }
+    if (isNew) {
+        m_physics.updateTarget(target.id, 0, target.deformed.vertices());
+    }
+}
+
+Status Session::setTargetPhysics(TargetId id, const TargetPhysics& physics) {
+    const Target* changed = target(id);
+    if (changed == nullptr || changed->physics == clamped(physics)) {
+        return Done{};
+    }
+    if (Status status = m_physics.setTargetPhysics(id, physics); !status) {
+        return status;
+    }
+    TargetState after = *changed;
+    after.physics = clamped(physics);
+    changeTarget(*changed, std::move(after), {SessionUndo::Kind::TargetPhysics, 1},
+                 SessionUndo::Merge::WithSameKind);
+    Q_EMIT pictureChanged();
+    return Done{};
+}
+
+QString Session::whyNotHittable(TargetId id) const {
+    const auto reason = m_notHittable.find(id);
+    return reason == m_notHittable.end() ? QString() : reason->second;
+}
+
+}  // namespace hitscope

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/target_plan.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hitscope {
+
+namespace {
+
+constexpr float kGap = 0.1f;  // of the smaller of the two widths
+
+bool overlap(const Bounds& a, const Bounds& b) {
+    return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y &&
+           a.min.z < b.max.z && b.min.z < a.max.z;
+}
+
+/// How far along x `wanted` has to go. Each thing in the way is passed once, so it ends.
+float wayOut(Bounds wanted, const std::vector<Bounds>& taken) {
+    const float start = wanted.min.x;
+    const auto inTheWay = [&wanted](const Bounds& other) { return overlap(wanted, other); };
+    for (auto other = std::find_if(taken.begin(), taken.end(), inTheWay); other != taken.end();
+         other = std::find_if(taken.begin(), taken.end(), inTheWay)) {
+        const float width = wanted.size().x;
+        wanted.min.x = other->max.x + kGap * std::min(width, other->size().x);
+        wanted.max.x = wanted.min.x + width;
+        if (wanted.min.x < other->max.x) {
+            break;  // so far out that floats cannot tell
+        }
+    }
+    return wanted.min.x - start;
+}
+
+}  // namespace
+
+TargetPlan planMesh(MeshData mesh, const QString& sourcePath) {
+    return planMesh(prepareMesh(std::move(mesh)), sourcePath);
+}
+
+TargetPlan planMesh(const PreparedMesh& mesh, const QString& sourcePath) {
+    return {QString::fromStdString(mesh.mesh->name), mesh, {}, MeshCollider{mesh.collision}, sourcePath};
+}
+
+Bounds worldBounds(const RenderMesh& mesh, const RigidTransform& transform) {
+    const Bounds& local = mesh.bounds;
+    Bounds world;
+    if (local.empty()) {
+        return world;
+    }
+    for (int corner = 0; corner < 8; ++corner) {
+        world.add(transform.toWorld({(corner & 1) != 0 ? local.max.x : local.min.x,
+                                     (corner & 2) != 0 ? local.max.y : local.min.y,
+                                     (corner & 4) != 0 ? local.max.z : local.min.z}));
+    }
+    return world;
+}
+
+void makeRoom(std::vector<TargetPlan>& plans, std::vector<Bounds> taken, std::optional<float> floor) {
+    for (TargetPlan& plan : plans) {
+        Bounds bounds = worldBounds(*plan.shape.render, plan.transform);
+        if (bounds.empty()) {
+            continue;
+        }
+        if (floor && bounds.min.y < *floor) {
+            plan.transform.position.y += *floor - bounds.min.y;
+            bounds = worldBounds(*plan.shape.render, plan.transform);
+        }
+        plan.transform.position.x += wayOut(bounds, taken);
+        taken.push_back(worldBounds(*plan.shape.render, plan.transform));
+    }
+}
+
+}  // namespace hitscope

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "core/bounds.h"
+#include "physics/physics_world.h"
+#include "session/prepared_mesh.h"
+
+namespace hitscope {
+
+/// A target to be: what it is called, its shape, where it stands and how it collides. Has all that takes time
+/// to work out, so that it may be made on any thread.
+struct TargetPlan {
+    QString name;
+    PreparedMesh shape;
+    RigidTransform transform;
+    Collider collider;
+    QString sourcePath = {};  ///< the file it comes from; empty: made by us
+};
+
+/// A scene to be.
+struct ScenePlan {
+    QString name;  ///< for the window's title
+    std::vector<TargetPlan> targets;
+    std::optional<float> floorHeight = {};  ///< metres, world y; nothing: under the lowest target
+};
+
+/// A target at the mesh's own coordinates, which collides with its triangles. `mesh` has passed validate().
+[[nodiscard]] TargetPlan planMesh(MeshData mesh, const QString& sourcePath = {});
+[[nodiscard]] TargetPlan planMesh(const PreparedMesh& mesh, const QString& sourcePath = {});
+
+/// Of the original shape, world. Empty for a mesh without vertices.
+[[nodiscard]] Bounds worldBounds(const RenderMesh& mesh, const RigidTransform& transform);
+
+/// Moves each plan along x past what it would overlap, the ones before it and `taken` (world), leaving a gap;
+/// and, if `floor` is given, up out of the floor at that height (metres). Plans that are clear stay.
+void makeRoom(std::vector<TargetPlan>& plans, std::vector<Bounds> taken, std::optional<float> floor = {});
+
+}  // namespace hitscope

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/session_undo.h"
+
+#include <QtTest>
+
+using namespace hitscope;
+
+namespace {
+
+Hit hitAt(float x) {
+    Hit hit;
+    hit.target = TargetId{1};
+    hit.point = {x, 0.0f, 0.0f};
+    return hit;
+}
+
+std::vector<float> places(const HitHistory& history) {
+    std::vector<float> xs;
+    for (const Hit& hit : history.hits()) {
+        xs.push_back(hit.point.x);
+    }
+    return xs;
+}
+
+/// As the session does it.
+DeformationConstants make(HitHistory& history, const SessionUndo::Change& change) {
+    for (const HistoryEdit& edit : change.edits) {
+        history.redo(edit);
+    }
+    return change.constantsAfter;
+}
+
+TargetState targetAt(float x, std::uint32_t id = 1) {
+    TargetState state;
+    state.id = TargetId{id};
+    state.transform.position.x = x;
+    return state;
+}
+
+SessionUndo::Change movedTarget(float from, float to, SessionUndo::Merge merge, std::uint32_t id = 1) {
+    return {
+        {}, {}, {}, merge, {SessionUndo::Kind::MoveTarget, 1}, {{0, targetAt(from, id), targetAt(to, id)}}};
+}
+
+}  // namespace
+
+class SessionUndoTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void undoesAndRedoesEveryKindOfChangeInOrder() {
+        HitHistory history;
+        SessionUndo undo;
+        const auto record = [&](std::vector<HistoryEdit> edits) { undo.record({std::move(edits), {}, {}}); };
+        record({history.append(hitAt(1))});
+        record({history.append(hitAt(2))});
+        record({history.append(hitAt(3))});
+        record({history.remove(1)});
+        record({history.append(hitAt(4))});
+        record(history.move(2, 0));
+        record({history.clear()});
+
+        const std::vector<std::vector<float>> states = {{},     {1},       {1, 2},    {1, 2, 3},
+                                                        {1, 3}, {1, 3, 4}, {4, 1, 3}, {}};
+        for (std::size_t i = states.size() - 1; i-- > 0;) {
+            QVERIFY(undo.canUndo());
+            make(history, undo.undo());
+            QCOMPARE(places(history), states[i]);
+        }
+        QVERIFY(!undo.canUndo());
+        for (std::size_t i = 1; i < states.size(); ++i) {
+            QVERIFY(undo.canRedo());
+            make(history, undo.redo());
+            QCOMPARE(places(history), states[i]);
+        }
+        QVERIFY(!undo.canRedo());
+    }
+
+    void newChangeEndsRedo() {
+        HitHistory history;
+        SessionUndo undo;
+        undo.record({{history.append(hitAt(1))}, {}, {}});
+        make(history, undo.undo());
+        QVERIFY(undo.canRedo());
+        undo.record({{history.append(hitAt(2))}, {}, {}});
+        QVERIFY(!undo.canRedo());
+    }
+
+    void whatChangesNothingIsNoStep() {
+        HitHistory history;
+        SessionUndo undo;
+        undo.record({{history.clear()}, {}, {}});
+        QVERIFY(!undo.canUndo());
+    }
+
+    void draggingConstantsIsOneStep() {
+        HitHistory history;
+        SessionUndo undo;
+        const DeformationConstants before;
+        DeformationConstants constants = before;
+        undo.record({{history.append(hitAt(1))}, before, before});
+        undo.record({{history.append(hitAt(2))}, before, before});
+        for (const float power : {0.06f, 0.07f, 0.08f}) {
+            DeformationConstants next = constants;
+            next.power = power;
+            undo.record({{history.setConstantsOfAll(next)},
+                         constants,
+                         next,
+                         SessionUndo::Merge::WithSameKind,
+                         {SessionUndo::Kind::Constants, 2}});
+            constants = next;
+        }
+        QCOMPARE(make(history, undo.undo()).power, before.power);
+        for (const Hit& hit : history.hits()) {
+            QCOMPARE(hit.constants.power, before.power);
+        }
+        QCOMPARE(make(history, undo.redo()).power, 0.08f);
+        for (const Hit& hit : history.hits()) {
+            QCOMPARE(hit.constants.power, 0.08f);
+        }
+    }
+
+    void aTargetsEditIsUndoneByItsInverse() {
+        SessionUndo undo;
+        undo.record({{},
+                     {},
+                     {},
+                     SessionUndo::Merge::Never,
+                     {SessionUndo::Kind::RemoveTarget, 2},
+                     {{3, targetAt(1, 7), {}}, {1, targetAt(2, 8), {}}}});
+        const SessionUndo::Change back = undo.undo();
+        QCOMPARE(back.targets.size(), std::size_t{2});
+        QCOMPARE(back.targets[0].index, std::size_t{1});
+        QVERIFY(!back.targets[0].before);
+        QCOMPARE(back.targets[0].after->id, TargetId{8});
+        QCOMPARE(back.targets[1].index, std::size_t{3});
+        QCOMPARE(undo.redo().targets[0].before->id, TargetId{7});
+    }
+
+    void movesOfOneTargetMergeWhereAsked() {
+        SessionUndo undo;
+        using Merge = SessionUndo::Merge;
+        undo.record(movedTarget(0, 1, Merge::Never));
+        undo.record(movedTarget(1, 2, Merge::WithSameKind));
+        undo.record(movedTarget(2, 3, Merge::WithSameKind));
+        undo.record(movedTarget(3, 4, Merge::Never));            // a step of its own
+        undo.record(movedTarget(0, 9, Merge::WithSameKind, 2));  // another target
+        (void)undo.undo();
+        QCOMPARE(undo.undo().targets[0].after->transform.position.x, 3.0f);
+        const SessionUndo::Change all = undo.undo();
+        QCOMPARE(all.targets[0].before->transform.position.x, 3.0f);
+        QCOMPARE(all.targets[0].after->transform.position.x, 0.0f);
+        QVERIFY(!undo.canUndo());
+        (void)undo.redo();
+        undo.record(movedTarget(3, 5, Merge::WithSameKind));  // after a redo nothing merges
+        QCOMPARE(undo.undo().targets[0].after->transform.position.x, 3.0f);
+    }
+
+    void undoBringsEveryRevisionForward() {
+        HitHistory history;
+        SessionUndo undo;
+        undo.record({{history.append(hitAt(1))}, {}, {}});
+        const std::uint64_t revision = history.revision();
+        make(history, undo.undo());
+        QVERIFY(history.revision() > revision);
+    }
+};
+
+QTEST_APPLESS_MAIN(SessionUndoTest)
+#include "session_undo_test.moc"
