@@ -224,7 +224,8 @@ void PhysicsTest::timeIsCountedInSteps() {
     const double before = world.time();
     // A frame that took ten seconds is not caught up with.
     QVERIFY(world.advance(10).empty());
-    QCOMPARE(std::lround((world.time() - before) / PhysicsWorld::kStep), std::lround(PhysicsWorld::kLongestFrame / PhysicsWorld::kStep));
+    QCOMPARE(std::lround((world.time() - before) / PhysicsWorld::kStep),
+             std::lround(PhysicsWorld::kLongestFrame / PhysicsWorld::kStep));
     QVERIFY(world.advance(-1).empty());
     QVERIFY(world.advance(std::numeric_limits<double>::quiet_NaN()).empty());
     QVERIFY(world.time() < before + 0.26);

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QSignalSpy>
+#include <QTest>
+#include <map>
+
+#include "deform/reference.h"
+#include "mesh/primitives.h"
+#include "physics_dents.h"
+#include "session/session.h"
+
+using namespace hitscope;
+using namespace hitscope::test;
+
+namespace {
+
+/// Applies the session's hits as the reference pipeline does and hands back what changed.
+class Follower {
+public:
+    explicit Follower(Session& session) : m_session(session) {}
+
+    void follow() {
+        const std::span<const Hit> hits = m_session.history().hits();
+        for (; m_applied < hits.size(); ++m_applied) {
+            const Hit& hit = hits[m_applied];
+            ReferenceDeformation& reference = of(hit.target);
+            for (const VertexRange& range : reference.apply({&hit, 1})) {
+                m_session.takeReadBack(hit.target, range.first,
+                                       reference.vertices().subspan(range.first, range.count));
+            }
+        }
+        m_session.finishReadBack();
+    }
+
+private:
+    ReferenceDeformation& of(TargetId id) {
+        auto& entry = m_references[id];
+        if (!entry) {
+            entry = std::make_unique<ReferenceDeformation>(m_session.target(id)->deformed.render());
+        }
+        return *entry;
+    }
+
+    Session& m_session;
+    std::map<TargetId, std::unique_ptr<ReferenceDeformation>> m_references;
+    std::size_t m_applied = 0;
+};
+
+/// Metres, local frame; of the triangles that are on screen.
+float distanceFromSurface(const Target& target, const glm::vec3& p) {
+    const std::span<const DynamicVertex> vertices = target.deformed.vertices();
+    const std::vector<std::uint32_t>& corners = target.deformed.render().triangles;
+    float least = 1e9f;
+    for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+        least = std::min(least,
+                         Dented::distance(p, vertices[corners[i]].position, vertices[corners[i + 1]].position,
+                                          vertices[corners[i + 2]].position));
+    }
+    return least;
+}
+
+void play(Session& session, Follower& follower, double seconds) {
+    for (double t = 0; t < seconds; t += 1.0 / 60.0) {
+        session.advance(1.0 / 60.0);
+        follower.follow();
+    }
+}
+
+Ray towards(const glm::vec3& aim, const glm::vec3& from) {
+    return {from, glm::normalize(aim - from)};
+}
+
+}  // namespace
+
+/// Shots through the session: what is hit is what is on screen, and the same again on every run.
+class PhysicsSessionTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void hitsLieOnTheDeformedTeapot_data() {
+        QTest::addColumn<bool>("instant");
+        QTest::newRow("flights") << false;
+        QTest::newRow("instant shots") << true;
+    }
+    void hitsLieOnTheDeformedTeapot() {
+        QFETCH(bool, instant);
+        Session session;
+        session.loadTeapot();
+        const Target& teapot = *session.targets().front();
+        Follower follower(session);
+        const Bounds bounds = teapot.worldBounds();
+        Random random(41);
+        std::size_t checked = 0;
+        float farthest = 0.0f;
+        for (int shot = 0; shot < 400 && checked < 130; ++shot) {
+            const glm::vec3 from = bounds.centre() + bounds.diagonal() * random.direction();
+            const glm::vec3 aim = bounds.centre() + 0.15f * bounds.diagonal() * random.direction();
+            if (instant) {
+                session.hitscan(towards(aim, from));
+            } else {
+                session.shoot(towards(aim, from));
+                while (session.isMoving() && session.history().size() == checked) {
+                    session.advance(PhysicsWorld::kStep);
+                }
+            }
+            // Before the hit itself dents what it struck.
+            for (; checked < session.history().size(); ++checked) {
+                farthest =
+                    std::max(farthest, distanceFromSurface(teapot, session.history().hits()[checked].point));
+            }
+            follower.follow();
+        }
+        QVERIFY(checked >= 130);
+        QVERIFY2(farthest < 0.001f, qPrintable(QString("%1 m").arg(farthest)));
+        QVERIFY(teapot.deformed.statistics().maximum > 0.3);
+    }
+
+    void sameShotsMakeTheSameHistory() {
+        const auto history = [] {
+            Session session;
+            session.loadPaperRow(kDefaultPaperRow);
+            Follower follower(session);
+            const TargetId knocked = session.targets()[3]->id;
+            TargetPhysics physics;
+            physics.isDynamic = true;
+            if (!session.setTargetPhysics(knocked, physics)) {
+                return std::vector<Hit>();
+            }
+            ProjectileSettings settings;
+            settings.bouncesCount = true;
+            session.setProjectileSettings(settings);
+            Random random(77);
+            for (int shot = 0; shot < 500; ++shot) {
+                const auto index = static_cast<std::size_t>(random.between(0, 15.99f));
+                const glm::vec3 aim = session.targets()[index]->transform.position + random.direction();
+                session.shoot(towards(aim, aim + 6.0f * random.direction()));
+                session.advance(1.0 / 60.0);
+                follower.follow();
+            }
+            play(session, follower, 1);
+            const std::span<const Hit> hits = session.history().hits();
+            return std::vector<Hit>(hits.begin(), hits.end());
+        };
+        const std::vector<Hit> first = history();
+        QVERIFY2(first.size() >= 400, qPrintable(QString::number(first.size())));
+        // Bit for bit: ==, over every field.
+        QVERIFY(history() == first);
+        QVERIFY(history() == first);
+    }
+
+    void recordSaysWhatWasStruck() {
+        Session session;
+        session.loadMesh(makeHighPolyCube());
+        const Target& cube = *session.targets().front();
+        QVERIFY(
+            session.setTargetTransform(cube.id, {{5, 2, 1}, glm::angleAxis(1.5707963f, glm::vec3(0, 1, 0))})
+                .ok());
+        QVERIFY(session.hitscan({{5, 2, 9}, {0, 0, -1}}));
+        QVERIFY(!session.hitscan({{5, 2, 9}, {0, 0, 1}}));
+        const Hit& hit = session.history().hits().front();
+        // What faces +z in the world is its -x side, turned.
+        QVERIFY(glm::length(cube.transform.toWorld(hit.point) - glm::vec3(5, 2, 3.5f)) < 1e-4f);
+        QVERIFY(glm::length(cube.transform.directionToWorld(hit.normal) - glm::vec3(0, 0, 1)) < 1e-5f);
+        const RenderMesh& mesh = cube.deformed.render();
+        QVERIFY(hit.triangle < mesh.triangles.size() / 3);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const glm::vec3 corner = mesh.vertices[mesh.triangles[3 * hit.triangle + k]].position;
+            QVERIFY(glm::length(corner - hit.point) < 0.3f);
+        }
+        QCOMPARE(session.history().size(), std::size_t{1});
+        session.undo();
+        QVERIFY(session.history().hits().empty());
+    }
+
+    void powerFollowsTheImpulseIfAsked() {
+        Session session;
+        session.loadMesh(makeLowPolyCube());
+        const float power = session.constants().power;
+        ProjectileSettings settings;
+        settings.speed = 60.0f;
+        session.setProjectileSettings(settings);
+        const Ray ray{{0, 0, 9}, {0, 0, -1}};
+        QVERIFY(session.hitscan(ray));
+        QCOMPARE(session.history().hits().back().constants.power, power);
+        settings.powerFollowsImpulse = true;
+        session.setProjectileSettings(settings);
+        QVERIFY(session.hitscan(ray));
+        // Twice the speed of the default shot.
+        QVERIFY(std::abs(session.history().hits().back().constants.power - 2.0f * power) < 1e-4f);
+        settings.speed = 10000.0f;
+        settings.mass = 1e6f;
+        session.setProjectileSettings(settings);
+        QVERIFY(session.hitscan(ray));
+        QVERIFY(isValid(session.history().hits().back().constants));
+    }
+
+    void pauseAndSingleStep() {
+        Session session;
+        session.loadPaperRow(kDefaultPaperRow);
+        QSignalSpy changed(&session, &Session::timeChanged);
+        session.setPaused(true);
+        session.setTimeScale(0.1);
+        session.setPhysicsStep(0.001);
+        QCOMPARE(changed.count(), 3);
+        session.shoot(towards(session.targets()[0]->transform.position, {0, 9, 0}));
+        QVERIFY(!session.isMoving());
+        session.advance(1);
+        QCOMPARE(session.physics().time(), 0.0);
+        session.stepOnce();
+        QVERIFY(std::abs(session.physics().time() - 0.001) < 1e-12);
+        session.setPaused(false);
+        QVERIFY(session.isMoving());
+    }
+
+    void knockedAboutTargetTakesItsHitsAlong() {
+        Session session;
+        session.loadMesh(makeHighPolySphere(0.5f));
+        const Target& ball = *session.targets().front();
+        TargetPhysics physics;
+        physics.isDynamic = true;
+        physics.mass = 5.0f;
+        QSignalSpy moved(&session, &Session::targetChanged);
+        QVERIFY(session.setTargetPhysics(ball.id, physics).ok());
+        Follower follower(session);
+        const glm::vec3 before = ball.transform.position;
+        session.shoot({{-3, 0.1f, 0}, {1, 0, 0}});
+        play(session, follower, 1);
+        QCOMPARE(session.history().size(), std::size_t{1});
+        QVERIFY(ball.transform.position.x > before.x + 0.5f);
+        QVERIFY(moved.count() > 10);
+        const glm::vec3 point = session.history().hits().front().point;
+        QVERIFY(std::abs(glm::length(point) - 0.5f) < 1e-3f);
+        // It can be made to stay where it is now, and that undone.
+        QVERIFY(session.setTargetPhysics(ball.id, {}).ok());
+        const glm::vec3 where = ball.transform.position;
+        play(session, follower, 0.2);
+        QVERIFY(ball.transform.position == where);
+        session.undo();
+        QVERIFY(ball.physics.isDynamic);
+    }
+
+    void hiddenAndShownAgainItHasItsDents() {
+        Session session;
+        session.loadMesh(makeHighPolySphere());
+        const Target& ball = *session.targets().front();
+        Follower follower(session);
+        const Ray ray{{9, 0, 0}, {-1, 0, 0}};
+        for (int i = 0; i < 5; ++i) {
+            QVERIFY(session.hitscan(ray));
+            follower.follow();
+        }
+        const float depth = session.history().hits().back().point.x;
+        QVERIFY(depth < 2.2f);
+        const TargetId ids[] = {ball.id};
+        session.setTargetsVisible(ids, false);
+        QVERIFY(!session.hitscan(ray));
+        session.setTargetsVisible(ids, true);
+        QVERIFY(session.hitscan(ray));
+        QVERIFY(session.history().hits().back().point.x < depth);
+        // Moved, too; and back at the original shape it is whole.
+        QVERIFY(session.setTargetTransform(ball.id, {{0, 0, 1}, {1, 0, 0, 0}}).ok());
+        QVERIFY(session.hitscan({{9, 0, 1}, {-1, 0, 0}}));
+        QVERIFY(session.history().hits().back().point.x < depth);
+        session.restartReadBack();
+        QVERIFY(session.hitscan({{9, 0, 1}, {-1, 0, 0}}));
+        QVERIFY(std::abs(session.history().hits().back().point.x - 2.5f) < 0.01f);
+    }
+
+    void saysWhyATargetCannotBeHit() {
+        Session session;
+        MeshData line;
+        line.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+        line.faceStarts = {0, 3};
+        line.cornerVertices = {0, 1, 2};
+        session.loadMesh(line);
+        QVERIFY(!session.whyNotHittable(session.targets().front()->id).isEmpty());
+        QVERIFY(!session.hitscan({{0.5f, 5, 0}, {0, -1, 0}}));
+        session.loadTeapot();
+        QVERIFY(session.whyNotHittable(session.targets().front()->id).isEmpty());
+    }
+};
+
+QTEST_APPLESS_MAIN(PhysicsSessionTest)
+#include "physics_session_test.moc"
