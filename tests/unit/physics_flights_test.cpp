@@ -96,8 +96,8 @@ void PhysicsFlightsTest::bounceStaysBetweenTwoWalls() {
     Random random(19);
     for (int shot = 0; shot < 60; ++shot) {
         world.removeProjectiles();
-        const glm::vec3 along = glm::normalize(glm::vec3(random.between(0.5f, 1), random.between(-0.3f, 0.3f),
-                                                         random.between(-0.3f, 0.3f)));
+        const glm::vec3 along = glm::normalize(
+            glm::vec3(random.between(0.5f, 1), random.between(-0.3f, 0.3f), random.between(-0.3f, 0.3f)));
         ProjectileSettings settings = withSpeed(1000);
         settings.radius = 0.05f;
         settings.bouncesCount = true;
