@@ -13,6 +13,7 @@
 #include "app/main_window.h"
 #include "app/pipeline_chooser.h"
 #include "app/projectile_dialog.h"
+#include "app/texture_chooser.h"
 #include "panels/icons/themed_icon.h"
 #include "viewport/viewport.h"
 
@@ -135,7 +136,10 @@ void MainWindow::makeDisplayActions(QMenu& menu) {
             display.normals = display.normals == NormalMode::True ? NormalMode::Paper : NormalMode::True;
         });
     });
-    m_textures = addToggle(menu, tr("Te&xtures"), Qt::Key_T, true, [this](bool on) {
+    QMenu& textures = *menu.addMenu(tr("Te&xture"));
+    (new TextureChooser(m_session, this))->fill(textures);
+    textures.addSeparator();
+    m_textures = addToggle(textures, tr("&Show Textures"), Qt::Key_T, true, [this](bool on) {
         changeDisplay([on](DisplayOptions& display) { display.textures = on; });
     });
     m_floor = addToggle(menu, tr("F&loor"), {}, true, [this](bool on) {

@@ -131,7 +131,23 @@ MaterialSet::MaterialSet(const MeshData& mesh) : m_materials(mesh.materials) {
     }
 }
 
+MaterialSet::MaterialSet(const Image& texture) : m_covers(true) {
+    Material material;
+    material.diffuse = glm::vec3(1.0f);
+    material.specular = glm::vec3(0.35f);
+    material.shininess = 48.0f;
+    if (isUsable(texture)) {
+        const PlainUnpacking plain;
+        material.diffuseImage = 0;
+        m_textures.push_back(upload(texture));
+    }
+    m_materials.push_back(std::move(material));
+}
+
 const Material& MaterialSet::at(std::uint32_t material) const {
+    if (m_covers) {
+        return m_materials.front();
+    }
     static const Material defaultMaterial = makeDefaultMaterial();
     return material < m_materials.size() ? m_materials[material] : defaultMaterial;
 }

@@ -19,6 +19,9 @@ public:
     /// are halved until they fit.
     explicit MaterialSet(const MeshData& mesh);
 
+    /// `texture` on everything, whatever the index.
+    explicit MaterialSet(const Image& texture);
+
     /// Sets the uniforms of surface.frag and, where the material has one, binds its texture to unit 0; the
     /// program is in use. kNoIndex and indices out of range are the default material.
     void apply(const gl::Program& program, std::uint32_t material) const;
@@ -30,6 +33,7 @@ private:
     [[nodiscard]] const Material& at(std::uint32_t material) const;
 
     std::vector<Material> m_materials;
+    bool m_covers = false;                ///< the first one, whatever the index
     std::vector<gl::Texture> m_textures;  ///< one an image; without name where it is not used
 };
 

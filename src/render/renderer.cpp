@@ -149,6 +149,10 @@ std::shared_ptr<const MaterialSet> Renderer::makeMaterials(const MeshData& mesh)
     return std::make_shared<const MaterialSet>(mesh);
 }
 
+std::shared_ptr<const MaterialSet> Renderer::makeCover(const Image& texture) {
+    return std::make_shared<const MaterialSet>(texture);
+}
+
 Status Renderer::draw(const Frame& frame, DeformationPipeline& pipeline, GLuint framebuffer) {
     if (frame.width <= 0 || frame.height <= 0) {
         return Done{};

@@ -57,6 +57,8 @@ public:
     Renderer& operator=(const Renderer&) = delete;
 
     [[nodiscard]] std::shared_ptr<const MaterialSet> makeMaterials(const MeshData& mesh);
+    /// One material for everything, with this texture.
+    [[nodiscard]] std::shared_ptr<const MaterialSet> makeCover(const Image& texture);
     /// Programs are built for the pipeline when it first draws; the error is the driver's.
     [[nodiscard]] Status draw(const Frame& frame, DeformationPipeline& pipeline, GLuint framebuffer);
 

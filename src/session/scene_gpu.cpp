@@ -76,10 +76,14 @@ struct SceneGpu::Private {
     std::unordered_map<TargetId, GpuTarget> targets;
     std::unique_ptr<DeformationPipeline> pipeline;  // below the buffers it is given, so that it goes first
     std::unordered_map<const MeshData*, std::weak_ptr<const MaterialSet>> materials;
+    std::shared_ptr<const Image> coverImage;  // what `cover` was made of
+    std::shared_ptr<const MaterialSet> cover;
     std::uint64_t appliedRevision = 0;
     gl::Defines deformDefines;
 
     void followTargets();
+    void followCover();
+    [[nodiscard]] const MaterialSet* materialsToDraw(const Target& target) const;
     Status followPipeline(bool& startOver);
     /// Returns whether the pipeline started over.
     bool followHistory(bool startOver);
@@ -146,6 +150,18 @@ void SceneGpu::Private::followTargets() {
     }
 }
 
+void SceneGpu::Private::followCover() {
+    if (coverImage != session.coverTexture()) {
+        coverImage = session.coverTexture();
+        cover = coverImage ? renderer->makeCover(*coverImage) : nullptr;
+    }
+}
+
+const MaterialSet* SceneGpu::Private::materialsToDraw(const Target& target) const {
+    const bool covered = cover && !target.deformed.original().cornerTexcoords.empty();
+    return covered ? cover.get() : targets.at(target.id).materials.get();
+}
+
 Status SceneGpu::Private::followPipeline(bool& startOver) {
     startOver = !pipeline || pipeline->traits().kind != session.pipeline();
     if (!startOver) {
@@ -204,6 +220,7 @@ void SceneGpu::Private::readBack(Delivery delivery) {
 
 Status SceneGpu::Private::follow(Delivery delivery) {
     followTargets();
+    followCover();
     bool startOver = false;
     if (Status status = followPipeline(startOver); !status) {
         return status;
@@ -236,7 +253,8 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
             continue;
         }
         const Private::GpuTarget& gpu = d->targets.at(target->id);
-        items.push_back({target->id, gpu.buffers.get(), gpu.materials.get(), modelMatrix(target->transform),
+        items.push_back({target->id, gpu.buffers.get(), d->materialsToDraw(*target),
+                         modelMatrix(target->transform),
                          target->id == session.selectedTarget() && session.targets().size() > 1});
     }
     std::vector<Sphere> projectiles;

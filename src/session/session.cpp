@@ -46,6 +46,13 @@ void Session::setLights(const Lights& lights) {
     Q_EMIT pictureChanged();
 }
 
+void Session::setCoverTexture(std::shared_ptr<const Image> texture) {
+    if (texture != m_coverTexture) {
+        m_coverTexture = std::move(texture);
+        Q_EMIT pictureChanged();
+    }
+}
+
 void Session::setProjectileSettings(const ProjectileSettings& settings) {
     m_projectileSettings = clamped(settings);
     Q_EMIT projectileSettingsChanged();

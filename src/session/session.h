@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "core/image.h"
 #include "core/result.h"
 #include "deform/hit_history.h"
 #include "physics/physics_world.h"
@@ -98,6 +99,9 @@ public:
     [[nodiscard]] Status setConstants(const DeformationConstants& constants, bool past);
     [[nodiscard]] const Lights& lights() const { return m_lights; }
     void setLights(const Lights& lights);
+    /// A picture on all targets that have texture coordinates, instead of their own materials; null: none.
+    [[nodiscard]] const std::shared_ptr<const Image>& coverTexture() const { return m_coverTexture; }
+    void setCoverTexture(std::shared_ptr<const Image> texture);
     [[nodiscard]] const ProjectileSettings& projectileSettings() const { return m_projectileSettings; }
     void setProjectileSettings(const ProjectileSettings& settings);  ///< clamped to projectileParameters()
     [[nodiscard]] PipelineKind pipeline() const { return m_pipeline; }
@@ -215,6 +219,7 @@ private:
     std::optional<std::size_t> m_selectedHit;
     DeformationConstants m_constants;
     Lights m_lights;
+    std::shared_ptr<const Image> m_coverTexture;
     ProjectileSettings m_projectileSettings;
     PipelineKind m_pipeline = PipelineKind::TransformFeedback;
     std::optional<Exactness> m_exactness;

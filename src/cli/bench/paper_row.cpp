@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cli/bench/texture.h"
+#include "mesh/panel_texture.h"
 
 namespace hitscope::bench {
 
@@ -58,7 +59,7 @@ Result<std::shared_ptr<const MaterialSet>> RowBench::makeTextures(int size) {
     if (!renderer) {
         return renderer.error();
     }
-    return renderer.value()->makeMaterials(textureCarrier(makeTexture(size)));
+    return renderer.value()->makeMaterials(textureCarrier(makePanelTexture(size)));
 }
 
 Result<std::vector<std::unique_ptr<RowBench::Entrant>>> RowBench::enter(const RowParts& parts) {

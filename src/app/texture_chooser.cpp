@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/texture_chooser.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QMenu>
+#include <QPointer>
+#include <QThreadPool>
+#include <memory>
+#include <new>
+
+#include "mesh/panel_texture.h"
+
+namespace hitscope {
+
+TextureChooser::TextureChooser(Session& session, QObject* parent)
+    : QObject(parent), m_session(session), m_actions(new QActionGroup(this)) {}
+
+void TextureChooser::fill(QMenu& menu) {
+    menu.setToolTipsVisible(true);
+    for (const int size : {0, 1024, 2048, 4096}) {
+        QAction* action =
+            menu.addAction(size == 0 ? tr("Each Target's &Own") : tr("Worn Panels, &%1K").arg(size / 1024));
+        action->setCheckable(true);
+        action->setChecked(size == m_chosen);
+        if (size > 0) {
+            action->setToolTip(tr("%1 x %1 pixels, on all targets that have texture coordinates").arg(size));
+        }
+        m_actions->addAction(action);
+        connect(action, &QAction::triggered, this, [this, size] { choose(size); });
+    }
+}
+
+/// What was chosen last wins, whichever picture is ready first.
+void TextureChooser::choose(int size) {
+    m_chosen = size;
+    if (size == 0) {
+        m_session.setCoverTexture(nullptr);
+        return;
+    }
+    QThreadPool::globalInstance()->start([self = QPointer(this), size] {
+        std::shared_ptr<const Image> image;
+        try {
+            image = std::make_shared<const Image>(makePanelTexture(size));
+        } catch (const std::bad_alloc&) {
+            image.reset();  // the targets stay as they are
+        }
+        QMetaObject::invokeMethod(QCoreApplication::instance(), [self, size, image] {
+            if (self) {
+                self->take(size, image);
+            }
+        });
+    });
+}
+
+void TextureChooser::take(int size, const std::shared_ptr<const Image>& image) {
+    if (image && size == m_chosen) {
+        m_session.setCoverTexture(image);
+    }
+}
+
+}  // namespace hitscope

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <memory>
+
+#include "core/image.h"
+#include "session/session.h"
+
+class QActionGroup;
+class QMenu;
+
+namespace hitscope {
+
+/// Menu to choose what targets are covered with: their own materials, or worn panels in one of the paper's
+/// three sizes. Large pictures are made on another thread.
+class TextureChooser : public QObject {
+    Q_OBJECT
+public:
+    /// `session` outlives this.
+    explicit TextureChooser(Session& session, QObject* parent = nullptr);
+
+    void fill(QMenu& menu);  ///< once
+
+private:
+    void choose(int size);
+    void take(int size, const std::shared_ptr<const Image>& image);
+
+    Session& m_session;
+    QActionGroup* m_actions = nullptr;
+    int m_chosen = 0;  ///< pixels each way; 0: the targets' own
+};
+
+}  // namespace hitscope

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What of the session's targets is in the picture: hidden ones are not, and a cover is on those it can be on.
+#include <QtTest>
+#include <array>
+#include <cstdlib>
+
+#include "gl/context.h"
+#include "gl/render_target.h"
+#include "mesh/panel_texture.h"
+#include "session/primitive_target.h"
+#include "session/scene_gpu.h"
+
+using namespace hitscope;
+
+namespace {
+
+constexpr int kWidth = 240;
+constexpr int kHeight = 120;
+
+/// Pixels of a half (0: left, 1: right) that clearly differ.
+int differing(const Image& a, const Image& b, int half) {
+    int count = 0;
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = half * kWidth / 2; x < (half + 1) * kWidth / 2; ++x) {
+            const std::size_t i = std::size_t{4} * static_cast<std::size_t>(y * kWidth + x);
+            int off = 0;
+            for (std::size_t channel = 0; channel < 3; ++channel) {
+                off += std::abs(a.pixels[i + channel] - b.pixels[i + channel]);
+            }
+            count += off > 12 ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+}  // namespace
+
+class SceneDrawTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() {
+        Result<std::unique_ptr<gl::OffscreenContext>> made = gl::OffscreenContext::create();
+        QVERIFY2(made.ok(), made.ok() ? "" : made.error().message().c_str());
+        m_context = std::move(made).value();
+        gl::collectDebugMessages();
+    }
+    void cleanup() {
+        const std::vector<std::string> errors = gl::takeErrors();
+        QVERIFY2(errors.empty(), errors.empty() ? "" : errors.front().c_str());
+    }
+    void cleanupTestCase() { m_context.reset(); }
+
+    void hiddenTargetsAreNotDrawn() {
+        Session session;
+        session.loadScene({{}, plans(), 0.0f});
+        auto gpu = SceneGpu::create(session);
+        QVERIFY(gpu);
+        const Image both = draw(session, *gpu.value());
+        const TargetId right = session.targets()[1]->id;
+        session.setTargetsVisible(std::array{right}, false);
+        const Image one = draw(session, *gpu.value());
+        QVERIFY(differing(both, one, 1) > 500);
+        session.undo();
+        QVERIFY(draw(session, *gpu.value()).pixels == both.pixels);
+    }
+
+    void coverIsOnTargetsWithTextureCoordinates() {
+        Session session;
+        std::vector<TargetPlan> bare = plans();
+        MeshData mesh = *bare[1].shape.mesh;
+        mesh.texcoords.clear();
+        mesh.cornerTexcoords.clear();
+        bare[1].shape = prepareMesh(std::move(mesh));
+        session.loadScene({{}, std::move(bare), 0.0f});
+        auto gpu = SceneGpu::create(session);
+        QVERIFY(gpu);
+        const Image plain = draw(session, *gpu.value());
+        session.setCoverTexture(std::make_shared<const Image>(makePanelTexture(128)));
+        const Image covered = draw(session, *gpu.value());
+        QVERIFY(differing(plain, covered, 0) > 500);
+        QCOMPARE(differing(plain, covered, 1), 0);
+        session.setCoverTexture(std::make_shared<const Image>(makePanelTexture(128, 5)));
+        QVERIFY(differing(covered, draw(session, *gpu.value()), 0) > 500);
+        session.setCoverTexture(nullptr);
+        QVERIFY(draw(session, *gpu.value()).pixels == plain.pixels);
+    }
+
+private:
+    /// Two cubes side by side, far enough apart that neither shades the other.
+    static std::vector<TargetPlan> plans() {
+        std::vector<TargetPlan> made(2, planPrimitive({PrimitiveKind::Cube, 4, 4.0f}));
+        made[0].transform.position.x = -5.0f;
+        made[1].transform.position.x = 5.0f;
+        return made;
+    }
+
+    /// From the front, however little of the scene is visible.
+    Image draw(const Session& session, SceneGpu& gpu) const {
+        SceneGpu::View view;
+        view.width = kWidth;
+        view.height = kHeight;
+        Bounds bounds;
+        for (const auto& target : session.targets()) {
+            bounds.add(target->worldBounds());
+        }
+        view.camera.frame(bounds, 2.0f);
+        view.options.floor = false;
+        const gl::RenderTarget into(kWidth, kHeight);
+        const Status drawn = gpu.draw(view, into.framebuffer());
+        return drawn.ok() ? into.read() : Image{};
+    }
+
+    std::unique_ptr<gl::OffscreenContext> m_context;
+};
+
+QTEST_GUILESS_MAIN(SceneDrawTest)
+#include "scene_draw_test.moc"
