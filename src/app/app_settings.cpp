@@ -63,12 +63,19 @@ void writeLight(QSettings& settings, const QString& name, const Light& light) {
 
 void loadProjectile(const QSettings& settings, Session& session) {
     ProjectileSettings projectile = session.projectileSettings();
-    readNumber(settings, QStringLiteral("projectile/speed"), 1.0f, 500.0f, projectile.speed);
-    readNumber(settings, QStringLiteral("projectile/radius"), 0.005f, 5.0f, projectile.radius);
-    readNumber(settings, QStringLiteral("projectile/mass"), 0.01f, 1000.0f, projectile.mass);
-    readNumber(settings, QStringLiteral("projectile/lifetime"), 0.1f, 60.0f, projectile.lifetime);
+    const auto& parameters = projectileParameters();
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        auto value = static_cast<float>(parameterValue(projectile, i));
+        readNumber(settings, QStringLiteral("projectile/") + text(parameters[i].key),
+                   static_cast<float>(parameters[i].minimum), static_cast<float>(parameters[i].maximum),
+                   value);
+        setParameterValue(projectile, i, static_cast<double>(value));
+    }
     projectile.bouncesCount =
         settings.value(QStringLiteral("projectile/bouncesCount"), projectile.bouncesCount).toBool();
+    projectile.powerFollowsImpulse =
+        settings.value(QStringLiteral("projectile/powerFollowsImpulse"), projectile.powerFollowsImpulse)
+            .toBool();
     session.setProjectileSettings(projectile);
 }
 
@@ -168,11 +175,13 @@ void saveSessionSettings(QSettings& settings, const Session& session) {
                           QString::number(parameterValue(session.constants(), i), 'g', 9));
     }
     const ProjectileSettings& projectile = session.projectileSettings();
-    settings.setValue(QStringLiteral("projectile/speed"), projectile.speed);
-    settings.setValue(QStringLiteral("projectile/radius"), projectile.radius);
-    settings.setValue(QStringLiteral("projectile/mass"), projectile.mass);
-    settings.setValue(QStringLiteral("projectile/lifetime"), projectile.lifetime);
+    const auto& shot = projectileParameters();
+    for (std::size_t i = 0; i < shot.size(); ++i) {
+        settings.setValue(QStringLiteral("projectile/") + text(shot[i].key),
+                          QString::number(parameterValue(projectile, i), 'g', 9));
+    }
     settings.setValue(QStringLiteral("projectile/bouncesCount"), projectile.bouncesCount);
+    settings.setValue(QStringLiteral("projectile/powerFollowsImpulse"), projectile.powerFollowsImpulse);
 }
 
 }  // namespace hitscope

@@ -7,13 +7,36 @@
 
 namespace hitscope {
 
+namespace {
+
+QString text(std::string_view view) {
+    return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
+}
+
+void describe(QDoubleSpinBox& box, const ParameterDescriptor& parameter) {
+    box.setDecimals(parameter.decimals);
+    box.setRange(parameter.minimum, parameter.maximum);
+    box.setSingleStep(parameter.step);
+    box.setToolTip(text(parameter.description));
+    box.setKeyboardTracking(false);
+    if (!parameter.unit.empty()) {
+        box.setSuffix(QStringLiteral(" ") + text(parameter.unit));
+    }
+}
+
+}  // namespace
+
 ProjectileDialog::ProjectileDialog(Session& session, QWidget* parent)
     : QDialog(parent), m_session(session), m_ui(std::make_unique<Ui::ProjectileSettings>()) {
     m_ui->setupUi(this);
-    for (QDoubleSpinBox* box : {m_ui->speed, m_ui->radius, m_ui->mass, m_ui->lifetime}) {
-        connect(box, &QDoubleSpinBox::valueChanged, this, &ProjectileDialog::apply);
+    m_numbers = {m_ui->speed,     m_ui->radius,          m_ui->mass, m_ui->lifetime, m_ui->rateOfFire,
+                 m_ui->mostAlive, m_ui->referenceImpulse};
+    for (std::size_t i = 0; i < m_numbers.size(); ++i) {
+        describe(*m_numbers[i], projectileParameters()[i]);
+        connect(m_numbers[i], &QDoubleSpinBox::valueChanged, this, &ProjectileDialog::apply);
     }
     connect(m_ui->bounces, &QCheckBox::toggled, this, &ProjectileDialog::apply);
+    connect(m_ui->powerFollowsImpulse, &QCheckBox::toggled, this, &ProjectileDialog::apply);
     for (QAbstractButton* button : m_ui->buttons->buttons()) {
         // Enter ends the editing of a number and presses nothing.
         qobject_cast<QPushButton*>(button)->setAutoDefault(false);
@@ -30,11 +53,12 @@ ProjectileDialog::~ProjectileDialog() = default;
 void ProjectileDialog::showSettings() {
     const ProjectileSettings settings = m_session.projectileSettings();
     m_showing = true;
-    m_ui->speed->setValue(static_cast<double>(settings.speed));
-    m_ui->radius->setValue(static_cast<double>(settings.radius));
-    m_ui->mass->setValue(static_cast<double>(settings.mass));
-    m_ui->lifetime->setValue(static_cast<double>(settings.lifetime));
+    for (std::size_t i = 0; i < m_numbers.size(); ++i) {
+        m_numbers[i]->setValue(parameterValue(settings, i));
+    }
     m_ui->bounces->setChecked(settings.bouncesCount);
+    m_ui->powerFollowsImpulse->setChecked(settings.powerFollowsImpulse);
+    m_ui->referenceImpulse->setEnabled(settings.powerFollowsImpulse);
     m_showing = false;
 }
 
@@ -42,12 +66,12 @@ void ProjectileDialog::apply() {
     if (m_showing) {
         return;
     }
-    ProjectileSettings settings;
-    settings.speed = static_cast<float>(m_ui->speed->value());
-    settings.radius = static_cast<float>(m_ui->radius->value());
-    settings.mass = static_cast<float>(m_ui->mass->value());
-    settings.lifetime = static_cast<float>(m_ui->lifetime->value());
+    ProjectileSettings settings = m_session.projectileSettings();
+    for (std::size_t i = 0; i < m_numbers.size(); ++i) {
+        setParameterValue(settings, i, m_numbers[i]->value());
+    }
     settings.bouncesCount = m_ui->bounces->isChecked();
+    settings.powerFollowsImpulse = m_ui->powerFollowsImpulse->isChecked();
     m_session.setProjectileSettings(settings);
 }
 

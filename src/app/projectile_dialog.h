@@ -2,9 +2,12 @@
 #pragma once
 
 #include <QDialog>
+#include <array>
 #include <memory>
 
 #include "session/session.h"
+
+class QDoubleSpinBox;
 
 namespace Ui {
 class ProjectileSettings;
@@ -26,6 +29,7 @@ private:
 
     Session& m_session;
     std::unique_ptr<Ui::ProjectileSettings> m_ui;
+    std::array<QDoubleSpinBox*, 7> m_numbers{};  ///< in the order of projectileParameters()
     bool m_showing = false;
 };
 

@@ -81,7 +81,8 @@ std::optional<SurfaceCast> MeshSurface::cast(const glm::dvec3& start, const glm:
     SurfaceCast first;
     bool found = false;
     const auto accept = [&](const Bounds& box) {
-        return segmentMeetsBox(start, motion * first.fraction, box, radius);
+        // Nothing comes before the very start.
+        return first.fraction > 0.0 && segmentMeetsBox(start, motion * first.fraction, box, radius);
     };
     m_tree.visit(glm::vec3(motion), accept, [&](std::uint32_t index) {
         const Triangle candidate = triangle(index);

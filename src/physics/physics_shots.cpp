@@ -121,23 +121,22 @@ std::optional<PhysicsWorld::RayHit> PhysicsWorld::castRay(const glm::vec3& origi
                   : std::nullopt;
 }
 
-std::optional<Strike> PhysicsWorld::Private::castLine(const glm::vec3& origin,
-                                                      const glm::vec3& motion) const {
-    const auto contact = sweep(broadphase, nullptr, Meets::Targets, origin, motion, 0.0f);
+std::optional<Strike> PhysicsWorld::Private::castLine(const glm::vec3& origin, const glm::vec3& motion) {
+    noteSurfaces();
+    const auto contact = surfaces.sweep(origin, motion, 0.0f);
     if (!contact) {
         return std::nullopt;
     }
     const glm::vec3 point(glm::dvec3(origin) + glm::dvec3(motion) * contact->fraction);
-    if (isKind(*contact->body, BodyKind::Floor)) {
+    if (!contact->target) {
         return Strike{{}, {point, glm::vec3(0, 1, 0), -1}};
     }
-    const TargetId id{static_cast<std::uint32_t>(contact->body->getUserIndex2())};
-    const TargetBody& target = targets.at(id);
+    const TargetBody& target = targets.at(contact->target);
     const glm::vec3 local = target.transform.toLocal(point);
     const glm::vec3 outwards =
         target.transform.directionToWorld(target.shape->normalAt(local, contact->triangle));
     const glm::vec3 normal = glm::dot(outwards, motion) > 0.0f ? -outwards : outwards;
-    return Strike{id, {point, normal, contact->triangle}};
+    return Strike{contact->target, {point, normal, contact->triangle}};
 }
 
 std::optional<Impact> PhysicsWorld::hitscan(const glm::vec3& origin, const glm::vec3& direction,

@@ -21,6 +21,9 @@ constexpr float kLeastBounceSpeed = 0.25f;  // along the normal: a projectile th
 // Of the radius: Bullet makes a contact only where bodies overlap, so a projectile that arrives is let in
 // this far.
 constexpr float kSinkIn = 0.002f;
+// Of the radius: a projectile that moves less in a step and touches a target lies there or rolls. Bullet's
+// contacts are enough for that, and a sweep along a fine surface is what costs most.
+constexpr float kRollingMotion = 0.25f;
 
 void moveTo(btRigidBody& body, const glm::vec3& position) {
     body.getWorldTransform().setOrigin(toBullet(position));
@@ -67,6 +70,16 @@ Impact physics::impactOf(TargetId target, const RigidTransform& where, const glm
     return impact;
 }
 
+void PhysicsWorld::Private::noteSurfaces() {
+    surfaces.clear();
+    for (const auto& [id, target] : targets) {
+        surfaces.addTarget(id, target.body->getWorldTransform(), *target.shape);
+    }
+    if (floor) {
+        surfaces.setFloor(floorShape->getPlaneConstant());
+    }
+}
+
 /// Looks ahead along the step's motion and puts the projectile where it first touches something, its velocity
 /// untouched: Bullet then finds the contact with the full velocity of the flight and solves it in this step.
 /// Left to itself it would brake the projectile short of the surface over several steps.
@@ -84,13 +97,16 @@ void PhysicsWorld::Private::approach(Flight& flight) {
         return;
     }
     const float radius = flight.settings.radius;
-    const auto contact = sweep(broadphase, &body, Meets::Targets, flight.previous, motion, radius);
+    if (!flight.touching.empty() && glm::length(motion) < kRollingMotion * radius) {
+        return;
+    }
+    const auto contact = surfaces.sweep(flight.previous, motion, radius);
     if (!contact) {
         return;
     }
-    const TargetId target{static_cast<std::uint32_t>(contact->body->getUserIndex2())};
-    const bool strikes = isKind(*contact->body, BodyKind::Target) && !flight.touches(target);
-    const bool lands = isKind(*contact->body, BodyKind::Floor) && -motion.y > 0.5f * radius;
+    const TargetId target = contact->target;
+    const bool strikes = target && !flight.touches(target);
+    const bool lands = !target && -motion.y > 0.5f * radius;
     if (!strikes && !lands) {
         return;
     }
@@ -174,6 +190,7 @@ void PhysicsWorld::Private::step(std::vector<Impact>& impacts) {
     if (!isMoving) {
         return;
     }
+    noteSurfaces();
     for (auto& [id, flight] : flights) {
         approach(flight);
     }

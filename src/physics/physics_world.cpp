@@ -122,7 +122,6 @@ Status PhysicsWorld::addTarget(TargetId target, const RigidTransform& transform,
     entry.body = std::make_unique<btRigidBody>(info);
     entry.body->setUserIndex(static_cast<int>(BodyKind::Target));
     entry.body->setUserIndex2(static_cast<int>(target.value));
-    entry.body->setUserPointer(entry.shape.get());
     entry.place();
     d->addBody(d->targets.emplace(target, std::move(entry)).first->second);
     d->wakeAll();

@@ -14,7 +14,7 @@ struct ProjectileSettings {
     float speed = 30.0f;        ///< m/s
     float lifetime = 5.0f;      ///< seconds after which a projectile disappears
     bool bouncesCount = false;  ///< false: one flight makes one hit at most
-    float rateOfFire = 10.0f;   ///< shots a second while the trigger is held
+    float rateOfFire = 8.0f;    ///< shots a second while the trigger is held
     int mostAlive = 500;        ///< the oldest goes when one more is shot
     /// The deformation's power is multiplied by impulse / referenceImpulse; the paper's is constant.
     bool powerFollowsImpulse = false;

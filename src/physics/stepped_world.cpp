@@ -12,14 +12,14 @@ namespace {
 /// Less than this, in radii, cannot carry a sphere's centre through a surface.
 constexpr float kShortMotion = 0.5f;
 
-void stopAtFirst(btBroadphaseInterface& broadphase, const btRigidBody& body, btTransform& predicted) {
+void stopAtFirst(const SweepScene& scene, const btRigidBody& body, btTransform& predicted) {
     const float radius = static_cast<const btSphereShape*>(body.getCollisionShape())->getRadius();
     const glm::vec3 from = fromBullet(body.getWorldTransform().getOrigin());
     const glm::vec3 motion = fromBullet(predicted.getOrigin()) - from;
     if (glm::length(motion) <= kShortMotion * radius) {
         return;
     }
-    if (const auto contact = sweep(broadphase, &body, Meets::All, from, motion, radius)) {
+    if (const auto contact = scene.sweep(from, motion, radius)) {
         predicted.setOrigin(toBullet(from + motion * static_cast<float>(contact->fraction)));
     }
 }
@@ -35,7 +35,7 @@ void SteppedWorld::integrateTransforms(btScalar seconds) {
         btTransform predicted;
         body.predictIntegratedTransform(seconds, predicted);
         if (isKind(body, BodyKind::Projectile)) {
-            stopAtFirst(*getBroadphase(), body, predicted);
+            stopAtFirst(m_scene, body, predicted);
         }
         body.proceedToTransform(predicted);
     }

@@ -67,6 +67,7 @@ struct PhysicsWorld::Private {
 
     // physics_step.cpp
     void step(std::vector<Impact>& impacts);
+    void noteSurfaces();
     void approach(physics::Flight& flight);
     void collect(ProjectileId id, physics::Flight& flight,
                  const std::map<physics::TouchKey, physics::Touch>& contacts, std::vector<Impact>& impacts);
@@ -78,8 +79,7 @@ struct PhysicsWorld::Private {
     void addBody(physics::TargetBody& target);
     void reshape(TargetId id, physics::TargetBody& target, bool shapeChanged);
     /// First target, or the floor (target 0), on a line.
-    [[nodiscard]] std::optional<physics::Strike> castLine(const glm::vec3& origin,
-                                                          const glm::vec3& motion) const;
+    [[nodiscard]] std::optional<physics::Strike> castLine(const glm::vec3& origin, const glm::vec3& motion);
     void removeFlight(std::map<ProjectileId, physics::Flight>::iterator flight);
     void wakeAll();
     [[nodiscard]] std::optional<physics::SurfacePoint> surfacePoint(TargetId target, const glm::vec3& from,
@@ -91,9 +91,10 @@ struct PhysicsWorld::Private {
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher{&configuration};
     physics::MeshContacts meshContacts{dispatcher};
-    mutable btDbvtBroadphase broadphase;  // its ray test is not const
+    btDbvtBroadphase broadphase;
     btSequentialImpulseConstraintSolver solver;
-    physics::SteppedWorld world{&dispatcher, &broadphase, &solver, &configuration};
+    physics::SweepScene surfaces;  ///< as of the last noteSurfaces()
+    physics::SteppedWorld world{dispatcher, broadphase, solver, configuration, surfaces};
     std::map<TargetId, physics::TargetBody> targets;
     std::map<ProjectileId, physics::Flight> flights;
     std::unique_ptr<btStaticPlaneShape> floorShape;

@@ -47,7 +47,7 @@ void Session::setLights(const Lights& lights) {
 }
 
 void Session::setProjectileSettings(const ProjectileSettings& settings) {
-    m_projectileSettings = settings;
+    m_projectileSettings = clamped(settings);
     Q_EMIT projectileSettingsChanged();
 }
 

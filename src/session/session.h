@@ -99,7 +99,7 @@ public:
     [[nodiscard]] const Lights& lights() const { return m_lights; }
     void setLights(const Lights& lights);
     [[nodiscard]] const ProjectileSettings& projectileSettings() const { return m_projectileSettings; }
-    void setProjectileSettings(const ProjectileSettings& settings);
+    void setProjectileSettings(const ProjectileSettings& settings);  ///< clamped to projectileParameters()
     [[nodiscard]] PipelineKind pipeline() const { return m_pipeline; }
     void setPipeline(PipelineKind kind);
     /// Why the driver cannot run a pipeline, in words for the interface; empty: it can, as far as is known.

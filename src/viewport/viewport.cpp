@@ -31,11 +31,15 @@ Viewport::Viewport(Session& session, QWidget* parent) : QOpenGLWidget(parent), m
     m_holdTimer.setInterval(kDoubleClickGrace);
     m_crosshairTimer.setSingleShot(true);
     m_crosshairTimer.setInterval(kCrosshairStays);
-    m_repeatTimer.setInterval(kRepeatInterval);
+    const auto followRateOfFire = [this] {
+        m_repeatTimer.setInterval(qRound(1000.0f / m_session.projectileSettings().rateOfFire));
+    };
+    followRateOfFire();
     connect(&m_holdTimer, &QTimer::timeout, this, &Viewport::fireHeldShot);
     connect(&m_repeatTimer, &QTimer::timeout, this, &Viewport::shootAtCrosshair);
     connect(&m_crosshairTimer, &QTimer::timeout, this, qOverload<>(&QWidget::update));
     connect(this, &QOpenGLWidget::frameSwapped, this, &Viewport::moveOn);
+    connect(&session, &Session::projectileSettingsChanged, this, followRateOfFire);
     connect(&session, &Session::pictureChanged, this, qOverload<>(&QWidget::update));
     connect(&session, &Session::sceneReplaced, this, &Viewport::followScene);
     connect(&session, &Session::targetAdded, this, &Viewport::followSize);

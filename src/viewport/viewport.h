@@ -50,7 +50,6 @@ public:
 
     static constexpr int kDoubleClickGrace = 250;  ///< milliseconds from release to the second press
     static constexpr int kLongestClick = 500;      ///< milliseconds from press to release
-    static constexpr int kRepeatInterval = 125;    ///< milliseconds between shots while Space is held
 
 Q_SIGNALS:
     /// Seconds: from the frame before while frames follow each other, else what drawing took.
