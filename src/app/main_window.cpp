@@ -22,6 +22,7 @@
 #include "panels/hit_history/hit_history_panel.h"
 #include "panels/lights/lights_panel.h"
 #include "panels/mesh_statistics/mesh_statistics_panel.h"
+#include "panels/scene/scene_panel.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -30,7 +31,7 @@ namespace {
 
 constexpr int kFrameRateInterval = 500;  // milliseconds between read-outs in the status bar
 constexpr int kHintStays = 20'000;       // milliseconds
-constexpr int kLayoutVersion = 1;        // docks that are gone or new make an old layout useless
+constexpr int kLayoutVersion = 2;        // docks that are gone or new make an old layout useless
 
 }  // namespace
 
@@ -48,6 +49,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_settings(loadAppSettings(QSettings())),
       m_hitHistory(session),
       m_meshStatistics(session),
+      m_scene(session),
       m_viewport(new Viewport(session, this)),
       m_notice(new NoticeBar(m_viewport)),
       m_files(new SceneFiles(session, this)),
@@ -65,6 +67,9 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     connectFiles();
 
     connect(&session, &Session::sceneReplaced, this, &MainWindow::followScene);
+    connect(&session, &Session::targetAdded, this, &MainWindow::followTargets);
+    connect(&session, &Session::targetRemoved, this, &MainWindow::followTargets);
+    connect(&session, &Session::undoChanged, this, &MainWindow::followHistory);
     connect(&session, &Session::hitsAppended, this, &MainWindow::followHistory);
     connect(&session, &Session::historyReset, this, &MainWindow::followHistory);
     connect(&session, &Session::lightsChanged, this, &MainWindow::followLights);
@@ -108,6 +113,7 @@ void MainWindow::makeDocks() {
     QDockWidget* statistics =
         addDock(QStringLiteral("meshStatistics"), tr("Mesh statistics"),
                 new MeshStatisticsPanel(m_session, m_meshStatistics), Qt::RightDockWidgetArea);
+    QDockWidget* scene = makeSceneDock();
     QDockWidget* history = addDock(QStringLiteral("hitHistory"), tr("Hit history"),
                                    new HitHistoryPanel(m_session, m_hitHistory), Qt::BottomDockWidgetArea);
     QDockWidget* constants = addDock(QStringLiteral("deformationConstants"), tr("Deformation constants"),
@@ -116,12 +122,28 @@ void MainWindow::makeDocks() {
         addDock(QStringLiteral("lights"), tr("Lights"), new LightsPanel(m_session), Qt::RightDockWidgetArea);
     QDockWidget* frameRate =
         addDock(QStringLiteral("frameRate"), tr("Frame rate"), m_frameRate, Qt::BottomDockWidgetArea);
+    tabifyDockWidget(statistics, scene);
+    statistics->raise();
     tabifyDockWidget(constants, lights);
     constants->raise();
     resizeDocks({statistics, constants}, {350, 350}, Qt::Horizontal);
     resizeDocks({statistics, constants}, {420, 170}, Qt::Vertical);
     resizeDocks({history, frameRate}, {190, 190}, Qt::Vertical);
     resizeDocks({history, frameRate}, {620, 380}, Qt::Horizontal);
+}
+
+QDockWidget* MainWindow::makeSceneDock() {
+    auto* panel = new ScenePanel(m_session, m_scene);
+    connect(panel, &ScenePanel::filesWanted, this, &MainWindow::chooseAddition);
+    connect(panel, &ScenePanel::targetWanted, this,
+            [this](const QString& name, const std::function<TargetPlan()>& make) {
+                m_files->make(name, SceneFiles::Into::ThisScene, [make] { return ScenePlan{{}, {make()}}; });
+            });
+    m_viewport->addActions(panel->targetActions());
+    QAction* first = m_meshMenu->actions().constFirst();
+    m_meshMenu->insertMenu(first, panel->addMenu());
+    m_meshMenu->insertSeparator(first);
+    return addDock(QStringLiteral("scene"), tr("Scene"), panel, Qt::RightDockWidgetArea);
 }
 
 void MainWindow::restoreWindow() {
@@ -161,12 +183,16 @@ void MainWindow::changeEvent(QEvent* event) {
 void MainWindow::followScene() {
     setWindowTitle(m_session.sceneName());
     m_notice->clear();
+    followTargets();
+    followHistory();
+}
+
+void MainWindow::followTargets() {
     const bool oneMesh = m_session.targets().size() == 1;
     m_placeMesh->setEnabled(oneMesh);
     m_fileCoordinates->setEnabled(oneMesh &&
                                   !m_session.targets().front()->deformed.original().placement.isIdentity());
     m_export->setEnabled(!m_session.targets().empty());
-    followHistory();
 }
 
 void MainWindow::followHistory() {

@@ -9,6 +9,8 @@
 #include "app/app_settings.h"
 #include "models/hit_history_model.h"
 #include "models/mesh_statistics_model.h"
+#include "models/scene_model.h"
+#include "session/sample_scenes.h"
 #include "session/session.h"
 
 class QActionGroup;
@@ -38,7 +40,7 @@ public:
 
     [[nodiscard]] Viewport& viewport() { return *m_viewport; }
 
-    /// Opens the first; if there are more, says that they were left out. Nothing for an empty list.
+    /// Opens them all as one scene. Nothing for an empty list.
     void openFiles(const QStringList& paths);
     /// Writes the target in focus as it is on the screen, its normals too unless others are asked for. Errors
     /// are exportTarget()'s.
@@ -57,6 +59,7 @@ protected:
 private:
     // Parts
     void makeDocks();
+    QDockWidget* makeSceneDock();
     QDockWidget* addDock(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area);
     void makeMenus();
     void makeFileMenu();
@@ -87,11 +90,14 @@ private:
 
     // Doing
     void chooseFile();
+    void chooseAddition();
+    QStringList chooseMeshes(const QString& title);
+    void loadSample(SampleScene scene);
     void chooseExport();
     void choosePicture();
     void choosePlacement();
     void showRecentFiles();
-    void saidOpened(const QString& path, const QStringList& notes);
+    void saidOpened(const QStringList& paths, const QStringList& notes);
     void cycleWireframe();
     void changeDisplay(const std::function<void(DisplayOptions&)>& change);
     void toggleLight(const std::function<void(Lights&)>& change);
@@ -100,6 +106,7 @@ private:
 
     // Showing
     void followScene();
+    void followTargets();
     void followHistory();
     void followDisplay();
     void followLights();
@@ -110,6 +117,7 @@ private:
     AppSettings m_settings;
     HitHistoryModel m_hitHistory;
     MeshStatisticsModel m_meshStatistics;
+    SceneModel m_scene;
     Viewport* m_viewport = nullptr;
     NoticeBar* m_notice = nullptr;
     SceneFiles* m_files = nullptr;
@@ -121,6 +129,7 @@ private:
 
     QMenu* m_recentMenu = nullptr;
     QMenu* m_docksMenu = nullptr;
+    QMenu* m_meshMenu = nullptr;
     QMenu* m_wireframeMenu = nullptr;
     QAction* m_open = nullptr;
     QAction* m_export = nullptr;

@@ -82,6 +82,7 @@ void MainWindow::connectFiles() {
     connect(m_files, &SceneFiles::progressed, m_status, &StatusLine::setProgress);
     connect(m_files, &SceneFiles::ended, m_status, &StatusLine::endProgress);
     connect(m_files, &SceneFiles::opened, this, &MainWindow::saidOpened);
+    connect(m_files, &SceneFiles::made, statusBar(), &QStatusBar::clearMessage);
     connect(m_files, &SceneFiles::failed, this, [this](const Error& error) { showError(this, error); });
     connect(m_status, &StatusLine::cancelled, this, [this] {
         m_files->cancel();
@@ -90,32 +91,35 @@ void MainWindow::connectFiles() {
 }
 
 void MainWindow::openFiles(const QStringList& paths) {
-    if (paths.isEmpty()) {
-        return;
-    }
-    m_files->open(paths.front());
-    if (paths.size() > 1) {
-        statusBar()->showMessage(tr("One mesh at a time: opening %1, leaving %n other(s) out.", nullptr,
-                                    static_cast<int>(paths.size()) - 1)
-                                     .arg(QFileInfo(paths.front()).fileName()),
-                                 kMessageStays);
-    }
+    m_files->open(paths);
 }
 
-void MainWindow::chooseFile() {
+QStringList MainWindow::chooseMeshes(const QString& title) {
     QStringList filters{allMeshesFilter()};
     filters += importNameFilters();
     filters += tr("All files (*)");
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open mesh"), folderOr(m_settings.folder),
-                                                      filters.join(QStringLiteral(";;")));
-    if (!path.isEmpty()) {
-        openFiles({path});
-    }
+    return QFileDialog::getOpenFileNames(this, title, folderOr(m_settings.folder),
+                                         filters.join(QStringLiteral(";;")));
 }
 
-void MainWindow::saidOpened(const QString& path, const QStringList& notes) {
-    m_settings.folder = QFileInfo(path).absolutePath();
-    m_settings.addRecentFile(path);
+void MainWindow::chooseFile() {
+    openFiles(chooseMeshes(tr("Open meshes")));
+}
+
+void MainWindow::chooseAddition() {
+    m_files->open(chooseMeshes(tr("Add meshes to the scene")), SceneFiles::Into::ThisScene);
+}
+
+void MainWindow::loadSample(SampleScene scene) {
+    m_files->make(sampleSceneName(scene), SceneFiles::Into::NewScene,
+                  [scene] { return planSampleScene(scene); });
+}
+
+void MainWindow::saidOpened(const QStringList& paths, const QStringList& notes) {
+    for (const QString& path : paths) {
+        m_settings.folder = QFileInfo(path).absolutePath();
+        m_settings.addRecentFile(path);
+    }
     QStringList lines;
     for (const QString& note : notes.mid(0, 6)) {
         lines.append(note);
@@ -125,7 +129,8 @@ void MainWindow::saidOpened(const QString& path, const QStringList& notes) {
     }
     const glm::vec3 size = m_session.sceneBounds().size();
     const float extent = std::max({size.x, size.y, size.z});
-    if (extent > 0.0f && (extent < kSmallestExtent || extent > kLargestExtent)) {
+    const bool oneMesh = m_session.targets().size() == 1;
+    if (oneMesh && extent > 0.0f && (extent < kSmallestExtent || extent > kLargestExtent)) {
         lines.prepend(tr("This mesh is %1 m across; hits reach %2 m around where they land.")
                           .arg(static_cast<double>(extent), 0, 'g', 3)
                           .arg(static_cast<double>(m_session.constants().maxDistance), 0, 'g', 3));
@@ -134,7 +139,10 @@ void MainWindow::saidOpened(const QString& path, const QStringList& notes) {
     } else if (!lines.isEmpty()) {
         m_notice->say(lines.join(u'\n'));
     }
-    statusBar()->showMessage(tr("Opened %1").arg(QFileInfo(path).fileName()), kMessageStays);
+    statusBar()->showMessage(paths.size() == 1
+                                 ? tr("Opened %1").arg(QFileInfo(paths.front()).fileName())
+                                 : tr("Opened %n file(s)", nullptr, static_cast<int>(paths.size())),
+                             kMessageStays);
 }
 
 void MainWindow::showRecentFiles() {

@@ -68,14 +68,18 @@ void MainWindow::makeFileMenu() {
     m_recentMenu = menu.addMenu(tr("Open &Recent"));
     m_recentMenu->setToolTipsVisible(true);
     connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::showRecentFiles);
+    addAction(menu, tr("&Add to Scene…"), tr("Ctrl+Shift+O"), [this] { chooseAddition(); });
     menu.addSeparator();
-    QMenu& rows = *menu.addMenu(tr("&Scenes"))->addMenu(tr("Paper's &tables"));
+    QMenu& scenes = *menu.addMenu(tr("&Scenes"));
+    QMenu& rows = *scenes.addMenu(tr("Paper's &Tables"));
     for (std::size_t row = 0; row < paperRows().size(); ++row) {
         addAction(rows, tr("Row %1: %2").arg(row + 1).arg(paperRows()[row].label()), {},
                   [this, row] { m_session.loadPaperRow(static_cast<int>(row)); });
     }
-    QMenu& samples = *menu.addMenu(tr("S&amples"));
-    addAction(samples, tr("&Utah teapot"), {}, [this] { m_session.loadTeapot(); });
+    addAction(scenes, tr("&Utah Teapot"), {}, [this] { m_session.loadTeapot(); });
+    for (const SampleScene sample : allSampleScenes()) {
+        addAction(scenes, sampleSceneName(sample), {}, [this, sample] { loadSample(sample); });
+    }
     menu.addSeparator();
     m_export = addAction(
         menu, tr("&Export Deformed Mesh…"), tr("Ctrl+E"), [this] { chooseExport(); },
@@ -198,7 +202,8 @@ void MainWindow::makeThemeMenus(QMenu& menu) {
 }
 
 void MainWindow::makeMeshMenu() {
-    QMenu& menu = *menuBar()->addMenu(tr("&Mesh"));
+    m_meshMenu = menuBar()->addMenu(tr("&Mesh"));
+    QMenu& menu = *m_meshMenu;
     m_placeMesh = addAction(menu, tr("&Centre and Scale…"), {}, [this] { choosePlacement(); });
     m_fileCoordinates = addAction(menu, tr("File's Own C&oordinates"), {}, [this] { placeMesh(0.0); });
     menu.addSeparator();

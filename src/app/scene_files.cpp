@@ -5,51 +5,70 @@
 #include <QFileInfo>
 #include <QPointer>
 #include <QThreadPool>
+#include <iterator>
 #include <new>
 #include <optional>
 #include <utility>
 
 namespace hitscope {
 
-/// One file on its way in. The thread that prepares it holds on to it too; whoever finds that it is no longer
+/// What is on its way in. The thread that prepares it holds on to it too; whoever finds that it is no longer
 /// SceneFiles' current work drops it.
 struct SceneFiles::Work {
-    QString path;
+    Into into = Into::NewScene;
+    QString name;
+    QStringList paths;   ///< empty: it is made by us
+    qsizetype next = 0;  ///< of paths
     std::unique_ptr<MeshImport> import;
+    QStringList read;  ///< the paths that could be
     QStringList notes;
-    std::optional<PreparedMesh> prepared;
+    std::optional<Error> firstError;
+    std::optional<ScenePlan> made;  ///< by the other thread, last
+    ScenePlan scene;
 };
+
+namespace {
+
+Error outOfMemory(const QString& location) {
+    return {"There is not enough memory for this mesh.", location.toStdString(),
+            "Close other programs, or open a smaller version of the mesh."};
+}
+
+QString sceneNameOf(const ScenePlan& scene) {
+    const QString first = scene.targets.front().name;
+    const auto others = static_cast<int>(scene.targets.size()) - 1;
+    return others == 0 ? first : SceneFiles::tr("%1 and %2 more").arg(first).arg(others);
+}
+
+}  // namespace
 
 SceneFiles::SceneFiles(Session& session, QObject* parent) : QObject(parent), m_session(session) {}
 
 SceneFiles::~SceneFiles() = default;
 
-void SceneFiles::open(const QString& path) {
+void SceneFiles::open(const QStringList& paths, Into into) {
     cancel();
-    m_work = std::make_shared<Work>();
-    m_work->path = QFileInfo(path).absoluteFilePath();
-    m_work->import = std::make_unique<MeshImport>(m_work->path);
-    MeshImport* import = m_work->import.get();
-    connect(import, &MeshImport::progressed, this, &SceneFiles::progressed);
-    // Queued: the import is destroyed by what follows, and must not be in the middle of emitting then.
-    connect(
-        import, &MeshImport::finished, this,
-        [this, work = std::weak_ptr(m_work)](const std::shared_ptr<ImportedMesh>& imported) {
-            if (work.lock() == m_work && m_work) {
-                prepare(imported);
-            }
-        },
-        Qt::QueuedConnection);
-    connect(
-        import, &MeshImport::failed, this,
-        [this, work = std::weak_ptr(m_work)](const Error& error) {
-            if (work.lock() == m_work && m_work) {
-                fail(error);
-            }
-        },
-        Qt::QueuedConnection);
-    Q_EMIT started(m_work->path);
-    import->start();
+    if (paths.isEmpty()) {
+        return;
+    }
+    auto work = std::make_shared<Work>();
+    work->into = into;
+    for (const QString& path : paths) {
+        work->paths << QFileInfo(path).absoluteFilePath();
+    }
+    m_work = std::move(work);
+    importNext();
+}
+
+void SceneFiles::make(const QString& name, Into into, const std::function<ScenePlan()>& make) {
+    cancel();
+    auto work = std::make_shared<Work>();
+    work->into = into;
+    work->name = name;
+    m_work = std::move(work);
+    Q_EMIT started(name);
+    Q_EMIT progressed(-1.0, tr("Making"));
+    runElsewhere(make, [this] { deliver(); });
 }
 
 void SceneFiles::cancel() {
@@ -58,35 +77,131 @@ void SceneFiles::cancel() {
     }
 }
 
-void SceneFiles::prepare(const std::shared_ptr<ImportedMesh>& imported) {
+void SceneFiles::importNext() {
+    const std::shared_ptr<Work> work = m_work;
+    if (!work) {
+        return;
+    }
+    if (work->next == work->paths.size()) {
+        deliver();
+        return;
+    }
+    const QString path = work->paths[work->next++];
+    work->import = std::make_unique<MeshImport>(path);
+    MeshImport* import = work->import.get();
+    connect(import, &MeshImport::progressed, this, &SceneFiles::progressed);
+    // Queued: the import is destroyed by what follows, and must not be in the middle of emitting then.
+    connect(
+        import, &MeshImport::finished, this,
+        [this, current = std::weak_ptr(work)](const std::shared_ptr<ImportedMesh>& imported) {
+            if (m_work && current.lock() == m_work) {
+                takeImported(imported);
+            }
+        },
+        Qt::QueuedConnection);
+    connect(
+        import, &MeshImport::failed, this,
+        [this, current = std::weak_ptr(work)](const Error& error) {
+            if (m_work && current.lock() == m_work) {
+                leaveOut(error);
+            }
+        },
+        Qt::QueuedConnection);
+    Q_EMIT started(path);
+    import->start();
+}
+
+void SceneFiles::takeImported(const std::shared_ptr<ImportedMesh>& imported) {
+    const std::shared_ptr<Work> work = m_work;
+    if (!work) {
+        return;
+    }
     Q_EMIT progressed(-1.0, tr("Preparing"));
-    m_work->notes = imported->notes;
-    m_work->import.reset();
-    QThreadPool::globalInstance()->start([self = QPointer(this), work = m_work, imported] {
+    const QString path = work->paths[work->next - 1];
+    const bool several = work->paths.size() > 1;
+    for (const QString& note : imported->notes) {
+        work->notes << (several ? QFileInfo(path).fileName() + QStringLiteral(": ") + note : note);
+    }
+    work->import.reset();
+    runElsewhere(
+        [imported, path] {
+            ScenePlan plan;
+            plan.targets.push_back(planMesh(std::move(imported->mesh), path));
+            return plan;
+        },
+        [this, work, path] {
+            work->read << path;
+            importNext();
+        });
+}
+
+void SceneFiles::leaveOut(const Error& error) {
+    const std::shared_ptr<Work> work = m_work;
+    if (!work) {
+        return;
+    }
+    const Error kept = error;  // it may live in what is destroyed below
+    work->import.reset();
+    work->firstError = work->firstError.value_or(kept);
+    work->notes << tr("Left out: %1").arg(QString::fromStdString(kept.message()));
+    importNext();
+}
+
+/// Adds what `make` makes to the work's scene and calls `then`, unless the work was given up.
+void SceneFiles::runElsewhere(const std::function<ScenePlan()>& make, const std::function<void()>& then) {
+    QThreadPool::globalInstance()->start([self = QPointer(this), work = m_work, make, then] {
         try {
-            work->prepared = prepareMesh(std::move(imported->mesh));
+            work->made = make();
         } catch (const std::bad_alloc&) {
-            work->prepared.reset();
+            work->made.reset();
         }
-        QMetaObject::invokeMethod(QCoreApplication::instance(), [self, work] {
+        QMetaObject::invokeMethod(QCoreApplication::instance(), [self, work, then] {
             if (self) {
-                self->take(work);
+                self->takeMade(work, then);
             }
         });
     });
 }
 
-void SceneFiles::take(const std::shared_ptr<Work>& work) {
+void SceneFiles::takeMade(const std::shared_ptr<Work>& work, const std::function<void()>& then) {
     if (work != m_work) {
         return;
     }
-    if (!work->prepared) {
-        fail({"There is not enough memory for this mesh.", work->path.toStdString(),
-              "Close other programs, or open a smaller version of the mesh."});
+    if (!work->made) {
+        fail(outOfMemory(work->paths.isEmpty() ? work->name : work->paths[work->next - 1]));
         return;
     }
-    m_session.loadMesh(*work->prepared, work->path);
-    Q_EMIT opened(work->path, work->notes);
+    std::move(work->made->targets.begin(), work->made->targets.end(),
+              std::back_inserter(work->scene.targets));
+    work->scene.name = work->made->name;
+    work->scene.floorHeight = work->made->floorHeight;
+    work->made.reset();
+    then();
+}
+
+void SceneFiles::deliver() {
+    const std::shared_ptr<Work> work = m_work;
+    if (!work) {
+        return;
+    }
+    if (work->scene.targets.empty()) {
+        fail(work->firstError.value_or(outOfMemory(work->name)));
+        return;
+    }
+    if (work->into == Into::ThisScene) {
+        m_session.addTargets(std::move(work->scene.targets));
+    } else {
+        if (!work->paths.isEmpty()) {
+            makeRoom(work->scene.targets, {});
+            work->scene.name = sceneNameOf(work->scene);
+        }
+        m_session.loadScene(std::move(work->scene));
+    }
+    if (work->paths.isEmpty()) {
+        Q_EMIT made(work->name);
+    } else {
+        Q_EMIT opened(work->read, work->notes);
+    }
     end();
 }
 

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
+#include <functional>
 #include <memory>
 
 #include "io/import.h"
@@ -11,9 +12,9 @@
 
 namespace hitscope {
 
-/// Opens mesh files into a session without holding up the window: the file is read by another process, and
-/// what the session needs besides is worked out on another thread. One at a time; opening another gives the
-/// first up.
+/// Brings mesh files and scenes of ours into a session without holding up the window: files are read by
+/// another process, and what takes time besides is done on another thread. One thing at a time; the next
+/// gives the first up.
 class SceneFiles : public QObject {
     Q_OBJECT
 public:
@@ -21,25 +22,36 @@ public:
     explicit SceneFiles(Session& session, QObject* parent = nullptr);
     ~SceneFiles() override;
 
-    void open(const QString& path);
+    enum class Into : std::uint8_t { NewScene, ThisScene };
+    /// The files' meshes stay at their own coordinates where they do not overlap (makeRoom()). Files that
+    /// cannot be read are left out and named in the notes; it fails when that is all of them. Nothing for an
+    /// empty list.
+    void open(const QStringList& paths, Into into = Into::NewScene);
+    /// `make` is called on another thread.
+    void make(const QString& name, Into into, const std::function<ScenePlan()>& make);
     /// Gives up what is being opened; the scene stays as it is.
     void cancel();
     [[nodiscard]] bool isOpening() const { return m_work != nullptr; }
 
 Q_SIGNALS:
-    void started(const QString& path);
+    void started(const QString& name);  ///< also with each further file
     /// fraction in [0, 1]; negative: not known.
     void progressed(double fraction, const QString& doing);
-    /// The session has the mesh. `notes`: what was dropped or mended on the way, in words.
-    void opened(const QString& path, const QStringList& notes);
+    /// The session has the files' meshes. `notes`: what was dropped or mended on the way, in words.
+    void opened(const QStringList& paths, const QStringList& notes);
+    void made(const QString& name);  ///< the session has it
     void failed(const hitscope::Error& error);
-    void ended();  ///< after opened, failed or cancelled
+    void ended();  ///< after opened, made, failed or cancelled
 
 private:
     struct Work;
 
-    void prepare(const std::shared_ptr<ImportedMesh>& imported);
-    void take(const std::shared_ptr<Work>& work);
+    void importNext();
+    void takeImported(const std::shared_ptr<ImportedMesh>& imported);
+    void leaveOut(const Error& error);
+    void runElsewhere(const std::function<ScenePlan()>& make, const std::function<void()>& then);
+    void takeMade(const std::shared_ptr<Work>& work, const std::function<void()>& then);
+    void deliver();
     void fail(const Error& error);
     void end();
 

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/scene/scene_panel.h"
+
+#include <QAction>
+#include <QHeaderView>
+#include <QItemSelection>
+#include <QMenu>
+#include <algorithm>
+
+#include "mesh/teapot.h"
+#include "models/quantity_text.h"
+#include "panels/icons/themed_icon.h"
+#include "panels/scene/add_primitive_dialog.h"
+#include "panels/scene/scene_delegate.h"
+#include "panels/scene/transform_fields.h"
+#include "ui_scene.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr int kCellPadding = 14;      // pixels
+constexpr int kTeapotDivisions = 32;  // a patch: fine enough that a dent shows its rim
+
+QString withKey(const QString& text, const QKeySequence& key) {
+    return QStringLiteral("%1 (%2)").arg(text, key.toString(QKeySequence::NativeText));
+}
+
+}  // namespace
+
+ScenePanel::ScenePanel(Session& session, SceneModel& model, QWidget* parent)
+    : QWidget(parent), m_session(session), m_model(model), m_ui(std::make_unique<Ui::Scene>()) {
+    m_ui->setupUi(this);
+    setUpTable();
+    makeAddMenu();
+    makeActions();
+    new TransformFields(session,
+                        {m_ui->positionX, m_ui->positionY, m_ui->positionZ, m_ui->rotationX, m_ui->rotationY,
+                         m_ui->rotationZ},
+                        this);
+    const QItemSelectionModel* selection = m_ui->table->selectionModel();
+    connect(selection, &QItemSelectionModel::selectionChanged, this, &ScenePanel::followSelection);
+    connect(selection, &QItemSelectionModel::currentChanged, this, &ScenePanel::followSelection);
+    connect(&session, &Session::targetSelected, this, &ScenePanel::showSelectedTarget);
+    connect(&model, &QAbstractItemModel::modelReset, this, &ScenePanel::showSelectedTarget);
+    connect(&model, &QAbstractItemModel::rowsInserted, this, &ScenePanel::updateActions);
+    connect(&model, &QAbstractItemModel::rowsRemoved, this, &ScenePanel::updateActions);
+    connect(&model, &QAbstractItemModel::dataChanged, this, &ScenePanel::updateActions);
+    showSelectedTarget();
+}
+
+/// A name being edited is written now: later it would find the panel half gone.
+ScenePanel::~ScenePanel() {
+    m_ui->table->setModel(nullptr);
+}
+
+void ScenePanel::setUpTable() {
+    QTableView& table = *m_ui->table;
+    table.setModel(&m_model);
+    table.setItemDelegate(new SceneDelegate(&table));
+    table.verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    table.verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
+    QHeaderView& columns = *table.horizontalHeader();
+    columns.setMinimumSectionSize(fontMetrics().height() + kCellPadding);
+    columns.setSectionResizeMode(QHeaderView::Fixed);
+    columns.setSectionResizeMode(SceneModel::NameColumn, QHeaderView::Stretch);
+    table.setColumnWidth(SceneModel::VisibleColumn, fontMetrics().height() + kCellPadding);
+    for (const int column : {SceneModel::VerticesColumn, SceneModel::HitsColumn}) {
+        const QString title = m_model.headerData(column, Qt::Horizontal).toString();
+        const QString widest =
+            column == SceneModel::HitsColumn ? QStringLiteral("000,000") : QStringLiteral("0,000,000");
+        table.setColumnWidth(column, kCellPadding + std::max(fontMetrics().horizontalAdvance(widest),
+                                                             fontMetrics().horizontalAdvance(title)));
+    }
+}
+
+void ScenePanel::makeAddMenu() {
+    m_addMenu = new QMenu(tr("&Add Target"), this);
+    for (const PrimitiveTraits& traits : allPrimitives()) {
+        m_addMenu->addAction(tr("%1…").arg(primitiveName(traits.kind)), this,
+                             [this, kind = traits.kind] { addPrimitive(kind); });
+    }
+    m_addMenu->addSeparator();
+    m_addMenu->addAction(tr("Utah Teapot"), this, [this] {
+        Q_EMIT targetWanted(tr("Utah teapot"), [] { return planMesh(makeTeapot(kTeapotDivisions)); });
+    });
+    m_addMenu->addAction(tr("From File…"), this, &ScenePanel::filesWanted);
+    m_ui->add->setMenu(m_addMenu);
+    m_ui->add->setIcon(themedIcon(QStringLiteral("add")));
+}
+
+QAction* ScenePanel::makeAction(const QString& name, const QString& text, const QKeySequence& key,
+                                void (ScenePanel::*act)()) {
+    auto* action = new QAction(text, this);
+    action->setObjectName(name);
+    action->setShortcut(key);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    m_ui->table->addAction(action);
+    connect(action, &QAction::triggered, this, act);
+    return action;
+}
+
+void ScenePanel::makeActions() {
+    m_rename =
+        makeAction(QStringLiteral("renameTarget"), tr("Rename"), Qt::Key_F2, &ScenePanel::renameCurrent);
+    m_toggle =
+        makeAction(QStringLiteral("toggleTargets"), tr("Hide"), Qt::Key_Space, &ScenePanel::toggleSelected);
+    m_duplicate = makeAction(QStringLiteral("duplicateTargets"), tr("Duplicate"), Qt::CTRL | Qt::Key_D,
+                             &ScenePanel::duplicateSelected);
+    m_reset = makeAction(QStringLiteral("resetTargets"), tr("Reset Shape"), {}, &ScenePanel::resetSelected);
+    m_remove = makeAction(QStringLiteral("removeTargets"), tr("Remove"), QKeySequence::Delete,
+                          &ScenePanel::removeSelected);
+    m_duplicate->setIcon(themedIcon(QStringLiteral("copy")));
+    m_reset->setIcon(themedIcon(QStringLiteral("reset")));
+    m_remove->setIcon(themedIcon(QStringLiteral("remove")));
+    m_duplicate->setToolTip(
+        withKey(tr("Duplicate the selected targets, dents included"), m_duplicate->shortcut()));
+    m_reset->setToolTip(tr("Back to the original shape: removes the selected targets' hits"));
+    m_remove->setToolTip(withKey(tr("Remove the selected targets and their hits"), m_remove->shortcut()));
+    m_ui->duplicate->setDefaultAction(m_duplicate);
+    m_ui->reset->setDefaultAction(m_reset);
+    m_ui->remove->setDefaultAction(m_remove);
+}
+
+QList<QAction*> ScenePanel::targetActions() const {
+    return {m_duplicate, m_remove};
+}
+
+std::vector<TargetId> ScenePanel::selectedTargets() const {
+    std::vector<int> rows;
+    for (const QModelIndex& index : m_ui->table->selectionModel()->selectedRows()) {
+        rows.push_back(index.row());
+    }
+    std::sort(rows.begin(), rows.end());
+    std::vector<TargetId> targets;
+    for (const int row : rows) {
+        targets.push_back(m_model.targetAt(row));
+    }
+    return targets;
+}
+
+bool ScenePanel::isAnyVisible(const std::vector<TargetId>& targets) const {
+    return std::any_of(targets.begin(), targets.end(), [this](TargetId id) {
+        const Target* target = m_session.target(id);
+        return target != nullptr && target->visible;
+    });
+}
+
+// Doing
+
+void ScenePanel::addPrimitive(PrimitiveKind kind) {
+    AddPrimitiveDialog dialog(kind, window());
+    if (dialog.exec() == QDialog::Accepted) {
+        const Primitive primitive = dialog.primitive();
+        Q_EMIT targetWanted(primitiveName(primitive.kind), [primitive] { return planPrimitive(primitive); });
+    }
+}
+
+void ScenePanel::duplicateSelected() {
+    m_session.duplicateTargets(selectedTargets());
+}
+
+/// The cursor stays at the place, so that the arrow keys go on from there.
+void ScenePanel::removeSelected() {
+    const std::vector<TargetId> targets = selectedTargets();
+    if (targets.empty()) {
+        return;
+    }
+    const int first = m_model.rowOf(targets.front());
+    m_session.removeTargets(targets);
+    const int next = std::min(first, m_model.rowCount() - 1);
+    m_ui->table->selectionModel()->setCurrentIndex(m_model.index(next, SceneModel::NameColumn),
+                                                   QItemSelectionModel::NoUpdate);
+}
+
+void ScenePanel::resetSelected() {
+    m_session.resetTargets(selectedTargets());
+}
+
+void ScenePanel::toggleSelected() {
+    const std::vector<TargetId> targets = selectedTargets();
+    m_session.setTargetsVisible(targets, !isAnyVisible(targets));
+}
+
+void ScenePanel::renameCurrent() {
+    const int row = m_ui->table->currentIndex().row();
+    if (row >= 0) {
+        m_ui->table->edit(m_model.index(row, SceneModel::NameColumn));
+    }
+}
+
+// Following
+
+void ScenePanel::followSelection() {
+    if (m_following) {
+        return;
+    }
+    m_following = true;
+    const QModelIndex current = m_ui->table->selectionModel()->currentIndex();
+    const bool chosen = m_ui->table->selectionModel()->isSelected(current);
+    m_session.selectTarget(chosen ? m_model.targetAt(current.row()) : TargetId{});
+    m_following = false;
+    updateActions();
+}
+
+void ScenePanel::showSelectedTarget() {
+    if (m_following) {
+        return;
+    }
+    m_following = true;
+    const int row = m_model.rowOf(m_session.selectedTarget());
+    const QModelIndex current = m_ui->table->currentIndex();
+    if (row < 0) {
+        m_ui->table->clearSelection();
+    } else if (current.row() != row || !m_ui->table->selectionModel()->isSelected(current)) {
+        m_ui->table->selectRow(row);
+        m_ui->table->scrollTo(m_model.index(row, SceneModel::NameColumn));
+    }
+    m_following = false;
+    updateActions();
+}
+
+void ScenePanel::updateActions() {
+    const std::vector<TargetId> targets = selectedTargets();
+    const bool some = !targets.empty();
+    for (QAction* action : {m_rename, m_toggle, m_duplicate, m_remove}) {
+        action->setEnabled(some);
+    }
+    m_toggle->setText(!some || isAnyVisible(targets) ? tr("Hide") : tr("Show"));
+    m_reset->setEnabled(std::any_of(targets.begin(), targets.end(), [this](TargetId id) {
+        const QModelIndex hits = m_model.index(m_model.rowOf(id), SceneModel::HitsColumn);
+        return hits.data(SceneModel::RawValueRole).toULongLong() > 0;
+    }));
+    const int count = m_model.rowCount();
+    m_ui->summary->setText(count == 0   ? tr("No targets yet")
+                           : count == 1 ? tr("1 target")
+                                        : tr("%1 targets").arg(countText(static_cast<std::size_t>(count))));
+}
+
+}  // namespace hitscope

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/scene/transform_fields.h"
+
+#include <QDoubleSpinBox>
+#include <QSignalBlocker>
+
+#include "models/rotation_angles.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr double kFarthest = 1.0e7;  // metres
+constexpr double kTurns = 3600.0;    // degrees
+constexpr int kAxes = 3;
+constexpr int kNarrowest = 64;  // pixels; what the range would want is far wider
+
+}  // namespace
+
+TransformFields::TransformFields(Session& session, const Boxes& boxes, QObject* parent)
+    : QObject(parent), m_session(session), m_boxes(boxes) {
+    for (int field = 0; field < 2 * kAxes; ++field) {
+        QDoubleSpinBox& box = *m_boxes[static_cast<std::size_t>(field)];
+        const bool isAngle = field >= kAxes;
+        box.setKeyboardTracking(false);
+        box.setDecimals(isAngle ? 2 : 3);
+        box.setSingleStep(isAngle ? 5.0 : 0.1);
+        box.setRange(isAngle ? -kTurns : -kFarthest, isAngle ? kTurns : kFarthest);
+        box.setMinimumWidth(kNarrowest);
+        box.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        connect(&box, &QDoubleSpinBox::valueChanged, this,
+                [this, field](double value) { apply(field, value); });
+        connect(&box, &QDoubleSpinBox::editingFinished, this, [this] { m_stepping = -1; });
+    }
+    connect(&session, &Session::sceneReplaced, this, &TransformFields::show);
+    connect(&session, &Session::targetSelected, this, [this] {
+        m_stepping = -1;
+        show();
+    });
+    connect(&session, &Session::targetChanged, this, [this](TargetId id) {
+        if (id == m_session.selectedTarget()) {
+            show();
+        }
+    });
+    show();
+}
+
+void TransformFields::show() {
+    const Target* target = m_session.target(m_session.selectedTarget());
+    const RigidTransform transform = target != nullptr ? target->transform : RigidTransform{};
+    m_angles = toAngles(transform.rotation, m_angles);
+    for (int field = 0; field < 2 * kAxes; ++field) {
+        QDoubleSpinBox& box = *m_boxes[static_cast<std::size_t>(field)];
+        const QSignalBlocker quiet(box);
+        box.setEnabled(target != nullptr);
+        box.setValue(field < kAxes ? static_cast<double>(transform.position[field])
+                                   : m_angles[field - kAxes]);
+    }
+}
+
+void TransformFields::apply(int field, double value) {
+    const Target* target = m_session.target(m_session.selectedTarget());
+    if (target == nullptr) {
+        return;
+    }
+    RigidTransform transform = target->transform;
+    if (field < kAxes) {
+        transform.position[field] = static_cast<float>(value);
+    } else {
+        m_angles[field - kAxes] = value;
+        transform.rotation = fromAngles(m_angles);
+    }
+    const auto merge = m_stepping == field ? SessionUndo::Merge::WithSameKind : SessionUndo::Merge::Never;
+    m_stepping = field;
+    if (!m_session.setTargetTransform(target->id, transform, merge).ok()) {
+        show();
+    }
+}
+
+}  // namespace hitscope

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <array>
+#include <glm/vec3.hpp>
+
+#include "session/session.h"
+
+class QDoubleSpinBox;
+
+namespace hitscope {
+
+/// Six number fields that show and set where the selected target is: x, y, z in metres, then the angles about
+/// x, y, z in degrees. A number typed is one step to undo, and so is a run of steps by wheel or arrow keys in
+/// one field.
+class TransformFields : public QObject {
+    Q_OBJECT
+public:
+    using Boxes = std::array<QDoubleSpinBox*, 6>;
+    /// `session` and the boxes outlive this.
+    TransformFields(Session& session, const Boxes& boxes, QObject* parent = nullptr);
+
+private:
+    void show();
+    void apply(int field, double value);
+
+    Session& m_session;
+    Boxes m_boxes;
+    glm::dvec3 m_angles{0.0};  ///< shown; degrees
+    int m_stepping = -1;       ///< field whose next change belongs to the last one; -1: none
+};
+
+}  // namespace hitscope

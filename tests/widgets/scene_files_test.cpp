@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Several files and scenes of ours brought in through the real window, and its Scene dock.
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTest>
+#include <QToolButton>
+
+#include "app/notice_bar.h"
+#include "app/scene_files.h"
+#include "mesh/primitives.h"
+#include "panels/scene/scene_panel.h"
+#include "window_support.h"
+
+using namespace hitscope;
+
+namespace {
+
+QAction* menuAction(const QWidget& window, const QString& text) {
+    for (QAction* action : window.findChildren<QAction*>()) {
+        if (QString(action->text()).remove(u'&') == text) {
+            return action;
+        }
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+class SceneFilesTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void init() {
+        QVERIFY(m_folder.isValid());
+        writeObj(makeLowPolyCube(1.0f), path("a.obj"));
+        writeObj(makeLowPolySphere(1.0f), path("b.obj"));
+        QFile broken(path("broken.obj"));
+        QVERIFY(broken.open(QIODevice::WriteOnly));
+        broken.write("v 0 0 0\nf 1 2 3\n");
+    }
+    void severalFilesAreOneScene();
+    void whatCannotBeReadIsLeftOut();
+    void filesAndTargetsAreAdded();
+    void cancellingLeavesTheScene();
+    void sampleScenesAreMade_data();
+    void sampleScenesAreMade();
+    void deleteInTheViewportRemovesTheTarget();
+
+private:
+    [[nodiscard]] QString path(const char* name) const {
+        return m_folder.filePath(QString::fromLatin1(name));
+    }
+
+    TestSettings m_settings;
+    QTemporaryDir m_folder;
+};
+
+void SceneFilesTest::severalFilesAreOneScene() {
+    Session session;
+    SceneFiles files(session);
+    QSignalSpy opened(&files, &SceneFiles::opened);
+    QSignalSpy ended(&files, &SceneFiles::ended);
+    files.open({path("a.obj"), path("b.obj")});
+    QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, kPatience);
+    QCOMPARE(opened.count(), 1);
+    QCOMPARE(opened[0][0].toStringList(), (QStringList{path("a.obj"), path("b.obj")}));
+    QCOMPARE(session.targets().size(), std::size_t{2});
+    QCOMPARE(session.targets()[1]->sourcePath, path("b.obj"));
+    QVERIFY(session.sceneName().contains(QStringLiteral("1 more")));
+    const Bounds first = session.targets()[0]->worldBounds();
+    const Bounds second = session.targets()[1]->worldBounds();
+    QVERIFY(second.min.x > first.max.x);  // they would overlap
+    QCOMPARE(session.floorHeight(), -1.0f);
+}
+
+void SceneFilesTest::whatCannotBeReadIsLeftOut() {
+    Session session;
+    SceneFiles files(session);
+    QSignalSpy opened(&files, &SceneFiles::opened);
+    QSignalSpy failed(&files, &SceneFiles::failed);
+    QSignalSpy ended(&files, &SceneFiles::ended);
+    files.open({path("broken.obj"), path("a.obj")});
+    QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, kPatience);
+    QCOMPARE(opened.count(), 1);
+    QCOMPARE(session.targets().size(), std::size_t{1});
+    QVERIFY(opened[0][1].toStringList().join(u'\n').contains(QStringLiteral("broken.obj")));
+    files.open({path("broken.obj")});
+    QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 2, kPatience);
+    QCOMPARE(failed.count(), 1);
+    QCOMPARE(session.targets().size(), std::size_t{1});
+}
+
+void SceneFilesTest::filesAndTargetsAreAdded() {
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    SceneFiles files(session);
+    QSignalSpy ended(&files, &SceneFiles::ended);
+    files.open({path("a.obj"), path("b.obj")}, SceneFiles::Into::ThisScene);
+    QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, kPatience);
+    QCOMPARE(session.targets().size(), std::size_t{18});
+    files.make(QStringLiteral("Sheet"), SceneFiles::Into::ThisScene, [] {
+        return ScenePlan{{}, {planPrimitive({PrimitiveKind::Sheet, 8, 2.0f})}};
+    });
+    QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 2, kPatience);
+    QCOMPARE(session.targets().back()->name, QStringLiteral("Sheet"));
+    session.undo();
+    session.undo();  // two files are one step
+    QCOMPARE(session.targets().size(), std::size_t{16});
+}
+
+void SceneFilesTest::cancellingLeavesTheScene() {
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    SceneFiles files(session);
+    QSignalSpy made(&files, &SceneFiles::made);
+    files.make(QStringLiteral("Late"), SceneFiles::Into::NewScene, [] {
+        QThread::msleep(200);
+        return planSampleScene(SampleScene::Turntable);
+    });
+    files.cancel();
+    QVERIFY(!files.isOpening());
+    QTest::qWait(600);
+    QCOMPARE(made.count(), 0);
+    QCOMPARE(session.targets().size(), std::size_t{16});
+}
+
+void SceneFilesTest::sampleScenesAreMade_data() {
+    QTest::addColumn<int>("scene");
+    QTest::addColumn<std::size_t>("targets");
+    QTest::addColumn<std::size_t>("triangles");
+    QTest::newRow("turntable") << static_cast<int>(SampleScene::Turntable) << std::size_t{2}
+                               << std::size_t{0};
+    QTest::newRow("wall") << static_cast<int>(SampleScene::Wall) << std::size_t{100} << std::size_t{0};
+    QTest::newRow("two million") << static_cast<int>(SampleScene::TwoMillion) << std::size_t{1}
+                                 << std::size_t{2'000'000};
+}
+
+void SceneFilesTest::sampleScenesAreMade() {
+    QFETCH(int, scene);
+    QFETCH(std::size_t, targets);
+    QFETCH(std::size_t, triangles);
+    Session session;
+    MainWindow window(session);
+    showReady(window);
+    menuAction(window, sampleSceneName(static_cast<SampleScene>(scene)))->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(session.targets().size(), targets, 3 * kPatience);
+    std::size_t made = 0;
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        made += target->deformed.render().triangles.size() / 3;
+        for (const std::unique_ptr<Target>& other : session.targets()) {
+            QVERIFY(target == other || target->name != other->name);
+        }
+    }
+    QVERIFY(triangles == 0 || made == triangles);
+    QVERIFY(std::abs(session.sceneBounds().min.y) < 1.0e-3f);
+}
+
+void SceneFilesTest::deleteInTheViewportRemovesTheTarget() {
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    MainWindow window(session);
+    showReady(window);
+    auto* dock = window.findChild<QDockWidget*>(QStringLiteral("scene"));
+    QVERIFY(dock != nullptr && !dock->isHidden());
+    session.selectTarget(session.targets()[3]->id);
+    window.viewport().setFocus();
+    QTest::keyClick(&window.viewport(), Qt::Key_Delete);
+    QCOMPARE(session.targets().size(), std::size_t{15});
+    QVERIFY(menuAction(window, QStringLiteral("Undo Remove Target")) != nullptr);
+    QTest::keyClick(&window.viewport(), Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(session.targets().size(), std::size_t{16});
+}
+
+QTEST_MAIN(SceneFilesTest)
+#include "scene_files_test.moc"

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The Scene panel under real mouse and keys.
+#include <QAction>
+#include <QComboBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTest>
+#include <QTimer>
+#include <QToolButton>
+#include <array>
+
+#include "panels/scene/scene_panel.h"
+
+using namespace hitscope;
+
+class ScenePanelTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void init();
+    void selectionIsOneWithTheSessions();
+    void eyeHidesByMouse();
+    void spaceHidesTheSelection();
+    void nameIsEditedInPlace();
+    void closesWhileANameIsEdited();
+    void duplicateAndRemoveByKey();
+    void removingAllLeavesAnEmptyPanel();
+    void resetIsOfferedWhereThereAreHits();
+    void positionIsTyped();
+    void stepsInOneFieldAreOneStep();
+    void anglesStayAsTyped();
+    void primitiveIsAskedFor();
+
+private:
+    [[nodiscard]] QPoint place(int row, int column) const {
+        return m_table->visualRect(m_model->index(row, column)).center();
+    }
+    void click(int row, int column = SceneModel::NameColumn, Qt::KeyboardModifiers keys = {}) {
+        QTest::mouseClick(m_table->viewport(), Qt::LeftButton, keys, place(row, column));
+    }
+    [[nodiscard]] TargetId id(std::size_t index) const { return m_session->targets()[index]->id; }
+    template <class Widget>
+    [[nodiscard]] Widget& child(const char* name) const {
+        return *m_panel->findChild<Widget*>(QString::fromLatin1(name));
+    }
+    void typeInto(const char* field, const QString& text) {
+        auto& box = child<QDoubleSpinBox>(field);
+        box.setFocus();
+        box.selectAll();
+        QTest::keyClicks(&box, text);
+        QTest::keyClick(&box, Qt::Key_Return);
+    }
+
+    std::unique_ptr<Session> m_session;
+    std::unique_ptr<SceneModel> m_model;
+    std::unique_ptr<ScenePanel> m_panel;
+    QTableView* m_table = nullptr;
+};
+
+void ScenePanelTest::init() {
+    m_panel.reset();
+    m_model.reset();
+    m_session = std::make_unique<Session>();
+    m_session->loadPaperRow(kDefaultPaperRow);
+    m_model = std::make_unique<SceneModel>(*m_session);
+    m_panel = std::make_unique<ScenePanel>(*m_session, *m_model);
+    m_table = m_panel->findChild<QTableView*>();
+    m_panel->resize(350, 480);
+    m_panel->show();
+    m_panel->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
+    m_table->setFocus();
+}
+
+void ScenePanelTest::selectionIsOneWithTheSessions() {
+    click(2);
+    QCOMPARE(m_session->selectedTarget(), id(2));
+    QTest::keyClick(m_table, Qt::Key_Down);
+    QCOMPARE(m_session->selectedTarget(), id(3));
+    m_session->selectTarget(id(9));
+    QCOMPARE(m_table->currentIndex().row(), 9);
+    QVERIFY(m_table->selectionModel()->isRowSelected(9));
+    m_session->selectTarget({});
+    QVERIFY(!m_table->selectionModel()->hasSelection());
+    QVERIFY(!child<QDoubleSpinBox>("positionX").isEnabled());
+    // A hit selects what it is on.
+    Hit hit;
+    hit.target = id(4);
+    QVERIFY(m_session->addHit(hit).ok());
+    QVERIFY(m_table->selectionModel()->isRowSelected(4));
+}
+
+void ScenePanelTest::eyeHidesByMouse() {
+    click(1, SceneModel::VisibleColumn);
+    QVERIFY(!m_session->targets()[1]->visible);
+    click(1, SceneModel::VisibleColumn);
+    QVERIFY(m_session->targets()[1]->visible);
+    QTest::mouseClick(m_table->viewport(), Qt::RightButton, {}, place(1, SceneModel::VisibleColumn));
+    QVERIFY(m_session->targets()[1]->visible);
+}
+
+void ScenePanelTest::spaceHidesTheSelection() {
+    click(1);
+    click(3, SceneModel::NameColumn, Qt::ShiftModifier);
+    QTest::keyClick(m_table, Qt::Key_Space);
+    for (const std::size_t row : {1, 2, 3}) {
+        QVERIFY(!m_session->targets()[row]->visible);
+    }
+    QCOMPARE(m_panel->findChild<QAction*>(QStringLiteral("toggleTargets"))->text(), QStringLiteral("Show"));
+    m_session->undo();
+    QVERIFY(m_session->targets()[2]->visible);
+    QVERIFY(!m_session->canUndo());
+}
+
+void ScenePanelTest::nameIsEditedInPlace() {
+    click(2);
+    QTest::keyClick(m_table, Qt::Key_F2);
+    auto* editor = m_table->findChild<QLineEdit*>();
+    QVERIFY(editor != nullptr);
+    QTest::keyClicks(editor, QStringLiteral("Bonnet"));
+    QTest::keyClick(editor, Qt::Key_Return);
+    QTRY_COMPARE(m_session->targets()[2]->name, QStringLiteral("Bonnet"));
+    click(3);
+    QTest::mouseDClick(m_table->viewport(), Qt::LeftButton, {}, place(3, SceneModel::NameColumn));
+    const auto openEditor = [this]() -> QLineEdit* {
+        for (auto* line : m_table->findChildren<QLineEdit*>()) {
+            if (line->isVisible() && line->text() == QStringLiteral("HP cube 1")) {
+                return line;
+            }
+        }
+        return nullptr;
+    };
+    QTRY_VERIFY(openEditor() != nullptr);
+    QTest::keyClick(openEditor(), Qt::Key_Escape);
+    QCOMPARE(m_session->undoName(), (SessionUndo::Name{SessionUndo::Kind::RenameTarget, 1}));
+    m_session->undo();
+    QCOMPARE(m_session->targets()[2]->name, QStringLiteral("LP cube 3"));
+}
+
+void ScenePanelTest::closesWhileANameIsEdited() {
+    click(2);
+    QTest::keyClick(m_table, Qt::Key_F2);
+    QTest::keyClicks(m_table->findChild<QLineEdit*>(), QStringLiteral("Half"));
+    m_panel.reset();
+    QCOMPARE(m_session->targets()[2]->name, QStringLiteral("Half"));
+}
+
+void ScenePanelTest::duplicateAndRemoveByKey() {
+    click(3);
+    QTest::keyClick(m_table, Qt::Key_D, Qt::ControlModifier);
+    QCOMPARE(m_session->targets().size(), std::size_t{17});
+    QCOMPARE(m_table->currentIndex().row(), 16);
+    QCOMPARE(m_session->selectedTarget(), id(16));
+    click(0);
+    click(2, SceneModel::NameColumn, Qt::ControlModifier);
+    QTest::keyClick(m_table, Qt::Key_Delete);
+    QCOMPARE(m_session->targets().size(), std::size_t{15});
+    QCOMPARE(m_table->currentIndex().row(), 0);  // the arrow keys go on from there
+    QCOMPARE(child<QLabel>("summary").text(), QStringLiteral("15 targets"));
+    m_session->undo();
+    m_session->undo();
+    QCOMPARE(m_model->rowCount(), 16);
+}
+
+void ScenePanelTest::removingAllLeavesAnEmptyPanel() {
+    QTest::keyClick(m_table, Qt::Key_A, Qt::ControlModifier);
+    child<QToolButton>("remove").click();
+    QCOMPARE(m_session->targets().size(), std::size_t{0});
+    QCOMPARE(child<QLabel>("summary").text(), QStringLiteral("No targets yet"));
+    QVERIFY(!child<QToolButton>("remove").isEnabled());
+    QVERIFY(child<QToolButton>("add").isEnabled());
+    m_session->undo();
+    QCOMPARE(m_model->rowCount(), 16);
+}
+
+void ScenePanelTest::resetIsOfferedWhereThereAreHits() {
+    click(5);
+    QVERIFY(!child<QToolButton>("reset").isEnabled());
+    Hit hit;
+    hit.target = id(5);
+    QVERIFY(m_session->addHit(hit).ok());
+    QVERIFY(child<QToolButton>("reset").isEnabled());
+    QTest::mouseClick(&child<QToolButton>("reset"), Qt::LeftButton);
+    QCOMPARE(m_session->history().size(), std::size_t{0});
+    QVERIFY(!child<QToolButton>("reset").isEnabled());
+}
+
+void ScenePanelTest::positionIsTyped() {
+    click(0);
+    const glm::vec3 before = m_session->targets()[0]->transform.position;
+    typeInto("positionX", QStringLiteral("1.25"));
+    QCOMPARE(m_session->targets()[0]->transform.position, glm::vec3(1.25f, before.y, before.z));
+    typeInto("positionX", QStringLiteral("2.5"));
+    m_session->undo();  // two numbers typed are two steps
+    QCOMPARE(m_session->targets()[0]->transform.position.x, 1.25f);
+    QCOMPARE(child<QDoubleSpinBox>("positionX").value(), 1.25);
+    m_session->undo();
+    QCOMPARE(m_session->targets()[0]->transform.position, before);
+    QVERIFY(!m_session->canUndo());
+}
+
+void ScenePanelTest::stepsInOneFieldAreOneStep() {
+    click(0);
+    auto& box = child<QDoubleSpinBox>("positionY");
+    const double before = box.value();
+    box.setFocus();
+    for (int i = 0; i < 5; ++i) {
+        QTest::keyClick(&box, Qt::Key_Up);
+    }
+    QCOMPARE(m_session->targets()[0]->transform.position.y, static_cast<float>(before + 0.5));
+    m_session->undo();
+    QCOMPARE(m_session->targets()[0]->transform.position.y, static_cast<float>(before));
+    QVERIFY(!m_session->canUndo());
+}
+
+void ScenePanelTest::anglesStayAsTyped() {
+    click(0);
+    typeInto("rotationY", QStringLiteral("120"));
+    typeInto("rotationX", QStringLiteral("200"));
+    QCOMPARE(child<QDoubleSpinBox>("rotationY").value(), 120.0);
+    QCOMPARE(child<QDoubleSpinBox>("rotationX").value(), 200.0);
+    QCOMPARE(m_session->undoName()->kind, SessionUndo::Kind::RotateTarget);
+    m_session->undo();
+    m_session->undo();
+    QCOMPARE(child<QDoubleSpinBox>("rotationY").value(), 0.0);
+}
+
+void ScenePanelTest::primitiveIsAskedFor() {
+    QSignalSpy files(m_panel.get(), &ScenePanel::filesWanted);
+    QString name;
+    TargetPlan plan;
+    connect(m_panel.get(), &ScenePanel::targetWanted, this,
+            [&](const QString& wanted, const std::function<TargetPlan()>& make) {
+                name = wanted;
+                plan = make();
+            });
+    QTimer::singleShot(0, this, [] {
+        auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        QVERIFY(dialog != nullptr);
+        QCOMPARE(dialog->findChild<QComboBox*>()->currentText(), QStringLiteral("Torus"));
+        auto* resolution = dialog->findChild<QSpinBox*>(QStringLiteral("resolution"));
+        resolution->setValue(60);
+        QCOMPARE(dialog->findChild<QLabel*>(QStringLiteral("vertices"))->text(), QStringLiteral("1,200"));
+        QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok),
+                          Qt::LeftButton);
+    });
+    const QList<QAction*> actions = m_panel->addMenu()->actions();
+    actions[static_cast<qsizetype>(PrimitiveKind::Torus)]->trigger();
+    QCOMPARE(name, QStringLiteral("Torus"));
+    QCOMPARE(plan.shape.mesh->vertexCount(), std::size_t{1200});
+    actions.last()->trigger();
+    QCOMPARE(files.count(), 1);
+}
+
+QTEST_MAIN(ScenePanelTest)
+#include "scene_panel_test.moc"
