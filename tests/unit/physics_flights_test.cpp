@@ -23,6 +23,7 @@ private Q_SLOTS:
     void doesNotTunnel();
     void doesNotTunnelThroughAMesh_data();
     void doesNotTunnelThroughAMesh();
+    void bounceStaysBetweenTwoWalls();
     void bouncesCountOnlyWhenAsked();
     void restingProjectileDoesNotHitAgain();
     void sameCallsGiveTheSameImpacts();
@@ -84,6 +85,28 @@ void PhysicsFlightsTest::doesNotTunnelThroughAMesh() {
         const float r = glm::length(world.projectiles().front().position);
         QVERIFY2(inside ? r < 2.0f : r > 1.98f, qPrintable(QString("shot %1: r = %2").arg(shot).arg(r)));
         world.removeProjectiles();
+    }
+}
+
+void PhysicsFlightsTest::bounceStaysBetweenTwoWalls() {
+    // Half a metre apart: what a bounce sends back in the same step is at the other wall long before its end.
+    PhysicsWorld world;
+    place(world, {1}, {}, sheet(60));
+    place(world, {2}, {{0.5f, 0, 0}, {1, 0, 0, 0}}, sheet(60));
+    Random random(19);
+    for (int shot = 0; shot < 60; ++shot) {
+        world.removeProjectiles();
+        const glm::vec3 along = glm::normalize(
+            glm::vec3(random.between(0.5f, 1), random.between(-0.3f, 0.3f), random.between(-0.3f, 0.3f)));
+        ProjectileSettings settings = withSpeed(1000);
+        settings.radius = 0.05f;
+        settings.bouncesCount = true;
+        world.shoot({0.25f, 0, 0}, shot % 2 == 0 ? along : -along, settings);
+        for (int step = 0; step < 24; ++step) {
+            QVERIFY(world.stepOnce().size() <= 2);
+            const float x = world.projectiles().front().position.x;
+            QVERIFY2(x > 0.0f && x < 0.5f, qPrintable(QString("shot %1: x = %2").arg(shot).arg(x)));
+        }
     }
 }
 

@@ -168,7 +168,7 @@ void ViewportTest::spaceShootsRepeatedlyWhileHeld() {
     QTRY_VERIFY_WITH_TIMEOUT(flying() + m_session->history().size() >= 3, kPatience);
     QTest::keyRelease(&viewport, Qt::Key_Space);
     const std::size_t shot = flying();
-    QTest::qWait(4 * Viewport::kRepeatInterval);
+    QTest::qWait(qRound(4000.0f / m_session->projectileSettings().rateOfFire));
     QVERIFY(flying() <= shot);
 }
 
