@@ -4,6 +4,8 @@
 #include <QString>
 
 #include "core/result.h"
+#include "pipeline/pipeline_kind.h"
+#include "render/display_options.h"
 
 namespace hitscope::cli {
 
@@ -12,12 +14,14 @@ struct DemoOptions {
     QString meshPath;  ///< empty: the paper's scene
     int shots = 50;
     unsigned seed = 1;
-    int width = 1280;  ///< pixels
-    int height = 720;  ///< pixels
+    PipelineKind pipeline = PipelineKind::TransformFeedback;  ///< what is shown and exported
+    NormalMode normals = NormalMode::True;                    ///< of pictures and mesh
+    int width = 1280;                                         ///< pixels
+    int height = 720;                                         ///< pixels
 };
 
-/// Shoots at the scene with no display, compares the pipelines, writes pictures and the deformed mesh, prints
-/// a table.
+/// Shoots at the scene with no display, compares all pipelines that run here with the reference, writes
+/// pictures and the deformed mesh, prints a table.
 [[nodiscard]] Status runDemo(const DemoOptions& options);
 
 /// Prints what is in a mesh file.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDir>
 #include <QFileInfo>
+#include <QStringList>
 #include <QTextStream>
 #include <algorithm>
 #include <cmath>
@@ -52,11 +53,19 @@ Agreement compare(const Meshes& a, const Meshes& b) {
     return agreement;
 }
 
+/// What the reference makes of the hits that the session's pipeline keeps.
 Meshes referenceMeshes(const Session& session) {
+    const std::span<const Hit> history = session.history().hits();
     Meshes meshes;
     for (const std::unique_ptr<Target>& target : session.targets()) {
+        std::vector<Hit> hits;
+        for (std::size_t i = 0; i < history.size(); ++i) {
+            if (history[i].target == target->id && history[i].enabled && !session.isDropped(i)) {
+                hits.push_back(history[i]);
+            }
+        }
         ReferenceDeformation reference(target->deformed.render());
-        reference.apply(session.history().hitsOn(target->id));
+        reference.apply(hits);
         meshes.emplace_back(reference.vertices().begin(), reference.vertices().end());
     }
     return meshes;
@@ -76,6 +85,7 @@ class Demo {
 public:
     Demo(Session& session, SceneGpu& gpu, const DemoOptions& options)
         : m_session(session), m_gpu(gpu), m_options(options), m_target(options.width, options.height, 4) {
+        m_view.options.normals = options.normals;
         m_view.width = options.width;
         m_view.height = options.height;
         m_view.camera.frame(session.sceneBounds(),
@@ -90,12 +100,13 @@ public:
         return savePng(m_target.read(), path(name));
     }
 
-    [[nodiscard]] Result<Meshes> apply(PipelineKind kind) {
+    /// Applies the hits with this pipeline; how it agrees with the reference.
+    [[nodiscard]] Result<Agreement> apply(PipelineKind kind) {
         m_session.setPipeline(kind);
         if (Status status = m_gpu.sync(); !status) {
             return status.error();
         }
-        return copyMeshes(m_session);
+        return compare(copyMeshes(m_session), referenceMeshes(m_session));
     }
 
     [[nodiscard]] QString path(const QString& name) const { return QDir(m_options.folder).filePath(name); }
@@ -122,13 +133,38 @@ void printTable(QTextStream& out, const Session& session) {
     }
 }
 
-void printAgreement(QTextStream& out, const QString& name, const Agreement& agreement) {
-    out << name << ": ";
-    if (agreement.different == 0) {
-        out << "the same in every bit\n";
-    } else {
-        out << agreement.different << " vertices differ, by " << agreement.largest << " m at most\n";
+QString agreementText(const Agreement& agreement, const Session& session) {
+    QString text = agreement.different == 0
+                       ? QStringLiteral("as the reference in every bit")
+                       : QStringLiteral("%1 vertices differ from the reference, by %2 m at most")
+                             .arg(agreement.different)
+                             .arg(agreement.largest);
+    if (session.droppedHits() > 0) {
+        text += QStringLiteral("; it keeps the last %1 hits%2")
+                    .arg(session.capacity().used)
+                    .arg(session.capacity().perTarget ? QStringLiteral(" on a target") : QString());
     }
+    return text;
+}
+
+/// Applies the hits with every pipeline that runs here, and says how it agrees with the reference.
+Result<QStringList> comparePipelines(Demo& demo, const Session& session) {
+    QStringList lines;
+    for (const PipelineTraits& traits : allPipelines()) {
+        const QString name =
+            QString::fromUtf8(traits.name.data(), static_cast<qsizetype>(traits.name.size()));
+        const QString unavailable = session.whyUnavailable(traits.kind);
+        if (!unavailable.isEmpty()) {
+            lines << QStringLiteral("%1: not here. %2").arg(name, unavailable);
+            continue;
+        }
+        const Result<Agreement> agreement = demo.apply(traits.kind);
+        if (!agreement) {
+            return agreement.error();
+        }
+        lines << name + QStringLiteral(": ") + agreementText(agreement.value(), session);
+    }
+    return lines;
 }
 
 Status loadScene(Session& session, const QString& meshPath, QTextStream& out) {
@@ -175,20 +211,18 @@ Status runDemo(const DemoOptions& options) {
     shootAll(session, demoShots(session, options.shots, options.seed));
     session.selectTarget({});
 
-    Result<Meshes> uniformArray = demo.apply(PipelineKind::UniformArray);
-    if (!uniformArray) {
-        return uniformArray.error();
+    const Result<QStringList> compared = comparePipelines(demo, session);
+    if (!compared) {
+        return compared.error();
     }
-    const std::size_t dropped = session.droppedHits();
-    Result<Meshes> feedback = demo.apply(PipelineKind::TransformFeedback);
-    if (!feedback) {
-        return feedback.error();
+    if (const Result<Agreement> shown = demo.apply(options.pipeline); !shown) {
+        return shown.error();
     }
     const Target& exported = mostChangedTarget(session);
     for (const Status& status :
          {demo.picture(QStringLiteral("after.png"), WireframeMode::Off),
           demo.picture(QStringLiteral("wireframe.png"), WireframeMode::Over),
-          exportTarget(exported, demo.path(QStringLiteral("deformed.obj")), NormalMode::True)}) {
+          exportTarget(exported, demo.path(QStringLiteral("deformed.obj")), options.normals)}) {
         if (!status) {
             return status;
         }
@@ -197,20 +231,13 @@ Status runDemo(const DemoOptions& options) {
         return Error{"OpenGL reports: " + errors.front(), "", "Please report this with the renderer's name."};
     }
 
-    const Meshes reference = referenceMeshes(session);
-    out << "Renderer: " << QString::fromStdString(gl::rendererInfo().renderer) << "\n"
-        << options.shots << " shots, " << session.history().size() << " hits\n\n";
-    printTable(out, session);
-    out << "\n";
-    printAgreement(out, QStringLiteral("Transform feedback and reference"),
-                   compare(feedback.value(), reference));
-    if (dropped == 0) {
-        printAgreement(out, QStringLiteral("Uniform array and transform feedback"),
-                       compare(uniformArray.value(), feedback.value()));
-    } else {
-        out << "Uniform array: it keeps the last " << session.history().size() - dropped
-            << " hits, so it is not compared\n";
+    out << "Renderer: " << QString::fromStdString(gl::rendererInfo().renderer);
+    if (session.exactness()) {
+        out << ", " << QString::fromStdString(describe(*session.exactness()));
     }
+    out << "\n" << options.shots << " shots, " << session.history().size() << " hits\n\n";
+    printTable(out, session);
+    out << "\n" << compared.value().join(QLatin1Char('\n')) << "\n";
     out << "\nIn " << QDir::toNativeSeparators(QDir(options.folder).absolutePath())
         << ": before.png, after.png, wireframe.png, deformed.obj (" << exported.name << ")\n";
     return Done{};

@@ -14,6 +14,15 @@ namespace {
 using hitscope::cli::finish;
 using hitscope::cli::wrongUsage;
 
+/// In the order of allPipelines().
+QStringList pipelineKeys() {
+    QStringList keys;
+    for (const hitscope::PipelineTraits& traits : hitscope::allPipelines()) {
+        keys << QString::fromUtf8(traits.key.data(), static_cast<qsizetype>(traits.key.size()));
+    }
+    return keys;
+}
+
 int demo(const QStringList& arguments) {
     QCommandLineParser parser;
     parser.setApplicationDescription(QStringLiteral(
@@ -26,7 +35,14 @@ int demo(const QStringList& arguments) {
                                    QStringLiteral("number"), QStringLiteral("50"));
     const QCommandLineOption seed(QStringLiteral("seed"), QStringLiteral("Another seed gives other shots."),
                                   QStringLiteral("number"), QStringLiteral("1"));
-    parser.addOptions({out, shots, seed});
+    const QCommandLineOption pipeline(QStringLiteral("pipeline"),
+                                      QStringLiteral("Whose result is shown and exported: %1.")
+                                          .arg(pipelineKeys().join(QStringLiteral(", "))),
+                                      QStringLiteral("name"), QStringLiteral("transform-feedback"));
+    const QCommandLineOption normals(QStringLiteral("normals"),
+                                     QStringLiteral("In pictures and mesh: true or paper."),
+                                     QStringLiteral("kind"), QStringLiteral("true"));
+    parser.addOptions({out, shots, seed, pipeline, normals});
     parser.addPositionalArgument(QStringLiteral("mesh"), QStringLiteral("Mesh file to shoot at."),
                                  QStringLiteral("[mesh]"));
     if (!parser.parse(arguments)) {
@@ -47,6 +63,17 @@ int demo(const QStringList& arguments) {
     }
     if (!seedOk) {
         return wrongUsage(QStringLiteral("--seed takes a whole number, 0 or more."));
+    }
+    const qsizetype kind = pipelineKeys().indexOf(parser.value(pipeline));
+    if (kind < 0) {
+        return wrongUsage(
+            QStringLiteral("--pipeline takes one of %1.").arg(pipelineKeys().join(QStringLiteral(", "))));
+    }
+    options.pipeline = hitscope::allPipelines()[static_cast<std::size_t>(kind)].kind;
+    if (parser.value(normals) == QStringLiteral("paper")) {
+        options.normals = hitscope::NormalMode::Paper;
+    } else if (parser.value(normals) != QStringLiteral("true")) {
+        return wrongUsage(QStringLiteral("--normals takes true or paper."));
     }
     if (parser.positionalArguments().size() > 1) {
         return wrongUsage(QStringLiteral("demo takes one mesh at most."));

@@ -15,16 +15,22 @@ DeformedMesh::DeformedMesh(std::shared_ptr<const MeshData> original, std::shared
       m_positions(m_original->positions),
       m_listed(m_original->positions.size(), false) {}
 
-void DeformedMesh::write(std::uint32_t first, std::span<const DynamicVertex> vertices) {
-    std::copy(vertices.begin(), vertices.end(), m_vertices.begin() + first);
+void DeformedMesh::write(std::uint32_t first, std::span<const DynamicVertex> vertices,
+                         std::vector<std::uint32_t>& moved) {
     for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const glm::vec3& position = vertices[i].position;
+        if (position == m_vertices[first + i].position) {
+            continue;
+        }
         const std::uint32_t fileVertex = m_render->fileVertices[first + i];
-        m_positions[fileVertex] = vertices[i].position;
-        if (!m_listed[fileVertex] && isChanged(fileVertex)) {
+        moved.push_back(fileVertex);
+        m_positions[fileVertex] = position;
+        if (!m_listed[fileVertex]) {
             m_listed[fileVertex] = true;
             m_changed.push_back(fileVertex);
         }
     }
+    std::copy(vertices.begin(), vertices.end(), m_vertices.begin() + first);
     ++m_revision;
 }
 

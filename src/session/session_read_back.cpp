@@ -63,15 +63,7 @@ void Session::takeReadBack(TargetId id, std::uint32_t first, std::span<const Dyn
     if (target == nullptr) {
         return;
     }
-    const std::span<const DynamicVertex> before = target->deformed.vertices();
-    const std::span<const std::uint32_t> fileVertices(target->deformed.render().fileVertices);
-    std::vector<std::uint32_t>& moved = m_moved[id];
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        if (vertices[i].position != before[first + i].position) {
-            moved.push_back(fileVertices[first + i]);
-        }
-    }
-    target->deformed.write(first, vertices);
+    target->deformed.write(first, vertices, m_moved[id]);
     m_physics.updateTarget(id, first, vertices);
 }
 

@@ -16,10 +16,11 @@ DeformedMesh deformedCube() {
 
 /// Moves one file vertex, as a pipeline would write it: all its render vertices.
 void move(DeformedMesh& deformed, std::uint32_t fileVertex, const glm::vec3& by) {
+    std::vector<std::uint32_t> moved;
     for (const std::uint32_t r : deformed.render().renderVerticesOf(fileVertex)) {
         DynamicVertex vertex = deformed.render().vertices[r];
         vertex.position += by;
-        deformed.write(r, std::span(&vertex, 1));
+        deformed.write(r, std::span(&vertex, 1), moved);
     }
 }
 
@@ -70,7 +71,13 @@ private Q_SLOTS:
             vertex.position.y += 0.5f;
             vertex.normal = {1.0f, 0.0f, 0.0f};
         }
-        deformed.write(3, range);
+        std::vector<std::uint32_t> moved;
+        deformed.write(3, range, moved);
+        const std::vector<std::uint32_t>& fileVertices = deformed.render().fileVertices;
+        QVERIFY(std::equal(moved.begin(), moved.end(), fileVertices.begin() + 3, fileVertices.begin() + 9));
+        moved.clear();
+        deformed.write(3, range, moved);
+        QVERIFY(moved.empty());
         for (std::size_t r = 0; r < 24; ++r) {
             const bool isInside = r >= 3 && r < 9;
             QCOMPARE(deformed.vertices()[r].normal == glm::vec3(1.0f, 0.0f, 0.0f) &&

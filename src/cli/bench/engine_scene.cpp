@@ -52,7 +52,8 @@ public:
         }
         m_pipeline->pollReadBack(
             [this](TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices) {
-                m_copies[target.value - 1].write(first, vertices);
+                m_moved.clear();
+                m_copies[target.value - 1].write(first, vertices, m_moved);
             });
         Status status = m_renderer.draw(m_frame, *m_pipeline, m_picture.framebuffer());
         finishGpu();
@@ -102,6 +103,7 @@ private:
     std::vector<std::unique_ptr<TargetBuffers>> m_buffers;
     std::unique_ptr<DeformationPipeline> m_pipeline;  // below the buffers it is given, so that it goes first
     std::vector<DeformedMesh> m_copies;
+    std::vector<std::uint32_t> m_moved;
     std::vector<DrawItem> m_items;
     std::vector<Hit> m_arrived;
     Frame m_frame;
