@@ -260,7 +260,7 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
     std::vector<Sphere> projectiles;
     projectiles.reserve(session.physics().projectileCount());
     for (const ProjectileState& projectile : session.physics().projectiles()) {
-        projectiles.push_back({projectile.position, projectile.radius});
+        projectiles.push_back({projectile.drawn, projectile.radius});
     }
 
     Frame frame;

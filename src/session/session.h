@@ -71,7 +71,9 @@ public:
     [[nodiscard]] const HitHistory& history() const { return m_history; }
     /// Appends a hit made elsewhere (a file, a script); refused as checkedHit() says, or if there is no such
     /// target.
-    [[nodiscard]] Status addHit(const Hit& hit);
+    [[nodiscard]] Status addHit(const Hit& hit) { return addHits({&hit, 1}); }
+    /// Likewise, all or none, and one step to undo.
+    [[nodiscard]] Status addHits(std::span<const Hit> hits);
     /// Undo and redo cover every change of the history (hits made, removed, moved, disabled, cleared, their
     /// constants changed) and of the targets.
     [[nodiscard]] bool canUndo() const { return m_undo.canUndo(); }

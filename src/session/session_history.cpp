@@ -98,16 +98,21 @@ std::size_t countDisabled(std::span<const Hit> hits) {
 
 }  // namespace
 
-Status Session::addHit(const Hit& hit) {
-    Result<Hit> checked = checkedHit(hit);
-    if (!checked) {
-        return checked.error();
+Status Session::addHits(std::span<const Hit> hits) {
+    std::vector<Hit> checkedHits;
+    checkedHits.reserve(hits.size());
+    for (const Hit& hit : hits) {
+        Result<Hit> checked = checkedHit(hit);
+        if (!checked) {
+            return checked.error();
+        }
+        if (target(hit.target) == nullptr) {
+            return Error{"The hit is on a target that is not in the scene.", "",
+                         "Load the scene it was made in."};
+        }
+        checkedHits.push_back(checked.value());
     }
-    if (target(hit.target) == nullptr) {
-        return Error{"The hit is on a target that is not in the scene.", "",
-                     "Load the scene it was made in."};
-    }
-    appendHits({&checked.value(), 1});
+    appendHits(checkedHits);
     return Done{};
 }
 

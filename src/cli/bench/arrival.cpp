@@ -43,10 +43,8 @@ struct Arrival {
     }
 
     Status arrive() {
-        for (const Hit& hit : hits) {
-            if (Status status = session.addHit(hit); !status) {
-                return status;
-            }
+        if (Status status = session.addHits(hits); !status) {
+            return status;
         }
         return settle();
     }

@@ -31,9 +31,7 @@ public:
     }
 
     void append(std::span<const Hit> hits) override {
-        for (const Hit& hit : hits) {
-            static_cast<void>(m_session.addHit(hit));  // made on the session's own targets
-        }
+        static_cast<void>(m_session.addHits(hits));  // made on the session's own targets
         m_session.selectTarget({});  // a selected target is drawn with an outline
     }
 
