@@ -40,10 +40,11 @@ constexpr Line kDisplay[] = {{TEXT("L"), TEXT("Wireframe: off, over, only")},
                              {TEXT("H"), TEXT("Point lights")},
                              {TEXT("J"), TEXT("Spotlight")},
                              {TEXT("F11"), TEXT("Full screen")}};
-constexpr Line kFiles[] = {{TEXT("Ctrl+O"), TEXT("Open a mesh; or drop it on the window")},
+constexpr Line kFiles[] = {{TEXT("Ctrl+O"), TEXT("Open meshes; or drop them on the window")},
+                           {TEXT("Ctrl+Shift+O"), TEXT("Add meshes to the scene")},
                            {TEXT("Ctrl+E"), TEXT("Export the deformed mesh")},
                            {TEXT("F12"), TEXT("Save the picture")},
-                           {TEXT("Ctrl+Z"), TEXT("Undo the last change of the hits")},
+                           {TEXT("Ctrl+Z"), TEXT("Undo the last change of hits or targets")},
                            {TEXT("Ctrl+Shift+Z"), TEXT("Redo")},
                            {TEXT("Ctrl+Shift+Del"), TEXT("Clear all hits")},
                            {TEXT("Ctrl+Q"), TEXT("Quit")}};
@@ -51,6 +52,10 @@ constexpr Line kHistory[] = {{TEXT("Space"), TEXT("Disable or enable the selecte
                              {TEXT("Alt+Up Alt+Down"), TEXT("Move them; or drag them to another place")},
                              {TEXT("Del"), TEXT("Remove them")},
                              {TEXT("Ctrl+C"), TEXT("Copy them as CSV")}};
+constexpr Line kScene[] = {{TEXT("F2"), TEXT("Rename the target; or double-click")},
+                           {TEXT("Space"), TEXT("Hide or show the selected targets")},
+                           {TEXT("Ctrl+D"), TEXT("Duplicate them; also in the viewport")},
+                           {TEXT("Del"), TEXT("Remove them; also in the viewport")}};
 #undef TEXT
 
 QString text(const char* words) {
@@ -95,6 +100,8 @@ void showKeysSheet(QWidget* parent) {
     layout->addWidget(
         section(text(QT_TRANSLATE_NOOP("hitscope::KeysSheet", "Hit history")), kHistory, colour, sheet), 2,
         0);
+    layout->addWidget(section(text(QT_TRANSLATE_NOOP("hitscope::KeysSheet", "Scene")), kScene, colour, sheet),
+                      2, 1);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, sheet);
     QObject::connect(buttons, &QDialogButtonBox::rejected, sheet, &QDialog::close);
     layout->addWidget(buttons, 3, 0, 1, 2);

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 #include "mesh/geodesic_sphere.h"
 #include "mesh/grid_primitives.h"
@@ -106,7 +107,11 @@ std::size_t vertexCount(const Primitive& primitive) {
 TargetPlan planPrimitive(const Primitive& primitive) {
     TargetPlan plan = planMesh(makeMesh(primitive.kind, clamped(primitive), primitive.size));
     plan.name = primitiveName(primitive.kind);
-    plan.transform.position.y = -plan.shape.render->bounds.min.y;
+    if (primitive.kind == PrimitiveKind::Torus) {
+        // Upright, so that shots go through its hole.
+        plan.transform.rotation = glm::angleAxis(0.5f * std::numbers::pi_v<float>, glm::vec3(1, 0, 0));
+    }
+    plan.transform.position.y = -worldBounds(*plan.shape.render, plan.transform).min.y;
     if (primitive.kind == PrimitiveKind::Cube) {
         plan.collider = BoxCollider{glm::vec3(0.5f * primitive.size)};
     } else if (primitive.kind == PrimitiveKind::UvSphere || primitive.kind == PrimitiveKind::GeodesicSphere) {

@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <array>
-#include <glm/geometric.hpp>
+#include <numbers>
 
 #include "mesh/grid_primitives.h"
 #include "mesh/teapot.h"
@@ -59,7 +59,7 @@ ScenePlan planTwoMillion() {
     TargetPlan torus = planMesh(makeTorus(1600, 625, kRadius, kTube));  // two triangles a quad
     torus.name = translated(QT_TRANSLATE_NOOP("hitscope::SampleScene", "Fine torus"));
     // Upright, so that shots go through its hole.
-    torus.transform.rotation = glm::angleAxis(0.5f * 3.14159265f, glm::vec3(1, 0, 0));
+    torus.transform.rotation = glm::angleAxis(0.5f * std::numbers::pi_v<float>, glm::vec3(1, 0, 0));
     torus.transform.position.y = kRadius + kTube;
     return {{}, {std::move(torus)}, 0.0f};
 }
