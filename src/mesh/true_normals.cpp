@@ -41,8 +41,8 @@ glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& from, const glm::dvec3&
     return cosine * v + glm::cross(axis, v) + axis * (glm::dot(axis, v) / (1.0 + cosine));
 }
 
-/// Fewer are done sooner than a thread is started.
-constexpr std::size_t kGroupsPerThread = 1024;
+/// Fewer are done sooner than a thread is started and waited for.
+constexpr std::size_t kGroupsPerThread = 8192;
 
 }  // namespace
 

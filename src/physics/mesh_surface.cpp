@@ -10,6 +10,9 @@
 namespace hitscope::physics {
 namespace {
 
+/// How many regions around moved runs about take in a place of the surface.
+constexpr std::size_t kOverlap = 4;
+
 /// Ericson, Real-Time Collision Detection, 5.3.3: a segment against a box, by separating axes. Divides by
 /// nothing, and errs on the side of touching.
 bool segmentMeetsBox(const glm::dvec3& start, const glm::dvec3& motion, const Bounds& box, double margin) {
@@ -39,13 +42,29 @@ void MeshSurface::update(std::uint32_t first, std::span<const DynamicVertex> ver
     }
     // Neighbours in the buffer are neighbours in space, but only within a run of this length: a region over
     // several dents would take in all that lies between them.
+    std::vector<Bounds> regions;
     for (std::size_t i = 0; i < vertices.size(); i += kClusterVertices) {
         const std::size_t count = std::min<std::size_t>(kClusterVertices, vertices.size() - i);
-        moveRun(first + static_cast<std::uint32_t>(i), vertices.subspan(i, count));
+        const Bounds moved = moveRun(first + static_cast<std::uint32_t>(i), vertices.subspan(i, count));
+        if (!moved.empty()) {
+            regions.push_back(moved);
+        }
+    }
+    // Regions of neighbours overlap: where much of the mesh moved, going through it once is less.
+    if (regions.size() * kClusterVertices * kOverlap > m_vertices.size()) {
+        Bounds all;
+        for (const Bounds& region : regions) {
+            all.add(region);
+        }
+        regions.assign(1, all);
+    }
+    for (const Bounds& region : regions) {
+        m_tree.refit(m_vertices, *m_original->corners(), region);
     }
 }
 
-void MeshSurface::moveRun(std::uint32_t first, std::span<const DynamicVertex> vertices) {
+/// Returns where the vertices were that moved; empty: none did.
+Bounds MeshSurface::moveRun(std::uint32_t first, std::span<const DynamicVertex> vertices) {
     const std::vector<glm::vec3>& original = m_original->vertices();
     Bounds moved;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -58,9 +77,7 @@ void MeshSurface::moveRun(std::uint32_t first, std::span<const DynamicVertex> ve
             vertex = position;
         }
     }
-    if (!moved.empty()) {
-        m_tree.refit(m_vertices, *m_original->corners(), moved);
-    }
+    return moved;
 }
 
 void MeshSurface::reset() {

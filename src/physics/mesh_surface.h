@@ -47,7 +47,7 @@ public:
                      const std::function<void(std::uint32_t, const Triangle&)>& visit) const;
 
 private:
-    void moveRun(std::uint32_t first, std::span<const DynamicVertex> vertices);
+    Bounds moveRun(std::uint32_t first, std::span<const DynamicVertex> vertices);
 
     std::shared_ptr<const CollisionMesh> m_original;
     std::vector<glm::vec3> m_vertices;

@@ -106,13 +106,13 @@ void ReadBackQueue::takeFirst(const Take& take) {
     glBindBuffer(GL_COPY_READ_BUFFER, request.staging.id());
     const auto* mapped = static_cast<const DynamicVertex*>(glMapBufferRange(
         GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(bytesOf(vertices)), GL_MAP_READ_BIT));
-    std::vector<DynamicVertex> arrived;
+    m_arrived.clear();
     if (mapped != nullptr) {
-        arrived.assign(mapped, mapped + vertices);
+        m_arrived.assign(mapped, mapped + vertices);
         glUnmapBuffer(GL_COPY_READ_BUFFER);
     }
     glBindBuffer(GL_COPY_READ_BUFFER, 0);
-    std::span<const DynamicVertex> rest(arrived);
+    std::span<const DynamicVertex> rest(m_arrived);
     for (const Part& part : request.parts) {
         for (const VertexRange& range : part.ranges) {
             if (rest.size() < range.count) {

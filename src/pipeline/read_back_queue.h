@@ -66,6 +66,7 @@ private:
     };
     std::deque<Request> m_requests;
     std::vector<Spare> m_spares;
+    std::vector<DynamicVertex> m_arrived;  ///< of one request; mapped memory may be slow to read twice
 };
 
 }  // namespace hitscope

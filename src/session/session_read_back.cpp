@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The way back from the GPU: what the active pipeline made of the targets.
 #include <algorithm>
+#include <atomic>
+#include <numeric>
+#include <system_error>
+#include <thread>
+#include <utility>
 
 #include "session/session.h"
 
@@ -41,6 +46,30 @@ void sort(std::vector<std::uint32_t>& numbers) {
     }
 }
 
+/// Fewer are done sooner than a thread is started.
+constexpr std::size_t kManyVertices = 4096;
+
+/// Calls work(i) for i in [0, count), on all processors if that is worth it.
+template <class Work>
+void forEach(std::size_t count, bool isWorthThreads, const Work& work) {
+    std::atomic<std::size_t> next{0};
+    const auto run = [&] {
+        for (std::size_t i = next++; i < count; i = next++) {
+            work(i);
+        }
+    };
+    const std::size_t processors = std::clamp(std::thread::hardware_concurrency(), 1u, 8u);
+    std::vector<std::jthread> helpers;
+    for (std::size_t i = 1; isWorthThreads && i < std::min(processors, count); ++i) {
+        try {
+            helpers.emplace_back(run);
+        } catch (const std::system_error&) {
+            break;  // no more threads to be had
+        }
+    }
+    run();
+}
+
 }  // namespace
 
 void Session::restartReadBack() {
@@ -76,16 +105,28 @@ void Session::setExactness(const Exactness& exactness) {
 
 std::vector<Session::ChangedNormals> Session::finishReadBack() {
     std::vector<ChangedNormals> changes;
-    for (auto& [id, moved] : m_moved) {
+    std::vector<std::pair<Target*, const std::vector<std::uint32_t>*>> work;
+    std::size_t vertices = 0;
+    for (const auto& [id, moved] : m_moved) {
         Target* target = findTarget(m_targets, id);
-        if (target == nullptr || moved.empty()) {
-            continue;
+        if (target != nullptr && !moved.empty()) {
+            changes.push_back({id, {}});
+            work.emplace_back(target, &moved);
+            vertices += moved.size();
         }
-        ChangedNormals change{id, {}};
-        target->trueNormals.update(target->deformed.positions(), moved, change.renderVertices);
-        sort(change.renderVertices);
-        changes.push_back(std::move(change));
     }
+    // The largest first, so that all processors are done at about the same time.
+    std::vector<std::size_t> order(work.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&work](std::size_t a, std::size_t b) {
+        return work[a].second->size() > work[b].second->size();
+    });
+    forEach(work.size(), vertices > kManyVertices, [&work, &changes, &order](std::size_t i) {
+        const auto& [target, moved] = work[order[i]];
+        std::vector<std::uint32_t>& updated = changes[order[i]].renderVertices;
+        target->trueNormals.update(target->deformed.positions(), *moved, updated);
+        sort(updated);
+    });
     m_moved.clear();
     for (const ChangedNormals& change : changes) {
         Q_EMIT meshChanged(change.target);
