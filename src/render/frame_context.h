@@ -16,6 +16,7 @@ struct FrameContext {
     const Frame& frame;
     const ThemeColours& colours;
     ProgramCache& programs;
+    bool software = false;  ///< the CPU draws
     GLuint emptyArray = 0;  ///< a vertex array without attributes, for corners made in the shader
     glm::mat4 projection{1.0f};
     glm::mat4 viewProjection{1.0f};

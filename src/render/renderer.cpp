@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "gl/context.h"
 #include "render/frame_context.h"
 #include "render/gl_state.h"
 #include "render/material_set.h"
@@ -129,6 +130,7 @@ struct Renderer::Private {
     ProgramCache programs;
     ProjectilePass projectiles;
     gl::VertexArray emptyArray = gl::VertexArray::make();
+    bool software = gl::rendererInfo().isSoftware();
 };
 
 Renderer::Renderer() : d(std::make_unique<Private>()) {}
@@ -159,7 +161,8 @@ Status Renderer::draw(const Frame& frame, DeformationPipeline& pipeline, GLuint 
     }
     const KeepState keep;
     prepareFramebuffer(frame, framebuffer);
-    const FrameContext context = makeContext(frame, d->programs, d->emptyArray.id());
+    FrameContext context = makeContext(frame, d->programs, d->emptyArray.id());
+    context.software = d->software;
     if (Status status = drawBackground(context); !status) {
         return status;
     }

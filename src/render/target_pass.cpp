@@ -14,6 +14,11 @@ constexpr float kRimStrength = 0.75f;
 constexpr float kRingWidth = 1.8f;   // logical pixels
 constexpr float kLinesAhead = 2.0f;  // pixels' size at their distance: lines lie before the faces they bound
 
+/// A software renderer shades pixels on other processors than it transforms vertices, but starts only when
+/// told to, or at the frame's end: told after so many, it does both at once (llvmpipe, 25,000 vertices at
+/// 320x180: 8.7 ms a frame against 13.0, in turn).
+constexpr std::size_t kFlushVertices = 4096;
+
 const void* indexOffset(std::uint32_t first) {
     return reinterpret_cast<const void*>(std::size_t{first} * sizeof(std::uint32_t));
 }
@@ -56,6 +61,7 @@ Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, con
         defines.emplace_back("HITSCOPE_TEXTURED", "1");
     }
     const gl::Program* program = nullptr;
+    std::size_t waiting = 0;
     for (const DrawItem& item : context.frame.targets) {
         const MaterialSet& materials = materialsOf(item);
         bool prepared = false;
@@ -81,6 +87,11 @@ Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, con
             materials.apply(*program, range.material);
             glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(range.count), GL_UNSIGNED_INT,
                            indexOffset(range.first));
+        }
+        waiting += prepared ? item.buffers->vertexCount() : 0;
+        if (context.software && waiting > kFlushVertices) {
+            glFlush();
+            waiting = 0;
         }
     }
     return Done{};
