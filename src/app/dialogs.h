@@ -12,8 +12,8 @@ namespace hitscope {
 /// One message box that says what, where and what to do. Returns at once; the box belongs to `parent`.
 void showError(QWidget* parent, const Error& error);
 
-/// Version, licence, and what draws. `renderer` and `version` as the viewport knows them; may be empty, as may
-/// `exactness`, which is describe() of the renderer's.
+/// Version, licence, and what draws. `renderer` and `version` as the viewport knows them; may be empty, as
+/// may `exactness`, which is describe() of the renderer's.
 void showAbout(QWidget* parent, const QString& renderer, const QString& version, const QString& exactness);
 
 }  // namespace hitscope

@@ -30,9 +30,10 @@ class DeformedMesh {
 public:
     DeformedMesh(std::shared_ptr<const MeshData> original, std::shared_ptr<const RenderMesh> render);
 
-    /// Takes over vertices [first, first + vertices.size()) as read back. Cost follows the range. File vertices
-    /// that are now somewhere else are appended to `moved`; some may be repeated.
-    void write(std::uint32_t first, std::span<const DynamicVertex> vertices, std::vector<std::uint32_t>& moved);
+    /// Takes over vertices [first, first + vertices.size()) as read back. Cost follows the range. File
+    /// vertices that are now somewhere else are appended to `moved`; some may be repeated.
+    void write(std::uint32_t first, std::span<const DynamicVertex> vertices,
+               std::vector<std::uint32_t>& moved);
     /// Back to the original.
     void reset();
 

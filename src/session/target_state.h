@@ -17,8 +17,8 @@ struct TargetState {
     TargetId id;
     QString name;
     RigidTransform transform;
-    bool visible = true;  ///< hidden, it is neither drawn nor hit; its hits stay
-    QString sourcePath;   ///< the file it came from; empty: made by us
+    bool visible = true;    ///< hidden, it is neither drawn nor hit; its hits stay
+    QString sourcePath;     ///< the file it came from; empty: made by us
     TargetPhysics physics;  ///< whether it stays where it is put
     PreparedMesh shape;
     std::shared_ptr<const Collider> collider;

@@ -32,7 +32,7 @@ public:
 
     void append(std::span<const Hit> hits) override {
         static_cast<void>(m_session.addHits(hits));  // made on the session's own targets
-        m_session.selectTarget({});  // a selected target is drawn with an outline
+        m_session.selectTarget({});                  // a selected target is drawn with an outline
     }
 
     Status draw() override {
