@@ -4,38 +4,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "pipeline/keep_capture_state.h"
+
 namespace hitscope {
 namespace {
 
 /// Most vertices captured at once (24 MiB), so that one huge hit does not double a huge mesh's memory.
 constexpr std::size_t kMostScratchVertices = std::size_t{1} << 20;
 constexpr std::size_t kLeastScratchVertices = 4096;
-
-/// Puts the caller's bindings and rasterizer state back at the end.
-class KeepState {
-public:
-    KeepState() : m_discard(glIsEnabled(GL_RASTERIZER_DISCARD)) {
-        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &m_framebuffer);
-        glGetIntegerv(GL_CURRENT_PROGRAM, &m_program);
-        glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &m_vertexArray);
-    }
-    ~KeepState() {
-        if (m_discard == GL_FALSE) {
-            glDisable(GL_RASTERIZER_DISCARD);
-        }
-        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(m_framebuffer));
-        glUseProgram(static_cast<GLuint>(m_program));
-        glBindVertexArray(static_cast<GLuint>(m_vertexArray));
-    }
-    KeepState(const KeepState&) = delete;
-    KeepState& operator=(const KeepState&) = delete;
-
-private:
-    GLboolean m_discard;
-    GLint m_framebuffer = 0;
-    GLint m_program = 0;
-    GLint m_vertexArray = 0;
-};
 
 }  // namespace
 
@@ -57,7 +33,7 @@ CapturePass::CapturePass(gl::Program program)
       m_framebuffer(gl::Framebuffer::make()),
       m_colour(gl::Renderbuffer::make()),
       m_scratch(gl::Buffer::make()) {
-    const KeepState keep;
+    const KeepCaptureState keep;
     glBindRenderbuffer(GL_RENDERBUFFER, m_colour.id());
     glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, 1, 1);
     glBindRenderbuffer(GL_RENDERBUFFER, 0);
@@ -86,7 +62,7 @@ void CapturePass::run(const TargetBuffers& buffers, std::span<const CaptureRun> 
     if (vertices == 0) {
         return;
     }
-    const KeepState keep;
+    const KeepCaptureState keep;
     reserveScratch(vertices);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, m_framebuffer.id());
     glEnable(GL_RASTERIZER_DISCARD);

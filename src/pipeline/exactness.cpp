@@ -14,6 +14,7 @@
 #include "gl/objects.h"
 #include "gl/program.h"
 #include "mesh/render_mesh.h"
+#include "pipeline/keep_capture_state.h"
 
 namespace hitscope {
 namespace {
@@ -109,35 +110,6 @@ private:
     }
 
     std::mt19937 m_random{20};
-};
-
-/// Puts the caller's bindings and rasterizer state back at the end.
-class KeepState {
-public:
-    KeepState() : m_discard(glIsEnabled(GL_RASTERIZER_DISCARD)) {
-        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &m_framebuffer);
-        glGetIntegerv(GL_CURRENT_PROGRAM, &m_program);
-        glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &m_vertexArray);
-        glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &m_buffer);
-    }
-    ~KeepState() {
-        if (m_discard == GL_FALSE) {
-            glDisable(GL_RASTERIZER_DISCARD);
-        }
-        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(m_framebuffer));
-        glUseProgram(static_cast<GLuint>(m_program));
-        glBindVertexArray(static_cast<GLuint>(m_vertexArray));
-        glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(m_buffer));
-    }
-    KeepState(const KeepState&) = delete;
-    KeepState& operator=(const KeepState&) = delete;
-
-private:
-    GLboolean m_discard;
-    GLint m_framebuffer = 0;
-    GLint m_program = 0;
-    GLint m_vertexArray = 0;
-    GLint m_buffer = 0;
 };
 
 /// The cases' vertices in a buffer, and a buffer for what the shader makes of them.
@@ -258,7 +230,7 @@ std::vector<std::pair<std::string, std::string>> Exactness::defines() const {
 Result<Exactness> measureExactness(const std::vector<std::pair<std::string, std::string>>& defines) {
     const Cases cases = CaseMaker().make();
     const std::vector<DynamicVertex> expected = onCpu(cases);
-    const KeepState keep;
+    const KeepCaptureState keep;
     const Rig rig(cases);
     Result<Exactness> native = measure(rig, expected, defines);
     if (!native || native.value().exact) {
