@@ -79,6 +79,7 @@ private:
     void followScene();
     void followSize();
     [[nodiscard]] bool wantsFrames() const;
+    void catchUp();
     void moveOn();  ///< after a frame: advances what moves by the time since the last
     [[nodiscard]] float aspect() const;
     [[nodiscard]] SceneGpu::View view() const;
