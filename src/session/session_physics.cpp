@@ -8,28 +8,17 @@ namespace hitscope {
 
 namespace {
 
-Hit hitOf(const Impact& impact, const DeformationConstants& constants) {
+Hit hitOf(const Impact& impact) {
     Hit hit;
     hit.target = impact.target;
     hit.point = impact.where.toLocal(impact.point);
     hit.direction = impact.where.directionToLocal(impact.direction);
     hit.normal = impact.where.directionToLocal(impact.normal);
     hit.triangle = impact.triangle;
-    hit.constants = constants;
     hit.time = impact.time;
     hit.speed = impact.speed;
     hit.impulse = impact.impulse;
     return hit;
-}
-
-/// The power of a hit of that impulse, where the settings say that one follows the other.
-float powerOf(const DeformationConstants& constants, const ProjectileSettings& settings, float impulse) {
-    if (!settings.powerFollowsImpulse) {
-        return constants.power;
-    }
-    const double most = deformationParameters()[1].maximum;
-    const float scaled = constants.power * (impulse / settings.referenceImpulse);
-    return std::min(scaled, static_cast<float>(most));
 }
 
 bool keepsAllHits(PipelineKind kind) {
@@ -59,8 +48,8 @@ bool Session::hitscan(const Ray& ray) {
 void Session::takeImpacts(std::span<const Impact> impacts) {
     std::vector<Hit> hits;
     for (const Impact& impact : impacts) {
-        Hit hit = hitOf(impact, m_constants);
-        hit.constants.power = powerOf(m_constants, m_projectileSettings, impact.impulse);
+        Hit hit = hitOf(impact);
+        hit.constants = constantsOf(hit);
         if (Result<Hit> checked = checkedHit(hit); checked && target(impact.target) != nullptr) {
             hits.push_back(checked.value());
         }
