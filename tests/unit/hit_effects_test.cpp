@@ -4,6 +4,7 @@
 #include "session/hit_effects.h"
 
 #include <QSignalSpy>
+#include <QThreadPool>
 #include <QtTest>
 #include <random>
 
@@ -125,6 +126,25 @@ private Q_SLOTS:
         QVERIFY(effects.effect(0)->affected > 0);
         QVERIFY(effects.isUpToDate());
         QVERIFY(!effects.effect(1));
+    }
+
+    void resultsFollowHitsThatMoveMeanwhile() {
+        Session session;
+        session.loadPaperRow(kDefaultPaperRow);
+        HitEffects effects(session);
+        std::mt19937 random(6);
+        Hit other = randomHit(session, random);
+        other.target = session.targets().back()->id;
+        QVERIFY(session.addHits(std::vector<Hit>(3, other)).ok());
+        shootRandomly(session, random, 20);
+        QThreadPool::globalInstance()->waitForDone();  // worked out, not told yet
+        session.removeHit(1);
+        compare(effects, session);
+        shootRandomly(session, random, 20);
+        QThreadPool::globalInstance()->waitForDone();
+        session.undo();
+        session.removeHits(std::vector<std::size_t>{0, 21, 22, 30});
+        compare(effects, session);
     }
 
     void findsTheVerticesOfAHit() {
