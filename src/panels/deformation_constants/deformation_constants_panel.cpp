@@ -8,7 +8,6 @@
 #include <QSettings>
 
 #include "models/focus_target.h"
-#include "models/quantity_text.h"
 #include "panels/deformation_constants/parameter_editor.h"
 #include "ui_deformation_constants.h"
 

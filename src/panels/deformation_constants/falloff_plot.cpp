@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "models/quantity_text.h"
 #include "panels/plot/plot_theme.h"
 
 namespace hitscope {
@@ -32,12 +31,12 @@ FalloffPlot::FalloffPlot(QWidget* parent) : QWidget(parent), m_plot(new QCustomP
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_plot);
-    setMinimumHeight(110);
+    setMinimumHeight(130);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setToolTip(tr("How far a vertex moves by its distance from the hit point"));
     m_plot->setMinimumSize(120, 100);
     m_plot->xAxis->setLabel(tr("distance from the hit point (m)"));
-    m_plot->yAxis->setLabel(tr("moves by (m)"));
+    m_plot->yAxis->setLabel(tr("moves (m)"));
     m_plot->xAxis->setLabelPadding(1);
     m_plot->yAxis->setLabelPadding(1);
     m_plot->yAxis->ticker()->setTickCount(3);
@@ -89,15 +88,15 @@ void FalloffPlot::changeEvent(QEvent* event) {
 
 void FalloffPlot::placeCorner(double distance, double magnitude) {
     m_plot->graph(Corner)->setData({distance}, {magnitude}, true);
-    m_cornerText->setText(tr("cap up to %1 m").arg(quantityText(distance)));
+    m_cornerText->setText(tr("cap up to %1 m").arg(distance, 0, 'g', 3));
     m_cornerText->position->setCoords(distance, magnitude);
 }
 
-void FalloffPlot::placeStep(double rim, double step, double highest) {
+void FalloffPlot::placeStep(double rim, double step, double above) {
     m_step->start->setCoords(rim, step);
     m_step->end->setCoords(rim, 0.0);
-    m_stepText->setText(tr("step of %1 m").arg(quantityText(step)));
-    m_stepText->position->setCoords(rim * kBeyondRim, std::min(step, 0.6 * highest));
+    m_stepText->setText(tr("step of %1 m").arg(step, 0, 'g', 3));
+    m_stepText->position->setCoords(rim * kBeyondRim, above);
 }
 
 void FalloffPlot::show(const DeformationConstants& constants) {
@@ -119,7 +118,7 @@ void FalloffPlot::show(const DeformationConstants& constants) {
     m_plot->graph(Curve)->setData(distances, magnitudes, true);
     m_plot->graph(Beyond)->setData({rim, rim * kBeyondRim}, {0.0, 0.0}, true);
     placeCorner(std::min(corner, rim), highest);
-    placeStep(rim, magnitudes.back(), highest);
+    placeStep(rim, magnitudes.back(), std::min(magnitude(constants, 0.6 * rim), 0.75 * highest));
     m_cornerText->setVisible(corner < rim && highest > 0.0);
     m_plot->graph(Corner)->setVisible(corner < rim && highest > 0.0);
     m_plot->xAxis->setRange(0.0, rim * kBeyondRim);

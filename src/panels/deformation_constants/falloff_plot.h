@@ -27,7 +27,7 @@ private:
     void makeItems();
     void applyPalette();
     void placeCorner(double distance, double magnitude);
-    void placeStep(double rim, double step, double highest);
+    void placeStep(double rim, double step, double above);
 
     QCustomPlot* m_plot = nullptr;
     QCPItemLine* m_step = nullptr;
