@@ -5,9 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "session/frame_costs.h"
+
 namespace hitscope {
 
-Session::Session(QObject* parent) : QObject(parent) {}
+Session::Session(QObject* parent) : QObject(parent), m_frameCosts(std::make_unique<FrameCosts>(*this)) {}
 
 Session::~Session() = default;
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The session's physics: shots, time, what collides and what is knocked about.
+#include <QElapsedTimer>
 #include <algorithm>
 
+#include "session/frame_costs.h"
 #include "session/session.h"
 
 namespace hitscope {
@@ -66,7 +68,11 @@ void Session::takeImpacts(std::span<const Impact> impacts) {
 
 void Session::advance(double seconds) {
     const bool wasMoving = isMoving();
-    takeImpacts(m_physics.advance(seconds));
+    QElapsedTimer clock;
+    clock.start();
+    const std::vector<Impact> impacts = m_physics.advance(seconds);
+    m_frameCosts->addPhysics(static_cast<double>(clock.nsecsElapsed()) * 1.0e-9);
+    takeImpacts(impacts);
     if (wasMoving) {
         followDynamicTargets();
         Q_EMIT pictureChanged();

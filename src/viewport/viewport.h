@@ -79,7 +79,8 @@ private:
     void followScene();
     void followSize();
     [[nodiscard]] bool wantsFrames() const;
-    void moveOn();  ///< after a frame: advances what moves by the time since the last
+    void moveOn();        ///< after a frame: advances what moves by the time since the last
+    void collectCosts();  ///< of the last frames, once no more follow
     [[nodiscard]] float aspect() const;
     [[nodiscard]] SceneGpu::View view() const;
     [[nodiscard]] Ray rayAt(const QPointF& position) const;  ///< logical pixels
@@ -105,8 +106,9 @@ private:
     bool m_framed = false;  ///< the scene has been framed at a real size
 
     bool m_continuous = false;
-    QElapsedTimer m_clock;        ///< since moveOn() last ran; invalid while nothing moves
-    QElapsedTimer m_sinceFrame;   ///< since the last frame ended
+    QElapsedTimer m_clock;       ///< since moveOn() last ran; invalid while nothing moves
+    QElapsedTimer m_sinceFrame;  ///< since the last frame ended
+    QTimer m_costsTimer;
     bool m_frameFollows = false;  ///< the frame to come was asked for right after the last
 
     Drag m_drag = Drag::None;
