@@ -6,10 +6,14 @@
 #include <utility>
 
 #include "session/frame_costs.h"
+#include "session/vertex_selection.h"
 
 namespace hitscope {
 
-Session::Session(QObject* parent) : QObject(parent), m_frameCosts(std::make_unique<FrameCosts>(*this)) {}
+Session::Session(QObject* parent)
+    : QObject(parent),
+      m_frameCosts(std::make_unique<FrameCosts>(*this)),
+      m_selection(std::make_unique<VertexSelection>(*this)) {}
 
 Session::~Session() = default;
 

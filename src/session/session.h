@@ -27,6 +27,7 @@
 namespace hitscope {
 
 class FrameCosts;
+class VertexSelection;
 
 /// Everything a person works on: targets, hit history, constants, lights, projectiles. Makes no GL call;
 /// SceneGpu follows it on the GPU and hands back what the pipeline made. One thread: the one it was created
@@ -96,6 +97,9 @@ public:
     [[nodiscard]] std::size_t disabledHits() const { return m_disabledHits; }
     [[nodiscard]] std::optional<std::size_t> selectedHit() const { return m_selectedHit; }
     void selectHit(std::optional<std::size_t> index);
+    /// The vertices pointed at, picked and selected.
+    [[nodiscard]] VertexSelection& selection() { return *m_selection; }
+    [[nodiscard]] const VertexSelection& selection() const { return *m_selection; }
 
     // Settings
     [[nodiscard]] const DeformationConstants& constants() const { return m_constants; }
@@ -238,6 +242,7 @@ private:
     std::unique_ptr<FrameCosts> m_frameCosts;
     std::map<TargetId, std::vector<std::uint32_t>>
         m_moved;  ///< file vertices, since the last finishReadBack()
+    std::unique_ptr<VertexSelection> m_selection;
 };
 
 }  // namespace hitscope
