@@ -30,13 +30,23 @@ std::optional<HitCost> FrameCosts::hitCost(std::size_t index) const {
 void FrameCosts::addFrame(FrameCost cost) {
     cost.number = m_nextFrame++;
     cost.end = now();
-    cost.physics = m_physics;
+    cost.physics = m_work.physics;
+    cost.deformation += m_work.deformation;
+    cost.readBack += m_work.readBack;
+    cost.hits += m_work.hits;
     cost.cpu = cost.physics + cost.deformation + cost.readBack + cost.drawing;
     cost.total = cost.cpu;
     cost.history = static_cast<std::uint32_t>(m_session.history().size());
     cost.pipeline = m_session.pipeline();
-    m_physics = 0.0;
+    m_work = {};
     m_frames.push(cost);
+}
+
+void FrameCosts::addWork(const FrameCost& cost) {
+    ++m_nextFrame;
+    m_work.deformation += cost.deformation;
+    m_work.readBack += cost.readBack;
+    m_work.hits += cost.hits;
 }
 
 void FrameCosts::endFrame(double total) {
@@ -62,11 +72,13 @@ void FrameCosts::addApplied(std::uint64_t frame, std::size_t first, std::size_t 
 }
 
 void FrameCosts::addGpuTimes(std::uint64_t frame, double all, double deformation) {
+    FrameCost* belongs = nullptr;
     for (std::size_t i = m_frames.size(); i-- > 0 && m_frames[i].number >= frame;) {
-        if (m_frames[i].number == frame) {
-            m_frames[i].gpu = all;
-            m_frames[i].gpuDeformation = deformation;
-        }
+        belongs = &m_frames[i];
+    }
+    if (belongs != nullptr) {
+        belongs->gpu = belongs->gpu.value_or(0.0) + all;
+        belongs->gpuDeformation = belongs->gpuDeformation.value_or(0.0) + deformation;
     }
     const auto batch =
         std::lower_bound(m_batches.begin(), m_batches.end(), frame,

@@ -65,7 +65,7 @@ public:
 
     // What is reported
     void setMeasuresGpu(bool measures) { m_measuresGpu = measures; }
-    void addPhysics(double seconds) { m_physics += seconds; }
+    void addPhysics(double seconds) { m_work.physics += seconds; }
     /// The number that the next frame will have.
     [[nodiscard]] std::uint64_t nextFrame() const { return m_nextFrame; }
     /// A frame was drawn: number, end, total, cpu, physics, history and pipeline are filled in here.
@@ -74,10 +74,11 @@ public:
     void endFrame(double total);
     /// The hits [first, first + count) were applied with the work numbered `frame`: seconds of CPU time.
     void addApplied(std::uint64_t frame, std::size_t first, std::size_t count, double cpu);
-    /// What the GPU says of the work numbered `frame`, seconds.
+    /// What the GPU says of the work numbered `frame`, seconds. It belongs to that frame or the one after.
     void addGpuTimes(std::uint64_t frame, double all, double deformation);
-    /// Work that is no frame is numbered too.
-    void skipFrame() { ++m_nextFrame; }
+    /// Work on the way to the next frame, such as hits applied between two steps of the physics: it has a
+    /// number of its own, and its deformation, read-back and hits are part of the next frame's.
+    void addWork(const FrameCost& cost);
 
 Q_SIGNALS:
     void frameEnded();
@@ -101,7 +102,7 @@ private:
     QElapsedTimer m_clock;
     Ring<FrameCost> m_frames{kMostFrames};
     std::uint64_t m_nextFrame = 1;
-    double m_physics = 0.0;  ///< seconds since the last frame
+    FrameCost m_work;  ///< since the last frame: physics, deformation, readBack, hits
     std::optional<bool> m_measuresGpu;
     std::vector<Batch> m_batches;          ///< by frame, ascending
     std::vector<std::uint32_t> m_batchOf;  ///< by hit; may be shorter than the history

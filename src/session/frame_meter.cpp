@@ -81,7 +81,7 @@ void FrameMeter::end() {
     if (m_drew) {
         m_costs.addFrame(m_cost);
     } else {
-        m_costs.skipFrame();
+        m_costs.addWork(m_cost);
     }
 }
 

@@ -244,6 +244,9 @@ Status SceneGpu::Private::follow(Delivery delivery) {
     meter.endOf(FrameMeter::Part::Deformation);
     readBack(delivery);
     meter.endOf(FrameMeter::Part::ReadBack);
+    if (!pipeline->isReadBackPending()) {
+        session.setUpToDate();
+    }
     return Done{};
 }
 

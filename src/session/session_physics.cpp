@@ -34,6 +34,10 @@ float powerOf(const DeformationConstants& constants, const ProjectileSettings& s
     return std::min(scaled, static_cast<float>(most));
 }
 
+bool keepsAllHits(PipelineKind kind) {
+    return kind != PipelineKind::UniformArray && kind != PipelineKind::UniformArrayCulled;
+}
+
 }  // namespace
 
 // Shots
@@ -44,6 +48,8 @@ void Session::shoot(const Ray& ray) {
 }
 
 bool Session::hitscan(const Ray& ray) {
+    catchUp();
+    m_colliders.updateAll(currentVertices());
     const auto impact = m_physics.hitscan(ray.origin, ray.direction, m_projectileSettings);
     const std::size_t before = m_history.size();
     if (impact) {
@@ -64,15 +70,59 @@ void Session::takeImpacts(std::span<const Impact> impacts) {
     appendHits(hits);
 }
 
+// Colliders
+
+/// Vertices will move: of the targets whose hits these are, hits added at the end by no more than their caps.
+void Session::expectMoves(std::span<const HistoryEdit> edits) {
+    m_isBehind = true;
+    const bool dropsHits = !keepsAllHits(m_pipeline);
+    for (const HistoryEdit& edit : edits) {
+        const bool appends = edit.before.empty() && edit.first + edit.after.size() == m_history.size();
+        for (const Hit& hit : edit.before) {
+            m_colliders.expect(hit.target, {});
+        }
+        for (const Hit& hit : edit.after) {
+            m_colliders.expect(
+                hit.target, appends && !dropsHits ? std::optional(hit.constants.maxMagnitude) : std::nullopt);
+        }
+    }
+}
+
+void Session::catchUp() {
+    if (m_isBehind && m_catchUp) {
+        m_catchUp();
+    }
+}
+
+ColliderFollower::Vertices Session::currentVertices() const {
+    return [this](TargetId id) {
+        const Target* of = target(id);
+        return of != nullptr ? of->deformed.vertices() : std::span<const DynamicVertex>();
+    };
+}
+
 // Time
+
+void Session::step() {
+    Q_EMIT aboutToStep();
+    if (m_colliders.isDue()) {
+        catchUp();
+    }
+    QElapsedTimer clock;
+    clock.start();
+    if (m_colliders.isDue()) {
+        m_colliders.updateDue(currentVertices());
+    }
+    const std::vector<Impact> impacts = m_physics.takeStep();
+    m_frameCosts->addPhysics(static_cast<double>(clock.nsecsElapsed()) * 1.0e-9);
+    takeImpacts(impacts);
+}
 
 void Session::advance(double seconds) {
     const bool wasMoving = isMoving();
-    QElapsedTimer clock;
-    clock.start();
-    const std::vector<Impact> impacts = m_physics.advance(seconds);
-    m_frameCosts->addPhysics(static_cast<double>(clock.nsecsElapsed()) * 1.0e-9);
-    takeImpacts(impacts);
+    for (int steps = m_physics.stepsDue(seconds); steps > 0; --steps) {
+        step();
+    }
     if (wasMoving) {
         followDynamicTargets();
         Q_EMIT pictureChanged();
@@ -80,7 +130,8 @@ void Session::advance(double seconds) {
 }
 
 void Session::stepOnce() {
-    takeImpacts(m_physics.stepOnce());
+    m_physics.showLastStep();
+    step();
     followDynamicTargets();
     Q_EMIT pictureChanged();
 }

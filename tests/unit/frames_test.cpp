@@ -88,12 +88,19 @@ void FramesTest::framesAddUp() {
     cost.deformation = 0.004;
     cost.readBack = 0.008;
     cost.drawing = 0.016;
+    FrameCost before;
+    before.deformation = 0.1;
+    before.readBack = 0.2;
+    before.drawing = 9.0;
+    before.hits = 3;
+    costs.addWork(before);
     costs.addFrame(cost);
-    QCOMPARE(costs.frames().back().total, 0.031);
+    QCOMPARE(costs.frames().back().total, 0.331);
     costs.endFrame(0.04);
     QCOMPARE(ended.size(), 1);
     const FrameCost& first = costs.frames().back();
-    QCOMPARE(first.cpu, 0.031);
+    QCOMPARE(first.cpu, 0.331);
+    QCOMPARE(first.hits, 3u);
     QCOMPARE(first.physics, 0.003);
     QCOMPARE(first.total, 0.04);
     QCOMPARE(first.history, 2u);
@@ -109,12 +116,17 @@ void FramesTest::gpuTimesFindTheirFrame() {
     FrameCosts& costs = session.frameCosts();
     for (int i = 0; i < 4; ++i) {
         costs.addFrame({});
-        costs.skipFrame();
+        costs.addWork({});
     }
     const std::uint64_t second = costs.frames()[1].number;
     costs.addGpuTimes(second, 0.01, 0.002);
-    costs.addGpuTimes(second + 1, 0.5, 0.5);  // no frame
-    QVERIFY(!costs.frames()[0].gpu && !costs.frames()[2].gpu);
+    costs.addGpuTimes(second + 1, 0.5, 0.25);  // on the way to the third
+    costs.addGpuTimes(costs.nextFrame(), 9.0, 9.0);
+    QVERIFY(!costs.frames()[0].gpu && !costs.frames()[3].gpu);
+    QCOMPARE(costs.frames()[2].gpu.value_or(0.0), 0.5);
+    costs.addGpuTimes(second + 2, 0.25, 0.25);
+    QCOMPARE(costs.frames()[2].gpu.value_or(0.0), 0.75);
+    QCOMPARE(costs.frames()[2].gpuDeformation.value_or(0.0), 0.5);
     QCOMPARE(costs.frames()[1].gpu.value_or(0.0), 0.01);
     QCOMPARE(costs.frames()[1].gpuDeformation.value_or(0.0), 0.002);
 }
@@ -152,7 +164,7 @@ void FramesTest::costsStayWithTheirHits() {
     for (std::size_t i = 0; i < 4; ++i) {
         addHits(session, 1);
         costs.addApplied(costs.nextFrame(), i, 1, 0.001 * static_cast<double>(i + 1));
-        costs.skipFrame();
+        costs.addWork({});
     }
     session.removeHit(1);
     QCOMPARE(cpuOf(session, 0), 0.001);
