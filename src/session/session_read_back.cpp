@@ -127,8 +127,9 @@ std::vector<Session::ChangedNormals> Session::finishReadBack() {
         target->trueNormals.update(target->deformed.positions(), *moved, updated);
         sort(updated);
     });
-    m_moved.clear();
+    const auto announced = std::exchange(m_moved, {});
     for (const ChangedNormals& change : changes) {
+        Q_EMIT verticesMoved(change.target, announced.at(change.target));
         Q_EMIT meshChanged(change.target);
     }
     return changes;
