@@ -63,6 +63,7 @@ void Session::takeImpacts(std::span<const Impact> impacts) {
     for (const Impact& impact : impacts) {
         Hit hit = hitOf(impact, m_constants);
         hit.constants.power = powerOf(m_constants, m_projectileSettings, impact.impulse);
+        hit.pipeline = static_cast<std::uint8_t>(m_pipeline);
         if (Result<Hit> checked = checkedHit(hit); checked && target(impact.target) != nullptr) {
             hits.push_back(checked.value());
         }
