@@ -62,6 +62,7 @@ void TargetBody::place() {
 
 PhysicsWorld::Private::Private() {
     world.setGravity(btVector3(0, -kGravity, 0));
+    broadphase.getOverlappingPairCache()->setOverlapFilterCallback(&volleyFilter);
 }
 
 PhysicsWorld::Private::~Private() {
@@ -318,9 +319,10 @@ void PhysicsWorld::setPaused(bool paused) {
 }
 
 bool PhysicsWorld::isMoving() const {
-    return !d->flights.empty() || std::any_of(d->targets.begin(), d->targets.end(), [](const auto& entry) {
-        return entry.second.physics.isDynamic && entry.second.body->isActive();
-    });
+    return !d->flights.empty() || !d->scheduled.empty() ||
+           std::any_of(d->targets.begin(), d->targets.end(), [](const auto& entry) {
+               return entry.second.physics.isDynamic && entry.second.body->isActive();
+           });
 }
 
 }  // namespace hitscope

@@ -23,6 +23,19 @@ struct ProjectileState {
     glm::vec3 drawn{0.0f};     ///< where to draw it now, between the last two steps
     glm::vec3 velocity{0.0f};  ///< m/s
     float radius = 0.1f;       ///< metres
+    glm::vec3 colour{1.0f};    ///< sRGB
+    /// Where it has been in the last kTrailSeconds of simulated time, metres, world, oldest first. Valid
+    /// until the world changes.
+    std::span<const glm::vec3> trail;
+};
+
+/// A shot to come.
+struct ScheduledShot {
+    double delay = 0.0;         ///< seconds of simulated time from now; >= 0
+    glm::vec3 origin{0.0f};     ///< metres, world
+    glm::vec3 direction{0.0f};  ///< unit, world
+    ProjectileSettings settings;
+    bool isInstant = false;  ///< without flight: PhysicsWorld::hitscan()
 };
 
 /// A dynamic target's place.
@@ -87,6 +100,16 @@ public:
     /// that struck just there. Nothing when no target is first on the line.
     [[nodiscard]] std::optional<Impact> hitscan(const glm::vec3& origin, const glm::vec3& direction,
                                                 const ProjectileSettings& settings);
+    /// What a shot would strike if nothing moved meanwhile; changes nothing. In flight it falls, in the
+    /// world's own steps; one that meets the floor first strikes nothing.
+    [[nodiscard]] std::optional<Impact> predict(const glm::vec3& origin, const glm::vec3& direction,
+                                                const ProjectileSettings& settings, bool isInstant) const;
+    /// Shots that leave by themselves, each before the first step that begins when its delay is over: at
+    /// exact steps, however long frames take. Those of one call with the same delay are one volley, whose
+    /// projectiles pass through each other.
+    void schedule(std::span<const ScheduledShot> shots);
+    void cancelScheduled();
+    [[nodiscard]] std::size_t scheduledCount() const;  ///< that have not left
     void removeProjectiles();
     [[nodiscard]] std::vector<ProjectileState> projectiles() const;
     [[nodiscard]] std::size_t projectileCount() const;
@@ -118,7 +141,12 @@ public:
     /// Nothing when the ray meets neither target nor floor within `length` metres. `direction` is unit.
     [[nodiscard]] std::optional<RayHit> castRay(const glm::vec3& origin, const glm::vec3& direction,
                                                 float length) const;
+    /// The triangles of a target's surface as it is now that may come within `distance` metres of `point`
+    /// (local frame), and some more; ascending. Empty: no such target, or no triangles.
+    [[nodiscard]] std::vector<std::uint32_t> trianglesNear(TargetId target, const glm::vec3& point,
+                                                           float distance) const;
 
+    static constexpr double kTrailSeconds = 0.15;
     static constexpr double kStep = 1.0 / 240.0;   ///< seconds; the default
     static constexpr float kGravity = 9.81f;       ///< m/s^2, downwards along y
     static constexpr double kLongestFrame = 0.25;  ///< seconds of simulated time

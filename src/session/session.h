@@ -116,10 +116,16 @@ public:
     /// A hit without flight, where the ray first meets a target: exact and repeatable. Returns whether there
     /// is one.
     bool hitscan(const Ray& ray);
+    /// The hit that this shot would make if nothing moved meanwhile, as shoot() or, without flight, as
+    /// hitscan() makes it. Nothing when it would strike no target.
+    [[nodiscard]] std::optional<Hit> predictedHit(const Ray& ray, bool isInstant) const;
+    /// Shots that leave at exact steps of the physics as time goes on (PhysicsWorld::schedule()).
+    void schedule(std::span<const ScheduledShot> shots);
+    void cancelScheduled();
     /// Steps the physics; contacts become hits, dynamic targets move.
     void advance(double seconds);
     void stepOnce();  ///< one physics step, paused or not
-    bool isPaused() const { return m_physics.isPaused(); }
+    [[nodiscard]] bool isPaused() const { return m_physics.isPaused(); }
     void setPaused(bool paused);
     /// 1: as real time goes; clamped to timeScaleParameter().
     void setTimeScale(double scale);
@@ -172,7 +178,8 @@ Q_SIGNALS:
     void projectileSettingsChanged();
     void pipelineChanged();
     void exactnessChanged();
-    void timeChanged();  ///< paused or not, time scale, physics step
+    void scheduleChanged();  ///< how many shots are to come
+    void timeChanged();      ///< paused or not, time scale, physics step
     void targetSelected(hitscope::TargetId target);
     void hitSelected();
     void capacityChanged();
@@ -186,6 +193,7 @@ private:
     Target& insertTarget(std::size_t index, const TargetState& state);
     void eraseTarget(std::size_t index);
     void letCollide(const Target& target);
+    [[nodiscard]] std::optional<Hit> hitOf(const Impact& impact) const;
     void takeImpacts(std::span<const Impact> impacts);
     void followDynamicTargets();
     [[nodiscard]] std::optional<std::size_t> indexOf(TargetId id) const;

@@ -8,7 +8,7 @@ namespace hitscope {
 
 namespace {
 
-Hit hitOf(const Impact& impact, const DeformationConstants& constants) {
+Hit localHit(const Impact& impact, const DeformationConstants& constants) {
     Hit hit;
     hit.target = impact.target;
     hit.point = impact.where.toLocal(impact.point);
@@ -50,13 +50,35 @@ bool Session::hitscan(const Ray& ray) {
     return m_history.size() > before;
 }
 
+std::optional<Hit> Session::predictedHit(const Ray& ray, bool isInstant) const {
+    const auto impact = m_physics.predict(ray.origin, ray.direction, m_projectileSettings, isInstant);
+    return impact ? hitOf(*impact) : std::nullopt;
+}
+
+void Session::schedule(std::span<const ScheduledShot> shots) {
+    m_physics.schedule(shots);
+    Q_EMIT scheduleChanged();
+    Q_EMIT pictureChanged();
+}
+
+void Session::cancelScheduled() {
+    m_physics.cancelScheduled();
+    Q_EMIT scheduleChanged();
+}
+
+/// Nothing for an impact that no hit can be made of.
+std::optional<Hit> Session::hitOf(const Impact& impact) const {
+    Hit hit = localHit(impact, m_constants);
+    hit.constants.power = powerOf(m_constants, m_projectileSettings, impact.impulse);
+    Result<Hit> checked = checkedHit(hit);
+    return checked && target(impact.target) != nullptr ? std::optional(checked.value()) : std::nullopt;
+}
+
 void Session::takeImpacts(std::span<const Impact> impacts) {
     std::vector<Hit> hits;
     for (const Impact& impact : impacts) {
-        Hit hit = hitOf(impact, m_constants);
-        hit.constants.power = powerOf(m_constants, m_projectileSettings, impact.impulse);
-        if (Result<Hit> checked = checkedHit(hit); checked && target(impact.target) != nullptr) {
-            hits.push_back(checked.value());
+        if (const std::optional<Hit> hit = hitOf(impact)) {
+            hits.push_back(*hit);
         }
     }
     appendHits(hits);
@@ -66,7 +88,11 @@ void Session::takeImpacts(std::span<const Impact> impacts) {
 
 void Session::advance(double seconds) {
     const bool wasMoving = isMoving();
+    const std::size_t toCome = m_physics.scheduledCount();
     takeImpacts(m_physics.advance(seconds));
+    if (m_physics.scheduledCount() != toCome) {
+        Q_EMIT scheduleChanged();
+    }
     if (wasMoving) {
         followDynamicTargets();
         Q_EMIT pictureChanged();
@@ -74,7 +100,11 @@ void Session::advance(double seconds) {
 }
 
 void Session::stepOnce() {
+    const std::size_t toCome = m_physics.scheduledCount();
     takeImpacts(m_physics.stepOnce());
+    if (m_physics.scheduledCount() != toCome) {
+        Q_EMIT scheduleChanged();
+    }
     followDynamicTargets();
     Q_EMIT pictureChanged();
 }
