@@ -68,7 +68,8 @@ void TimeActions::fillStepMenu(QMenu& menu) {
     for (const int rate : kStepRates) {
         const double seconds = 1.0 / rate;
         const bool isDefault = isNear(seconds, stepParameter().defaultValue);
-        QAction* action = menu.addAction(isDefault ? tr("1/%1 s (default)").arg(rate) : tr("1/%1 s").arg(rate));
+        QAction* action =
+            menu.addAction(isDefault ? tr("1/%1 s (default)").arg(rate) : tr("1/%1 s").arg(rate));
         action->setCheckable(true);
         action->setData(seconds);
         action->setToolTip(tr("Shorter steps follow flights and bounces more closely, and cost more"));

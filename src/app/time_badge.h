@@ -7,8 +7,8 @@
 
 namespace hitscope {
 
-/// Says in a corner of another widget that time does not go as real time does, and how many scheduled shots are
-/// to come. Not there while there is nothing to say.
+/// Says in a corner of another widget that time does not go as real time does, and how many scheduled shots
+/// are to come. Not there while there is nothing to say.
 class TimeBadge : public QLabel {
     Q_OBJECT
 public:

@@ -17,6 +17,8 @@ namespace {
 
 constexpr float kWholeWorld = 2.0f * kFarthest;  // metres: longer than any line between two usable points
 
+constexpr float kNearFactor = 1.1f;  // of the radius
+
 bool isDirection(const glm::vec3& v) {
     const float length = glm::length(v);
     return length > 0.0f && std::isfinite(length);
@@ -50,28 +52,24 @@ bool Flight::touches(TargetId target) const {
 }
 
 ProjectileId PhysicsWorld::shoot(const glm::vec3& origin, const glm::vec3& direction,
-                                 const ProjectileSettings& settings) {
-    return d->launch({0.0, origin, direction, settings}, 0);
-}
-
-ProjectileId PhysicsWorld::Private::launch(const ScheduledShot& shot, int volley) {
-    if (!isUsable(shot.origin) || !isDirection(shot.direction)) {
+                                 const ProjectileSettings& settings, int volley) {
+    if (!isUsable(origin) || !isDirection(direction)) {
         return {};
     }
-    const ProjectileSettings settings = clamped(shot.settings);
-    while (flights.size() >= static_cast<std::size_t>(settings.mostAlive)) {
-        removeFlight(flights.begin());
+    const ProjectileSettings shot = clamped(settings);
+    while (d->flights.size() >= static_cast<std::size_t>(shot.mostAlive)) {
+        d->removeFlight(d->flights.begin());
     }
-    Flight flight = makeFlight(settings, shot.origin, shot.direction);
-    const ProjectileId id{nextProjectile++};
+    Flight flight = makeFlight(shot, origin, direction);
+    const ProjectileId id{d->nextProjectile++};
     flight.body->setUserIndex(static_cast<int>(BodyKind::Projectile));
     flight.body->setUserIndex2(static_cast<int>(id.value));
     flight.body->setUserIndex3(volley);
     // Half a step less, so that rounding never adds one; it lives for a step at least.
     flight.end =
-        time() + std::max(0.5 * stepSeconds, static_cast<double>(settings.lifetime) - 0.5 * stepSeconds);
-    world.addRigidBody(flight.body.get());
-    flights.emplace(id, std::move(flight));
+        d->time() + std::max(0.5 * d->stepSeconds, static_cast<double>(shot.lifetime) - 0.5 * d->stepSeconds);
+    d->world.addRigidBody(flight.body.get());
+    d->flights.emplace(id, std::move(flight));
     return id;
 }
 
@@ -108,6 +106,32 @@ std::vector<ProjectileState> PhysicsWorld::projectiles() const {
 
 std::size_t PhysicsWorld::projectileCount() const {
     return d->flights.size();
+}
+
+bool PhysicsWorld::isApproached(TargetId target, float reach) const {
+    const auto found = d->targets.find(target);
+    if (found == d->targets.end()) {
+        return false;
+    }
+    btVector3 least;
+    btVector3 most;
+    found->second.body->getAabb(least, most);
+    const auto step = static_cast<btScalar>(d->stepSeconds);
+    const auto comesNear = [&](const Flight& flight) {
+        const btVector3 from = flight.body->getWorldTransform().getOrigin();
+        const btVector3 to =
+            from + (flight.body->getLinearVelocity() + btVector3(0, -kGravity, 0) * step) * step;
+        const btScalar around = flight.settings.radius * kNearFactor + reach;
+        const btVector3 grown(around, around, around);
+        btVector3 low = from;
+        low.setMin(to);
+        btVector3 high = from;
+        high.setMax(to);
+        return TestAabbAgainstAabb2(low - grown, high + grown, least, most);
+    };
+    return std::any_of(d->flights.begin(), d->flights.end(), [&](const auto& entry) {
+        return entry.second.lastStruck != target && comesNear(entry.second);
+    });
 }
 
 std::optional<SurfacePoint> PhysicsWorld::Private::surfacePoint(TargetId target, const glm::vec3& from,
@@ -155,23 +179,19 @@ std::optional<Strike> PhysicsWorld::Private::castLine(const glm::vec3& origin, c
 
 std::optional<Impact> PhysicsWorld::hitscan(const glm::vec3& origin, const glm::vec3& direction,
                                             const ProjectileSettings& settings) {
-    return d->hitscan({0.0, origin, direction, settings, true});
-}
-
-std::optional<Impact> PhysicsWorld::Private::hitscan(const ScheduledShot& shot) {
-    if (!isUsable(shot.origin) || !isDirection(shot.direction)) {
+    if (!isUsable(origin) || !isDirection(direction)) {
         return std::nullopt;
     }
-    const auto struck = castLine(shot.origin, glm::normalize(shot.direction) * kWholeWorld);
+    const auto struck = d->castLine(origin, glm::normalize(direction) * kWholeWorld);
     if (!struck || !struck->target) {
         return std::nullopt;
     }
-    Flight flight = makeFlight(clamped(shot.settings), shot.origin, shot.direction);
-    flight.velocity = glm::normalize(shot.direction) * flight.settings.speed;
+    Flight flight = makeFlight(clamped(settings), origin, direction);
+    flight.velocity = glm::normalize(direction) * flight.settings.speed;
     Touch touch{0.0f, struck->surface, 0.0f};
-    TargetBody& target = targets.at(struck->target);
+    TargetBody& target = d->targets.at(struck->target);
     bounce(flight, target, touch);
-    return impactOf(struck->target, target.transform, flight.velocity, touch, time());
+    return impactOf(struck->target, target.transform, flight.velocity, touch, d->time());
 }
 
 std::optional<Impact> PhysicsWorld::predict(const glm::vec3& origin, const glm::vec3& direction,

@@ -125,6 +125,7 @@ void PhysicsWorld::Private::approach(Flight& flight) {
 
 void PhysicsWorld::Private::strike(ProjectileId id, Flight& flight, TargetId target, const Touch& touch,
                                    std::vector<Impact>& impacts) {
+    flight.lastStruck = target;
     const float speed = glm::length(flight.velocity);
     const float inwards = -glm::dot(flight.velocity, touch.deepest.normal);
     const bool counts = flight.hasHit ? flight.settings.bouncesCount && inwards >= kLeastBounceSpeed
@@ -194,7 +195,6 @@ void PhysicsWorld::Private::keepTrails() {
 }
 
 void PhysicsWorld::Private::step(std::vector<Impact>& impacts) {
-    fireScheduled(impacts);
     ++steps;
     bool isMoving = !flights.empty();
     for (auto& [id, target] : targets) {

@@ -29,15 +29,6 @@ struct ProjectileState {
     std::span<const glm::vec3> trail;
 };
 
-/// A shot to come.
-struct ScheduledShot {
-    double delay = 0.0;         ///< seconds of simulated time from now; >= 0
-    glm::vec3 origin{0.0f};     ///< metres, world
-    glm::vec3 direction{0.0f};  ///< unit, world
-    ProjectileSettings settings;
-    bool isInstant = false;  ///< without flight: PhysicsWorld::hitscan()
-};
-
 /// A dynamic target's place.
 struct TargetPose {
     TargetId id;
@@ -93,9 +84,10 @@ public:
     // Shots
     /// Launches a projectile from `origin` (metres, world) along `direction` (unit). It never tunnels.
     /// Settings out of range are clamped. Nothing is launched, and id 0 comes back, when origin or direction
-    /// is not finite or the direction is zero.
+    /// is not finite or the direction is zero. Projectiles of one volley (> 0) pass through each other: they
+    /// may leave from one point.
     ProjectileId shoot(const glm::vec3& origin, const glm::vec3& direction,
-                       const ProjectileSettings& settings);
+                       const ProjectileSettings& settings, int volley = 0);
     /// An instant shot without flight, along a straight line: what a projectile of these settings would do
     /// that struck just there. Nothing when no target is first on the line.
     [[nodiscard]] std::optional<Impact> hitscan(const glm::vec3& origin, const glm::vec3& direction,
@@ -104,12 +96,9 @@ public:
     /// world's own steps; one that meets the floor first strikes nothing.
     [[nodiscard]] std::optional<Impact> predict(const glm::vec3& origin, const glm::vec3& direction,
                                                 const ProjectileSettings& settings, bool isInstant) const;
-    /// Shots that leave by themselves, each before the first step that begins when its delay is over: at
-    /// exact steps, however long frames take. Those of one call with the same delay are one volley, whose
-    /// projectiles pass through each other.
-    void schedule(std::span<const ScheduledShot> shots);
-    void cancelScheduled();
-    [[nodiscard]] std::size_t scheduledCount() const;  ///< that have not left
+    /// Whether in the next step a projectile that has not struck this target as the last one it struck comes
+    /// within `reach` metres of its box (infinite: whether there is such a projectile).
+    [[nodiscard]] bool isApproached(TargetId target, float reach) const;
     void removeProjectiles();
     [[nodiscard]] std::vector<ProjectileState> projectiles() const;
     [[nodiscard]] std::size_t projectileCount() const;
@@ -119,8 +108,14 @@ public:
     /// most kLongestFrame a call, the rest of the time is dropped so that a slow frame cannot snowball).
     /// Returns the impacts in the order they happened. Paused: nothing happens.
     [[nodiscard]] std::vector<Impact> advance(double seconds);
+    /// The same in parts, for who has to see to things between steps: how many steps it is time for, each
+    /// then to be taken by takeStep().
+    [[nodiscard]] int stepsDue(double seconds);
+    [[nodiscard]] std::vector<Impact> takeStep();
     /// One step, paused or not.
     [[nodiscard]] std::vector<Impact> stepOnce();
+    /// What is drawn until time goes on is the last step, not a place before it.
+    void showLastStep();
     /// Seconds simulated so far.
     [[nodiscard]] double time() const;
     [[nodiscard]] double step() const;

@@ -4,7 +4,6 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <array>
-#include <deque>
 #include <map>
 
 #include "physics/mesh_contacts.h"
@@ -12,6 +11,7 @@
 #include "physics/physics_world.h"
 #include "physics/stepped_world.h"
 #include "physics/touches.h"
+#include "physics/volley_filter.h"
 
 namespace hitscope {
 
@@ -44,6 +44,7 @@ struct Flight {
     std::unique_ptr<btRigidBody> body;
     double end = 0.0;                ///< simulated time when it disappears
     bool hasHit = false;             ///< it has made a hit
+    TargetId lastStruck;             ///< 0: none
     std::vector<TargetId> touching;  ///< after the last step; sorted
     glm::vec3 velocity{0.0f};        ///< just before any impact of this step, m/s
     glm::vec3 previous{0.0f};        ///< position before the last step
@@ -64,13 +65,6 @@ void bounce(Flight& flight, TargetBody& target, Touch& touch);
 /// normal (unit) is that; 0 when it moves away.
 [[nodiscard]] float bounceImpulse(const glm::vec3& velocity, float mass, const TargetPhysics& target,
                                   const glm::vec3& normal);
-
-/// Projectiles of one volley pass through each other: they leave from one point. A body's volley is in
-/// Bullet's third user index, 0 or less: none.
-class VolleyFilter : public btOverlapFilterCallback {
-public:
-    [[nodiscard]] bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;
-};
 
 /// `where`: of the target when the touch was found.
 [[nodiscard]] Impact impactOf(TargetId target, const RigidTransform& where, const glm::vec3& velocity,
@@ -95,13 +89,6 @@ struct PhysicsWorld::Private {
     void followDynamicTargets();
     void removeSpentFlights();
     void keepTrails();
-    // physics_schedule.cpp
-    struct Waiting {
-        ScheduledShot shot;
-        double due = 0.0;  ///< simulated time
-        int volley = 0;    ///< 0: none
-    };
-    void fireScheduled(std::vector<Impact>& impacts);
 
     void addBody(physics::TargetBody& target);
     void reshape(TargetId id, physics::TargetBody& target, bool shapeChanged);
@@ -111,8 +98,6 @@ struct PhysicsWorld::Private {
     /// time) become those of that moment.
     [[nodiscard]] std::optional<physics::Strike> fly(glm::vec3 position, const ProjectileSettings& shot,
                                                      glm::vec3& velocity, double& now);
-    std::optional<Impact> hitscan(const ScheduledShot& shot);
-    ProjectileId launch(const ScheduledShot& shot, int volley);
     void removeFlight(std::map<ProjectileId, physics::Flight>::iterator flight);
     void wakeAll();
     [[nodiscard]] std::optional<physics::SurfacePoint> surfacePoint(TargetId target, const glm::vec3& from,
@@ -134,8 +119,6 @@ struct PhysicsWorld::Private {
     std::unique_ptr<btStaticPlaneShape> floorShape;
     std::unique_ptr<btRigidBody> floor;
     std::uint32_t nextProjectile = 1;
-    std::deque<Waiting> scheduled;  ///< by due time; of the same time, in the order scheduled
-    int lastVolley = 0;
     double stepSeconds = kStep;
     double timeBefore = 0.0;  ///< simulated before the step's length was last set
     std::int64_t steps = 0;   ///< since then

@@ -32,6 +32,10 @@ float powerOf(const DeformationConstants& constants, const ProjectileSettings& s
     return std::min(scaled, static_cast<float>(most));
 }
 
+bool keepsAllHits(PipelineKind kind) {
+    return kind != PipelineKind::UniformArray && kind != PipelineKind::UniformArrayCulled;
+}
+
 }  // namespace
 
 // Shots
@@ -42,7 +46,13 @@ void Session::shoot(const Ray& ray) {
 }
 
 bool Session::hitscan(const Ray& ray) {
-    const auto impact = m_physics.hitscan(ray.origin, ray.direction, m_projectileSettings);
+    return hitscan(ray, m_projectileSettings);
+}
+
+bool Session::hitscan(const Ray& ray, const ProjectileSettings& settings) {
+    catchUp();
+    m_colliders.updateAll(currentVertices());
+    const auto impact = m_physics.hitscan(ray.origin, ray.direction, settings);
     const std::size_t before = m_history.size();
     if (impact) {
         takeImpacts({&*impact, 1});
@@ -56,13 +66,13 @@ std::optional<Hit> Session::predictedHit(const Ray& ray, bool isInstant) const {
 }
 
 void Session::schedule(std::span<const ScheduledShot> shots) {
-    m_physics.schedule(shots);
+    m_schedule.add(shots, m_physics.time());
     Q_EMIT scheduleChanged();
     Q_EMIT pictureChanged();
 }
 
 void Session::cancelScheduled() {
-    m_physics.cancelScheduled();
+    m_schedule.clear();
     Q_EMIT scheduleChanged();
 }
 
@@ -84,14 +94,68 @@ void Session::takeImpacts(std::span<const Impact> impacts) {
     appendHits(hits);
 }
 
+// Colliders
+
+/// Vertices will move: of the targets whose hits these are, hits added at the end by no more than their caps.
+void Session::expectMoves(std::span<const HistoryEdit> edits) {
+    m_isBehind = true;
+    const bool dropsHits = !keepsAllHits(m_pipeline);
+    for (const HistoryEdit& edit : edits) {
+        const bool appends = edit.before.empty() && edit.first + edit.after.size() == m_history.size();
+        for (const Hit& hit : edit.before) {
+            m_colliders.expect(hit.target, {});
+        }
+        for (const Hit& hit : edit.after) {
+            m_colliders.expect(
+                hit.target, appends && !dropsHits ? std::optional(hit.constants.maxMagnitude) : std::nullopt);
+        }
+    }
+}
+
+void Session::catchUp() {
+    if (m_isBehind && m_catchUp) {
+        m_catchUp();
+    }
+}
+
+ColliderFollower::Vertices Session::currentVertices() const {
+    return [this](TargetId id) {
+        const Target* of = target(id);
+        return of != nullptr ? of->deformed.vertices() : std::span<const DynamicVertex>();
+    };
+}
+
 // Time
+
+/// Between steps, so that an instant shot finds the dents of those before it.
+void Session::fireScheduled() {
+    const std::vector<ShotSchedule::Due> due = m_schedule.takeDue(m_physics.time(), m_physics.step());
+    for (const auto& [shot, volley] : due) {
+        if (shot.isInstant) {
+            hitscan(shot.ray, shot.settings);
+        } else {
+            m_physics.shoot(shot.ray.origin, shot.ray.direction, shot.settings, volley);
+        }
+    }
+    if (!due.empty()) {
+        Q_EMIT scheduleChanged();
+    }
+}
+
+void Session::step() {
+    fireScheduled();
+    Q_EMIT aboutToStep();
+    if (m_colliders.isDue()) {
+        catchUp();
+        m_colliders.updateDue(currentVertices());
+    }
+    takeImpacts(m_physics.takeStep());
+}
 
 void Session::advance(double seconds) {
     const bool wasMoving = isMoving();
-    const std::size_t toCome = m_physics.scheduledCount();
-    takeImpacts(m_physics.advance(seconds));
-    if (m_physics.scheduledCount() != toCome) {
-        Q_EMIT scheduleChanged();
+    for (int steps = m_physics.stepsDue(seconds); steps > 0; --steps) {
+        step();
     }
     if (wasMoving) {
         followDynamicTargets();
@@ -100,11 +164,8 @@ void Session::advance(double seconds) {
 }
 
 void Session::stepOnce() {
-    const std::size_t toCome = m_physics.scheduledCount();
-    takeImpacts(m_physics.stepOnce());
-    if (m_physics.scheduledCount() != toCome) {
-        Q_EMIT scheduleChanged();
-    }
+    m_physics.showLastStep();
+    step();
     followDynamicTargets();
     Q_EMIT pictureChanged();
 }
@@ -128,7 +189,7 @@ void Session::setPhysicsStep(double seconds) {
 }
 
 bool Session::isMoving() const {
-    return !m_physics.isPaused() && m_physics.isMoving();
+    return !m_physics.isPaused() && (m_physics.isMoving() || m_schedule.size() > 0);
 }
 
 void Session::followDynamicTargets() {

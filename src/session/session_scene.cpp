@@ -78,7 +78,8 @@ void Session::clearScene() {
         m_physics.removeTarget(target->id);
     }
     m_physics.removeProjectiles();
-    m_physics.cancelScheduled();
+    m_schedule.clear();
+    m_colliders.clear();
     m_targets.clear();
     m_moved.clear();
     m_notHittable.clear();

@@ -101,8 +101,7 @@ void schedule(Session& session, const ShotScript& script) {
     std::vector<ScheduledShot> shots;
     shots.reserve(script.shots.size());
     for (const TimedShot& shot : script.shots) {
-        shots.push_back(
-            {shot.time, shot.ray.origin, shot.ray.direction, script.projectile, script.isInstant});
+        shots.push_back({shot.time, shot.ray, script.projectile, script.isInstant});
     }
     session.schedule(shots);
 }

@@ -128,9 +128,9 @@ private Q_SLOTS:
             QSignalSpy changed(&session, &Session::scheduleChanged);
             schedule(session, script);
             QCOMPARE(changed.count(), 1);
-            QCOMPARE(session.physics().scheduledCount(), std::size_t{10});
+            QCOMPARE(session.shotsToCome(), std::size_t{10});
             QVERIFY(session.isMoving());
-            const auto left = [&session] { return 10 - session.physics().scheduledCount(); };
+            const auto left = [&session] { return 10 - session.shotsToCome(); };
             double passed = 0.0;
             while (passed < 0.24) {
                 session.advance(frame);
@@ -146,7 +146,7 @@ private Q_SLOTS:
             session.stepOnce();
             QCOMPARE(left(), std::size_t{4});
             session.cancelScheduled();
-            QCOMPARE(session.physics().scheduledCount(), std::size_t{0});
+            QCOMPARE(session.shotsToCome(), std::size_t{0});
         }
     }
 
