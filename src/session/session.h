@@ -188,6 +188,8 @@ Q_SIGNALS:
     void hitsRearranged(const hitscope::HitRows& rows);  ///< removed, put back, moved
     void historyReset();                                 ///< after either of these, and with a new scene
     void meshChanged(hitscope::TargetId target);         ///< its DeformedMesh did
+    /// Before that: which file vertices are now somewhere else, in no order; some may be repeated.
+    void verticesMoved(hitscope::TargetId target, const std::vector<std::uint32_t>& vertices);
     void constantsChanged();
     void lightsChanged();
     void projectileSettingsChanged();

@@ -80,6 +80,7 @@ void Session::cancelScheduled() {
 std::optional<Hit> Session::hitOf(const Impact& impact) const {
     Hit hit = localHit(impact, m_constants);
     hit.constants.power = powerOf(m_constants, m_projectileSettings, impact.impulse);
+    hit.pipeline = static_cast<std::uint8_t>(m_pipeline);
     Result<Hit> checked = checkedHit(hit);
     return checked && target(impact.target) != nullptr ? std::optional(checked.value()) : std::nullopt;
 }
