@@ -2,9 +2,11 @@
 #version 330 core
 // HITSCOPE_TEXTURED   defined: the diffuse colour comes from a texture too, and where that is transparent there is
 //                     no surface. A program of its own, because a shader that may discard is run on hidden pixels.
+// HITSCOPE_CHANGE_MAP defined: the surface has the colour of a quantity of change, softly lit (change_map.glsl)
 
 #include "lighting.glsl"
 #include "tone.glsl"
+#include "change_map.glsl"
 
 in vec3 v_position;
 in vec3 v_normal;
@@ -48,6 +50,11 @@ float ring()
 void main()
 {
     float ringed = ring();
+#ifdef HITSCOPE_CHANGE_MAP
+    vec3 mapped = changeColour(abs(dot(facingNormal(), normalize(u_eye - v_position))));
+    o_colour = vec4(toSrgb(mix(mapped, u_ringColour, ringed)), u_opacity);
+    return;
+#endif
     vec3 albedo = u_diffuse;
 #ifdef HITSCOPE_TEXTURED
     vec4 texel = texture(u_texture, vec2(v_texcoord.x, 1.0 - v_texcoord.y));

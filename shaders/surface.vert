@@ -3,6 +3,7 @@
 // Targets (paper, equations 5 and 6; model matrices are rigid, so their own rotation turns normals).
 
 #include "hits.glsl"
+#include "change.glsl"
 
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
@@ -27,7 +28,10 @@ void main()
     vec3 normal = a_normal;
     applyHits(position, normal);
 
-    vec4 world = u_model * vec4(position, 1.0);
+#ifdef HITSCOPE_CHANGE_MAP
+    v_change = changeOf(position, normal, a_shadingNormal);
+#endif
+    vec4 world = u_model * vec4(drawnPosition(position), 1.0);
     v_position = world.xyz;
     v_normal = mat3(u_model) * (u_paperNormals != 0 ? normal : a_shadingNormal);
     v_texcoord = a_texcoord;

@@ -3,6 +3,7 @@
 // The edges of the targets' polygons.
 
 #include "hits.glsl"
+#include "change.glsl"
 
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
@@ -21,7 +22,7 @@ void main()
     vec3 normal = a_normal;
     applyHits(position, normal);
 
-    vec4 clip = u_viewProjection * (u_model * vec4(position, 1.0));
+    vec4 clip = u_viewProjection * (u_model * vec4(drawnPosition(position), 1.0));
     // Edges a pixel or two long would fill the surface with one colour; they fade instead.
     v_density = smoothstep(0.5, 9.0, u_edgePixels / max(clip.w, 1.0e-6));
     clip.xy += u_shift * clip.w;

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "render/change_options.h"
+
 namespace hitscope {
 
 enum class WireframeMode : std::uint8_t { Off, Over, Only };
@@ -20,6 +22,8 @@ struct DisplayOptions {
     bool floor = true;
     bool textures = true;
     bool crosshair = false;
+    ChangeMapOptions change;
+    BeforeAfterOptions beforeAfter;
 };
 
 }  // namespace hitscope

@@ -11,11 +11,14 @@
 
 namespace hitscope::render {
 
+class ColourTextures;
+
 /// What every pass of a frame needs. The references live as long as the frame.
 struct FrameContext {
     const Frame& frame;
     const ThemeColours& colours;
     ProgramCache& programs;
+    ColourTextures& colourTextures;
     bool software = false;  ///< the CPU draws
     GLuint emptyArray = 0;  ///< a vertex array without attributes, for corners made in the shader
     glm::mat4 projection{1.0f};

@@ -26,6 +26,7 @@ KeepState::KeepState()
     glGetIntegerv(GL_TEXTURE_BINDING_2D, &m_texture);
     glGetIntegerv(GL_SAMPLER_BINDING, &m_sampler);
     glGetIntegerv(GL_VIEWPORT, m_viewport.data());
+    glGetIntegerv(GL_SCISSOR_BOX, m_scissor.data());
     glGetIntegerv(GL_DEPTH_FUNC, &m_depthFunction);
     glGetBooleanv(GL_DEPTH_WRITEMASK, &m_depthMask);
     glGetBooleanv(GL_COLOR_WRITEMASK, m_colourMask.data());
@@ -57,6 +58,7 @@ KeepState::~KeepState() {
     glBindSampler(0, static_cast<GLuint>(m_sampler));
     glActiveTexture(static_cast<GLenum>(m_activeTexture));
     glViewport(m_viewport[0], m_viewport[1], m_viewport[2], m_viewport[3]);
+    glScissor(m_scissor[0], m_scissor[1], m_scissor[2], m_scissor[3]);
     glDepthFunc(static_cast<GLenum>(m_depthFunction));
     glDepthMask(m_depthMask);
     glColorMask(m_colourMask[0], m_colourMask[1], m_colourMask[2], m_colourMask[3]);

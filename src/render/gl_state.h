@@ -31,6 +31,7 @@ private:
     GLint m_texture = 0;  ///< of unit 0, 2D
     GLint m_sampler = 0;  ///< of unit 0
     std::array<GLint, 4> m_viewport{};
+    std::array<GLint, 4> m_scissor{};
     GLint m_depthFunction = 0;
     GLboolean m_depthMask = GL_TRUE;
     std::array<GLboolean, 4> m_colourMask{};

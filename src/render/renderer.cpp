@@ -4,11 +4,15 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "gl/context.h"
+#include "render/change_map.h"
 #include "render/frame_context.h"
+#include "render/ghost_pass.h"
 #include "render/gl_state.h"
 #include "render/material_set.h"
+#include "render/original_shape.h"
 #include "render/projectile_pass.h"
 #include "render/target_pass.h"
 
@@ -61,11 +65,13 @@ void startBlended() {
     glEnable(GL_BLEND);
 }
 
-FrameContext makeContext(const Frame& frame, ProgramCache& programs, GLuint emptyArray) {
+FrameContext makeContext(const Frame& frame, ProgramCache& programs, ColourTextures& colourTextures,
+                         GLuint emptyArray) {
     const float aspect = static_cast<float>(frame.width) / static_cast<float>(frame.height);
     FrameContext context{.frame = frame,
                          .colours = themeColours(frame.options.theme),
                          .programs = programs,
+                         .colourTextures = colourTextures,
                          .emptyArray = emptyArray};
     context.projection = frame.camera.projection(aspect);
     context.viewProjection = context.projection * frame.camera.view();
@@ -124,14 +130,63 @@ Status drawWires(const FrameContext& context, DeformationPipeline& pipeline) {
     return status;
 }
 
+Status drawTargets(const FrameContext& context, DeformationPipeline& pipeline) {
+    return context.frame.options.wireframe == WireframeMode::Only ? drawWires(context, pipeline)
+                                                                  : drawShaded(context, pipeline);
+}
+
 }  // namespace
 
 struct Renderer::Private {
+    [[nodiscard]] FrameContext contextOf(const Frame& frame);
+    [[nodiscard]] Status drawGhosts(const Frame& frame);
+    [[nodiscard]] Status drawWiped(const FrameContext& context, DeformationPipeline& pipeline);
+
     ProgramCache programs;
+    ColourTextures colourTextures;
     ProjectilePass projectiles;
     gl::VertexArray emptyArray = gl::VertexArray::make();
     bool software = gl::rendererInfo().isSoftware();
 };
+
+FrameContext Renderer::Private::contextOf(const Frame& frame) {
+    FrameContext context = makeContext(frame, programs, colourTextures, emptyArray.id());
+    context.software = software;
+    return context;
+}
+
+Status Renderer::Private::drawGhosts(const Frame& frame) {
+    const GhostMode mode = frame.options.beforeAfter.ghost;
+    if (mode == GhostMode::Off) {
+        return Done{};
+    }
+    OriginalFrame originals(frame);
+    std::erase_if(originals.items, [](const DrawItem& item) { return !item.changed; });
+    originals.frame.targets = originals.items;
+    return render::drawGhosts(contextOf(originals.frame), mode);
+}
+
+/// The originals left of the line, what has become of them right of it.
+Status Renderer::Private::drawWiped(const FrameContext& context, DeformationPipeline& pipeline) {
+    const Frame& frame = context.frame;
+    const int line =
+        static_cast<int>(std::lround(frame.options.beforeAfter.wipeAt * static_cast<float>(frame.width)));
+    const OriginalFrame originals(frame);
+    OriginalShape shape;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, 0, line, frame.height);
+    Status status = drawTargets(contextOf(originals.frame), shape);
+    if (status) {
+        glScissor(line, 0, frame.width - line, frame.height);
+        startSolid();
+        status = drawTargets(context, pipeline);
+    }
+    if (status) {
+        status = drawGhosts(frame);
+    }
+    glDisable(GL_SCISSOR_TEST);
+    return status;
+}
 
 Renderer::Renderer() : d(std::make_unique<Private>()) {}
 Renderer::~Renderer() = default;
@@ -161,8 +216,7 @@ Status Renderer::draw(const Frame& frame, DeformationPipeline& pipeline, GLuint 
     }
     const KeepState keep;
     prepareFramebuffer(frame, framebuffer);
-    FrameContext context = makeContext(frame, d->programs, d->emptyArray.id());
-    context.software = d->software;
+    const FrameContext context = d->contextOf(frame);
     if (Status status = drawBackground(context); !status) {
         return status;
     }
@@ -170,8 +224,12 @@ Status Renderer::draw(const Frame& frame, DeformationPipeline& pipeline, GLuint 
     if (Status status = d->projectiles.draw(context); !status) {
         return status;
     }
-    Status status = frame.options.wireframe == WireframeMode::Only ? drawWires(context, pipeline)
-                                                                   : drawShaded(context, pipeline);
+    Status status = Done{};
+    if (frame.options.beforeAfter.wipe) {
+        status = d->drawWiped(context, pipeline);
+    } else if (status = drawTargets(context, pipeline); status) {
+        status = d->drawGhosts(frame);
+    }
     if (!status) {
         return status;
     }

@@ -30,6 +30,8 @@ struct DrawItem {
     const MaterialSet* materials = nullptr;  ///< null: the default material
     glm::mat4 model{1.0f};                   ///< rigid
     bool selected = false;
+    bool changed = true;    ///< false: it is sure to be as it was
+    bool original = false;  ///< drawn as it was, whatever the pipeline
 };
 
 /// One picture, in full.
@@ -40,7 +42,8 @@ struct Frame {
     Camera camera;
     Lights lights;
     DisplayOptions options;
-    float floorHeight = 0.0f;  ///< metres, world y
+    float floorHeight = 0.0f;           ///< metres, world y
+    std::optional<ShownChange> change;  ///< the colour map that surfaces have; nothing: they are shaded
     std::span<const DrawItem> targets;
     std::span<const Sphere> projectiles;  ///< world
     std::optional<Sphere>

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "render/change_map.h"
 #include "render/material_set.h"
 
 namespace hitscope::render {
@@ -28,10 +29,18 @@ const MaterialSet& materialsOf(const DrawItem& item) {
     return item.materials != nullptr ? *item.materials : defaults;
 }
 
+GLuint surfaceArrayOf(const DrawItem& item) {
+    return item.original ? item.buffers->originalSurfaceArray() : item.buffers->surfaceArray();
+}
+
 void setSurface(const gl::Program& program, const FrameContext& context) {
     const Frame& frame = context.frame;
     setLights(program, context);
     program.set("u_viewProjection", context.viewProjection);
+    setDrawnPlace(program, frame);
+    if (frame.change) {
+        setChangeMap(program, context);
+    }
     program.set("u_paperNormals", frame.options.normals == NormalMode::Paper ? 1 : 0);
     program.set("u_ring", frame.highlightedHit
                               ? glm::vec4(frame.highlightedHit->centre, frame.highlightedHit->radius)
@@ -47,7 +56,7 @@ void prepareSurface(const gl::Program& program, const FrameContext& context, Def
     pipeline.prepareDraw(program, item.target);
     program.set("u_model", item.model);
     program.set("u_rim", glm::vec4(toLinear(context.colours.accent), item.selected ? kRimStrength : 0.0f));
-    glBindVertexArray(item.buffers->surfaceArray());
+    glBindVertexArray(surfaceArrayOf(item));
 }
 
 struct Parts {
@@ -56,7 +65,10 @@ struct Parts {
 };
 
 Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, const Parts& parts) {
-    gl::Defines defines = pipeline.drawDefines();
+    gl::Defines defines = targetDefines(context, pipeline);
+    if (context.frame.change) {
+        defines.emplace_back("HITSCOPE_CHANGE_MAP", "1");
+    }
     if (parts.textured) {
         defines.emplace_back("HITSCOPE_TEXTURED", "1");
     }
@@ -66,7 +78,8 @@ Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, con
         const MaterialSet& materials = materialsOf(item);
         bool prepared = false;
         for (const DrawRange& range : item.buffers->draws()) {
-            const bool textured = context.frame.options.textures && materials.isTextured(range.material);
+            const bool textured = !context.frame.change && context.frame.options.textures &&
+                                  materials.isTextured(range.material);
             if (range.count == 0 || textured != parts.textured ||
                 materials.isTranslucent(range.material) != parts.translucent) {
                 continue;
@@ -114,17 +127,18 @@ Status drawTranslucentSurfaces(const FrameContext& context, DeformationPipeline&
 }
 
 Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline) {
-    const auto found = context.programs.get("surface.vert", "depth.frag", pipeline.drawDefines());
+    const auto found = context.programs.get("surface.vert", "depth.frag", targetDefines(context, pipeline));
     if (!found) {
         return found.error();
     }
     const gl::Program& program = *found.value();
     program.use();
     program.set("u_viewProjection", context.viewProjection);
+    setDrawnPlace(program, context.frame);
     for (const DrawItem& item : context.frame.targets) {
         pipeline.prepareDraw(program, item.target);
         program.set("u_model", item.model);
-        glBindVertexArray(item.buffers->surfaceArray());
+        glBindVertexArray(surfaceArrayOf(item));
         glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(item.buffers->triangleIndexCount()),
                        GL_UNSIGNED_INT, nullptr);
     }
@@ -133,7 +147,7 @@ Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeli
 
 Status drawEdges(const FrameContext& context, DeformationPipeline& pipeline, const glm::vec4& colour,
                  float selectionTint) {
-    const auto found = context.programs.get("wire.vert", "wire.frag", pipeline.drawDefines());
+    const auto found = context.programs.get("wire.vert", "wire.frag", targetDefines(context, pipeline));
     if (!found) {
         return found.error();
     }
@@ -141,6 +155,7 @@ Status drawEdges(const FrameContext& context, DeformationPipeline& pipeline, con
     const Frame& frame = context.frame;
     program.use();
     program.set("u_viewProjection", context.viewProjection);
+    setDrawnPlace(program, frame);
     // clip.z = A d + B and clip.w = d at a distance d, so depth is A + B / d; b B on top is as a distance of
     // (1 - b) d, to first order.
     program.set("u_depthShift", context.projection[3][2] * kLinesAhead / context.pixelsAtOneMetre);
@@ -153,7 +168,7 @@ Status drawEdges(const FrameContext& context, DeformationPipeline& pipeline, con
         program.set("u_model", item.model);
         program.set("u_colour", item.selected ? selected : colour);
         program.set("u_edgePixels", item.buffers->usualEdge() * context.pixelsAtOneMetre / frame.pixelRatio);
-        glBindVertexArray(item.buffers->edgeArray());
+        glBindVertexArray(item.original ? item.buffers->originalEdgeArray() : item.buffers->edgeArray());
         for (int pass = 0; pass < passes; ++pass) {
             const float pixels = static_cast<float>(pass) - 0.5f * static_cast<float>(passes - 1);
             program.set("u_shift", 2.0f * pixels / glm::vec2(frame.width, frame.height));
