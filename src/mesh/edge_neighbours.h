@@ -27,8 +27,8 @@ private:
     std::vector<std::uint32_t> m_neighbours;
 };
 
-/// Change in length of the vertex's edge that changed most, percent; negative is shorter. An edge that had no length is
-/// passed over. `original` and `current`: file vertices' positions.
+/// Change in length of the vertex's edge that changed most, percent; negative is shorter. An edge that had no
+/// length is passed over. `original` and `current`: file vertices' positions.
 [[nodiscard]] double edgeStretch(const EdgeNeighbours& neighbours, std::uint32_t fileVertex,
                                  std::span<const glm::vec3> original, std::span<const glm::vec3> current);
 

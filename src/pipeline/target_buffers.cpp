@@ -172,6 +172,12 @@ void TargetBuffers::writeShadingNormals(std::uint32_t first, std::span<const glm
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
 }
 
+void TargetBuffers::clearChangeValues() {
+    if (m_changeValues) {
+        writeChangeValues(0, std::vector<float>(m_vertexCount, 0.0f));
+    }
+}
+
 void TargetBuffers::writeChangeValues(std::uint32_t first, std::span<const float> values) {
     if (!m_changeValues) {
         const std::vector<float> none(m_vertexCount, 0.0f);

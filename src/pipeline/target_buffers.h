@@ -65,6 +65,7 @@ public:
     /// Replaces what colour maps of change show where the vertex alone does not tell
     /// (Attribute::ChangeValue); 0 before.
     void writeChangeValues(std::uint32_t first, std::span<const float> values);
+    void clearChangeValues();  ///< all 0 again
 
 private:
     std::uint32_t m_vertexCount = 0;

@@ -18,11 +18,12 @@
 
 namespace hitscope {
 
-/// One quantity of change of every vertex as the session has read it back: its values, what they amount to, how they
-/// are distributed. Counted are the vertices whose position changed or whose value is not 0.
+/// One quantity of change of every vertex as the session has read it back: its values, what they amount to,
+/// how they are distributed. Counted are the vertices whose position changed or whose value is not 0.
 ///
-/// Follows the read-back cluster by cluster, so that a hit costs what it reached. What would take longer than a few
-/// milliseconds (another quantity, everything undone on a large mesh) is done in slices between the window's events.
+/// Follows the read-back cluster by cluster, so that a hit costs what it reached. What would take longer than
+/// a few milliseconds (another quantity, everything undone on a large mesh) is done in slices between the
+/// window's events.
 class ChangeValues : public QObject {
     Q_OBJECT
 public:
@@ -41,8 +42,8 @@ public:
     using OtherVertices = std::function<std::span<const DynamicVertex>(TargetId target)>;
     void setOtherVertices(OtherVertices vertices);
 
-    /// Render vertices of a target have changed in what the session does not tell of: numbers of hits, the second
-    /// pipeline.
+    /// Render vertices of a target have changed in what the session does not tell of: numbers of hits, the
+    /// second pipeline.
     void touch(TargetId target, std::span<const std::uint32_t> renderVertices);
     void touchAll(TargetId target);
 
@@ -53,8 +54,8 @@ public:
     void finish();
     /// One a render vertex; empty while there is nothing on the target.
     [[nodiscard]] std::span<const float> values(TargetId target) const;
-    /// Of the counted file vertices of the visible targets over the summary's span, as it was last made: it follows
-    /// with histogramChanged().
+    /// Of the counted file vertices of the visible targets over the summary's span, as it was last made: it
+    /// follows with histogramChanged().
     [[nodiscard]] const Histogram& histogram() const { return m_histogram; }
     /// Whether somebody looks at it.
     void setHistogramWanted(bool wanted);
@@ -74,6 +75,7 @@ private:
     void mark(TargetValues& values, std::size_t cluster);
     void work();
     bool workOn(TargetValues& values, const QElapsedTimer& clock, bool toTheEnd);
+    void takeNeighbours(TargetId id, const std::shared_ptr<const RenderMesh>& of, EdgeNeighbours neighbours);
     void measure(TargetValues& values, std::size_t cluster);
     [[nodiscard]] double valueOf(const TargetValues& values, std::uint32_t renderVertex) const;
     void announce();
@@ -99,8 +101,8 @@ private:
     QTimer m_histogramTimer;
 };
 
-/// Where a quantity's colour map starts and ends: the style's own range, or that of the values: from 0 up, and for what
-/// has a sign as far below 0 as above.
+/// Where a quantity's colour map starts and ends: the style's own range, or that of the values: from 0 up,
+/// and for what has a sign as far below 0 as above.
 [[nodiscard]] ChangeRange shownRange(const ChangeMapOptions& options, const Summary& summary);
 /// As a frame draws it.
 [[nodiscard]] ShownChange shownChange(const ChangeMapOptions& options, const Summary& summary);

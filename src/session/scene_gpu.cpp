@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "render/renderer.h"
+#include "session/change_upload.h"
+#include "session/change_values.h"
 
 namespace hitscope {
 
@@ -80,6 +82,7 @@ struct SceneGpu::Private {
     std::shared_ptr<const MaterialSet> cover;
     std::uint64_t appliedRevision = 0;
     gl::Defines deformDefines;
+    ChangeUpload changeUpload;
 
     void followTargets();
     void followCover();
@@ -258,7 +261,8 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
         const Private::GpuTarget& gpu = d->targets.at(target->id);
         items.push_back({target->id, gpu.buffers.get(), d->materialsToDraw(*target),
                          modelMatrix(target->transform),
-                         target->id == session.selectedTarget() && session.targets().size() > 1});
+                         target->id == session.selectedTarget() && session.targets().size() > 1,
+                         !target->deformed.onceChanged().empty()});
     }
     std::vector<Sphere> projectiles;
     projectiles.reserve(session.physics().projectileCount());
@@ -275,6 +279,14 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
     frame.options = view.options;
     frame.floorHeight = session.floorHeight();
     frame.targets = items;
+    if (view.options.change.on) {
+        frame.change =
+            shownChange(view.options.change, view.changeValues ? view.changeValues->summary() : Summary());
+        d->changeUpload.follow(view.changeValues);
+        for (const DrawItem& item : items) {
+            d->changeUpload.upload(item.target, *d->targets.at(item.target).buffers);
+        }
+    }
     frame.projectiles = projectiles;
     if (session.selectedHit()) {
         const Hit& hit = session.history().hits()[*session.selectedHit()];

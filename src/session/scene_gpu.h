@@ -10,6 +10,8 @@
 
 namespace hitscope {
 
+class ChangeValues;
+
 /// A session on the GPU: buffers for its targets, the active pipeline, the renderer. Follows the session by
 /// the history's revision; nothing in it is truth, so it can be thrown away with its context and made again.
 /// A context is current for every call and the destructor.
@@ -31,6 +33,8 @@ public:
         float pixelRatio = 1.0f;
         Camera camera;
         DisplayOptions options;
+        /// What a colour map of change takes its range and some values from; it follows the quantity shown.
+        const ChangeValues* changeValues = nullptr;
     };
     /// As sync(), but waits for nothing: what changed comes to the session with one of the next frames. Then
     /// one picture into the framebuffer object of that name (0: the default framebuffer).

@@ -180,6 +180,8 @@ Q_SIGNALS:
     void hitsRearranged(const hitscope::HitRows& rows);  ///< removed, put back, moved
     void historyReset();                                 ///< after either of these, and with a new scene
     void meshChanged(hitscope::TargetId target);         ///< its DeformedMesh did
+    /// Before that: which render vertices moved, or have another true normal. Sorted.
+    void shadingChanged(hitscope::TargetId target, const std::vector<std::uint32_t>& renderVertices);
     void constantsChanged();
     void lightsChanged();
     void projectileSettingsChanged();

@@ -37,11 +37,12 @@ struct Summary {
     bool operator==(const Summary&) const = default;
 };
 
-/// Summaries of parts, and of all of them: a part that changes costs the logarithm of how many there are, so that the
-/// greatest value is known at once even when what had it is gone.
+/// Summaries of parts, and of all of them: a part that changes costs the logarithm of how many there are, so
+/// that the greatest value is known at once even when what had it is gone.
 class SummaryTree {
 public:
-    explicit SummaryTree(std::size_t parts) : m_parts(std::max<std::size_t>(parts, 1)), m_nodes(2 * m_parts) {}
+    explicit SummaryTree(std::size_t parts)
+        : m_parts(std::max<std::size_t>(parts, 1)), m_nodes(2 * m_parts) {}
 
     void set(std::size_t part, const Summary& summary) {
         std::size_t node = part + m_parts;
