@@ -182,6 +182,8 @@ Q_SIGNALS:
     void meshChanged(hitscope::TargetId target);         ///< its DeformedMesh did
     /// Before that: which render vertices moved, or have another true normal. Sorted.
     void shadingChanged(hitscope::TargetId target, const std::vector<std::uint32_t>& renderVertices);
+    /// Before that: which file vertices are now somewhere else, in no order; some may be repeated.
+    void verticesMoved(hitscope::TargetId target, const std::vector<std::uint32_t>& vertices);
     void constantsChanged();
     void lightsChanged();
     void projectileSettingsChanged();
