@@ -4,6 +4,8 @@
 #include <QSettings>
 #include <cmath>
 
+#include "app/change_settings.h"
+
 namespace hitscope {
 
 namespace {
@@ -99,6 +101,7 @@ AppSettings loadAppSettings(const QSettings& settings) {
     display.floor = settings.value(QStringLiteral("display/floor"), display.floor).toBool();
     display.textures = settings.value(QStringLiteral("display/textures"), display.textures).toBool();
     display.crosshair = settings.value(QStringLiteral("display/crosshair"), display.crosshair).toBool();
+    loadChangeSettings(settings, display);
     if (settings.contains(QStringLiteral("exportNormals"))) {
         values.exportNormals = readEnum(settings, QStringLiteral("exportNormals"), 2, NormalMode::True);
     }
@@ -121,6 +124,7 @@ void saveAppSettings(QSettings& settings, const AppSettings& values) {
     settings.setValue(QStringLiteral("display/floor"), display.floor);
     settings.setValue(QStringLiteral("display/textures"), display.textures);
     settings.setValue(QStringLiteral("display/crosshair"), display.crosshair);
+    saveChangeSettings(settings, display);
     if (values.exportNormals) {
         settings.setValue(QStringLiteral("exportNormals"), static_cast<int>(*values.exportNormals));
     } else {

@@ -19,7 +19,9 @@ class QMenu;
 
 namespace hitscope {
 
+class ChangeActions;
 class FrameRatePanel;
+class HitEffects;
 class NoticeBar;
 class PipelineChooser;
 class SceneFiles;
@@ -123,6 +125,8 @@ private:
     SceneFiles* m_files = nullptr;
     StatusLine* m_status = nullptr;
     PipelineChooser* m_pipelines = nullptr;
+    HitEffects* m_hitEffects = nullptr;
+    ChangeActions* m_change = nullptr;
     FrameRatePanel* m_frameRate = nullptr;
     QTimer m_frameRateTimer;
     QByteArray m_firstLayout;

@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <utility>
 
+#include "app/change_actions.h"
 #include "app/dialogs.h"
 #include "app/keys_sheet.h"
 #include "app/main_window.h"
@@ -142,6 +143,7 @@ void MainWindow::makeDisplayActions(QMenu& menu) {
     m_textures = addToggle(textures, tr("&Show Textures"), Qt::Key_T, true, [this](bool on) {
         changeDisplay([on](DisplayOptions& display) { display.textures = on; });
     });
+    m_change->fill(*menu.addMenu(tr("Chan&ge")));
     m_floor = addToggle(menu, tr("F&loor"), {}, true, [this](bool on) {
         changeDisplay([on](DisplayOptions& display) { display.floor = on; });
     });

@@ -32,9 +32,9 @@ GLuint ColourTextures::get(ColourMap map) {
     return texture.id();
 }
 
-gl::Defines targetDefines(const FrameContext& context, const DeformationPipeline& pipeline) {
+gl::Defines targetDefines(const Frame& frame, const DeformationPipeline& pipeline) {
     gl::Defines defines = pipeline.drawDefines();
-    if (context.frame.options.beforeAfter.exaggeration != 1.0f) {
+    if (frame.options.beforeAfter.exaggeration != 1.0f) {
         defines.emplace_back("HITSCOPE_EXAGGERATED", "1");
     }
     return defines;

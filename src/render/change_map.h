@@ -19,7 +19,7 @@ private:
 };
 
 /// What programs that draw targets are built with: the pipeline's definitions and what change.glsl wants.
-[[nodiscard]] gl::Defines targetDefines(const FrameContext& context, const DeformationPipeline& pipeline);
+[[nodiscard]] gl::Defines targetDefines(const Frame& frame, const DeformationPipeline& pipeline);
 /// Sets change.glsl's uniforms of a program built with them, in use. Passes that draw where targets are need
 /// no more.
 void setDrawnPlace(const gl::Program& program, const Frame& frame);

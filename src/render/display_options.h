@@ -24,6 +24,7 @@ struct DisplayOptions {
     bool crosshair = false;
     ChangeMapOptions change;
     BeforeAfterOptions beforeAfter;
+    bool sideBySide = false;  ///< two pictures, where there is a second pipeline to show
 };
 
 }  // namespace hitscope

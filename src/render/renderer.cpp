@@ -36,7 +36,7 @@ constexpr std::array<std::pair<const char*, const char*>, 6> kPrograms{
 
 void prepareFramebuffer(const Frame& frame, GLuint framebuffer) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, frame.width, frame.height);
+    glViewport(frame.left, 0, frame.width, frame.height);
     for (const GLenum capability : {GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_FRAMEBUFFER_SRGB,
                                     GL_RASTERIZER_DISCARD, GL_COLOR_LOGIC_OP, GL_BLEND, GL_DEPTH_TEST}) {
         glDisable(capability);
@@ -174,10 +174,10 @@ Status Renderer::Private::drawWiped(const FrameContext& context, DeformationPipe
     const OriginalFrame originals(frame);
     OriginalShape shape;
     glEnable(GL_SCISSOR_TEST);
-    glScissor(0, 0, line, frame.height);
+    glScissor(frame.left, 0, line, frame.height);
     Status status = drawTargets(contextOf(originals.frame), shape);
     if (status) {
-        glScissor(line, 0, frame.width - line, frame.height);
+        glScissor(frame.left + line, 0, frame.width - line, frame.height);
         startSolid();
         status = drawTargets(context, pipeline);
     }

@@ -36,6 +36,7 @@ struct DrawItem {
 
 /// One picture, in full.
 struct Frame {
+    int left = 0;             ///< pixels, where in the framebuffer the picture starts
     int width = 0;            ///< pixels
     int height = 0;           ///< pixels
     float pixelRatio = 1.0f;  ///< device pixels a logical pixel: line widths, crosshair

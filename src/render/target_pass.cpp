@@ -65,7 +65,7 @@ struct Parts {
 };
 
 Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, const Parts& parts) {
-    gl::Defines defines = targetDefines(context, pipeline);
+    gl::Defines defines = targetDefines(context.frame, pipeline);
     if (context.frame.change) {
         defines.emplace_back("HITSCOPE_CHANGE_MAP", "1");
     }
@@ -127,7 +127,8 @@ Status drawTranslucentSurfaces(const FrameContext& context, DeformationPipeline&
 }
 
 Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline) {
-    const auto found = context.programs.get("surface.vert", "depth.frag", targetDefines(context, pipeline));
+    const auto found =
+        context.programs.get("surface.vert", "depth.frag", targetDefines(context.frame, pipeline));
     if (!found) {
         return found.error();
     }
@@ -147,7 +148,7 @@ Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeli
 
 Status drawEdges(const FrameContext& context, DeformationPipeline& pipeline, const glm::vec4& colour,
                  float selectionTint) {
-    const auto found = context.programs.get("wire.vert", "wire.frag", targetDefines(context, pipeline));
+    const auto found = context.programs.get("wire.vert", "wire.frag", targetDefines(context.frame, pipeline));
     if (!found) {
         return found.error();
     }

@@ -12,6 +12,9 @@
 #include "render/renderer.h"
 #include "session/change_upload.h"
 #include "session/change_values.h"
+#include "session/comparison.h"
+#include "session/second_scene.h"
+#include "session/shading_normals.h"
 
 namespace hitscope {
 
@@ -21,22 +24,6 @@ glm::mat4 modelMatrix(const RigidTransform& transform) {
     glm::mat4 model = glm::mat4_cast(transform.rotation);
     model[3] = glm::vec4(transform.position, 1.0f);
     return model;
-}
-
-/// Uploads the new normals in runs; short gaps are filled, since a call costs more than a few vertices.
-void writeShadingNormals(TargetBuffers& buffers, std::span<const std::uint32_t> vertices,
-                         std::span<const glm::vec3> normals) {
-    constexpr std::uint32_t kLargestGap = 32;
-    std::size_t begin = 0;
-    while (begin < vertices.size()) {
-        std::size_t end = begin + 1;
-        while (end < vertices.size() && vertices[end] - vertices[end - 1] <= kLargestGap) {
-            ++end;
-        }
-        const std::uint32_t first = vertices[begin];
-        buffers.writeShadingNormals(first, normals.subspan(first, vertices[end - 1] + 1 - first));
-        begin = end;
-    }
 }
 
 /// Hits that came one by one are applied in one pass all the same.
@@ -67,7 +54,7 @@ std::map<PipelineKind, QString> unavailablePipelines() {
 }  // namespace
 
 struct SceneGpu::Private {
-    explicit Private(Session& followed) : session(followed) {}
+    explicit Private(Session& followed) : session(followed), second(followed) {}
 
     struct GpuTarget {
         std::unique_ptr<TargetBuffers> buffers;
@@ -84,6 +71,8 @@ struct SceneGpu::Private {
     std::uint64_t appliedRevision = 0;
     gl::Defines deformDefines;
     ChangeUpload changeUpload;
+    SecondScene second;
+    ChangeUpload secondUpload;
 
     void followTargets();
     void followCover();
@@ -96,6 +85,9 @@ struct SceneGpu::Private {
     void readBack(Delivery delivery);
     Status follow(Delivery delivery);
     std::shared_ptr<const MaterialSet> materialsOf(const DeformedMesh& mesh);
+    void followComparison(Comparison* comparison);
+    /// The picture, or two of them side by side.
+    Status drawAll(Frame& frame, const View& view, unsigned framebuffer);
 };
 
 SceneGpu::SceneGpu(Session& session) : d(std::make_unique<Private>(session)) {}
@@ -262,7 +254,7 @@ Status SceneGpu::sync() {
 }
 
 bool SceneGpu::isReadBackPending() const {
-    return d->pipeline && d->pipeline->isReadBackPending();
+    return (d->pipeline && d->pipeline->isReadBackPending()) || d->second.isReadBackPending();
 }
 
 Status SceneGpu::drawElements(const View& view, PickPass& pass, const PixelArea& area,
@@ -280,10 +272,39 @@ Status SceneGpu::drawElements(const View& view, PickPass& pass, const PixelArea&
     return pass.draw(frame, *d->pipeline, area, elements);
 }
 
+void SceneGpu::Private::followComparison(Comparison* comparison) {
+    second.follow(comparison, deformDefines, SecondScene::Delivery::WhatHasArrived);
+    if (second.isReady() && !second.isReadBackPending() && !pipeline->isReadBackPending()) {
+        comparison->settle(second.pipeline().capacity().dropped.size());
+    }
+}
+
+Status SceneGpu::Private::drawAll(Frame& frame, const View& view, unsigned framebuffer) {
+    if (!second.isReady() || !view.options.sideBySide) {
+        return renderer->draw(frame, *pipeline, framebuffer);
+    }
+    frame.width = view.width / 2;
+    if (Status status = renderer->draw(frame, *pipeline, framebuffer); !status) {
+        return status;
+    }
+    const std::vector<DrawItem> items = second.itemsFor(frame.targets);
+    if (frame.change) {
+        secondUpload.follow(view.changeValues);
+        for (const DrawItem& item : items) {
+            secondUpload.upload(item.target, second.buffersOf(item.target));
+        }
+    }
+    frame.targets = items;
+    frame.left = frame.width;
+    frame.width = view.width - frame.left;
+    return renderer->draw(frame, second.pipeline(), framebuffer);
+}
+
 Status SceneGpu::draw(const View& view, unsigned framebuffer) {
     if (Status status = d->follow(Private::Delivery::WhatHasArrived); !status) {
         return status;
     }
+    d->followComparison(view.comparison);
     const Session& session = d->session;
     const std::vector<DrawItem> items = d->drawItems();
     std::vector<Sphere> projectiles;
@@ -316,7 +337,7 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
             frame.highlightedHit = Sphere{target->transform.toWorld(hit.point), hit.constants.maxDistance};
         }
     }
-    return d->renderer->draw(frame, *d->pipeline, framebuffer);
+    return d->drawAll(frame, view, framebuffer);
 }
 
 }  // namespace hitscope

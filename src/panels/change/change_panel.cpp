@@ -7,15 +7,16 @@
 #include <cmath>
 
 #include "models/quantity_text.h"
+#include "session/comparison_text.h"
 #include "ui_change.h"
 
 namespace hitscope {
 
 namespace {
 
-constexpr float kSliderScale = 10.0f;     // steps of the exaggeration's slider in 1
-constexpr float kWipeScale = 1000.0f;     // steps of the wipe's slider across the picture
-constexpr double kLargestValue = 1.0e6;   // that can be typed in
+constexpr float kSliderScale = 10.0f;    // steps of the exaggeration's slider in 1
+constexpr float kWipeScale = 1000.0f;    // steps of the wipe's slider across the picture
+constexpr double kLargestValue = 1.0e6;  // that can be typed in
 
 QString text(std::string_view words) {
     return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
@@ -46,19 +47,25 @@ QString titleOf(const ChangeTraits& traits) {
 
 }  // namespace
 
-ChangePanel::ChangePanel(ChangeValues& values, QWidget* parent)
-    : QWidget(parent), m_values(values), m_ui(std::make_unique<Ui::Change>()) {
+ChangePanel::ChangePanel(ChangeValues& values, Comparison& comparison, const Session& session,
+                         QWidget* parent)
+    : QWidget(parent),
+      m_values(values),
+      m_comparison(comparison),
+      m_session(session),
+      m_ui(std::make_unique<Ui::Change>()) {
     m_ui->setupUi(this);
     m_ui->histogram->setEmptyText(tr("No vertex has changed"));
     fillBoxes();
     connectMap();
     connectBeforeAfter();
+    connectComparison();
     connect(&values, &ChangeValues::summaryChanged, this, [this] {
         showRange();
         showNumbers();
     });
     connect(&values, &ChangeValues::histogramChanged, this, &ChangePanel::showHistogram);
-    setOptions({}, {});
+    setOptions({});
 }
 
 ChangePanel::~ChangePanel() = default;
@@ -113,7 +120,7 @@ void ChangePanel::connectBeforeAfter() {
     const auto edit = [this](auto change) {
         if (!m_showing) {
             change(m_beforeAfter);
-            setOptions(m_map, m_beforeAfter);
+            showBeforeAfter();
             Q_EMIT beforeAfterEdited(m_beforeAfter);
         }
     };
@@ -135,16 +142,62 @@ void ChangePanel::connectBeforeAfter() {
     });
 }
 
-void ChangePanel::setOptions(const ChangeMapOptions& map, const BeforeAfterOptions& beforeAfter) {
-    m_beforeAfter = beforeAfter;
-    show(map);
+void ChangePanel::setOptions(const DisplayOptions& display) {
+    m_beforeAfter = display.beforeAfter;
+    show(display.change);
+    showBeforeAfter();
     const QScopedValueRollback showing(m_showing, true);
-    m_ui->ghost->setCurrentIndex(static_cast<int>(beforeAfter.ghost));
-    m_ui->wipe->setChecked(beforeAfter.wipe);
-    m_ui->wipeAt->setEnabled(beforeAfter.wipe);
-    m_ui->wipeAt->setValue(static_cast<int>(std::lround(beforeAfter.wipeAt * kWipeScale)));
-    m_ui->exaggerationSlider->setValue(static_cast<int>(std::lround(beforeAfter.exaggeration * kSliderScale)));
-    m_ui->exaggeration->setValue(static_cast<double>(beforeAfter.exaggeration));
+    m_ui->sideBySide->setChecked(display.sideBySide);
+    m_ui->sideBySide->setEnabled(m_comparison.other().has_value());
+}
+
+void ChangePanel::showBeforeAfter() {
+    const QScopedValueRollback showing(m_showing, true);
+    m_ui->ghost->setCurrentIndex(static_cast<int>(m_beforeAfter.ghost));
+    m_ui->wipe->setChecked(m_beforeAfter.wipe);
+    m_ui->wipeAt->setEnabled(m_beforeAfter.wipe);
+    m_ui->wipeAt->setValue(static_cast<int>(std::lround(m_beforeAfter.wipeAt * kWipeScale)));
+    m_ui->exaggerationSlider->setValue(
+        static_cast<int>(std::lround(m_beforeAfter.exaggeration * kSliderScale)));
+    m_ui->exaggeration->setValue(static_cast<double>(m_beforeAfter.exaggeration));
+}
+
+void ChangePanel::connectComparison() {
+    listPipelines();
+    connect(m_ui->other, &QComboBox::activated, this, [this](int index) {
+        const QVariant kind = m_ui->other->itemData(index);
+        Q_EMIT otherChosen(kind.isValid() ? std::optional(static_cast<PipelineKind>(kind.toInt()))
+                                          : std::nullopt);
+    });
+    connect(m_ui->sideBySide, &QCheckBox::toggled, this, [this](bool on) {
+        if (!m_showing) {
+            Q_EMIT sideBySideEdited(on);
+        }
+    });
+    connect(&m_session, &Session::unavailablePipelinesChanged, this, &ChangePanel::listPipelines);
+    connect(&m_session, &Session::pipelineChanged, this, &ChangePanel::showReport);
+    connect(&m_comparison, &Comparison::otherChanged, this, &ChangePanel::listPipelines);
+    connect(&m_comparison, &Comparison::reportChanged, this, &ChangePanel::showReport);
+    showReport();
+}
+
+void ChangePanel::listPipelines() {
+    m_ui->other->clear();
+    m_ui->other->addItem(tr("Off"));
+    for (const PipelineTraits& traits : allPipelines()) {
+        if (m_session.whyUnavailable(traits.kind).isEmpty()) {
+            m_ui->other->addItem(text(traits.name), static_cast<int>(traits.kind));
+        }
+        if (m_comparison.other() == traits.kind) {
+            m_ui->other->setCurrentIndex(m_ui->other->count() - 1);
+        }
+    }
+    m_ui->sideBySide->setEnabled(m_comparison.other().has_value());
+}
+
+void ChangePanel::showReport() {
+    m_ui->report->setVisible(m_comparison.other().has_value());
+    m_ui->report->setText(comparisonText(m_comparison));
 }
 
 void ChangePanel::show(const ChangeMapOptions& map) {
@@ -185,11 +238,12 @@ void ChangePanel::showNumbers() {
     }
     const QString unit = text(changeTraits(m_map.quantity).unit);
     const double mean = summary.sum / static_cast<double>(summary.count);
-    m_ui->numbers->setText(
-        tr("%1 vertices: %2 to %3, mean %4 %5")
-            .arg(countText(summary.count), QString::number(summary.low, 'g', 4),
-                 QString::number(summary.high, 'g', 4), QString::number(mean, 'g', 4), unit));
-    m_ui->numbers->setToolTip(tr("Root mean square: %1 %2").arg(summary.rootMeanSquare(), 0, 'g', 5).arg(unit));
+    m_ui->numbers->setText(tr("%1 vertices: %2 to %3, mean %4 %5")
+                               .arg(countText(summary.count), QString::number(summary.low, 'g', 4),
+                                    QString::number(summary.high, 'g', 4), QString::number(mean, 'g', 4),
+                                    unit));
+    m_ui->numbers->setToolTip(
+        tr("Root mean square: %1 %2").arg(summary.rootMeanSquare(), 0, 'g', 5).arg(unit));
 }
 
 void ChangePanel::showHistogram() {
@@ -225,11 +279,13 @@ void ChangePanel::setFixedRange(double low, double high) {
 void ChangePanel::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     m_values.setHistogramWanted(true);
+    Q_EMIT shownOrHidden();
 }
 
 void ChangePanel::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
     m_values.setHistogramWanted(false);
+    Q_EMIT shownOrHidden();
 }
 
 }  // namespace hitscope

@@ -4,8 +4,9 @@
 #include <QWidget>
 #include <memory>
 
-#include "render/change_options.h"
+#include "render/display_options.h"
 #include "session/change_values.h"
+#include "session/comparison.h"
 
 namespace Ui {
 class Change;
@@ -13,21 +14,25 @@ class Change;
 
 namespace hitscope {
 
-/// The dock "Change": what surfaces are coloured by, the range of the colours with a histogram, and how the original is
-/// shown beside what became of it.
+/// The dock "Change": what surfaces are coloured by, the range of the colours with a histogram, and how the
+/// original is shown beside what became of it.
 class ChangePanel : public QWidget {
     Q_OBJECT
 public:
-    /// `values` outlives the panel.
-    explicit ChangePanel(ChangeValues& values, QWidget* parent = nullptr);
+    /// All outlive the panel.
+    ChangePanel(ChangeValues& values, Comparison& comparison, const Session& session,
+                QWidget* parent = nullptr);
     ~ChangePanel() override;
 
     /// What is shown; emits nothing.
-    void setOptions(const ChangeMapOptions& map, const BeforeAfterOptions& beforeAfter);
+    void setOptions(const DisplayOptions& display);
 
 Q_SIGNALS:
     void mapEdited(const hitscope::ChangeMapOptions& map);
     void beforeAfterEdited(const hitscope::BeforeAfterOptions& beforeAfter);
+    void sideBySideEdited(bool on);
+    void otherChosen(std::optional<hitscope::PipelineKind> other);
+    void shownOrHidden();
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -37,6 +42,10 @@ private:
     void fillBoxes();
     void connectMap();
     void connectBeforeAfter();
+    void connectComparison();
+    void listPipelines();
+    void showReport();
+    void showBeforeAfter();
     void show(const ChangeMapOptions& map);
     void showRange();
     void showNumbers();
@@ -45,6 +54,8 @@ private:
     void setFixedRange(double low, double high);
 
     ChangeValues& m_values;
+    Comparison& m_comparison;
+    const Session& m_session;
     std::unique_ptr<Ui::Change> m_ui;
     ChangeMapOptions m_map;
     BeforeAfterOptions m_beforeAfter;
