@@ -13,6 +13,7 @@
 #include "session/change_upload.h"
 #include "session/change_values.h"
 #include "session/comparison.h"
+#include "session/frame_meter.h"
 #include "session/second_scene.h"
 #include "session/shading_normals.h"
 
@@ -41,6 +42,10 @@ std::vector<HistoryEdit> withAppendsJoined(std::vector<HistoryEdit> edits) {
     return joined;
 }
 
+bool isAppend(const HistoryEdit& edit, const HitHistory& history) {
+    return edit.before.empty() && edit.first + edit.after.size() == history.size();
+}
+
 std::map<PipelineKind, QString> unavailablePipelines() {
     std::map<PipelineKind, QString> reasons;
     for (const PipelineTraits& traits : allPipelines()) {
@@ -54,7 +59,7 @@ std::map<PipelineKind, QString> unavailablePipelines() {
 }  // namespace
 
 struct SceneGpu::Private {
-    explicit Private(Session& followed) : session(followed), second(followed) {}
+    explicit Private(Session& followed) : session(followed), meter(followed.frameCosts()), second(followed) {}
 
     struct GpuTarget {
         std::unique_ptr<TargetBuffers> buffers;
@@ -62,6 +67,7 @@ struct SceneGpu::Private {
     };
 
     Session& session;
+    FrameMeter meter;
     std::unique_ptr<Renderer> renderer;
     std::unordered_map<TargetId, GpuTarget> targets;
     std::unique_ptr<DeformationPipeline> pipeline;  // below the buffers it is given, so that it goes first
@@ -86,6 +92,9 @@ struct SceneGpu::Private {
     Status follow(Delivery delivery);
     std::shared_ptr<const MaterialSet> materialsOf(const DeformedMesh& mesh);
     void followComparison(Comparison* comparison);
+    [[nodiscard]] bool isSideBySide(const View& view) const {
+        return second.isReady() && view.options.sideBySide;
+    }
     /// The picture, or two of them side by side.
     Status drawAll(Frame& frame, const View& view, unsigned framebuffer);
 };
@@ -202,9 +211,14 @@ bool SceneGpu::Private::followHistory(bool startOver) {
     auto edits = history.editsSince(appliedRevision);
     startOver = startOver || !edits;
     if (startOver) {
+        meter.applying(0, history.size(), false);
         pipeline->reset(history.hits());
     } else {
-        for (const HistoryEdit& edit : withAppendsJoined(*std::move(edits))) {
+        const std::vector<HistoryEdit> joined = withAppendsJoined(*std::move(edits));
+        if (joined.size() == 1 && isAppend(joined.front(), history)) {
+            meter.applying(joined.front().first, joined.front().after.size(), true);
+        }
+        for (const HistoryEdit& edit : joined) {
             pipeline->edit(edit);
         }
     }
@@ -238,11 +252,14 @@ Status SceneGpu::Private::follow(Delivery delivery) {
     if (Status status = followPipeline(startOver); !status) {
         return status;
     }
+    meter.endOf(FrameMeter::Part::Preparation);
     // Started over, the CPU copy is at the originals: it must not be seen like that for a frame or two.
     if (followHistory(startOver)) {
         delivery = Delivery::All;
     }
+    meter.endOf(FrameMeter::Part::Deformation);
     readBack(delivery);
+    meter.endOf(FrameMeter::Part::ReadBack);
     if (!pipeline->isReadBackPending()) {
         session.setUpToDate();
     }
@@ -250,7 +267,14 @@ Status SceneGpu::Private::follow(Delivery delivery) {
 }
 
 Status SceneGpu::sync() {
-    return d->follow(Private::Delivery::All);
+    d->meter.begin();
+    Status status = d->follow(Private::Delivery::All);
+    d->meter.end();
+    return status;
+}
+
+void SceneGpu::collectCosts() {
+    d->meter.collect();
 }
 
 bool SceneGpu::isReadBackPending() const {
@@ -269,7 +293,14 @@ Status SceneGpu::drawElements(const View& view, PickPass& pass, const PixelArea&
     frame.camera = view.camera;
     frame.options = view.options;
     frame.targets = items;
-    return pass.draw(frame, *d->pipeline, area, elements);
+    if (!d->isSideBySide(view)) {
+        return pass.draw(frame, *d->pipeline, area, elements);
+    }
+    // Both pictures show the same elements; where they are is the first one's.
+    frame.width = view.width / 2;
+    PixelArea within = area;
+    within.x -= area.x >= frame.width ? frame.width : 0;
+    return pass.draw(frame, *d->pipeline, within, elements);
 }
 
 void SceneGpu::Private::followComparison(Comparison* comparison) {
@@ -280,7 +311,7 @@ void SceneGpu::Private::followComparison(Comparison* comparison) {
 }
 
 Status SceneGpu::Private::drawAll(Frame& frame, const View& view, unsigned framebuffer) {
-    if (!second.isReady() || !view.options.sideBySide) {
+    if (!isSideBySide(view)) {
         return renderer->draw(frame, *pipeline, framebuffer);
     }
     frame.width = view.width / 2;
@@ -301,7 +332,9 @@ Status SceneGpu::Private::drawAll(Frame& frame, const View& view, unsigned frame
 }
 
 Status SceneGpu::draw(const View& view, unsigned framebuffer) {
+    d->meter.begin();
     if (Status status = d->follow(Private::Delivery::WhatHasArrived); !status) {
+        d->meter.end();
         return status;
     }
     d->followComparison(view.comparison);
@@ -337,7 +370,10 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
             frame.highlightedHit = Sphere{target->transform.toWorld(hit.point), hit.constants.maxDistance};
         }
     }
-    return d->drawAll(frame, view, framebuffer);
+    Status status = d->drawAll(frame, view, framebuffer);
+    d->meter.endOf(FrameMeter::Part::Drawing);
+    d->meter.end();
+    return status;
 }
 
 }  // namespace hitscope

@@ -88,12 +88,12 @@ QString titleOf(const ShownChange& change) {
 
 void paintBar(QPainter& painter, const QRectF& bar, ColourMap map) {
     const ColourTable& table = colourTable(map);
-    const double part = bar.height() / static_cast<double>(table.size());
+    QImage colours(1, static_cast<int>(table.size()), QImage::Format_RGB32);
     for (std::size_t i = 0; i < table.size(); ++i) {
-        const double top = bar.bottom() - static_cast<double>(i + 1) * part;
-        painter.fillRect(QRectF(bar.left(), top, bar.width(), part + 0.5),
-                         QColor(table[i][0], table[i][1], table[i][2]));
+        colours.setPixelColor(0, static_cast<int>(table.size() - 1 - i),
+                              QColor(table[i][0], table[i][1], table[i][2]));
     }
+    painter.drawImage(bar, colours);
 }
 
 }  // namespace
