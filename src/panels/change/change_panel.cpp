@@ -84,8 +84,8 @@ void ChangePanel::fillBoxes() {
         box->setDecimals(3);
         box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
         box->setKeyboardTracking(false);
-        box->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-00.000")) + 36);
-        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        box->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-0.0000")) + 28);
+        box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     }
 }
 
