@@ -1,24 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #version 330 core
-// HITSCOPE_TEXTURED   defined: the diffuse colour comes from a texture too, and where that is transparent there is
-//                     no surface. A program of its own, because a shader that may discard is run on hidden pixels.
+// HITSCOPE_TEXTURED      defined: the diffuse colour comes from a texture too, and where that is transparent there is
+//                        no surface. A program of its own, because a shader that may discard is run on hidden pixels.
+// HITSCOPE_TRANSLUCENT   defined: there is an opacity
+// HITSCOPE_MARKS         defined: something is selected: a target's rim, a hit's ring
 
 #include "lighting.glsl"
 #include "tone.glsl"
 
-in vec3 v_position;
+in vec3 v_position;  // from the eye
 in vec3 v_normal;
+#ifdef HITSCOPE_TEXTURED
 in vec2 v_texcoord;
+#endif
 
 uniform vec3 u_diffuse;
 uniform vec3 u_specular;
 uniform float u_shininess;
+#ifdef HITSCOPE_TRANSLUCENT
 uniform float u_opacity;
+#endif
+#ifdef HITSCOPE_TEXTURED
 uniform sampler2D u_texture;
-uniform vec4 u_rim;        // linear colour and strength of the selected target's rim
-uniform vec4 u_ring;       // centre and radius of the highlighted hit; radius 0: none
+#endif
+#ifdef HITSCOPE_MARKS
+uniform vec4 u_rim;   // linear colour and strength of the selected target's rim
+uniform vec4 u_ring;  // centre, from the eye, and radius of the highlighted hit; radius 0: none
 uniform vec3 u_ringColour;
 uniform float u_ringWidth;  // pixels
+#endif
 
 out vec4 o_colour;
 
@@ -27,12 +37,13 @@ vec3 facingNormal()
     vec3 normal = v_normal;
     if (dot(normal, normal) < 1.0e-12) {
         normal = cross(dFdx(v_position), dFdy(v_position));
-        return dot(normal, u_eye - v_position) < 0.0 ? -normalize(normal) : normalize(normal);
+        return dot(normal, v_position) > 0.0 ? -normalize(normal) : normalize(normal);
     }
     normal = normalize(normal);
     return gl_FrontFacing ? normal : -normal;
 }
 
+#ifdef HITSCOPE_MARKS
 // Where the highlighted hit's sphere cuts the surface: its max_distance, seen on the mesh.
 float ring()
 {
@@ -44,10 +55,13 @@ float ring()
     float edge = 1.0 - smoothstep(0.5 * u_ringWidth - 0.5, 0.5 * u_ringWidth + 0.5, abs(off) / pixel);
     return max(0.9 * edge, off < 0.0 ? 0.12 : 0.0);
 }
+#endif
 
 void main()
 {
+#ifdef HITSCOPE_MARKS
     float ringed = ring();
+#endif
     vec3 albedo = u_diffuse;
 #ifdef HITSCOPE_TEXTURED
     vec4 texel = texture(u_texture, vec2(v_texcoord.x, 1.0 - v_texcoord.y));
@@ -62,10 +76,17 @@ void main()
     surface.diffuse = albedo;
     surface.specular = u_specular;
     surface.shininess = u_shininess;
+    surface.sunlit = 1.0;
 
     vec3 light = phong(surface);
-    float grazing = 1.0 - abs(dot(surface.normal, normalize(u_eye - v_position)));
+#ifdef HITSCOPE_MARKS
+    float grazing = 1.0 - abs(dot(surface.normal, normalize(v_position)));
     light += u_rim.rgb * (u_rim.a * grazing * grazing * grazing);
     light = mix(light, u_ringColour, ringed);
-    o_colour = vec4(display(light), u_opacity);
+#endif
+    float opacity = 1.0;
+#ifdef HITSCOPE_TRANSLUCENT
+    opacity = u_opacity;
+#endif
+    o_colour = vec4(display(light), opacity);
 }

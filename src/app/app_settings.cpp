@@ -52,13 +52,16 @@ void readNumber(const QSettings& settings, const QString& key, float lowest, flo
 template <class Light>
 void readLight(const QSettings& settings, const QString& name, Light& light) {
     light.on = settings.value(QStringLiteral("lights/%1/on").arg(name), light.on).toBool();
-    readColour(settings, QStringLiteral("lights/%1/diffuse").arg(name), light.colours.diffuse);
+    readColour(settings, QStringLiteral("lights/%1/colour").arg(name), light.terms.colour);
+    readNumber(settings, QStringLiteral("lights/%1/diffuse").arg(name), 0.0f, 10.0f, light.terms.diffuse);
 }
 
 template <class Light>
 void writeLight(QSettings& settings, const QString& name, const Light& light) {
     settings.setValue(QStringLiteral("lights/%1/on").arg(name), light.on);
-    writeColour(settings, QStringLiteral("lights/%1/diffuse").arg(name), light.colours.diffuse);
+    writeColour(settings, QStringLiteral("lights/%1/colour").arg(name), light.terms.colour);
+    settings.setValue(QStringLiteral("lights/%1/diffuse").arg(name),
+                      QString::number(static_cast<double>(light.terms.diffuse), 'g', 9));
 }
 
 void loadProjectile(const QSettings& settings, Session& session) {

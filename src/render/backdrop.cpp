@@ -26,7 +26,7 @@ Status drawBackground(const FrameContext& context) {
 }
 
 Status drawFloor(const FrameContext& context) {
-    const auto program = context.programs.get("floor.vert", "floor.frag");
+    const auto program = context.programs.get("floor.vert", "floor.frag", lightDefines(context.frame.lights));
     if (!program) {
         return program.error();
     }
@@ -40,6 +40,7 @@ Status drawFloor(const FrameContext& context) {
     floor.use();
     setLights(floor, context);
     floor.set("u_viewProjection", context.viewProjection);
+    floor.set("u_eye", context.eye);
     floor.set("u_centre", glm::vec3(pivot.x, frame.floorHeight, pivot.z));
     floor.set("u_reach", frame.camera.floorReach());
     floor.set("u_diffuse", context.colours.floor);

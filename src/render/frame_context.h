@@ -25,7 +25,9 @@ struct FrameContext {
     float pixelsAtOneMetre = 1.0f;  ///< how many pixels a metre takes, a metre from the eye
 };
 
-/// Writes the uniforms of lighting.glsl; the program is in use.
+/// Which lights are on, for programs that include lighting.glsl.
+[[nodiscard]] gl::Defines lightDefines(const Lights& lights);
+/// Writes the uniforms of lighting.glsl in a program built with lightDefines(); it is in use.
 void setLights(const gl::Program& program, const FrameContext& context);
 
 // Each draws one thing with blending, and expects depth test on and depth writes off.

@@ -91,6 +91,13 @@ Status drawShaded(const FrameContext& context, DeformationPipeline& pipeline) {
     if (Status status = drawSurfaces(context, pipeline); !status) {
         return status;
     }
+    // Now, where it is not hidden.
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_LEQUAL);
+    if (Status status = drawBackground(context); !status) {
+        return status;
+    }
+    glDepthFunc(GL_LESS);
     startBlended();
     if (Status status = drawFloorAndShades(context); !status) {
         return status;
@@ -163,8 +170,10 @@ Status Renderer::draw(const Frame& frame, DeformationPipeline& pipeline, GLuint 
     prepareFramebuffer(frame, framebuffer);
     FrameContext context = makeContext(frame, d->programs, d->emptyArray.id());
     context.software = d->software;
-    if (Status status = drawBackground(context); !status) {
-        return status;
+    if (frame.options.wireframe == WireframeMode::Only) {
+        if (Status status = drawBackground(context); !status) {
+            return status;
+        }
     }
     startSolid();
     if (Status status = d->projectiles.draw(context); !status) {

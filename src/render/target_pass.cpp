@@ -28,16 +28,49 @@ const MaterialSet& materialsOf(const DrawItem& item) {
     return item.materials != nullptr ? *item.materials : defaults;
 }
 
+bool hasMarks(const Frame& frame) {
+    return frame.highlightedHit.has_value() ||
+           std::any_of(frame.targets.begin(), frame.targets.end(),
+                       [](const DrawItem& item) { return item.selected; });
+}
+
+struct Parts {
+    bool translucent = false;
+    bool textured = false;
+};
+
+/// A program has what a frame needs and no more: see lighting.glsl.
+gl::Defines surfaceDefines(const FrameContext& context, const DeformationPipeline& pipeline,
+                           const Parts& parts) {
+    const Frame& frame = context.frame;
+    gl::Defines defines = pipeline.drawDefines();
+    const gl::Defines lights = lightDefines(frame.lights);
+    defines.insert(defines.end(), lights.begin(), lights.end());
+    const std::pair<const char*, bool> parted[] = {
+        {"HITSCOPE_TEXTURED", parts.textured},
+        {"HITSCOPE_TRANSLUCENT", parts.translucent},
+        {"HITSCOPE_MARKS", hasMarks(frame)},
+        {"HITSCOPE_PAPER_NORMALS", frame.options.normals == NormalMode::Paper}};
+    for (const auto& [name, wanted] : parted) {
+        if (wanted) {
+            defines.emplace_back(name, "1");
+        }
+    }
+    return defines;
+}
+
 void setSurface(const gl::Program& program, const FrameContext& context) {
     const Frame& frame = context.frame;
     setLights(program, context);
     program.set("u_viewProjection", context.viewProjection);
-    program.set("u_paperNormals", frame.options.normals == NormalMode::Paper ? 1 : 0);
-    program.set("u_ring", frame.highlightedHit
-                              ? glm::vec4(frame.highlightedHit->centre, frame.highlightedHit->radius)
-                              : glm::vec4(0.0f));
-    program.set("u_ringColour", toLinear(context.colours.accent));
-    program.set("u_ringWidth", std::max(1.0f, kRingWidth * frame.pixelRatio));
+    program.set("u_eye", context.eye);
+    if (hasMarks(frame)) {
+        program.set("u_ring", frame.highlightedHit ? glm::vec4(frame.highlightedHit->centre - context.eye,
+                                                               frame.highlightedHit->radius)
+                                                   : glm::vec4(0.0f));
+        program.set("u_ringColour", toLinear(context.colours.accent));
+        program.set("u_ringWidth", std::max(1.0f, kRingWidth * frame.pixelRatio));
+    }
     glActiveTexture(GL_TEXTURE0);
     glBindSampler(0, 0);
 }
@@ -50,16 +83,8 @@ void prepareSurface(const gl::Program& program, const FrameContext& context, Def
     glBindVertexArray(item.buffers->surfaceArray());
 }
 
-struct Parts {
-    bool translucent = false;
-    bool textured = false;
-};
-
 Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, const Parts& parts) {
-    gl::Defines defines = pipeline.drawDefines();
-    if (parts.textured) {
-        defines.emplace_back("HITSCOPE_TEXTURED", "1");
-    }
+    const gl::Defines defines = surfaceDefines(context, pipeline, parts);
     const gl::Program* program = nullptr;
     std::size_t waiting = 0;
     for (const DrawItem& item : context.frame.targets) {
