@@ -5,9 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "session/vertex_selection.h"
+
 namespace hitscope {
 
-Session::Session(QObject* parent) : QObject(parent) {}
+Session::Session(QObject* parent) : QObject(parent), m_selection(std::make_unique<VertexSelection>(*this)) {}
 
 Session::~Session() = default;
 
@@ -61,6 +63,10 @@ void Session::setProjectileSettings(const ProjectileSettings& settings) {
 void Session::setPipeline(PipelineKind kind) {
     if (kind != m_pipeline) {
         m_pipeline = kind;
+        m_isBehind = true;
+        for (const std::unique_ptr<Target>& target : m_targets) {
+            m_colliders.expect(target->id, {});
+        }
         Q_EMIT pipelineChanged();
         Q_EMIT pictureChanged();
     }

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -19,12 +20,15 @@
 #include "pipeline/pipeline_kind.h"
 #include "render/camera.h"
 #include "render/lights.h"
+#include "session/collider_follower.h"
 #include "session/hit_rows.h"
 #include "session/scene_presets.h"
 #include "session/session_undo.h"
 #include "session/target.h"
 
 namespace hitscope {
+
+class VertexSelection;
 
 /// Everything a person works on: targets, hit history, constants, lights, projectiles. Makes no GL call;
 /// SceneGpu follows it on the GPU and hands back what the pipeline made. One thread: the one it was created
@@ -94,6 +98,9 @@ public:
     [[nodiscard]] std::size_t disabledHits() const { return m_disabledHits; }
     [[nodiscard]] std::optional<std::size_t> selectedHit() const { return m_selectedHit; }
     void selectHit(std::optional<std::size_t> index);
+    /// The vertices pointed at, picked and selected.
+    [[nodiscard]] VertexSelection& selection() { return *m_selection; }
+    [[nodiscard]] const VertexSelection& selection() const { return *m_selection; }
 
     // Settings
     [[nodiscard]] const DeformationConstants& constants() const { return m_constants; }
@@ -121,7 +128,7 @@ public:
     /// Steps the physics; contacts become hits, dynamic targets move.
     void advance(double seconds);
     void stepOnce();  ///< one physics step, paused or not
-    bool isPaused() const { return m_physics.isPaused(); }
+    [[nodiscard]] bool isPaused() const { return m_physics.isPaused(); }
     void setPaused(bool paused);
     /// 1: as real time goes; clamped to timeScaleParameter().
     void setTimeScale(double scale);
@@ -149,6 +156,12 @@ public:
     /// The read-back is complete: recomputes true normals around what moved and emits meshChanged() for each
     /// target concerned. Returns the render vertices whose shading normal changed.
     std::vector<ChangedNormals> finishReadBack();
+    /// Nothing is on its way any more: the CPU copies are what the pipeline makes of the history as it is
+    /// now.
+    void setUpToDate() { m_isBehind = false; }
+    /// How to bring the CPU copies up to date at once, as SceneGpu::sync() does; called before a physics step
+    /// that needs to know. None: colliders take on what has been read back so far.
+    void setCatchUp(std::function<void()> catchUp) { m_catchUp = std::move(catchUp); }
     void setCapacity(CapacityReport report);
     [[nodiscard]] const CapacityReport& capacity() const { return m_capacity; }
     /// Hits that the active pipeline no longer applies because its capacity was reached.
@@ -174,6 +187,7 @@ Q_SIGNALS:
     void projectileSettingsChanged();
     void pipelineChanged();
     void exactnessChanged();
+    void aboutToStep();  ///< before each physics step: what is shot now flies with it
     void timeChanged();  ///< paused or not, time scale, physics step
     void targetSelected(hitscope::TargetId target);
     void hitSelected();
@@ -189,6 +203,10 @@ private:
     void eraseTarget(std::size_t index);
     void letCollide(const Target& target);
     void takeImpacts(std::span<const Impact> impacts);
+    void step();
+    void catchUp();
+    void expectMoves(std::span<const HistoryEdit> edits);
+    [[nodiscard]] ColliderFollower::Vertices currentVertices() const;
     void followDynamicTargets();
     [[nodiscard]] std::optional<std::size_t> indexOf(TargetId id) const;
     [[nodiscard]] std::vector<std::size_t> indicesOf(std::span<const TargetId> ids) const;
@@ -229,12 +247,16 @@ private:
     PipelineKind m_pipeline = PipelineKind::TransformFeedback;
     std::optional<Exactness> m_exactness;
     PhysicsWorld m_physics;
+    ColliderFollower m_colliders{m_physics};
+    std::function<void()> m_catchUp;
+    bool m_isBehind = false;                    ///< the CPU copies, until setUpToDate()
     std::map<TargetId, QString> m_notHittable;  ///< why
     std::size_t m_disabledHits = 0;
     CapacityReport m_capacity;
     std::map<PipelineKind, QString> m_unavailablePipelines;
     std::map<TargetId, std::vector<std::uint32_t>>
         m_moved;  ///< file vertices, since the last finishReadBack()
+    std::unique_ptr<VertexSelection> m_selection;
 };
 
 }  // namespace hitscope
