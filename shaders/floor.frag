@@ -3,6 +3,10 @@
 
 #include "light_terms.glsl"
 #include "tone.glsl"
+#ifdef HITSCOPE_SHADOWS
+#include "shadow.glsl"
+uniform mat3 u_floorShadow;  // from (x, z, 1) of the floor to the shadow map's texture coordinates and depth
+#endif
 
 in vec3 v_position;  // from the eye; the rest as in floor.vert
 #ifdef HITSCOPE_DIRECTIONAL
@@ -41,11 +45,11 @@ float lines(vec2 plane, float cell, float pixels)
 }
 
 // The paper's equations 7-14 for a matte surface that looks up.
-vec3 floorLight()
+vec3 floorLight(float sunlit)
 {
     vec3 light = vec3(0.0);
 #ifdef HITSCOPE_DIRECTIONAL
-    light += v_sun.rgb * (v_sun.w + v_strengths.x);
+    light += v_sun.rgb * (v_sun.w + v_strengths.x * sunlit);
 #endif
 #ifdef HITSCOPE_POINTS
     for (int i = 0; i < HITSCOPE_POINTS; ++i) {
@@ -76,7 +80,11 @@ void main()
     float coarse = 0.8 * lines(plane, 100.0 * u_cell, 1.4);
     float line = u_lineColour.a * max(fine, max(middle, coarse));
 
-    vec3 colour = mix(display(floorLight()), u_lineColour.rgb, line);
+    float sunlit = 1.0;
+#ifdef HITSCOPE_SHADOWS
+    sunlit = sunlitShare(u_floorShadow * vec3(plane, 1.0));
+#endif
+    vec3 colour = mix(display(floorLight(sunlit)), u_lineColour.rgb, line);
     float away = distance(plane, u_centre.xz) / u_reach;
     float opacity = 1.0 - smoothstep(0.15, 1.0, away);
     // From below one looks through the floor.

@@ -3,15 +3,24 @@
 // HITSCOPE_TEXTURED      defined: the diffuse colour comes from a texture too, and where that is transparent there is
 //                        no surface. A program of its own, because a shader that may discard is run on hidden pixels.
 // HITSCOPE_TRANSLUCENT   defined: there is an opacity
+// HITSCOPE_FLAT          defined: one normal a triangle
+// HITSCOPE_BACK_FACES    defined: they are tinted
+// HITSCOPE_SHADOWS       defined: of the directional light
 // HITSCOPE_MARKS         defined: something is selected: a target's rim, a hit's ring
 
 #include "lighting.glsl"
 #include "tone.glsl"
+#ifdef HITSCOPE_SHADOWS
+#include "shadow.glsl"
+#endif
 
 in vec3 v_position;  // from the eye
 in vec3 v_normal;
 #ifdef HITSCOPE_TEXTURED
 in vec2 v_texcoord;
+#endif
+#ifdef HITSCOPE_SHADOWS
+in vec3 v_shadow;
 #endif
 
 uniform vec3 u_diffuse;
@@ -32,8 +41,16 @@ uniform float u_ringWidth;  // pixels
 
 out vec4 o_colour;
 
+#ifdef HITSCOPE_BACK_FACES
+const vec3 kBackFace = vec3(0.55, 0.05, 0.16);  // linear; no clay or accent looks like it
+#endif
+
 vec3 facingNormal()
 {
+#ifdef HITSCOPE_FLAT
+    vec3 across = normalize(cross(dFdx(v_position), dFdy(v_position)));
+    return dot(across, v_position) > 0.0 ? -across : across;
+#else
     vec3 normal = v_normal;
     if (dot(normal, normal) < 1.0e-12) {
         normal = cross(dFdx(v_position), dFdy(v_position));
@@ -41,6 +58,7 @@ vec3 facingNormal()
     }
     normal = normalize(normal);
     return gl_FrontFacing ? normal : -normal;
+#endif
 }
 
 #ifdef HITSCOPE_MARKS
@@ -70,6 +88,9 @@ void main()
     }
     albedo *= texel.rgb;
 #endif
+#ifdef HITSCOPE_BACK_FACES
+    albedo = gl_FrontFacing ? albedo : mix(albedo, kBackFace, 0.8);
+#endif
     Surface surface;
     surface.position = v_position;
     surface.normal = facingNormal();
@@ -77,6 +98,9 @@ void main()
     surface.specular = u_specular;
     surface.shininess = u_shininess;
     surface.sunlit = 1.0;
+#ifdef HITSCOPE_SHADOWS
+    surface.sunlit = sunlitShare(v_shadow);
+#endif
 
     vec3 light = phong(surface);
 #ifdef HITSCOPE_MARKS

@@ -14,11 +14,19 @@ layout(location = 3) in vec3 a_shadingNormal;
 uniform mat4 u_model;
 uniform mat4 u_viewProjection;
 uniform vec3 u_eye;
+#ifdef HITSCOPE_SHADOWS
+uniform mat4 u_shadowMatrix;  // from the world to the shadow map's texture coordinates and depth
+uniform float u_shadowTexel;  // metres
+#endif
 
 out vec3 v_position;  // from the eye
 out vec3 v_normal;
 #ifdef HITSCOPE_TEXTURED
 out vec2 v_texcoord;
+#endif
+
+#ifdef HITSCOPE_SHADOWS
+out vec3 v_shadow;
 #endif
 
 // The wireframe and the depth-only pass must land on the very same depths.
@@ -40,6 +48,10 @@ void main()
 #endif
 #ifdef HITSCOPE_TEXTURED
     v_texcoord = a_texcoord;
+#endif
+#ifdef HITSCOPE_SHADOWS
+    // From a little above the surface, or its own depths, a texel wide, would shadow it.
+    v_shadow = (u_shadowMatrix * vec4(world.xyz + 1.5 * u_shadowTexel * v_normal, 1.0)).xyz;
 #endif
     gl_Position = u_viewProjection * world;
 }

@@ -20,6 +20,11 @@ struct DisplayOptions {
     bool floor = true;
     bool textures = true;
     bool crosshair = false;
+    bool flat = false;       ///< one normal a triangle
+    bool needles = false;    ///< normals
+    bool dots = false;       ///< vertices, seen from close by
+    bool backFaces = false;  ///< tinted
+    bool shadows = false;    ///< of the directional light
 };
 
 }  // namespace hitscope

@@ -11,6 +11,8 @@
 
 namespace hitscope::render {
 
+class ShadowMap;
+
 /// What every pass of a frame needs. The references live as long as the frame.
 struct FrameContext {
     const Frame& frame;
@@ -22,8 +24,12 @@ struct FrameContext {
     glm::mat4 viewProjection{1.0f};
     glm::vec3 eye{0.0f};
     glm::vec3 forward{0.0f};
-    float pixelsAtOneMetre = 1.0f;  ///< how many pixels a metre takes, a metre from the eye
+    const ShadowMap* shadows = nullptr;  ///< null: none
+    float pixelsAtOneMetre = 1.0f;       ///< how many pixels a metre takes, a metre from the eye
 };
+
+/// Of the original shape, in the world; empty for a mesh without vertices.
+[[nodiscard]] Bounds worldBounds(const DrawItem& item);
 
 /// Which lights are on, for programs that include lighting.glsl.
 [[nodiscard]] gl::Defines lightDefines(const Lights& lights);

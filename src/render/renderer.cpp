@@ -8,8 +8,10 @@
 #include "gl/context.h"
 #include "render/frame_context.h"
 #include "render/gl_state.h"
+#include "render/line_pass.h"
 #include "render/material_set.h"
 #include "render/projectile_pass.h"
+#include "render/shadow_map.h"
 #include "render/target_pass.h"
 
 namespace hitscope {
@@ -19,6 +21,7 @@ using namespace render;
 namespace {
 
 constexpr float kSelectedLines = 0.7f;  // of the accent colour, where lines are all there is to a target
+constexpr float kLeastEdge = 1.5f;      // logical pixels: lines closer than that would only darken a surface
 constexpr float kHiddenLines = 0.16f;   // opacity of lines behind a surface, of that of the others
 
 /// Programs that do not depend on a pipeline.
@@ -106,13 +109,13 @@ Status drawShaded(const FrameContext& context, DeformationPipeline& pipeline) {
         return status;
     }
     return context.frame.options.wireframe == WireframeMode::Over
-               ? drawEdges(context, pipeline, context.colours.wire, 0.0f)
+               ? drawEdges(context, pipeline, {context.colours.wire, 0.0f, kLeastEdge})
                : Status(Done{});
 }
 
 Status drawWires(const FrameContext& context, DeformationPipeline& pipeline) {
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    if (Status status = drawSurfaceDepth(context, pipeline); !status) {
+    if (Status status = drawSurfaceDepth(context, pipeline, context.viewProjection); !status) {
         return status;
     }
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -120,13 +123,14 @@ Status drawWires(const FrameContext& context, DeformationPipeline& pipeline) {
     if (Status status = drawFloorAndShades(context); !status) {
         return status;
     }
-    glm::vec4 colour = context.colours.wireOnly;
-    if (Status status = drawEdges(context, pipeline, colour, kSelectedLines); !status) {
+    EdgeStyle style{context.colours.wireOnly, kSelectedLines, 0.0f};
+    if (Status status = drawEdges(context, pipeline, style); !status) {
         return status;
     }
-    colour.a *= kHiddenLines;
+    style.colour.a *= kHiddenLines;
+    style.leastPixels = kLeastEdge;
     glDepthFunc(GL_GEQUAL);
-    Status status = drawEdges(context, pipeline, colour, kSelectedLines);
+    Status status = drawEdges(context, pipeline, style);
     glDepthFunc(GL_LESS);
     return status;
 }
@@ -136,8 +140,20 @@ Status drawWires(const FrameContext& context, DeformationPipeline& pipeline) {
 struct Renderer::Private {
     ProgramCache programs;
     ProjectilePass projectiles;
+    NeedlePass needles;
     gl::VertexArray emptyArray = gl::VertexArray::make();
     bool software = gl::rendererInfo().isSoftware();
+    ShadowMap shadows{software};
+
+    Status drawVertexMarks(const FrameContext& context, DeformationPipeline& pipeline) {
+        const DisplayOptions& options = context.frame.options;
+        if (options.dots) {
+            if (Status status = drawDots(context, pipeline); !status) {
+                return status;
+            }
+        }
+        return options.needles ? needles.draw(context, pipeline) : Status(Done{});
+    }
 };
 
 Renderer::Renderer() : d(std::make_unique<Private>()) {}
@@ -167,9 +183,15 @@ Status Renderer::draw(const Frame& frame, DeformationPipeline& pipeline, GLuint 
         return Done{};
     }
     const KeepState keep;
-    prepareFramebuffer(frame, framebuffer);
     FrameContext context = makeContext(frame, d->programs, d->emptyArray.id());
     context.software = d->software;
+    if (ShadowMap::isWanted(frame)) {
+        if (Status status = d->shadows.update(context, pipeline); !status) {
+            return status;
+        }
+        context.shadows = &d->shadows;
+    }
+    prepareFramebuffer(frame, framebuffer);
     if (frame.options.wireframe == WireframeMode::Only) {
         if (Status status = drawBackground(context); !status) {
             return status;
@@ -182,6 +204,9 @@ Status Renderer::draw(const Frame& frame, DeformationPipeline& pipeline, GLuint 
     Status status = frame.options.wireframe == WireframeMode::Only ? drawWires(context, pipeline)
                                                                    : drawShaded(context, pipeline);
     if (!status) {
+        return status;
+    }
+    if (status = d->drawVertexMarks(context, pipeline); !status) {
         return status;
     }
     if (status = drawHighlightedHit(context); !status) {

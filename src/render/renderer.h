@@ -41,6 +41,8 @@ struct Frame {
     Lights lights;
     DisplayOptions options;
     float floorHeight = 0.0f;  ///< metres, world y
+    /// Another number when a mesh has changed; 0: any may have. Shadows are kept as long as it is the same.
+    std::uint64_t meshRevision = 0;
     std::span<const DrawItem> targets;
     std::span<const Sphere> projectiles;  ///< world
     std::optional<Sphere>

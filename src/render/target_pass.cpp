@@ -6,13 +6,13 @@
 #include <glm/gtc/constants.hpp>
 
 #include "render/material_set.h"
+#include "render/shadow_map.h"
 
 namespace hitscope::render {
 namespace {
 
 constexpr float kRimStrength = 0.75f;
-constexpr float kRingWidth = 1.8f;   // logical pixels
-constexpr float kLinesAhead = 2.0f;  // pixels' size at their distance: lines lie before the faces they bound
+constexpr float kRingWidth = 1.8f;  // logical pixels
 
 /// A software renderer shades pixels on other processors than it transforms vertices, but starts only when
 /// told to, or at the frame's end: told after so many, it does both at once (llvmpipe, 25,000 vertices at
@@ -46,9 +46,15 @@ gl::Defines surfaceDefines(const FrameContext& context, const DeformationPipelin
     gl::Defines defines = pipeline.drawDefines();
     const gl::Defines lights = lightDefines(frame.lights);
     defines.insert(defines.end(), lights.begin(), lights.end());
+    if (context.shadows != nullptr) {
+        const gl::Defines shadows = context.shadows->defines();
+        defines.insert(defines.end(), shadows.begin(), shadows.end());
+    }
     const std::pair<const char*, bool> parted[] = {
         {"HITSCOPE_TEXTURED", parts.textured},
         {"HITSCOPE_TRANSLUCENT", parts.translucent},
+        {"HITSCOPE_FLAT", frame.options.flat},
+        {"HITSCOPE_BACK_FACES", frame.options.backFaces},
         {"HITSCOPE_MARKS", hasMarks(frame)},
         {"HITSCOPE_PAPER_NORMALS", frame.options.normals == NormalMode::Paper}};
     for (const auto& [name, wanted] : parted) {
@@ -73,6 +79,9 @@ void setSurface(const gl::Program& program, const FrameContext& context) {
     }
     glActiveTexture(GL_TEXTURE0);
     glBindSampler(0, 0);
+    if (context.shadows != nullptr) {
+        context.shadows->apply(program);
+    }
 }
 
 void prepareSurface(const gl::Program& program, const FrameContext& context, DeformationPipeline& pipeline,
@@ -138,53 +147,21 @@ Status drawTranslucentSurfaces(const FrameContext& context, DeformationPipeline&
     return drawParts(context, pipeline, {.translucent = true, .textured = true});
 }
 
-Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline) {
+Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline,
+                        const glm::mat4& viewProjection) {
     const auto found = context.programs.get("surface.vert", "depth.frag", pipeline.drawDefines());
     if (!found) {
         return found.error();
     }
     const gl::Program& program = *found.value();
     program.use();
-    program.set("u_viewProjection", context.viewProjection);
+    program.set("u_viewProjection", viewProjection);
     for (const DrawItem& item : context.frame.targets) {
         pipeline.prepareDraw(program, item.target);
         program.set("u_model", item.model);
         glBindVertexArray(item.buffers->surfaceArray());
         glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(item.buffers->triangleIndexCount()),
                        GL_UNSIGNED_INT, nullptr);
-    }
-    return Done{};
-}
-
-Status drawEdges(const FrameContext& context, DeformationPipeline& pipeline, const glm::vec4& colour,
-                 float selectionTint) {
-    const auto found = context.programs.get("wire.vert", "wire.frag", pipeline.drawDefines());
-    if (!found) {
-        return found.error();
-    }
-    const gl::Program& program = *found.value();
-    const Frame& frame = context.frame;
-    program.use();
-    program.set("u_viewProjection", context.viewProjection);
-    // clip.z = A d + B and clip.w = d at a distance d, so depth is A + B / d; b B on top is as a distance of
-    // (1 - b) d, to first order.
-    program.set("u_depthShift", context.projection[3][2] * kLinesAhead / context.pixelsAtOneMetre);
-    // Wide lines are not for core profiles to draw: on a dense screen each line is drawn side by side
-    // instead.
-    const int passes = std::clamp(static_cast<int>(std::lround(frame.pixelRatio)), 1, 4);
-    const glm::vec4 selected(glm::mix(glm::vec3(colour), context.colours.accent, selectionTint), colour.a);
-    for (const DrawItem& item : frame.targets) {
-        pipeline.prepareDraw(program, item.target);
-        program.set("u_model", item.model);
-        program.set("u_colour", item.selected ? selected : colour);
-        program.set("u_edgePixels", item.buffers->usualEdge() * context.pixelsAtOneMetre / frame.pixelRatio);
-        glBindVertexArray(item.buffers->edgeArray());
-        for (int pass = 0; pass < passes; ++pass) {
-            const float pixels = static_cast<float>(pass) - 0.5f * static_cast<float>(passes - 1);
-            program.set("u_shift", 2.0f * pixels / glm::vec2(frame.width, frame.height));
-            glDrawElements(GL_LINES, static_cast<GLsizei>(item.buffers->edgeIndexCount()), GL_UNSIGNED_INT,
-                           nullptr);
-        }
     }
     return Done{};
 }
