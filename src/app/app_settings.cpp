@@ -4,6 +4,9 @@
 #include <QSettings>
 #include <cmath>
 
+#include "app/light_settings.h"
+#include "app/shading_actions.h"
+
 namespace hitscope {
 
 namespace {
@@ -49,21 +52,6 @@ void readNumber(const QSettings& settings, const QString& key, float lowest, flo
     }
 }
 
-template <class Light>
-void readLight(const QSettings& settings, const QString& name, Light& light) {
-    light.on = settings.value(QStringLiteral("lights/%1/on").arg(name), light.on).toBool();
-    readColour(settings, QStringLiteral("lights/%1/colour").arg(name), light.terms.colour);
-    readNumber(settings, QStringLiteral("lights/%1/diffuse").arg(name), 0.0f, 10.0f, light.terms.diffuse);
-}
-
-template <class Light>
-void writeLight(QSettings& settings, const QString& name, const Light& light) {
-    settings.setValue(QStringLiteral("lights/%1/on").arg(name), light.on);
-    writeColour(settings, QStringLiteral("lights/%1/colour").arg(name), light.terms.colour);
-    settings.setValue(QStringLiteral("lights/%1/diffuse").arg(name),
-                      QString::number(static_cast<double>(light.terms.diffuse), 'g', 9));
-}
-
 void loadProjectile(const QSettings& settings, Session& session) {
     ProjectileSettings projectile = session.projectileSettings();
     const auto& parameters = projectileParameters();
@@ -79,7 +67,13 @@ void loadProjectile(const QSettings& settings, Session& session) {
     projectile.powerFollowsImpulse =
         settings.value(QStringLiteral("projectile/powerFollowsImpulse"), projectile.powerFollowsImpulse)
             .toBool();
+    readColour(settings, QStringLiteral("projectile/colour"), projectile.colour);
     session.setProjectileSettings(projectile);
+    bool isNumber = false;
+    const double step = settings.value(QStringLiteral("physicsStep")).toDouble(&isNumber);
+    if (isNumber && stepParameter().accepts(step)) {
+        session.setPhysicsStep(step);
+    }
 }
 
 }  // namespace
@@ -102,9 +96,14 @@ AppSettings loadAppSettings(const QSettings& settings) {
     display.floor = settings.value(QStringLiteral("display/floor"), display.floor).toBool();
     display.textures = settings.value(QStringLiteral("display/textures"), display.textures).toBool();
     display.crosshair = settings.value(QStringLiteral("display/crosshair"), display.crosshair).toBool();
+    for (const ShadingSwitch& shading : shadingSwitches()) {
+        display.*shading.option =
+            settings.value(QStringLiteral("display/") + text(shading.key), shading.first).toBool();
+    }
     if (settings.contains(QStringLiteral("exportNormals"))) {
         values.exportNormals = readEnum(settings, QStringLiteral("exportNormals"), 2, NormalMode::True);
     }
+    values.coverTexture = settings.value(QStringLiteral("display/coverTexture"), 0).toInt();
     values.recentFiles =
         settings.value(QStringLiteral("recentFiles")).toStringList().mid(0, AppSettings::kMostRecentFiles);
     values.folder = settings.value(QStringLiteral("folder")).toString();
@@ -124,11 +123,15 @@ void saveAppSettings(QSettings& settings, const AppSettings& values) {
     settings.setValue(QStringLiteral("display/floor"), display.floor);
     settings.setValue(QStringLiteral("display/textures"), display.textures);
     settings.setValue(QStringLiteral("display/crosshair"), display.crosshair);
+    for (const ShadingSwitch& shading : shadingSwitches()) {
+        settings.setValue(QStringLiteral("display/") + text(shading.key), display.*shading.option);
+    }
     if (values.exportNormals) {
         settings.setValue(QStringLiteral("exportNormals"), static_cast<int>(*values.exportNormals));
     } else {
         settings.remove(QStringLiteral("exportNormals"));
     }
+    settings.setValue(QStringLiteral("display/coverTexture"), values.coverTexture);
     settings.setValue(QStringLiteral("recentFiles"), values.recentFiles);
     settings.setValue(QStringLiteral("folder"), values.folder);
 }
@@ -140,13 +143,7 @@ void loadSessionSettings(const QSettings& settings, Session& session) {
             session.setPipeline(traits.kind);
         }
     }
-    Lights lights = session.lights();
-    readLight(settings, QStringLiteral("directional"), lights.directional);
-    for (PointLight& light : lights.points) {
-        readLight(settings, QStringLiteral("points"), light);
-    }
-    readLight(settings, QStringLiteral("spot"), lights.spot);
-    session.setLights(lights);
+    loadLights(settings, session);
 
     DeformationConstants constants;
     const auto& parameters = deformationParameters();
@@ -169,9 +166,7 @@ void saveSessionSettings(QSettings& settings, const Session& session) {
             settings.setValue(QStringLiteral("pipeline"), text(traits.key));
         }
     }
-    writeLight(settings, QStringLiteral("directional"), session.lights().directional);
-    writeLight(settings, QStringLiteral("points"), session.lights().points.front());
-    writeLight(settings, QStringLiteral("spot"), session.lights().spot);
+    saveLights(settings, session);
     const auto& parameters = deformationParameters();
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         settings.setValue(QStringLiteral("constants/") + text(parameters[i].key),
@@ -185,6 +180,8 @@ void saveSessionSettings(QSettings& settings, const Session& session) {
     }
     settings.setValue(QStringLiteral("projectile/bouncesCount"), projectile.bouncesCount);
     settings.setValue(QStringLiteral("projectile/powerFollowsImpulse"), projectile.powerFollowsImpulse);
+    writeColour(settings, QStringLiteral("projectile/colour"), projectile.colour);
+    settings.setValue(QStringLiteral("physicsStep"), QString::number(session.physics().step(), 'g', 17));
 }
 
 }  // namespace hitscope

@@ -24,6 +24,9 @@ class NoticeBar;
 class PipelineChooser;
 class SceneFiles;
 class StatusLine;
+class TextureChooser;
+class ShadingActions;
+class TimeActions;
 class Viewport;
 
 /// The window: makes viewport, docks, menus and actions and connects them to the session. Knows nothing of
@@ -122,6 +125,9 @@ private:
     NoticeBar* m_notice = nullptr;
     SceneFiles* m_files = nullptr;
     StatusLine* m_status = nullptr;
+    TextureChooser* m_textureChooser = nullptr;
+    TimeActions* m_time = nullptr;
+    ShadingActions* m_shading = nullptr;
     PipelineChooser* m_pipelines = nullptr;
     FrameRatePanel* m_frameRate = nullptr;
     QTimer m_frameRateTimer;

@@ -13,7 +13,9 @@
 #include "app/main_window.h"
 #include "app/pipeline_chooser.h"
 #include "app/projectile_dialog.h"
+#include "app/shading_actions.h"
 #include "app/texture_chooser.h"
+#include "app/time_actions.h"
 #include "panels/icons/themed_icon.h"
 #include "viewport/viewport.h"
 
@@ -121,6 +123,11 @@ QMenu* MainWindow::makeWireframeMenu() {
 void MainWindow::makeDisplayActions(QMenu& menu) {
     m_wireframeMenu = makeWireframeMenu();
     menu.addMenu(m_wireframeMenu);
+    m_shading = new ShadingActions(this);
+    m_shading->fill(*menu.addMenu(tr("S&hading")));
+    connect(m_shading, &ShadingActions::switched, this, [this](bool DisplayOptions::*option, bool on) {
+        changeDisplay([option, on](DisplayOptions& display) { display.*option = on; });
+    });
     QMenu& normals = *menu.addMenu(tr("&Normals"));
     auto* group = new QActionGroup(this);
     const QString names[] = {tr("&True: of the Dented Surface"), tr("&Paper's: Equation 2")};
@@ -137,7 +144,8 @@ void MainWindow::makeDisplayActions(QMenu& menu) {
         });
     });
     QMenu& textures = *menu.addMenu(tr("Te&xture"));
-    (new TextureChooser(m_session, this))->fill(textures);
+    m_textureChooser = new TextureChooser(m_session, this);
+    m_textureChooser->fill(textures);
     textures.addSeparator();
     m_textures = addToggle(textures, tr("&Show Textures"), Qt::Key_T, true, [this](bool on) {
         changeDisplay([on](DisplayOptions& display) { display.textures = on; });
@@ -225,6 +233,8 @@ void MainWindow::makeShootMenu() {
                               m_session.setProjectileSettings(settings);
                           });
     addAction(menu, tr("&Projectile…"), {}, [this] { showProjectileDialog(); });
+    menu.addSeparator();
+    m_time->fill(menu);
     connect(&m_session, &Session::projectileSettingsChanged, this,
             [this] { m_bounces->setChecked(m_session.projectileSettings().bouncesCount); });
 }
@@ -285,6 +295,9 @@ void MainWindow::makeToolBar() {
     connect(wireframe, &QToolButton::clicked, this, &MainWindow::cycleWireframe);
     bar.addWidget(wireframe);
     bar.addAction(m_frame);
+    bar.addSeparator();
+    m_time->fill(bar);
+    connect(m_time, &TimeActions::numberTyped, m_viewport, [this] { m_viewport->setFocus(); });
     bar.addSeparator();
     auto* label = new QLabel(tr("Pipeline"), &bar);
     label->setContentsMargins(6, 0, 6, 0);

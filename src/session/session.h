@@ -24,10 +24,12 @@
 #include "session/hit_rows.h"
 #include "session/scene_presets.h"
 #include "session/session_undo.h"
+#include "session/shot_schedule.h"
 #include "session/target.h"
 
 namespace hitscope {
 
+class FrameCosts;
 class VertexSelection;
 
 /// Everything a person works on: targets, hit history, constants, lights, projectiles. Makes no GL call;
@@ -125,6 +127,13 @@ public:
     /// A hit without flight, where the ray first meets a target: exact and repeatable. Returns whether there
     /// is one.
     bool hitscan(const Ray& ray);
+    /// The hit that this shot would make if nothing moved meanwhile, as shoot() or, without flight, as
+    /// hitscan() makes it. Nothing when it would strike no target.
+    [[nodiscard]] std::optional<Hit> predictedHit(const Ray& ray, bool isInstant) const;
+    /// Shots that leave by themselves as time goes on.
+    void schedule(std::span<const ScheduledShot> shots);
+    void cancelScheduled();
+    [[nodiscard]] std::size_t shotsToCome() const { return m_schedule.size(); }
     /// Steps the physics; contacts become hits, dynamic targets move.
     void advance(double seconds);
     void stepOnce();  ///< one physics step, paused or not
@@ -140,6 +149,9 @@ public:
     [[nodiscard]] Status setTargetPhysics(TargetId id, const TargetPhysics& physics);
     /// Why shots pass a target, in words for the interface; empty: they do not.
     [[nodiscard]] QString whyNotHittable(TargetId id) const;
+
+    /// What frames and hits cost; SceneGpu reports there.
+    [[nodiscard]] FrameCosts& frameCosts() const { return *m_frameCosts; }
 
     // What SceneGpu reports back
     void setExactness(const Exactness& exactness);
@@ -182,13 +194,16 @@ Q_SIGNALS:
     void hitsRearranged(const hitscope::HitRows& rows);  ///< removed, put back, moved
     void historyReset();                                 ///< after either of these, and with a new scene
     void meshChanged(hitscope::TargetId target);         ///< its DeformedMesh did
+    /// Before that: which file vertices are now somewhere else, in no order; some may be repeated.
+    void verticesMoved(hitscope::TargetId target, const std::vector<std::uint32_t>& vertices);
     void constantsChanged();
     void lightsChanged();
     void projectileSettingsChanged();
     void pipelineChanged();
     void exactnessChanged();
-    void aboutToStep();  ///< before each physics step: what is shot now flies with it
-    void timeChanged();  ///< paused or not, time scale, physics step
+    void scheduleChanged();  ///< shotsToCome()
+    void aboutToStep();      ///< before each physics step: what is shot now flies with it
+    void timeChanged();      ///< paused or not, time scale, physics step
     void targetSelected(hitscope::TargetId target);
     void hitSelected();
     void capacityChanged();
@@ -202,7 +217,10 @@ private:
     Target& insertTarget(std::size_t index, const TargetState& state);
     void eraseTarget(std::size_t index);
     void letCollide(const Target& target);
+    [[nodiscard]] std::optional<Hit> hitOf(const Impact& impact) const;
     void takeImpacts(std::span<const Impact> impacts);
+    bool hitscan(const Ray& ray, const ProjectileSettings& settings);
+    void fireScheduled();
     void step();
     void catchUp();
     void expectMoves(std::span<const HistoryEdit> edits);
@@ -248,12 +266,14 @@ private:
     std::optional<Exactness> m_exactness;
     PhysicsWorld m_physics;
     ColliderFollower m_colliders{m_physics};
+    ShotSchedule m_schedule;
     std::function<void()> m_catchUp;
     bool m_isBehind = false;                    ///< the CPU copies, until setUpToDate()
     std::map<TargetId, QString> m_notHittable;  ///< why
     std::size_t m_disabledHits = 0;
     CapacityReport m_capacity;
     std::map<PipelineKind, QString> m_unavailablePipelines;
+    std::unique_ptr<FrameCosts> m_frameCosts;
     std::map<TargetId, std::vector<std::uint32_t>>
         m_moved;  ///< file vertices, since the last finishReadBack()
     std::unique_ptr<VertexSelection> m_selection;

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The session's physics: shots, time, what collides and what is knocked about.
+#include <QElapsedTimer>
 #include <algorithm>
 
+#include "session/frame_costs.h"
 #include "session/session.h"
 
 namespace hitscope {
 
 namespace {
 
-Hit hitOf(const Impact& impact, const DeformationConstants& constants) {
+Hit localHit(const Impact& impact, const DeformationConstants& constants) {
     Hit hit;
     hit.target = impact.target;
     hit.point = impact.where.toLocal(impact.point);
@@ -46,9 +48,13 @@ void Session::shoot(const Ray& ray) {
 }
 
 bool Session::hitscan(const Ray& ray) {
+    return hitscan(ray, m_projectileSettings);
+}
+
+bool Session::hitscan(const Ray& ray, const ProjectileSettings& settings) {
     catchUp();
     m_colliders.updateAll(currentVertices());
-    const auto impact = m_physics.hitscan(ray.origin, ray.direction, m_projectileSettings);
+    const auto impact = m_physics.hitscan(ray.origin, ray.direction, settings);
     const std::size_t before = m_history.size();
     if (impact) {
         takeImpacts({&*impact, 1});
@@ -56,14 +62,36 @@ bool Session::hitscan(const Ray& ray) {
     return m_history.size() > before;
 }
 
+std::optional<Hit> Session::predictedHit(const Ray& ray, bool isInstant) const {
+    const auto impact = m_physics.predict(ray.origin, ray.direction, m_projectileSettings, isInstant);
+    return impact ? hitOf(*impact) : std::nullopt;
+}
+
+void Session::schedule(std::span<const ScheduledShot> shots) {
+    m_schedule.add(shots, m_physics.time());
+    Q_EMIT scheduleChanged();
+    Q_EMIT pictureChanged();
+}
+
+void Session::cancelScheduled() {
+    m_schedule.clear();
+    Q_EMIT scheduleChanged();
+}
+
+/// Nothing for an impact that no hit can be made of.
+std::optional<Hit> Session::hitOf(const Impact& impact) const {
+    Hit hit = localHit(impact, m_constants);
+    hit.constants.power = powerOf(m_constants, m_projectileSettings, impact.impulse);
+    hit.pipeline = static_cast<std::uint8_t>(m_pipeline);
+    Result<Hit> checked = checkedHit(hit);
+    return checked && target(impact.target) != nullptr ? std::optional(checked.value()) : std::nullopt;
+}
+
 void Session::takeImpacts(std::span<const Impact> impacts) {
     std::vector<Hit> hits;
     for (const Impact& impact : impacts) {
-        Hit hit = hitOf(impact, m_constants);
-        hit.constants.power = powerOf(m_constants, m_projectileSettings, impact.impulse);
-        hit.pipeline = static_cast<std::uint8_t>(m_pipeline);
-        if (Result<Hit> checked = checkedHit(hit); checked && target(impact.target) != nullptr) {
-            hits.push_back(checked.value());
+        if (const std::optional<Hit> hit = hitOf(impact)) {
+            hits.push_back(*hit);
         }
     }
     appendHits(hits);
@@ -102,13 +130,35 @@ ColliderFollower::Vertices Session::currentVertices() const {
 
 // Time
 
+/// Between steps, so that an instant shot finds the dents of those before it.
+void Session::fireScheduled() {
+    const std::vector<ShotSchedule::Due> due = m_schedule.takeDue(m_physics.time(), m_physics.step());
+    for (const auto& [shot, volley] : due) {
+        if (shot.isInstant) {
+            hitscan(shot.ray, shot.settings);
+        } else {
+            m_physics.shoot(shot.ray.origin, shot.ray.direction, shot.settings, volley);
+        }
+    }
+    if (!due.empty()) {
+        Q_EMIT scheduleChanged();
+    }
+}
+
 void Session::step() {
+    fireScheduled();
     Q_EMIT aboutToStep();
     if (m_colliders.isDue()) {
         catchUp();
+    }
+    QElapsedTimer clock;
+    clock.start();
+    if (m_colliders.isDue()) {
         m_colliders.updateDue(currentVertices());
     }
-    takeImpacts(m_physics.takeStep());
+    const std::vector<Impact> impacts = m_physics.takeStep();
+    m_frameCosts->addPhysics(static_cast<double>(clock.nsecsElapsed()) * 1.0e-9);
+    takeImpacts(impacts);
 }
 
 void Session::advance(double seconds) {
@@ -148,7 +198,7 @@ void Session::setPhysicsStep(double seconds) {
 }
 
 bool Session::isMoving() const {
-    return !m_physics.isPaused() && m_physics.isMoving();
+    return !m_physics.isPaused() && (m_physics.isMoving() || m_schedule.size() > 0);
 }
 
 void Session::followDynamicTargets() {
