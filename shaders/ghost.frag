@@ -2,17 +2,16 @@
 #version 330 core
 // A target as it was, like glass over what has become of it: clear where one looks straight through, denser at its rim.
 
-in vec3 v_position;
+in vec3 v_position;  // from the eye
 in vec3 v_normal;
 
-uniform vec3 u_eye;
 uniform vec3 u_colour;  // sRGB
 
 out vec4 o_colour;
 
 void main()
 {
-    float facing = abs(dot(normalize(v_normal), normalize(u_eye - v_position)));
+    float facing = abs(dot(normalize(v_normal), normalize(v_position)));
     float grazing = 1.0 - facing;
     o_colour = vec4(u_colour, mix(0.22, 0.7, grazing * grazing));
 }

@@ -34,6 +34,11 @@ constexpr Line kViewport[] = {{TEXT("Space"), TEXT("Shoot at the crosshair; hold
                               {TEXT("Esc"), TEXT("Select nothing")}};
 constexpr Line kDisplay[] = {{TEXT("L"), TEXT("Wireframe: off, over, only")},
                              {TEXT("N"), TEXT("Normals: true, the paper's")},
+                             {TEXT("Shift+N"), TEXT("Normals as needles")},
+                             {TEXT("Shift+V"), TEXT("Vertices as dots")},
+                             {TEXT("Shift+L"), TEXT("Flat shading")},
+                             {TEXT("Shift+B"), TEXT("Back faces in red")},
+                             {TEXT("Shift+S"), TEXT("Soft shadows")},
                              {TEXT("T"), TEXT("Textures")},
                              {TEXT("C"), TEXT("Crosshair")},
                              {TEXT("V"), TEXT("Colour map of change; with Shift isolines")},

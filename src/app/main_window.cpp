@@ -16,6 +16,7 @@
 #include "app/notice_bar.h"
 #include "app/pipeline_chooser.h"
 #include "app/scene_files.h"
+#include "app/shading_actions.h"
 #include "app/status_line.h"
 #include "app/texture_chooser.h"
 #include "app/time_actions.h"
@@ -228,6 +229,7 @@ void MainWindow::followDisplay() {
     m_textures->setChecked(display.textures);
     m_floor->setChecked(display.floor);
     m_crosshair->setChecked(display.crosshair);
+    m_shading->show(display);
 }
 
 void MainWindow::followLights() {

@@ -27,6 +27,7 @@ class PipelineChooser;
 class SceneFiles;
 class StatusLine;
 class TextureChooser;
+class ShadingActions;
 class TimeActions;
 class Viewport;
 
@@ -128,6 +129,7 @@ private:
     StatusLine* m_status = nullptr;
     TextureChooser* m_textureChooser = nullptr;
     TimeActions* m_time = nullptr;
+    ShadingActions* m_shading = nullptr;
     PipelineChooser* m_pipelines = nullptr;
     HitEffects* m_hitEffects = nullptr;
     ChangeActions* m_change = nullptr;

@@ -39,6 +39,8 @@ public:
     [[nodiscard]] GLuint originalEdgeArray() const { return m_originalEdgeArray.id(); }
     /// Position and normal from the dynamic buffer, no indices: for capturing.
     [[nodiscard]] GLuint captureArray() const { return m_captureArray.id(); }
+    /// One vec3 a vertex: the true normals.
+    [[nodiscard]] GLuint shadingNormalBuffer() const { return m_shadingNormals.id(); }
     [[nodiscard]] GLuint dynamicBuffer() const { return m_dynamic.id(); }
     /// DynamicVertex, the original state, never written again.
     [[nodiscard]] GLuint originalBuffer() const { return m_original.id(); }

@@ -25,6 +25,11 @@ struct DisplayOptions {
     ChangeMapOptions change;
     BeforeAfterOptions beforeAfter;
     bool sideBySide = false;  ///< two pictures, where there is a second pipeline to show
+    bool flat = false;        ///< one normal a triangle
+    bool needles = false;     ///< normals
+    bool dots = false;        ///< vertices, seen from close by
+    bool backFaces = false;   ///< tinted
+    bool shadows = false;     ///< of the directional light
 };
 
 }  // namespace hitscope

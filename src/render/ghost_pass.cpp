@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/ghost_pass.h"
 
+#include "render/line_pass.h"
 #include "render/original_shape.h"
-#include "render/target_pass.h"
 
 namespace hitscope::render {
 
@@ -18,7 +18,6 @@ Status drawTranslucent(const FrameContext& originals) {
     const gl::Program& program = *found.value();
     program.use();
     program.set("u_viewProjection", originals.viewProjection);
-    program.set("u_paperNormals", 0);
     program.set("u_eye", originals.eye);
     program.set("u_colour", originals.colours.accent);
     for (const DrawItem& item : originals.frame.targets) {
@@ -47,7 +46,7 @@ Status drawGhosts(const FrameContext& originals, GhostMode mode) {
         return drawTranslucent(originals);
     }
     OriginalShape shape;
-    return drawEdges(originals, shape, glm::vec4(originals.colours.accent, kWireOpacity), 0.0f);
+    return drawEdges(originals, shape, {glm::vec4(originals.colours.accent, kWireOpacity), 0.0f, 0.0f});
 }
 
 }  // namespace hitscope::render

@@ -80,7 +80,8 @@ Status ProjectilePass::draw(const FrameContext& context) {
     if (spheres.empty()) {
         return Done{};
     }
-    const auto found = context.programs.get("projectile.vert", "surface.frag");
+    const auto found =
+        context.programs.get("projectile.vert", "surface.frag", lightDefines(context.frame.lights));
     if (!found) {
         return found.error();
     }
@@ -88,12 +89,10 @@ Status ProjectilePass::draw(const FrameContext& context) {
     program.use();
     setLights(program, context);
     program.set("u_viewProjection", context.viewProjection);
+    program.set("u_eye", context.eye);
     program.set("u_diffuse", glm::vec3(0.78f, 0.30f, 0.07f));
     program.set("u_specular", glm::vec3(0.6f));
     program.set("u_shininess", 48.0f);
-    program.set("u_opacity", 1.0f);
-    program.set("u_rim", glm::vec4(0.0f));
-    program.set("u_ring", glm::vec4(0.0f));
     glBindVertexArray(m_array.id());
     glBindBuffer(GL_ARRAY_BUFFER, m_instances.id());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(spheres.size_bytes()), spheres.data(),

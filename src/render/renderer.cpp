@@ -11,9 +11,11 @@
 #include "render/frame_context.h"
 #include "render/ghost_pass.h"
 #include "render/gl_state.h"
+#include "render/line_pass.h"
 #include "render/material_set.h"
 #include "render/original_shape.h"
 #include "render/projectile_pass.h"
+#include "render/shadow_map.h"
 #include "render/target_pass.h"
 
 namespace hitscope {
@@ -23,6 +25,7 @@ using namespace render;
 namespace {
 
 constexpr float kSelectedLines = 0.7f;  // of the accent colour, where lines are all there is to a target
+constexpr float kLeastEdge = 1.5f;      // logical pixels: lines closer than that would only darken a surface
 constexpr float kHiddenLines = 0.16f;   // opacity of lines behind a surface, of that of the others
 
 /// Programs that do not depend on a pipeline.
@@ -97,6 +100,13 @@ Status drawShaded(const FrameContext& context, DeformationPipeline& pipeline) {
     if (Status status = drawSurfaces(context, pipeline); !status) {
         return status;
     }
+    // Now, where it is not hidden.
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_LEQUAL);
+    if (Status status = drawBackground(context); !status) {
+        return status;
+    }
+    glDepthFunc(GL_LESS);
     startBlended();
     if (Status status = drawFloorAndShades(context); !status) {
         return status;
@@ -105,13 +115,13 @@ Status drawShaded(const FrameContext& context, DeformationPipeline& pipeline) {
         return status;
     }
     return context.frame.options.wireframe == WireframeMode::Over
-               ? drawEdges(context, pipeline, context.colours.wire, 0.0f)
+               ? drawEdges(context, pipeline, {context.colours.wire, 0.0f, kLeastEdge})
                : Status(Done{});
 }
 
 Status drawWires(const FrameContext& context, DeformationPipeline& pipeline) {
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    if (Status status = drawSurfaceDepth(context, pipeline); !status) {
+    if (Status status = drawSurfaceDepth(context, pipeline, context.viewProjection); !status) {
         return status;
     }
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -119,13 +129,14 @@ Status drawWires(const FrameContext& context, DeformationPipeline& pipeline) {
     if (Status status = drawFloorAndShades(context); !status) {
         return status;
     }
-    glm::vec4 colour = context.colours.wireOnly;
-    if (Status status = drawEdges(context, pipeline, colour, kSelectedLines); !status) {
+    EdgeStyle style{context.colours.wireOnly, kSelectedLines, 0.0f};
+    if (Status status = drawEdges(context, pipeline, style); !status) {
         return status;
     }
-    colour.a *= kHiddenLines;
+    style.colour.a *= kHiddenLines;
+    style.leastPixels = kLeastEdge;
     glDepthFunc(GL_GEQUAL);
-    Status status = drawEdges(context, pipeline, colour, kSelectedLines);
+    Status status = drawEdges(context, pipeline, style);
     glDepthFunc(GL_LESS);
     return status;
 }
@@ -138,15 +149,28 @@ Status drawTargets(const FrameContext& context, DeformationPipeline& pipeline) {
 }  // namespace
 
 struct Renderer::Private {
-    [[nodiscard]] FrameContext contextOf(const Frame& frame);
-    [[nodiscard]] Status drawGhosts(const Frame& frame);
-    [[nodiscard]] Status drawWiped(const FrameContext& context, DeformationPipeline& pipeline);
-
     ProgramCache programs;
     ColourTextures colourTextures;
     ProjectilePass projectiles;
+    NeedlePass needles;
     gl::VertexArray emptyArray = gl::VertexArray::make();
     bool software = gl::rendererInfo().isSoftware();
+    ShadowMap shadows{software};
+
+    [[nodiscard]] FrameContext contextOf(const Frame& frame);
+    [[nodiscard]] Status drawGhosts(const Frame& frame);
+    /// Targets and what marks them.
+    [[nodiscard]] Status drawScene(const FrameContext& context, DeformationPipeline& pipeline);
+    [[nodiscard]] Status drawWiped(const FrameContext& context, DeformationPipeline& pipeline);
+    Status drawVertexMarks(const FrameContext& context, DeformationPipeline& pipeline) {
+        const DisplayOptions& options = context.frame.options;
+        if (options.dots) {
+            if (Status status = drawDots(context, pipeline); !status) {
+                return status;
+            }
+        }
+        return options.needles ? needles.draw(context, pipeline) : Status(Done{});
+    }
 };
 
 FrameContext Renderer::Private::contextOf(const Frame& frame) {
@@ -166,23 +190,32 @@ Status Renderer::Private::drawGhosts(const Frame& frame) {
     return render::drawGhosts(contextOf(originals.frame), mode);
 }
 
+Status Renderer::Private::drawScene(const FrameContext& context, DeformationPipeline& pipeline) {
+    if (Status status = drawTargets(context, pipeline); !status) {
+        return status;
+    }
+    if (Status status = drawGhosts(context.frame); !status) {
+        return status;
+    }
+    return drawVertexMarks(context, pipeline);
+}
+
 /// The originals left of the line, what has become of them right of it.
 Status Renderer::Private::drawWiped(const FrameContext& context, DeformationPipeline& pipeline) {
     const Frame& frame = context.frame;
     const int line =
         static_cast<int>(std::lround(frame.options.beforeAfter.wipeAt * static_cast<float>(frame.width)));
     const OriginalFrame originals(frame);
+    FrameContext before = contextOf(originals.frame);
+    before.shadows = context.shadows;
     OriginalShape shape;
     glEnable(GL_SCISSOR_TEST);
     glScissor(frame.left, 0, line, frame.height);
-    Status status = drawTargets(contextOf(originals.frame), shape);
+    Status status = drawTargets(before, shape);
     if (status) {
         glScissor(frame.left + line, 0, frame.width - line, frame.height);
         startSolid();
-        status = drawTargets(context, pipeline);
-    }
-    if (status) {
-        status = drawGhosts(frame);
+        status = drawScene(context, pipeline);
     }
     glDisable(GL_SCISSOR_TEST);
     return status;
@@ -215,21 +248,25 @@ Status Renderer::draw(const Frame& frame, DeformationPipeline& pipeline, GLuint 
         return Done{};
     }
     const KeepState keep;
+    FrameContext context = d->contextOf(frame);
+    if (ShadowMap::isWanted(frame)) {
+        if (Status status = d->shadows.update(context, pipeline); !status) {
+            return status;
+        }
+        context.shadows = &d->shadows;
+    }
     prepareFramebuffer(frame, framebuffer);
-    const FrameContext context = d->contextOf(frame);
-    if (Status status = drawBackground(context); !status) {
-        return status;
+    if (frame.options.wireframe == WireframeMode::Only) {
+        if (Status status = drawBackground(context); !status) {
+            return status;
+        }
     }
     startSolid();
     if (Status status = d->projectiles.draw(context); !status) {
         return status;
     }
-    Status status = Done{};
-    if (frame.options.beforeAfter.wipe) {
-        status = d->drawWiped(context, pipeline);
-    } else if (status = drawTargets(context, pipeline); status) {
-        status = d->drawGhosts(frame);
-    }
+    Status status =
+        frame.options.beforeAfter.wipe ? d->drawWiped(context, pipeline) : d->drawScene(context, pipeline);
     if (!status) {
         return status;
     }

@@ -45,6 +45,8 @@ struct Frame {
     DisplayOptions options;
     float floorHeight = 0.0f;           ///< metres, world y
     std::optional<ShownChange> change;  ///< the colour map that surfaces have; nothing: they are shaded
+    /// Another number when a mesh has changed; 0: any may have. Shadows are kept as long as it is the same.
+    std::uint64_t meshRevision = 0;
     std::span<const DrawItem> targets;
     std::span<const Sphere> projectiles;  ///< world
     std::optional<Sphere>

@@ -75,6 +75,7 @@ struct SceneGpu::Private {
     std::shared_ptr<const Image> coverImage;  // what `cover` was made of
     std::shared_ptr<const MaterialSet> cover;
     std::uint64_t appliedRevision = 0;
+    std::uint64_t meshRevision = 1;
     gl::Defines deformDefines;
     ChangeUpload changeUpload;
     SecondScene second;
@@ -223,6 +224,7 @@ bool SceneGpu::Private::followHistory(bool startOver) {
         }
     }
     appliedRevision = history.revision();
+    ++meshRevision;
     session.setCapacity(pipeline->capacity());
     return startOver;
 }
@@ -353,6 +355,7 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
     frame.camera = view.camera;
     frame.lights = session.lights();
     frame.options = view.options;
+    frame.meshRevision = d->meshRevision;
     frame.floorHeight = session.floorHeight();
     frame.targets = items;
     if (view.options.change.on) {

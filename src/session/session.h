@@ -110,6 +110,8 @@ public:
     [[nodiscard]] Status setConstants(const DeformationConstants& constants, bool past);
     [[nodiscard]] const Lights& lights() const { return m_lights; }
     void setLights(const Lights& lights);
+    /// What the lights stand around: the scene as it was opened.
+    [[nodiscard]] const LightSpace& lightSpace() const { return m_lightSpace; }
     /// A picture on all targets that have texture coordinates, instead of their own materials; null: none.
     [[nodiscard]] const std::shared_ptr<const Image>& coverTexture() const { return m_coverTexture; }
     void setCoverTexture(std::shared_ptr<const Image> texture);
@@ -258,7 +260,8 @@ private:
     SessionUndo m_undo;
     std::optional<std::size_t> m_selectedHit;
     DeformationConstants m_constants;
-    Lights m_lights;
+    LightSpace m_lightSpace;
+    Lights m_lights = defaultLights(m_lightSpace);
     std::shared_ptr<const Image> m_coverTexture;
     ProjectileSettings m_projectileSettings;
     PipelineKind m_pipeline = PipelineKind::TransformFeedback;
