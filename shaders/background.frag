@@ -2,16 +2,15 @@
 #version 330 core
 
 in vec2 v_ndc;
-
-uniform vec3 u_top;     // sRGB
-uniform vec3 u_bottom;  // sRGB
+flat in vec3 v_top;
+flat in vec3 v_bottom;
 
 out vec4 o_colour;
 
 void main()
 {
     float height = smoothstep(-1.0, 1.0, v_ndc.y);
-    vec3 colour = mix(u_bottom, u_top, height);
+    vec3 colour = mix(v_bottom, v_top, height);
     colour *= 1.0 - 0.05 * dot(v_ndc, v_ndc) * 0.5;
     // Half a step of noise, or eight bits would show the gradient as bands.
     float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));

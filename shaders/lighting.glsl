@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Phong lighting by the paper's equations 7-14: a directional light, four point lights, a spotlight at the eye.
-// All positions are in the world, metres; all colours linear.
+// Phong lighting by the paper's equations 7-14: a directional light, point lights, a spotlight. All positions are
+// metres from the eye, along the world's axes; all colours linear.
 //
-// HITSCOPE_MATTE   defined: the surface has no specular colour, so none is worked out
+// HITSCOPE_DIRECTIONAL   defined: the directional light is on
+// HITSCOPE_POINTS        defined: the number of point lights that are on
+// HITSCOPE_SPOT          defined: the spotlight is on; 1: at the eye, 2: at a place of its own
+// HITSCOPE_MATTE         defined: the surface has no specular colour, so none is worked out
+//
+// A light has one colour and three strengths rather than three colours, and lights that are off are not in the
+// program: a software renderer fetches each number of a uniform for each pixel on its own, and that costs it more
+// than all the arithmetic below.
 
-struct LightColours {
-    vec3 ambient;
-    vec3 diffuse;
-    vec3 specular;
-};
+#include "light_terms.glsl"
 
 struct Surface {
     vec3 position;
@@ -16,90 +19,94 @@ struct Surface {
     vec3 diffuse;
     vec3 specular;
     float shininess;
+    float sunlit;  // [0, 1]: how much of the directional light is not in shadow
 };
 
-uniform vec3 u_eye;
-uniform vec3 u_eyeDirection;  // unit
+// Of a light: its colour (of a point light or spotlight: over the attenuation's constant factor), and how strong
+// its ambient, diffuse and specular terms are.
+#ifdef HITSCOPE_DIRECTIONAL
+uniform vec3 u_directionalDirection;  // unit, towards the light
+uniform vec3 u_directionalColour;
+uniform vec3 u_directionalStrengths;
+#endif
 
-uniform int u_directionalOn;
-uniform vec3 u_directionalDirection;  // unit, the way the light travels
-uniform LightColours u_directionalColours;
+#ifdef HITSCOPE_POINTS
+uniform vec3 u_pointPosition[HITSCOPE_POINTS];
+uniform vec2 u_pointAttenuation[HITSCOPE_POINTS];  // linear, quadratic
+uniform vec3 u_pointColour[HITSCOPE_POINTS];
+uniform vec3 u_pointStrengths[HITSCOPE_POINTS];
+#endif
 
-uniform int u_pointOn[4];
-uniform vec3 u_pointPosition[4];
-uniform vec3 u_pointAttenuation[4];  // constant, linear, quadratic
-uniform LightColours u_pointColours[4];
+#ifdef HITSCOPE_SPOT
+#if HITSCOPE_SPOT == 2
+uniform vec3 u_spotPosition;
+#endif
+uniform vec3 u_spotDirection;  // unit, towards the light
+uniform vec2 u_spotAttenuation;
+uniform vec2 u_spotCone;
+uniform vec3 u_spotColour;
+uniform vec3 u_spotStrengths;
+#endif
 
-uniform int u_spotOn;
-uniform vec3 u_spotAttenuation;
-uniform vec2 u_spotCosines;  // of the inner and the outer angle
-uniform LightColours u_spotColours;
-
-// What does not depend on the light: dot(toEye, reflect(-toLight, n)) of equation 9 is the same number as
-// dot(toLight, reflect(-toEye, n)), and that reflection is needed only once.
-struct View {
-    vec3 toEye;  // unit
-    float distance;
-    vec3 mirrored;  // unit
+// The light that arrives, before the surface's own colours.
+struct Arrived {
+    vec3 diffuse;
+    vec3 specular;
 };
 
-// Equations 8-11; toLight is a unit vector. The specular term needs a lit side, or it would shine through.
-vec3 diffuseAndSpecular(LightColours light, Surface s, View view, vec3 toLight)
+// Equations 7-11. toLight: a unit vector; share: [0, 1], of the diffuse and specular terms. mirrored: the way to the
+// eye, reflected by the surface: dot(toEye, reflect(-toLight, n)) of equation 9 is the same number as
+// dot(toLight, mirrored), and that reflection is needed only once. The specular term needs a lit side, or it would
+// shine through.
+void addLight(inout Arrived arrived, vec3 colour, vec3 strengths, Surface s, vec3 mirrored, vec3 toLight, float share)
 {
     float diff = max(dot(s.normal, toLight), 0.0);
-#ifdef HITSCOPE_MATTE
-    return light.diffuse * diff * s.diffuse;
+    arrived.diffuse += colour * (strengths.x + strengths.y * share * diff);
+#ifndef HITSCOPE_MATTE
+    float spec = diff > 0.0 ? pow(max(dot(toLight, mirrored), 1.0e-6), s.shininess) : 0.0;
+    arrived.specular += colour * (strengths.z * share * spec);
 #endif
-    float spec = diff > 0.0 ? pow(max(dot(toLight, view.mirrored), 1.0e-6), s.shininess) : 0.0;
-    return light.diffuse * diff * s.diffuse + light.specular * spec * s.specular;
 }
 
-// Equations 12 and 13.
-float attenuation(vec3 factors, float d)
-{
-    return 1.0 / max(factors.x + factors.y * d + factors.z * d * d, 1.0e-4);
-}
-
-vec3 pointLight(int i, Surface s, View view)
-{
-    vec3 way = u_pointPosition[i] - s.position;
-    float d = max(length(way), 1.0e-6);
-    vec3 reflected = diffuseAndSpecular(u_pointColours[i], s, view, way / d);
-    return attenuation(u_pointAttenuation[i], d) * (u_pointColours[i].ambient * s.diffuse + reflected);
-}
-
-vec3 spotLight(Surface s, View view)
-{
-    // Equation 14, with cosines for angles: one inside the inner cone, zero outside the outer.
-    float theta = dot(view.toEye, -u_eyeDirection);
-    float cone = max(u_spotCosines.x - u_spotCosines.y, 1.0e-4);
-    float intensity = clamp((theta - u_spotCosines.y) / cone, 0.0, 1.0);
-    vec3 reflected = intensity * diffuseAndSpecular(u_spotColours, s, view, view.toEye);
-    return attenuation(u_spotAttenuation, view.distance) * (u_spotColours.ambient * s.diffuse + reflected);
-}
-
-// Equation 7, summed over the lights that are on. The diffuse colour stands for the ambient one too, as in the
-// paper's source [1]: files rarely have a Ka that means anything.
 vec3 phong(Surface s)
 {
-    View view;
-    vec3 way = u_eye - s.position;
-    view.distance = max(length(way), 1.0e-6);
-    view.toEye = way / view.distance;
-    view.mirrored = reflect(-view.toEye, s.normal);
+    float eyeSquared = max(dot(s.position, s.position), 1.0e-12);
+    float perEye = inversesqrt(eyeSquared);
+    vec3 toEye = -s.position * perEye;
+    vec3 mirrored = reflect(-toEye, s.normal);
 
-    vec3 light = vec3(0.0);
-    if (u_directionalOn != 0) {
-        light += u_directionalColours.ambient * s.diffuse +
-                 diffuseAndSpecular(u_directionalColours, s, view, -u_directionalDirection);
+    Arrived arrived = Arrived(vec3(0.0), vec3(0.0));
+#ifdef HITSCOPE_DIRECTIONAL
+    addLight(arrived, u_directionalColour, u_directionalStrengths, s, mirrored, u_directionalDirection, s.sunlit);
+#endif
+#ifdef HITSCOPE_POINTS
+    for (int i = 0; i < HITSCOPE_POINTS; ++i) {
+        // Equation 13.
+        vec3 way = u_pointPosition[i] - s.position;
+        float squared = max(dot(way, way), 1.0e-12);
+        float perDistance = inversesqrt(squared);
+        vec3 colour = u_pointColour[i] * attenuation(u_pointAttenuation[i], squared * perDistance);
+        addLight(arrived, colour, u_pointStrengths[i], s, mirrored, way * perDistance, 1.0);
     }
-    for (int i = 0; i < 4; ++i) {
-        if (u_pointOn[i] != 0) {
-            light += pointLight(i, s, view);
-        }
-    }
-    if (u_spotOn != 0) {
-        light += spotLight(s, view);
-    }
-    return light;
+#endif
+#ifdef HITSCOPE_SPOT
+#if HITSCOPE_SPOT == 2
+    vec3 spotWay = u_spotPosition - s.position;
+    float spotSquared = max(dot(spotWay, spotWay), 1.0e-12);
+    float perSpot = inversesqrt(spotSquared);
+    vec3 toSpot = spotWay * perSpot;
+#else
+    float spotSquared = eyeSquared;
+    float perSpot = perEye;
+    vec3 toSpot = toEye;
+#endif
+    float share = withinCone(u_spotCone, dot(toSpot, u_spotDirection));
+    vec3 spotColour = u_spotColour * attenuation(u_spotAttenuation, spotSquared * perSpot);
+    addLight(arrived, spotColour, u_spotStrengths, s, mirrored, toSpot, share);
+#endif
+#ifdef HITSCOPE_MATTE
+    return arrived.diffuse * s.diffuse;
+#else
+    return arrived.diffuse * s.diffuse + arrived.specular * s.specular;
+#endif
 }

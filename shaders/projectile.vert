@@ -6,15 +6,15 @@ layout(location = 0) in vec3 a_position;
 layout(location = 5) in vec4 a_sphere;  // centre, radius
 
 uniform mat4 u_viewProjection;
+uniform vec3 u_eye;
 
-out vec3 v_position;
+out vec3 v_position;  // from the eye
 out vec3 v_normal;
-out vec2 v_texcoord;
 
 void main()
 {
-    v_position = a_sphere.xyz + a_sphere.w * a_position;
+    vec3 world = a_sphere.xyz + a_sphere.w * a_position;
+    v_position = world - u_eye;
     v_normal = a_position;
-    v_texcoord = vec2(0.0);
-    gl_Position = u_viewProjection * vec4(v_position, 1.0);
+    gl_Position = u_viewProjection * vec4(world, 1.0);
 }

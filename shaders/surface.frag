@@ -1,38 +1,69 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #version 330 core
-// HITSCOPE_TEXTURED   defined: the diffuse colour comes from a texture too, and where that is transparent there is
-//                     no surface. A program of its own, because a shader that may discard is run on hidden pixels.
+// HITSCOPE_TEXTURED      defined: the diffuse colour comes from a texture too, and where that is transparent there is
+//                        no surface. A program of its own, because a shader that may discard is run on hidden pixels.
+// HITSCOPE_TRANSLUCENT   defined: there is an opacity
+// HITSCOPE_FLAT          defined: one normal a triangle
+// HITSCOPE_BACK_FACES    defined: they are tinted
+// HITSCOPE_SHADOWS       defined: of the directional light
+// HITSCOPE_MARKS         defined: something is selected: a target's rim, a hit's ring
+// HITSCOPE_CHANGE_MAP    defined: the colour is that of a quantity of change, softly lit (change_map.glsl)
 
 #include "lighting.glsl"
 #include "tone.glsl"
+#include "change_map.glsl"
+#ifdef HITSCOPE_SHADOWS
+#include "shadow.glsl"
+#endif
 
-in vec3 v_position;
+in vec3 v_position;  // from the eye
 in vec3 v_normal;
+#ifdef HITSCOPE_TEXTURED
 in vec2 v_texcoord;
+#endif
+#ifdef HITSCOPE_SHADOWS
+in vec3 v_shadow;
+#endif
 
 uniform vec3 u_diffuse;
 uniform vec3 u_specular;
 uniform float u_shininess;
+#ifdef HITSCOPE_TRANSLUCENT
 uniform float u_opacity;
+#endif
+#ifdef HITSCOPE_TEXTURED
 uniform sampler2D u_texture;
-uniform vec4 u_rim;        // linear colour and strength of the selected target's rim
-uniform vec4 u_ring;       // centre and radius of the highlighted hit; radius 0: none
+#endif
+#ifdef HITSCOPE_MARKS
+uniform vec4 u_rim;   // linear colour and strength of the selected target's rim
+uniform vec4 u_ring;  // centre, from the eye, and radius of the highlighted hit; radius 0: none
 uniform vec3 u_ringColour;
 uniform float u_ringWidth;  // pixels
+#endif
 
 out vec4 o_colour;
 
+#ifdef HITSCOPE_BACK_FACES
+const vec3 kBackFace = vec3(0.55, 0.05, 0.16);  // linear; no clay or accent looks like it
+#endif
+
 vec3 facingNormal()
 {
+#ifdef HITSCOPE_FLAT
+    vec3 across = normalize(cross(dFdx(v_position), dFdy(v_position)));
+    return dot(across, v_position) > 0.0 ? -across : across;
+#else
     vec3 normal = v_normal;
     if (dot(normal, normal) < 1.0e-12) {
         normal = cross(dFdx(v_position), dFdy(v_position));
-        return dot(normal, u_eye - v_position) < 0.0 ? -normalize(normal) : normalize(normal);
+        return dot(normal, v_position) > 0.0 ? -normalize(normal) : normalize(normal);
     }
     normal = normalize(normal);
     return gl_FrontFacing ? normal : -normal;
+#endif
 }
 
+#ifdef HITSCOPE_MARKS
 // Where the highlighted hit's sphere cuts the surface: its max_distance, seen on the mesh.
 float ring()
 {
@@ -44,10 +75,24 @@ float ring()
     float edge = 1.0 - smoothstep(0.5 * u_ringWidth - 0.5, 0.5 * u_ringWidth + 0.5, abs(off) / pixel);
     return max(0.9 * edge, off < 0.0 ? 0.12 : 0.0);
 }
+#endif
 
 void main()
 {
+#ifdef HITSCOPE_MARKS
     float ringed = ring();
+#endif
+    float opacity = 1.0;
+#ifdef HITSCOPE_TRANSLUCENT
+    opacity = u_opacity;
+#endif
+#ifdef HITSCOPE_CHANGE_MAP
+    vec3 light = changeColour(abs(dot(facingNormal(), normalize(v_position))));
+#ifdef HITSCOPE_MARKS
+    light = mix(light, u_ringColour, ringed);
+#endif
+    o_colour = vec4(toSrgb(light), opacity);
+#else
     vec3 albedo = u_diffuse;
 #ifdef HITSCOPE_TEXTURED
     vec4 texel = texture(u_texture, vec2(v_texcoord.x, 1.0 - v_texcoord.y));
@@ -56,16 +101,26 @@ void main()
     }
     albedo *= texel.rgb;
 #endif
+#ifdef HITSCOPE_BACK_FACES
+    albedo = gl_FrontFacing ? albedo : mix(albedo, kBackFace, 0.8);
+#endif
     Surface surface;
     surface.position = v_position;
     surface.normal = facingNormal();
     surface.diffuse = albedo;
     surface.specular = u_specular;
     surface.shininess = u_shininess;
+    surface.sunlit = 1.0;
+#ifdef HITSCOPE_SHADOWS
+    surface.sunlit = sunlitShare(v_shadow);
+#endif
 
     vec3 light = phong(surface);
-    float grazing = 1.0 - abs(dot(surface.normal, normalize(u_eye - v_position)));
+#ifdef HITSCOPE_MARKS
+    float grazing = 1.0 - abs(dot(surface.normal, normalize(v_position)));
     light += u_rim.rgb * (u_rim.a * grazing * grazing * grazing);
     light = mix(light, u_ringColour, ringed);
-    o_colour = vec4(display(light), u_opacity);
+#endif
+    o_colour = vec4(display(light), opacity);
+#endif
 }

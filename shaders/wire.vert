@@ -3,13 +3,13 @@
 // The edges of the targets' polygons.
 
 #include "hits.glsl"
+#include "change.glsl"
 
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
 
 uniform mat4 u_model;
 uniform mat4 u_viewProjection;
-uniform vec2 u_shift;        // normalized device coordinates: a line of several pixels is drawn several times
 uniform float u_depthShift;  // what moves clip.z by a fraction of the distance: lines lie before their faces
 uniform float u_edgePixels;  // length of a usual edge in pixels, one metre from the eye
 
@@ -21,10 +21,9 @@ void main()
     vec3 normal = a_normal;
     applyHits(position, normal);
 
-    vec4 clip = u_viewProjection * (u_model * vec4(position, 1.0));
+    vec4 clip = u_viewProjection * (u_model * vec4(drawnPosition(position), 1.0));
     // Edges a pixel or two long would fill the surface with one colour; they fade instead.
     v_density = smoothstep(0.5, 9.0, u_edgePixels / max(clip.w, 1.0e-6));
-    clip.xy += u_shift * clip.w;
     clip.z += u_depthShift;
     gl_Position = clip;
 }

@@ -4,6 +4,10 @@
 #include <QSettings>
 #include <cmath>
 
+#include "app/change_settings.h"
+#include "app/light_settings.h"
+#include "app/shading_actions.h"
+
 namespace hitscope {
 
 namespace {
@@ -47,18 +51,6 @@ void readNumber(const QSettings& settings, const QString& key, float lowest, flo
     if (isNumber && read >= lowest && read <= highest) {
         value = read;
     }
-}
-
-template <class Light>
-void readLight(const QSettings& settings, const QString& name, Light& light) {
-    light.on = settings.value(QStringLiteral("lights/%1/on").arg(name), light.on).toBool();
-    readColour(settings, QStringLiteral("lights/%1/diffuse").arg(name), light.colours.diffuse);
-}
-
-template <class Light>
-void writeLight(QSettings& settings, const QString& name, const Light& light) {
-    settings.setValue(QStringLiteral("lights/%1/on").arg(name), light.on);
-    writeColour(settings, QStringLiteral("lights/%1/diffuse").arg(name), light.colours.diffuse);
 }
 
 void loadProjectile(const QSettings& settings, Session& session) {
@@ -105,6 +97,11 @@ AppSettings loadAppSettings(const QSettings& settings) {
     display.floor = settings.value(QStringLiteral("display/floor"), display.floor).toBool();
     display.textures = settings.value(QStringLiteral("display/textures"), display.textures).toBool();
     display.crosshair = settings.value(QStringLiteral("display/crosshair"), display.crosshair).toBool();
+    loadChangeSettings(settings, display);
+    for (const ShadingSwitch& shading : shadingSwitches()) {
+        display.*shading.option =
+            settings.value(QStringLiteral("display/") + text(shading.key), shading.first).toBool();
+    }
     if (settings.contains(QStringLiteral("exportNormals"))) {
         values.exportNormals = readEnum(settings, QStringLiteral("exportNormals"), 2, NormalMode::True);
     }
@@ -128,6 +125,10 @@ void saveAppSettings(QSettings& settings, const AppSettings& values) {
     settings.setValue(QStringLiteral("display/floor"), display.floor);
     settings.setValue(QStringLiteral("display/textures"), display.textures);
     settings.setValue(QStringLiteral("display/crosshair"), display.crosshair);
+    saveChangeSettings(settings, display);
+    for (const ShadingSwitch& shading : shadingSwitches()) {
+        settings.setValue(QStringLiteral("display/") + text(shading.key), display.*shading.option);
+    }
     if (values.exportNormals) {
         settings.setValue(QStringLiteral("exportNormals"), static_cast<int>(*values.exportNormals));
     } else {
@@ -145,13 +146,7 @@ void loadSessionSettings(const QSettings& settings, Session& session) {
             session.setPipeline(traits.kind);
         }
     }
-    Lights lights = session.lights();
-    readLight(settings, QStringLiteral("directional"), lights.directional);
-    for (PointLight& light : lights.points) {
-        readLight(settings, QStringLiteral("points"), light);
-    }
-    readLight(settings, QStringLiteral("spot"), lights.spot);
-    session.setLights(lights);
+    loadLights(settings, session);
 
     DeformationConstants constants;
     const auto& parameters = deformationParameters();
@@ -176,9 +171,7 @@ void saveSessionSettings(QSettings& settings, const Session& session) {
             settings.setValue(QStringLiteral("pipeline"), text(traits.key));
         }
     }
-    writeLight(settings, QStringLiteral("directional"), session.lights().directional);
-    writeLight(settings, QStringLiteral("points"), session.lights().points.front());
-    writeLight(settings, QStringLiteral("spot"), session.lights().spot);
+    saveLights(settings, session);
     const auto& parameters = deformationParameters();
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         settings.setValue(QStringLiteral("constants/") + text(parameters[i].key),

@@ -12,22 +12,26 @@
 #include <QSurfaceFormat>
 #include <algorithm>
 
+#include "app/change_actions.h"
 #include "app/dialogs.h"
 #include "app/notice_bar.h"
 #include "app/pipeline_chooser.h"
 #include "app/scene_files.h"
 #include "app/shot_actions.h"
+#include "app/shading_actions.h"
 #include "app/status_line.h"
 #include "app/texture_chooser.h"
 #include "app/time_actions.h"
 #include "app/time_badge.h"
 #include "models/undo_text.h"
+#include "panels/change/change_panel.h"
 #include "panels/deformation_constants/deformation_constants_panel.h"
 #include "panels/frame_rate/frame_rate_panel.h"
 #include "panels/hit_history/hit_history_panel.h"
 #include "panels/lights/lights_panel.h"
 #include "panels/mesh_statistics/mesh_statistics_panel.h"
 #include "panels/scene/scene_panel.h"
+#include "session/hit_effects.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -65,6 +69,8 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     loadSessionSettings(QSettings(), session);
     applyTheme(m_settings.theme);
     m_viewport->setOptions(m_settings.display);
+    m_hitEffects = new HitEffects(session, this);
+    m_change = new ChangeActions(session, *m_hitEffects, *m_viewport, this);
     setCentralWidget(m_viewport);
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
@@ -132,7 +138,10 @@ void MainWindow::makeDocks() {
         addDock(QStringLiteral("lights"), tr("Lights"), new LightsPanel(m_session), Qt::RightDockWidgetArea);
     QDockWidget* frameRate =
         addDock(QStringLiteral("frameRate"), tr("Frame rate"), m_frameRate, Qt::BottomDockWidgetArea);
+    QDockWidget* change =
+        addDock(QStringLiteral("change"), tr("Change"), m_change->panel(), Qt::RightDockWidgetArea);
     tabifyDockWidget(statistics, scene);
+    tabifyDockWidget(scene, change);
     statistics->raise();
     tabifyDockWidget(constants, lights);
     constants->raise();
@@ -225,6 +234,7 @@ void MainWindow::followDisplay() {
     m_textures->setChecked(display.textures);
     m_floor->setChecked(display.floor);
     m_crosshair->setChecked(display.crosshair);
+    m_shading->show(display);
 }
 
 void MainWindow::followLights() {

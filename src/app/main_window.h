@@ -19,13 +19,16 @@ class QMenu;
 
 namespace hitscope {
 
+class ChangeActions;
 class FrameRatePanel;
+class HitEffects;
 class NoticeBar;
 class PipelineChooser;
 class SceneFiles;
 class ShotActions;
 class StatusLine;
 class TextureChooser;
+class ShadingActions;
 class TimeActions;
 class Viewport;
 
@@ -128,7 +131,10 @@ private:
     TextureChooser* m_textureChooser = nullptr;
     TimeActions* m_time = nullptr;
     ShotActions* m_shots = nullptr;
+    ShadingActions* m_shading = nullptr;
     PipelineChooser* m_pipelines = nullptr;
+    HitEffects* m_hitEffects = nullptr;
+    ChangeActions* m_change = nullptr;
     FrameRatePanel* m_frameRate = nullptr;
     QTimer m_frameRateTimer;
     QByteArray m_firstLayout;

@@ -8,12 +8,14 @@
 #include <QToolButton>
 #include <utility>
 
+#include "app/change_actions.h"
 #include "app/dialogs.h"
 #include "app/keys_sheet.h"
 #include "app/main_window.h"
 #include "app/pipeline_chooser.h"
 #include "app/projectile_dialog.h"
 #include "app/shot_actions.h"
+#include "app/shading_actions.h"
 #include "app/texture_chooser.h"
 #include "app/time_actions.h"
 #include "panels/icons/themed_icon.h"
@@ -123,6 +125,11 @@ QMenu* MainWindow::makeWireframeMenu() {
 void MainWindow::makeDisplayActions(QMenu& menu) {
     m_wireframeMenu = makeWireframeMenu();
     menu.addMenu(m_wireframeMenu);
+    m_shading = new ShadingActions(this);
+    m_shading->fill(*menu.addMenu(tr("S&hading")));
+    connect(m_shading, &ShadingActions::switched, this, [this](bool DisplayOptions::*option, bool on) {
+        changeDisplay([option, on](DisplayOptions& display) { display.*option = on; });
+    });
     QMenu& normals = *menu.addMenu(tr("&Normals"));
     auto* group = new QActionGroup(this);
     const QString names[] = {tr("&True: of the Dented Surface"), tr("&Paper's: Equation 2")};
@@ -145,6 +152,7 @@ void MainWindow::makeDisplayActions(QMenu& menu) {
     m_textures = addToggle(textures, tr("&Show Textures"), Qt::Key_T, true, [this](bool on) {
         changeDisplay([on](DisplayOptions& display) { display.textures = on; });
     });
+    m_change->fill(*menu.addMenu(tr("Chan&ge")));
     m_floor = addToggle(menu, tr("F&loor"), {}, true, [this](bool on) {
         changeDisplay([on](DisplayOptions& display) { display.floor = on; });
     });

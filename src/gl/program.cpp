@@ -99,8 +99,9 @@ Status link(GLuint program, const ProgramSource& source) {
 Result<Program> Program::build(const ProgramSource& source) {
     Program program;
     program.m_id = glCreateProgram();
-    const std::array<std::pair<GLenum, const std::string&>, 3> stages = {
+    const std::array<std::pair<GLenum, const std::string&>, 4> stages = {
         {{GL_VERTEX_SHADER, source.vertex},
+         {GL_GEOMETRY_SHADER, source.geometry},
          {GL_FRAGMENT_SHADER, source.fragment},
          {GL_COMPUTE_SHADER, source.compute}}};
     std::vector<std::unique_ptr<Shader>> shaders;  // until the program is linked

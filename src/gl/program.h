@@ -27,6 +27,7 @@ struct ProgramSource {
     Defines defines = {};
     std::vector<std::string> captured = {};  ///< varyings for interleaved transform feedback, in order
     std::string compute = {};                ///< alone: no other stage is given
+    std::string geometry = {};
 };
 
 /// The text of an embedded shader with its #include "file" lines replaced and #line kept, so that a driver's

@@ -39,6 +39,7 @@ void attachDynamic(const gl::Buffer& dynamic) {
 void attachOriginal(const gl::Buffer& original) {
     attach(Attribute::OriginalPosition, original, 3, sizeof(DynamicVertex),
            offsetof(DynamicVertex, position));
+    attach(Attribute::OriginalNormal, original, 3, sizeof(DynamicVertex), offsetof(DynamicVertex, normal));
 }
 
 std::vector<glm::vec3> normalsOf(std::span<const DynamicVertex> vertices) {
@@ -101,7 +102,9 @@ TargetBuffers::TargetBuffers(const RenderMesh& mesh)
       m_edges(makeBuffer(std::span<const std::uint32_t>(mesh.edges), GL_STATIC_DRAW)),
       m_surfaceArray(gl::VertexArray::make()),
       m_edgeArray(gl::VertexArray::make()),
-      m_captureArray(gl::VertexArray::make()) {
+      m_captureArray(gl::VertexArray::make()),
+      m_originalSurfaceArray(gl::VertexArray::make()),
+      m_originalEdgeArray(gl::VertexArray::make()) {
     const KeepBindings keep;
     glBindVertexArray(m_surfaceArray.id());
     attachDynamic(m_dynamic);
@@ -117,6 +120,18 @@ TargetBuffers::TargetBuffers(const RenderMesh& mesh)
 
     glBindVertexArray(m_captureArray.id());
     attachDynamic(m_dynamic);
+
+    glBindVertexArray(m_originalSurfaceArray.id());
+    attachDynamic(m_original);
+    attach(Attribute::Texcoord, m_texcoords, 2, sizeof(glm::vec2), 0);
+    attach(Attribute::ShadingNormal, m_original, 3, sizeof(DynamicVertex), offsetof(DynamicVertex, normal));
+    attachOriginal(m_original);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_triangles.id());
+
+    glBindVertexArray(m_originalEdgeArray.id());
+    attachDynamic(m_original);
+    attachOriginal(m_original);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_edges.id());
 }
 
 void TargetBuffers::read(const VertexRange& range, std::span<DynamicVertex> vertices) const {
@@ -154,6 +169,26 @@ void TargetBuffers::writeShadingNormals(std::uint32_t first, std::span<const glm
     glBindBuffer(GL_COPY_WRITE_BUFFER, m_shadingNormals.id());
     glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(first * sizeof(glm::vec3)),
                     static_cast<GLsizeiptr>(normals.size_bytes()), normals.data());
+    glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+}
+
+void TargetBuffers::clearChangeValues() {
+    if (m_changeValues) {
+        writeChangeValues(0, std::vector<float>(m_vertexCount, 0.0f));
+    }
+}
+
+void TargetBuffers::writeChangeValues(std::uint32_t first, std::span<const float> values) {
+    if (!m_changeValues) {
+        const std::vector<float> none(m_vertexCount, 0.0f);
+        m_changeValues = makeBuffer(std::span<const float>(none), GL_DYNAMIC_DRAW);
+        const KeepBindings keep;
+        glBindVertexArray(m_surfaceArray.id());
+        attach(Attribute::ChangeValue, m_changeValues, 1, sizeof(float), 0);
+    }
+    glBindBuffer(GL_COPY_WRITE_BUFFER, m_changeValues.id());
+    glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(first * sizeof(float)),
+                    static_cast<GLsizeiptr>(values.size_bytes()), values.data());
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
 }
 

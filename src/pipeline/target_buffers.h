@@ -18,7 +18,9 @@ enum class Attribute : GLuint {
     Normal = 1,
     Texcoord = 2,
     ShadingNormal = 3,
-    OriginalPosition = 4
+    OriginalPosition = 4,
+    OriginalNormal = 5,
+    ChangeValue = 6
 };
 
 /// One target's buffers on the GPU. The dynamic buffer (DynamicVertex, position and normal) is the pipeline's
@@ -32,8 +34,13 @@ public:
     [[nodiscard]] GLuint surfaceArray() const { return m_surfaceArray.id(); }
     /// Position, normal and original position, with the edges' index buffer: for glDrawElements(GL_LINES).
     [[nodiscard]] GLuint edgeArray() const { return m_edgeArray.id(); }
+    /// The same two of the target as it was: positions and all normals are the original ones.
+    [[nodiscard]] GLuint originalSurfaceArray() const { return m_originalSurfaceArray.id(); }
+    [[nodiscard]] GLuint originalEdgeArray() const { return m_originalEdgeArray.id(); }
     /// Position and normal from the dynamic buffer, no indices: for capturing.
     [[nodiscard]] GLuint captureArray() const { return m_captureArray.id(); }
+    /// One vec3 a vertex: the true normals.
+    [[nodiscard]] GLuint shadingNormalBuffer() const { return m_shadingNormals.id(); }
     [[nodiscard]] GLuint dynamicBuffer() const { return m_dynamic.id(); }
     /// DynamicVertex, the original state, never written again.
     [[nodiscard]] GLuint originalBuffer() const { return m_original.id(); }
@@ -57,6 +64,10 @@ public:
     void restoreOriginal(std::span<const VertexRange> ranges);
     /// Replaces shading normals [first, first + normals.size()).
     void writeShadingNormals(std::uint32_t first, std::span<const glm::vec3> normals);
+    /// Replaces what colour maps of change show where the vertex alone does not tell
+    /// (Attribute::ChangeValue); 0 before.
+    void writeChangeValues(std::uint32_t first, std::span<const float> values);
+    void clearChangeValues();  ///< all 0 again
 
 private:
     std::uint32_t m_vertexCount = 0;
@@ -70,11 +81,14 @@ private:
     gl::Buffer m_original;
     gl::Buffer m_texcoords;
     gl::Buffer m_shadingNormals;
+    gl::Buffer m_changeValues;  ///< made when first written
     gl::Buffer m_triangles;
     gl::Buffer m_edges;
     gl::VertexArray m_surfaceArray;
     gl::VertexArray m_edgeArray;
     gl::VertexArray m_captureArray;
+    gl::VertexArray m_originalSurfaceArray;
+    gl::VertexArray m_originalEdgeArray;
 };
 
 }  // namespace hitscope

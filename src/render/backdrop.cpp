@@ -3,11 +3,21 @@
 #include <cmath>
 
 #include "render/frame_context.h"
+#include "render/shadow_map.h"
 
 namespace hitscope::render {
 namespace {
 
 constexpr float kFinestCells = 14.0f;  // of the floor's finest squares fit between eye and pivot
+
+gl::Defines floorDefines(const FrameContext& context) {
+    gl::Defines defines = lightDefines(context.frame.lights);
+    if (context.shadows != nullptr) {
+        const gl::Defines shadows = context.shadows->defines();
+        defines.insert(defines.end(), shadows.begin(), shadows.end());
+    }
+    return defines;
+}
 
 }  // namespace
 
@@ -26,7 +36,7 @@ Status drawBackground(const FrameContext& context) {
 }
 
 Status drawFloor(const FrameContext& context) {
-    const auto program = context.programs.get("floor.vert", "floor.frag");
+    const auto program = context.programs.get("floor.vert", "floor.frag", floorDefines(context));
     if (!program) {
         return program.error();
     }
@@ -40,12 +50,20 @@ Status drawFloor(const FrameContext& context) {
     floor.use();
     setLights(floor, context);
     floor.set("u_viewProjection", context.viewProjection);
+    floor.set("u_eye", context.eye);
     floor.set("u_centre", glm::vec3(pivot.x, frame.floorHeight, pivot.z));
     floor.set("u_reach", frame.camera.floorReach());
     floor.set("u_diffuse", context.colours.floor);
     floor.set("u_lineColour", context.colours.floorLines);
     floor.set("u_cell", std::pow(10.0f, std::floor(scale)));
     floor.set("u_cellFade", scale - std::floor(scale));
+    if (context.shadows != nullptr) {
+        context.shadows->apply(floor);
+        const glm::mat4& shadow = context.shadows->matrix();
+        floor.set("u_floorShadow",
+                  glm::mat3(glm::vec3(shadow[0]), glm::vec3(shadow[2]),
+                            frame.floorHeight * glm::vec3(shadow[1]) + glm::vec3(shadow[3])));
+    }
     glBindVertexArray(context.emptyArray);
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     return Done{};

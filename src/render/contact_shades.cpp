@@ -7,9 +7,11 @@
 namespace hitscope::render {
 namespace {
 
-constexpr float kSpread = 1.45f;  // of the target's half size
+constexpr float kBesideShadows = 0.45f;  // strength, where there are real ones too
+constexpr float kSpread = 1.45f;         // of the target's half size
 
-/// Of the original shape, in the world.
+}  // namespace
+
 Bounds worldBounds(const DrawItem& item) {
     const Bounds& local = item.buffers->originalBounds();
     Bounds bounds;
@@ -26,8 +28,6 @@ Bounds worldBounds(const DrawItem& item) {
     return bounds;
 }
 
-}  // namespace
-
 Status drawContactShades(const FrameContext& context) {
     const Frame& frame = context.frame;
     if (context.eye.y < frame.floorHeight) {
@@ -40,6 +40,8 @@ Status drawContactShades(const FrameContext& context) {
     const gl::Program& contact = *program.value();
     contact.use();
     contact.set("u_viewProjection", context.viewProjection);
+    const float strength =
+        context.colours.contactShade * (context.shadows != nullptr ? kBesideShadows : 1.0f);
     glBindVertexArray(context.emptyArray);
     for (const DrawItem& item : frame.targets) {
         const Bounds bounds = worldBounds(item);
@@ -54,7 +56,7 @@ Status drawContactShades(const FrameContext& context) {
         }
         contact.set("u_centre", glm::vec3(bounds.centre().x, frame.floorHeight, bounds.centre().z));
         contact.set("u_reach", kSpread * glm::vec2(half.x, half.z));
-        contact.set("u_strength", context.colours.contactShade * nearness);
+        contact.set("u_strength", strength * nearness);
         glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     }
     return Done{};

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "render/change_options.h"
+
 namespace hitscope {
 
 enum class WireframeMode : std::uint8_t { Off, Over, Only };
@@ -20,6 +22,14 @@ struct DisplayOptions {
     bool floor = true;
     bool textures = true;
     bool crosshair = false;
+    ChangeMapOptions change;
+    BeforeAfterOptions beforeAfter;
+    bool sideBySide = false;  ///< two pictures, where there is a second pipeline to show
+    bool flat = false;        ///< one normal a triangle
+    bool needles = false;     ///< normals
+    bool dots = false;        ///< vertices, seen from close by
+    bool backFaces = false;   ///< tinted
+    bool shadows = false;     ///< of the directional light
 };
 
 }  // namespace hitscope

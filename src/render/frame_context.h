@@ -11,21 +11,31 @@
 
 namespace hitscope::render {
 
+class ColourTextures;
+class ShadowMap;
+
 /// What every pass of a frame needs. The references live as long as the frame.
 struct FrameContext {
     const Frame& frame;
     const ThemeColours& colours;
     ProgramCache& programs;
+    ColourTextures& colourTextures;
     bool software = false;  ///< the CPU draws
     GLuint emptyArray = 0;  ///< a vertex array without attributes, for corners made in the shader
     glm::mat4 projection{1.0f};
     glm::mat4 viewProjection{1.0f};
     glm::vec3 eye{0.0f};
     glm::vec3 forward{0.0f};
-    float pixelsAtOneMetre = 1.0f;  ///< how many pixels a metre takes, a metre from the eye
+    const ShadowMap* shadows = nullptr;  ///< null: none
+    float pixelsAtOneMetre = 1.0f;       ///< how many pixels a metre takes, a metre from the eye
 };
 
-/// Writes the uniforms of lighting.glsl; the program is in use.
+/// Of the original shape, in the world; empty for a mesh without vertices.
+[[nodiscard]] Bounds worldBounds(const DrawItem& item);
+
+/// Which lights are on, for programs that include lighting.glsl.
+[[nodiscard]] gl::Defines lightDefines(const Lights& lights);
+/// Writes the uniforms of lighting.glsl in a program built with lightDefines(); it is in use.
 void setLights(const gl::Program& program, const FrameContext& context);
 
 // Each draws one thing with blending, and expects depth test on and depth writes off.

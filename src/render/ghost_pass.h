@@ -1,22 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "render/frame_context.h"
 
 namespace hitscope::render {
 
-/// Surfaces that are not there yet, over all that is: translucent, with their edges. A context is current for
-/// every call and the destructor.
-class GhostPass {
-public:
-    GhostPass();
-    /// Draws over the frame, and leaves the depth buffer useless.
-    [[nodiscard]] Status draw(const FrameContext& context);
+/// A frame of the same targets as they were: shaded, where they were.
+struct OriginalFrame {
+    explicit OriginalFrame(const Frame& frame);
+    OriginalFrame(const OriginalFrame&) = delete;
+    OriginalFrame& operator=(const OriginalFrame&) = delete;
 
-private:
-    gl::Buffer m_vertices;
-    gl::VertexArray m_array;
-    std::shared_ptr<const std::vector<glm::vec3>> m_uploaded;  ///< what is in m_vertices
+    std::vector<DrawItem> items;
+    Frame frame;
 };
+
+/// The originals of changed targets over what has become of them, as options.beforeAfter.ghost of the frame
+/// that `originals` was made from says. Blending is on, depth test GL_LESS, depth writes off: where nothing
+/// moved the ghost has the surface's very depths and is not seen.
+[[nodiscard]] Status drawGhosts(const FrameContext& originals, GhostMode mode);
 
 }  // namespace hitscope::render

@@ -12,7 +12,8 @@ KeepState::KeepState()
                       {GL_MULTISAMPLE, 0},
                       {GL_FRAMEBUFFER_SRGB, 0},
                       {GL_RASTERIZER_DISCARD, 0},
-                      {GL_COLOR_LOGIC_OP, 0}}} {
+                      {GL_COLOR_LOGIC_OP, 0},
+                      {GL_PROGRAM_POINT_SIZE, 0}}} {
     for (Capability& capability : m_capabilities) {
         capability.on = glIsEnabled(capability.name);
     }
@@ -22,10 +23,14 @@ KeepState::KeepState()
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &m_drawFramebuffer);
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &m_readFramebuffer);
     glGetIntegerv(GL_ACTIVE_TEXTURE, &m_activeTexture);
+    for (std::size_t unit = 0; unit < m_textures.size(); ++unit) {
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        glGetIntegerv(GL_TEXTURE_BINDING_2D, &m_textures[unit]);
+        glGetIntegerv(GL_SAMPLER_BINDING, &m_samplers[unit]);
+    }
     glActiveTexture(GL_TEXTURE0);
-    glGetIntegerv(GL_TEXTURE_BINDING_2D, &m_texture);
-    glGetIntegerv(GL_SAMPLER_BINDING, &m_sampler);
     glGetIntegerv(GL_VIEWPORT, m_viewport.data());
+    glGetIntegerv(GL_SCISSOR_BOX, m_scissor.data());
     glGetIntegerv(GL_DEPTH_FUNC, &m_depthFunction);
     glGetBooleanv(GL_DEPTH_WRITEMASK, &m_depthMask);
     glGetBooleanv(GL_COLOR_WRITEMASK, m_colourMask.data());
@@ -52,11 +57,14 @@ KeepState::~KeepState() {
     glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(m_arrayBuffer));
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(m_drawFramebuffer));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(m_readFramebuffer));
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(m_texture));
-    glBindSampler(0, static_cast<GLuint>(m_sampler));
+    for (std::size_t unit = 0; unit < m_textures.size(); ++unit) {
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(m_textures[unit]));
+        glBindSampler(static_cast<GLuint>(unit), static_cast<GLuint>(m_samplers[unit]));
+    }
     glActiveTexture(static_cast<GLenum>(m_activeTexture));
     glViewport(m_viewport[0], m_viewport[1], m_viewport[2], m_viewport[3]);
+    glScissor(m_scissor[0], m_scissor[1], m_scissor[2], m_scissor[3]);
     glDepthFunc(static_cast<GLenum>(m_depthFunction));
     glDepthMask(m_depthMask);
     glColorMask(m_colourMask[0], m_colourMask[1], m_colourMask[2], m_colourMask[3]);

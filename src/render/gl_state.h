@@ -21,16 +21,17 @@ private:
         GLenum name;
         GLboolean on;
     };
-    std::array<Capability, 9> m_capabilities;
+    std::array<Capability, 10> m_capabilities;
     GLint m_program = 0;
     GLint m_vertexArray = 0;
     GLint m_arrayBuffer = 0;
     GLint m_drawFramebuffer = 0;
     GLint m_readFramebuffer = 0;
     GLint m_activeTexture = 0;
-    GLint m_texture = 0;  ///< of unit 0, 2D
-    GLint m_sampler = 0;  ///< of unit 0
+    std::array<GLint, 2> m_textures{};  ///< of units 0 and 1, 2D
+    std::array<GLint, 2> m_samplers{};
     std::array<GLint, 4> m_viewport{};
+    std::array<GLint, 4> m_scissor{};
     GLint m_depthFunction = 0;
     GLboolean m_depthMask = GL_TRUE;
     std::array<GLboolean, 4> m_colourMask{};

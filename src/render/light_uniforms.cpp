@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -9,44 +10,89 @@
 namespace hitscope::render {
 namespace {
 
-void setColours(const gl::Program& program, const std::string& name, const LightColours& colours) {
-    program.set(name + ".ambient", colours.ambient);
-    program.set(name + ".diffuse", colours.diffuse);
-    program.set(name + ".specular", colours.specular);
-}
+constexpr float kLeastConstant = 1.0e-3f;  // of the attenuation
+constexpr float kLeastEdge = 1.0e-4f;      // difference of cosines from a spotlight's full light to none
 
 glm::vec3 unitOrDown(const glm::vec3& direction) {
     const float length = glm::length(direction);
     return length > 1.0e-6f ? direction / length : glm::vec3(0.0f, -1.0f, 0.0f);
 }
 
+glm::vec3 strengths(const LightTerms& terms) {
+    return {terms.ambient, terms.diffuse, terms.specular};
+}
+
+/// The whole of equation 12 over its constant factor: what is left of it, and the colour that goes with that.
+struct Attenuated {
+    glm::vec2 factors;
+    glm::vec3 colour;
+};
+
+Attenuated attenuated(const Attenuation& attenuation, const glm::vec3& colour) {
+    const float constant = std::max(attenuation.constant, kLeastConstant);
+    return {glm::vec2(attenuation.linear, attenuation.quadratic) / constant, colour / constant};
+}
+
+void setDirectional(const gl::Program& program, const DirectionalLight& light) {
+    program.set("u_directionalDirection", -unitOrDown(light.direction));
+    program.set("u_directionalColour", light.terms.colour);
+    program.set("u_directionalStrengths", strengths(light.terms));
+}
+
+void setPoint(const gl::Program& program, const glm::vec3& eye, const PointLight& light, std::size_t place) {
+    std::string index = "[0]";
+    index[1] = static_cast<char>('0' + place);
+    const Attenuated shone = attenuated(light.attenuation, light.terms.colour);
+    program.set("u_pointPosition" + index, light.position - eye);
+    program.set("u_pointAttenuation" + index, shone.factors);
+    program.set("u_pointColour" + index, shone.colour);
+    program.set("u_pointStrengths" + index, strengths(light.terms));
+}
+
+void setSpot(const gl::Program& program, const FrameContext& context, const SpotLight& light) {
+    const Attenuated shone = attenuated(light.attenuation, light.terms.colour);
+    const float outer = std::cos(light.outerAngle);
+    const float edge = std::max(std::cos(light.innerAngle) - outer, kLeastEdge);
+    program.set("u_spotPosition", light.position - context.eye);
+    program.set("u_spotDirection", light.atEye ? -context.forward : -unitOrDown(light.direction));
+    program.set("u_spotAttenuation", shone.factors);
+    program.set("u_spotCone", glm::vec2(outer, 1.0f / edge));
+    program.set("u_spotColour", shone.colour);
+    program.set("u_spotStrengths", strengths(light.terms));
+}
+
 }  // namespace
+
+gl::Defines lightDefines(const Lights& lights) {
+    gl::Defines defines;
+    if (lights.directional.on) {
+        defines.emplace_back("HITSCOPE_DIRECTIONAL", "1");
+    }
+    const auto points = std::count_if(lights.points.begin(), lights.points.end(),
+                                      [](const PointLight& light) { return light.on; });
+    if (points > 0) {
+        defines.emplace_back("HITSCOPE_POINTS", std::to_string(points));
+    }
+    if (lights.spot.on) {
+        defines.emplace_back("HITSCOPE_SPOT", lights.spot.atEye ? "1" : "2");
+    }
+    return defines;
+}
 
 void setLights(const gl::Program& program, const FrameContext& context) {
     const Lights& lights = context.frame.lights;
-    program.set("u_eye", context.eye);
-    program.set("u_eyeDirection", context.forward);
-
-    program.set("u_directionalOn", lights.directional.on ? 1 : 0);
-    program.set("u_directionalDirection", unitOrDown(lights.directional.direction));
-    setColours(program, "u_directionalColours", lights.directional.colours);
-
-    for (std::size_t i = 0; i < lights.points.size(); ++i) {
-        const PointLight& light = lights.points[i];
-        std::string index = "[0]";
-        index[1] = static_cast<char>('0' + i);
-        program.set("u_pointOn" + index, light.on ? 1 : 0);
-        program.set("u_pointPosition" + index, light.position);
-        program.set("u_pointAttenuation" + index, glm::vec3(light.constant, light.linear, light.quadratic));
-        setColours(program, "u_pointColours" + index, light.colours);
+    if (lights.directional.on) {
+        setDirectional(program, lights.directional);
     }
-
-    program.set("u_spotOn", lights.spot.on ? 1 : 0);
-    program.set("u_spotAttenuation",
-                glm::vec3(lights.spot.constant, lights.spot.linear, lights.spot.quadratic));
-    program.set("u_spotCosines",
-                glm::vec2(std::cos(lights.spot.innerAngle), std::cos(lights.spot.outerAngle)));
-    setColours(program, "u_spotColours", lights.spot.colours);
+    std::size_t place = 0;
+    for (const PointLight& light : lights.points) {
+        if (light.on) {
+            setPoint(program, context.eye, light, place++);
+        }
+    }
+    if (lights.spot.on) {
+        setSpot(program, context, lights.spot);
+    }
 }
 
 }  // namespace hitscope::render

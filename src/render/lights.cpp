@@ -5,13 +5,20 @@
 
 namespace hitscope {
 
-Lights defaultLights(const glm::vec3& centre, float extent) {
-    Lights lights;
-    const float size = std::max(extent, 1.0e-3f);
+namespace {
 
-    lights.directional.colours.ambient = glm::vec3(0.085f, 0.09f, 0.1f);
-    lights.directional.colours.diffuse = glm::vec3(1.05f, 1.0f, 0.93f);
-    lights.directional.colours.specular = glm::vec3(0.35f);
+float sizeOf(const LightSpace& space) {
+    return std::max(space.extent, 1.0e-3f);
+}
+
+}  // namespace
+
+Lights defaultLights(const LightSpace& space) {
+    Lights lights;
+    const glm::vec3& centre = space.centre;
+    const float size = sizeOf(space);
+
+    lights.directional.terms = {{1.0f, 0.96f, 0.9f}, 0.095f, 1.05f, 0.36f};
 
     // Warm and cool corners by turns, so that the shape reads from every side.
     const glm::vec3 warm(1.0f, 0.86f, 0.7f);
@@ -23,22 +30,29 @@ Lights defaultLights(const glm::vec3& centre, float extent) {
         const float z = (i & 2u) != 0 ? 0.5f : -0.5f;
         light.position = centre + size * glm::vec3(x, 0.45f, z);
         // Half the light is left at `reach`, whatever the scene's size.
-        light.constant = 1.0f;
-        light.linear = 0.35f / reach;
-        light.quadratic = 0.65f / (reach * reach);
-        const glm::vec3 tint = x * z > 0.0f ? warm : cool;
-        light.colours.ambient = 0.015f * tint;
-        light.colours.diffuse = 0.25f * tint;
-        light.colours.specular = 0.14f * tint;
+        light.attenuation = {1.0f, 0.35f / reach, 0.65f / (reach * reach)};
+        light.terms = {x * z > 0.0f ? warm : cool, 0.015f, 0.25f, 0.14f};
     }
 
-    lights.spot.constant = 1.0f;
-    lights.spot.linear = 0.1f / size;
-    lights.spot.quadratic = 0.25f / (size * size);
-    lights.spot.colours.ambient = glm::vec3(0.0f);
-    lights.spot.colours.diffuse = glm::vec3(0.1f, 0.0975f, 0.0925f);
-    lights.spot.colours.specular = glm::vec3(0.12f);
+    // Where it goes when it leaves the eye: above the scene, looking down on it.
+    lights.spot.position = centre + size * glm::vec3(0.0f, 0.9f, 0.35f);
+    lights.spot.direction = centre - lights.spot.position;
+    lights.spot.attenuation = {1.0f, 0.1f / size, 0.25f / (size * size)};
+    lights.spot.terms = {{1.0f, 0.975f, 0.925f}, 0.0f, 0.1f, 0.12f};
     return lights;
+}
+
+Lights moved(const Lights& lights, const LightSpace& from, const LightSpace& to) {
+    const float scale = sizeOf(to) / sizeOf(from);
+    const auto move = [&](auto& light) {
+        light.position = to.centre + scale * (light.position - from.centre);
+        light.attenuation.linear /= scale;
+        light.attenuation.quadratic /= scale * scale;
+    };
+    Lights placed = lights;
+    std::for_each(placed.points.begin(), placed.points.end(), move);
+    move(placed.spot);
+    return placed;
 }
 
 }  // namespace hitscope

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "render/change_map.h"
 #include "render/gl_state.h"
 
 namespace hitscope {
@@ -81,7 +82,7 @@ Status PickPass::makeRoom(const PixelArea& area) {
 Status PickPass::draw(const Frame& frame, DeformationPipeline& pipeline, const PixelArea& area,
                       PickElements elements) {
     const bool points = elements == PickElements::Points;
-    const auto found = m_programs.get("surface.vert", "pick.frag", pipeline.drawDefines());
+    const auto found = m_programs.get("surface.vert", "pick.frag", render::targetDefines(frame, pipeline));
     if (!found) {
         return found.error();
     }
@@ -101,6 +102,7 @@ Status PickPass::draw(const Frame& frame, DeformationPipeline& pipeline, const P
     program.use();
     const float aspect = static_cast<float>(frame.width) / static_cast<float>(frame.height);
     program.set("u_viewProjection", frame.camera.projection(aspect) * frame.camera.view());
+    render::setDrawnPlace(program, frame);
     const GLint target = program.location("u_target");
     for (const DrawItem& item : frame.targets) {
         pipeline.prepareDraw(program, item.target);

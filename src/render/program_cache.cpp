@@ -6,13 +6,14 @@
 namespace hitscope::render {
 
 Result<const gl::Program*> ProgramCache::get(const std::string& vertex, const std::string& fragment,
-                                             const gl::Defines& defines) {
-    auto key = std::make_tuple(vertex, fragment, defines);
+                                             const gl::Defines& defines, const std::string& geometry) {
+    auto key = std::make_tuple(vertex, geometry, fragment, defines);
     const auto known = m_programs.find(key);
     if (known != m_programs.end()) {
         return static_cast<const gl::Program*>(known->second.get());
     }
-    Result<gl::Program> built = gl::Program::build({vertex, fragment, defines, {}});
+    Result<gl::Program> built = gl::Program::build(
+        {.vertex = vertex, .fragment = fragment, .defines = defines, .geometry = geometry});
     if (!built) {
         return built.error();
     }

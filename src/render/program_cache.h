@@ -16,10 +16,12 @@ class ProgramCache {
 public:
     /// The program lives as long as the cache. The error is the driver's, with file names.
     [[nodiscard]] Result<const gl::Program*> get(const std::string& vertex, const std::string& fragment,
-                                                 const gl::Defines& defines = {});
+                                                 const gl::Defines& defines = {},
+                                                 const std::string& geometry = {});
 
 private:
-    std::map<std::tuple<std::string, std::string, gl::Defines>, std::unique_ptr<gl::Program>> m_programs;
+    std::map<std::tuple<std::string, std::string, std::string, gl::Defines>, std::unique_ptr<gl::Program>>
+        m_programs;
 };
 
 }  // namespace hitscope::render

@@ -75,7 +75,8 @@ Status ProjectilePass::draw(const FrameContext& context) {
     if (items.empty()) {
         return Done{};
     }
-    const auto found = context.programs.get("projectile.vert", "surface.frag");
+    const auto found =
+        context.programs.get("projectile.vert", "surface.frag", lightDefines(context.frame.lights));
     if (!found) {
         return found.error();
     }
@@ -83,11 +84,9 @@ Status ProjectilePass::draw(const FrameContext& context) {
     program.use();
     setLights(program, context);
     program.set("u_viewProjection", context.viewProjection);
+    program.set("u_eye", context.eye);
     program.set("u_specular", glm::vec3(0.6f));
     program.set("u_shininess", 48.0f);
-    program.set("u_opacity", 1.0f);
-    program.set("u_rim", glm::vec4(0.0f));
-    program.set("u_ring", glm::vec4(0.0f));
 
     std::vector<std::pair<Batch, Sphere>> sorted;
     sorted.reserve(items.size());

@@ -4,13 +4,19 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "gl/context.h"
+#include "render/change_map.h"
 #include "render/frame_context.h"
+#include "render/dent_ghost_pass.h"
 #include "render/ghost_pass.h"
 #include "render/gl_state.h"
+#include "render/line_pass.h"
 #include "render/material_set.h"
+#include "render/original_shape.h"
 #include "render/projectile_pass.h"
+#include "render/shadow_map.h"
 #include "render/target_pass.h"
 #include "render/trail_pass.h"
 
@@ -21,6 +27,7 @@ using namespace render;
 namespace {
 
 constexpr float kSelectedLines = 0.7f;  // of the accent colour, where lines are all there is to a target
+constexpr float kLeastEdge = 1.5f;      // logical pixels: lines closer than that would only darken a surface
 constexpr float kHiddenLines = 0.16f;   // opacity of lines behind a surface, of that of the others
 
 /// Programs that do not depend on a pipeline.
@@ -30,13 +37,13 @@ constexpr std::array<std::pair<const char*, const char*>, 8> kPrograms{
      {"contact.vert", "contact.frag"},
      {"projectile.vert", "surface.frag"},
      {"trail.vert", "trail.frag"},
-     {"ghost.vert", "ghost.frag"},
+     {"dent_ghost.vert", "dent_ghost.frag"},
      {"ring.vert", "ring.frag"},
      {"crosshair.vert", "crosshair.frag"}}};
 
 void prepareFramebuffer(const Frame& frame, GLuint framebuffer) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, frame.width, frame.height);
+    glViewport(frame.left, 0, frame.width, frame.height);
     for (const GLenum capability : {GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_FRAMEBUFFER_SRGB,
                                     GL_RASTERIZER_DISCARD, GL_COLOR_LOGIC_OP, GL_BLEND, GL_DEPTH_TEST}) {
         glDisable(capability);
@@ -65,11 +72,13 @@ void startBlended() {
     glEnable(GL_BLEND);
 }
 
-FrameContext makeContext(const Frame& frame, ProgramCache& programs, GLuint emptyArray) {
+FrameContext makeContext(const Frame& frame, ProgramCache& programs, ColourTextures& colourTextures,
+                         GLuint emptyArray) {
     const float aspect = static_cast<float>(frame.width) / static_cast<float>(frame.height);
     FrameContext context{.frame = frame,
                          .colours = themeColours(frame.options.theme),
                          .programs = programs,
+                         .colourTextures = colourTextures,
                          .emptyArray = emptyArray};
     context.projection = frame.camera.projection(aspect);
     context.viewProjection = context.projection * frame.camera.view();
@@ -95,6 +104,13 @@ Status drawShaded(const FrameContext& context, DeformationPipeline& pipeline) {
     if (Status status = drawSurfaces(context, pipeline); !status) {
         return status;
     }
+    // Now, where it is not hidden.
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_LEQUAL);
+    if (Status status = drawBackground(context); !status) {
+        return status;
+    }
+    glDepthFunc(GL_LESS);
     startBlended();
     if (Status status = drawFloorAndShades(context); !status) {
         return status;
@@ -103,13 +119,13 @@ Status drawShaded(const FrameContext& context, DeformationPipeline& pipeline) {
         return status;
     }
     return context.frame.options.wireframe == WireframeMode::Over
-               ? drawEdges(context, pipeline, context.colours.wire, 0.0f)
+               ? drawEdges(context, pipeline, {context.colours.wire, 0.0f, kLeastEdge})
                : Status(Done{});
 }
 
 Status drawWires(const FrameContext& context, DeformationPipeline& pipeline) {
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    if (Status status = drawSurfaceDepth(context, pipeline); !status) {
+    if (Status status = drawSurfaceDepth(context, pipeline, context.viewProjection); !status) {
         return status;
     }
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -117,27 +133,99 @@ Status drawWires(const FrameContext& context, DeformationPipeline& pipeline) {
     if (Status status = drawFloorAndShades(context); !status) {
         return status;
     }
-    glm::vec4 colour = context.colours.wireOnly;
-    if (Status status = drawEdges(context, pipeline, colour, kSelectedLines); !status) {
+    EdgeStyle style{context.colours.wireOnly, kSelectedLines, 0.0f};
+    if (Status status = drawEdges(context, pipeline, style); !status) {
         return status;
     }
-    colour.a *= kHiddenLines;
+    style.colour.a *= kHiddenLines;
+    style.leastPixels = kLeastEdge;
     glDepthFunc(GL_GEQUAL);
-    Status status = drawEdges(context, pipeline, colour, kSelectedLines);
+    Status status = drawEdges(context, pipeline, style);
     glDepthFunc(GL_LESS);
     return status;
+}
+
+Status drawTargets(const FrameContext& context, DeformationPipeline& pipeline) {
+    return context.frame.options.wireframe == WireframeMode::Only ? drawWires(context, pipeline)
+                                                                  : drawShaded(context, pipeline);
 }
 
 }  // namespace
 
 struct Renderer::Private {
     ProgramCache programs;
+    ColourTextures colourTextures;
     ProjectilePass projectiles;
     TrailPass trails;
-    GhostPass ghost;
+    DentGhostPass dentGhost;
+    NeedlePass needles;
     gl::VertexArray emptyArray = gl::VertexArray::make();
     bool software = gl::rendererInfo().isSoftware();
+    ShadowMap shadows{software};
+
+    [[nodiscard]] FrameContext contextOf(const Frame& frame);
+    [[nodiscard]] Status drawGhosts(const Frame& frame);
+    /// Targets and what marks them.
+    [[nodiscard]] Status drawScene(const FrameContext& context, DeformationPipeline& pipeline);
+    [[nodiscard]] Status drawWiped(const FrameContext& context, DeformationPipeline& pipeline);
+    Status drawVertexMarks(const FrameContext& context, DeformationPipeline& pipeline) {
+        const DisplayOptions& options = context.frame.options;
+        if (options.dots) {
+            if (Status status = drawDots(context, pipeline); !status) {
+                return status;
+            }
+        }
+        return options.needles ? needles.draw(context, pipeline) : Status(Done{});
+    }
 };
+
+FrameContext Renderer::Private::contextOf(const Frame& frame) {
+    FrameContext context = makeContext(frame, programs, colourTextures, emptyArray.id());
+    context.software = software;
+    return context;
+}
+
+Status Renderer::Private::drawGhosts(const Frame& frame) {
+    const GhostMode mode = frame.options.beforeAfter.ghost;
+    if (mode == GhostMode::Off) {
+        return Done{};
+    }
+    OriginalFrame originals(frame);
+    std::erase_if(originals.items, [](const DrawItem& item) { return !item.changed; });
+    originals.frame.targets = originals.items;
+    return render::drawGhosts(contextOf(originals.frame), mode);
+}
+
+Status Renderer::Private::drawScene(const FrameContext& context, DeformationPipeline& pipeline) {
+    if (Status status = drawTargets(context, pipeline); !status) {
+        return status;
+    }
+    if (Status status = drawGhosts(context.frame); !status) {
+        return status;
+    }
+    return drawVertexMarks(context, pipeline);
+}
+
+/// The originals left of the line, what has become of them right of it.
+Status Renderer::Private::drawWiped(const FrameContext& context, DeformationPipeline& pipeline) {
+    const Frame& frame = context.frame;
+    const int line =
+        static_cast<int>(std::lround(frame.options.beforeAfter.wipeAt * static_cast<float>(frame.width)));
+    const OriginalFrame originals(frame);
+    FrameContext before = contextOf(originals.frame);
+    before.shadows = context.shadows;
+    OriginalShape shape;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(frame.left, 0, line, frame.height);
+    Status status = drawTargets(before, shape);
+    if (status) {
+        glScissor(frame.left + line, 0, frame.width - line, frame.height);
+        startSolid();
+        status = drawScene(context, pipeline);
+    }
+    glDisable(GL_SCISSOR_TEST);
+    return status;
+}
 
 Renderer::Renderer() : d(std::make_unique<Private>()) {}
 Renderer::~Renderer() = default;
@@ -166,18 +254,25 @@ Status Renderer::draw(const Frame& frame, DeformationPipeline& pipeline, GLuint 
         return Done{};
     }
     const KeepState keep;
+    FrameContext context = d->contextOf(frame);
+    if (ShadowMap::isWanted(frame)) {
+        if (Status status = d->shadows.update(context, pipeline); !status) {
+            return status;
+        }
+        context.shadows = &d->shadows;
+    }
     prepareFramebuffer(frame, framebuffer);
-    FrameContext context = makeContext(frame, d->programs, d->emptyArray.id());
-    context.software = d->software;
-    if (Status status = drawBackground(context); !status) {
-        return status;
+    if (frame.options.wireframe == WireframeMode::Only) {
+        if (Status status = drawBackground(context); !status) {
+            return status;
+        }
     }
     startSolid();
     if (Status status = d->projectiles.draw(context); !status) {
         return status;
     }
-    Status status = frame.options.wireframe == WireframeMode::Only ? drawWires(context, pipeline)
-                                                                   : drawShaded(context, pipeline);
+    Status status =
+        frame.options.beforeAfter.wipe ? d->drawWiped(context, pipeline) : d->drawScene(context, pipeline);
     if (!status) {
         return status;
     }
@@ -188,7 +283,7 @@ Status Renderer::draw(const Frame& frame, DeformationPipeline& pipeline, GLuint 
     if (status = drawHighlightedHit(context); !status) {
         return status;
     }
-    if (status = d->ghost.draw(context); !status) {
+    if (status = d->dentGhost.draw(context); !status) {
         return status;
     }
     return drawCrosshair(context);

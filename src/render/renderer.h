@@ -30,6 +30,8 @@ struct DrawItem {
     const MaterialSet* materials = nullptr;  ///< null: the default material
     glm::mat4 model{1.0f};                   ///< rigid
     bool selected = false;
+    bool changed = true;    ///< false: it is sure to be as it was
+    bool original = false;  ///< drawn as it was, whatever the pipeline
 };
 
 /// One projectile to draw. World, metres.
@@ -41,13 +43,17 @@ struct ProjectileItem {
 
 /// One picture, in full.
 struct Frame {
+    int left = 0;             ///< pixels, where in the framebuffer the picture starts
     int width = 0;            ///< pixels
     int height = 0;           ///< pixels
     float pixelRatio = 1.0f;  ///< device pixels a logical pixel: line widths, crosshair
     Camera camera;
     Lights lights;
     DisplayOptions options;
-    float floorHeight = 0.0f;  ///< metres, world y
+    float floorHeight = 0.0f;           ///< metres, world y
+    std::optional<ShownChange> change;  ///< the colour map that surfaces have; nothing: they are shaded
+    /// Another number when a mesh has changed; 0: any may have. Shadows are kept as long as it is the same.
+    std::uint64_t meshRevision = 0;
     std::span<const DrawItem> targets;
     std::span<const ProjectileItem> projectiles;
     /// Corners of triangles, world: a surface that is not there yet, drawn over everything. Null: none.

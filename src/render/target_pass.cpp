@@ -5,14 +5,15 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "render/change_map.h"
 #include "render/material_set.h"
+#include "render/shadow_map.h"
 
 namespace hitscope::render {
 namespace {
 
 constexpr float kRimStrength = 0.75f;
-constexpr float kRingWidth = 1.8f;   // logical pixels
-constexpr float kLinesAhead = 2.0f;  // pixels' size at their distance: lines lie before the faces they bound
+constexpr float kRingWidth = 1.8f;  // logical pixels
 
 /// A software renderer shades pixels on other processors than it transforms vertices, but starts only when
 /// told to, or at the frame's end: told after so many, it does both at once (llvmpipe, 25,000 vertices at
@@ -28,26 +29,14 @@ const MaterialSet& materialsOf(const DrawItem& item) {
     return item.materials != nullptr ? *item.materials : defaults;
 }
 
-void setSurface(const gl::Program& program, const FrameContext& context) {
-    const Frame& frame = context.frame;
-    setLights(program, context);
-    program.set("u_viewProjection", context.viewProjection);
-    program.set("u_paperNormals", frame.options.normals == NormalMode::Paper ? 1 : 0);
-    program.set("u_ring", frame.highlightedHit
-                              ? glm::vec4(frame.highlightedHit->centre, frame.highlightedHit->radius)
-                              : glm::vec4(0.0f));
-    program.set("u_ringColour", toLinear(context.colours.accent));
-    program.set("u_ringWidth", std::max(1.0f, kRingWidth * frame.pixelRatio));
-    glActiveTexture(GL_TEXTURE0);
-    glBindSampler(0, 0);
+GLuint surfaceArrayOf(const DrawItem& item) {
+    return item.original ? item.buffers->originalSurfaceArray() : item.buffers->surfaceArray();
 }
 
-void prepareSurface(const gl::Program& program, const FrameContext& context, DeformationPipeline& pipeline,
-                    const DrawItem& item) {
-    pipeline.prepareDraw(program, item.target);
-    program.set("u_model", item.model);
-    program.set("u_rim", glm::vec4(toLinear(context.colours.accent), item.selected ? kRimStrength : 0.0f));
-    glBindVertexArray(item.buffers->surfaceArray());
+bool hasMarks(const Frame& frame) {
+    return frame.highlightedHit.has_value() ||
+           std::any_of(frame.targets.begin(), frame.targets.end(),
+                       [](const DrawItem& item) { return item.selected; });
 }
 
 struct Parts {
@@ -55,18 +44,78 @@ struct Parts {
     bool textured = false;
 };
 
-Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, const Parts& parts) {
-    gl::Defines defines = pipeline.drawDefines();
-    if (parts.textured) {
-        defines.emplace_back("HITSCOPE_TEXTURED", "1");
+/// A program has what a frame needs and no more: see lighting.glsl.
+gl::Defines surfaceDefines(const FrameContext& context, const DeformationPipeline& pipeline,
+                           const Parts& parts) {
+    const Frame& frame = context.frame;
+    gl::Defines defines = targetDefines(frame, pipeline);
+    if (frame.change) {
+        defines.emplace_back("HITSCOPE_CHANGE_MAP", "1");
+    } else {
+        const gl::Defines lights = lightDefines(frame.lights);
+        defines.insert(defines.end(), lights.begin(), lights.end());
     }
+    if (context.shadows != nullptr && !frame.change) {
+        const gl::Defines shadows = context.shadows->defines();
+        defines.insert(defines.end(), shadows.begin(), shadows.end());
+    }
+    const std::pair<const char*, bool> parted[] = {
+        {"HITSCOPE_TEXTURED", parts.textured},
+        {"HITSCOPE_TRANSLUCENT", parts.translucent},
+        {"HITSCOPE_FLAT", frame.options.flat},
+        {"HITSCOPE_BACK_FACES", frame.options.backFaces && !frame.change},
+        {"HITSCOPE_MARKS", hasMarks(frame)},
+        {"HITSCOPE_PAPER_NORMALS", frame.options.normals == NormalMode::Paper}};
+    for (const auto& [name, wanted] : parted) {
+        if (wanted) {
+            defines.emplace_back(name, "1");
+        }
+    }
+    return defines;
+}
+
+void setSurface(const gl::Program& program, const FrameContext& context) {
+    const Frame& frame = context.frame;
+    if (frame.change) {
+        setChangeMap(program, context);
+    } else {
+        setLights(program, context);
+    }
+    setDrawnPlace(program, frame);
+    program.set("u_viewProjection", context.viewProjection);
+    program.set("u_eye", context.eye);
+    if (hasMarks(frame)) {
+        program.set("u_ring", frame.highlightedHit ? glm::vec4(frame.highlightedHit->centre - context.eye,
+                                                               frame.highlightedHit->radius)
+                                                   : glm::vec4(0.0f));
+        program.set("u_ringColour", toLinear(context.colours.accent));
+        program.set("u_ringWidth", std::max(1.0f, kRingWidth * frame.pixelRatio));
+    }
+    glActiveTexture(GL_TEXTURE0);
+    glBindSampler(0, 0);
+    if (context.shadows != nullptr && !frame.change) {
+        context.shadows->apply(program);
+    }
+}
+
+void prepareSurface(const gl::Program& program, const FrameContext& context, DeformationPipeline& pipeline,
+                    const DrawItem& item) {
+    pipeline.prepareDraw(program, item.target);
+    program.set("u_model", item.model);
+    program.set("u_rim", glm::vec4(toLinear(context.colours.accent), item.selected ? kRimStrength : 0.0f));
+    glBindVertexArray(surfaceArrayOf(item));
+}
+
+Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, const Parts& parts) {
+    const gl::Defines defines = surfaceDefines(context, pipeline, parts);
     const gl::Program* program = nullptr;
     std::size_t waiting = 0;
     for (const DrawItem& item : context.frame.targets) {
         const MaterialSet& materials = materialsOf(item);
         bool prepared = false;
         for (const DrawRange& range : item.buffers->draws()) {
-            const bool textured = context.frame.options.textures && materials.isTextured(range.material);
+            const bool textured = !context.frame.change && context.frame.options.textures &&
+                                  materials.isTextured(range.material);
             if (range.count == 0 || textured != parts.textured ||
                 materials.isTranslucent(range.material) != parts.translucent) {
                 continue;
@@ -113,53 +162,23 @@ Status drawTranslucentSurfaces(const FrameContext& context, DeformationPipeline&
     return drawParts(context, pipeline, {.translucent = true, .textured = true});
 }
 
-Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline) {
-    const auto found = context.programs.get("surface.vert", "depth.frag", pipeline.drawDefines());
+Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline,
+                        const glm::mat4& viewProjection) {
+    const auto found =
+        context.programs.get("surface.vert", "depth.frag", targetDefines(context.frame, pipeline));
     if (!found) {
         return found.error();
     }
     const gl::Program& program = *found.value();
     program.use();
-    program.set("u_viewProjection", context.viewProjection);
+    program.set("u_viewProjection", viewProjection);
+    setDrawnPlace(program, context.frame);
     for (const DrawItem& item : context.frame.targets) {
         pipeline.prepareDraw(program, item.target);
         program.set("u_model", item.model);
-        glBindVertexArray(item.buffers->surfaceArray());
+        glBindVertexArray(surfaceArrayOf(item));
         glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(item.buffers->triangleIndexCount()),
                        GL_UNSIGNED_INT, nullptr);
-    }
-    return Done{};
-}
-
-Status drawEdges(const FrameContext& context, DeformationPipeline& pipeline, const glm::vec4& colour,
-                 float selectionTint) {
-    const auto found = context.programs.get("wire.vert", "wire.frag", pipeline.drawDefines());
-    if (!found) {
-        return found.error();
-    }
-    const gl::Program& program = *found.value();
-    const Frame& frame = context.frame;
-    program.use();
-    program.set("u_viewProjection", context.viewProjection);
-    // clip.z = A d + B and clip.w = d at a distance d, so depth is A + B / d; b B on top is as a distance of
-    // (1 - b) d, to first order.
-    program.set("u_depthShift", context.projection[3][2] * kLinesAhead / context.pixelsAtOneMetre);
-    // Wide lines are not for core profiles to draw: on a dense screen each line is drawn side by side
-    // instead.
-    const int passes = std::clamp(static_cast<int>(std::lround(frame.pixelRatio)), 1, 4);
-    const glm::vec4 selected(glm::mix(glm::vec3(colour), context.colours.accent, selectionTint), colour.a);
-    for (const DrawItem& item : frame.targets) {
-        pipeline.prepareDraw(program, item.target);
-        program.set("u_model", item.model);
-        program.set("u_colour", item.selected ? selected : colour);
-        program.set("u_edgePixels", item.buffers->usualEdge() * context.pixelsAtOneMetre / frame.pixelRatio);
-        glBindVertexArray(item.buffers->edgeArray());
-        for (int pass = 0; pass < passes; ++pass) {
-            const float pixels = static_cast<float>(pass) - 0.5f * static_cast<float>(passes - 1);
-            program.set("u_shift", 2.0f * pixels / glm::vec2(frame.width, frame.height));
-            glDrawElements(GL_LINES, static_cast<GLsizei>(item.buffers->edgeIndexCount()), GL_UNSIGNED_INT,
-                           nullptr);
-        }
     }
     return Done{};
 }

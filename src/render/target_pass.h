@@ -10,10 +10,7 @@ namespace hitscope::render {
 /// The translucent parts. Blending is on, depth writes are off.
 [[nodiscard]] Status drawTranslucentSurfaces(const FrameContext& context, DeformationPipeline& pipeline);
 /// Only the depth of the surfaces: hides what a wireframe without surfaces would show through them.
-[[nodiscard]] Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline);
-/// The edges. Blending is on, depth writes are off. `colour`: sRGB, opacity.
-/// `selectionTint`: [0, 1], how much of the accent colour a selected target's edges take on.
-[[nodiscard]] Status drawEdges(const FrameContext& context, DeformationPipeline& pipeline,
-                               const glm::vec4& colour, float selectionTint);
+[[nodiscard]] Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline,
+                                      const glm::mat4& viewProjection);
 
 }  // namespace hitscope::render

@@ -14,6 +14,8 @@ const ThemeColours kDark{
     .contactShade = 0.5f,
     .wire = {0.04f, 0.05f, 0.07f, 0.6f},
     .wireOnly = {0.80f, 0.85f, 0.92f, 0.85f},
+    .needles = {0.45f, 0.80f, 1.0f, 0.9f},
+    .dots = {0.96f, 0.97f, 1.0f, 0.95f},
     .accent = {1.0f, 0.62f, 0.2f},
 };
 
@@ -25,6 +27,8 @@ const ThemeColours kLight{
     .contactShade = 0.38f,
     .wire = {0.08f, 0.10f, 0.14f, 0.55f},
     .wireOnly = {0.14f, 0.18f, 0.25f, 0.8f},
+    .needles = {0.05f, 0.35f, 0.75f, 0.9f},
+    .dots = {0.05f, 0.07f, 0.12f, 0.9f},
     .accent = {0.85f, 0.36f, 0.0f},
 };
 

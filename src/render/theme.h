@@ -17,6 +17,8 @@ struct ThemeColours {
     float contactShade;          ///< [0, 1]
     glm::vec4 wire;              ///< sRGB, opacity: over shaded surfaces
     glm::vec4 wireOnly;          ///< sRGB, opacity: without them
+    glm::vec4 needles;           ///< sRGB, opacity: normals
+    glm::vec4 dots;              ///< sRGB, opacity: vertices
     glm::vec3 accent;            ///< sRGB: what is selected
 };
 

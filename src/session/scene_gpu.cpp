@@ -10,7 +10,12 @@
 
 #include "render/pick_pass.h"
 #include "render/renderer.h"
+#include "session/change_upload.h"
+#include "session/change_values.h"
+#include "session/comparison.h"
 #include "session/frame_meter.h"
+#include "session/second_scene.h"
+#include "session/shading_normals.h"
 
 namespace hitscope {
 
@@ -20,22 +25,6 @@ glm::mat4 modelMatrix(const RigidTransform& transform) {
     glm::mat4 model = glm::mat4_cast(transform.rotation);
     model[3] = glm::vec4(transform.position, 1.0f);
     return model;
-}
-
-/// Uploads the new normals in runs; short gaps are filled, since a call costs more than a few vertices.
-void writeShadingNormals(TargetBuffers& buffers, std::span<const std::uint32_t> vertices,
-                         std::span<const glm::vec3> normals) {
-    constexpr std::uint32_t kLargestGap = 32;
-    std::size_t begin = 0;
-    while (begin < vertices.size()) {
-        std::size_t end = begin + 1;
-        while (end < vertices.size() && vertices[end] - vertices[end - 1] <= kLargestGap) {
-            ++end;
-        }
-        const std::uint32_t first = vertices[begin];
-        buffers.writeShadingNormals(first, normals.subspan(first, vertices[end - 1] + 1 - first));
-        begin = end;
-    }
 }
 
 /// Hits that came one by one are applied in one pass all the same.
@@ -70,7 +59,7 @@ std::map<PipelineKind, QString> unavailablePipelines() {
 }  // namespace
 
 struct SceneGpu::Private {
-    explicit Private(Session& followed) : session(followed), meter(followed.frameCosts()) {}
+    explicit Private(Session& followed) : session(followed), meter(followed.frameCosts()), second(followed) {}
 
     struct GpuTarget {
         std::unique_ptr<TargetBuffers> buffers;
@@ -86,7 +75,11 @@ struct SceneGpu::Private {
     std::shared_ptr<const Image> coverImage;  // what `cover` was made of
     std::shared_ptr<const MaterialSet> cover;
     std::uint64_t appliedRevision = 0;
+    std::uint64_t meshRevision = 1;
     gl::Defines deformDefines;
+    ChangeUpload changeUpload;
+    SecondScene second;
+    ChangeUpload secondUpload;
 
     void followTargets();
     void followCover();
@@ -99,6 +92,12 @@ struct SceneGpu::Private {
     void readBack(Delivery delivery);
     Status follow(Delivery delivery);
     std::shared_ptr<const MaterialSet> materialsOf(const DeformedMesh& mesh);
+    void followComparison(Comparison* comparison);
+    [[nodiscard]] bool isSideBySide(const View& view) const {
+        return second.isReady() && view.options.sideBySide;
+    }
+    /// The picture, or two of them side by side.
+    Status drawAll(Frame& frame, const View& view, unsigned framebuffer);
 };
 
 SceneGpu::SceneGpu(Session& session) : d(std::make_unique<Private>(session)) {}
@@ -179,7 +178,8 @@ std::vector<DrawItem> SceneGpu::Private::drawItems() const {
         if (target->visible && gpu != targets.end()) {
             items.push_back({target->id, gpu->second.buffers.get(), materialsToDraw(*target),
                              modelMatrix(target->transform),
-                             target->id == session.selectedTarget() && session.targets().size() > 1});
+                             target->id == session.selectedTarget() && session.targets().size() > 1,
+                             !target->deformed.onceChanged().empty()});
         }
     }
     return items;
@@ -224,6 +224,7 @@ bool SceneGpu::Private::followHistory(bool startOver) {
         }
     }
     appliedRevision = history.revision();
+    ++meshRevision;
     session.setCapacity(pipeline->capacity());
     return startOver;
 }
@@ -279,7 +280,7 @@ void SceneGpu::collectCosts() {
 }
 
 bool SceneGpu::isReadBackPending() const {
-    return d->pipeline && d->pipeline->isReadBackPending();
+    return (d->pipeline && d->pipeline->isReadBackPending()) || d->second.isReadBackPending();
 }
 
 Status SceneGpu::drawElements(const View& view, PickPass& pass, const PixelArea& area,
@@ -294,7 +295,42 @@ Status SceneGpu::drawElements(const View& view, PickPass& pass, const PixelArea&
     frame.camera = view.camera;
     frame.options = view.options;
     frame.targets = items;
-    return pass.draw(frame, *d->pipeline, area, elements);
+    if (!d->isSideBySide(view)) {
+        return pass.draw(frame, *d->pipeline, area, elements);
+    }
+    // Both pictures show the same elements; where they are is the first one's.
+    frame.width = view.width / 2;
+    PixelArea within = area;
+    within.x -= area.x >= frame.width ? frame.width : 0;
+    return pass.draw(frame, *d->pipeline, within, elements);
+}
+
+void SceneGpu::Private::followComparison(Comparison* comparison) {
+    second.follow(comparison, deformDefines, SecondScene::Delivery::WhatHasArrived);
+    if (second.isReady() && !second.isReadBackPending() && !pipeline->isReadBackPending()) {
+        comparison->settle(second.pipeline().capacity().dropped.size());
+    }
+}
+
+Status SceneGpu::Private::drawAll(Frame& frame, const View& view, unsigned framebuffer) {
+    if (!isSideBySide(view)) {
+        return renderer->draw(frame, *pipeline, framebuffer);
+    }
+    frame.width = view.width / 2;
+    if (Status status = renderer->draw(frame, *pipeline, framebuffer); !status) {
+        return status;
+    }
+    const std::vector<DrawItem> items = second.itemsFor(frame.targets);
+    if (frame.change) {
+        secondUpload.follow(view.changeValues);
+        for (const DrawItem& item : items) {
+            secondUpload.upload(item.target, second.buffersOf(item.target));
+        }
+    }
+    frame.targets = items;
+    frame.left = frame.width;
+    frame.width = view.width - frame.left;
+    return renderer->draw(frame, second.pipeline(), framebuffer);
 }
 
 Status SceneGpu::draw(const View& view, unsigned framebuffer) {
@@ -303,6 +339,7 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
         d->meter.end();
         return status;
     }
+    d->followComparison(view.comparison);
     const Session& session = d->session;
     const std::vector<DrawItem> items = d->drawItems();
     std::vector<ProjectileItem> projectiles;
@@ -318,8 +355,17 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
     frame.camera = view.camera;
     frame.lights = session.lights();
     frame.options = view.options;
+    frame.meshRevision = d->meshRevision;
     frame.floorHeight = session.floorHeight();
     frame.targets = items;
+    if (view.options.change.on) {
+        frame.change =
+            shownChange(view.options.change, view.changeValues ? view.changeValues->summary() : Summary());
+        d->changeUpload.follow(view.changeValues);
+        for (const DrawItem& item : items) {
+            d->changeUpload.upload(item.target, *d->targets.at(item.target).buffers);
+        }
+    }
     frame.projectiles = projectiles;
     frame.ghost = view.ghost;
     if (session.selectedHit()) {
@@ -328,7 +374,7 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
             frame.highlightedHit = Sphere{target->transform.toWorld(hit.point), hit.constants.maxDistance};
         }
     }
-    Status status = d->renderer->draw(frame, *d->pipeline, framebuffer);
+    Status status = d->drawAll(frame, view, framebuffer);
     d->meter.endOf(FrameMeter::Part::Drawing);
     d->meter.end();
     return status;

@@ -13,6 +13,8 @@
 
 namespace hitscope {
 
+class ChangeValues;
+class Comparison;
 class PickPass;
 
 /// A session on the GPU: buffers for its targets, the active pipeline, the renderer. Follows the session by
@@ -37,6 +39,9 @@ public:
         Camera camera;
         DisplayOptions options;
         std::shared_ptr<const std::vector<glm::vec3>> ghost;  ///< as in Frame
+        /// What a colour map of change takes its range and some values from; it follows the quantity shown.
+        const ChangeValues* changeValues = nullptr;
+        Comparison* comparison = nullptr;  ///< with a second pipeline; null: none
     };
     /// As sync(), but waits for nothing: what changed comes to the session with one of the next frames. Then
     /// one picture into the framebuffer object of that name (0: the default framebuffer).

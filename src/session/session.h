@@ -117,6 +117,8 @@ public:
     [[nodiscard]] DeformationConstants constantsOn(const Target& target) const;
     [[nodiscard]] const Lights& lights() const { return m_lights; }
     void setLights(const Lights& lights);
+    /// What the lights stand around: the scene as it was opened.
+    [[nodiscard]] const LightSpace& lightSpace() const { return m_lightSpace; }
     /// A picture on all targets that have texture coordinates, instead of their own materials; null: none.
     [[nodiscard]] const std::shared_ptr<const Image>& coverTexture() const { return m_coverTexture; }
     void setCoverTexture(std::shared_ptr<const Image> texture);
@@ -199,6 +201,8 @@ Q_SIGNALS:
     void hitsRearranged(const hitscope::HitRows& rows);  ///< removed, put back, moved
     void historyReset();                                 ///< after either of these, and with a new scene
     void meshChanged(hitscope::TargetId target);         ///< its DeformedMesh did
+    /// Before that: which render vertices moved, or have another true normal. Sorted.
+    void shadingChanged(hitscope::TargetId target, const std::vector<std::uint32_t>& renderVertices);
     /// Before that: which file vertices are now somewhere else, in no order; some may be repeated.
     void verticesMoved(hitscope::TargetId target, const std::vector<std::uint32_t>& vertices);
     void constantsChanged();
@@ -264,7 +268,8 @@ private:
     SessionUndo m_undo;
     std::optional<std::size_t> m_selectedHit;
     ConstantsSetting m_constants;
-    Lights m_lights;
+    LightSpace m_lightSpace;
+    Lights m_lights = defaultLights(m_lightSpace);
     std::shared_ptr<const Image> m_coverTexture;
     ProjectileSettings m_projectileSettings;
     PipelineKind m_pipeline = PipelineKind::TransformFeedback;

@@ -133,6 +133,7 @@ std::vector<Session::ChangedNormals> Session::finishReadBack() {
         m_colliders.updateAll(currentVertices());
     }
     for (const ChangedNormals& change : changes) {
+        Q_EMIT shadingChanged(change.target, change.renderVertices);
         Q_EMIT verticesMoved(change.target, announced.at(change.target));
         Q_EMIT meshChanged(change.target);
     }

@@ -93,21 +93,12 @@ void Session::clearScene() {
 void Session::announceScene(const QString& name) {
     m_sceneName = name;
     m_physics.setFloor(m_floorHeight);
-    // The lights stand around the scene; which of them are on, and their colours, stay as they were set.
+    // The lights stand around the new scene as they stood around the one before.
     const Bounds bounds = sceneBounds();
     const glm::vec3 size = bounds.size();
-    const Lights placed = defaultLights(bounds.centre(), std::max({size.x, size.y, size.z}));
-    for (std::size_t i = 0; i < m_lights.points.size(); ++i) {
-        PointLight& light = m_lights.points[i];
-        const PointLight& place = placed.points[i];
-        light.position = place.position;
-        light.constant = place.constant;
-        light.linear = place.linear;
-        light.quadratic = place.quadratic;
-    }
-    m_lights.spot.constant = placed.spot.constant;
-    m_lights.spot.linear = placed.spot.linear;
-    m_lights.spot.quadratic = placed.spot.quadratic;
+    const LightSpace space{bounds.centre(), std::max({size.x, size.y, size.z})};
+    m_lights = moved(m_lights, m_lightSpace, space);
+    m_lightSpace = space;
     Q_EMIT sceneReplaced();
     Q_EMIT historyReset();
     Q_EMIT undoChanged();

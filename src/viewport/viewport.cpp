@@ -96,7 +96,7 @@ void Viewport::report(const Error& error) {
 }
 
 void Viewport::resizeGL(int, int) {
-    m_navigation.setViewSize(size());
+    followViewSize();
     if (!m_framed) {
         m_framed = true;
         frameAll();
@@ -111,6 +111,8 @@ SceneGpu::View Viewport::view() const {
     view.camera = camera();
     view.options = m_options;
     view.ghost = m_ghost;
+    view.changeValues = m_changeValues;
+    view.comparison = m_comparison;
     view.options.crosshair = m_options.crosshair || m_crosshairTimer.isActive();
     return view;
 }
@@ -126,6 +128,7 @@ void Viewport::paintGL() {
         report(drawn.error());
         return;
     }
+    paintOverlay();
     m_error.clear();
     const QElapsedTimer& measure = m_frameFollows && m_sinceFrame.isValid() ? m_sinceFrame : drawing;
     const double seconds = static_cast<double>(measure.nsecsElapsed()) * kNanosecond;
@@ -133,6 +136,20 @@ void Viewport::paintGL() {
     m_sinceFrame.start();
     m_session.frameCosts().endFrame(seconds);
     Q_EMIT framePainted(seconds);
+}
+
+void Viewport::paintOverlay() {
+    const SceneGpu::View drawn = view();
+    if (ChangeOverlay::isNeeded(drawn)) {
+        QPainter painter(this);
+        m_changeOverlay.paint(painter, drawn);
+    }
+}
+
+void Viewport::setChangeValues(const ChangeValues* values, Comparison* comparison) {
+    m_changeValues = values;
+    m_comparison = comparison;
+    update();
 }
 
 void Viewport::paintError() {
@@ -166,6 +183,11 @@ void Viewport::moveOn() {
     update();
 }
 
+/// Side by side each picture has half of the width.
+void Viewport::followViewSize() {
+    m_navigation.setViewSize({m_options.sideBySide ? width() / 2.0 : width(), static_cast<double>(height())});
+}
+
 void Viewport::collectCosts() {
     if (m_scene) {
         makeCurrent();
@@ -176,6 +198,7 @@ void Viewport::collectCosts() {
 
 void Viewport::setOptions(const DisplayOptions& options) {
     m_options = options;
+    followViewSize();
     update();
 }
 

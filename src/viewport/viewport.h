@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "session/scene_gpu.h"
+#include "viewport/change_overlay.h"
 #include "viewport/navigation.h"
 
 namespace hitscope {
@@ -31,6 +32,9 @@ public:
 
     [[nodiscard]] const DisplayOptions& options() const { return m_options; }
     void setOptions(const DisplayOptions& options);
+    /// What colour maps of change take their range from, and the second pipeline; null: none. They outlive
+    /// the viewport or another call.
+    void setChangeValues(const ChangeValues* values, Comparison* comparison);
     [[nodiscard]] bool drawsContinuously() const { return m_continuous; }
     /// A frame after the other even if nothing moves: for measuring.
     void setDrawsContinuously(bool on);
@@ -81,6 +85,8 @@ private:
     void releaseGpu();
     void report(const Error& error);
     void paintError();
+    void paintOverlay();
+    void followViewSize();
     void followScene();
     void followSize();
     [[nodiscard]] bool wantsFrames() const;
@@ -103,6 +109,9 @@ private:
 
     DisplayOptions m_options;
     std::shared_ptr<const std::vector<glm::vec3>> m_ghost;
+    const ChangeValues* m_changeValues = nullptr;
+    Comparison* m_comparison = nullptr;
+    ChangeOverlay m_changeOverlay;
     Navigation m_navigation;
     bool m_framed = false;  ///< the scene has been framed at a real size
 

@@ -2,6 +2,7 @@
 // Draws the scenes that lights and colours are judged by and writes them as PNG files.
 #include <QDebug>
 #include <QDir>
+#include <utility>
 
 #include "mesh/primitives.h"
 #include "mesh/teapot.h"
@@ -45,6 +46,18 @@ void drawScene(const QDir& folder, const QString& name, Renderer& renderer, Test
         scene.select(0, false);
         frame.highlightedHit.reset();
         frame.options.crosshair = false;
+        frame.options.wireframe = WireframeMode::Off;
+        const std::pair<const char*, bool DisplayOptions::*> modes[] = {
+            {"-shadows", &DisplayOptions::shadows},
+            {"-flat", &DisplayOptions::flat},
+            {"-needles", &DisplayOptions::needles},
+            {"-dots", &DisplayOptions::dots},
+            {"-backs", &DisplayOptions::backFaces}};
+        for (const auto& [mode, option] : modes) {
+            frame.options.*option = true;
+            save(folder, name + suffix + QLatin1String(mode), picture(renderer, frame, *pipeline));
+            frame.options.*option = false;
+        }
     }
 }
 

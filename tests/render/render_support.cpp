@@ -84,7 +84,7 @@ Frame frameOf(const TestScene& scene, int width, int height) {
     frame.width = width;
     frame.height = height;
     const glm::vec3 size = scene.bounds().size();
-    frame.lights = defaultLights(scene.bounds().centre(), std::max({size.x, size.y, size.z}));
+    frame.lights = defaultLights({scene.bounds().centre(), std::max({size.x, size.y, size.z})});
     frame.camera.setSceneRadius(scene.bounds().diagonal());
     frame.camera.frame(scene.bounds(), static_cast<float>(width) / static_cast<float>(height));
     frame.floorHeight = scene.bounds().min.y;

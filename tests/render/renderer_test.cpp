@@ -199,7 +199,7 @@ void RendererTest::diffuseFollowsThePapersEquation() {
     }
     m_frame.lights.spot.on = false;
     m_frame.lights.directional.direction = 3.0f * glm::vec3(0.0f, -std::sqrt(3.0f) / 2.0f, -0.5f);
-    m_frame.lights.directional.colours = {glm::vec3(0.1f), glm::vec3(0.6f), glm::vec3(0.0f)};
+    m_frame.lights.directional.terms = {glm::vec3(1.0f), 0.1f, 0.6f, 0.0f};
     const QColor colour = draw(m_frame).pixelColor(kWidth / 2, kHeight / 2);
     const auto expected = [](float albedo) {
         const float light = albedo * (0.1f + 0.5f * 0.6f);

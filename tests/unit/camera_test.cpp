@@ -216,11 +216,12 @@ void CameraTest::planesHoldTheScene() {
 void CameraTest::defaultLightsFollowTheScene() {
     for (const float extent : {1.0f, 60.0f}) {
         const glm::vec3 centre(1, 2, 3);
-        const Lights lights = defaultLights(centre, extent);
+        const Lights lights = defaultLights({centre, extent});
         for (const PointLight& light : lights.points) {
             const float d = glm::length(light.position - centre);
             QVERIFY(light.position.y > centre.y && d > 0.5f * extent && d < 2.0f * extent);
-            const float left = 1.0f / (light.constant + light.linear * d + light.quadratic * d * d);
+            const Attenuation& a = light.attenuation;
+            const float left = 1.0f / (a.constant + a.linear * d + a.quadratic * d * d);
             QVERIFY2(left > 0.15f && left < 0.9f, qPrintable(QString::number(left)));
         }
     }

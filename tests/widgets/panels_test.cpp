@@ -125,7 +125,7 @@ void PanelsTest::lightsSwitchAndTint() {
     }
     QVERIFY(session.lights().directional.on);
     panel.findChild<QDoubleSpinBox*>(QStringLiteral("spotIntensity"))->setValue(0.5);
-    QVERIFY(std::abs(session.lights().spot.colours.diffuse.g - 0.5f) < 1.0e-4f);
+    QVERIFY(std::abs(session.lights().spot.terms.diffuse - 0.5f) < 1.0e-4f);
 
     Lights lights = session.lights();
     lights.directional.on = false;

@@ -16,9 +16,10 @@ struct Benchmark {
     int (*run)(const QStringList&);
 };
 
-constexpr std::array<Benchmark, 4> kBenchmarks{
+constexpr std::array<Benchmark, 5> kBenchmarks{
     {{"paper", "the paper's tables 1 and 2: frame rates of its nine scenes", paperCommand},
      {"frame", "frame time against the number of hits", frameCommand},
+     {"modes", "frame time of each way to look at a scene, against plain shading", modesCommand},
      {"hit", "time a hit takes against the size of the mesh", hitCommand},
      {"check", "the ratios that Hitscope promises, measured", checkCommand}}};
 
@@ -40,7 +41,7 @@ int benchCommand(QStringList arguments) {
         return printUsage();
     }
     if (what.isEmpty()) {
-        return cli::wrongUsage(QStringLiteral("bench takes paper, frame, hit or check."));
+        return cli::wrongUsage(QStringLiteral("bench takes paper, frame, modes, hit or check."));
     }
     arguments.removeAt(1);
     for (const Benchmark& benchmark : kBenchmarks) {
@@ -49,7 +50,7 @@ int benchCommand(QStringList arguments) {
         }
     }
     return cli::wrongUsage(
-        QStringLiteral("there is no benchmark \"%1\"; bench takes paper, frame, hit or check.").arg(what));
+        QStringLiteral("there is no benchmark \"%1\"; bench takes paper, frame, modes, hit or check.").arg(what));
 }
 
 }  // namespace hitscope::bench

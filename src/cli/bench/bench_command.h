@@ -11,6 +11,7 @@ int benchCommand(QStringList arguments);
 // One benchmark each; `arguments` without WHAT.
 int paperCommand(const QStringList& arguments);
 int frameCommand(const QStringList& arguments);
+int modesCommand(const QStringList& arguments);
 int hitCommand(const QStringList& arguments);
 int checkCommand(const QStringList& arguments);
 

@@ -91,7 +91,7 @@ private:
         m_frame.width = m_picture.width();
         m_frame.height = m_picture.height();
         m_frame.camera.frame(bounds, static_cast<float>(m_frame.width) / static_cast<float>(m_frame.height));
-        m_frame.lights = defaultLights(bounds.centre(), std::max({size.x, size.y, size.z}));
+        m_frame.lights = defaultLights({bounds.centre(), std::max({size.x, size.y, size.z})});
         m_frame.options.normals = NormalMode::Paper;
         m_frame.floorHeight = bounds.min.y;
         m_frame.targets = m_items;

@@ -63,6 +63,7 @@ void HistogramPlot::setHistogram(const Histogram& histogram) {
     m_bars->setWidth(histogram.binWidth());
     m_bars->setData(centres, counts, true);
     m_note->setVisible(histogram.counts.empty());
+    m_plot->yAxis->setTickLabels(!histogram.counts.empty());
     if (m_held == Handle::None) {
         fitAxes();
     }

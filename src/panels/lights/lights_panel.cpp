@@ -24,26 +24,15 @@ double decoded(double srgb) {
     return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
 }
 
-/// A diffuse term is a colour, whose largest part is 1, times an intensity.
-double intensityOf(const glm::vec3& diffuse) {
-    return static_cast<double>(std::max({diffuse.r, diffuse.g, diffuse.b}));
+QColor toColour(const glm::vec3& linear) {
+    const auto part = [](float value) {
+        return static_cast<float>(std::clamp(encoded(static_cast<double>(value)), 0.0, 1.0));
+    };
+    return QColor::fromRgbF(part(linear.r), part(linear.g), part(linear.b));
 }
 
-QColor colourOf(const glm::vec3& diffuse) {
-    const double intensity = intensityOf(diffuse);
-    if (intensity <= 0.0) {
-        return Qt::white;
-    }
-    const auto part = [intensity](float linear) {
-        return static_cast<float>(std::clamp(encoded(static_cast<double>(linear) / intensity), 0.0, 1.0));
-    };
-    return QColor::fromRgbF(part(diffuse.r), part(diffuse.g), part(diffuse.b));
-}
-
-glm::vec3 diffuseOf(const QColor& colour, double intensity) {
-    const auto part = [intensity](float srgb) {
-        return static_cast<float>(decoded(static_cast<double>(srgb)) * intensity);
-    };
+glm::vec3 toLinear(const QColor& colour) {
+    const auto part = [](float srgb) { return static_cast<float>(decoded(static_cast<double>(srgb))); };
     return {part(colour.redF()), part(colour.greenF()), part(colour.blueF())};
 }
 
@@ -86,33 +75,34 @@ void LightsPanel::showLights() {
     const Lights& lights = m_session.lights();
     const bool anyPoint = std::any_of(lights.points.begin(), lights.points.end(),
                                       [](const PointLight& light) { return light.on; });
-    const std::array<std::pair<bool, glm::vec3>, KindCount> shown{
-        {{lights.directional.on, lights.directional.colours.diffuse},
-         {anyPoint, lights.points.front().colours.diffuse},
-         {lights.spot.on, lights.spot.colours.diffuse}}};
+    const std::array<std::pair<bool, LightTerms>, KindCount> shown{
+        {{lights.directional.on, lights.directional.terms},
+         {anyPoint, lights.points.front().terms},
+         {lights.spot.on, lights.spot.terms}}};
     for (std::size_t kind = 0; kind < KindCount; ++kind) {
         const Row& row = m_rows[kind];
         const QSignalBlocker quietOn(row.on);
         const QSignalBlocker quietSlider(row.slider);
         const QSignalBlocker quietIntensity(row.intensity);
-        const auto& [on, diffuse] = shown[kind];
+        const auto& [on, terms] = shown[kind];
         row.on->setChecked(on);
-        if (intensityOf(diffuse) > 0.0) {
-            row.colour->setColour(colourOf(diffuse));  // a black light keeps the colour it had
-        }
-        row.intensity->setValue(intensityOf(diffuse));
-        row.slider->setValue(static_cast<int>(std::lround(intensityOf(diffuse) * kSliderScale)));
+        row.colour->setColour(toColour(terms.colour));
+        row.intensity->setValue(static_cast<double>(terms.diffuse));
+        row.slider->setValue(
+            static_cast<int>(std::lround(static_cast<double>(terms.diffuse) * kSliderScale)));
     }
 }
 
 void LightsPanel::applyRow(Kind kind) {
     const Row& row = m_rows[kind];
     const bool on = row.on->isChecked();
-    const glm::vec3 diffuse = diffuseOf(row.colour->colour(), row.intensity->value());
+    const glm::vec3 colour = toLinear(row.colour->colour());
+    const auto diffuse = static_cast<float>(row.intensity->value());
     Lights lights = m_session.lights();
-    const auto set = [on, &diffuse](auto& light) {
+    const auto set = [on, &colour, diffuse](auto& light) {
         light.on = on;
-        light.colours.diffuse = diffuse;
+        light.terms.colour = colour;
+        light.terms.diffuse = diffuse;
     };
     switch (kind) {
         case Directional:
@@ -135,7 +125,7 @@ void LightsPanel::reset() {
     const Lights first;
     const auto restore = [](auto& light, const auto& from) {
         light.on = from.on;
-        light.colours = from.colours;
+        light.terms = from.terms;
     };
     restore(lights.directional, first.directional);
     for (std::size_t i = 0; i < lights.points.size(); ++i) {

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/shading_actions.h"
+
+#include <QAction>
+#include <QMenu>
+#include <array>
+
+namespace hitscope {
+
+std::span<const ShadingSwitch> shadingSwitches() {
+    static constexpr std::array<ShadingSwitch, 5> kSwitches{
+        {{"shadows", QT_TRANSLATE_NOOP("hitscope::ShadingActions", "Soft &Shadows"),
+          QT_TRANSLATE_NOOP("hitscope::ShadingActions", "Of the directional light; measurements are without"),
+          "Shift+S", &DisplayOptions::shadows, true},
+         {"flat", QT_TRANSLATE_NOOP("hitscope::ShadingActions", "&Flat"),
+          QT_TRANSLATE_NOOP("hitscope::ShadingActions", "One normal for each triangle, instead of smooth"),
+          "Shift+L", &DisplayOptions::flat, false},
+         {"backFaces", QT_TRANSLATE_NOOP("hitscope::ShadingActions", "&Back Faces in Red"),
+          QT_TRANSLATE_NOOP("hitscope::ShadingActions", "Tints faces that turn their back to the eye"),
+          "Shift+B", &DisplayOptions::backFaces, false},
+         {"needles", QT_TRANSLATE_NOOP("hitscope::ShadingActions", "&Normals as Needles"),
+          QT_TRANSLATE_NOOP("hitscope::ShadingActions",
+                            "Those that shade, for as many vertices as can be told apart"),
+          "Shift+N", &DisplayOptions::needles, false},
+         {"dots", QT_TRANSLATE_NOOP("hitscope::ShadingActions", "&Vertices as Dots"),
+          QT_TRANSLATE_NOOP("hitscope::ShadingActions", "Where they are far enough apart in the picture"),
+          "Shift+V", &DisplayOptions::dots, false}}};
+    return kSwitches;
+}
+
+ShadingActions::ShadingActions(QObject* parent) : QObject(parent) {}
+
+void ShadingActions::fill(QMenu& menu) {
+    menu.setToolTipsVisible(true);
+    for (const ShadingSwitch& shading : shadingSwitches()) {
+        QAction* action = menu.addAction(tr(shading.text));
+        action->setToolTip(tr(shading.toolTip));
+        action->setShortcut(QKeySequence(QLatin1String(shading.shortcut)));
+        action->setCheckable(true);
+        connect(action, &QAction::triggered, this,
+                [this, option = shading.option](bool on) { Q_EMIT switched(option, on); });
+        m_actions.push_back(action);
+    }
+}
+
+void ShadingActions::show(const DisplayOptions& options) {
+    for (std::size_t i = 0; i < m_actions.size(); ++i) {
+        m_actions[i]->setChecked(options.*shadingSwitches()[i].option);
+    }
+}
+
+}  // namespace hitscope

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <span>
+#include <vector>
+
+#include "render/display_options.h"
+
+class QAction;
+class QMenu;
+
+namespace hitscope {
+
+/// A way to draw surfaces that is on or off.
+struct ShadingSwitch {
+    const char* key;   ///< in the settings
+    const char* text;  ///< to be translated, as are those below
+    const char* toolTip;
+    const char* shortcut;
+    bool DisplayOptions::*option;
+    bool first;  ///< whether it is on when the program starts for the first time
+};
+
+[[nodiscard]] std::span<const ShadingSwitch> shadingSwitches();
+
+/// The menu of them.
+class ShadingActions : public QObject {
+    Q_OBJECT
+public:
+    explicit ShadingActions(QObject* parent = nullptr);
+
+    void fill(QMenu& menu);                    ///< once
+    void show(const DisplayOptions& options);  ///< emits nothing
+
+Q_SIGNALS:
+    void switched(bool hitscope::DisplayOptions::*option, bool on);
+
+private:
+    std::vector<QAction*> m_actions;  ///< one a switch
+};
+
+}  // namespace hitscope

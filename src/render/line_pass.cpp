@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/line_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <glm/geometric.hpp>
+
+#include "render/change_map.h"
+
+namespace hitscope::render {
+namespace {
+
+constexpr float kLineWidth = 1.2f;    // logical pixels
+constexpr float kNeedleWidth = 1.2f;  // logical pixels
+constexpr float kLinesAhead = 2.0f;   // pixels' size at their distance: lines lie before the faces they bound
+constexpr float kWideFrom = 6.0f;     // logical pixels of an edge, below which a width cannot be seen
+constexpr float kNeedlesApart = 12.0f;         // logical pixels
+constexpr float kNeedleLength = 0.8f;          // of the way from one to the next
+constexpr std::uint32_t kMostNeedles = 20000;  // of a target
+constexpr float kDot = 3.6f;                   // logical pixels across
+constexpr glm::vec2 kDotsApart(11.0f, 20.0f);  // logical pixels: dots start to show, show in full
+
+/// Logical pixels that a metre takes at this distance.
+float pixelsAt(const FrameContext& context, float distance) {
+    return context.pixelsAtOneMetre / context.frame.pixelRatio / std::max(distance, 1.0e-3f);
+}
+
+/// Logical pixels of a usual edge, where the target is nearest to the eye.
+float nearestEdgePixels(const FrameContext& context, const DrawItem& item) {
+    const Bounds bounds = worldBounds(item);
+    const glm::vec3 nearest = glm::clamp(context.eye, bounds.min, bounds.max);
+    return item.buffers->usualEdge() * pixelsAt(context, glm::distance(context.eye, nearest));
+}
+
+/// clip.z = A d + B and clip.w = d at a distance d, so depth is A + B / d; b B on top is as a distance of
+/// (1 - b) d, to first order.
+float depthShift(const FrameContext& context) {
+    return context.projection[3][2] * kLinesAhead / context.pixelsAtOneMetre;
+}
+
+void setWideLine(const gl::Program& program, const FrameContext& context, float width) {
+    const float half = 0.5f * width * context.frame.pixelRatio;
+    program.set("u_halfSize", 0.5f * glm::vec2(context.frame.width, context.frame.height));
+    program.set("u_halfWidth", half);
+    program.set("u_reach", half + 1.0f);
+}
+
+void setPlace(const gl::Program& program, const FrameContext& context) {
+    program.set("u_viewProjection", context.viewProjection);
+    program.set("u_depthShift", depthShift(context));
+    setDrawnPlace(program, context.frame);
+}
+
+void setEdgePixels(const gl::Program& program, const FrameContext& context, const DrawItem& item) {
+    program.set("u_edgePixels", item.buffers->usualEdge() * pixelsAt(context, 1.0f));
+}
+
+Result<const gl::Program*> edgeProgram(const FrameContext& context, const DeformationPipeline& pipeline,
+                                       bool wide) {
+    gl::Defines defines = targetDefines(context.frame, pipeline);
+    if (wide) {
+        defines.emplace_back("HITSCOPE_WIDE", "1");
+    }
+    return context.programs.get("wire.vert", "wire.frag", defines, wide ? "wire.geom" : "");
+}
+
+Status drawEdgesOf(const FrameContext& context, DeformationPipeline& pipeline, const EdgeStyle& style,
+                   bool wide) {
+    const gl::Program* program = nullptr;
+    const glm::vec4 selected(glm::mix(glm::vec3(style.colour), context.colours.accent, style.selectionTint),
+                             style.colour.a);
+    for (const DrawItem& item : context.frame.targets) {
+        const float pixels = nearestEdgePixels(context, item);
+        if (pixels < style.leastPixels || (pixels >= kWideFrom) != wide) {
+            continue;
+        }
+        if (program == nullptr) {
+            const auto found = edgeProgram(context, pipeline, wide);
+            if (!found) {
+                return found.error();
+            }
+            program = found.value();
+            program->use();
+            setPlace(*program, context);
+            setWideLine(*program, context, kLineWidth);
+        }
+        pipeline.prepareDraw(*program, item.target);
+        program->set("u_model", item.model);
+        program->set("u_colour", item.selected ? selected : style.colour);
+        setEdgePixels(*program, context, item);
+        glBindVertexArray(item.original ? item.buffers->originalEdgeArray() : item.buffers->edgeArray());
+        glDrawElements(GL_LINES, static_cast<GLsizei>(item.buffers->edgeIndexCount()), GL_UNSIGNED_INT,
+                       nullptr);
+    }
+    return Done{};
+}
+
+const void* bufferOffset(std::size_t bytes) {
+    return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): GL's way to say it
+}
+
+/// One needle for so many vertices: neighbours in the buffer are neighbours in space.
+std::uint32_t needleStep(const FrameContext& context, const DrawItem& item) {
+    const float distance = glm::distance(context.eye, worldBounds(item).centre());
+    const float pixels = std::max(item.buffers->usualEdge() * pixelsAt(context, distance), 1.0e-3f);
+    const float apart = kNeedlesApart / pixels;
+    const auto byPicture = static_cast<std::uint32_t>(std::clamp(apart * apart, 1.0f, 1.0e6f));
+    return std::max(byPicture, (item.buffers->vertexCount() + kMostNeedles - 1) / kMostNeedles);
+}
+
+/// Every `step`th vertex is an instance.
+void attachNeedles(const TargetBuffers& buffers, std::uint32_t step) {
+    const auto attach = [step](Attribute attribute, GLuint buffer, std::size_t size, std::size_t offset) {
+        const auto index = static_cast<GLuint>(attribute);
+        glBindBuffer(GL_ARRAY_BUFFER, buffer);
+        glEnableVertexAttribArray(index);
+        glVertexAttribPointer(index, 3, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(step * size),
+                              bufferOffset(offset));
+        glVertexAttribDivisor(index, 1);
+    };
+    attach(Attribute::Position, buffers.dynamicBuffer(), sizeof(DynamicVertex),
+           offsetof(DynamicVertex, position));
+    attach(Attribute::Normal, buffers.dynamicBuffer(), sizeof(DynamicVertex),
+           offsetof(DynamicVertex, normal));
+    attach(Attribute::OriginalPosition, buffers.originalBuffer(), sizeof(DynamicVertex),
+           offsetof(DynamicVertex, position));
+    attach(Attribute::ShadingNormal, buffers.shadingNormalBuffer(), sizeof(glm::vec3), 0);
+}
+
+}  // namespace
+
+Status drawEdges(const FrameContext& context, DeformationPipeline& pipeline, const EdgeStyle& style) {
+    if (Status status = drawEdgesOf(context, pipeline, style, false); !status) {
+        return status;
+    }
+    return drawEdgesOf(context, pipeline, style, true);
+}
+
+Status drawDots(const FrameContext& context, DeformationPipeline& pipeline) {
+    const gl::Program* program = nullptr;
+    for (const DrawItem& item : context.frame.targets) {
+        if (nearestEdgePixels(context, item) < kDotsApart.x) {
+            continue;
+        }
+        if (program == nullptr) {
+            const auto found =
+                context.programs.get("dots.vert", "dots.frag", targetDefines(context.frame, pipeline));
+            if (!found) {
+                return found.error();
+            }
+            program = found.value();
+            program->use();
+            setPlace(*program, context);
+            program->set("u_pixels", kDot * context.frame.pixelRatio);
+            program->set("u_apart", kDotsApart);
+            program->set("u_colour", context.colours.dots);
+            glEnable(GL_PROGRAM_POINT_SIZE);
+        }
+        pipeline.prepareDraw(*program, item.target);
+        program->set("u_model", item.model);
+        setEdgePixels(*program, context, item);
+        glBindVertexArray(item.buffers->surfaceArray());
+        glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(item.buffers->vertexCount()));
+    }
+    return Done{};
+}
+
+Status NeedlePass::draw(const FrameContext& context, DeformationPipeline& pipeline) {
+    gl::Defines defines = targetDefines(context.frame, pipeline);
+    defines.emplace_back("HITSCOPE_WIDE", "1");
+    if (context.frame.options.normals == NormalMode::Paper) {
+        defines.emplace_back("HITSCOPE_PAPER_NORMALS", "1");
+    }
+    const auto found = context.programs.get("needle.vert", "wire.frag", defines);
+    if (!found) {
+        return found.error();
+    }
+    const gl::Program& program = *found.value();
+    program.use();
+    setPlace(program, context);
+    setWideLine(program, context, kNeedleWidth);
+    program.set("u_colour", context.colours.needles);
+    glBindVertexArray(m_array.id());
+    for (const DrawItem& item : context.frame.targets) {
+        const std::uint32_t step = needleStep(context, item);
+        const std::uint32_t count = (item.buffers->vertexCount() + step - 1) / step;
+        if (count == 0) {
+            continue;
+        }
+        pipeline.prepareDraw(program, item.target);
+        program.set("u_model", item.model);
+        program.set("u_length",
+                    kNeedleLength * item.buffers->usualEdge() * std::sqrt(static_cast<float>(step)));
+        attachNeedles(*item.buffers, step);
+        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count));
+    }
+    return Done{};
+}
+
+}  // namespace hitscope::render

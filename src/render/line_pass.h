@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "render/frame_context.h"
+
+namespace hitscope::render {
+
+struct EdgeStyle {
+    glm::vec4 colour{1.0f};      ///< sRGB, opacity
+    float selectionTint = 0.0f;  ///< [0, 1]: how much of the accent colour a selected target's edges take on
+    float leastPixels = 0.0f;    ///< shorter edges than these (logical pixels) are not worth drawing
+};
+
+// Each expects blending on, depth test on and depth writes off.
+/// The edges of the file's polygons, as lines of constant width; short ones as plain lines of a pixel.
+[[nodiscard]] Status drawEdges(const FrameContext& context, DeformationPipeline& pipeline,
+                               const EdgeStyle& style);
+/// The vertices, where a usual edge is long enough to part them.
+[[nodiscard]] Status drawDots(const FrameContext& context, DeformationPipeline& pipeline);
+
+/// Normals as needles, as many as can be told apart. A context is current for every call and the destructor.
+class NeedlePass {
+public:
+    [[nodiscard]] Status draw(const FrameContext& context, DeformationPipeline& pipeline);
+
+private:
+    gl::VertexArray m_array = gl::VertexArray::make();
+};
+
+}  // namespace hitscope::render

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/shadow_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "render/target_pass.h"
+
+namespace hitscope::render {
+namespace {
+
+constexpr int kSize = 2048;
+constexpr int kSoftwareSize = 1024;
+constexpr float kSpread = 1.6f;     // texels from one look to the next
+constexpr float kMargin = 0.05f;    // of the targets' extent: dents can bulge
+constexpr float kDepthBias = 1.5f;  // texels
+
+}  // namespace
+
+ShadowMap::ShadowMap(bool software) : m_software(software), m_size(software ? kSoftwareSize : kSize) {}
+
+bool ShadowMap::isWanted(const Frame& frame) {
+    return frame.options.shadows && frame.lights.directional.on && !frame.targets.empty() &&
+           frame.options.wireframe != WireframeMode::Only;
+}
+
+void ShadowMap::makeTexture() {
+    m_depth = gl::Texture::make();
+    m_framebuffer = gl::Framebuffer::make();
+    glBindTexture(GL_TEXTURE_2D, m_depth.id());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, m_size, m_size, 0, GL_DEPTH_COMPONENT,
+                 GL_UNSIGNED_INT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+    const std::array<GLfloat, 4> lit{1.0f, 1.0f, 1.0f, 1.0f};
+    glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, lit.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, m_depth.id(), 0);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+}
+
+glm::mat4 ShadowMap::place(const FrameContext& context) {
+    const glm::vec3 direction = glm::normalize(m_direction);
+    const glm::vec3 up =
+        std::abs(direction.y) < 0.9f ? glm::vec3(0.0f, 1.0f, 0.0f) : glm::vec3(1.0f, 0.0f, 0.0f);
+    const glm::mat4 view = glm::lookAt(glm::vec3(0.0f), direction, up);
+    Bounds seen;
+    for (const DrawItem& item : context.frame.targets) {
+        const Bounds bounds = worldBounds(item);
+        for (int corner = 0; corner < 8 && !bounds.empty(); ++corner) {
+            const glm::vec3 at((corner & 1) != 0 ? bounds.max.x : bounds.min.x,
+                               (corner & 2) != 0 ? bounds.max.y : bounds.min.y,
+                               (corner & 4) != 0 ? bounds.max.z : bounds.min.z);
+            seen.add(glm::vec3(view * glm::vec4(at, 1.0f)));
+        }
+    }
+    if (seen.empty()) {
+        seen.add(glm::vec3(0.0f));
+    }
+    const float extent = std::max({seen.size().x, seen.size().y, 1.0e-3f});
+    const glm::vec3 grown(kMargin * extent);
+    const glm::vec3 low = seen.min - grown;
+    const glm::vec3 high = seen.max + grown;
+    const glm::mat4 projection = glm::ortho(low.x, high.x, low.y, high.y, -high.z, -low.z);
+    m_texel = (1.0f + 2.0f * kMargin) * extent / static_cast<float>(m_size);
+    const float depthBias = kDepthBias * m_texel / (high.z - low.z);
+    m_matrix = glm::translate(glm::mat4(1.0f), glm::vec3(0.5f, 0.5f, 0.5f - depthBias)) *
+               glm::scale(glm::mat4(1.0f), glm::vec3(0.5f)) * projection * view;
+    return projection * view;
+}
+
+Status ShadowMap::update(const FrameContext& context, DeformationPipeline& pipeline) {
+    const Frame& frame = context.frame;
+    std::vector<Caster> casters;
+    for (const DrawItem& item : frame.targets) {
+        casters.push_back({item.target, item.buffers, item.model});
+    }
+    const glm::vec3& given = frame.lights.directional.direction;
+    const glm::vec3 direction = glm::length(given) > 1.0e-6f ? given : glm::vec3(0.0f, -1.0f, 0.0f);
+    const bool isCurrent = frame.meshRevision != 0 && frame.meshRevision == m_meshRevision &&
+                           m_pipeline == &pipeline && direction == m_direction && casters == m_casters &&
+                           frame.options.beforeAfter.exaggeration == m_exaggeration;
+    if (isCurrent) {
+        return Done{};
+    }
+    m_casters = std::move(casters);
+    m_direction = direction;
+    m_exaggeration = frame.options.beforeAfter.exaggeration;
+    m_meshRevision = frame.meshRevision;
+    m_pipeline = &pipeline;
+    if (!m_depth) {
+        makeTexture();
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.id());
+    glViewport(0, 0, m_size, m_size);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LESS);
+    glClearDepth(1.0);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    return drawSurfaceDepth(context, pipeline, place(context));
+}
+
+gl::Defines ShadowMap::defines() const {
+    return {{"HITSCOPE_SHADOWS", "1"}, {"HITSCOPE_SHADOW_TAPS", m_software ? "4" : "9"}};
+}
+
+void ShadowMap::apply(const gl::Program& program) const {
+    program.set("u_shadowMap", 1);
+    program.set("u_shadowSpread", kSpread / static_cast<float>(m_size));
+    program.set("u_shadowMatrix", m_matrix);
+    program.set("u_shadowTexel", m_texel);
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_2D, m_depth.id());
+    glBindSampler(1, 0);
+    glActiveTexture(GL_TEXTURE0);
+}
+
+}  // namespace hitscope::render

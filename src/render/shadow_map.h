@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "render/frame_context.h"
+
+namespace hitscope::render {
+
+/// What the directional light sees first: a depth map around the visible targets, drawn with their pipeline's
+/// own program and kept until a target, its mesh or the light has changed. A context is current for every
+/// call and the destructor.
+class ShadowMap {
+public:
+    explicit ShadowMap(bool software);
+
+    /// Whether a frame has shadows.
+    [[nodiscard]] static bool isWanted(const Frame& frame);
+    /// Brings the map up to date. Leaves framebuffer and viewport changed, depth test and writes on.
+    [[nodiscard]] Status update(const FrameContext& context, DeformationPipeline& pipeline);
+
+    /// What programs that read it are built with.
+    [[nodiscard]] gl::Defines defines() const;
+    /// Sets the uniforms of shadow.glsl and binds the map to unit 1; the program is in use.
+    void apply(const gl::Program& program) const;
+    /// From the world to the map's texture coordinates and depth, [0, 1] each.
+    [[nodiscard]] const glm::mat4& matrix() const { return m_matrix; }
+    /// Metres.
+    [[nodiscard]] float texel() const { return m_texel; }
+
+private:
+    struct Caster {
+        TargetId target;
+        const TargetBuffers* buffers = nullptr;
+        glm::mat4 model{1.0f};
+        bool operator==(const Caster&) const = default;
+    };
+    void makeTexture();
+    /// Returns the light's view and projection.
+    glm::mat4 place(const FrameContext& context);
+
+    bool m_software;
+    int m_size;  ///< texels
+    gl::Texture m_depth;
+    gl::Framebuffer m_framebuffer;
+    glm::mat4 m_matrix{1.0f};
+    float m_texel = 0.0f;
+    std::vector<Caster> m_casters;  ///< of the map as it is
+    glm::vec3 m_direction{0.0f};
+    float m_exaggeration = 1.0f;
+    std::uint64_t m_meshRevision = 0;
+    const DeformationPipeline* m_pipeline = nullptr;
+};
+
+}  // namespace hitscope::render

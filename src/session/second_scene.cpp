@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/second_scene.h"
+
+#include <utility>
+
+#include "session/shading_normals.h"
+
+namespace hitscope {
+
+void SecondScene::release() {
+    m_pipeline.reset();
+    m_buffers.clear();
+    m_comparison = nullptr;
+    m_tried.reset();
+}
+
+/// Whether the pipeline starts over.
+bool SecondScene::followPipeline(Comparison& comparison, const gl::Defines& deformDefines) {
+    if (m_comparison == &comparison && m_tried == comparison.other()) {
+        return false;
+    }
+    release();
+    m_comparison = &comparison;
+    m_tried = comparison.other();
+    Result<std::unique_ptr<DeformationPipeline>> made =
+        makePipeline(*m_tried, {.vertexUniformComponents = {}, .deformDefines = deformDefines});
+    if (!made) {
+        comparison.setFailure(QString::fromStdString(made.error().message()));
+        return false;
+    }
+    m_pipeline = std::move(made).value();
+    comparison.restart();
+    return true;
+}
+
+void SecondScene::followTargets() {
+    for (auto it = m_buffers.begin(); it != m_buffers.end();) {
+        if (m_session.target(it->first) == nullptr) {
+            m_pipeline->removeTarget(it->first);
+            it = m_buffers.erase(it);
+        } else {
+            ++it;
+        }
+    }
+    for (const std::unique_ptr<Target>& target : m_session.targets()) {
+        std::unique_ptr<TargetBuffers>& buffers = m_buffers[target->id];
+        if (!buffers) {
+            buffers = std::make_unique<TargetBuffers>(target->deformed.render());
+            m_pipeline->addTarget(target->id, *buffers);
+        }
+    }
+}
+
+void SecondScene::readBack(Comparison& comparison, Delivery delivery) {
+    const auto take = [&comparison](TargetId target, std::uint32_t first,
+                                    std::span<const DynamicVertex> vertices) {
+        comparison.take(target, first, vertices);
+    };
+    if (delivery == Delivery::All) {
+        m_pipeline->readBack(take);
+    } else {
+        m_pipeline->pollReadBack(take);
+    }
+    for (const Session::ChangedNormals& change : comparison.finishReadBack()) {
+        writeShadingNormals(*m_buffers.at(change.target), change.renderVertices,
+                            comparison.normals(change.target));
+    }
+}
+
+void SecondScene::follow(Comparison* comparison, const gl::Defines& deformDefines, Delivery delivery) {
+    if (comparison == nullptr || !comparison->other()) {
+        release();
+        return;
+    }
+    const bool startOver = followPipeline(*comparison, deformDefines);
+    if (!m_pipeline) {
+        return;
+    }
+    followTargets();
+    const HitHistory& history = m_session.history();
+    if (startOver || m_revision != history.revision()) {
+        const auto edits = startOver ? std::nullopt : history.editsSince(m_revision);
+        if (edits) {
+            for (const HistoryEdit& edit : *edits) {
+                m_pipeline->edit(edit);
+            }
+        } else {
+            m_pipeline->reset(history.hits());
+            delivery = Delivery::All;
+        }
+        m_revision = history.revision();
+    }
+    readBack(*comparison, delivery);
+}
+
+std::vector<DrawItem> SecondScene::itemsFor(std::span<const DrawItem> items) const {
+    std::vector<DrawItem> own(items.begin(), items.end());
+    for (DrawItem& item : own) {
+        item.buffers = m_buffers.at(item.target).get();
+    }
+    return own;
+}
+
+}  // namespace hitscope

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+
+class QMouseEvent;
+
+namespace hitscope {
+
+class Viewport;
+
+/// Drags the line between original and deformed with the mouse. Sees the viewport's events before it does.
+class WipeHandle : public QObject {
+    Q_OBJECT
+public:
+    /// `viewport` owns this.
+    explicit WipeHandle(Viewport& viewport);
+
+    static constexpr int kGrip = 5;  ///< logical pixels to either side of the line
+
+Q_SIGNALS:
+    void dragged(float wipeAt);  ///< of the picture's width, [0, 1]
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    [[nodiscard]] bool isAt(const QMouseEvent& event) const;
+
+    Viewport& m_viewport;
+    bool m_held = false;
+    bool m_hovered = false;
+};
+
+}  // namespace hitscope

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The original beside what became of it: wipe, ghosts, exaggeration.
+#include <QtTest>
+#include <glm/geometric.hpp>
+
+#include "gl/render_target.h"
+#include "mesh/primitives.h"
+#include "session/demo_shots.h"
+#include "session/scene_gpu.h"
+#include "support/gl_fixture.h"
+
+using namespace hitscope;
+
+namespace {
+
+constexpr int kWidth = 200;
+constexpr int kHeight = 150;
+
+int differing(const QImage& a, const QImage& b, int tolerance = 0) {
+    int count = 0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            const QColor p = a.pixelColor(x, y);
+            const QColor q = b.pixelColor(x, y);
+            count += std::abs(p.red() - q.red()) > tolerance || std::abs(p.green() - q.green()) > tolerance ||
+                             std::abs(p.blue() - q.blue()) > tolerance
+                         ? 1
+                         : 0;
+        }
+    }
+    return count;
+}
+
+}  // namespace
+
+class BeforeAfterTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_gl.open(); }
+    void cleanup() {
+        m_scene.reset();
+        QCOMPARE(m_gl.errors(), QStringList());
+    }
+
+    void wipeIsTheOriginalLeftAndTheDeformedRight_data() {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<int>("wireframe");
+        for (const PipelineKind kind : {PipelineKind::TransformFeedback, PipelineKind::UniformArray}) {
+            for (const WireframeMode mode : {WireframeMode::Off, WireframeMode::Over, WireframeMode::Only}) {
+                QTest::addRow("%s, %d", std::string(pipelineTraits(kind).key).c_str(), static_cast<int>(mode))
+                    << static_cast<int>(kind) << static_cast<int>(mode);
+            }
+        }
+    }
+    void wipeIsTheOriginalLeftAndTheDeformedRight() {
+        QFETCH(int, kind);
+        QFETCH(int, wireframe);
+        Session session;
+        open(session, makeHighPolySphere(), static_cast<PipelineKind>(kind));
+        m_view.options.wireframe = static_cast<WireframeMode>(wireframe);
+        const QImage before = picture();
+        dent(session);
+        const QImage after = picture();
+        QVERIFY(differing(before, after, 4) > 100);
+        for (const float at : {0.0f, 0.3f, 0.5f, 1.0f}) {
+            m_view.options.beforeAfter.wipe = true;
+            m_view.options.beforeAfter.wipeAt = at;
+            const QImage wiped = picture();
+            const int line = static_cast<int>(std::lround(at * kWidth));
+            QCOMPARE(wiped.copy(0, 0, line, kHeight), before.copy(0, 0, line, kHeight));
+            QCOMPARE(wiped.copy(line, 0, kWidth - line, kHeight),
+                     after.copy(line, 0, kWidth - line, kHeight));
+        }
+    }
+
+    void ghostsShowWhereSomethingMoved_data() {
+        QTest::addColumn<int>("mode");
+        QTest::addRow("wire") << static_cast<int>(GhostMode::Wire);
+        QTest::addRow("translucent") << static_cast<int>(GhostMode::Translucent);
+    }
+    void ghostsShowWhereSomethingMoved() {
+        QFETCH(int, mode);
+        Session session;
+        open(session, makeHighPolySphere(), PipelineKind::TransformFeedback);
+        const QImage before = picture();
+        m_view.options.beforeAfter.ghost = static_cast<GhostMode>(mode);
+        QCOMPARE(picture(), before);  // nothing has moved
+        dent(session);
+        const QImage ghost = picture();
+        m_view.options.beforeAfter.ghost = GhostMode::Off;
+        const QImage after = picture();
+        const int seen = differing(ghost, after, 4);
+        QVERIFY2(seen > 50 && seen < kWidth * kHeight / 4, qPrintable(QString::number(seen)));
+        session.clearHits();
+        m_view.options.beforeAfter.ghost = static_cast<GhostMode>(mode);
+        picture();
+        QCOMPARE(picture(), before);
+    }
+
+    /// As a mesh that is moved so far looks.
+    void exaggerationMovesVertices_data() {
+        QTest::addColumn<int>("kind");
+        QTest::addRow("feedback") << static_cast<int>(PipelineKind::TransformFeedback);
+        QTest::addRow("uniform array") << static_cast<int>(PipelineKind::UniformArray);
+    }
+    void exaggerationMovesVertices() {
+        QFETCH(int, kind);
+        constexpr float kFactor = 3.0f;
+        Session session;
+        open(session, makeHighPolySphere(), static_cast<PipelineKind>(kind));
+        dent(session);
+        const QImage plain = silhouette();
+        m_view.options.beforeAfter.exaggeration = kFactor;
+        const QImage exaggerated = silhouette();
+        const int moved = differing(plain, exaggerated, 4);
+        QVERIFY(moved > 50);
+        MeshData mesh = session.targets()[0]->deformed.original();
+        for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+            mesh.positions[v] += kFactor * session.targets()[0]->deformed.displacement(v);
+        }
+        const Camera camera = m_view.camera;
+        Session moving;
+        open(moving, mesh, PipelineKind::TransformFeedback);
+        m_view.camera = camera;
+        const int different = differing(silhouette(), exaggerated, 4);
+        QVERIFY2(different < moved / 20, qPrintable(QStringLiteral("%1 of %2").arg(different).arg(moved)));
+    }
+
+private:
+    void open(Session& session, const MeshData& mesh, PipelineKind kind) {
+        session.loadMesh(mesh);
+        session.selectTarget({});
+        session.setPipeline(kind);
+        auto made = SceneGpu::create(session);
+        QVERIFY2(made.ok(), made.ok() ? "" : made.error().message().c_str());
+        m_scene = std::move(made).value();
+        m_view = {};
+        m_view.width = kWidth;
+        m_view.height = kHeight;
+        m_view.camera.frame(session.sceneBounds(), static_cast<float>(kWidth) / kHeight);
+    }
+
+    void dent(Session& session) {
+        shootAll(session, demoShots(session, 25, 3));
+        session.selectTarget({});
+        QVERIFY(m_scene->sync());
+    }
+
+    QImage picture() {
+        const gl::RenderTarget target(kWidth, kHeight);
+        if (!m_scene->sync() || !m_scene->draw(m_view, target.framebuffer())) {
+            return {};
+        }
+        const Image image = target.read();
+        return QImage(image.pixels.data(), image.width, image.height, QImage::Format_RGBA8888).copy();
+    }
+
+    /// One colour where the target is, whatever its normals.
+    QImage silhouette() {
+        m_view.options.floor = false;
+        m_view.options.change.on = true;
+        m_view.options.change.style() = {ColourMap::Viridis, false, {1000.0f, 2000.0f}};
+        QImage image = picture();
+        m_view.options.change.on = false;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                // The background is grey, the map's start violet.
+                const QColor colour = image.pixelColor(x, y);
+                image.setPixelColor(x, y, colour.blue() > colour.green() + 12 ? Qt::black : Qt::white);
+            }
+        }
+        return image;
+    }
+
+    test::GlFixture m_gl;
+    std::unique_ptr<SceneGpu> m_scene;
+    SceneGpu::View m_view;
+};
+
+QTEST_GUILESS_MAIN(BeforeAfterTest)
+#include "before_after_test.moc"

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The dock "Change", its keys, its handles, and the wipe's line, by hand.
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QSlider>
+#include <cmath>
+
+#include "app/change_settings.h"
+#include "mesh/primitives.h"
+#include "panels/change/change_panel.h"
+#include "panels/histogram/histogram_plot.h"
+#include "session/demo_shots.h"
+#include "widgets/window_support.h"
+
+using namespace hitscope;
+
+namespace {
+
+void mouse(QWidget* widget, QEvent::Type type, const QPointF& at, bool held) {
+    QMouseEvent event(type, at, widget->mapToGlobal(at),
+                      type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton,
+                      held ? Qt::LeftButton : Qt::NoButton, {});
+    QCoreApplication::sendEvent(widget, &event);
+}
+
+}  // namespace
+
+class ChangeTest : public QObject {
+    Q_OBJECT
+public:
+    static void initMain() { MainWindow::setSurfaceFormat(); }
+
+private Q_SLOTS:
+    void init() {
+        m_window.reset();
+        m_session = std::make_unique<Session>();
+        m_session->loadMesh(makeHighPolySphere());
+        m_window = std::make_unique<MainWindow>(*m_session);
+        showReady(*m_window);
+        m_panel = m_window->findChild<ChangePanel*>();
+        QVERIFY(m_panel != nullptr);
+    }
+
+    void keysSwitchWhatIsShown() {
+        Viewport& viewport = m_window->viewport();
+        QTest::keyClick(&viewport, Qt::Key_V);
+        QVERIFY(viewport.options().change.on);
+        QVERIFY(child<QCheckBox>("on")->isChecked());
+        QTest::keyClick(&viewport, Qt::Key_V, Qt::ShiftModifier);
+        QVERIFY(viewport.options().change.isolines);
+        QTest::keyClick(&viewport, Qt::Key_B);
+        QCOMPARE(viewport.options().beforeAfter.ghost, GhostMode::Wire);
+        QTest::keyClick(&viewport, Qt::Key_X);
+        QVERIFY(viewport.options().beforeAfter.wipe);
+        QTest::keyClick(&viewport, Qt::Key_X, Qt::ShiftModifier);
+        QCOMPARE(viewport.options().beforeAfter.exaggeration, 5.0f);
+        QTest::keyClick(&viewport, Qt::Key_X, Qt::ShiftModifier);
+        QCOMPARE(viewport.options().beforeAfter.exaggeration, 1.0f);
+    }
+
+    void handlesSetTheMapsRange() {
+        showDock();
+        child<QCheckBox>("on")->click();
+        shootAll(*m_session, demoShots(*m_session, 30, 3));
+        auto* plot = child<HistogramPlot>("histogram");
+        QTRY_VERIFY_WITH_TIMEOUT(!plot->histogram().counts.empty(), kPatience);
+        const ChangeRange automatic{static_cast<float>(plot->range()->low),
+                                    static_cast<float>(plot->range()->high)};
+        QCOMPARE(automatic.low, 0.0f);
+        QTRY_COMPARE_WITH_TIMEOUT(
+            static_cast<double>(automatic.high),
+            static_cast<double>(static_cast<float>(m_session->targets()[0]->deformed.statistics().maximum)),
+            kPatience);
+        QWidget* surface = plot->childAt(plot->rect().center());
+        const double y = surface->height() / 2.0;
+        const double half = 0.5 * static_cast<double>(automatic.high);
+        mouse(surface, QEvent::MouseButtonPress, {plot->pixelOf(static_cast<double>(automatic.high)), y},
+              true);
+        mouse(surface, QEvent::MouseMove, {plot->pixelOf(half), y}, true);
+        mouse(surface, QEvent::MouseButtonRelease, {plot->pixelOf(half), y}, false);
+        const QuantityStyle& style = m_window->viewport().options().change.style();
+        QVERIFY(!style.automatic);
+        QVERIFY(!child<QCheckBox>("automatic")->isChecked());
+        QVERIFY(std::abs(static_cast<double>(style.fixed.high) - half) < 0.02);
+        QVERIFY(std::abs(child<QDoubleSpinBox>("high")->value() - half) < 0.02);
+        child<QCheckBox>("automatic")->click();
+        QCOMPARE(static_cast<float>(plot->range()->high), automatic.high);
+    }
+
+    void rangeFollowsUndo() {
+        showDock();
+        shootAll(*m_session, demoShots(*m_session, 10, 3));
+        auto* plot = child<HistogramPlot>("histogram");
+        QTRY_VERIFY_WITH_TIMEOUT(!plot->histogram().counts.empty(), kPatience);
+        m_session->clearHits();
+        QTRY_VERIFY_WITH_TIMEOUT(plot->histogram().counts.empty(), kPatience);
+        QCOMPARE(child<QLabel>("numbers")->text(), QStringLiteral("No vertex has changed"));
+        m_session->undo();
+        QTRY_VERIFY_WITH_TIMEOUT(!plot->histogram().counts.empty(), kPatience);
+    }
+
+    void theWipesLineIsDraggedAndShootsNothing() {
+        Viewport& viewport = m_window->viewport();
+        QTest::keyClick(&viewport, Qt::Key_X);
+        const double y = viewport.height() / 2.0;
+        const double x = viewport.width() / 2.0;
+        const glm::vec3 eye = viewport.camera().eye();
+        mouse(&viewport, QEvent::MouseButtonPress, {x, y}, true);
+        mouse(&viewport, QEvent::MouseMove, {x - 100, y}, true);
+        mouse(&viewport, QEvent::MouseButtonRelease, {x - 100, y}, false);
+        const float at = static_cast<float>((x - 100) / viewport.width());
+        QVERIFY(std::abs(viewport.options().beforeAfter.wipeAt - at) < 1e-3f);
+        QVERIFY(std::abs(static_cast<float>(child<QSlider>("wipeAt")->value()) / 1000.0f - at) < 2e-3f);
+        QVERIFY(viewport.camera().eye() == eye);
+        QTest::qWait(2 * Viewport::kDoubleClickGrace);
+        QCOMPARE(m_session->physics().projectileCount(), std::size_t{0});
+    }
+
+    void comparingPrintsThatPipelinesAgree() {
+        showDock();
+        shootAll(*m_session, demoShots(*m_session, 50, 3));
+        auto* other = child<QComboBox>("other");
+        const int index = other->findText(QStringLiteral("Uniform array"));
+        QVERIFY(index > 0);
+        other->setCurrentIndex(index);
+        Q_EMIT other->activated(index);
+        QVERIFY(child<QCheckBox>("sideBySide")->isEnabled());
+        child<QCheckBox>("sideBySide")->click();
+        QVERIFY(m_window->viewport().options().sideBySide);
+        const std::size_t changed = m_session->targets()[0]->deformed.statistics().changedVertices;
+        QTRY_VERIFY_WITH_TIMEOUT(
+            child<QLabel>("report")->text().contains(QStringLiteral("largest difference 0 m, RMS 0 m")) &&
+                child<QLabel>("report")->text().contains(
+                    QLocale().toString(static_cast<qulonglong>(changed))),
+            kPatience);
+        QVERIFY(m_window->viewport().isValid());
+    }
+
+    void settingsAreRemembered() {
+        DisplayOptions display;
+        display.change.on = true;
+        display.change.quantity = ChangeQuantity::EdgeStretch;
+        display.change.isolines = true;
+        display.change.style() = {ColourMap::Cividis, false, {-3.5f, 12.25f}};
+        display.beforeAfter.ghost = GhostMode::Translucent;
+        QSettings settings;
+        saveChangeSettings(settings, display);
+        DisplayOptions loaded;
+        loadChangeSettings(settings, loaded);
+        QVERIFY(loaded.change == display.change);
+        QVERIFY(loaded.beforeAfter == display.beforeAfter);
+        settings.setValue(QStringLiteral("change/edge-stretch/low"), QStringLiteral("nonsense"));
+        settings.setValue(QStringLiteral("change/ghost"), 99);
+        DisplayOptions careful;
+        loadChangeSettings(settings, careful);
+        QCOMPARE(careful.change.style().fixed, defaultQuantityStyles()[8].fixed);
+        QCOMPARE(careful.beforeAfter.ghost, GhostMode::Off);
+        settings.clear();
+    }
+
+private:
+    template <class T>
+    T* child(const char* name) {
+        return m_panel->findChild<T*>(QLatin1String(name));
+    }
+    void showDock() {
+        auto* dock = m_window->findChild<QDockWidget*>(QStringLiteral("change"));
+        dock->raise();
+        QTRY_VERIFY_WITH_TIMEOUT(m_panel->isVisible(), kPatience);
+    }
+
+    TestSettings m_settings;
+    std::unique_ptr<Session> m_session;
+    std::unique_ptr<MainWindow> m_window;
+    ChangePanel* m_panel = nullptr;
+};
+
+QTEST_MAIN(ChangeTest)
+#include "change_test.moc"
