@@ -18,6 +18,7 @@
 #include "app/status_line.h"
 #include "models/undo_text.h"
 #include "panels/deformation_constants/deformation_constants_panel.h"
+#include "panels/frame_rate/cost_view.h"
 #include "panels/frame_rate/frame_rate_panel.h"
 #include "panels/hit_history/hit_history_panel.h"
 #include "panels/lights/lights_panel.h"
@@ -77,7 +78,6 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     connect(
         m_pipelines, &PipelineChooser::fellBack, this,
         [this](const QString& notice) { m_notice->say(notice); }, Qt::QueuedConnection);
-    connect(m_viewport, &Viewport::framePainted, m_frameRate, &FrameRatePanel::addFrame);
     connect(m_viewport, &Viewport::rendererKnown, this,
             [this] { m_status->setRenderer(m_viewport->rendererName()); });
     connect(m_viewport, &Viewport::failed, this, [this](const Error& error) { showError(this, error); });
@@ -109,7 +109,8 @@ QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWid
 void MainWindow::makeDocks() {
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
-    m_frameRate = new FrameRatePanel(*m_continuous);
+    m_frameRate = new FrameRatePanel(m_session, *m_continuous);
+    m_frameRate->costs().setCamera([this] { return m_viewport->camera(); });
     QDockWidget* statistics =
         addDock(QStringLiteral("meshStatistics"), tr("Mesh statistics"),
                 new MeshStatisticsPanel(m_session, m_meshStatistics), Qt::RightDockWidgetArea);
@@ -150,6 +151,7 @@ void MainWindow::restoreWindow() {
     resize(1440, 900);
     m_firstLayout = saveState(kLayoutVersion);
     const QSettings settings;
+    m_frameRate->restoreState(settings.value(QStringLiteral("window/frameRate")).toByteArray());
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
     restoreState(settings.value(QStringLiteral("window/layout")).toByteArray(), kLayoutVersion);
 }
@@ -162,6 +164,7 @@ void MainWindow::saveSettings() {
     QSettings settings;
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/layout"), saveState(kLayoutVersion));
+    settings.setValue(QStringLiteral("window/frameRate"), m_frameRate->saveState());
     m_settings.display = m_viewport->options();
     saveAppSettings(settings, m_settings);
     saveSessionSettings(settings, m_session);
