@@ -11,6 +11,7 @@
 #include <QSurfaceFormat>
 #include <algorithm>
 
+#include "app/camera_actions.h"
 #include "app/dialogs.h"
 #include "app/notice_bar.h"
 #include "app/pipeline_chooser.h"
@@ -31,6 +32,7 @@ namespace {
 
 constexpr int kFrameRateInterval = 500;  // milliseconds between read-outs in the status bar
 constexpr int kHintStays = 20'000;       // milliseconds
+constexpr int kMessageStays = 8'000;     // milliseconds
 constexpr int kLayoutVersion = 2;        // docks that are gone or new make an old layout useless
 
 }  // namespace
@@ -54,7 +56,8 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_notice(new NoticeBar(m_viewport)),
       m_files(new SceneFiles(session, this)),
       m_status(new StatusLine(session, *statusBar(), this)),
-      m_pipelines(new PipelineChooser(session, this)) {
+      m_pipelines(new PipelineChooser(session, this)),
+      m_cameraActions(new CameraActions(*m_viewport, this)) {
     loadSessionSettings(QSettings(), session);
     applyTheme(m_settings.theme);
     m_viewport->setOptions(m_settings.display);
@@ -65,6 +68,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     makeDocks();
     makeToolBar();
     connectFiles();
+    connectCamera();
 
     connect(&session, &Session::sceneReplaced, this, &MainWindow::followScene);
     connect(&session, &Session::targetAdded, this, &MainWindow::followTargets);
@@ -146,6 +150,14 @@ QDockWidget* MainWindow::makeSceneDock() {
     return addDock(QStringLiteral("scene"), tr("Scene"), panel, Qt::RightDockWidgetArea);
 }
 
+void MainWindow::connectCamera() {
+    connect(m_cameraActions, &CameraActions::said, this,
+            [this](const QString& text) { statusBar()->showMessage(text, kMessageStays); });
+    connect(m_cameraActions, &CameraActions::failed, this,
+            [this](const Error& error) { showError(this, error); });
+    m_cameraActions->load(QSettings());
+}
+
 void MainWindow::restoreWindow() {
     resize(1440, 900);
     m_firstLayout = saveState(kLayoutVersion);
@@ -162,6 +174,7 @@ void MainWindow::saveSettings() {
     QSettings settings;
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/layout"), saveState(kLayoutVersion));
+    m_cameraActions->save(settings);
     m_settings.display = m_viewport->options();
     saveAppSettings(settings, m_settings);
     saveSessionSettings(settings, m_session);

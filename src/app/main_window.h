@@ -19,6 +19,7 @@ class QMenu;
 
 namespace hitscope {
 
+class CameraActions;
 class FrameRatePanel;
 class NoticeBar;
 class PipelineChooser;
@@ -74,6 +75,7 @@ private:
     void makeToolBar();
     QMenu* makeWireframeMenu();
     void connectFiles();
+    void connectCamera();
     void restoreWindow();
     void resetLayout();
 
@@ -123,6 +125,7 @@ private:
     SceneFiles* m_files = nullptr;
     StatusLine* m_status = nullptr;
     PipelineChooser* m_pipelines = nullptr;
+    CameraActions* m_cameraActions = nullptr;
     FrameRatePanel* m_frameRate = nullptr;
     QTimer m_frameRateTimer;
     QByteArray m_firstLayout;

@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <utility>
 
+#include "app/camera_actions.h"
 #include "app/dialogs.h"
 #include "app/keys_sheet.h"
 #include "app/main_window.h"
@@ -101,6 +102,8 @@ void MainWindow::makeEditMenu() {
     m_clear = addAction(
         menu, tr("&Clear Hits"), tr("Ctrl+Shift+Del"), [this] { m_session.clearHits(); },
         QStringLiteral("remove"));
+    menu.addSeparator();
+    m_cameraActions->fillEdit(menu);
 }
 
 QMenu* MainWindow::makeWireframeMenu() {
@@ -157,17 +160,7 @@ void MainWindow::makeViewMenu() {
     m_frame = addAction(
         menu, tr("&Frame Selection"), Qt::Key_F, [this] { m_viewport->frameSelection(); },
         QStringLiteral("frame"));
-    addAction(menu, tr("Frame &All"), tr("Shift+F"), [this] { m_viewport->frameAll(); });
-    QMenu& fly = *menu.addMenu(tr("Fl&y"));
-    const std::pair<QString, QString> names[] = {{tr("Forward"), tr("W")}, {tr("Back"), tr("S")},
-                                                 {tr("Left"), tr("A")},    {tr("Right"), tr("D")},
-                                                 {tr("Up"), tr("E")},      {tr("Down"), tr("Q")}};
-    const glm::vec3 steps[] = {{0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, -1.0f}, {-1.0f, 0.0f, 0.0f},
-                               {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f},  {0.0f, -1.0f, 0.0f}};
-    for (std::size_t i = 0; i < std::size(steps); ++i) {
-        addHeldKey(fly, names[i].first, names[i].second,
-                   [this, step = steps[i]] { m_viewport->navigation().flyStep(step); });
-    }
+    m_cameraActions->fill(menu);
     menu.addSeparator();
     m_docksMenu = menu.addMenu(tr("&Docks"));
     makeThemeMenus(menu);

@@ -71,8 +71,9 @@ FrameContext makeContext(const Frame& frame, ProgramCache& programs, GLuint empt
     context.viewProjection = context.projection * frame.camera.view();
     context.eye = frame.camera.eye();
     context.forward = frame.camera.forward();
-    context.pixelsAtOneMetre =
-        0.5f * static_cast<float>(frame.height) / std::tan(0.5f * frame.camera.fieldOfView());
+    context.pixelsAtOneMetre = static_cast<float>(frame.height) / frame.camera.heightAt(1.0f);
+    context.depthPerPixel =
+        context.projection[frame.camera.isOrthographic() ? 2 : 3][2] / context.pixelsAtOneMetre;
     return context;
 }
 

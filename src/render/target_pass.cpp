@@ -141,9 +141,7 @@ Status drawEdges(const FrameContext& context, DeformationPipeline& pipeline, con
     const Frame& frame = context.frame;
     program.use();
     program.set("u_viewProjection", context.viewProjection);
-    // clip.z = A d + B and clip.w = d at a distance d, so depth is A + B / d; b B on top is as a distance of
-    // (1 - b) d, to first order.
-    program.set("u_depthShift", context.projection[3][2] * kLinesAhead / context.pixelsAtOneMetre);
+    program.set("u_depthShift", context.depthPerPixel * kLinesAhead);
     // Wide lines are not for core profiles to draw: on a dense screen each line is drawn side by side
     // instead.
     const int passes = std::clamp(static_cast<int>(std::lround(frame.pixelRatio)), 1, 4);

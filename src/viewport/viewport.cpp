@@ -9,6 +9,7 @@
 
 #include "gl/context.h"
 #include "viewport/surface_format.h"
+#include "viewport/view_label.h"
 
 namespace hitscope {
 
@@ -20,7 +21,11 @@ constexpr double kNanosecond = 1.0e-9;  // seconds
 
 }  // namespace
 
-Viewport::Viewport(Session& session, QWidget* parent) : QOpenGLWidget(parent), m_session(session) {
+Viewport::Viewport(Session& session, QWidget* parent)
+    : QOpenGLWidget(parent), m_session(session), m_navigation([this](const QPointF& position) {
+          const auto met = aimedAt(m_navigation.rayAt(position));
+          return met ? std::optional(met->point) : std::nullopt;
+      }) {
     setFormat(viewportFormat());
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(240, 180);
@@ -43,6 +48,7 @@ Viewport::Viewport(Session& session, QWidget* parent) : QOpenGLWidget(parent), m
     connect(&session, &Session::targetAdded, this, &Viewport::followSize);
     connect(&session, &Session::targetRemoved, this, &Viewport::followSize);
     connect(&session, &Session::targetChanged, this, &Viewport::followSize);
+    new ViewLabel(m_navigation, this);
     followScene();
 }
 
@@ -92,7 +98,7 @@ void Viewport::resizeGL(int, int) {
     m_navigation.setViewSize(size());
     if (!m_framed) {
         m_framed = true;
-        frameAll();
+        frameAll(Navigation::Arrival::AtOnce);
     }
 }
 
@@ -163,21 +169,22 @@ void Viewport::setOptions(const DisplayOptions& options) {
 
 void Viewport::setDrawsContinuously(bool on) {
     m_continuous = on;
+    m_navigation.setGlides(!on);  // what is measured stands still
     update();
 }
 
 void Viewport::followScene() {
     m_heldShot.reset();
     followSize();
-    frameAll();
+    frameAll(Navigation::Arrival::AtOnce);
 }
 
 void Viewport::followSize() {
     m_navigation.setSceneRadius(std::max(m_session.sceneBounds().diagonal(), 1.0e-3f));
 }
 
-void Viewport::frameAll() {
-    m_navigation.frame(m_session.sceneBounds());
+void Viewport::frameAll(Navigation::Arrival arrival) {
+    m_navigation.frame(m_session.sceneBounds(), arrival);
 }
 
 void Viewport::frameSelection() {

@@ -37,7 +37,7 @@ public:
 
     [[nodiscard]] Navigation& navigation() { return m_navigation; }
     [[nodiscard]] const Camera& camera() const { return m_navigation.camera(); }
-    void frameAll();
+    void frameAll(Navigation::Arrival arrival = Navigation::Arrival::Glide);
     void frameSelection();  ///< the selected target; all if none is
     void shootAtCrosshair();
 
@@ -58,6 +58,7 @@ Q_SIGNALS:
     void failed(const hitscope::Error& error);  ///< no picture can be drawn; emitted once for each reason
 
 protected:
+    bool event(QEvent* event) override;
     void initializeGL() override;
     void resizeGL(int width, int height) override;
     void paintGL() override;
