@@ -230,6 +230,9 @@ Status SceneGpu::Private::follow(Delivery delivery) {
         delivery = Delivery::All;
     }
     readBack(delivery);
+    if (!pipeline->isReadBackPending()) {
+        session.setUpToDate();
+    }
     return Done{};
 }
 
