@@ -8,6 +8,7 @@
 #include <QSettings>
 #include <utility>
 
+#include "app/keys_lines.h"
 #include "render/camera_text.h"
 #include "viewport/view_label.h"
 #include "viewport/viewport.h"
@@ -126,7 +127,8 @@ void CameraActions::fillFly(QMenu& menu) {
         {tr("Left\tA"), {-1.0f, 0.0f, 0.0f}},   {tr("Right\tD"), {1.0f, 0.0f, 0.0f}},
         {tr("Up\tE"), {0.0f, 1.0f, 0.0f}},      {tr("Down\tQ"), {0.0f, -1.0f, 0.0f}}};
     for (const auto& step : steps) {
-        addAction(menu, step.first, {}, this, [this, by = step.second] { m_navigation.flyStep(by); });
+        leaveOutOfKeys(
+            *addAction(menu, step.first, {}, this, [this, by = step.second] { m_navigation.flyStep(by); }));
     }
 }
 
@@ -136,9 +138,16 @@ void CameraActions::fillBookmarks(QMenu& menu) {
     for (int index = 0; index < kBookmarks; ++index) {
         const auto key = static_cast<Qt::Key>(Qt::Key_1 + index);
         const QString name = tr("Bookmark &%1").arg(index + 1);
-        addAction(keep, name, {QKeySequence(Qt::ControlModifier | key)}, this,
-                  [this, index] { store(index); });
+        QAction* storing = addAction(keep, name, {QKeySequence(Qt::ControlModifier | key)}, this,
+                                     [this, index] { store(index); });
         m_recall[index] = addAction(menu, name, {QKeySequence(key)}, this, [this, index] { recall(index); });
+        if (index > 0) {
+            leaveOutOfKeys(*storing);
+            leaveOutOfKeys(*m_recall[index]);
+        } else {
+            listKeysAs(*storing, tr("Ctrl+1 … 9"), tr("Store the camera as a bookmark"));
+            listKeysAs(*m_recall[index], tr("1 … 9"), tr("Back to a bookmark"));
+        }
     }
 }
 

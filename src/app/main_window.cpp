@@ -13,7 +13,9 @@
 
 #include "app/camera_actions.h"
 #include "app/dialogs.h"
+#include "app/full_view.h"
 #include "app/notice_bar.h"
+#include "app/picture_actions.h"
 #include "app/pipeline_chooser.h"
 #include "app/scene_files.h"
 #include "app/status_line.h"
@@ -57,7 +59,9 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_files(new SceneFiles(session, this)),
       m_status(new StatusLine(session, *statusBar(), this)),
       m_pipelines(new PipelineChooser(session, this)),
-      m_cameraActions(new CameraActions(*m_viewport, this)) {
+      m_cameraActions(new CameraActions(*m_viewport, this)),
+      m_pictures(new PictureActions(*m_viewport, *this)),
+      m_fullView(new FullView(*this)) {
     loadSessionSettings(QSettings(), session);
     applyTheme(m_settings.theme);
     m_viewport->setOptions(m_settings.display);
@@ -68,7 +72,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     makeDocks();
     makeToolBar();
     connectFiles();
-    connectCamera();
+    connectCameraAndPictures();
 
     connect(&session, &Session::sceneReplaced, this, &MainWindow::followScene);
     connect(&session, &Session::targetAdded, this, &MainWindow::followTargets);
@@ -150,12 +154,16 @@ QDockWidget* MainWindow::makeSceneDock() {
     return addDock(QStringLiteral("scene"), tr("Scene"), panel, Qt::RightDockWidgetArea);
 }
 
-void MainWindow::connectCamera() {
+void MainWindow::connectCameraAndPictures() {
     connect(m_cameraActions, &CameraActions::said, this,
             [this](const QString& text) { statusBar()->showMessage(text, kMessageStays); });
     connect(m_cameraActions, &CameraActions::failed, this,
             [this](const Error& error) { showError(this, error); });
     m_cameraActions->load(QSettings());
+    connect(m_pictures, &PictureActions::said, this,
+            [this](const QString& text) { statusBar()->showMessage(text, kMessageStays); });
+    connect(m_pictures, &PictureActions::failed, this,
+            [this](const Error& error) { showError(this, error); });
 }
 
 void MainWindow::restoreWindow() {
@@ -182,6 +190,7 @@ void MainWindow::saveSettings() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     m_files->cancel();
+    m_fullView->set(false);  // what is remembered is the window with all its parts
     saveSettings();
     event->accept();
 }

@@ -21,7 +21,9 @@ namespace hitscope {
 
 class CameraActions;
 class FrameRatePanel;
+class FullView;
 class NoticeBar;
+class PictureActions;
 class PipelineChooser;
 class SceneFiles;
 class StatusLine;
@@ -75,7 +77,7 @@ private:
     void makeToolBar();
     QMenu* makeWireframeMenu();
     void connectFiles();
-    void connectCamera();
+    void connectCameraAndPictures();
     void restoreWindow();
     void resetLayout();
 
@@ -96,7 +98,6 @@ private:
     QStringList chooseMeshes(const QString& title);
     void loadSample(SampleScene scene);
     void chooseExport();
-    void choosePicture();
     void choosePlacement();
     void showRecentFiles();
     void saidOpened(const QStringList& paths, const QStringList& notes);
@@ -105,6 +106,7 @@ private:
     void toggleLight(const std::function<void(Lights&)>& change);
     void chooseTheme(ThemeChoice choice);
     void showProjectileDialog();
+    void showKeys();
 
     // Showing
     void followScene();
@@ -126,6 +128,8 @@ private:
     StatusLine* m_status = nullptr;
     PipelineChooser* m_pipelines = nullptr;
     CameraActions* m_cameraActions = nullptr;
+    PictureActions* m_pictures = nullptr;
+    FullView* m_fullView = nullptr;
     FrameRatePanel* m_frameRate = nullptr;
     QTimer m_frameRateTimer;
     QByteArray m_firstLayout;

@@ -10,8 +10,10 @@
 
 #include "app/camera_actions.h"
 #include "app/dialogs.h"
-#include "app/keys_sheet.h"
+#include "app/full_view.h"
+#include "app/keys_overlay.h"
 #include "app/main_window.h"
+#include "app/picture_actions.h"
 #include "app/pipeline_chooser.h"
 #include "app/projectile_dialog.h"
 #include "app/texture_chooser.h"
@@ -86,7 +88,7 @@ void MainWindow::makeFileMenu() {
     m_export = addAction(
         menu, tr("&Export Deformed Mesh…"), tr("Ctrl+E"), [this] { chooseExport(); },
         QStringLiteral("export"));
-    addAction(menu, tr("Save &Picture…"), Qt::Key_F12, [this] { choosePicture(); });
+    m_pictures->fill(menu);
     menu.addSeparator();
     addAction(menu, tr("&Quit"), tr("Ctrl+Q"), [this] { close(); });
 }
@@ -165,6 +167,7 @@ void MainWindow::makeViewMenu() {
     m_docksMenu = menu.addMenu(tr("&Docks"));
     makeThemeMenus(menu);
     addAction(menu, tr("&Reset Layout"), {}, [this] { resetLayout(); });
+    m_fullView->fill(menu);
     addToggle(menu, tr("F&ull Screen"), Qt::Key_F11, false,
               [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
     menu.addSeparator();
@@ -249,9 +252,18 @@ void MainWindow::makeLightsMenu() {
                             [this](bool on) { toggleLight([on](Lights& lights) { lights.spot.on = on; }); });
 }
 
+void MainWindow::showKeys() {
+    auto* overlay = findChild<KeysOverlay*>();
+    if (overlay == nullptr) {
+        overlay = new KeysOverlay(*this);
+    }
+    const Navigation& navigation = m_viewport->navigation();
+    overlay->toggle({mouseKeys(navigation.preset(), navigation.orbitMode()), heldKeys()});
+}
+
 void MainWindow::makeHelpMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Help"));
-    addAction(menu, tr("&Keys and Mouse"), Qt::Key_F1, [this] { showKeysSheet(this); });
+    addAction(menu, tr("&Keys and Mouse"), Qt::Key_F1, [this] { showKeys(); });
     menu.addSeparator();
     addAction(menu, tr("&About Hitscope"), {}, [this] {
         const std::optional<Exactness>& exactness = m_session.exactness();

@@ -20,6 +20,8 @@ struct DisplayOptions {
     bool floor = true;
     bool textures = true;
     bool crosshair = false;
+    /// No background: what is not covered stays transparent, and colours are premultiplied by their opacity.
+    bool transparent = false;
 };
 
 }  // namespace hitscope

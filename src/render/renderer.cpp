@@ -43,8 +43,14 @@ void prepareFramebuffer(const Frame& frame, GLuint framebuffer) {
     glDepthFunc(GL_LESS);
     glLineWidth(1.0f);
     glBlendEquation(GL_FUNC_ADD);
-    // The picture stays opaque whatever is drawn over it: the window is put together with others.
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    if (frame.options.transparent) {
+        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+        glClear(GL_COLOR_BUFFER_BIT);
+    } else {
+        // The picture stays opaque whatever is drawn over it: the window is put together with others.
+        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    }
     glClearDepth(1.0);
     glClear(GL_DEPTH_BUFFER_BIT);
 }
@@ -164,7 +170,7 @@ Status Renderer::draw(const Frame& frame, DeformationPipeline& pipeline, GLuint 
     prepareFramebuffer(frame, framebuffer);
     FrameContext context = makeContext(frame, d->programs, d->emptyArray.id());
     context.software = d->software;
-    if (Status status = drawBackground(context); !status) {
+    if (Status status = frame.options.transparent ? Status(Done{}) : drawBackground(context); !status) {
         return status;
     }
     startSolid();

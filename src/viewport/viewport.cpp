@@ -81,6 +81,7 @@ void Viewport::releaseGpu() {
     if (m_scene) {
         m_session.setCatchUp({});
         makeCurrent();
+        Q_EMIT aboutToReleaseGpu();
         m_scene.reset();
         doneCurrent();
     }
@@ -207,16 +208,49 @@ void Viewport::catchUp() {
     doneCurrent();
 }
 
-Status Viewport::syncNow() {
+Status Viewport::withScene(const std::function<Status(SceneGpu&)>& work) {
     if (!m_scene) {
-        return Error{"There is no picture, so there is nothing to take the deformed mesh from.", "",
+        return Error{"There is no picture: nothing can be drawn here.", "",
                      "Start Hitscope where OpenGL 3.3 is available."};
     }
-    makeCurrent();
-    Status status = m_scene->sync();
-    doneCurrent();
+    // The context may be current already: while it is being given back, or in the middle of a frame.
+    const bool current = QOpenGLContext::currentContext() == context();
+    if (!current) {
+        makeCurrent();
+    }
+    Status status = work(*m_scene);
+    if (!current) {
+        doneCurrent();
+    }
+    return status;
+}
+
+Status Viewport::syncNow() {
+    Status status = withScene([](SceneGpu& scene) { return scene.sync(); });
     update();  // normals may have come with it
     return status;
+}
+
+PictureRequest Viewport::pictureRequest() const {
+    const SceneGpu::View shown = view();
+    return {shown.width, shown.height, m_navigation.goal(), m_options};
+}
+
+Result<Image> Viewport::drawPicture(const PictureRequest& request) {
+    Image image;
+    Status status = withScene([&](SceneGpu& scene) -> Status {
+        Result<Image> drawn = hitscope::drawPicture(scene, request);
+        if (!drawn) {
+            return drawn.error();
+        }
+        image = std::move(drawn).value();
+        return Done{};
+    });
+    if (!status) {
+        return status.error();
+    }
+    update();
+    return image;
 }
 
 }  // namespace hitscope

@@ -4,10 +4,11 @@
 #include <QElapsedTimer>
 #include <QOpenGLWidget>
 #include <QTimer>
+#include <functional>
 #include <memory>
 #include <optional>
 
-#include "session/scene_gpu.h"
+#include "session/picture.h"
 #include "viewport/navigation.h"
 
 namespace hitscope {
@@ -44,6 +45,13 @@ public:
     /// Brings the GPU and the read-back to the session's state now: before an export. Fails when there is no
     /// GL.
     [[nodiscard]] Status syncNow();
+    [[nodiscard]] const Session& session() const { return m_session; }
+    /// What is shown now, at the viewport's own pixels.
+    [[nodiscard]] PictureRequest pictureRequest() const;
+    /// Errors are hitscope::drawPicture()'s, or that there is no GL.
+    [[nodiscard]] Result<Image> drawPicture(const PictureRequest& request);
+    /// Does something with the scene on the GPU while its context is current; fails when there is none.
+    [[nodiscard]] Status withScene(const std::function<Status(SceneGpu&)>& work);
     /// "llvmpipe (LLVM 15.0.6, 256 bits)"; empty before the first frame.
     [[nodiscard]] QString rendererName() const { return m_rendererName; }
     [[nodiscard]] QString rendererVersion() const { return m_rendererVersion; }
@@ -55,6 +63,9 @@ Q_SIGNALS:
     /// Seconds: from the frame before while frames follow each other, else what drawing took.
     void framePainted(double seconds);
     void rendererKnown();
+    /// The context goes, and with it all GL objects; it is current. The scene is built anew from the session
+    /// when there is another.
+    void aboutToReleaseGpu();
     void failed(const hitscope::Error& error);  ///< no picture can be drawn; emitted once for each reason
 
 protected:
