@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <QList>
 #include <QObject>
 
 class QAction;
@@ -21,10 +22,14 @@ public:
     void set(bool on);
 
 private:
+    void borrowKeys();
+    void giveKeysBack();
+
     QMainWindow& m_window;
     QAction* m_toggle = nullptr;
     QAction* m_leave = nullptr;  ///< Escape, while it is on
     bool m_on = false;
+    QList<QAction*> m_borrowed;
     QByteArray m_layout;
     Qt::WindowStates m_state;
 };

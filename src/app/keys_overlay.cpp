@@ -121,7 +121,6 @@ void KeysOverlay::fill() {
         static_cast<std::size_t>(std::clamp((width() - 2 * kMargin) / kColumnWidth, 1, kMostColumns));
     const QString colour = palette().color(QPalette::Button).name();
     auto* sheet = new QWidget;
-    sheet->setAutoFillBackground(false);
     auto* row = new QHBoxLayout(sheet);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(kMargin);
@@ -138,6 +137,7 @@ void KeysOverlay::fill() {
         row->addLayout(column, 1);
     }
     m_area->setWidget(sheet);
+    sheet->setAutoFillBackground(false);  // which setWidget() turned on
 }
 
 bool KeysOverlay::eventFilter(QObject* watched, QEvent* event) {
@@ -145,6 +145,16 @@ bool KeysOverlay::eventFilter(QObject* watched, QEvent* event) {
         place();
     }
     return QFrame::eventFilter(watched, event);
+}
+
+bool KeysOverlay::event(QEvent* event) {
+    // Escape is this sheet's while it is open, whatever else it is the shortcut of.
+    if (event->type() == QEvent::ShortcutOverride &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+        event->accept();
+        return true;
+    }
+    return QFrame::event(event);
 }
 
 void KeysOverlay::keyPressEvent(QKeyEvent* event) {

@@ -43,6 +43,8 @@ public:
     [[nodiscard]] std::span<const glm::vec3> positions() const { return m_positions; }
     [[nodiscard]] bool isChanged(std::uint32_t fileVertex) const;
     [[nodiscard]] glm::vec3 displacement(std::uint32_t fileVertex) const;
+    /// Every changed vertex, each once and in no order, and perhaps some that are back at their original.
+    [[nodiscard]] std::span<const std::uint32_t> onceChanged() const { return m_changed; }
     /// Of all changed vertices; costs time in proportion to the vertices changed so far.
     [[nodiscard]] DisplacementStatistics statistics() const;
     /// Grows with every write() and reset().

@@ -67,8 +67,9 @@ std::string text(double value, int digits) {
 /// In units of `unit`, with as many digits as it takes to read the same number again; nine tell all floats
 /// apart.
 std::string text(float value, double unit) {
+    constexpr int kFewestDigits = 6;  // with fewer, large numbers would be written as powers of ten
     constexpr int kMostDigits = 9;
-    for (int digits = 1; digits < kMostDigits; ++digits) {
+    for (int digits = kFewestDigits; digits < kMostDigits; ++digits) {
         std::string shorter = text(static_cast<double>(value) / unit, digits);
         if (static_cast<float>(*numberOf(shorter) * unit) == value) {
             return shorter;

@@ -8,7 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "render/pick_pass.h"
 #include "render/renderer.h"
+#include "session/frame_meter.h"
 
 namespace hitscope {
 
@@ -51,6 +53,10 @@ std::vector<HistoryEdit> withAppendsJoined(std::vector<HistoryEdit> edits) {
     return joined;
 }
 
+bool isAppend(const HistoryEdit& edit, const HitHistory& history) {
+    return edit.before.empty() && edit.first + edit.after.size() == history.size();
+}
+
 std::map<PipelineKind, QString> unavailablePipelines() {
     std::map<PipelineKind, QString> reasons;
     for (const PipelineTraits& traits : allPipelines()) {
@@ -64,7 +70,7 @@ std::map<PipelineKind, QString> unavailablePipelines() {
 }  // namespace
 
 struct SceneGpu::Private {
-    explicit Private(Session& followed) : session(followed) {}
+    explicit Private(Session& followed) : session(followed), meter(followed.frameCosts()) {}
 
     struct GpuTarget {
         std::unique_ptr<TargetBuffers> buffers;
@@ -72,6 +78,7 @@ struct SceneGpu::Private {
     };
 
     Session& session;
+    FrameMeter meter;
     std::unique_ptr<Renderer> renderer;
     std::unordered_map<TargetId, GpuTarget> targets;
     std::unique_ptr<DeformationPipeline> pipeline;  // below the buffers it is given, so that it goes first
@@ -84,6 +91,7 @@ struct SceneGpu::Private {
     void followTargets();
     void followCover();
     [[nodiscard]] const MaterialSet* materialsToDraw(const Target& target) const;
+    [[nodiscard]] std::vector<DrawItem> drawItems() const;
     Status followPipeline(bool& startOver);
     /// Returns whether the pipeline started over.
     bool followHistory(bool startOver);
@@ -162,6 +170,21 @@ const MaterialSet* SceneGpu::Private::materialsToDraw(const Target& target) cons
     return covered ? cover.get() : targets.at(target.id).materials.get();
 }
 
+/// The visible targets that are on the GPU.
+std::vector<DrawItem> SceneGpu::Private::drawItems() const {
+    std::vector<DrawItem> items;
+    items.reserve(session.targets().size());
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        const auto gpu = targets.find(target->id);
+        if (target->visible && gpu != targets.end()) {
+            items.push_back({target->id, gpu->second.buffers.get(), materialsToDraw(*target),
+                             modelMatrix(target->transform),
+                             target->id == session.selectedTarget() && session.targets().size() > 1});
+        }
+    }
+    return items;
+}
+
 Status SceneGpu::Private::followPipeline(bool& startOver) {
     startOver = !pipeline || pipeline->traits().kind != session.pipeline();
     if (!startOver) {
@@ -189,9 +212,14 @@ bool SceneGpu::Private::followHistory(bool startOver) {
     auto edits = history.editsSince(appliedRevision);
     startOver = startOver || !edits;
     if (startOver) {
+        meter.applying(0, history.size(), false);
         pipeline->reset(history.hits());
     } else {
-        for (const HistoryEdit& edit : withAppendsJoined(*std::move(edits))) {
+        const std::vector<HistoryEdit> joined = withAppendsJoined(*std::move(edits));
+        if (joined.size() == 1 && isAppend(joined.front(), history)) {
+            meter.applying(joined.front().first, joined.front().after.size(), true);
+        }
+        for (const HistoryEdit& edit : joined) {
             pipeline->edit(edit);
         }
     }
@@ -225,11 +253,14 @@ Status SceneGpu::Private::follow(Delivery delivery) {
     if (Status status = followPipeline(startOver); !status) {
         return status;
     }
+    meter.endOf(FrameMeter::Part::Preparation);
     // Started over, the CPU copy is at the originals: it must not be seen like that for a frame or two.
     if (followHistory(startOver)) {
         delivery = Delivery::All;
     }
+    meter.endOf(FrameMeter::Part::Deformation);
     readBack(delivery);
+    meter.endOf(FrameMeter::Part::ReadBack);
     if (!pipeline->isReadBackPending()) {
         session.setUpToDate();
     }
@@ -237,29 +268,43 @@ Status SceneGpu::Private::follow(Delivery delivery) {
 }
 
 Status SceneGpu::sync() {
-    return d->follow(Private::Delivery::All);
+    d->meter.begin();
+    Status status = d->follow(Private::Delivery::All);
+    d->meter.end();
+    return status;
+}
+
+void SceneGpu::collectCosts() {
+    d->meter.collect();
 }
 
 bool SceneGpu::isReadBackPending() const {
     return d->pipeline && d->pipeline->isReadBackPending();
 }
 
+Status SceneGpu::drawElements(const View& view, PickPass& pass, const PixelArea& area,
+                              PickElements elements) {
+    if (!d->pipeline) {
+        return Done{};
+    }
+    const std::vector<DrawItem> items = d->drawItems();
+    Frame frame;
+    frame.width = view.width;
+    frame.height = view.height;
+    frame.camera = view.camera;
+    frame.options = view.options;
+    frame.targets = items;
+    return pass.draw(frame, *d->pipeline, area, elements);
+}
+
 Status SceneGpu::draw(const View& view, unsigned framebuffer) {
+    d->meter.begin();
     if (Status status = d->follow(Private::Delivery::WhatHasArrived); !status) {
+        d->meter.end();
         return status;
     }
     const Session& session = d->session;
-    std::vector<DrawItem> items;
-    items.reserve(session.targets().size());
-    for (const std::unique_ptr<Target>& target : session.targets()) {
-        if (!target->visible) {
-            continue;
-        }
-        const Private::GpuTarget& gpu = d->targets.at(target->id);
-        items.push_back({target->id, gpu.buffers.get(), d->materialsToDraw(*target),
-                         modelMatrix(target->transform),
-                         target->id == session.selectedTarget() && session.targets().size() > 1});
-    }
+    const std::vector<DrawItem> items = d->drawItems();
     std::vector<Sphere> projectiles;
     projectiles.reserve(session.physics().projectileCount());
     for (const ProjectileState& projectile : session.physics().projectiles()) {
@@ -282,7 +327,10 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
             frame.highlightedHit = Sphere{target->transform.toWorld(hit.point), hit.constants.maxDistance};
         }
     }
-    return d->renderer->draw(frame, *d->pipeline, framebuffer);
+    Status status = d->renderer->draw(frame, *d->pipeline, framebuffer);
+    d->meter.endOf(FrameMeter::Part::Drawing);
+    d->meter.end();
+    return status;
 }
 
 }  // namespace hitscope

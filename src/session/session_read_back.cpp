@@ -128,11 +128,12 @@ std::vector<Session::ChangedNormals> Session::finishReadBack() {
         target->trueNormals.update(target->deformed.positions(), *moved, updated);
         sort(updated);
     });
-    m_moved.clear();
+    const auto announced = std::exchange(m_moved, {});
     if (!m_physics.isMoving()) {
         m_colliders.updateAll(currentVertices());
     }
     for (const ChangedNormals& change : changes) {
+        Q_EMIT verticesMoved(change.target, announced.at(change.target));
         Q_EMIT meshChanged(change.target);
     }
     return changes;

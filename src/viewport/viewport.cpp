@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "gl/context.h"
+#include "gl/swap_interval.h"
+#include "session/frame_costs.h"
 #include "viewport/surface_format.h"
 #include "viewport/view_label.h"
 
@@ -16,6 +18,7 @@ namespace hitscope {
 namespace {
 
 constexpr int kCrosshairStays = 1500;   // milliseconds after the last shot with Space
+constexpr int kCostsArrive = 200;       // milliseconds after the last frame of many
 constexpr double kLongestStep = 0.25;   // seconds: a window that stood still does not make the scene jump
 constexpr double kNanosecond = 1.0e-9;  // seconds
 
@@ -33,6 +36,9 @@ Viewport::Viewport(Session& session, QWidget* parent)
     m_holdTimer.setInterval(kDoubleClickGrace);
     m_crosshairTimer.setSingleShot(true);
     m_crosshairTimer.setInterval(kCrosshairStays);
+    m_costsTimer.setSingleShot(true);
+    m_costsTimer.setInterval(kCostsArrive);
+    connect(&m_costsTimer, &QTimer::timeout, this, &Viewport::collectCosts);
     const auto followRateOfFire = [this] {
         m_repeatTimer.setInterval(qRound(1000.0f / m_session.projectileSettings().rateOfFire));
     };
@@ -60,6 +66,7 @@ void Viewport::initializeGL() {
     // The context goes when the widget is moved to another window, and takes all GL objects with it.
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseGpu,
             Qt::DirectConnection);
+    m_unlimited = false;  // another context, perhaps in another window
     const gl::RendererInfo info = gl::rendererInfo();
     m_rendererName = QString::fromStdString(info.renderer);
     m_rendererVersion = QString::fromStdString(info.version);
@@ -132,6 +139,7 @@ void Viewport::paintGL() {
     const double seconds = static_cast<double>(measure.nsecsElapsed()) * kNanosecond;
     m_frameFollows = false;
     m_sinceFrame.start();
+    m_session.frameCosts().endFrame(seconds);
     Q_EMIT framePainted(seconds);
 }
 
@@ -148,8 +156,18 @@ bool Viewport::wantsFrames() const {
                            (m_scene && m_scene->isReadBackPending()));
 }
 
+/// Right after a frame, while the window it was shown in is still what GL draws into.
+void Viewport::followRefresh() {
+    if (m_unlimited != m_continuous) {
+        m_unlimited = m_continuous;
+        gl::setSwapInterval(m_unlimited ? 0 : 1);
+    }
+}
+
 void Viewport::moveOn() {
+    followRefresh();
     if (!wantsFrames()) {
+        m_costsTimer.start();
         m_clock.invalidate();
         return;
     }
@@ -163,6 +181,14 @@ void Viewport::moveOn() {
     m_navigation.advance(passed);
     m_frameFollows = true;
     update();
+}
+
+void Viewport::collectCosts() {
+    if (m_scene) {
+        makeCurrent();
+        m_scene->collectCosts();
+        doneCurrent();
+    }
 }
 
 void Viewport::setOptions(const DisplayOptions& options) {

@@ -33,7 +33,7 @@ public:
     [[nodiscard]] const DisplayOptions& options() const { return m_options; }
     void setOptions(const DisplayOptions& options);
     [[nodiscard]] bool drawsContinuously() const { return m_continuous; }
-    /// A frame after the other even if nothing moves: for measuring.
+    /// A frame after the other even if nothing moves, as many as there can be: for measuring.
     void setDrawsContinuously(bool on);
 
     [[nodiscard]] Navigation& navigation() { return m_navigation; }
@@ -90,7 +90,9 @@ private:
     void followSize();
     [[nodiscard]] bool wantsFrames() const;
     void catchUp();
-    void moveOn();  ///< after a frame: advances what moves by the time since the last
+    void followRefresh();
+    void moveOn();        ///< after a frame: advances what moves by the time since the last
+    void collectCosts();  ///< of the last frames, once no more follow
     [[nodiscard]] SceneGpu::View view() const;
     /// What the ray meets first: for aiming and recentring.
     [[nodiscard]] std::optional<PhysicsWorld::RayHit> aimedAt(const Ray& ray) const;
@@ -111,8 +113,10 @@ private:
     bool m_framed = false;  ///< the scene has been framed at a real size
 
     bool m_continuous = false;
-    QElapsedTimer m_clock;        ///< since moveOn() last ran; invalid while nothing moves
-    QElapsedTimer m_sinceFrame;   ///< since the last frame ended
+    bool m_unlimited = false;    ///< frames do not wait for the screen
+    QElapsedTimer m_clock;       ///< since moveOn() last ran; invalid while nothing moves
+    QElapsedTimer m_sinceFrame;  ///< since the last frame ended
+    QTimer m_costsTimer;
     bool m_frameFollows = false;  ///< the frame to come was asked for right after the last
 
     quint64 m_pressTime = 0;  ///< milliseconds, of the event

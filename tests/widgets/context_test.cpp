@@ -27,6 +27,15 @@ std::vector<std::vector<DynamicVertex>> readBack(const Session& session) {
     return all;
 }
 
+/// On the sphere of radius 2.5 m, at its side `out` (unit).
+Hit hitOn(const Session& session, const glm::vec3& out, const glm::vec3& direction) {
+    Hit hit;
+    hit.target = session.targets().front()->id;
+    hit.point = 2.5f * out;
+    hit.direction = direction;
+    return hit;
+}
+
 bool sameBits(const std::vector<std::vector<DynamicVertex>>& a,
               const std::vector<std::vector<DynamicVertex>>& b) {
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -86,7 +95,7 @@ void ContextTest::hitIt() {
     for (int i = 0; i < 40; ++i) {
         const glm::vec3 out =
             glm::normalize(toEye + 0.6f * glm::vec3(between(random), between(random), between(random)));
-        hits.push_back({.target = m_session->targets().front()->id, .point = 2.5f * out, .direction = -out});
+        hits.push_back(hitOn(*m_session, out, -out));
     }
     QVERIFY(m_session->addHits(hits).ok());
     QVERIFY(m_window->viewport().syncNow().ok());
@@ -136,11 +145,7 @@ void ContextTest::anotherContextShowsTheSame() {
     QVERIFY(sameBits(readBack(*m_session), vertices));
     // And it goes on: one more hit is seen.
     const glm::vec3 out = -viewport.camera().forward();
-    QVERIFY(m_session
-                ->addHit({.target = m_session->targets().front()->id,
-                          .point = 2.5f * out,
-                          .direction = -viewport.camera().up()})
-                .ok());
+    QVERIFY(m_session->addHit(hitOn(*m_session, out, -viewport.camera().up())).ok());
     QVERIFY(viewport.syncNow().ok());
     QVERIFY(!sameBits(readBack(*m_session), vertices));
     QVERIFY(shown() != before);

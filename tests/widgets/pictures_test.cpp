@@ -76,7 +76,11 @@ void PicturesTest::addHits() {
     const glm::vec3 toEye = -m_window->viewport().camera().forward();
     for (const float aside : {-0.5f, 0.0f, 0.5f}) {
         const glm::vec3 out = glm::normalize(toEye + aside * m_window->viewport().camera().right());
-        QVERIFY(m_session->addHit({.target = target, .point = 2.5f * out, .direction = -out}).ok());
+        Hit hit;
+        hit.target = target;
+        hit.point = 2.5f * out;
+        hit.direction = -out;
+        QVERIFY(m_session->addHit(hit).ok());
     }
 }
 
