@@ -118,6 +118,7 @@ void ContextTest::anotherContextShowsTheSame() {
     }
     hitIt();
     Viewport& viewport = m_window->viewport();
+    viewport.setFixedSize(viewport.size());  // while it is away the docks spread
     const QImage before = shown();
     const auto vertices = readBack(*m_session);
     const QSize size = viewport.size();
@@ -127,7 +128,6 @@ void ContextTest::anotherContextShowsTheSame() {
     const QSignalSpy again(&viewport, &Viewport::rendererKnown);
     // To a window of its own, as when a panel is undocked, and back.
     viewport.setParent(nullptr);
-    viewport.resize(size);
     viewport.show();
     QVERIFY(QTest::qWaitForWindowExposed(&viewport, kPatience));
     QTRY_COMPARE_WITH_TIMEOUT(again.size(), 1, kPatience);
