@@ -2,7 +2,6 @@
 #include "viewport/view_label.h"
 
 #include <QCoreApplication>
-#include <QEvent>
 #include <QPainter>
 #include <QtMath>
 
@@ -52,6 +51,7 @@ ViewLabel::ViewLabel(const Navigation& navigation, QWidget* over) : QLabel(over)
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setTextFormat(Qt::PlainText);
     setMargin(kPadding);
+    move(kMargin, kMargin);
     m_fieldOfViewStays.setSingleShot(true);
     m_fieldOfViewStays.setInterval(kFieldOfViewStays);
     connect(&navigation, &Navigation::cameraChanged, this, &ViewLabel::follow);
@@ -60,7 +60,6 @@ ViewLabel::ViewLabel(const Navigation& navigation, QWidget* over) : QLabel(over)
         follow();
     });
     connect(&m_fieldOfViewStays, &QTimer::timeout, this, &ViewLabel::follow);
-    over->installEventFilter(this);
     follow();
 }
 
@@ -72,20 +71,8 @@ void ViewLabel::follow() {
     }
     if (said != text()) {
         setText(said);
-        place();
+        adjustSize();
     }
-}
-
-void ViewLabel::place() {
-    adjustSize();
-    move(kMargin, parentWidget()->height() - height() - kMargin);
-}
-
-bool ViewLabel::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == parent() && event->type() == QEvent::Resize) {
-        place();
-    }
-    return QLabel::eventFilter(watched, event);
 }
 
 void ViewLabel::paintEvent(QPaintEvent* event) {

@@ -17,12 +17,10 @@ public:
     ViewLabel(const Navigation& navigation, QWidget* over);
 
 protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
     void follow();
-    void place();
 
     const Navigation& m_navigation;
     QTimer m_fieldOfViewStays;
