@@ -12,9 +12,12 @@
 #include <QSurfaceFormat>
 #include <algorithm>
 
+#include "app/camera_actions.h"
 #include "app/change_actions.h"
 #include "app/dialogs.h"
+#include "app/full_view.h"
 #include "app/notice_bar.h"
+#include "app/picture_actions.h"
 #include "app/pipeline_chooser.h"
 #include "app/scene_files.h"
 #include "app/shot_actions.h"
@@ -41,6 +44,7 @@ namespace {
 
 constexpr int kFrameRateInterval = 500;  // milliseconds between read-outs in the status bar
 constexpr int kHintStays = 20'000;       // milliseconds
+constexpr int kMessageStays = 8'000;     // milliseconds
 constexpr int kLayoutVersion = 2;        // docks that are gone or new make an old layout useless
 
 }  // namespace
@@ -66,7 +70,10 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_status(new StatusLine(session, *statusBar(), this)),
       m_time(new TimeActions(session, this)),
       m_shots(new ShotActions(session, *m_viewport, *this)),
-      m_pipelines(new PipelineChooser(session, this)) {
+      m_pipelines(new PipelineChooser(session, this)),
+      m_cameraActions(new CameraActions(*m_viewport, this)),
+      m_pictures(new PictureActions(*m_viewport, *this)),
+      m_fullView(new FullView(*this)) {
     loadSessionSettings(QSettings(), session);
     applyTheme(m_settings.theme);
     m_viewport->setOptions(m_settings.display);
@@ -81,6 +88,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     new TimeBadge(session, m_viewport);
     m_textureChooser->choose(m_settings.coverTexture);
     connectFiles();
+    connectCameraAndPictures();
 
     connect(&session, &Session::sceneReplaced, this, &MainWindow::followScene);
     connect(&session, &Session::targetAdded, this, &MainWindow::followTargets);
@@ -166,6 +174,18 @@ QDockWidget* MainWindow::makeSceneDock() {
     return addDock(QStringLiteral("scene"), tr("Scene"), panel, Qt::RightDockWidgetArea);
 }
 
+void MainWindow::connectCameraAndPictures() {
+    connect(m_cameraActions, &CameraActions::said, this,
+            [this](const QString& text) { statusBar()->showMessage(text, kMessageStays); });
+    connect(m_cameraActions, &CameraActions::failed, this,
+            [this](const Error& error) { showError(this, error); });
+    m_cameraActions->load(QSettings());
+    connect(m_pictures, &PictureActions::said, this,
+            [this](const QString& text) { statusBar()->showMessage(text, kMessageStays); });
+    connect(m_pictures, &PictureActions::failed, this,
+            [this](const Error& error) { showError(this, error); });
+}
+
 void MainWindow::restoreWindow() {
     // On a small screen no part of it is out of sight at first.
     resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
@@ -185,6 +205,7 @@ void MainWindow::saveSettings() {
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/layout"), saveState(kLayoutVersion));
     settings.setValue(QStringLiteral("window/frameRate"), m_frameRate->saveState());
+    m_cameraActions->save(settings);
     m_settings.display = m_viewport->options();
     m_settings.coverTexture = m_textureChooser->chosen();
     saveAppSettings(settings, m_settings);
@@ -193,6 +214,7 @@ void MainWindow::saveSettings() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     m_files->cancel();
+    m_fullView->set(false);  // what is remembered is the window with all its parts
     saveSettings();
     event->accept();
 }

@@ -19,10 +19,13 @@ class QMenu;
 
 namespace hitscope {
 
+class CameraActions;
 class ChangeActions;
 class FrameRatePanel;
+class FullView;
 class HitEffects;
 class NoticeBar;
+class PictureActions;
 class PipelineChooser;
 class SceneFiles;
 class ShotActions;
@@ -80,6 +83,7 @@ private:
     void makeToolBar();
     QMenu* makeWireframeMenu();
     void connectFiles();
+    void connectCameraAndPictures();
     void restoreWindow();
     void resetLayout();
 
@@ -100,7 +104,6 @@ private:
     QStringList chooseMeshes(const QString& title);
     void loadSample(SampleScene scene);
     void chooseExport();
-    void choosePicture();
     void choosePlacement();
     void showRecentFiles();
     void saidOpened(const QStringList& paths, const QStringList& notes);
@@ -109,6 +112,7 @@ private:
     void toggleLight(const std::function<void(Lights&)>& change);
     void chooseTheme(ThemeChoice choice);
     void showProjectileDialog();
+    void showKeys();
 
     // Showing
     void followScene();
@@ -133,6 +137,9 @@ private:
     ShotActions* m_shots = nullptr;
     ShadingActions* m_shading = nullptr;
     PipelineChooser* m_pipelines = nullptr;
+    CameraActions* m_cameraActions = nullptr;
+    PictureActions* m_pictures = nullptr;
+    FullView* m_fullView = nullptr;
     HitEffects* m_hitEffects = nullptr;
     ChangeActions* m_change = nullptr;
     FrameRatePanel* m_frameRate = nullptr;

@@ -4,7 +4,6 @@
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QImage>
 #include <QInputDialog>
 #include <QMenu>
 #include <QMimeData>
@@ -16,10 +15,10 @@
 #include "app/dialogs.h"
 #include "app/main_window.h"
 #include "app/notice_bar.h"
+#include "app/picture_actions.h"
 #include "app/scene_files.h"
 #include "app/status_line.h"
 #include "io/import.h"
-#include "io/save_image.h"
 #include "models/focus_target.h"
 #include "session/export_target.h"
 #include "viewport/viewport.h"
@@ -205,35 +204,8 @@ Status MainWindow::exportTo(const QString& path, std::optional<NormalMode> norma
     return exportTarget(*target, path, normals.value_or(m_viewport->options().normals));
 }
 
-void MainWindow::choosePicture() {
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Save picture"),
-        suggestedPath(folderOr(m_settings.folder), m_session.sceneName(), QStringLiteral(".png")),
-        tr("PNG (*.png)"));
-    if (path.isEmpty()) {
-        return;
-    }
-    const QString full = withSuffix(path, QStringLiteral("png"));
-    m_settings.folder = QFileInfo(full).absolutePath();
-    if (Status saved = savePictureTo(full); !saved) {
-        showError(this, saved.error());
-    } else {
-        statusBar()->showMessage(tr("Saved %1").arg(full), kMessageStays);
-    }
-}
-
 Status MainWindow::savePictureTo(const QString& path) {
-    const QImage grabbed = m_viewport->grabFramebuffer().convertToFormat(QImage::Format_RGBX8888);
-    Image image;
-    image.width = grabbed.width();
-    image.height = grabbed.height();
-    const std::size_t row = static_cast<std::size_t>(image.width) * 4;
-    image.pixels.reserve(row * static_cast<std::size_t>(image.height));
-    for (int y = 0; y < image.height; ++y) {
-        const uchar* line = grabbed.constScanLine(y);
-        image.pixels.insert(image.pixels.end(), line, line + row);
-    }
-    return savePng(image, path);
+    return m_pictures->save(path);
 }
 
 void MainWindow::choosePlacement() {

@@ -8,10 +8,13 @@
 #include <QToolButton>
 #include <utility>
 
+#include "app/camera_actions.h"
 #include "app/change_actions.h"
 #include "app/dialogs.h"
-#include "app/keys_sheet.h"
+#include "app/full_view.h"
+#include "app/keys_overlay.h"
 #include "app/main_window.h"
+#include "app/picture_actions.h"
 #include "app/pipeline_chooser.h"
 #include "app/projectile_dialog.h"
 #include "app/shot_actions.h"
@@ -89,7 +92,7 @@ void MainWindow::makeFileMenu() {
     m_export = addAction(
         menu, tr("&Export Deformed Mesh…"), tr("Ctrl+E"), [this] { chooseExport(); },
         QStringLiteral("export"));
-    addAction(menu, tr("Save &Picture…"), Qt::Key_F12, [this] { choosePicture(); });
+    m_pictures->fill(menu);
     menu.addSeparator();
     addAction(menu, tr("&Quit"), tr("Ctrl+Q"), [this] { close(); });
 }
@@ -105,6 +108,8 @@ void MainWindow::makeEditMenu() {
     m_clear = addAction(
         menu, tr("&Clear Hits"), tr("Ctrl+Shift+Del"), [this] { m_session.clearHits(); },
         QStringLiteral("remove"));
+    menu.addSeparator();
+    m_cameraActions->fillEdit(menu);
 }
 
 QMenu* MainWindow::makeWireframeMenu() {
@@ -168,21 +173,12 @@ void MainWindow::makeViewMenu() {
     m_frame = addAction(
         menu, tr("&Frame Selection"), Qt::Key_F, [this] { m_viewport->frameSelection(); },
         QStringLiteral("frame"));
-    addAction(menu, tr("Frame &All"), tr("Shift+F"), [this] { m_viewport->frameAll(); });
-    QMenu& fly = *menu.addMenu(tr("Fl&y"));
-    const std::pair<QString, QString> names[] = {{tr("Forward"), tr("W")}, {tr("Back"), tr("S")},
-                                                 {tr("Left"), tr("A")},    {tr("Right"), tr("D")},
-                                                 {tr("Up"), tr("E")},      {tr("Down"), tr("Q")}};
-    const glm::vec3 steps[] = {{0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, -1.0f}, {-1.0f, 0.0f, 0.0f},
-                               {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f},  {0.0f, -1.0f, 0.0f}};
-    for (std::size_t i = 0; i < std::size(steps); ++i) {
-        addHeldKey(fly, names[i].first, names[i].second,
-                   [this, step = steps[i]] { m_viewport->navigation().flyStep(step); });
-    }
+    m_cameraActions->fill(menu);
     menu.addSeparator();
     m_docksMenu = menu.addMenu(tr("&Docks"));
     makeThemeMenus(menu);
     addAction(menu, tr("&Reset Layout"), {}, [this] { resetLayout(); });
+    m_fullView->fill(menu);
     addToggle(menu, tr("F&ull Screen"), Qt::Key_F11, false,
               [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
     menu.addSeparator();
@@ -270,9 +266,18 @@ void MainWindow::makeLightsMenu() {
                             [this](bool on) { toggleLight([on](Lights& lights) { lights.spot.on = on; }); });
 }
 
+void MainWindow::showKeys() {
+    auto* overlay = findChild<KeysOverlay*>();
+    if (overlay == nullptr) {
+        overlay = new KeysOverlay(*this);
+    }
+    const Navigation& navigation = m_viewport->navigation();
+    overlay->toggle({mouseKeys(navigation.preset(), navigation.orbitMode()), heldKeys()});
+}
+
 void MainWindow::makeHelpMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Help"));
-    addAction(menu, tr("&Keys and Mouse"), Qt::Key_F1, [this] { showKeysSheet(this); });
+    addAction(menu, tr("&Keys and Mouse"), Qt::Key_F1, [this] { showKeys(); });
     menu.addSeparator();
     addAction(menu, tr("&About Hitscope"), {}, [this] {
         const std::optional<Exactness>& exactness = m_session.exactness();

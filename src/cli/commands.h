@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 #include "core/result.h"
 #include "pipeline/pipeline_kind.h"
@@ -30,5 +31,10 @@ struct DemoOptions {
 /// Prints what draws without a window, how many hits its uniform arrays hold, and whether it deforms as the
 /// reference does in every bit.
 [[nodiscard]] Status runRendererInfo();
+
+/// hitscope-cli picture: one picture of a scene as a PNG file. The exit status.
+int pictureCommand(const QStringList& arguments);
+/// hitscope-cli sequence: a turntable, or the hits one by one, as PNG files. The exit status.
+int sequenceCommand(const QStringList& arguments);
 
 }  // namespace hitscope::cli

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDir>
-#include <QFileInfo>
 #include <QStringList>
 #include <QTextStream>
 #include <algorithm>
@@ -8,10 +7,10 @@
 #include <glm/geometric.hpp>
 
 #include "cli/commands.h"
+#include "cli/load_scene.h"
 #include "deform/reference.h"
 #include "gl/context.h"
 #include "gl/render_target.h"
-#include "io/import.h"
 #include "io/save_image.h"
 #include "session/demo_shots.h"
 #include "session/export_target.h"
@@ -165,22 +164,6 @@ Result<QStringList> comparePipelines(Demo& demo, const Session& session) {
         lines << name + QStringLiteral(": ") + agreementText(agreement.value(), session);
     }
     return lines;
-}
-
-Status loadScene(Session& session, const QString& meshPath, QTextStream& out) {
-    if (meshPath.isEmpty()) {
-        session.loadPaperRow(kDefaultPaperRow);
-        return Done{};
-    }
-    Result<ImportedMesh> imported = importMesh(meshPath);
-    if (!imported) {
-        return imported.error();
-    }
-    for (const QString& note : imported.value().notes) {
-        out << "note: " << note << "\n";
-    }
-    session.loadMesh(std::move(imported.value().mesh), QFileInfo(meshPath).absoluteFilePath());
-    return Done{};
 }
 
 }  // namespace

@@ -113,11 +113,13 @@ int printUsage() {
     QTextStream(stdout)
         << "Usage: hitscope-cli COMMAND [options]\n\n"
         << "Commands:\n"
-        << "  demo   shoot at the paper's scene or a mesh, compare the pipelines, write pictures\n"
-        << "         and the deformed mesh\n"
-        << "  shoot  shoot a burst or a saved script, print what was hit\n"
-        << "  info   print what is in a mesh file, or what draws (--renderer)\n"
-        << "  bench  measure the pipelines: frames, hits, the paper's tables\n\n"
+        << "  demo      shoot at the paper's scene or a mesh, compare the pipelines, write pictures\n"
+         << "            and the deformed mesh\n"
+         << "  shoot     shoot a burst or a saved script, print what was hit\n"
+         << "  picture   draw a scene into a PNG file of any size\n"
+         << "  sequence  draw a turntable, or the hits one by one, into PNG files\n"
+         << "  info      print what is in a mesh file, or what draws (--renderer)\n"
+         << "  bench     measure the pipelines: frames, hits, the paper's tables\n\n"
         << "Options:\n"
         << "  --help     this text; hitscope-cli COMMAND --help for a command's options\n"
         << "  --version  the version\n";
@@ -154,6 +156,12 @@ int main(int argc, char** argv) {
     }
     if (command == QLatin1String("info")) {
         return info(arguments);
+    }
+    if (command == QLatin1String("picture")) {
+        return hitscope::cli::pictureCommand(arguments);
+    }
+    if (command == QLatin1String("sequence")) {
+        return hitscope::cli::sequenceCommand(arguments);
     }
     if (command == QLatin1String("bench")) {
         return hitscope::bench::benchCommand(arguments);

@@ -64,6 +64,14 @@ RenderTarget::RenderTarget(int width, int height, int samples)
     m_complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
+int RenderTarget::longestSide() {
+    GLint storage = 0;
+    GLint viewport[2] = {0, 0};
+    glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &storage);
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
+    return std::min({storage, viewport[0], viewport[1]});
+}
+
 Image RenderTarget::read() const {
     const KeepFramebuffers keep;
     Framebuffer resolved;

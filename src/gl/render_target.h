@@ -12,6 +12,8 @@ public:
     /// width, height in pixels, > 0. samples: 1, or the number wanted (clamped to what the driver has).
     RenderTarget(int width, int height, int samples = 1);
 
+    /// The most pixels that a side may have here. A context is current.
+    [[nodiscard]] static int longestSide();
     /// False where the driver cannot give that much; there is nothing to draw into or read then.
     [[nodiscard]] bool isComplete() const { return m_complete; }
     [[nodiscard]] GLuint framebuffer() const { return m_framebuffer.id(); }

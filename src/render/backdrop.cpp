@@ -22,6 +22,9 @@ gl::Defines floorDefines(const FrameContext& context) {
 }  // namespace
 
 Status drawBackground(const FrameContext& context) {
+    if (context.frame.options.transparent) {
+        return Done{};
+    }
     const auto program = context.programs.get("background.vert", "background.frag");
     if (!program) {
         return program.error();

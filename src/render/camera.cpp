@@ -11,9 +11,9 @@
 namespace hitscope {
 namespace {
 
-constexpr float kHighestPitch = 1.5608f;  // radians: a degree short of straight down
-constexpr float kLargestNear = 0.05f;     // metres: half a projectile's radius
-constexpr float kNearOfDistance = 0.01f;  // of the distance to the pivot
+constexpr float kHighestPitch = 1.5707962f;  // the last number before a right angle, so that up stays up
+constexpr float kLargestNear = 0.05f;        // metres: half a projectile's radius
+constexpr float kNearOfDistance = 0.01f;     // of the distance to the pivot
 constexpr float kLeastNearOfFar =
     1.0f / 2.0e4f;                     // 24 bits of depth still part 1/300 of the distance at the end
 constexpr float kFloorOfScene = 2.5f;  // how far the floor goes on, in scene radii or distances
@@ -50,11 +50,28 @@ glm::mat4 Camera::view() const {
     return glm::translate(rotation, -from);
 }
 
-glm::mat4 Camera::projection(float aspect) const {
+float Camera::farPlane() const {
     // The corners of the floor's square are sqrt(2) of its reach away.
-    const float far = m_distance + 1.5f * floorReach();
-    const float near = std::max(std::min(kLargestNear, kNearOfDistance * m_distance), kLeastNearOfFar * far);
-    return glm::perspective(m_fieldOfView, aspect, near, far);
+    return m_distance + 1.5f * floorReach();
+}
+
+float Camera::nearPlane() const {
+    if (isOrthographic()) {
+        return m_distance - 1.5f * floorReach();  // as far before the pivot as the other is behind it
+    }
+    return std::max(std::min(kLargestNear, kNearOfDistance * m_distance), kLeastNearOfFar * farPlane());
+}
+
+float Camera::heightAt(float distance) const {
+    return 2.0f * (isOrthographic() ? m_distance : distance) * std::tan(0.5f * m_fieldOfView);
+}
+
+glm::mat4 Camera::projection(float aspect) const {
+    if (isOrthographic()) {
+        const float half = 0.5f * heightAt(m_distance);
+        return glm::ortho(-half * aspect, half * aspect, -half, half, nearPlane(), farPlane());
+    }
+    return glm::perspective(m_fieldOfView, aspect, nearPlane(), farPlane());
 }
 
 float Camera::floorReach() const {
@@ -62,9 +79,12 @@ float Camera::floorReach() const {
 }
 
 Ray Camera::rayThrough(const glm::vec2& ndc, float aspect) const {
-    const float height = std::tan(0.5f * m_fieldOfView);
-    const glm::vec3 direction = forward() + right() * (ndc.x * height * aspect) + up() * (ndc.y * height);
-    return {eye(), glm::normalize(direction)};
+    const float half = 0.5f * heightAt(1.0f);
+    const glm::vec3 aside = right() * (ndc.x * half * aspect) + up() * (ndc.y * half);
+    if (isOrthographic()) {
+        return {eye() + aside + forward() * nearPlane(), forward()};
+    }
+    return {eye(), glm::normalize(forward() + aside)};
 }
 
 void Camera::setPivot(const glm::vec3& pivot, float yaw, float pitch, float distance) {
@@ -81,9 +101,24 @@ void Camera::orbit(float yaw, float pitch) {
     m_pitch = std::clamp(m_pitch + pitch, -kHighestPitch, kHighestPitch);
 }
 
+void Camera::orbitAbout(const glm::vec3& point, float yaw, float pitch) {
+    // Where the pivot is as seen from the point, along the camera's own axes, does not change.
+    const glm::vec3 away = m_pivot - point;
+    const glm::vec3 seen(glm::dot(away, right()), glm::dot(away, up()), glm::dot(away, forward()));
+    orbit(yaw, pitch);
+    m_pivot = point + right() * seen.x + up() * seen.y + forward() * seen.z;
+}
+
+void Camera::look(float yaw, float pitch) {
+    orbitAbout(eye(), yaw, pitch);
+}
+
+void Camera::setFieldOfView(float radians) {
+    m_fieldOfView = std::clamp(radians, kNarrowest, kWidest);
+}
+
 void Camera::pan(const glm::vec2& delta) {
-    const float height = 2.0f * m_distance * std::tan(0.5f * m_fieldOfView);
-    m_pivot -= (right() * delta.x + up() * delta.y) * height;
+    m_pivot -= (right() * delta.x + up() * delta.y) * heightAt(m_distance);
 }
 
 void Camera::zoom(float factor) {
@@ -109,7 +144,7 @@ void Camera::frame(const Bounds& bounds, float aspect) {
         const glm::vec3 offset = half * glm::vec3((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1,
                                                   (corner & 4) != 0 ? 1 : -1);
         // The corner is in the picture when |x|, |y| <= (distance + depth) * half the picture's size there.
-        const float depth = glm::dot(offset, forward());
+        const float depth = isOrthographic() ? 0.0f : glm::dot(offset, forward());
         const float x = std::abs(glm::dot(offset, right())) / (height * aspect);
         const float y = std::abs(glm::dot(offset, up())) / height;
         distance = std::max(distance, kMargin * std::max(x, y) - depth);

@@ -30,6 +30,8 @@ struct DisplayOptions {
     bool dots = false;        ///< vertices, seen from close by
     bool backFaces = false;   ///< tinted
     bool shadows = false;     ///< of the directional light
+    /// No background: what is not covered stays transparent, and colours are premultiplied by their opacity.
+    bool transparent = false;
 };
 
 }  // namespace hitscope

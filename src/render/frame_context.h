@@ -27,7 +27,17 @@ struct FrameContext {
     glm::vec3 eye{0.0f};
     glm::vec3 forward{0.0f};
     const ShadowMap* shadows = nullptr;  ///< null: none
-    float pixelsAtOneMetre = 1.0f;       ///< how many pixels a metre takes, a metre from the eye
+    float pixelsAtOneMetre = 1.0f;  ///< how many pixels a metre takes, a metre from the eye; or anywhere,
+                                    ///< orthographic
+    /// Added to clip.z it brings something nearer by the size that a pixel has there, to first order.
+    /// Perspective: clip.z = A d + B and clip.w = d at a distance d, so depth is A + B / d; b B on top is as
+    /// a distance of (1 - b) d. Orthographic: clip.z = -A d + B and clip.w = 1.
+    float depthPerPixel = 0.0f;
+
+    /// How many pixels a metre takes at a distance (> 0) from the eye.
+    [[nodiscard]] float pixelsAt(float distance) const {
+        return frame.camera.isOrthographic() ? pixelsAtOneMetre : pixelsAtOneMetre / distance;
+    }
 };
 
 /// Of the original shape, in the world; empty for a mesh without vertices.

@@ -23,7 +23,7 @@ constexpr glm::vec2 kDotsApart(11.0f, 20.0f);  // logical pixels: dots start to 
 
 /// Logical pixels that a metre takes at this distance.
 float pixelsAt(const FrameContext& context, float distance) {
-    return context.pixelsAtOneMetre / context.frame.pixelRatio / std::max(distance, 1.0e-3f);
+    return context.pixelsAt(std::max(distance, 1.0e-3f)) / context.frame.pixelRatio;
 }
 
 /// Logical pixels of a usual edge, where the target is nearest to the eye.
@@ -33,10 +33,8 @@ float nearestEdgePixels(const FrameContext& context, const DrawItem& item) {
     return item.buffers->usualEdge() * pixelsAt(context, glm::distance(context.eye, nearest));
 }
 
-/// clip.z = A d + B and clip.w = d at a distance d, so depth is A + B / d; b B on top is as a distance of
-/// (1 - b) d, to first order.
 float depthShift(const FrameContext& context) {
-    return context.projection[3][2] * kLinesAhead / context.pixelsAtOneMetre;
+    return context.depthPerPixel * kLinesAhead;
 }
 
 void setWideLine(const gl::Program& program, const FrameContext& context, float width) {

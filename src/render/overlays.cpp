@@ -13,6 +13,28 @@ constexpr float kRingWidth = 1.6f;        // logical pixels
 constexpr float kCrosshairReach = 13.0f;  // logical pixels, with a margin around the arms
 constexpr float kRingMargin = 8.0f;       // pixels around the outline for its width
 
+/// How a sphere is seen.
+struct Outline {
+    float radius = 0.0f;    ///< metres, around its centre; 0: it is not seen from outside
+    glm::vec3 ahead{0.0f};  ///< unit, the way one looks at its centre
+    float pixel = 0.0f;     ///< metres that a pixel takes there
+};
+
+Outline outlineOf(const Sphere& sphere, const FrameContext& context) {
+    if (context.frame.camera.isOrthographic()) {
+        return {sphere.radius, context.forward, 1.0f / context.pixelsAtOneMetre};
+    }
+    const glm::vec3 away = sphere.centre - context.eye;
+    const float distance = glm::length(away);
+    if (distance <= sphere.radius || glm::dot(away, context.forward) <= 0.0f) {
+        return {};  // the eye is within it, or it lies behind
+    }
+    // It is wider than the section through the centre: the tangents meet the sphere in front of that.
+    const float ratio = sphere.radius / distance;
+    return {sphere.radius / std::sqrt(1.0f - ratio * ratio), away / distance,
+            distance / context.pixelsAtOneMetre};
+}
+
 }  // namespace
 
 Status drawHighlightedHit(const FrameContext& context) {
@@ -21,28 +43,24 @@ Status drawHighlightedHit(const FrameContext& context) {
         return Done{};
     }
     const Sphere& hit = *frame.highlightedHit;
-    const glm::vec3 toHit = hit.centre - context.eye;
-    const float distance = glm::length(toHit);
-    if (distance <= hit.radius || glm::dot(toHit, context.forward) <= 0.0f) {
-        return Done{};  // the eye is within it, or it lies behind
+    const Outline outline = outlineOf(hit, context);
+    if (outline.radius <= 0.0f) {
+        return Done{};
     }
     const auto program = context.programs.get("ring.vert", "ring.frag");
     if (!program) {
         return program.error();
     }
-    // A sphere's outline is wider than its section through the centre: the tangents meet it in front of that.
-    const glm::vec3 ahead = toHit / distance;
-    const glm::vec3 right = glm::normalize(glm::cross(ahead, frame.camera.up()));
-    const glm::vec3 up = glm::cross(right, ahead);
-    const float outline = hit.radius / std::sqrt(1.0f - (hit.radius / distance) * (hit.radius / distance));
-    const float half = outline + kRingMargin * frame.pixelRatio * distance / context.pixelsAtOneMetre;
+    const glm::vec3 right = glm::normalize(glm::cross(outline.ahead, frame.camera.up()));
+    const glm::vec3 up = glm::cross(right, outline.ahead);
+    const float half = outline.radius + kRingMargin * frame.pixelRatio * outline.pixel;
     const gl::Program& ring = *program.value();
     ring.use();
     ring.set("u_viewProjection", context.viewProjection);
     ring.set("u_centre", hit.centre);
     ring.set("u_right", right * half);
     ring.set("u_up", up * half);
-    ring.set("u_radius", outline / half);
+    ring.set("u_radius", outline.radius / half);
     ring.set("u_width", std::max(1.0f, kRingWidth * frame.pixelRatio));
     ring.set("u_colour", glm::vec4(context.colours.accent, kRingOpacity));
     glDisable(GL_DEPTH_TEST);

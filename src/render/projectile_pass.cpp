@@ -27,7 +27,7 @@ constexpr Fineness kFineness[ProjectilePass::kLevels] = {{24, 16, 12.0f}, {12, 8
 
 std::size_t levelOf(const Sphere& sphere, const FrameContext& context) {
     const float distance = glm::distance(sphere.centre, context.eye);
-    const float pixels = sphere.radius * context.pixelsAtOneMetre / std::max(distance, sphere.radius);
+    const float pixels = sphere.radius * context.pixelsAt(std::max(distance, sphere.radius));
     std::size_t level = 0;
     while (pixels < kFineness[level].pixels) {
         ++level;

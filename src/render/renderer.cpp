@@ -54,8 +54,14 @@ void prepareFramebuffer(const Frame& frame, GLuint framebuffer) {
     glDepthFunc(GL_LESS);
     glLineWidth(1.0f);
     glBlendEquation(GL_FUNC_ADD);
-    // The picture stays opaque whatever is drawn over it: the window is put together with others.
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    if (frame.options.transparent) {
+        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+        glClear(GL_COLOR_BUFFER_BIT);
+    } else {
+        // The picture stays opaque whatever is drawn over it: the window is put together with others.
+        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    }
     glClearDepth(1.0);
     glClear(GL_DEPTH_BUFFER_BIT);
 }
@@ -84,8 +90,9 @@ FrameContext makeContext(const Frame& frame, ProgramCache& programs, ColourTextu
     context.viewProjection = context.projection * frame.camera.view();
     context.eye = frame.camera.eye();
     context.forward = frame.camera.forward();
-    context.pixelsAtOneMetre =
-        0.5f * static_cast<float>(frame.height) / std::tan(0.5f * frame.camera.fieldOfView());
+    context.pixelsAtOneMetre = static_cast<float>(frame.height) / frame.camera.heightAt(1.0f);
+    context.depthPerPixel =
+        context.projection[frame.camera.isOrthographic() ? 2 : 3][2] / context.pixelsAtOneMetre;
     return context;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/aim.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -27,6 +28,16 @@ glm::vec3 launchDirection(const glm::vec3& from, const glm::vec3& to, float spee
     }
     const double slope = (v2 - std::sqrt(discriminant)) / (kGravity * aside);
     return glm::normalize(glm::vec3(straight.x, static_cast<float>(slope * aside), straight.z));
+}
+
+Ray shotAlong(const Ray& ray, const Camera& camera, const std::optional<glm::vec3>& met) {
+    if (!camera.isOrthographic()) {
+        return ray;
+    }
+    const glm::vec3 towards = met.value_or(camera.eye()) - ray.origin;
+    const float before = met ? camera.distance() : 0.0f;
+    const float along = std::max(glm::dot(towards, ray.direction) - before, 0.0f);
+    return {ray.origin + along * ray.direction, ray.direction};
 }
 
 }  // namespace hitscope

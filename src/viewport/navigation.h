@@ -4,33 +4,48 @@
 #include <QObject>
 #include <QPointF>
 #include <QSizeF>
+#include <functional>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "render/camera.h"
+#include "viewport/camera_glide.h"
 #include "viewport/fly_keys.h"
 #include "viewport/navigation_preset.h"
+#include "viewport/standard_view.h"
 
 class QKeyEvent;
 class QMouseEvent;
+class QNativeGestureEvent;
 class QWheelEvent;
 
 namespace hitscope {
 
-/// The hand on the camera: mouse, wheel and keys become camera motion. Draws nothing and knows no scene; what
-/// a click does is the viewport's business, which asks hasDragged() whether a press has become a drag.
+/// The hand on the camera: mouse, wheel, trackpad and keys become camera motion. Draws nothing and knows no
+/// scene; what a click does is the viewport's business, which asks hasDragged() whether a press has become a
+/// drag. What sets the camera somewhere else glides there, and any event of the hand stops it.
 class Navigation : public QObject {
     Q_OBJECT
 public:
-    explicit Navigation(QObject* parent = nullptr);
+    /// The surface point (metres, world) under a place of the view (logical pixels); nothing if there is
+    /// none.
+    using SurfaceAt = std::function<std::optional<glm::vec3>(const QPointF&)>;
+
+    explicit Navigation(SurfaceAt surfaceAt, QObject* parent = nullptr);
 
     [[nodiscard]] const Camera& camera() const { return m_camera; }
-    void setSceneRadius(float radius) { m_camera.setSceneRadius(radius); }
+    /// Where the camera is or will be once it has arrived.
+    [[nodiscard]] const Camera& goal() const { return m_glide.isRunning() ? m_glide.goal() : m_camera; }
+    void setSceneRadius(float radius);
     void setViewSize(const QSizeF& size) { m_size = size; }  ///< logical pixels
     [[nodiscard]] float aspect() const;
     [[nodiscard]] Ray rayAt(const QPointF& position) const;  ///< logical pixels
 
     [[nodiscard]] NavigationPreset preset() const { return m_preset; }
-    void setPreset(NavigationPreset preset) { m_preset = preset; }
+    void setPreset(NavigationPreset preset);
+    [[nodiscard]] OrbitMode orbitMode() const { return m_orbitMode; }
+    void setOrbitMode(OrbitMode mode);
+    void setGlides(bool on);  ///< off: the camera is there at once
 
     // Events. A left press waits until it has moved a little: it may be a click.
     void press(const QMouseEvent& event);
@@ -39,31 +54,47 @@ public:
     /// Since the last press: the mouse has moved too far for a click, or the button moves the camera at once.
     [[nodiscard]] bool hasDragged() const { return m_dragged; }
     void wheel(const QWheelEvent& event);
+    bool gesture(const QNativeGestureEvent& event);  ///< false when it is none of the camera's
     /// False when the key is none of the camera's.
     bool keyPress(const QKeyEvent& event);
     bool keyRelease(const QKeyEvent& event);
     void releaseKeys() { m_flyKeys.clear(); }
 
-    [[nodiscard]] bool isMoving() const { return m_flyKeys.any(); }
+    [[nodiscard]] bool isMoving() const { return m_flyKeys.any() || m_glide.isRunning(); }
     void advance(double seconds);  ///< of what moves by itself
 
-    void frame(const Bounds& bounds);  ///< nothing for empty ones
+    enum class Arrival : std::uint8_t { Glide, AtOnce };
+    void setCamera(const Camera& camera, Arrival arrival = Arrival::Glide);
+    void frame(const Bounds& bounds, Arrival arrival = Arrival::Glide);  ///< nothing for empty ones
+    void show(StandardView view);
+    void setProjection(Projection projection);
     void recentre(const glm::vec3& point);
     void flyStep(const glm::vec3& step);  ///< right, up, forward; 1 is a fair stride
 
 Q_SIGNALS:
     void cameraChanged();
+    void fieldOfViewChanged();  ///< by hand: worth saying
+    void settingsChanged();     ///< preset, orbit mode
 
 private:
-    void drag(const QPointF& delta);
+    void moveBy(CameraMotion motion, const QPointF& delta);
+    void orbit(float yaw, float pitch);
+    void fly(const glm::vec3& step);
+    void turnWheel(float notches, bool fieldOfView);
+    void takeHold();  ///< the hand moves the camera from where it is
 
+    SurfaceAt m_surfaceAt;
     Camera m_camera;
+    CameraGlide m_glide;
+    bool m_glides = true;
     QSizeF m_size{1.0, 1.0};
     NavigationPreset m_preset = NavigationPreset::Hitscope;
+    OrbitMode m_orbitMode = OrbitMode::Point;
     CameraMotion m_motion = CameraMotion::None;
     bool m_dragged = false;
     QPointF m_pressedAt;
     QPointF m_draggedTo;
+    std::optional<glm::vec3> m_orbitPoint;  ///< of the drag under way
     FlyKeys m_flyKeys;
     bool m_flyFast = false;
 };

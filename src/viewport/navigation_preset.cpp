@@ -38,4 +38,10 @@ CameraMotion motionOf(NavigationPreset preset, Qt::MouseButton button, Qt::Keybo
     return found;
 }
 
+CameraMotion trackpadMotion(Qt::KeyboardModifiers keys) {
+    return keys.testFlag(Qt::ShiftModifier)     ? CameraMotion::Pan
+           : keys.testFlag(Qt::ControlModifier) ? CameraMotion::Zoom
+                                                : CameraMotion::Orbit;
+}
+
 }  // namespace hitscope

@@ -7,8 +7,16 @@
 
 namespace hitscope {
 
-/// What a drag does to the camera.
+/// What a drag, or two fingers on a trackpad, do to the camera.
 enum class CameraMotion : std::uint8_t { None, Orbit, Pan, Zoom };
+
+/// What orbiting turns about.
+enum class OrbitMode : std::uint8_t {
+    Point,      ///< the surface point under the cursor when the drag began; the pivot where there is none
+    Turntable,  ///< the camera's pivot
+    Fly,        ///< the eye: it looks around
+};
+inline constexpr int kOrbitModes = 3;
 
 /// Whose habits mouse and trackpad follow.
 enum class NavigationPreset : std::uint8_t {
@@ -29,5 +37,8 @@ struct DragBinding {
 /// nothing: it belongs to someone else.
 [[nodiscard]] CameraMotion motionOf(NavigationPreset preset, Qt::MouseButton button,
                                     Qt::KeyboardModifiers keys);
+
+/// What two fingers moving on a trackpad do.
+[[nodiscard]] CameraMotion trackpadMotion(Qt::KeyboardModifiers keys);
 
 }  // namespace hitscope

@@ -8,8 +8,10 @@
 #include <utility>
 
 #include "gl/context.h"
+#include "gl/swap_interval.h"
 #include "session/frame_costs.h"
 #include "viewport/surface_format.h"
+#include "viewport/view_label.h"
 
 namespace hitscope {
 
@@ -22,7 +24,11 @@ constexpr double kNanosecond = 1.0e-9;  // seconds
 
 }  // namespace
 
-Viewport::Viewport(Session& session, QWidget* parent) : QOpenGLWidget(parent), m_session(session) {
+Viewport::Viewport(Session& session, QWidget* parent)
+    : QOpenGLWidget(parent), m_session(session), m_navigation([this](const QPointF& position) {
+          const auto met = aimedAt(m_navigation.rayAt(position));
+          return met ? std::optional(met->point) : std::nullopt;
+      }) {
     setFormat(viewportFormat());
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(240, 180);
@@ -48,6 +54,7 @@ Viewport::Viewport(Session& session, QWidget* parent) : QOpenGLWidget(parent), m
     connect(&session, &Session::targetAdded, this, &Viewport::followSize);
     connect(&session, &Session::targetRemoved, this, &Viewport::followSize);
     connect(&session, &Session::targetChanged, this, &Viewport::followSize);
+    new ViewLabel(m_navigation, this);
     followScene();
 }
 
@@ -59,6 +66,7 @@ void Viewport::initializeGL() {
     // The context goes when the widget is moved to another window, and takes all GL objects with it.
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseGpu,
             Qt::DirectConnection);
+    m_unlimited = false;  // another context, perhaps in another window
     const gl::RendererInfo info = gl::rendererInfo();
     m_rendererName = QString::fromStdString(info.renderer);
     m_rendererVersion = QString::fromStdString(info.version);
@@ -80,6 +88,7 @@ void Viewport::releaseGpu() {
     if (m_scene) {
         m_session.setCatchUp({});
         makeCurrent();
+        Q_EMIT aboutToReleaseGpu();
         m_scene.reset();
         doneCurrent();
     }
@@ -99,7 +108,7 @@ void Viewport::resizeGL(int, int) {
     followViewSize();
     if (!m_framed) {
         m_framed = true;
-        frameAll();
+        frameAll(Navigation::Arrival::AtOnce);
     }
 }
 
@@ -165,7 +174,16 @@ bool Viewport::wantsFrames() const {
                            (m_scene && m_scene->isReadBackPending()));
 }
 
+/// Right after a frame, while the window it was shown in is still what GL draws into.
+void Viewport::followRefresh() {
+    if (m_unlimited != m_continuous) {
+        m_unlimited = m_continuous;
+        gl::setSwapInterval(m_unlimited ? 0 : 1);
+    }
+}
+
 void Viewport::moveOn() {
+    followRefresh();
     if (!wantsFrames()) {
         m_costsTimer.start();
         m_clock.invalidate();
@@ -204,21 +222,22 @@ void Viewport::setOptions(const DisplayOptions& options) {
 
 void Viewport::setDrawsContinuously(bool on) {
     m_continuous = on;
+    m_navigation.setGlides(!on);  // what is measured stands still
     update();
 }
 
 void Viewport::followScene() {
     m_heldShot.reset();
     followSize();
-    frameAll();
+    frameAll(Navigation::Arrival::AtOnce);
 }
 
 void Viewport::followSize() {
     m_navigation.setSceneRadius(std::max(m_session.sceneBounds().diagonal(), 1.0e-3f));
 }
 
-void Viewport::frameAll() {
-    m_navigation.frame(m_session.sceneBounds());
+void Viewport::frameAll(Navigation::Arrival arrival) {
+    m_navigation.frame(m_session.sceneBounds(), arrival);
 }
 
 void Viewport::frameSelection() {
@@ -250,16 +269,49 @@ void Viewport::catchUp() {
     doneCurrent();
 }
 
-Status Viewport::syncNow() {
+Status Viewport::withScene(const std::function<Status(SceneGpu&)>& work) {
     if (!m_scene) {
-        return Error{"There is no picture, so there is nothing to take the deformed mesh from.", "",
+        return Error{"There is no picture: nothing can be drawn here.", "",
                      "Start Hitscope where OpenGL 3.3 is available."};
     }
-    makeCurrent();
-    Status status = m_scene->sync();
-    doneCurrent();
+    // The context may be current already: while it is being given back, or in the middle of a frame.
+    const bool current = QOpenGLContext::currentContext() == context();
+    if (!current) {
+        makeCurrent();
+    }
+    Status status = work(*m_scene);
+    if (!current) {
+        doneCurrent();
+    }
+    return status;
+}
+
+Status Viewport::syncNow() {
+    Status status = withScene([](SceneGpu& scene) { return scene.sync(); });
     update();  // normals may have come with it
     return status;
+}
+
+PictureRequest Viewport::pictureRequest() const {
+    const SceneGpu::View shown = view();
+    return {shown.width, shown.height, m_navigation.goal(), m_options};
+}
+
+Result<Image> Viewport::drawPicture(const PictureRequest& request) {
+    Image image;
+    Status status = withScene([&](SceneGpu& scene) -> Status {
+        Result<Image> drawn = hitscope::drawPicture(scene, request);
+        if (!drawn) {
+            return drawn.error();
+        }
+        image = std::move(drawn).value();
+        return Done{};
+    });
+    if (!status) {
+        return status.error();
+    }
+    update();
+    return image;
 }
 
 }  // namespace hitscope

@@ -4,9 +4,11 @@
 #include <QElapsedTimer>
 #include <QOpenGLWidget>
 #include <QTimer>
+#include <functional>
 #include <memory>
 #include <optional>
 
+#include "session/picture.h"
 #include "session/scene_gpu.h"
 #include "viewport/change_overlay.h"
 #include "viewport/navigation.h"
@@ -36,12 +38,12 @@ public:
     /// the viewport or another call.
     void setChangeValues(const ChangeValues* values, Comparison* comparison);
     [[nodiscard]] bool drawsContinuously() const { return m_continuous; }
-    /// A frame after the other even if nothing moves: for measuring.
+    /// A frame after the other even if nothing moves, as many as there can be: for measuring.
     void setDrawsContinuously(bool on);
 
     [[nodiscard]] Navigation& navigation() { return m_navigation; }
     [[nodiscard]] const Camera& camera() const { return m_navigation.camera(); }
-    void frameAll();
+    void frameAll(Navigation::Arrival arrival = Navigation::Arrival::Glide);
     void frameSelection();  ///< the selected target; all if none is
     void shootAtCrosshair();
     /// Through a place of the picture, in fractions of its size from the top left corner.
@@ -54,6 +56,13 @@ public:
     /// Brings the GPU and the read-back to the session's state now: before an export. Fails when there is no
     /// GL.
     [[nodiscard]] Status syncNow();
+    [[nodiscard]] const Session& session() const { return m_session; }
+    /// What is shown now, at the viewport's own pixels.
+    [[nodiscard]] PictureRequest pictureRequest() const;
+    /// Errors are hitscope::drawPicture()'s, or that there is no GL.
+    [[nodiscard]] Result<Image> drawPicture(const PictureRequest& request);
+    /// Does something with the scene on the GPU while its context is current; fails when there is none.
+    [[nodiscard]] Status withScene(const std::function<Status(SceneGpu&)>& work);
     /// "llvmpipe (LLVM 15.0.6, 256 bits)"; empty before the first frame.
     [[nodiscard]] QString rendererName() const { return m_rendererName; }
     [[nodiscard]] QString rendererVersion() const { return m_rendererVersion; }
@@ -66,9 +75,13 @@ Q_SIGNALS:
     void framePainted(double seconds);
     void rendererKnown();
     void shot(const hitscope::Ray& ray);        ///< by click or key, along this line of sight
+    /// The context goes, and with it all GL objects; it is current. The scene is built anew from the session
+    /// when there is another.
+    void aboutToReleaseGpu();
     void failed(const hitscope::Error& error);  ///< no picture can be drawn; emitted once for each reason
 
 protected:
+    bool event(QEvent* event) override;
     void initializeGL() override;
     void resizeGL(int width, int height) override;
     void paintGL() override;
@@ -91,6 +104,7 @@ private:
     void followSize();
     [[nodiscard]] bool wantsFrames() const;
     void catchUp();
+    void followRefresh();
     void moveOn();        ///< after a frame: advances what moves by the time since the last
     void collectCosts();  ///< of the last frames, once no more follow
     [[nodiscard]] SceneGpu::View view() const;
@@ -116,6 +130,7 @@ private:
     bool m_framed = false;  ///< the scene has been framed at a real size
 
     bool m_continuous = false;
+    bool m_unlimited = false;    ///< frames do not wait for the screen
     QElapsedTimer m_clock;       ///< since moveOn() last ran; invalid while nothing moves
     QElapsedTimer m_sinceFrame;  ///< since the last frame ended
     QTimer m_costsTimer;

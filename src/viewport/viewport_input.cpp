@@ -2,6 +2,7 @@
 // Mouse, wheel and keys of the viewport.
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QNativeGestureEvent>
 #include <QWheelEvent>
 #include <algorithm>
 
@@ -15,6 +16,15 @@ namespace {
 constexpr float kAimLength = 8.0f;  // how far aiming looks, in camera distances plus scene sizes
 
 }  // namespace
+
+bool Viewport::event(QEvent* event) {
+    if (event->type() == QEvent::NativeGesture &&
+        m_navigation.gesture(*static_cast<QNativeGestureEvent*>(event))) {
+        event->accept();
+        return true;
+    }
+    return QOpenGLWidget::event(event);
+}
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
     fireHeldShot();
@@ -70,9 +80,10 @@ std::optional<PhysicsWorld::RayHit> Viewport::aimedAt(const Ray& ray) const {
 }
 
 Ray Viewport::launched(const Ray& ray) const {
-    Ray shot = ray;
-    if (const auto met = aimedAt(ray); met && met->point != ray.origin) {
-        shot.direction = launchDirection(ray.origin, met->point, m_session.projectileSettings().speed);
+    const auto met = aimedAt(ray);
+    Ray shot = shotAlong(ray, camera(), met ? std::optional(met->point) : std::nullopt);
+    if (met && met->point != shot.origin) {
+        shot.direction = launchDirection(shot.origin, met->point, m_session.projectileSettings().speed);
     }
     return shot;
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "physics_support.h"
+#include "render/camera_text.h"
 #include "render/lights.h"
 
 using namespace hitscope;
@@ -22,6 +23,15 @@ glm::vec3 project(const Camera& camera, float aspect, const glm::vec3& point) {
 
 bool isNear(const glm::vec3& a, const glm::vec3& b, float tolerance) {
     return glm::length(a - b) <= tolerance;
+}
+
+Camera someCamera(Random& random, Projection projection) {
+    Camera camera;
+    camera.setSceneRadius(20.0f);
+    camera.setProjection(projection);
+    camera.setPivot(10.0f * random.direction(), random.between(-3, 3), random.between(-1.4f, 1.4f),
+                    random.between(1, 30));
+    return camera;
 }
 
 }  // namespace
@@ -39,6 +49,14 @@ private Q_SLOTS:
     void zoomKeepsWithinLimits();
     void flyMovesTheEye();
     void recentreKeepsDirectionAndDistance();
+    void orthographicRayGoesThroughWhatProjectsThere();
+    void projectionsAgreeAtThePivot();
+    void orthographicFramesTheWholeBox();
+    void orbitAboutAPointKeepsItInPlace();
+    void lookKeepsTheEye();
+    void textGivesTheSameCamera();
+    void textSaysWhatIsWrong_data();
+    void textSaysWhatIsWrong();
     void planesHoldTheScene_data();
     void planesHoldTheScene();
     void defaultLightsFollowTheScene();
@@ -184,6 +202,142 @@ void CameraTest::recentreKeepsDirectionAndDistance() {
     QVERIFY(isNear(camera.forward(), forward, 1e-6f));
     QCOMPARE(camera.distance(), distance);
     QVERIFY(isNear(camera.eye(), glm::vec3(5, 6, 7) - forward * distance, 1e-5f));
+}
+
+void CameraTest::orthographicRayGoesThroughWhatProjectsThere() {
+    Random random(12);
+    for (int i = 0; i < 200; ++i) {
+        const Camera camera = someCamera(random, Projection::Orthographic);
+        const float aspect = random.between(0.4f, 2.5f);
+        const glm::vec2 ndc(random.between(-1, 1), random.between(-1, 1));
+        const Ray ray = camera.rayThrough(ndc, aspect);
+        QVERIFY(isNear(ray.direction, camera.forward(), 1e-6f));
+        for (const float along : {0.1f, 0.5f, 1.0f, 1.4f}) {
+            const float reach = glm::dot(camera.pivot() - ray.origin, ray.direction);
+            QVERIFY(reach > 2.0f * camera.sceneRadius());
+            const glm::vec3 seen = project(camera, aspect, ray.origin + along * reach * ray.direction);
+            QVERIFY(std::abs(seen.x - ndc.x) < 2e-3f && std::abs(seen.y - ndc.y) < 2e-3f);
+            QVERIFY(seen.z > -1.001f && seen.z < 1.0f);
+        }
+        // And back: what is in the picture is met by the ray through its place there.
+        const glm::vec3 point = camera.pivot() + 0.4f * camera.heightAt(0.0f) * random.direction();
+        const glm::vec3 seen = project(camera, aspect, point);
+        const Ray back = camera.rayThrough({seen.x, seen.y}, aspect);
+        const glm::vec3 way = point - back.origin;
+        const glm::vec3 off = way - glm::dot(way, back.direction) * back.direction;
+        QVERIFY(glm::length(off) < 1e-3f * camera.distance());
+    }
+}
+
+void CameraTest::projectionsAgreeAtThePivot() {
+    Random random(13);
+    for (int i = 0; i < 50; ++i) {
+        Camera camera = someCamera(random, Projection::Perspective);
+        const glm::vec3 aside = 0.2f * camera.distance() * (camera.right() + camera.up());
+        const glm::vec3 perspective = project(camera, 1.5f, camera.pivot() + aside);
+        camera.setProjection(Projection::Orthographic);
+        const glm::vec3 orthographic = project(camera, 1.5f, camera.pivot() + aside);
+        QVERIFY(isNear({perspective.x, perspective.y, 0}, {orthographic.x, orthographic.y, 0}, 1e-4f));
+        QCOMPARE(camera.heightAt(1.0f), camera.heightAt(camera.distance()));
+    }
+}
+
+void CameraTest::orthographicFramesTheWholeBox() {
+    Random random(14);
+    for (int i = 0; i < 100; ++i) {
+        Bounds bounds;
+        bounds.add(20.0f * random.direction());
+        bounds.add(20.0f * random.direction());
+        Camera camera = someCamera(random, Projection::Orthographic);
+        camera.setSceneRadius(bounds.diagonal());
+        camera.frame(bounds, 1.4f);
+        float largest = 0.0f;
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::vec3 point((corner & 1) != 0 ? bounds.min.x : bounds.max.x,
+                                  (corner & 2) != 0 ? bounds.min.y : bounds.max.y,
+                                  (corner & 4) != 0 ? bounds.min.z : bounds.max.z);
+            const glm::vec3 seen = project(camera, 1.4f, point);
+            largest = std::max({largest, std::abs(seen.x), std::abs(seen.y)});
+            QVERIFY(std::abs(seen.z) < 1.0f);
+        }
+        QVERIFY2(largest > 0.9f && largest < 1.0f, qPrintable(QString::number(largest)));
+    }
+}
+
+void CameraTest::orbitAboutAPointKeepsItInPlace() {
+    Random random(15);
+    for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
+        for (int i = 0; i < 100; ++i) {
+            Camera camera = someCamera(random, projection);
+            const glm::vec3 point = camera.pivot() + 0.3f * camera.distance() * random.direction();
+            const glm::vec3 before = project(camera, 1.5f, point);
+            const float yaw = camera.yaw();
+            camera.orbitAbout(point, random.between(-1, 1), random.between(-0.1f, 0.1f));
+            const glm::vec3 after = project(camera, 1.5f, point);
+            QVERIFY(isNear(before, after, 1e-3f));
+            QVERIFY(camera.yaw() != yaw);
+            QVERIFY(std::abs(camera.right().y) < 1e-6f);
+        }
+    }
+}
+
+void CameraTest::lookKeepsTheEye() {
+    Random random(16);
+    Camera camera = someCamera(random, Projection::Perspective);
+    const glm::vec3 eye = camera.eye();
+    camera.look(0.4f, -0.2f);
+    QVERIFY(isNear(camera.eye(), eye, 1e-4f));
+    QVERIFY(isNear(camera.eye() + camera.distance() * camera.forward(), camera.pivot(), 1e-4f));
+}
+
+void CameraTest::textGivesTheSameCamera() {
+    Random random(17);
+    for (int i = 0; i < 500; ++i) {
+        Camera camera = someCamera(random, i % 2 == 0 ? Projection::Perspective : Projection::Orthographic);
+        camera.setFieldOfView(random.between(0.1f, 2.0f));
+        const std::string text = cameraText(camera);
+        const Result<Camera> read = parseCamera(text, camera);
+        QVERIFY2(read.ok(), text.c_str());
+        QVERIFY2(read.value() == camera, text.c_str());
+        QVERIFY(text.find('\n') == std::string::npos && text.size() < 160);
+    }
+    // The poles, and a default camera, whose numbers are short.
+    Camera camera;
+    QVERIFY(cameraText(camera).ends_with("fov 50 perspective"));
+    camera.orbit(0.0f, 10.0f);
+    QVERIFY(parseCamera(cameraText(camera), camera).value() == camera);
+}
+
+void CameraTest::textSaysWhatIsWrong_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("says");
+    const auto row = [](const char* name, const char* text, const char* says) {
+        QTest::newRow(name) << QString::fromUtf8(text) << QString::fromUtf8(says);
+    };
+    row("empty", "", "no camera");
+    row("something else", "v 1 2 3", "no camera");
+    row("no distance", "camera pivot 0 0 0 yaw 0 pitch 0 fov 50 perspective", "\"distance\" is missing");
+    row("no projection", "camera pivot 0 0 0 yaw 0 pitch 0 distance 3 fov 50", "\"perspective\" or");
+    row("two numbers", "camera pivot 0 0 yaw 0 pitch 0 distance 3 fov 50 perspective", "needs 3 numbers");
+    row("no number", "camera pivot 0 0 0 yaw 0 pitch 0 distance 3 fov", "\"fov\" needs a number");
+    row("units", "camera pivot 0 0 0 yaw 0 pitch 0 distance 3m fov 50 perspective", "\"distance\" needs");
+    row("not finite", "camera pivot nan 0 0 yaw 0 pitch 0 distance 3 fov 50 perspective", "\"pivot\" needs");
+    row("zero distance", "camera pivot 0 0 0 yaw 0 pitch 0 distance 0 fov 50 perspective",
+        "\"distance\" has");
+    row("wide", "camera pivot 0 0 0 yaw 0 pitch 0 distance 3 fov 170 perspective", "from 5 to 120");
+    row("upside down", "camera pivot 0 0 0 yaw 0 pitch 91 distance 3 fov 50 perspective", "from -90 to 90");
+    row("twice", "camera pivot 0 0 0 yaw 0 yaw 0 pitch 0 distance 3 fov 50 perspective", "there twice");
+    row("both", "camera pivot 0 0 0 yaw 0 pitch 0 distance 3 fov 50 perspective orthographic", "there twice");
+    row("unknown", "camera pivot 0 0 0 yaw 0 pitch 0 roll 3 distance 3 fov 50 perspective", "\"roll\"");
+}
+
+void CameraTest::textSaysWhatIsWrong() {
+    QFETCH(QString, text);
+    QFETCH(QString, says);
+    const Result<Camera> read = parseCamera(text.toStdString(), {});
+    QVERIFY(!read.ok());
+    QVERIFY2(QString::fromStdString(read.error().what).contains(says), read.error().what.c_str());
+    QVERIFY(!read.error().advice.empty());
 }
 
 void CameraTest::planesHoldTheScene_data() {

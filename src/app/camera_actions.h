@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <array>
+
+#include "core/result.h"
+#include "viewport/navigation.h"
+
+class QAction;
+class QMenu;
+class QSettings;
+
+namespace hitscope {
+
+class Viewport;
+
+/// Everything about the camera that menus and keys offer: framing, views along an axis, projection, what
+/// orbiting turns about, whose habits the mouse follows, bookmarks, and the camera as text.
+class CameraActions : public QObject {
+    Q_OBJECT
+public:
+    static constexpr int kBookmarks = 9;
+
+    /// `viewport` outlives this.
+    explicit CameraActions(Viewport& viewport, QObject* parent = nullptr);
+
+    void fill(QMenu& menu);
+    void fillEdit(QMenu& menu);  ///< copy and paste
+
+    /// Remembered: preset, what orbiting turns about, projection, field of view, bookmarks.
+    void load(const QSettings& settings);
+    void save(QSettings& settings) const;
+
+    /// Takes the camera that the text describes; the error is parseCamera()'s.
+    [[nodiscard]] Status paste(const QString& text);
+    /// 0 <= index < kBookmarks.
+    void store(int index);
+    void recall(int index);
+
+Q_SIGNALS:
+    void said(const QString& text);  ///< worth a line in the status bar
+    void failed(const hitscope::Error& error);
+
+private:
+    void fillViews(QMenu& menu);
+    void fillBookmarks(QMenu& menu);
+    void fillFly(QMenu& menu);
+    void follow();
+    void followBookmarks();
+
+    Viewport& m_viewport;
+    Navigation& m_navigation;
+    std::array<QString, kBookmarks> m_bookmarks;  ///< as text; empty: none
+    std::array<QAction*, kBookmarks> m_recall{};
+    QAction* m_orthographic = nullptr;
+    std::array<QAction*, kOrbitModes> m_orbitModes{};
+    std::array<QAction*, kNavigationPresets> m_presets{};
+};
+
+}  // namespace hitscope

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QList>
+#include <QObject>
+
+class QAction;
+class QMainWindow;
+class QMenu;
+
+namespace hitscope {
+
+/// The central widget alone on the whole screen, and back: docks, bars and the window are then as they were.
+class FullView : public QObject {
+    Q_OBJECT
+public:
+    explicit FullView(QMainWindow& window);
+
+    void fill(QMenu& menu);
+    [[nodiscard]] bool isOn() const { return m_on; }
+    void set(bool on);
+
+private:
+    void borrowKeys();
+    void giveKeysBack();
+
+    QMainWindow& m_window;
+    QAction* m_toggle = nullptr;
+    QAction* m_leave = nullptr;  ///< Escape, while it is on
+    bool m_on = false;
+    QList<QAction*> m_borrowed;
+    QByteArray m_layout;
+    Qt::WindowStates m_state;
+};
+
+}  // namespace hitscope

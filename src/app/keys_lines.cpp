@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/keys_lines.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSet>
+#include <utility>
+
+namespace hitscope {
+
+namespace {
+
+constexpr const char* kKeysProperty = "hitscopeKeys";
+constexpr const char* kMeaningProperty = "hitscopeKeysMeaning";
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("hitscope::Keys", text);
+}
+
+QString plainText(const QString& text) {
+    QString plain = text;
+    plain.remove(QLatin1Char('&'));
+    return plain.remove(QStringLiteral("…"));
+}
+
+/// "Next Mode" of the menu "Wireframe" says little by itself.
+QString meaningOf(const QString& text, const QString& submenu) {
+    return submenu.isEmpty() ? text : submenu + QStringLiteral(": ") + text;
+}
+
+void addLine(KeysSection& section, const QAction& action, const QString& submenu) {
+    const QVariant keys = action.property(kKeysProperty);
+    if (keys.isValid()) {
+        if (!keys.toString().isEmpty()) {
+            section.lines.push_back({keys.toString(), action.property(kMeaningProperty).toString()});
+        }
+        return;
+    }
+    const QStringList text = plainText(action.text()).split(u'\t');
+    const QString shortcut = action.shortcut().toString(QKeySequence::NativeText);
+    const QString key = shortcut.isEmpty() ? text.value(1) : shortcut;
+    if (!key.isEmpty()) {
+        section.lines.push_back({key, meaningOf(text.value(0), submenu)});
+    }
+}
+
+void addMenu(KeysSection& section, const QMenu& menu, const QString& submenu) {
+    for (const QAction* action : menu.actions()) {
+        if (const QMenu* inner = action->menu()) {
+            addMenu(section, *inner, plainText(inner->title()));
+        } else {
+            addLine(section, *action, submenu);
+        }
+    }
+}
+
+/// Keys that work in the dock's widgets only.
+KeysSection dockKeys(const QDockWidget& dock) {
+    KeysSection section{dock.windowTitle(), {}};
+    QSet<const QAction*> seen;
+    for (const QWidget* widget : dock.findChildren<QWidget*>()) {
+        for (const QAction* action : widget->actions()) {
+            if (action->shortcutContext() != Qt::WindowShortcut && !seen.contains(action)) {
+                seen.insert(action);
+                addLine(section, *action, {});
+            }
+        }
+    }
+    return section;
+}
+
+QString dragName(const DragBinding& binding) {
+    const QString button = binding.button == Qt::LeftButton    ? tr("Left-drag")
+                           : binding.button == Qt::RightButton ? tr("Right-drag")
+                                                               : tr("Middle-drag");
+    switch (binding.key) {
+        case Qt::ShiftModifier:
+            return tr("Shift+%1").arg(button);
+        case Qt::ControlModifier:
+            return tr("Ctrl+%1").arg(button);
+        case Qt::AltModifier:
+            return tr("Alt+%1").arg(button);
+        default:
+            return button;
+    }
+}
+
+QString orbitMeaning(OrbitMode mode) {
+    switch (mode) {
+        case OrbitMode::Point:
+            return tr("Orbit about the point under the cursor");
+        case OrbitMode::Turntable:
+            return tr("Orbit about the picture's middle");
+        case OrbitMode::Fly:
+            break;
+    }
+    return tr("Look around");
+}
+
+QString motionMeaning(CameraMotion motion, OrbitMode mode) {
+    return motion == CameraMotion::Orbit ? orbitMeaning(mode)
+           : motion == CameraMotion::Pan ? tr("Pan")
+                                         : tr("Zoom");
+}
+
+}  // namespace
+
+KeysSection mouseKeys(NavigationPreset preset, OrbitMode mode) {
+    KeysSection section{tr("Mouse"), {}};
+    section.lines.push_back({tr("Click"), tr("Shoot at the point under the cursor")});
+    section.lines.push_back({tr("Double-click"), tr("Look at that point from now on")});
+    for (const DragBinding& binding : dragBindings(preset)) {
+        section.lines.push_back({dragName(binding), motionMeaning(binding.motion, mode)});
+    }
+    section.lines.push_back({tr("Wheel"), tr("Zoom; on a trackpad: pinch")});
+    section.lines.push_back({tr("Shift+wheel"), tr("Field of view")});
+    section.lines.push_back({tr("Two fingers"), tr("Orbit; Shift: pan; Ctrl: zoom")});
+    return section;
+}
+
+KeysSection heldKeys() {
+    return {tr("Viewport"),
+            {{tr("Space"), tr("Shoot at the crosshair; hold to repeat")},
+             {tr("W A S D"), tr("Fly; Shift: faster")},
+             {tr("E Q"), tr("Fly up and down")},
+             {tr("Esc"), tr("Select nothing")}}};
+}
+
+std::vector<KeysSection> actionKeys(const QMainWindow& window) {
+    std::vector<KeysSection> sections;
+    const auto keep = [&sections](KeysSection section) {
+        if (!section.lines.empty()) {
+            sections.push_back(std::move(section));
+        }
+    };
+    for (const QAction* action : window.menuBar()->actions()) {
+        if (const QMenu* menu = action->menu()) {
+            KeysSection section{plainText(menu->title()), {}};
+            addMenu(section, *menu, {});
+            keep(std::move(section));
+        }
+    }
+    for (const QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+        keep(dockKeys(*dock));
+    }
+    return sections;
+}
+
+void listKeysAs(QAction& action, const QString& keys, const QString& meaning) {
+    action.setProperty(kKeysProperty, keys);
+    action.setProperty(kMeaningProperty, meaning);
+}
+
+void leaveOutOfKeys(QAction& action) {
+    action.setProperty(kKeysProperty, QString(QLatin1String("")));
+}
+
+}  // namespace hitscope

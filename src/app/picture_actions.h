@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+#include <QString>
+
+#include "app/sequence_writer.h"
+
+class QMenu;
+class QProgressDialog;
+
+namespace hitscope {
+
+class PictureDialog;
+
+/// Pictures of the viewport as files: at once, of any size, or a sequence of them.
+class PictureActions : public QObject {
+    Q_OBJECT
+public:
+    /// `viewport` outlives this; dialogs open over `window`.
+    PictureActions(Viewport& viewport, QWidget& window);
+
+    void fill(QMenu& menu);
+
+    /// As the viewport is, at its size.
+    [[nodiscard]] Status save(const QString& path);
+    [[nodiscard]] Status save(const PictureRequest& request, const QString& path);
+    /// A name in the folder of pictures that no file has yet; saves there and says where.
+    void saveAtOnce();
+    /// Starts it and shows how far it is; over it, it can be cancelled.
+    void writeSequence(const SequenceWriter::Plan& plan);
+    [[nodiscard]] SequenceWriter& sequences() { return m_sequences; }
+
+Q_SIGNALS:
+    void said(const QString& text);  ///< worth a line in the status bar
+    void failed(const hitscope::Error& error);
+
+private:
+    void choosePicture();
+    void chooseSequence();
+    void endProgress();
+    [[nodiscard]] PictureRequest requestOf(const PictureDialog& dialog) const;
+    [[nodiscard]] QString baseName() const;
+
+    Viewport& m_viewport;
+    QWidget& m_window;
+    SequenceWriter m_sequences;
+    QPointer<QProgressDialog> m_progress;
+};
+
+}  // namespace hitscope

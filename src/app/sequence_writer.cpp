@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/sequence_writer.h"
+
+#include <QTimer>
+#include <utility>
+
+#include "io/save_image.h"
+#include "viewport/viewport.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr int kMostWaiting = 4;  // pictures drawn and not yet written: they take memory
+
+}  // namespace
+
+SequenceWriter::SequenceWriter(Viewport& viewport, QObject* parent) : QObject(parent), m_viewport(viewport) {
+    // A sequence's own buffers go with the context.
+    connect(&viewport, &Viewport::aboutToReleaseGpu, this, &SequenceWriter::cancel);
+}
+
+SequenceWriter::~SequenceWriter() {
+    stop();
+    m_writers.waitForDone();
+}
+
+Status SequenceWriter::start(const Plan& plan) {
+    stop();
+    m_plan = plan;
+    m_drawn = 0;
+    m_written = 0;
+    ++m_run;
+    Status made = m_viewport.withScene([this](SceneGpu& scene) -> Status {
+        if (m_plan.turntable > 0) {
+            m_sequence = PictureSequence::turntable(scene, m_plan.picture, m_plan.turntable);
+            return Done{};
+        }
+        Result<PictureSequence> replay = PictureSequence::replay(m_viewport.session(), m_plan.picture);
+        if (!replay) {
+            return replay.error();
+        }
+        m_sequence = std::move(replay).value();
+        return Done{};
+    });
+    if (made) {
+        m_count = m_sequence->count();
+        QTimer::singleShot(0, this, &SequenceWriter::step);
+    }
+    return made;
+}
+
+void SequenceWriter::step() {
+    if (!isRunning() || m_drawn >= m_count || m_drawn - m_written >= kMostWaiting) {
+        return;  // took() goes on
+    }
+    Status drawn = m_viewport.withScene([this](SceneGpu&) -> Status {
+        Result<Image> image = m_sequence->next();
+        if (!image) {
+            return image.error();
+        }
+        ++m_drawn;
+        write(image.value());
+        return Done{};
+    });
+    if (!drawn) {
+        stop();
+        Q_EMIT failed(drawn.error());
+        return;
+    }
+    QTimer::singleShot(0, this, &SequenceWriter::step);
+}
+
+void SequenceWriter::write(const Image& image) {
+    const QString path = sequencePath(m_plan.folder, m_plan.base, m_drawn, m_count);
+    m_writers.start([this, image, path, run = m_run] {
+        const Status saved = savePng(image, path);
+        QMetaObject::invokeMethod(
+            this, [this, run, saved] { took(run, saved); }, Qt::QueuedConnection);
+    });
+}
+
+void SequenceWriter::took(int run, const Status& saved) {
+    if (run != m_run || !isRunning()) {
+        return;
+    }
+    if (!saved) {
+        stop();
+        Q_EMIT failed(saved.error());
+        return;
+    }
+    ++m_written;
+    Q_EMIT progressed(m_written, m_count);
+    if (m_written == m_count) {
+        stop();
+        Q_EMIT ended(m_written);
+    } else if (isRunning()) {
+        QTimer::singleShot(0, this, &SequenceWriter::step);
+    }
+}
+
+void SequenceWriter::cancel() {
+    if (isRunning()) {
+        stop();
+        Q_EMIT ended(m_written);
+    }
+}
+
+void SequenceWriter::stop() {
+    if (m_sequence) {
+        // Its buffers are given back where they came from.
+        static_cast<void>(m_viewport.withScene([this](SceneGpu&) -> Status {
+            m_sequence.reset();
+            return Done{};
+        }));
+        m_sequence.reset();
+    }
+}
+
+}  // namespace hitscope

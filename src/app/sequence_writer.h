@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+#include <optional>
+
+#include "session/picture_sequence.h"
+
+namespace hitscope {
+
+class Viewport;
+
+/// Draws a sequence of pictures beside what else the window does: one picture each time the event loop comes
+/// round, written to its file on other threads.
+class SequenceWriter : public QObject {
+    Q_OBJECT
+public:
+    struct Plan {
+        PictureRequest picture;
+        int turntable = 0;  ///< pictures of a turntable; 0: a replay of the hits
+        QString folder;     ///< exists
+        QString base;       ///< of the files' names
+    };
+
+    /// `viewport` outlives this.
+    explicit SequenceWriter(Viewport& viewport, QObject* parent = nullptr);
+    ~SequenceWriter() override;
+
+    /// Ends what was under way. Fails where the viewport cannot draw.
+    [[nodiscard]] Status start(const Plan& plan);
+    [[nodiscard]] bool isRunning() const { return m_sequence.has_value(); }
+    void cancel();  ///< pictures already written stay
+
+Q_SIGNALS:
+    void progressed(int written, int count);
+    void ended(int written);  ///< all of them, or as many as there were when it was cancelled
+    void failed(const hitscope::Error& error);
+
+private:
+    void step();
+    void write(const Image& image);
+    void took(int run, const Status& saved);
+    void stop();
+
+    Viewport& m_viewport;
+    Plan m_plan;
+    std::optional<PictureSequence> m_sequence;
+    QThreadPool m_writers;
+    int m_run = 0;  ///< tells late answers of a run before from this one's
+    int m_count = 0;
+    int m_drawn = 0;
+    int m_written = 0;
+};
+
+}  // namespace hitscope

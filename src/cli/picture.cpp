@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDir>
+#include <QTextStream>
+#include <memory>
+#include <utility>
+
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/load_scene.h"
+#include "cli/picture_arguments.h"
+#include "gl/context.h"
+#include "io/save_image.h"
+#include "render/camera_text.h"
+#include "session/demo_shots.h"
+#include "session/picture_sequence.h"
+
+namespace hitscope::cli {
+
+namespace {
+
+constexpr int kMostTurntablePictures = 100'000;
+
+/// A scene that can be drawn with no display.
+struct Studio {
+    std::unique_ptr<gl::OffscreenContext> context;
+    Session session;
+    std::unique_ptr<SceneGpu> scene;  // below the session and the context, so that it goes first
+    PictureRequest request;
+};
+
+Status open(Studio& studio, const PictureArguments& arguments) {
+    Result<std::unique_ptr<gl::OffscreenContext>> context = gl::OffscreenContext::create();
+    if (!context) {
+        return context.error();
+    }
+    studio.context = std::move(context).value();
+    gl::collectDebugMessages();
+    QTextStream notes(stderr);
+    if (Status loaded = loadScene(studio.session, arguments.meshPath, notes); !loaded) {
+        return loaded;
+    }
+    studio.session.setPipeline(arguments.pipeline);
+    Result<std::unique_ptr<SceneGpu>> scene = SceneGpu::create(studio.session);
+    if (!scene) {
+        return scene.error();
+    }
+    studio.scene = std::move(scene).value();
+    const QString unavailable = studio.session.whyUnavailable(arguments.pipeline);
+    if (!unavailable.isEmpty()) {
+        return Error{unavailable.toStdString(), "", "Choose another --pipeline."};
+    }
+    shootAll(studio.session, demoShots(studio.session, arguments.shots, arguments.seed));
+    studio.session.selectTarget({});
+
+    PictureRequest& request = studio.request;
+    request.width = arguments.width;
+    request.height = arguments.height;
+    request.options = arguments.options;
+    const Bounds bounds = studio.session.sceneBounds();
+    request.camera.setSceneRadius(bounds.empty() ? 1.0f : bounds.diagonal());
+    if (arguments.camera.isEmpty()) {
+        request.camera.frame(bounds, static_cast<float>(request.width) / static_cast<float>(request.height));
+        return Done{};
+    }
+    Result<Camera> camera = parseCamera(arguments.camera.toStdString(), request.camera);
+    if (!camera) {
+        return Error{camera.error().what, "--camera", camera.error().advice};
+    }
+    request.camera = camera.value();
+    return Done{};
+}
+
+Status glErrors() {
+    const std::vector<std::string> errors = gl::takeErrors();
+    return errors.empty() ? Status(Done{})
+                          : Error{"OpenGL reports: " + errors.front(), "",
+                                  "Please report this with the renderer's name."};
+}
+
+Status drawOne(const PictureArguments& arguments, const QString& path) {
+    Studio studio;
+    if (Status opened = open(studio, arguments); !opened) {
+        return opened;
+    }
+    const Result<Image> image = drawPicture(*studio.scene, studio.request);
+    if (!image) {
+        return image.error();
+    }
+    if (Status errors = glErrors(); !errors) {
+        return errors;
+    }
+    return savePng(image.value(), path);
+}
+
+/// turntable: how many pictures; 0: a replay.
+Status drawMany(const PictureArguments& arguments, int turntable, const QString& folder) {
+    if (!QDir().mkpath(folder)) {
+        return Error{"The folder cannot be made.", folder.toStdString(), "Choose one you may write to."};
+    }
+    Studio studio;
+    if (Status opened = open(studio, arguments); !opened) {
+        return opened;
+    }
+    Result<PictureSequence> sequence =
+        turntable > 0 ? PictureSequence::turntable(*studio.scene, studio.request, turntable)
+                      : PictureSequence::replay(studio.session, studio.request);
+    if (!sequence) {
+        return sequence.error();
+    }
+    const int count = sequence.value().count();
+    for (int number = 1; number <= count; ++number) {
+        const Result<Image> image = sequence.value().next();
+        if (!image) {
+            return image.error();
+        }
+        const QString base = turntable > 0 ? QStringLiteral("turntable") : QStringLiteral("replay");
+        if (Status saved = savePng(image.value(), sequencePath(folder, base, number, count)); !saved) {
+            return saved;
+        }
+    }
+    QTextStream(stdout) << count << " pictures in " << QDir::toNativeSeparators(folder) << "\n";
+    return glErrors();
+}
+
+/// Help, a word on wrong usage, or, where both are right, nothing.
+std::optional<int> parse(QCommandLineParser& parser, const QStringList& arguments) {
+    if (!parser.parse(arguments)) {
+        return wrongUsage(parser.errorText() + QLatin1Char('.'));
+    }
+    if (parser.isSet(QStringLiteral("help"))) {
+        QTextStream(stdout) << parser.helpText();
+        return 0;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+int pictureCommand(const QStringList& arguments) {
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        QStringLiteral("Draws the paper's scene, or a mesh, into a PNG file, with no display."));
+    parser.addHelpOption();
+    const PictureOptions options(parser);
+    parser.addPositionalArgument(QStringLiteral("picture"), QStringLiteral("PNG file to write."));
+    parser.addPositionalArgument(QStringLiteral("mesh"), QStringLiteral("Mesh file."),
+                                 QStringLiteral("[mesh]"));
+    if (const std::optional<int> status = parse(parser, arguments)) {
+        return *status;
+    }
+    const QStringList paths = parser.positionalArguments();
+    if (paths.isEmpty() || paths.size() > 2) {
+        return wrongUsage(QStringLiteral("picture takes the file to write, and one mesh at most."));
+    }
+    Result<PictureArguments> read = options.read(parser);
+    if (!read) {
+        return wrongUsage(QString::fromStdString(read.error().what));
+    }
+    read.value().meshPath = paths.value(1);
+    return finish(drawOne(read.value(), paths.constFirst()));
+}
+
+int sequenceCommand(const QStringList& arguments) {
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral(
+        "Draws a turntable, or the hits appearing one by one, into numbered PNG files, with no display."));
+    parser.addHelpOption();
+    const QCommandLineOption turntable(QStringLiteral("turntable"),
+                                       QStringLiteral("Once around the scene in so many pictures."),
+                                       QStringLiteral("number"));
+    const QCommandLineOption replay(QStringLiteral("replay"),
+                                    QStringLiteral("A picture before the hits, and one after each."));
+    parser.addOptions({turntable, replay});
+    const PictureOptions options(parser);
+    parser.addPositionalArgument(QStringLiteral("folder"),
+                                 QStringLiteral("Where the pictures go; made if missing."));
+    parser.addPositionalArgument(QStringLiteral("mesh"), QStringLiteral("Mesh file."),
+                                 QStringLiteral("[mesh]"));
+    if (const std::optional<int> status = parse(parser, arguments)) {
+        return *status;
+    }
+    if (parser.isSet(turntable) == parser.isSet(replay)) {
+        return wrongUsage(QStringLiteral("sequence takes either --turntable or --replay."));
+    }
+    const std::optional<int> count = wholeNumber(parser.value(turntable), 1, kMostTurntablePictures);
+    if (parser.isSet(turntable) && !count) {
+        return wrongUsage(
+            QStringLiteral("--turntable takes a whole number from 1 to %1.").arg(kMostTurntablePictures));
+    }
+    const QStringList paths = parser.positionalArguments();
+    if (paths.isEmpty() || paths.size() > 2) {
+        return wrongUsage(QStringLiteral("sequence takes the folder to write to, and one mesh at most."));
+    }
+    Result<PictureArguments> read = options.read(parser);
+    if (!read) {
+        return wrongUsage(QString::fromStdString(read.error().what));
+    }
+    read.value().meshPath = paths.value(1);
+    return finish(drawMany(read.value(), count.value_or(0), paths.constFirst()));
+}
+
+}  // namespace hitscope::cli

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/picture_arguments.h"
+
+#include <array>
+
+namespace hitscope::cli {
+
+namespace {
+
+constexpr int kMostShots = 100'000;
+constexpr int kLargestSide = 1'000'000;  // pixels; what the driver can draw is asked for later
+
+QCommandLineOption option(const char* name, const QString& text, const char* value = nullptr,
+                          const char* standard = nullptr) {
+    QCommandLineOption made(QString::fromLatin1(name), text);
+    if (value != nullptr) {
+        made.setValueName(QString::fromLatin1(value));
+    }
+    if (standard != nullptr) {
+        made.setDefaultValue(QString::fromLatin1(standard));
+    }
+    return made;
+}
+
+Error wrong(const QCommandLineOption& option, const QString& takes) {
+    return {("--" + option.names().constFirst() + " takes " + takes + '.').toStdString(), "", ""};
+}
+
+QStringList pipelineKeys() {
+    QStringList keys;
+    for (const PipelineTraits& traits : allPipelines()) {
+        keys << QString::fromUtf8(traits.key.data(), static_cast<qsizetype>(traits.key.size()));
+    }
+    return keys;
+}
+
+/// Which of the words the option has; -1: none.
+qsizetype wordOf(const QCommandLineParser& parser, const QCommandLineOption& option,
+                 const QStringList& words) {
+    return words.indexOf(parser.value(option));
+}
+
+const QStringList& themes() {
+    static const QStringList words{QStringLiteral("light"), QStringLiteral("dark")};  // by Theme
+    return words;
+}
+
+const QStringList& wireframes() {
+    static const QStringList words{QStringLiteral("off"), QStringLiteral("over"),
+                                   QStringLiteral("only")};  // by WireframeMode
+    return words;
+}
+
+const QStringList& normalModes() {
+    static const QStringList words{QStringLiteral("true"), QStringLiteral("paper")};  // by NormalMode
+    return words;
+}
+
+QString oneOf(const QStringList& words) {
+    return QStringLiteral("one of ") + words.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+std::optional<int> wholeNumber(const QString& text, int lowest, int highest) {
+    bool isNumber = false;
+    const int value = text.toInt(&isNumber);
+    return isNumber && value >= lowest && value <= highest ? std::optional(value) : std::nullopt;
+}
+
+PictureOptions::PictureOptions(QCommandLineParser& parser)
+    : m_size(option("size", QStringLiteral("Pixels of the picture."), "WxH", "1280x720")),
+      m_camera(
+          option("camera",
+                 QStringLiteral("Where from, as Edit > Copy Camera gives it: \"camera pivot 0 0 0 yaw 35 "
+                                "pitch 20 distance 12 fov 50 perspective\". Else all is in the picture."),
+                 "text")),
+      m_transparent(option("transparent", QStringLiteral("No background."))),
+      m_noFloor(option("no-floor", QStringLiteral("No floor."))),
+      m_theme(option("theme", QStringLiteral("Background: light or dark."), "name", "dark")),
+      m_wireframe(
+          option("wireframe", QStringLiteral("Edges: off, over the surface, or only."), "mode", "off")),
+      m_normals(option("normals", QStringLiteral("Shading: true or paper."), "kind", "true")),
+      m_pipeline(option("pipeline", QStringLiteral("Who applies the hits: ") + oneOf(pipelineKeys()) + u'.',
+                        "name", "transform-feedback")),
+      m_shots(option("shots", QStringLiteral("Shoot so often first, 0 to 100000."), "number", "0")),
+      m_seed(option("seed", QStringLiteral("Another seed gives other shots."), "number", "1")) {
+    parser.addOptions({m_size, m_camera, m_transparent, m_noFloor, m_theme, m_wireframe, m_normals,
+                       m_pipeline, m_shots, m_seed});
+}
+
+Result<PictureArguments> PictureOptions::read(const QCommandLineParser& parser) const {
+    PictureArguments arguments;
+    const QStringList size = parser.value(m_size).split(u'x');
+    const auto width = wholeNumber(size.value(0), 1, kLargestSide);
+    const auto height = wholeNumber(size.value(1), 1, kLargestSide);
+    if (size.size() != 2 || !width || !height) {
+        return wrong(m_size, QStringLiteral("width and height in pixels, as in 1920x1080"));
+    }
+    arguments.width = *width;
+    arguments.height = *height;
+    const qsizetype theme = wordOf(parser, m_theme, themes());
+    const qsizetype wireframe = wordOf(parser, m_wireframe, wireframes());
+    const qsizetype normals = wordOf(parser, m_normals, normalModes());
+    const qsizetype pipeline = wordOf(parser, m_pipeline, pipelineKeys());
+    const std::array<std::pair<const QCommandLineOption&, QStringList>, 4> words{
+        {{m_theme, themes()},
+         {m_wireframe, wireframes()},
+         {m_normals, normalModes()},
+         {m_pipeline, pipelineKeys()}}};
+    for (const auto& word : words) {
+        if (wordOf(parser, word.first, word.second) < 0) {
+            return wrong(word.first, oneOf(word.second));
+        }
+    }
+    arguments.options.theme = static_cast<Theme>(theme);
+    arguments.options.wireframe = static_cast<WireframeMode>(wireframe);
+    arguments.options.normals = static_cast<NormalMode>(normals);
+    arguments.pipeline = allPipelines()[static_cast<std::size_t>(pipeline)].kind;
+    arguments.options.transparent = parser.isSet(m_transparent);
+    arguments.options.floor = !parser.isSet(m_noFloor);
+    const auto shots = wholeNumber(parser.value(m_shots), 0, kMostShots);
+    bool seedOk = false;
+    arguments.seed = parser.value(m_seed).toUInt(&seedOk);
+    if (!shots || !seedOk) {
+        return shots ? wrong(m_seed, QStringLiteral("a whole number, 0 or more"))
+                     : wrong(m_shots, QStringLiteral("a whole number from 0 to %1").arg(kMostShots));
+    }
+    arguments.shots = *shots;
+    arguments.camera = parser.value(m_camera);
+    return arguments;
+}
+
+}  // namespace hitscope::cli

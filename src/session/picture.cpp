@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/picture.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+#include "gl/render_target.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr int kSamples = 4;
+constexpr std::int64_t kMostSmoothPixels = 40'000'000;  // with kSamples samples these take 1.3 GB
+constexpr std::int64_t kMostPixels = 150'000'000;       // with one sample about as much
+
+std::string sizeText(int width, int height) {
+    return std::to_string(width) + " x " + std::to_string(height);
+}
+
+Status checkSize(const PictureRequest& request) {
+    const std::string size = sizeText(request.width, request.height);
+    if (request.width < 1 || request.height < 1) {
+        return Error{"A picture of " + size + " pixels has none.", "", "Choose a size of at least 1 x 1."};
+    }
+    const int longest = gl::RenderTarget::longestSide();
+    if (request.width > longest || request.height > longest) {
+        return Error{"This graphics driver draws pictures of up to " + sizeText(longest, longest) +
+                         " pixels, not " + size + ".",
+                     "", "Choose a smaller size."};
+    }
+    if (std::int64_t{request.width} * request.height > kMostPixels) {
+        return Error{"A picture of " + size + " pixels takes too much memory.", "",
+                     "Choose one of up to " + std::to_string(kMostPixels / 1'000'000) + " million pixels."};
+    }
+    return Done{};
+}
+
+void makeStraight(Image& image) {
+    constexpr int kOpaque = 255;
+    for (std::size_t at = 0; at + 3 < image.pixels.size(); at += 4) {
+        const int opacity = image.pixels[at + 3];
+        for (std::size_t channel = at; opacity > 0 && opacity < kOpaque && channel < at + 3; ++channel) {
+            const int straight = (image.pixels[channel] * kOpaque + opacity / 2) / opacity;
+            image.pixels[channel] = static_cast<std::uint8_t>(std::min(straight, kOpaque));
+        }
+    }
+}
+
+}  // namespace
+
+Result<Image> drawPicture(SceneGpu& scene, const PictureRequest& request) {
+    if (Status possible = checkSize(request); !possible) {
+        return possible.error();
+    }
+    if (Status current = scene.sync(); !current) {
+        return current.error();
+    }
+    const bool smooth = std::int64_t{request.width} * request.height <= kMostSmoothPixels;
+    const gl::RenderTarget target(request.width, request.height, smooth ? kSamples : 1);
+    if (!target.isComplete()) {
+        return Error{"The graphics driver has no room for a picture of " +
+                         sizeText(request.width, request.height) + " pixels.",
+                     "", "Choose a smaller size."};
+    }
+    SceneGpu::View view;
+    view.width = request.width;
+    view.height = request.height;
+    view.pixelRatio = std::max(1.0f, static_cast<float>(request.height) / kScreenHeight);
+    view.camera = request.camera;
+    view.options = request.options;
+    if (Status drawn = scene.draw(view, target.framebuffer()); !drawn) {
+        return drawn.error();
+    }
+    Image image = target.read();
+    if (request.options.transparent) {
+        makeStraight(image);
+    }
+    return image;
+}
+
+}  // namespace hitscope

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/image.h"
+#include "core/result.h"
+#include "session/scene_gpu.h"
+
+namespace hitscope {
+
+/// A picture of a scene, apart from any window.
+struct PictureRequest {
+    int width = 1280;  ///< pixels
+    int height = 720;  ///< pixels
+    Camera camera;
+    DisplayOptions options;  ///< transparent: what nothing covers is so in the picture
+};
+
+/// Pixels of a picture's height that count as one screen full: lines are as wide on a larger one as if the
+/// screen had been enlarged.
+inline constexpr int kScreenHeight = 1080;
+
+/// Draws it and reads it, with the scene as it is now: waits for all that is on its way. Colours are
+/// straight, not premultiplied. Fails, saying what the limit is, where the driver cannot draw that many
+/// pixels. The scene's context is current.
+[[nodiscard]] Result<Image> drawPicture(SceneGpu& scene, const PictureRequest& request);
+
+}  // namespace hitscope

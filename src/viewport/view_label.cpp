@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/view_label.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <QtMath>
+
+namespace hitscope {
+
+namespace {
+
+constexpr int kFieldOfViewStays = 1500;  // milliseconds
+constexpr int kMargin = 8;               // logical pixels, to the view's corner
+constexpr int kPadding = 5;              // logical pixels, around the text
+constexpr float kOpacity = 0.7f;         // of what is behind the text
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("hitscope::ViewLabel", text);
+}
+
+}  // namespace
+
+QString standardViewName(StandardView view) {
+    switch (view) {
+        case StandardView::Front:
+            return tr("Front");
+        case StandardView::Back:
+            return tr("Back");
+        case StandardView::Right:
+            return tr("Right");
+        case StandardView::Left:
+            return tr("Left");
+        case StandardView::Top:
+            return tr("Top");
+        case StandardView::Bottom:
+            break;
+    }
+    return tr("Bottom");
+}
+
+QString viewText(const Camera& camera) {
+    const std::optional<StandardView> view = standardViewOf(camera);
+    if (camera.isOrthographic()) {
+        return view ? tr("%1, orthographic").arg(standardViewName(*view)) : tr("Orthographic");
+    }
+    return view ? tr("%1, perspective").arg(standardViewName(*view)) : tr("Perspective");
+}
+
+ViewLabel::ViewLabel(const Navigation& navigation, QWidget* over) : QLabel(over), m_navigation(navigation) {
+    setObjectName(QStringLiteral("viewLabel"));
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setTextFormat(Qt::PlainText);
+    setMargin(kPadding);
+    move(kMargin, kMargin);
+    m_fieldOfViewStays.setSingleShot(true);
+    m_fieldOfViewStays.setInterval(kFieldOfViewStays);
+    connect(&navigation, &Navigation::cameraChanged, this, &ViewLabel::follow);
+    connect(&navigation, &Navigation::fieldOfViewChanged, this, [this] {
+        m_fieldOfViewStays.start();
+        follow();
+    });
+    connect(&m_fieldOfViewStays, &QTimer::timeout, this, &ViewLabel::follow);
+    follow();
+}
+
+void ViewLabel::follow() {
+    QString said = viewText(m_navigation.camera());
+    if (m_fieldOfViewStays.isActive()) {
+        said += tr(", %1° field of view")
+                    .arg(qRound(qRadiansToDegrees(static_cast<double>(m_navigation.camera().fieldOfView()))));
+    }
+    if (said != text()) {
+        setText(said);
+        adjustSize();
+    }
+}
+
+void ViewLabel::paintEvent(QPaintEvent* event) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QColor behind = palette().color(QPalette::Window);
+    behind.setAlphaF(kOpacity);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(behind);
+    painter.drawRoundedRect(rect(), kPadding, kPadding);
+    painter.end();
+    QLabel::paintEvent(event);
+}
+
+}  // namespace hitscope

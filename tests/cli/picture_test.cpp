@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// hitscope-cli picture and sequence as a person runs them.
+#include <QDir>
+#include <QImage>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace {
+
+struct Run {
+    int status = -1;
+    QString err;
+};
+
+Run runCli(const QStringList& arguments) {
+    QProcess process;
+    // Headless means headless: neither X nor Wayland can be reached.
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.remove(QStringLiteral("DISPLAY"));
+    environment.remove(QStringLiteral("WAYLAND_DISPLAY"));
+    process.setProcessEnvironment(environment);
+    process.start(qEnvironmentVariable("HITSCOPE_CLI"), arguments);
+    constexpr int kPatience = 100'000;  // milliseconds
+    const bool ended = process.waitForFinished(kPatience) && process.exitStatus() == QProcess::NormalExit;
+    return {ended ? process.exitCode() : -1, QString::fromUtf8(process.readAllStandardError())};
+}
+
+QStringList words(const char* line) {
+    return QString::fromUtf8(line).split(u' ', Qt::SkipEmptyParts);
+}
+
+}  // namespace
+
+class PictureTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void sizeAndBackground();
+    void cameraTakesText();
+    void sequences();
+    void wrongUsage_data();
+    void wrongUsage();
+    void errorsSayWhatToDo();
+
+private:
+    [[nodiscard]] QString path(const QString& name) const { return m_folder.filePath(name); }
+    QTemporaryDir m_folder;
+};
+
+void PictureTest::sizeAndBackground() {
+    const QString file = path(QStringLiteral("a.png"));
+    const Run run = runCli(words("picture --size 321x123 --transparent --no-floor --shots 3") << file);
+    QVERIFY2(run.status == 0, qPrintable(run.err));
+    const QImage image(file);
+    QCOMPARE(image.size(), QSize(321, 123));
+    QCOMPARE(qAlpha(image.pixel(0, 0)), 0);
+    int opaque = 0;
+    for (int x = 0; x < image.width(); ++x) {
+        opaque += qAlpha(image.pixel(x, image.height() / 2)) == 255 ? 1 : 0;
+    }
+    QVERIFY(opaque > 20);
+}
+
+void PictureTest::cameraTakesText() {
+    const QString camera =
+        QStringLiteral("camera pivot 0 3 0 yaw 0 pitch 90 distance 30 fov 50 orthographic");
+    const QString top = path(QStringLiteral("top.png"));
+    const QString side = path(QStringLiteral("side.png"));
+    QCOMPARE(runCli(words("picture --size 200x200 --camera") << camera << top).status, 0);
+    QCOMPARE(runCli(words("picture --size 200x200") << side).status, 0);
+    QVERIFY(QImage(top).size() == QImage(side).size() && QImage(top) != QImage(side));
+}
+
+void PictureTest::sequences() {
+    const QString turn = path(QStringLiteral("turn"));
+    QCOMPARE(runCli(words("sequence --turntable 3 --size 96x64") << turn).status, 0);
+    QCOMPARE(QDir(turn).entryList(QDir::Files),
+             (QStringList{QStringLiteral("turntable-0001.png"), QStringLiteral("turntable-0002.png"),
+                          QStringLiteral("turntable-0003.png")}));
+    const QString replay = path(QStringLiteral("replay"));
+    QCOMPARE(runCli(words("sequence --replay --shots 2 --size 96x64") << replay).status, 0);
+    QVERIFY(QDir(replay).entryList(QDir::Files).size() >= 2);
+}
+
+void PictureTest::wrongUsage_data() {
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QString>("says");
+    const auto row = [](const char* line, const char* says) {
+        QTest::newRow(line) << QString::fromUtf8(line) << QString::fromUtf8(says);
+    };
+    row("picture", "file to write");
+    row("picture a.png b.obj c.obj", "file to write");
+    row("picture --size 12 a.png", "--size takes");
+    row("picture --size 0x5 a.png", "--size takes");
+    row("picture --size 5x5x5 a.png", "--size takes");
+    row("picture --theme pink a.png", "light, dark");
+    row("picture --wireframe some a.png", "off, over, only");
+    row("picture --pipeline magic a.png", "transform-feedback");
+    row("picture --shots -1 a.png", "--shots takes");
+    row("picture --fast a.png", "fast");
+    row("sequence out", "--turntable or --replay");
+    row("sequence --turntable 3 --replay out", "--turntable or --replay");
+    row("sequence --turntable 0 out", "--turntable takes");
+    row("sequence --replay", "folder");
+}
+
+void PictureTest::wrongUsage() {
+    QFETCH(QString, line);
+    QFETCH(QString, says);
+    const Run run = runCli(line.split(u' '));
+    QCOMPARE(run.status, 2);
+    QVERIFY2(run.err.contains(says), qPrintable(run.err));
+}
+
+void PictureTest::errorsSayWhatToDo() {
+    Run run = runCli(words("picture --size 900000x10") << path(QStringLiteral("huge.png")));
+    QCOMPARE(run.status, 1);
+    QVERIFY2(run.err.contains(QStringLiteral("900000 x 10")) && run.err.contains(QStringLiteral("smaller")),
+             qPrintable(run.err));
+    QVERIFY(!QFile::exists(path(QStringLiteral("huge.png"))));
+    run = runCli(words("picture --camera nowhere") << path(QStringLiteral("b.png")));
+    QCOMPARE(run.status, 1);
+    QVERIFY2(run.err.contains(QStringLiteral("--camera")), qPrintable(run.err));
+    run = runCli(words("picture") << path(QStringLiteral("no/such/folder.png")));
+    QCOMPARE(run.status, 1);
+    QVERIFY2(run.err.contains(QStringLiteral("folder.png")), qPrintable(run.err));
+}
+
+QTEST_GUILESS_MAIN(PictureTest)
+#include "picture_test.moc"

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The camera by mouse, keys and menus of the whole window.
+#include <QAction>
+#include <QClipboard>
+#include <QDockWidget>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QWheelEvent>
+#include <cmath>
+
+#include "app/full_view.h"
+#include "app/keys_overlay.h"
+#include "mesh/primitives.h"
+#include "render/camera_text.h"
+#include "viewport/view_label.h"
+#include "widgets/window_support.h"
+
+using namespace hitscope;
+
+namespace {
+
+bool near(const glm::vec3& a, const glm::vec3& b, float distance = 1.0e-3f) {
+    return glm::length(a - b) <= distance;
+}
+
+QAction* actionNamed(const QWidget& window, const QString& text) {
+    for (QAction* action : window.findChildren<QAction*>()) {
+        QString plain = action->text();
+        if (plain.remove(QLatin1Char('&')).startsWith(text)) {
+            return action;
+        }
+    }
+    return nullptr;
+}
+
+QString allText(const QWidget& widget) {
+    QString text;
+    for (const QLabel* label : widget.findChildren<QLabel*>()) {
+        text += label->text() + QLatin1Char('\n');
+    }
+    return text;
+}
+
+}  // namespace
+
+class CameraWindowTest : public QObject {
+    Q_OBJECT
+public:
+    static void initMain() { MainWindow::setSurfaceFormat(); }
+
+private Q_SLOTS:
+    void init();
+    void cleanup();
+    void padKeysTurnToTheAxes();
+    void homeFramesAllAndPressingStopsIt();
+    void middleDragOrbitsInBlendersPreset();
+    void orthographicClickShootsWhereItPoints();
+    void shiftWheelSaysTheFieldOfView();
+    void copyAndPaste();
+    void pasteSaysWhatIsWrong();
+    void bookmarks();
+    void isRemembered();
+    void keysOverlayListsWhatThereIs();
+    void viewportOnlyAndBack();
+
+private:
+    void makeWindow();
+    void settle() { QTRY_VERIFY_WITH_TIMEOUT(!navigation().isMoving(), kPatience); }
+    [[nodiscard]] Navigation& navigation() { return m_window->viewport().navigation(); }
+    [[nodiscard]] const Camera& camera() { return m_window->viewport().camera(); }
+    [[nodiscard]] QPoint centre() const { return m_window->viewport().rect().center(); }
+
+    std::unique_ptr<TestSettings> m_settings;
+    std::unique_ptr<Session> m_session;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+void CameraWindowTest::init() {
+    m_settings = std::make_unique<TestSettings>();
+    makeWindow();
+}
+
+void CameraWindowTest::makeWindow() {
+    m_window.reset();
+    m_session = std::make_unique<Session>();
+    m_session->loadMesh(makeHighPolySphere(2.5f));
+    m_window = std::make_unique<MainWindow>(*m_session);
+    showReady(*m_window);
+}
+
+void CameraWindowTest::cleanup() {
+    m_window.reset();
+    m_session.reset();
+    m_settings.reset();
+}
+
+void CameraWindowTest::padKeysTurnToTheAxes() {
+    const auto pad = [this](Qt::Key key, Qt::KeyboardModifiers held = {}) {
+        QTest::keyClick(&m_window->viewport(), key, held | Qt::KeypadModifier);
+        settle();
+    };
+    const auto* label = m_window->findChild<ViewLabel*>();
+    pad(Qt::Key_1);
+    QVERIFY(near(camera().forward(), {0, 0, -1}));
+    QVERIFY(label->text().contains(QStringLiteral("Front")));
+    pad(Qt::Key_3);
+    QVERIFY(near(camera().forward(), {-1, 0, 0}));
+    pad(Qt::Key_7);
+    QVERIFY(near(camera().forward(), {0, -1, 0}));
+    pad(Qt::Key_1, Qt::ControlModifier);
+    QVERIFY(near(camera().forward(), {0, 0, 1}));
+    pad(Qt::Key_3, Qt::ControlModifier);
+    QVERIFY(near(camera().forward(), {1, 0, 0}));
+    pad(Qt::Key_Home);  // NumLock off
+    QVERIFY(near(camera().forward(), {0, -1, 0}));
+    pad(Qt::Key_5);
+    QVERIFY(camera().isOrthographic());
+    QVERIFY(label->text().contains(QStringLiteral("orthographic")));
+    QVERIFY(actionNamed(*m_window, QStringLiteral("Orthographic"))->isChecked());
+    pad(Qt::Key_5);
+    QVERIFY(!camera().isOrthographic());
+}
+
+void CameraWindowTest::homeFramesAllAndPressingStopsIt() {
+    const Camera before = camera();
+    navigation().flyStep({8.0f, 0.0f, 0.0f});
+    QTest::keyClick(&m_window->viewport(), Qt::Key_Home);
+    QVERIFY(navigation().isMoving());
+    settle();
+    QVERIFY(near(camera().pivot(), before.pivot()));
+    navigation().flyStep({8.0f, 0.0f, 0.0f});
+    QTest::keyClick(&m_window->viewport(), Qt::Key_Home);
+    QTest::mousePress(&m_window->viewport(), Qt::RightButton, {}, centre());
+    QVERIFY(!navigation().isMoving());
+    QTest::mouseRelease(&m_window->viewport(), Qt::RightButton, {}, centre());
+    QVERIFY(!near(camera().pivot(), before.pivot(), 0.1f));
+    // Measured, the camera is there at once.
+    m_window->viewport().setDrawsContinuously(true);
+    QTest::keyClick(&m_window->viewport(), Qt::Key_Home);
+    QVERIFY(near(camera().pivot(), before.pivot()));
+    m_window->viewport().setDrawsContinuously(false);
+}
+
+void CameraWindowTest::middleDragOrbitsInBlendersPreset() {
+    actionNamed(*m_window, QStringLiteral("As in Blender"))->trigger();
+    Viewport& viewport = m_window->viewport();
+    const auto drag = [&](Qt::MouseButton button) {
+        QTest::mousePress(&viewport, button, {}, centre());
+        const QPointF at = centre() + QPoint(80, 20);
+        QMouseEvent move(QEvent::MouseMove, at, viewport.mapToGlobal(at), Qt::NoButton, button, {});
+        QCoreApplication::sendEvent(&viewport, &move);
+        QTest::mouseRelease(&viewport, button, {}, at.toPoint());
+    };
+    Camera before = camera();
+    drag(Qt::LeftButton);
+    QVERIFY(camera() == before);
+    drag(Qt::MiddleButton);
+    QVERIFY(!near(camera().forward(), before.forward(), 0.05f));
+    QTest::mouseClick(&viewport, Qt::LeftButton, {}, centre());
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{1}, kPatience);
+}
+
+void CameraWindowTest::orthographicClickShootsWhereItPoints() {
+    navigation().setProjection(Projection::Orthographic);
+    const QPoint at = centre() + QPoint(40, -50);
+    const Ray ray = navigation().rayAt(at);
+    const auto aimed = m_session->physics().castRay(ray.origin, ray.direction, 1.0e4f);
+    QVERIFY(aimed.has_value());
+    QTest::mouseClick(&m_window->viewport(), Qt::LeftButton, {}, at);
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{1}, kPatience);
+    QVERIFY(near(m_session->history().hits().front().point, aimed->point, 0.15f));
+}
+
+void CameraWindowTest::shiftWheelSaysTheFieldOfView() {
+    Viewport& viewport = m_window->viewport();
+    const float before = camera().fieldOfView();
+    QWheelEvent event(centre(), viewport.mapToGlobal(centre()), {}, {0, 120}, Qt::NoButton, Qt::ShiftModifier,
+                      Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&viewport, &event);
+    QVERIFY(camera().fieldOfView() < before);
+    const auto* label = m_window->findChild<ViewLabel*>();
+    QVERIFY(label->text().contains(QStringLiteral("46°")));
+    QTRY_VERIFY_WITH_TIMEOUT(!label->text().contains(QStringLiteral("46°")), kPatience);
+}
+
+void CameraWindowTest::copyAndPaste() {
+    navigation().flyStep({1.0f, 2.0f, 0.0f});
+    const Camera there = camera();
+    QTest::keyClick(&m_window->viewport(), Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(QGuiApplication::clipboard()->text(), QString::fromStdString(cameraText(there)));
+    navigation().flyStep({5.0f, 0.0f, 0.0f});
+    QTest::keyClick(&m_window->viewport(), Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
+    settle();
+    QVERIFY(camera() == there);
+}
+
+void CameraWindowTest::pasteSaysWhatIsWrong() {
+    const Camera before = camera();
+    QGuiApplication::clipboard()->setText(QStringLiteral("camera pivot 1 2 yaw 3"));
+    QTest::keyClick(&m_window->viewport(), Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
+    auto* box = m_window->findChild<QMessageBox*>();
+    QVERIFY(box != nullptr && box->text().contains(QStringLiteral("pivot")));
+    QVERIFY(box->informativeText().contains(QStringLiteral("camera pivot 0 1.5 0")));
+    box->close();
+    QVERIFY(camera() == before);
+}
+
+void CameraWindowTest::bookmarks() {
+    const Camera before = camera();
+    QTest::keyClick(&m_window->viewport(), Qt::Key_3);  // none there yet
+    QVERIFY(camera() == before);
+    QTest::keyClick(&m_window->viewport(), Qt::Key_3, Qt::ControlModifier);
+    navigation().flyStep({5.0f, 0.0f, 0.0f});
+    navigation().setProjection(Projection::Orthographic);
+    QTest::keyClick(&m_window->viewport(), Qt::Key_3);
+    settle();
+    QVERIFY(camera() == before);
+}
+
+void CameraWindowTest::isRemembered() {
+    navigation().setPreset(NavigationPreset::Blender);
+    navigation().setOrbitMode(OrbitMode::Turntable);
+    navigation().setProjection(Projection::Orthographic);
+    QTest::keyClick(&m_window->viewport(), Qt::Key_7, Qt::ControlModifier);
+    const Camera stored = camera();
+    m_window->close();
+    makeWindow();
+    QCOMPARE(navigation().preset(), NavigationPreset::Blender);
+    QCOMPARE(navigation().orbitMode(), OrbitMode::Turntable);
+    QVERIFY(camera().isOrthographic());
+    navigation().flyStep({5.0f, 0.0f, 0.0f});
+    QTest::keyClick(&m_window->viewport(), Qt::Key_7);
+    settle();
+    QVERIFY(camera() == stored);
+}
+
+void CameraWindowTest::keysOverlayListsWhatThereIs() {
+    QTest::keyClick(&m_window->viewport(), Qt::Key_F1);
+    auto* overlay = m_window->findChild<KeysOverlay*>();
+    QVERIFY(overlay != nullptr && overlay->isVisible());
+    QString text = allText(*overlay);
+    // Of the preset, a held key, an action, a dock's own action, and one line for nine bookmarks.
+    for (const char* said : {"Right-drag", "W A S D", "Ctrl+E", "Frame All", "Rename", "1 … 9"}) {
+        QVERIFY2(text.contains(QString::fromUtf8(said)), said);
+    }
+    QVERIFY(!text.contains(QStringLiteral("Bookmark 5")));
+    QTest::keyClick(overlay, Qt::Key_Escape);
+    QVERIFY(!overlay->isVisible());
+    QVERIFY(m_window->viewport().hasFocus());
+    // It follows what there is.
+    actionNamed(*m_window, QStringLiteral("Frame All"))->setShortcut(QKeySequence(QStringLiteral("Ctrl+F9")));
+    navigation().setPreset(NavigationPreset::Blender);
+    QTest::keyClick(&m_window->viewport(), Qt::Key_F1);
+    text = allText(*overlay);
+    QVERIFY(text.contains(QStringLiteral("Ctrl+F9")) && !text.contains(QStringLiteral("Right-drag")));
+    QTest::keyClick(overlay, Qt::Key_F1);
+    QVERIFY(!overlay->isVisible());
+}
+
+void CameraWindowTest::viewportOnlyAndBack() {
+    auto* history = m_window->findChild<QDockWidget*>(QStringLiteral("hitHistory"));
+    auto* lights = m_window->findChild<QDockWidget*>(QStringLiteral("lights"));
+    lights->hide();
+    QVERIFY(history->isVisible());
+    const QSize before = m_window->viewport().size();
+    QTest::keyClick(&m_window->viewport(), Qt::Key_Return, Qt::AltModifier);
+    QVERIFY(!history->isVisible() && !m_window->menuBar()->isVisible());
+    QVERIFY(m_window->windowState().testFlag(Qt::WindowFullScreen));
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->viewport().height() > before.height(), kPatience);
+    // Keys of the menus still count.
+    QTest::keyClick(&m_window->viewport(), Qt::Key_L);
+    QCOMPARE(m_window->viewport().options().wireframe, WireframeMode::Over);
+    QTest::keyClick(&m_window->viewport(), Qt::Key_Escape);
+    QVERIFY(history->isVisible() && m_window->menuBar()->isVisible() && !lights->isVisible());
+    QVERIFY(!m_window->windowState().testFlag(Qt::WindowFullScreen));
+    // Closed while it is on, the window comes back with all its parts.
+    QTest::keyClick(&m_window->viewport(), Qt::Key_Return, Qt::AltModifier);
+    m_window->close();
+    makeWindow();
+    QVERIFY(m_window->findChild<QDockWidget*>(QStringLiteral("hitHistory"))->isVisible());
+    QVERIFY(m_window->menuBar()->isVisible());
+}
+
+QTEST_MAIN(CameraWindowTest)
+#include "camera_test.moc"

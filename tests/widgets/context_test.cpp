@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The picture outlives its OpenGL context, and what is under the cursor is so at any scale: run with other
+// values of QT_SCALE_FACTOR too.
+#include <QDockWidget>
+#include <QImage>
+#include <QMainWindow>
+#include <QOpenGLContext>
+#include <QSignalSpy>
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <vector>
+
+#include "mesh/primitives.h"
+#include "widgets/window_support.h"
+
+using namespace hitscope;
+
+namespace {
+
+std::vector<std::vector<DynamicVertex>> readBack(const Session& session) {
+    std::vector<std::vector<DynamicVertex>> all;
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        const auto vertices = target->deformed.vertices();
+        all.emplace_back(vertices.begin(), vertices.end());
+    }
+    return all;
+}
+
+/// On the sphere of radius 2.5 m, at its side `out` (unit).
+Hit hitOn(const Session& session, const glm::vec3& out, const glm::vec3& direction) {
+    Hit hit;
+    hit.target = session.targets().front()->id;
+    hit.point = 2.5f * out;
+    hit.direction = direction;
+    return hit;
+}
+
+bool sameBits(const std::vector<std::vector<DynamicVertex>>& a,
+              const std::vector<std::vector<DynamicVertex>>& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (a[i].size() != b[i].size() ||
+            std::memcmp(a[i].data(), b[i].data(), a[i].size() * sizeof(DynamicVertex)) != 0) {
+            return false;
+        }
+    }
+    return a.size() == b.size();
+}
+
+}  // namespace
+
+class ContextTest : public QObject {
+    Q_OBJECT
+public:
+    static void initMain() { MainWindow::setSurfaceFormat(); }
+
+private Q_SLOTS:
+    void init();
+    void cleanup();
+    void anotherContextShowsTheSame_data();
+    void anotherContextShowsTheSame();
+    void windowTricksLoseNothing();
+    void pixelsAndRaysAgree_data();
+    void pixelsAndRaysAgree();
+    void idleDrawsNothing();
+
+private:
+    void hitIt();
+    [[nodiscard]] QImage shown() { return m_window->viewport().grabFramebuffer(); }
+
+    std::unique_ptr<TestSettings> m_settings;
+    std::unique_ptr<Session> m_session;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+void ContextTest::init() {
+    m_settings = std::make_unique<TestSettings>();
+    m_session = std::make_unique<Session>();
+    m_session->loadMesh(makeHighPolySphere(2.5f));
+    m_window = std::make_unique<MainWindow>(*m_session);
+    showReady(*m_window);
+}
+
+void ContextTest::cleanup() {
+    m_window.reset();
+    m_session.reset();
+    m_settings.reset();
+}
+
+void ContextTest::hitIt() {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> between(-1.0f, 1.0f);
+    std::vector<Hit> hits;
+    const glm::vec3 toEye = -m_window->viewport().camera().forward();
+    for (int i = 0; i < 40; ++i) {
+        const glm::vec3 out =
+            glm::normalize(toEye + 0.6f * glm::vec3(between(random), between(random), between(random)));
+        hits.push_back(hitOn(*m_session, out, -out));
+    }
+    QVERIFY(m_session->addHits(hits).ok());
+    QVERIFY(m_window->viewport().syncNow().ok());
+}
+
+void ContextTest::anotherContextShowsTheSame_data() {
+    QTest::addColumn<QString>("pipeline");
+    for (const PipelineTraits& traits : allPipelines()) {
+        const auto name = QString::fromUtf8(traits.key.data(), static_cast<qsizetype>(traits.key.size()));
+        QTest::newRow(qPrintable(name)) << name;
+    }
+}
+
+void ContextTest::anotherContextShowsTheSame() {
+    QFETCH(QString, pipeline);
+    for (const PipelineTraits& traits : allPipelines()) {
+        if (pipeline == QString::fromUtf8(traits.key.data(), static_cast<qsizetype>(traits.key.size()))) {
+            m_session->setPipeline(traits.kind);
+        }
+    }
+    hitIt();
+    Viewport& viewport = m_window->viewport();
+    viewport.setFixedSize(viewport.size());  // while it is away the docks spread
+    const QImage before = shown();
+    const auto vertices = readBack(*m_session);
+    const QSize size = viewport.size();
+
+    QOpenGLContext* first = viewport.context();
+    const QSignalSpy gone(first, &QOpenGLContext::aboutToBeDestroyed);
+    const QSignalSpy again(&viewport, &Viewport::rendererKnown);
+    // To a window of its own, as when a panel is undocked, and back.
+    viewport.setParent(nullptr);
+    viewport.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&viewport, kPatience));
+    QTRY_COMPARE_WITH_TIMEOUT(again.size(), 1, kPatience);
+    QCOMPARE(gone.size(), 1);
+    QVERIFY(viewport.syncNow().ok());
+    QCOMPARE(viewport.size(), size);
+    QVERIFY(shown() == before);
+    QVERIFY(sameBits(readBack(*m_session), vertices));
+
+    m_window->setCentralWidget(&viewport);
+    QTRY_COMPARE_WITH_TIMEOUT(again.size(), 2, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(viewport.size(), size, kPatience);
+    QVERIFY(viewport.syncNow().ok());
+    QVERIFY(shown() == before);
+    QVERIFY(sameBits(readBack(*m_session), vertices));
+    // And it goes on: one more hit is seen.
+    const glm::vec3 out = -viewport.camera().forward();
+    QVERIFY(m_session->addHit(hitOn(*m_session, out, -viewport.camera().up())).ok());
+    QVERIFY(viewport.syncNow().ok());
+    QVERIFY(!sameBits(readBack(*m_session), vertices));
+    QVERIFY(shown() != before);
+}
+
+void ContextTest::windowTricksLoseNothing() {
+    hitIt();
+    Viewport& viewport = m_window->viewport();
+    const QImage before = shown();
+    const QSize size = viewport.size();
+    const auto back = [&] {
+        QTRY_COMPARE_WITH_TIMEOUT(viewport.size(), size, kPatience);
+        QVERIFY(shown() == before);
+    };
+    m_window->resize(m_window->size() - QSize(120, 90));
+    QTRY_VERIFY_WITH_TIMEOUT(viewport.size() != size, kPatience);
+    m_window->resize(m_window->size() + QSize(120, 90));
+    back();
+    m_window->showMinimized();
+    QTest::qWait(50);
+    m_window->showNormal();
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), kPatience));
+    back();
+    m_window->hide();
+    m_window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), kPatience));
+    back();
+    auto* dock = m_window->findChild<QDockWidget*>(QStringLiteral("hitHistory"));
+    dock->setFloating(true);
+    QTRY_VERIFY_WITH_TIMEOUT(viewport.size() != size, kPatience);
+    dock->setFloating(false);
+    back();
+}
+
+void ContextTest::pixelsAndRaysAgree_data() {
+    QTest::addColumn<bool>("orthographic");
+    QTest::newRow("perspective") << false;
+    QTest::newRow("orthographic") << true;
+}
+
+void ContextTest::pixelsAndRaysAgree() {
+    QFETCH(bool, orthographic);
+    Viewport& viewport = m_window->viewport();
+    viewport.navigation().setProjection(orthographic ? Projection::Orthographic : Projection::Perspective);
+    DisplayOptions options = viewport.options();
+    options.floor = false;
+    viewport.setOptions(options);
+    const QImage with = shown();
+    const TargetId target[] = {m_session->targets().front()->id};
+    const double scale = viewport.devicePixelRatioF();
+    QCOMPARE(with.width(), static_cast<int>(std::lround(viewport.width() * scale)));
+    if (qEnvironmentVariableIsSet("QT_SCALE_FACTOR")) {
+        QCOMPARE(scale, qEnvironmentVariable("QT_SCALE_FACTOR").toDouble());
+    }
+    struct Probe {
+        QPoint pixel;
+        bool hit;
+    };
+    std::vector<Probe> probes;
+    std::mt19937 random(7);
+    std::uniform_int_distribution<int> x(3, with.width() - 4);
+    std::uniform_int_distribution<int> y(3, with.height() - 4);
+    const auto meets = [&](const QPointF& pixel) {
+        const Ray ray = viewport.navigation().rayAt(pixel / scale);
+        return m_session->physics().castRay(ray.origin, ray.direction, 1.0e4f).has_value();
+    };
+    for (int i = 0; i < 600; ++i) {
+        const QPoint pixel(x(random), y(random));
+        const QPointF middle = QPointF(pixel) + QPointF(0.5, 0.5);
+        const bool hit = meets(middle);
+        bool edge = false;
+        for (const QPointF& off : {QPointF(2, 0), QPointF(-2, 0), QPointF(0, 2), QPointF(0, -2)}) {
+            edge = edge || meets(middle + off) != hit;
+        }
+        if (!edge) {
+            probes.push_back({pixel, hit});
+        }
+    }
+    m_session->setTargetsVisible(target, false);
+    const QImage without = shown();
+    std::size_t hits = 0;
+    for (const Probe& probe : probes) {
+        QCOMPARE(with.pixel(probe.pixel) != without.pixel(probe.pixel), probe.hit);
+        hits += probe.hit ? 1 : 0;
+    }
+    QVERIFY(hits > 50 && hits < probes.size());
+}
+
+void ContextTest::idleDrawsNothing() {
+    hitIt();
+    Viewport& viewport = m_window->viewport();
+    viewport.frameAll();  // a glide ends, and then nothing more is drawn
+    QTRY_VERIFY_WITH_TIMEOUT(!viewport.navigation().isMoving(), kPatience);
+    // Until a whole while has passed without a frame.
+    const QSignalSpy frames(&viewport, &Viewport::framePainted);
+    qsizetype last = -1;
+    QTRY_VERIFY_WITH_TIMEOUT((last == frames.size()) || ((last = frames.size()), QTest::qWait(400), false),
+                             kPatience);
+    QTest::qWait(1500);
+    QCOMPARE(frames.size(), last);
+}
+
+QTEST_MAIN(ContextTest)
+#include "context_test.moc"

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures and sequences as files, from the window.
+#include <QDir>
+#include <QImage>
+#include <QMessageBox>
+#include <QProgressDialog>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QStandardPaths>
+
+#include "app/picture_actions.h"
+#include "app/picture_dialog.h"
+#include "mesh/primitives.h"
+#include "widgets/window_support.h"
+
+using namespace hitscope;
+
+class PicturesTest : public QObject {
+    Q_OBJECT
+public:
+    static void initMain() { MainWindow::setSurfaceFormat(); }
+
+private Q_SLOTS:
+    void init();
+    void cleanup();
+    void saveKeyAsksNothing();
+    void anySizeAndTransparent();
+    void tooLargeSaysTheLimit();
+    void folderThatIsNotThere();
+    void turntableGoesOnceAround();
+    void replayShowsHitsOneByOne();
+    void sequenceCanBeCancelled();
+    void dialogRemembers();
+
+private:
+    [[nodiscard]] PictureActions& pictures() { return *m_window->findChild<PictureActions*>(); }
+    [[nodiscard]] QString path(const QString& name) const { return m_folder->filePath(name); }
+    [[nodiscard]] PictureRequest request(int width, int height);
+    [[nodiscard]] QStringList files() const {
+        return QDir(m_folder->path()).entryList({QStringLiteral("*.png")}, QDir::Files, QDir::Name);
+    }
+    void addHits();
+
+    std::unique_ptr<TestSettings> m_settings;
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<Session> m_session;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+void PicturesTest::init() {
+    m_settings = std::make_unique<TestSettings>();
+    m_folder = std::make_unique<QTemporaryDir>();
+    m_session = std::make_unique<Session>();
+    m_session->loadMesh(makeHighPolySphere(2.5f));
+    m_window = std::make_unique<MainWindow>(*m_session);
+    showReady(*m_window);
+}
+
+void PicturesTest::cleanup() {
+    m_window.reset();
+    m_session.reset();
+    m_folder.reset();
+    m_settings.reset();
+}
+
+PictureRequest PicturesTest::request(int width, int height) {
+    PictureRequest request = m_window->viewport().pictureRequest();
+    request.width = width;
+    request.height = height;
+    return request;
+}
+
+void PicturesTest::addHits() {
+    const TargetId target = m_session->targets().front()->id;
+    const glm::vec3 toEye = -m_window->viewport().camera().forward();
+    for (const float aside : {-0.5f, 0.0f, 0.5f}) {
+        const glm::vec3 out = glm::normalize(toEye + aside * m_window->viewport().camera().right());
+        Hit hit;
+        hit.target = target;
+        hit.point = 2.5f * out;
+        hit.direction = -out;
+        QVERIFY(m_session->addHit(hit).ok());
+    }
+}
+
+void PicturesTest::saveKeyAsksNothing() {
+    QSettings().setValue(QStringLiteral("picture/folder"), m_folder->path());
+    QTest::keyClick(&m_window->viewport(), Qt::Key_F12);
+    QTest::keyClick(&m_window->viewport(), Qt::Key_F12);
+    QCOMPARE(files().size(), 2);
+    const QImage picture(path(files().front()));
+    QCOMPARE(picture.size(), m_window->viewport().size() * m_window->viewport().devicePixelRatioF());
+    // It is what the viewport shows.
+    QImage shown = m_window->viewport().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+    QCOMPARE(picture.pixel(picture.width() / 2, picture.height() / 2) | 0xff000000u,
+             shown.pixel(shown.width() / 2, shown.height() / 2));
+}
+
+void PicturesTest::anySizeAndTransparent() {
+    PictureRequest large = request(3000, 500);
+    large.options.transparent = true;
+    large.options.floor = false;
+    QVERIFY(pictures().save(large, path(QStringLiteral("large.png"))).ok());
+    const QImage picture(path(QStringLiteral("large.png")));
+    QCOMPARE(picture.size(), QSize(3000, 500));
+    QCOMPARE(qAlpha(picture.pixel(2, 2)), 0);
+    QCOMPARE(qAlpha(picture.pixel(1500, 250)), 255);
+    QVERIFY(qGreen(picture.pixel(1500, 250)) > 20);
+    // Without it, nothing can be seen through.
+    large.options.transparent = false;
+    QVERIFY(pictures().save(large, path(QStringLiteral("large.png"))).ok());
+    QCOMPARE(qAlpha(QImage(path(QStringLiteral("large.png"))).pixel(2, 2)), 255);
+}
+
+void PicturesTest::tooLargeSaysTheLimit() {
+    const Status saved = pictures().save(request(1'000'000, 10), path(QStringLiteral("huge.png")));
+    QVERIFY(!saved.ok());
+    QVERIFY(saved.error().what.find("1000000 x 10") != std::string::npos);
+    QVERIFY(files().isEmpty());
+    QVERIFY(!pictures().save(request(0, 10), path(QStringLiteral("none.png"))).ok());
+}
+
+void PicturesTest::folderThatIsNotThere() {
+    const QString nowhere = path(QStringLiteral("no/such/folder.png"));
+    const Status saved = pictures().save(nowhere);
+    QVERIFY(!saved.ok());
+    QVERIFY(QString::fromStdString(saved.error().message()).contains(nowhere));
+}
+
+void PicturesTest::turntableGoesOnceAround() {
+    addHits();  // a bare sphere looks the same from all sides
+    const Camera before = m_window->viewport().camera();
+    const QSignalSpy ended(&pictures().sequences(), &SequenceWriter::ended);
+    pictures().writeSequence({request(160, 120), 4, m_folder->path(), QStringLiteral("turn")});
+    QVERIFY(m_window->findChild<QProgressDialog*>() != nullptr);
+    QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, kPatience);
+    QCOMPARE(files(), (QStringList{QStringLiteral("turn-0001.png"), QStringLiteral("turn-0002.png"),
+                                   QStringLiteral("turn-0003.png"), QStringLiteral("turn-0004.png")}));
+    QVERIFY(QImage(path(files()[0])) != QImage(path(files()[2])));
+    QVERIFY(m_window->viewport().camera() == before);
+}
+
+void PicturesTest::replayShowsHitsOneByOne() {
+    addHits();
+    const std::size_t disabled[] = {1};
+    m_session->setHitsEnabled(disabled, false);
+    const std::uint64_t revision = m_session->history().revision();
+    const QSignalSpy ended(&pictures().sequences(), &SequenceWriter::ended);
+    pictures().writeSequence({request(160, 120), 0, m_folder->path(), QStringLiteral("replay")});
+    QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, kPatience);
+    QCOMPARE(files().size(), 3);  // before, and after each of two
+    QVERIFY(QImage(path(files()[0])) != QImage(path(files()[1])));
+    QVERIFY(QImage(path(files()[1])) != QImage(path(files()[2])));
+    QCOMPARE(m_session->history().revision(), revision);  // the session was left alone
+    // The last one is what the viewport shows.
+    QVERIFY(pictures().save(request(160, 120), path(QStringLiteral("zz.png"))).ok());
+    QVERIFY(QImage(path(files()[2])) == QImage(path(QStringLiteral("zz.png"))));
+}
+
+void PicturesTest::sequenceCanBeCancelled() {
+    const QSignalSpy ended(&pictures().sequences(), &SequenceWriter::ended);
+    pictures().writeSequence({request(320, 240), 5000, m_folder->path(), QStringLiteral("turn")});
+    QTRY_VERIFY_WITH_TIMEOUT(files().size() >= 2, kPatience);
+    auto* progress = m_window->findChild<QProgressDialog*>();
+    QTest::mouseClick(progress->findChild<QPushButton*>(), Qt::LeftButton);
+    QCOMPARE(ended.size(), 1);
+    QVERIFY(!pictures().sequences().isRunning());
+    QVERIFY(files().size() < 5000);
+}
+
+void PicturesTest::dialogRemembers() {
+    QSettings settings;
+    {
+        PictureDialog dialog(PictureDialog::Kind::Sequence, {800, 600}, 3);
+        QCOMPARE(dialog.pictureSize(), QSize(800, 600));
+        dialog.findChild<QSpinBox*>(QStringLiteral("pictureWidth"))->setValue(1920);
+        dialog.findChild<QSpinBox*>(QStringLiteral("pictureHeight"))->setValue(1080);
+        dialog.findChild<QAbstractButton*>(QStringLiteral("transparent"))->setChecked(true);
+        QVERIFY(dialog.turntable() > 0);
+        dialog.findChild<QAbstractButton*>(QStringLiteral("replay"))->click();
+        QCOMPARE(dialog.turntable(), 0);
+        dialog.findChild<QAbstractButton*>(QStringLiteral("turntable"))->click();
+        QVERIFY(dialog.turntable() > 0);
+        dialog.save(settings);
+    }
+    PictureDialog dialog(PictureDialog::Kind::Picture, {640, 480}, 0);
+    dialog.load(settings);
+    QCOMPARE(dialog.pictureSize(), QSize(1920, 1080));
+    QVERIFY(dialog.isTransparent());
+}
+
+QTEST_MAIN(PicturesTest)
+#include "pictures_test.moc"
