@@ -38,7 +38,7 @@ public:
         float pixelRatio = 1.0f;
         Camera camera;
         DisplayOptions options;
-        std::shared_ptr<const std::vector<glm::vec3>> ghost;  ///< as in Frame
+        std::shared_ptr<const std::vector<glm::vec3>> ghost = nullptr;  ///< as in Frame
         /// What a colour map of change takes its range and some values from; it follows the quantity shown.
         const ChangeValues* changeValues = nullptr;
         Comparison* comparison = nullptr;  ///< with a second pipeline; null: none
