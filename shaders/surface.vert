@@ -55,7 +55,7 @@ void main()
 #endif
 #ifdef HITSCOPE_SHADOWS
     // From a little above the surface, or its own depths, a texel wide, would shadow it.
-    v_shadow = (u_shadowMatrix * vec4(world.xyz + 1.5 * u_shadowTexel * v_normal, 1.0)).xyz;
+    v_shadow = (u_shadowMatrix * vec4(world.xyz + 2.5 * u_shadowTexel * v_normal, 1.0)).xyz;
 #endif
     gl_Position = u_viewProjection * world;
 }

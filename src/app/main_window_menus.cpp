@@ -132,7 +132,7 @@ void MainWindow::makeDisplayActions(QMenu& menu) {
     menu.addMenu(m_wireframeMenu);
     m_shading = new ShadingActions(this);
     m_shading->fill(*menu.addMenu(tr("S&hading")));
-    connect(m_shading, &ShadingActions::switched, this, [this](bool DisplayOptions::*option, bool on) {
+    connect(m_shading, &ShadingActions::switched, this, [this](DisplayOption option, bool on) {
         changeDisplay([option, on](DisplayOptions& display) { display.*option = on; });
     });
     QMenu& normals = *menu.addMenu(tr("&Normals"));

@@ -12,13 +12,15 @@ class QMenu;
 
 namespace hitscope {
 
+using DisplayOption = bool DisplayOptions::*;
+
 /// A way to draw surfaces that is on or off.
 struct ShadingSwitch {
     const char* key;   ///< in the settings
     const char* text;  ///< to be translated, as are those below
     const char* toolTip;
     const char* shortcut;
-    bool DisplayOptions::*option;
+    DisplayOption option;
     bool first;  ///< whether it is on when the program starts for the first time
 };
 
@@ -34,7 +36,7 @@ public:
     void show(const DisplayOptions& options);  ///< emits nothing
 
 Q_SIGNALS:
-    void switched(bool hitscope::DisplayOptions::*option, bool on);
+    void switched(hitscope::DisplayOption option, bool on);
 
 private:
     std::vector<QAction*> m_actions;  ///< one a switch

@@ -115,7 +115,8 @@ void WireframeTest::hiddenEdgesAreHidden() {
     const QImage only = draw(frame, WireframeMode::Only);
     const QImage background = draw(empty, WireframeMode::Only);
     QVERIFY(differing(only.copy(inside), background.copy(inside), 2) > 100);
-    QCOMPARE(differing(only.copy(inside), background.copy(inside), 60), 0);
+    // But for the corners, where three lines end in one pixel.
+    QVERIFY(differing(only.copy(inside), background.copy(inside), 60) <= 4);
 }
 
 QTEST_GUILESS_MAIN(WireframeTest)

@@ -6,6 +6,7 @@
 #include <QDoubleSpinBox>
 #include <QGuiApplication>
 #include <QLabel>
+#include <QListView>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
@@ -116,20 +117,41 @@ void PanelsTest::lightsSwitchAndTint() {
     Session session;
     session.loadPaperRow(kDefaultPaperRow);
     LightsPanel panel(session);
-    panel.findChild<QCheckBox*>(QStringLiteral("pointsOn"))->click();
-    for (const PointLight& light : session.lights().points) {
-        QVERIFY(!light.on);
-    }
+    auto* list = panel.findChild<QListView*>(QStringLiteral("list"));
+    QCOMPARE(list->model()->rowCount(), 6);
+    QVERIFY(list->model()->setData(list->model()->index(2, 0), Qt::Unchecked, Qt::CheckStateRole));
+    QVERIFY(session.lights().points[0].on && !session.lights().points[1].on);
     QVERIFY(session.lights().directional.on);
-    panel.findChild<QDoubleSpinBox*>(QStringLiteral("spotIntensity"))->setValue(0.5);
-    QVERIFY(std::abs(session.lights().spot.terms.diffuse - 0.5f) < 1.0e-4f);
+
+    const auto box = [&panel](const char* name) {
+        return panel.findChild<QDoubleSpinBox*>(QLatin1String(name));
+    };
+    list->setCurrentIndex(list->model()->index(1, 0));
+    const PointLight before = session.lights().points[0];
+    QVERIFY(box("positionX")->isVisibleTo(&panel) && !box("directionX")->isVisibleTo(&panel));
+    box("positionY")->setValue(7.25);
+    QCOMPARE(session.lights().points[0].position,
+             glm::vec3(before.position.x, 7.25f, before.position.z));  // and nothing else is rounded
+    box("linear")->setValue(0.5);
+    QCOMPARE(session.lights().points[0].attenuation.linear, 0.5f);
+
+    list->setCurrentIndex(list->model()->index(5, 0));
+    box("diffuse")->setValue(0.5);
+    QCOMPARE(session.lights().spot.terms.diffuse, 0.5f);
+    QVERIFY(!box("directionX")->isVisibleTo(&panel));
+    panel.findChild<QCheckBox*>(QStringLiteral("atEye"))->click();
+    QVERIFY(!session.lights().spot.atEye && box("directionX")->isVisibleTo(&panel));
+    box("innerAngle")->setValue(40.0);
+    QVERIFY(session.lights().spot.outerAngle > session.lights().spot.innerAngle);
 
     Lights lights = session.lights();
     lights.directional.on = false;
     session.setLights(lights);
-    QVERIFY(!panel.findChild<QCheckBox*>(QStringLiteral("directionalOn"))->isChecked());
+    QCOMPARE(list->model()->index(0, 0).data(Qt::CheckStateRole).toInt(), int{Qt::Unchecked});
     panel.findChild<QPushButton*>(QStringLiteral("reset"))->click();
-    QVERIFY(session.lights().directional.on && session.lights().points[0].on);
+    QVERIFY(session.lights().directional.on && session.lights().points[1].on);
+    QVERIFY(session.lights().spot.atEye);
+    QCOMPARE(session.lights().points[0].position, before.position);
 }
 
 void PanelsTest::statisticsChooseTheTarget() {

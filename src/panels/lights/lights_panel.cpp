@@ -3,136 +3,143 @@
 
 #include <QSignalBlocker>
 #include <algorithm>
-#include <cmath>
+#include <glm/trigonometric.hpp>
 #include <utility>
 
 #include "panels/lights/colour_button.h"
+#include "panels/lights/light_swatch_delegate.h"
 #include "ui_lights.h"
 
 namespace hitscope {
 
 namespace {
 
-constexpr double kSliderScale = 100.0;  // slider steps a unit of intensity
-
-/// sRGB's transfer function: lights are linear, colours on buttons are not.
-double encoded(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-}
-
-double decoded(double srgb) {
-    return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
-}
-
-QColor toColour(const glm::vec3& linear) {
-    const auto part = [](float value) {
-        return static_cast<float>(std::clamp(encoded(static_cast<double>(value)), 0.0, 1.0));
-    };
-    return QColor::fromRgbF(part(linear.r), part(linear.g), part(linear.b));
-}
-
-glm::vec3 toLinear(const QColor& colour) {
-    const auto part = [](float srgb) { return static_cast<float>(decoded(static_cast<double>(srgb))); };
-    return {part(colour.redF()), part(colour.greenF()), part(colour.blueF())};
-}
+constexpr double kDegrees = 57.29577951308232;
+constexpr float kLeastEdge = 0.00873f;  // radians, half a degree: the cone's edge stays smooth
+constexpr double kStepsToScene = 50.0;  // of a position, through the scene
 
 }  // namespace
 
 LightsPanel::LightsPanel(Session& session, QWidget* parent)
-    : QWidget(parent), m_session(session), m_ui(std::make_unique<Ui::LightsForm>()) {
+    : QWidget(parent), m_session(session), m_model(session), m_ui(std::make_unique<Ui::LightsForm>()) {
     m_ui->setupUi(this);
-    m_rows = {
-        {{m_ui->directionalOn, m_ui->directionalColour, m_ui->directionalSlider, m_ui->directionalIntensity},
-         {m_ui->pointsOn, m_ui->pointsColour, m_ui->pointsSlider, m_ui->pointsIntensity},
-         {m_ui->spotOn, m_ui->spotColour, m_ui->spotSlider, m_ui->spotIntensity}}};
-    for (const Kind kind : {Directional, Points, Spot}) {
-        connectRow(kind);
-    }
-    connect(m_ui->reset, &QPushButton::clicked, this, &LightsPanel::reset);
-    connect(&session, &Session::lightsChanged, this, &LightsPanel::showLights);
-    showLights();
+    m_ui->list->setModel(&m_model);
+    m_ui->list->setItemDelegate(new LightSwatchDelegate(m_ui->list));
+    m_ui->list->setCurrentIndex(m_model.index(DirectionalRow));
+    const int rows = m_ui->list->sizeHintForRow(0) * LightRowCount;
+    m_ui->list->setFixedHeight(rows + 2 * m_ui->list->frameWidth());
+    makeFields();
+    connect(m_ui->list->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            &LightsPanel::showLight);
+    connect(m_ui->colour, &ColourButton::colourPicked, this, [this](const QColor& colour) {
+        change([this, &colour](Lights& lights) {
+            lightTerms(lights, row()).colour = linearColour(colour.redF(), colour.greenF(), colour.blueF());
+        });
+    });
+    connect(m_ui->atEye, &QCheckBox::toggled, this,
+            [this](bool on) { change([on](Lights& lights) { lights.spot.atEye = on; }); });
+    connect(m_ui->reset, &QPushButton::clicked, this,
+            [this] { m_session.setLights(defaultLights(m_session.lightSpace())); });
+    connect(&session, &Session::lightsChanged, this, &LightsPanel::showLight);
+    showLight();
 }
 
 LightsPanel::~LightsPanel() = default;
 
-void LightsPanel::connectRow(Kind kind) {
-    const Row& row = m_rows[kind];
-    connect(row.on, &QCheckBox::toggled, this, [this, kind] { applyRow(kind); });
-    connect(row.colour, &ColourButton::colourPicked, this, [this, kind] { applyRow(kind); });
-    connect(row.slider, &QSlider::valueChanged, this,
-            [row](int slider) { row.intensity->setValue(slider / kSliderScale); });
-    connect(row.intensity, &QDoubleSpinBox::valueChanged, this, [this, kind, row](double intensity) {
-        const QSignalBlocker quiet(row.slider);
-        row.slider->setValue(static_cast<int>(std::lround(intensity * kSliderScale)));
-        applyRow(kind);
+int LightsPanel::row() const {
+    return std::max(m_ui->list->currentIndex().row(), 0);
+}
+
+void LightsPanel::makeFields() {
+    const auto term = [](float LightTerms::*part) {
+        return [part](Lights& lights, int row) { return &(lightTerms(lights, row).*part); };
+    };
+    addField(m_ui->diffuse, term(&LightTerms::diffuse));
+    addField(m_ui->ambient, term(&LightTerms::ambient));
+    addField(m_ui->specular, term(&LightTerms::specular));
+    addPoint({m_ui->positionX, m_ui->positionY, m_ui->positionZ}, lightPosition);
+    addPoint({m_ui->directionX, m_ui->directionY, m_ui->directionZ}, lightDirection);
+    const auto factor = [](float Attenuation::*part) {
+        return [part](Lights& lights, int row) {
+            Attenuation* attenuation = lightAttenuation(lights, row);
+            return attenuation != nullptr ? &(attenuation->*part) : nullptr;
+        };
+    };
+    addField(m_ui->constant, factor(&Attenuation::constant));
+    addField(m_ui->linear, factor(&Attenuation::linear));
+    addField(m_ui->quadratic, factor(&Attenuation::quadratic));
+    const auto angle = [](float SpotLight::*part) {
+        return [part](Lights& lights, int row) { return row == SpotRow ? &(lights.spot.*part) : nullptr; };
+    };
+    addField(m_ui->innerAngle, angle(&SpotLight::innerAngle), kDegrees);
+    addField(m_ui->outerAngle, angle(&SpotLight::outerAngle), kDegrees);
+}
+
+void LightsPanel::addPoint(QDoubleSpinBox* const (&boxes)[3], glm::vec3* (*point)(Lights&, int)) {
+    for (int axis = 0; axis < 3; ++axis) {
+        addField(boxes[axis], [point, axis](Lights& lights, int row) -> float* {
+            glm::vec3* found = point(lights, row);
+            return found != nullptr ? &(*found)[axis] : nullptr;
+        });
+    }
+}
+
+void LightsPanel::addField(QDoubleSpinBox* box, Value value, double scale) {
+    m_fields.push_back({box, std::move(value), scale});
+    const std::size_t index = m_fields.size() - 1;
+    connect(box, &QDoubleSpinBox::valueChanged, this,
+            [this, index](double shown) { changeField(m_fields[index], shown); });
+}
+
+void LightsPanel::change(const std::function<void(Lights&)>& change) {
+    Lights lights = m_session.lights();
+    change(lights);
+    m_session.setLights(lights);
+}
+
+void LightsPanel::changeField(const Field& field, double shown) {
+    change([this, &field, shown](Lights& lights) {
+        if (float* value = field.value(lights, row())) {
+            *value = static_cast<float>(shown / field.scale);
+        }
+        // The cone's other angle gives way.
+        SpotLight& spot = lights.spot;
+        if (field.box == m_ui->innerAngle) {
+            spot.outerAngle = std::max(spot.outerAngle, spot.innerAngle + kLeastEdge);
+        } else if (field.box == m_ui->outerAngle) {
+            spot.innerAngle = std::clamp(spot.innerAngle, 0.0f, spot.outerAngle - kLeastEdge);
+        }
     });
 }
 
-void LightsPanel::showLights() {
-    if (m_applying) {
-        return;
+void LightsPanel::showLight() {
+    Lights lights = m_session.lights();
+    for (const Field& field : m_fields) {
+        const float* value = field.value(lights, row());
+        // What is being typed is not replaced by its rounded self.
+        if (value != nullptr && static_cast<float>(field.box->value() / field.scale) != *value) {
+            const QSignalBlocker quiet(field.box);
+            field.box->setValue(static_cast<double>(*value) * field.scale);
+        }
     }
-    const Lights& lights = m_session.lights();
-    const bool anyPoint = std::any_of(lights.points.begin(), lights.points.end(),
-                                      [](const PointLight& light) { return light.on; });
-    const std::array<std::pair<bool, LightTerms>, KindCount> shown{
-        {{lights.directional.on, lights.directional.terms},
-         {anyPoint, lights.points.front().terms},
-         {lights.spot.on, lights.spot.terms}}};
-    for (std::size_t kind = 0; kind < KindCount; ++kind) {
-        const Row& row = m_rows[kind];
-        const QSignalBlocker quietOn(row.on);
-        const QSignalBlocker quietSlider(row.slider);
-        const QSignalBlocker quietIntensity(row.intensity);
-        const auto& [on, terms] = shown[kind];
-        row.on->setChecked(on);
-        row.colour->setColour(toColour(terms.colour));
-        row.intensity->setValue(static_cast<double>(terms.diffuse));
-        row.slider->setValue(
-            static_cast<int>(std::lround(static_cast<double>(terms.diffuse) * kSliderScale)));
+    for (QDoubleSpinBox* box : {m_ui->positionX, m_ui->positionY, m_ui->positionZ}) {
+        box->setSingleStep(static_cast<double>(m_session.lightSpace().extent) / kStepsToScene);
     }
+    m_ui->colour->setColour(QColor(colourName(lightTerms(lights, row()).colour)));
+    const QSignalBlocker quiet(m_ui->atEye);
+    m_ui->atEye->setChecked(lights.spot.atEye);
+    showRows(lights);
 }
 
-void LightsPanel::applyRow(Kind kind) {
-    const Row& row = m_rows[kind];
-    const bool on = row.on->isChecked();
-    const glm::vec3 colour = toLinear(row.colour->colour());
-    const auto diffuse = static_cast<float>(row.intensity->value());
-    Lights lights = m_session.lights();
-    const auto set = [on, &colour, diffuse](auto& light) {
-        light.on = on;
-        light.terms.colour = colour;
-        light.terms.diffuse = diffuse;
-    };
-    switch (kind) {
-        case Directional:
-            set(lights.directional);
-            break;
-        case Points:
-            std::for_each(lights.points.begin(), lights.points.end(), set);
-            break;
-        default:
-            set(lights.spot);
-            break;
-    }
-    m_applying = true;
-    m_session.setLights(lights);
-    m_applying = false;
-}
-
-void LightsPanel::reset() {
-    Lights lights = m_session.lights();
-    const Lights first;
-    const auto restore = [](auto& light, const auto& from) {
-        light.on = from.on;
-        light.terms = from.terms;
-    };
-    restore(lights.directional, first.directional);
-    for (std::size_t i = 0; i < lights.points.size(); ++i) {
-        restore(lights.points[i], first.points[i]);
-    }
-    restore(lights.spot, first.spot);
-    m_session.setLights(lights);
+void LightsPanel::showRows(const Lights& lights) {
+    const bool isSpot = row() == SpotRow;
+    const bool isDirectional = row() == DirectionalRow;
+    const bool isFixed = !isSpot || !lights.spot.atEye;
+    m_ui->form->setRowVisible(m_ui->atEye, isSpot);
+    m_ui->form->setRowVisible(m_ui->coneRow, isSpot);
+    m_ui->form->setRowVisible(m_ui->positionRow, isFixed && !isDirectional);
+    m_ui->form->setRowVisible(m_ui->directionRow, isFixed && (isSpot || isDirectional));
+    m_ui->form->setRowVisible(m_ui->attenuationRow, !isDirectional);
 }
 
 }  // namespace hitscope

@@ -2,14 +2,13 @@
 #pragma once
 
 #include <QWidget>
-#include <array>
+#include <functional>
 #include <memory>
+#include <vector>
 
-#include "session/session.h"
+#include "models/lights_model.h"
 
-class QCheckBox;
 class QDoubleSpinBox;
-class QSlider;
 
 namespace Ui {
 class LightsForm;
@@ -17,10 +16,8 @@ class LightsForm;
 
 namespace hitscope {
 
-class ColourButton;
-
-/// The dock "Lights": each kind of light on or off, its diffuse colour and intensity. The four point lights
-/// are set together.
+/// The dock "Lights": a list of all six with a switch each, and below it what the chosen one is made of,
+/// edited live.
 class LightsPanel : public QWidget {
     Q_OBJECT
 public:
@@ -29,23 +26,27 @@ public:
     ~LightsPanel() override;
 
 private:
-    enum Kind : std::size_t { Directional, Points, Spot, KindCount };
-    struct Row {
-        QCheckBox* on = nullptr;
-        ColourButton* colour = nullptr;
-        QSlider* slider = nullptr;
-        QDoubleSpinBox* intensity = nullptr;
+    /// A number of the chosen light; null: it has none.
+    using Value = std::function<float*(Lights&, int row)>;
+    struct Field {
+        QDoubleSpinBox* box = nullptr;
+        Value value;
+        double scale = 1.0;  ///< what is shown over what is kept
     };
 
-    void connectRow(Kind kind);
-    void showLights();
-    void applyRow(Kind kind);
-    void reset();
+    void makeFields();
+    void addField(QDoubleSpinBox* box, Value value, double scale = 1.0);
+    void addPoint(QDoubleSpinBox* const (&boxes)[3], glm::vec3* (*point)(Lights&, int));
+    [[nodiscard]] int row() const;
+    void change(const std::function<void(Lights&)>& change);
+    void changeField(const Field& field, double shown);
+    void showLight();
+    void showRows(const Lights& lights);
 
     Session& m_session;
+    LightsModel m_model;
     std::unique_ptr<Ui::LightsForm> m_ui;
-    std::array<Row, KindCount> m_rows;
-    bool m_applying = false;
+    std::vector<Field> m_fields;
 };
 
 }  // namespace hitscope

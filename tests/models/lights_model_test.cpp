@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "models/lights_model.h"
+
+#include <QAbstractItemModelTester>
+#include <QSignalSpy>
+#include <QTest>
+#include <cmath>
+
+using namespace hitscope;
+
+class LightsModelTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void showsAndSwitchesAll() {
+        Session session;
+        session.loadTeapot();
+        LightsModel model(session);
+        const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        QCOMPARE(model.rowCount(), int{LightRowCount});
+        const QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
+        for (int row = 0; row < LightRowCount; ++row) {
+            const QModelIndex index = model.index(row);
+            QVERIFY(!index.data().toString().isEmpty());
+            QCOMPARE(index.data(Qt::CheckStateRole).toInt(), int{Qt::Checked});
+            QVERIFY(model.setData(index, Qt::Unchecked, Qt::CheckStateRole));
+            QCOMPARE(index.data(Qt::CheckStateRole).toInt(), int{Qt::Unchecked});
+            QCOMPARE(changed.count(), row + 1);
+        }
+        QVERIFY(!session.lights().directional.on && !session.lights().points[3].on);
+        QVERIFY(!session.lights().spot.on);
+        Lights lights = session.lights();
+        lights.points[2].terms.colour = linearColour(1.0f, 0.5f, 0.0f);
+        session.setLights(lights);
+        QCOMPARE(model.index(FirstPointRow + 2).data(LightsModel::ColourRole).toString(),
+                 QStringLiteral("#ff8000"));
+    }
+
+    void lightsStandAroundAnyScene() {
+        // What is set by one scene is at the same place of another.
+        Session session;
+        session.loadTeapot();
+        Lights lights = session.lights();
+        lights.points[0].position = session.lightSpace().centre;
+        lights.points[1].position.y += session.lightSpace().extent;
+        session.setLights(lights);
+        const float left = 1.0f / (1.0f + lights.points[1].attenuation.linear * session.lightSpace().extent);
+        session.loadPaperRow(kDefaultPaperRow);
+        const LightSpace& space = session.lightSpace();
+        QVERIFY(space.extent > 20.0f);
+        QVERIFY(glm::length(session.lights().points[0].position - space.centre) < 1.0e-3f * space.extent);
+        const PointLight& second = session.lights().points[1];
+        const Lights placed = defaultLights(space);
+        QVERIFY(std::abs(second.position.y - placed.points[1].position.y - space.extent) <
+                1.0e-3f * space.extent);
+        QVERIFY(std::abs(1.0f / (1.0f + second.attenuation.linear * space.extent) - left) < 1.0e-4f);
+    }
+};
+
+QTEST_GUILESS_MAIN(LightsModelTest)
+#include "lights_model_test.moc"

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every way to draw the targets, against pictures that were looked at: tests/render/baselines. With
+// HITSCOPE_WRITE_BASELINES=1 in the environment they are written anew.
+#include <QDir>
+#include <QTest>
+
+#include "mesh/primitives.h"
+#include "render_support.h"
+
+using namespace hitscope;
+using namespace hitscope::test;
+
+namespace {
+
+constexpr int kWidth = 160;
+constexpr int kHeight = 120;
+// Renderers differ along outlines and lines, by where samples lie: a pixel counts as different beyond so many
+// levels, and so many of them are let through (of 19,200).
+constexpr int kLevels = 24;
+constexpr int kMostDifferent = 300;
+
+}  // namespace
+
+class ModesTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase();
+    void cleanup();
+    void cleanupTestCase();
+    void looksAsItDid_data();
+    void looksAsItDid();
+    void pipelinesAgree_data() { looksAsItDid_data(); }
+    void pipelinesAgree();
+    void linesAreAsWideAsThePixelRatioSays_data();
+    void linesAreAsWideAsThePixelRatioSays();
+    void linesPassTheEye();
+    void shadowsFollow();
+
+private:
+    Frame frame(const DisplayOptions& options) const {
+        Frame made = frameOf(*m_scene, kWidth, kHeight);
+        made.camera.zoom(options.dots ? 0.45f : 0.75f);
+        made.options = options;
+        return made;
+    }
+
+    std::unique_ptr<gl::OffscreenContext> m_context;
+    std::unique_ptr<Renderer> m_renderer;
+    std::unique_ptr<TestScene> m_scene;
+    std::vector<Hit> m_hits = dents({1}, 12);
+};
+
+void ModesTest::initTestCase() {
+    auto context = gl::OffscreenContext::create();
+    QVERIFY2(context.ok(), context.ok() ? "" : context.error().message().c_str());
+    m_context = std::move(context).value();
+    gl::collectDebugMessages();
+    auto renderer = Renderer::create();
+    QVERIFY2(renderer.ok(), renderer.ok() ? "" : renderer.error().message().c_str());
+    m_renderer = std::move(renderer).value();
+    m_scene = std::make_unique<TestScene>();
+    m_scene->add(*m_renderer, makeUvSphere(24, 16, 2.5f), glm::vec3(0.0f, 2.5f, 0.0f));
+}
+
+void ModesTest::cleanup() {
+    for (const std::string& error : gl::takeErrors()) {
+        QFAIL(error.c_str());
+    }
+}
+
+void ModesTest::cleanupTestCase() {
+    m_scene.reset();
+    m_renderer.reset();
+    m_context.reset();
+}
+
+void ModesTest::looksAsItDid_data() {
+    QTest::addColumn<DisplayOptions>("options");
+    const auto row = [](const char* name, auto&& change) {
+        DisplayOptions options;
+        options.normals = NormalMode::Paper;
+        change(options);
+        QTest::newRow(name) << options;
+    };
+    row("plain", [](DisplayOptions&) {});
+    row("plain-light", [](DisplayOptions& o) { o.theme = Theme::Light; });
+    row("over", [](DisplayOptions& o) { o.wireframe = WireframeMode::Over; });
+    row("only", [](DisplayOptions& o) { o.wireframe = WireframeMode::Only; });
+    row("flat", [](DisplayOptions& o) { o.flat = true; });
+    row("needles", [](DisplayOptions& o) { o.needles = true; });
+    row("dots", [](DisplayOptions& o) { o.dots = true; });
+    row("shadows", [](DisplayOptions& o) { o.shadows = true; });
+    row("shadows-light", [](DisplayOptions& o) {
+        o.shadows = true;
+        o.theme = Theme::Light;
+    });
+}
+
+void ModesTest::looksAsItDid() {
+    QFETCH(DisplayOptions, options);
+    const auto pipeline = m_scene->pipeline(PipelineKind::TransformFeedback, m_hits);
+    const QImage shown = picture(*m_renderer, frame(options), *pipeline);
+    const QString name = QString::fromLatin1(QTest::currentDataTag()) + QStringLiteral(".png");
+    const QString path = QDir(QStringLiteral(HITSCOPE_BASELINES)).filePath(name);
+    if (qEnvironmentVariableIsSet("HITSCOPE_WRITE_BASELINES")) {
+        QVERIFY(shown.convertToFormat(QImage::Format_RGB888).save(path));
+    }
+    const QImage baseline(path);
+    QCOMPARE(baseline.size(), shown.size());
+    const int different = differing(shown, baseline, kLevels);
+    if (different > kMostDifferent) {
+        const QString saved = QDir::temp().filePath(QStringLiteral("hitscope-") + name);
+        shown.save(saved);
+        QFAIL(qPrintable(QStringLiteral("%1 pixels differ; see %2").arg(different).arg(saved)));
+    }
+    if (name != QStringLiteral("plain.png")) {
+        Frame plain = frame(options);
+        plain.options = DisplayOptions{.normals = NormalMode::Paper};
+        QVERIFY(differing(shown, picture(*m_renderer, plain, *pipeline), kLevels) > 200);
+    }
+}
+
+void ModesTest::pipelinesAgree() {
+    QFETCH(DisplayOptions, options);
+    const auto feedback = m_scene->pipeline(PipelineKind::TransformFeedback, m_hits);
+    const QImage first = picture(*m_renderer, frame(options), *feedback);
+    const auto uniforms = m_scene->pipeline(PipelineKind::UniformArray, m_hits);
+    QCOMPARE(differing(first, picture(*m_renderer, frame(options), *uniforms)), 0);
+}
+
+void ModesTest::linesAreAsWideAsThePixelRatioSays_data() {
+    QTest::addColumn<float>("ratio");
+    QTest::newRow("1") << 1.0f;
+    QTest::newRow("1.5") << 1.5f;
+    QTest::newRow("2") << 2.0f;
+}
+
+void ModesTest::linesAreAsWideAsThePixelRatioSays() {
+    // The upright edges of a cube's front: their light, added up across, is their width.
+    QFETCH(float, ratio);
+    TestScene scene;
+    scene.add(*m_renderer, makeCube(1, 1.0f), glm::vec3(0));
+    const auto pipeline = scene.pipeline(PipelineKind::TransformFeedback, {});
+    Frame cube = frameOf(scene, 240, 180);
+    cube.camera.setPivot(glm::vec3(0), 0.0f, 0.0f, 6.0f);
+    cube.pixelRatio = ratio;
+    cube.options.floor = false;
+    cube.options.wireframe = WireframeMode::Only;
+    const QImage lines = picture(*m_renderer, cube, *pipeline, 1);
+    cube.targets = {};
+    const QImage background = picture(*m_renderer, cube, *pipeline, 1);
+    double sum = 0.0;
+    for (int x = 60; x < 90; ++x) {
+        sum += qGreen(lines.pixel(x, 90)) - qGreen(background.pixel(x, 90));
+    }
+    const double full = 0.85 * (0.85 * 255.0 - qGreen(background.pixel(75, 90)));  // the theme's line
+    // The far edge is dimmed and lies inside; it adds a sixth.
+    QVERIFY2(std::abs(sum / full - 1.16 * 1.2 * ratio) < 0.2 * ratio,
+             qPrintable(QString::number(sum / full)));
+}
+
+void ModesTest::linesPassTheEye() {
+    // From within a target edges go on behind the eye: what is in front of it is there, and nothing else.
+    const auto pipeline = m_scene->pipeline(PipelineKind::TransformFeedback, {});
+    Frame inside = frame(DisplayOptions{.wireframe = WireframeMode::Only, .floor = false, .needles = true});
+    inside.camera.setPivot(glm::vec3(0.0f, 2.5f, -1.0f), 0.0f, 0.1f, 0.9f);
+    const QImage shown = picture(*m_renderer, inside, *pipeline);
+    inside.targets = {};
+    const int lines = differing(shown, picture(*m_renderer, inside, *pipeline), kLevels);
+    QVERIFY2(lines > 300 && lines < kWidth * kHeight / 2, qPrintable(QString::number(lines)));
+}
+
+void ModesTest::shadowsFollow() {
+    const auto pipeline = m_scene->pipeline(PipelineKind::TransformFeedback, {});
+    Frame shadowed = frame(DisplayOptions{.shadows = true});
+    shadowed.meshRevision = 1;
+    const QImage before = picture(*m_renderer, shadowed, *pipeline);
+    QCOMPARE(differing(before, picture(*m_renderer, shadowed, *pipeline)), 0);
+    // Another light, another shadow; and none without the light.
+    shadowed.lights.directional.direction.x *= -1.0f;
+    QVERIFY(differing(before, picture(*m_renderer, shadowed, *pipeline), kLevels) > 500);
+    shadowed.lights.directional.on = false;
+    Frame plain = shadowed;
+    plain.options.shadows = false;
+    QCOMPARE(differing(picture(*m_renderer, shadowed, *pipeline), picture(*m_renderer, plain, *pipeline)), 0);
+    // A target that moves takes its shadow along.
+    shadowed.lights.directional.on = true;
+    shadowed.lights.directional.direction.x *= -1.0f;
+    std::vector<DrawItem> items(m_scene->items().begin(), m_scene->items().end());
+    items[0].model[3].y += 40.0f;  // out of the picture, and its shadow out of the way
+    shadowed.targets = items;
+    shadowed.camera.orbit(0.0f, 0.6f);
+    const QImage without = picture(*m_renderer, shadowed, *pipeline);
+    shadowed.options.shadows = false;
+    QVERIFY(differing(without, picture(*m_renderer, shadowed, *pipeline), kLevels) < 100);
+}
+
+QTEST_GUILESS_MAIN(ModesTest)
+#include "modes_test.moc"
