@@ -32,6 +32,19 @@ QString meaningOf(const QString& text, const QString& submenu) {
     return submenu.isEmpty() ? text : submenu + QStringLiteral(": ") + text;
 }
 
+/// "Shift+F, Home": without those that are the same key on the number pad.
+QString shortcutsOf(const QAction& action) {
+    QStringList texts;
+    for (const QKeySequence& keys : action.shortcuts()) {
+        const bool pad =
+            keys[0].keyboardModifiers().testFlag(Qt::KeypadModifier) || keys[0].key() == Qt::Key_Enter;
+        if (texts.isEmpty() || !pad) {
+            texts.append(keys.toString(QKeySequence::NativeText));
+        }
+    }
+    return texts.join(QStringLiteral(", "));
+}
+
 void addLine(KeysSection& section, const QAction& action, const QString& submenu) {
     const QVariant keys = action.property(kKeysProperty);
     if (keys.isValid()) {
@@ -41,7 +54,7 @@ void addLine(KeysSection& section, const QAction& action, const QString& submenu
         return;
     }
     const QStringList text = plainText(action.text()).split(u'\t');
-    const QString shortcut = action.shortcut().toString(QKeySequence::NativeText);
+    const QString shortcut = shortcutsOf(action);
     const QString key = shortcut.isEmpty() ? text.value(1) : shortcut;
     if (!key.isEmpty()) {
         section.lines.push_back({key, meaningOf(text.value(0), submenu)});
