@@ -6,6 +6,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QMenu>
+#include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
 #include <QSurfaceFormat>
@@ -21,6 +22,7 @@
 #include "app/time_badge.h"
 #include "models/undo_text.h"
 #include "panels/deformation_constants/deformation_constants_panel.h"
+#include "panels/dent_measurement/dent_measurement_panel.h"
 #include "panels/frame_rate/cost_view.h"
 #include "panels/frame_rate/frame_rate_panel.h"
 #include "panels/hit_history/hit_history_panel.h"
@@ -35,7 +37,7 @@ namespace {
 
 constexpr int kFrameRateInterval = 500;  // milliseconds between read-outs in the status bar
 constexpr int kHintStays = 20'000;       // milliseconds
-constexpr int kLayoutVersion = 2;        // docks that are gone or new make an old layout useless
+constexpr int kLayoutVersion = 3;        // docks that are gone or new make an old layout useless
 
 }  // namespace
 
@@ -129,7 +131,10 @@ void MainWindow::makeDocks() {
         addDock(QStringLiteral("lights"), tr("Lights"), new LightsPanel(m_session), Qt::RightDockWidgetArea);
     QDockWidget* frameRate =
         addDock(QStringLiteral("frameRate"), tr("Frame rate"), m_frameRate, Qt::BottomDockWidgetArea);
+    QDockWidget* dent = addDock(QStringLiteral("dentMeasurement"), tr("Dent measurement"),
+                                new DentMeasurementPanel(m_session), Qt::RightDockWidgetArea);
     tabifyDockWidget(statistics, scene);
+    tabifyDockWidget(scene, dent);
     statistics->raise();
     tabifyDockWidget(constants, lights);
     constants->raise();
@@ -154,7 +159,8 @@ QDockWidget* MainWindow::makeSceneDock() {
 }
 
 void MainWindow::restoreWindow() {
-    resize(1440, 900);
+    // On a small screen no part of it is out of sight at first.
+    resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
     m_firstLayout = saveState(kLayoutVersion);
     const QSettings settings;
     m_frameRate->restoreState(settings.value(QStringLiteral("window/frameRate")).toByteArray());

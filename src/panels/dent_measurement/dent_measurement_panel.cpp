@@ -12,8 +12,8 @@
 #include <numbers>
 
 #include "models/quantity_text.h"
-#include "panels/frame_rate/plot_style.h"
 #include "panels/icons/themed_icon.h"
+#include "panels/plot/plot_theme.h"
 #include "ui_dent_measurement.h"
 
 namespace hitscope {
@@ -53,6 +53,7 @@ DentMeasurementPanel::DentMeasurementPanel(Session& session, QWidget* parent)
     m_ui->copy->setIcon(themedIcon(QStringLiteral("copy")));
     m_ui->csv->setIcon(themedIcon(QStringLiteral("export")));
     QCustomPlot* plot = m_ui->plot;
+    plot->setBufferDevicePixelRatio(plot->devicePixelRatioF());
     plot->xAxis->setLabel(tr("along (m)"));
     plot->yAxis->setLabel(tr("height (m)"));
     plot->xAxis->setLabelPadding(1);
@@ -131,7 +132,7 @@ void DentMeasurementPanel::drawProfile() {
 }
 
 void DentMeasurementPanel::applyPalette() {
-    applyPlotStyle(*m_ui->plot);
+    applyPlotTheme(*m_ui->plot, *this);
     m_pointer->setPen(QPen(palette().color(QPalette::WindowText), 1));
     drawProfile();
 }
