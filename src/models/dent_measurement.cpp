@@ -2,6 +2,7 @@
 #include "models/dent_measurement.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <utility>

@@ -186,12 +186,13 @@ void SectionTest::aDentOfKnownShape() {
 void SectionTest::dentsApartAreMeasuredApart() {
     PressedSheet sheet;
     const std::span<const std::uint32_t> triangles = sheet.sections.triangles();
-    const std::size_t one = dentAround(sheet.deepest(), triangles, sheet.before, sheet.after).size();
+    const std::uint32_t deepest = sheet.deepest();
+    const std::size_t one = dentAround(deepest, triangles, sheet.before, sheet.after).size();
     const std::uint32_t corner = 0;  // of the sheet, far from the bowl
     QVERIFY(dentAround(corner, triangles, sheet.before, sheet.after).empty());
     sheet.after[corner] -= sheet.normal;
     QCOMPARE(dentAround(corner, triangles, sheet.before, sheet.after), std::vector<std::uint32_t>{corner});
-    QCOMPARE(dentAround(sheet.deepest(), triangles, sheet.before, sheet.after).size(), one);
+    QCOMPARE(dentAround(deepest, triangles, sheet.before, sheet.after).size(), one);
     QVERIFY(!measureDent({}, triangles, sheet.before, sheet.after));
 }
 

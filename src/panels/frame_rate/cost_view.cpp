@@ -79,6 +79,14 @@ void CostView::applyPalette() {
     refresh();
 }
 
+void CostView::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if ((event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) &&
+        m_crossover != nullptr) {
+        applyPalette();
+    }
+}
+
 void CostView::measureOrCancel() {
     if (m_measurement.isRunning()) {
         m_measurement.cancel();
