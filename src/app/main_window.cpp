@@ -29,6 +29,7 @@
 #include "models/undo_text.h"
 #include "panels/change/change_panel.h"
 #include "panels/deformation_constants/deformation_constants_panel.h"
+#include "panels/dent_measurement/dent_measurement_panel.h"
 #include "panels/frame_rate/cost_view.h"
 #include "panels/frame_rate/frame_rate_panel.h"
 #include "panels/hit_history/hit_history_panel.h"
@@ -45,7 +46,7 @@ namespace {
 constexpr int kFrameRateInterval = 500;  // milliseconds between read-outs in the status bar
 constexpr int kHintStays = 20'000;       // milliseconds
 constexpr int kMessageStays = 8'000;     // milliseconds
-constexpr int kLayoutVersion = 2;        // docks that are gone or new make an old layout useless
+constexpr int kLayoutVersion = 3;        // docks that are gone or new make an old layout useless
 
 }  // namespace
 
@@ -149,8 +150,11 @@ void MainWindow::makeDocks() {
         addDock(QStringLiteral("frameRate"), tr("Frame rate"), m_frameRate, Qt::BottomDockWidgetArea);
     QDockWidget* change =
         addDock(QStringLiteral("change"), tr("Change"), m_change->panel(), Qt::RightDockWidgetArea);
+    QDockWidget* dent = addDock(QStringLiteral("dentMeasurement"), tr("Dent measurement"),
+                                new DentMeasurementPanel(m_session), Qt::RightDockWidgetArea);
     tabifyDockWidget(statistics, scene);
     tabifyDockWidget(scene, change);
+    tabifyDockWidget(change, dent);
     statistics->raise();
     tabifyDockWidget(constants, lights);
     constants->raise();

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QFile>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -47,6 +48,7 @@ private Q_SLOTS:
     void pointingReadsAFrame();
     void curvesAreSwitchedAndRemembered();
     void narrowDocksWrap();
+    void plotsFollowThePalette();
     void savesCsv();
     void collectsCosts();
     void measuresOnRequest();
@@ -185,6 +187,21 @@ void FrameRateTest::narrowDocksWrap() {
         QVERIFY(curve->width() >
                 curve->fontMetrics().horizontalAdvance(curve->text()) + curve->iconSize().width());
     }
+}
+
+void FrameRateTest::plotsFollowThePalette() {
+    const QPalette before = QGuiApplication::palette();
+    QPalette dark = before;
+    dark.setColor(QPalette::Base, QColor(20, 30, 40));
+    QGuiApplication::setPalette(dark);
+    auto* tabs = child<QTabWidget>("tabs");
+    for (int tab = 0; tab < tabs->count(); ++tab) {
+        tabs->setCurrentIndex(tab);
+        auto* shown = tabs->currentWidget()->findChild<QWidget*>(QStringLiteral("plot"));
+        const auto corner = [shown] { return shown->grab().toImage().pixelColor(1, 1); };
+        QTRY_COMPARE(corner(), QColor(20, 30, 40));
+    }
+    QGuiApplication::setPalette(before);
 }
 
 void FrameRateTest::savesCsv() {

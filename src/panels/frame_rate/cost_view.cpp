@@ -5,7 +5,8 @@
 
 #include <algorithm>
 
-#include "panels/frame_rate/plot_style.h"
+#include "panels/frame_rate/pipeline_colour.h"
+#include "panels/plot/plot_theme.h"
 #include "session/frame_costs.h"
 #include "ui_cost_view.h"
 
@@ -27,6 +28,7 @@ CostView::CostView(Session& session, QWidget* parent)
     : QWidget(parent), m_session(session), m_ui(std::make_unique<Ui::CostView>()) {
     m_ui->setupUi(this);
     QCustomPlot* plot = m_ui->plot;
+    plot->setBufferDevicePixelRatio(plot->devicePixelRatioF());
     plot->xAxis->setLabel(tr("hits"));
     plot->xAxis->setLabelPadding(1);
     plot->yAxis->setLabel(tr("ms"));
@@ -57,7 +59,7 @@ CostView::CostView(Session& session, QWidget* parent)
 CostView::~CostView() = default;
 
 void CostView::applyPalette() {
-    applyPlotStyle(*m_ui->plot);
+    applyPlotTheme(*m_ui->plot, *this);
     for (std::size_t i = 0; i < kPipelines.size(); ++i) {
         const QColor colour = pipelineColour(kPipelines[i]);
         m_curves[i].frame->setPen(QPen(colour, 1.5));
@@ -75,6 +77,14 @@ void CostView::applyPalette() {
         tr("%1  %2  (— a frame, - - a hit)").arg(swatch(kPipelines[0]), swatch(kPipelines[1])));
     m_isDue = true;
     refresh();
+}
+
+void CostView::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if ((event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) &&
+        m_crossover != nullptr) {
+        applyPalette();
+    }
 }
 
 void CostView::measureOrCancel() {

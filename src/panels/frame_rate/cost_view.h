@@ -32,13 +32,16 @@ public:
     /// Where "Measure now" looks from.
     void setCamera(std::function<Camera()> camera) { m_camera = std::move(camera); }
     void setPlan(CostPlan plan) { m_plan = std::move(plan); }
-    void applyPalette();
     /// Takes what frames have cost since the last time, and draws if anything has changed.
     void refresh();
     void clear();
     [[nodiscard]] std::vector<NamedCurve> curves() const;  ///< as shown
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
+    void applyPalette();
     void measureOrCancel();
     void followMeasurement();
     void say(const QString& text);

@@ -8,7 +8,8 @@
 #include <cmath>
 #include <limits>
 
-#include "panels/frame_rate/plot_style.h"
+#include "panels/frame_rate/pipeline_colour.h"
+#include "panels/plot/plot_theme.h"
 
 namespace hitscope {
 
@@ -52,6 +53,7 @@ std::optional<double> secondsOf(const FrameCost& frame, FrameGraph::Curve curve)
 
 FrameGraph::FrameGraph(QCustomPlot& plot, const FrameCosts& costs, QObject* parent)
     : QObject(parent), m_plot(plot), m_costs(costs) {
+    m_plot.setBufferDevicePixelRatio(m_plot.devicePixelRatioF());
     m_plot.setPlottingHint(QCP::phFastPolylines);
     m_plot.setFocusPolicy(Qt::StrongFocus);
     m_plot.setMouseTracking(true);
@@ -93,7 +95,7 @@ void FrameGraph::makeTargetLines() {
 }
 
 void FrameGraph::applyPalette() {
-    applyPlotStyle(m_plot);
+    applyPlotTheme(m_plot, m_plot);
     QColor ink = m_plot.palette().color(QPalette::WindowText);
     m_hits->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssTriangle, QPen(ink, 1), QBrush(ink), 6));
     m_pointer->setPen(QPen(ink, 1));

@@ -36,8 +36,7 @@ public:
     /// Frames up to now are no longer shown.
     void clear();
 
-    void refresh();  ///< draws, if there is anything new
-    void applyPalette();
+    void refresh();                                             ///< draws, if there is anything new
     [[nodiscard]] double seconds() const { return m_seconds; }  ///< in sight
     [[nodiscard]] const std::optional<FrameCost>& hovered() const { return m_hovered; }
     /// All that are shown or can be gone back to, oldest first.
@@ -55,6 +54,7 @@ protected:
 private:
     static constexpr double kFirstSeconds = 10.0;
 
+    void applyPalette();
     void makeCurves();
     void makeTargetLines();
     void fill();

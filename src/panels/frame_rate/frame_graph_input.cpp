@@ -102,6 +102,10 @@ bool FrameGraph::eventFilter(QObject* watched, QEvent* event) {
             endHover();
             m_plot.replot(QCustomPlot::rpQueuedReplot);
             return false;
+        case QEvent::PaletteChange:
+        case QEvent::FontChange:
+            applyPalette();
+            return false;
         case QEvent::KeyPress:
             return handleKey(static_cast<QKeyEvent*>(event)->key());
         default:

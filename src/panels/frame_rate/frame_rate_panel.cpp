@@ -3,7 +3,6 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QEvent>
 #include <QFileDialog>
 #include <QLabel>
 #include <QMessageBox>
@@ -234,15 +233,6 @@ void FrameRatePanel::restoreState(const QByteArray& state) {
     m_quantity->setCurrentIndex(state.front() == 'f' ? 1 : 0);
     for (std::size_t i = 0; i < m_legend.size(); ++i) {
         m_legend[i]->setChecked(state[static_cast<qsizetype>(i) + 1] == '1');
-    }
-}
-
-void FrameRatePanel::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if ((event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) &&
-        m_costView != nullptr) {
-        m_graph->applyPalette();
-        m_costView->applyPalette();
     }
 }
 

@@ -45,7 +45,6 @@ public:
     void restoreState(const QByteArray& state);
 
 protected:
-    void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 
@@ -55,7 +54,6 @@ private:
     QComboBox* makeQuantity();
     void makeButtons(QAction& continuous);
     void chooseCsv();
-    void applyPalette();
     void refresh();
     void showReadOuts();
     void colourLegend();
