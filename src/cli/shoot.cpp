@@ -4,6 +4,8 @@
 #include <QCommandLineParser>
 #include <QFileInfo>
 #include <QTextStream>
+#include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>

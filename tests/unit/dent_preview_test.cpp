@@ -2,7 +2,10 @@
 #include "deform/dent_preview.h"
 
 #include <QTest>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <set>
+#include <tuple>
 
 #include "deform/reference.h"
 #include "mesh/primitives.h"

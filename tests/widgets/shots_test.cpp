@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
+#include <cmath>
 
 #include "app/shot_series_dialog.h"
 #include "mesh/primitives.h"
