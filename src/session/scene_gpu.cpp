@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "render/pick_pass.h"
+#include "deform/history_prefix.h"
 #include "render/renderer.h"
 
 namespace hitscope {
@@ -35,21 +36,6 @@ void writeShadingNormals(TargetBuffers& buffers, std::span<const std::uint32_t> 
         buffers.writeShadingNormals(first, normals.subspan(first, vertices[end - 1] + 1 - first));
         begin = end;
     }
-}
-
-/// Hits that came one by one are applied in one pass all the same.
-std::vector<HistoryEdit> withAppendsJoined(std::vector<HistoryEdit> edits) {
-    std::vector<HistoryEdit> joined;
-    for (HistoryEdit& edit : edits) {
-        HistoryEdit* last = joined.empty() ? nullptr : &joined.back();
-        if (last != nullptr && last->before.empty() && edit.before.empty() &&
-            last->first + last->after.size() == edit.first) {
-            last->after.insert(last->after.end(), edit.after.begin(), edit.after.end());
-        } else {
-            joined.push_back(std::move(edit));
-        }
-    }
-    return joined;
 }
 
 std::map<PipelineKind, QString> unavailablePipelines() {
@@ -80,6 +66,7 @@ struct SceneGpu::Private {
     std::shared_ptr<const Image> coverImage;  // what `cover` was made of
     std::shared_ptr<const MaterialSet> cover;
     std::uint64_t appliedRevision = 0;
+    HistoryPrefix applied;  // of the history at that revision
     gl::Defines deformDefines;
 
     void followTargets();
@@ -200,15 +187,17 @@ Status SceneGpu::Private::followPipeline(bool& startOver) {
 
 bool SceneGpu::Private::followHistory(bool startOver) {
     const HitHistory& history = session.history();
-    if (!startOver && appliedRevision == history.revision()) {
+    const std::span<const Hit> shown = session.shownHits();
+    if (!startOver && appliedRevision == history.revision() && applied.size() == shown.size()) {
         return false;
     }
     auto edits = history.editsSince(appliedRevision);
     startOver = startOver || !edits;
     if (startOver) {
-        pipeline->reset(history.hits());
+        pipeline->reset(shown);
+        applied.reset(shown.size());
     } else {
-        for (const HistoryEdit& edit : withAppendsJoined(*std::move(edits))) {
+        for (const HistoryEdit& edit : applied.follow(*edits, history.hits(), shown.size())) {
             pipeline->edit(edit);
         }
     }

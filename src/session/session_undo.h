@@ -28,6 +28,7 @@ public:
         Move,
         Enable,
         Disable,
+        EditHit,
         Constants,
         AddTarget,
         DuplicateTarget,
