@@ -61,7 +61,8 @@ void HitList::setFilter(const HitFilter& filter) {
 }
 
 void HitList::sort(int column, Qt::SortOrder order) {
-    const int by = column < 0 || column >= HitHistoryModel::ColumnCount ? HitHistoryModel::NumberColumn : column;
+    const int by =
+        column < 0 || column >= HitHistoryModel::ColumnCount ? HitHistoryModel::NumberColumn : column;
     if (by != m_column || order != m_order) {
         m_column = by;
         m_order = order;
@@ -73,7 +74,8 @@ QModelIndex HitList::mapToSource(const QModelIndex& index) const {
     if (!index.isValid() || index.row() >= rowCount()) {
         return {};
     }
-    const int row = m_isListed ? static_cast<int>(m_rows[static_cast<std::size_t>(index.row())]) : index.row();
+    const int row =
+        m_isListed ? static_cast<int>(m_rows[static_cast<std::size_t>(index.row())]) : index.row();
     return m_model.index(row, index.column());
 }
 

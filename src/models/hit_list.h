@@ -84,9 +84,9 @@ private:
     HitFilter m_filter;
     int m_column = HitHistoryModel::NumberColumn;
     Qt::SortOrder m_order = Qt::AscendingOrder;
-    bool m_isListed = false;             ///< else the rows are the history's, and the two below are empty
-    std::vector<std::uint32_t> m_rows;   ///< of the history, one a row here
-    std::vector<std::uint32_t> m_places; ///< of its rows here, one a row of the history
+    bool m_isListed = false;              ///< else the rows are the history's, and the two below are empty
+    std::vector<std::uint32_t> m_rows;    ///< of the history, one a row here
+    std::vector<std::uint32_t> m_places;  ///< of its rows here, one a row of the history
     QTimer m_delay;
     bool m_isSorting = false;
     std::uint64_t m_sortNumber = 0;  ///< of the last sorting begun; older results are of no use

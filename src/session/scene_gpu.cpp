@@ -8,9 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "render/pick_pass.h"
 #include "deform/history_prefix.h"
+#include "render/pick_pass.h"
 #include "render/renderer.h"
+#include "session/frame_meter.h"
 
 namespace hitscope {
 
@@ -38,6 +39,10 @@ void writeShadingNormals(TargetBuffers& buffers, std::span<const std::uint32_t> 
     }
 }
 
+bool isAppend(const HistoryEdit& edit, const HitHistory& history) {
+    return edit.before.empty() && edit.first + edit.after.size() == history.size();
+}
+
 std::map<PipelineKind, QString> unavailablePipelines() {
     std::map<PipelineKind, QString> reasons;
     for (const PipelineTraits& traits : allPipelines()) {
@@ -51,7 +56,7 @@ std::map<PipelineKind, QString> unavailablePipelines() {
 }  // namespace
 
 struct SceneGpu::Private {
-    explicit Private(Session& followed) : session(followed) {}
+    explicit Private(Session& followed) : session(followed), meter(followed.frameCosts()) {}
 
     struct GpuTarget {
         std::unique_ptr<TargetBuffers> buffers;
@@ -59,6 +64,7 @@ struct SceneGpu::Private {
     };
 
     Session& session;
+    FrameMeter meter;
     std::unique_ptr<Renderer> renderer;
     std::unordered_map<TargetId, GpuTarget> targets;
     std::unique_ptr<DeformationPipeline> pipeline;  // below the buffers it is given, so that it goes first
@@ -194,10 +200,15 @@ bool SceneGpu::Private::followHistory(bool startOver) {
     auto edits = history.editsSince(appliedRevision);
     startOver = startOver || !edits;
     if (startOver) {
+        meter.applying(0, shown.size(), false);
         pipeline->reset(shown);
         applied.reset(shown.size());
     } else {
-        for (const HistoryEdit& edit : applied.follow(*edits, history.hits(), shown.size())) {
+        const std::vector<HistoryEdit> made = applied.follow(*edits, history.hits(), shown.size());
+        if (made.size() == 1 && isAppend(made.front(), history)) {
+            meter.applying(made.front().first, made.front().after.size(), true);
+        }
+        for (const HistoryEdit& edit : made) {
             pipeline->edit(edit);
         }
     }
@@ -231,11 +242,14 @@ Status SceneGpu::Private::follow(Delivery delivery) {
     if (Status status = followPipeline(startOver); !status) {
         return status;
     }
+    meter.endOf(FrameMeter::Part::Preparation);
     // Started over, the CPU copy is at the originals: it must not be seen like that for a frame or two.
     if (followHistory(startOver)) {
         delivery = Delivery::All;
     }
+    meter.endOf(FrameMeter::Part::Deformation);
     readBack(delivery);
+    meter.endOf(FrameMeter::Part::ReadBack);
     if (!pipeline->isReadBackPending()) {
         session.setUpToDate();
     }
@@ -243,7 +257,14 @@ Status SceneGpu::Private::follow(Delivery delivery) {
 }
 
 Status SceneGpu::sync() {
-    return d->follow(Private::Delivery::All);
+    d->meter.begin();
+    Status status = d->follow(Private::Delivery::All);
+    d->meter.end();
+    return status;
+}
+
+void SceneGpu::collectCosts() {
+    d->meter.collect();
 }
 
 bool SceneGpu::isReadBackPending() const {
@@ -266,7 +287,9 @@ Status SceneGpu::drawElements(const View& view, PickPass& pass, const PixelArea&
 }
 
 Status SceneGpu::draw(const View& view, unsigned framebuffer) {
+    d->meter.begin();
     if (Status status = d->follow(Private::Delivery::WhatHasArrived); !status) {
+        d->meter.end();
         return status;
     }
     const Session& session = d->session;
@@ -293,7 +316,10 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
             frame.highlightedHit = Sphere{target->transform.toWorld(hit.point), hit.constants.maxDistance};
         }
     }
-    return d->renderer->draw(frame, *d->pipeline, framebuffer);
+    Status status = d->renderer->draw(frame, *d->pipeline, framebuffer);
+    d->meter.endOf(FrameMeter::Part::Drawing);
+    d->meter.end();
+    return status;
 }
 
 }  // namespace hitscope
