@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "app/dialogs.h"
+#include "app/hit_actions.h"
 #include "app/notice_bar.h"
 #include "app/pipeline_chooser.h"
 #include "app/scene_files.h"
@@ -47,12 +48,14 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     : QMainWindow(parent),
       m_session(session),
       m_settings(loadAppSettings(QSettings())),
-      m_hitHistory(session),
+      m_hitEffects(session),
+      m_hitHistory(session, &m_hitEffects),
       m_meshStatistics(session),
       m_scene(session),
       m_viewport(new Viewport(session, this)),
       m_notice(new NoticeBar(m_viewport)),
       m_files(new SceneFiles(session, this)),
+      m_hitActions(new HitActions(session, m_hitEffects, m_settings.folder, this)),
       m_status(new StatusLine(session, *statusBar(), this)),
       m_pipelines(new PipelineChooser(session, this)) {
     loadSessionSettings(QSettings(), session);
@@ -78,6 +81,9 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
         m_pipelines, &PipelineChooser::fellBack, this,
         [this](const QString& notice) { m_notice->say(notice); }, Qt::QueuedConnection);
     connect(m_viewport, &Viewport::framePainted, m_frameRate, &FrameRatePanel::addFrame);
+    connect(m_hitActions, &HitActions::said, this,
+            [this](const QString& text) { statusBar()->showMessage(text, kHintStays); });
+    connect(m_hitActions, &HitActions::failed, this, [this](const Error& error) { showError(this, error); });
     connect(m_viewport, &Viewport::rendererKnown, this,
             [this] { m_status->setRenderer(m_viewport->rendererName()); });
     connect(m_viewport, &Viewport::failed, this, [this](const Error& error) { showError(this, error); });
@@ -114,8 +120,12 @@ void MainWindow::makeDocks() {
         addDock(QStringLiteral("meshStatistics"), tr("Mesh statistics"),
                 new MeshStatisticsPanel(m_session, m_meshStatistics), Qt::RightDockWidgetArea);
     QDockWidget* scene = makeSceneDock();
-    QDockWidget* history = addDock(QStringLiteral("hitHistory"), tr("Hit history"),
-                                   new HitHistoryPanel(m_session, m_hitHistory), Qt::BottomDockWidgetArea);
+    auto* historyPanel = new HitHistoryPanel(m_session, m_hitHistory);
+    m_hitActions->adopt(*historyPanel);
+    connect(historyPanel, &HitHistoryPanel::flyWanted, this,
+            [this](const Bounds& part) { m_viewport->navigation().frame(part); });
+    QDockWidget* history =
+        addDock(QStringLiteral("hitHistory"), tr("Hit history"), historyPanel, Qt::BottomDockWidgetArea);
     QDockWidget* constants = addDock(QStringLiteral("deformationConstants"), tr("Deformation constants"),
                                      new DeformationConstantsPanel(m_session), Qt::RightDockWidgetArea);
     QDockWidget* lights =
@@ -164,6 +174,7 @@ void MainWindow::saveSettings() {
     settings.setValue(QStringLiteral("window/layout"), saveState(kLayoutVersion));
     m_settings.display = m_viewport->options();
     saveAppSettings(settings, m_settings);
+    m_hitActions->save(settings);
     saveSessionSettings(settings, m_session);
 }
 

@@ -10,6 +10,7 @@
 #include "models/hit_history_model.h"
 #include "models/mesh_statistics_model.h"
 #include "models/scene_model.h"
+#include "session/hit_effects.h"
 #include "session/sample_scenes.h"
 #include "session/session.h"
 
@@ -20,6 +21,7 @@ class QMenu;
 namespace hitscope {
 
 class FrameRatePanel;
+class HitActions;
 class NoticeBar;
 class PipelineChooser;
 class SceneFiles;
@@ -115,12 +117,14 @@ private:
 
     Session& m_session;
     AppSettings m_settings;
+    HitEffects m_hitEffects;
     HitHistoryModel m_hitHistory;
     MeshStatisticsModel m_meshStatistics;
     SceneModel m_scene;
     Viewport* m_viewport = nullptr;
     NoticeBar* m_notice = nullptr;
     SceneFiles* m_files = nullptr;
+    HitActions* m_hitActions = nullptr;
     StatusLine* m_status = nullptr;
     PipelineChooser* m_pipelines = nullptr;
     FrameRatePanel* m_frameRate = nullptr;

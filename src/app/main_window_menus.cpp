@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/dialogs.h"
+#include "app/hit_actions.h"
 #include "app/keys_sheet.h"
 #include "app/main_window.h"
 #include "app/pipeline_chooser.h"
@@ -85,6 +86,7 @@ void MainWindow::makeFileMenu() {
     m_export = addAction(
         menu, tr("&Export Deformed Mesh…"), tr("Ctrl+E"), [this] { chooseExport(); },
         QStringLiteral("export"));
+    m_hitActions->fill(menu);
     addAction(menu, tr("Save &Picture…"), Qt::Key_F12, [this] { choosePicture(); });
     menu.addSeparator();
     addAction(menu, tr("&Quit"), tr("Ctrl+Q"), [this] { close(); });

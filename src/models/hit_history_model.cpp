@@ -95,6 +95,7 @@ HitHistoryModel::HitHistoryModel(Session& session, HitEffects* effects, QObject*
     // Its name may have.
     connect(&session, &Session::targetChanged, this, [this] { refresh(0, m_rows - 1); });
     connect(&session, &Session::capacityChanged, this, [this] { refresh(0, m_rows - 1); });
+    connect(&session, &Session::shownHitsChanged, this, [this] { refresh(0, m_rows - 1); });
     connect(&session.frameCosts(), &FrameCosts::hitCostsChanged, this,
             [this](int first, int last) { refreshColumns(first, last, CpuCostColumn, GpuCostColumn); });
     if (effects != nullptr) {
@@ -257,6 +258,9 @@ HitHistoryModel::HitState HitHistoryModel::stateOf(std::size_t row) const {
     if (!m_session.history().hits()[row].enabled) {
         return Disabled;
     }
+    if (row >= m_session.shownHits().size()) {
+        return Later;
+    }
     return m_session.isDropped(row) ? Dropped : Applied;
 }
 
@@ -268,6 +272,8 @@ QString HitHistoryModel::toolTip(const Hit& hit, std::size_t row) const {
     const HitState state = stateOf(row);
     if (state == Disabled) {
         tip.prepend(tr("Disabled: the mesh is as if this hit had not been made.") + u'\n');
+    } else if (state == Later) {
+        tip.prepend(tr("Later: the targets are shown as they were before this hit.") + u'\n');
     } else if (state == Dropped) {
         const CapacityReport& report = m_session.capacity();
         const std::string_view pipeline = pipelineTraits(m_session.pipeline()).name;
