@@ -2,6 +2,7 @@
 #include "app/hit_actions.h"
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -11,6 +12,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 #include <QThreadPool>
+#include <memory>
 #include <utility>
 
 #include "models/quantity_text.h"
@@ -105,9 +107,9 @@ void HitActions::run(const std::function<std::function<void()>()>& work) {
         QMetaObject::invokeMethod(
             QCoreApplication::instance(),
             [self, then] {
-                if (self) {
-                    self->m_isBusy = false;
-                    self->follow();
+                if (HitActions* actions = self.data(); actions != nullptr) {
+                    actions->m_isBusy = false;
+                    actions->follow();
                     then();
                 }
             },

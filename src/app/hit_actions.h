@@ -2,10 +2,13 @@
 #pragma once
 
 #include <QObject>
+#include <cstdint>
 #include <functional>
 
+#include "io/hit_table.h"
 #include "session/hit_highlight.h"
 
+class QAction;
 class QMenu;
 class QSettings;
 class QWidget;

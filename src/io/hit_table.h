@@ -25,7 +25,8 @@ struct HitTable {
 /// A header and a line a hit, fields as RFC 4180 has them; numbers have a point, and as many digits as bring
 /// the same bits back.
 [[nodiscard]] std::string toCsv(const HitTable& table);
-/// An object with an array "hits" of objects, one a line; numbers likewise.
+/// An object with an array "hits" of objects, one a line; numbers likewise, but that readers of JSON take the
+/// sign from a zero.
 [[nodiscard]] std::string toJson(const HitTable& table);
 
 /// Either of them, told by its first character: '{' or '[' begin JSON. Strict: the error names the line (in

@@ -51,7 +51,7 @@ void appendHit(std::string& text, const HitTable& table, std::size_t index) {
         } else if (key.field == Field::Enabled) {
             text += table.hits[index].enabled ? "true" : "false";
         } else {
-            text += value == "-0" ? "-0.0" : value;  // as an integer it would lose its sign
+            text += value;
         }
     }
     text += '}';

@@ -264,13 +264,15 @@ std::vector<HitList::Key> HitList::keysOf(const std::vector<std::uint32_t>& rows
     return keys;
 }
 
+/// Equal ones stay in the history's order.
 void HitList::sortKeys(std::vector<Key>& keys, Qt::SortOrder order) {
-    const auto less = [](const Key& a, const Key& b) {
-        return std::lexicographical_compare(std::begin(a.parts), std::end(a.parts), std::begin(b.parts),
-                                            std::end(b.parts));
-    };
-    std::stable_sort(keys.begin(), keys.end(), [&less, order](const Key& a, const Key& b) {
-        return order == Qt::AscendingOrder ? less(a, b) : less(b, a);
+    std::sort(keys.begin(), keys.end(), [order](const Key& a, const Key& b) {
+        for (std::size_t i = 0; i < std::size(a.parts); ++i) {
+            if (a.parts[i] != b.parts[i]) {
+                return order == Qt::AscendingOrder ? a.parts[i] < b.parts[i] : a.parts[i] > b.parts[i];
+            }
+        }
+        return a.row < b.row;
     });
 }
 
@@ -303,17 +305,22 @@ void HitList::list() {
         QMetaObject::invokeMethod(
             app,
             [list, keys, number] {
-                if (!list || list->m_sortNumber != number) {
-                    return;
+                if (HitList* self = list.data(); self != nullptr) {
+                    self->takeSorted(*keys, number);
                 }
-                std::vector<std::uint32_t> sorted(keys->size());
-                std::transform(keys->begin(), keys->end(), sorted.begin(),
-                               [](const Key& key) { return key.row; });
-                list->m_isSorting = false;
-                list->show(std::move(sorted));
             },
             Qt::QueuedConnection);
     });
+}
+
+void HitList::takeSorted(const std::vector<Key>& keys, std::uint64_t number) {
+    if (number != m_sortNumber) {
+        return;
+    }
+    std::vector<std::uint32_t> sorted(keys.size());
+    std::transform(keys.begin(), keys.end(), sorted.begin(), [](const Key& key) { return key.row; });
+    m_isSorting = false;
+    show(std::move(sorted));
 }
 
 /// Within a change of the model, which cannot wait.

@@ -74,6 +74,7 @@ private:
     void endRearrange();
     void list();
     void listAtOnce();
+    void takeSorted(const std::vector<Key>& keys, std::uint64_t number);
     [[nodiscard]] std::vector<std::uint32_t> accepted(std::uint32_t first, std::uint32_t end) const;
     [[nodiscard]] std::vector<Key> keysOf(const std::vector<std::uint32_t>& rows) const;
     void show(std::vector<std::uint32_t> rows);
