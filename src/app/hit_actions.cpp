@@ -37,15 +37,15 @@ Status writeFile(const QString& path, const std::string& text) {
     return Done{};
 }
 
-Result<HitTable> readFile(const QString& path) {
+Result<HitRecords> readFile(const QString& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) {
         return Error{"The file could not be read: " + file.errorString().toStdString() + ".",
                      path.toStdString(), ""};
     }
-    const QByteArray bytes = file.read(static_cast<qint64>(kMostTableBytes) + 1);
-    Result<HitTable> table =
-        readHitTable({bytes.data(), static_cast<std::size_t>(bytes.size())}, pipelineKeys());
+    const QByteArray bytes = file.read(static_cast<qint64>(kMostRecordBytes) + 1);
+    Result<HitRecords> table =
+        readHitRecords({bytes.data(), static_cast<std::size_t>(bytes.size())}, pipelineKeys());
     if (!table) {
         const Error& error = table.error();
         const std::string name = QFileInfo(path).fileName().toStdString();
@@ -120,7 +120,7 @@ void HitActions::run(const std::function<std::function<void()>()>& work) {
 void HitActions::exportTo(const QString& path) {
     m_effects.finish();
     const bool isJson = path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
-    run([this, path, isJson, table = tableOf(m_session, &m_effects)]() -> std::function<void()> {
+    run([this, path, isJson, table = recordsOf(m_session, &m_effects)]() -> std::function<void()> {
         const Status written = writeFile(path, isJson ? toJson(table) : toCsv(table));
         const std::size_t hits = table.hits.size();
         return [this, path, written, hits] {
@@ -135,19 +135,19 @@ void HitActions::exportTo(const QString& path) {
 
 void HitActions::importFrom(const QString& path) {
     run([this, path, scene = m_scene]() -> std::function<void()> {
-        const auto table = std::make_shared<Result<HitTable>>(readFile(path));
+        const auto table = std::make_shared<Result<HitRecords>>(readFile(path));
         return [this, path, scene, table] {
             if (scene == m_scene) {
-                takeTable(*table, path);
+                takeRecords(*table, path);
             }
         };
     });
 }
 
-void HitActions::takeTable(const Result<HitTable>& table, const QString& path) {
+void HitActions::takeRecords(const Result<HitRecords>& table, const QString& path) {
     if (!table) {
         Q_EMIT failed(table.error());
-    } else if (Status taken = appendTable(m_session, table.value()); !taken) {
+    } else if (Status taken = appendRecords(m_session, table.value()); !taken) {
         const Error& error = taken.error();
         Q_EMIT failed({error.what, QFileInfo(path).fileName().toStdString(), error.advice});
     } else {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "io/hit_table.h"
+#include "io/hit_records.h"
 #include "session/hit_highlight.h"
 
 class QAction;
@@ -45,7 +45,7 @@ private:
     void chooseImport();
     void run(const std::function<std::function<void()>()>& work);
     void follow();
-    void takeTable(const Result<HitTable>& table, const QString& path);
+    void takeRecords(const Result<HitRecords>& table, const QString& path);
 
     Session& m_session;
     HitEffects& m_effects;

@@ -365,7 +365,8 @@ bool HitHistoryModel::dropMimeData(const QMimeData* data, Qt::DropAction action,
 }
 
 QString HitHistoryModel::csv(std::span<const std::size_t> rows) const {
-    const HitTable table = rows.empty() ? tableOf(m_session, m_effects) : tableOf(m_session, m_effects, rows);
+    const HitRecords table =
+        rows.empty() ? recordsOf(m_session, m_effects) : recordsOf(m_session, m_effects, rows);
     return QString::fromStdString(toCsv(table));
 }
 

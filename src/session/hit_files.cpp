@@ -43,9 +43,9 @@ std::vector<std::string> pipelineKeys() {
     return keys;
 }
 
-HitTable tableOf(const Session& session, const HitEffects* effects, std::span<const std::size_t> rows) {
+HitRecords recordsOf(const Session& session, const HitEffects* effects, std::span<const std::size_t> rows) {
     const std::span<const Hit> hits = session.history().hits();
-    HitTable table;
+    HitRecords table;
     table.pipelines = pipelineKeys();
     for (const std::unique_ptr<Target>& target : session.targets()) {
         table.targets[target->id] = target->name.toStdString();
@@ -60,13 +60,13 @@ HitTable tableOf(const Session& session, const HitEffects* effects, std::span<co
     return table;
 }
 
-HitTable tableOf(const Session& session, const HitEffects* effects) {
+HitRecords recordsOf(const Session& session, const HitEffects* effects) {
     std::vector<std::size_t> rows(session.history().size());
     std::iota(rows.begin(), rows.end(), std::size_t{0});
-    return tableOf(session, effects, rows);
+    return recordsOf(session, effects, rows);
 }
 
-Status appendTable(Session& session, const HitTable& table) {
+Status appendRecords(Session& session, const HitRecords& table) {
     std::map<TargetId, TargetId> ids;  // of the table -> of the session
     std::vector<std::string> unknown;
     for (const auto& [id, name] : table.targets) {

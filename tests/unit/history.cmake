@@ -2,4 +2,4 @@
 hitscope_test(history_effects LABEL unit SOURCES ${CMAKE_CURRENT_LIST_DIR}/history_effects_test.cpp LINK hitscope_deform)
 hitscope_test(hit_effects LABEL unit SOURCES ${CMAKE_CURRENT_LIST_DIR}/hit_effects_test.cpp LINK hitscope_session)
 hitscope_test(history_prefix LABEL unit SOURCES ${CMAKE_CURRENT_LIST_DIR}/history_prefix_test.cpp LINK hitscope_deform)
-hitscope_test(hit_table LABEL unit SOURCES ${CMAKE_CURRENT_LIST_DIR}/hit_table_test.cpp LINK hitscope_session)
+hitscope_test(hit_records LABEL unit SOURCES ${CMAKE_CURRENT_LIST_DIR}/hit_records_test.cpp LINK hitscope_session)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/hit_table.h"
+#include "io/hit_records.h"
 
 #include <algorithm>
 #include <charconv>
@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "io/hit_table_fields.h"
+#include "io/hit_records_fields.h"
 #include "io/number_text.h"
 
 namespace hitscope {
@@ -103,7 +103,7 @@ std::optional<Field> fieldNamed(std::string_view name) {
     return found == kFields.end() ? std::nullopt : std::optional(found->field);
 }
 
-std::string valueOf(const HitTable& table, std::size_t index, Field field) {
+std::string valueOf(const HitRecords& table, std::size_t index, Field field) {
     const Hit& hit = table.hits[index];
     if (const float* value = floatOf(hit, field)) {
         const bool isNormal = field >= Field::NormalX && field <= Field::NormalZ;
@@ -145,11 +145,11 @@ std::string valueOf(const HitTable& table, std::size_t index, Field field) {
     return text;
 }
 
-TableReader::TableReader(std::vector<std::string> pipelines) {
+RecordReader::RecordReader(std::vector<std::string> pipelines) {
     m_table.pipelines = std::move(pipelines);
 }
 
-Status TableReader::setTarget(Hit& hit, std::string_view name) {
+Status RecordReader::setTarget(Hit& hit, std::string_view name) {
     if (name.size() > kLongestName) {
         return Error{"The name of the target is too long.", "", ""};
     }
@@ -164,7 +164,7 @@ Status TableReader::setTarget(Hit& hit, std::string_view name) {
     return Done{};
 }
 
-Status TableReader::setPipeline(Hit& hit, std::string_view key) {
+Status RecordReader::setPipeline(Hit& hit, std::string_view key) {
     const auto found = std::find(m_table.pipelines.begin(), m_table.pipelines.end(), key);
     if (found == m_table.pipelines.end()) {
         return notA("a pipeline's key", Field::Pipeline, key);
@@ -173,7 +173,7 @@ Status TableReader::setPipeline(Hit& hit, std::string_view key) {
     return Done{};
 }
 
-Status TableReader::set(Hit& hit, Field field, std::string_view value) {
+Status RecordReader::set(Hit& hit, Field field, std::string_view value) {
     if (value.empty()) {
         return kFields[static_cast<std::size_t>(field)].isRequired ? Status(notA("given", field, value))
                                                                    : Status(Done{});
@@ -209,8 +209,8 @@ Status TableReader::set(Hit& hit, Field field, std::string_view value) {
     }
 }
 
-Status TableReader::add(const Hit& hit) {
-    if (m_table.hits.size() == kMostTableHits) {
+Status RecordReader::add(const Hit& hit) {
+    if (m_table.hits.size() == kMostRecordHits) {
         return Error{"The file has more than 1,000,000 hits.", "", "Split it."};
     }
     Result<Hit> checked = checkedHit(hit);
@@ -227,8 +227,8 @@ Error atLine(std::size_t line, std::string what) {
 
 }  // namespace hit_fields
 
-Result<HitTable> readHitTable(std::string_view bytes, std::vector<std::string> pipelines) {
-    if (bytes.size() > kMostTableBytes) {
+Result<HitRecords> readHitRecords(std::string_view bytes, std::vector<std::string> pipelines) {
+    if (bytes.size() > kMostRecordBytes) {
         return Error{"The file is larger than 256 MB.", "", "Split it."};
     }
     if (bytes.starts_with("\xef\xbb\xbf")) {

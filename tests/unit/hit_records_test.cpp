@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hits as CSV and JSON: every bit comes back, and what is wrong is said with its line.
-#include "io/hit_table.h"
+#include "io/hit_records.h"
 
 #include <QtTest>
 #include <bit>
@@ -28,8 +28,8 @@ float anyFloat(std::mt19937& random) {
     }
 }
 
-HitTable randomTable(std::mt19937& random, std::size_t count) {
-    HitTable table;
+HitRecords randomTable(std::mt19937& random, std::size_t count) {
+    HitRecords table;
     table.pipelines = kPipelines;
     table.targets = {{TargetId{1}, "HP sphere, \"first\"\nof all"}, {TargetId{2}, "Würfel \\ \t 2"}};
     std::uniform_real_distribution<float> part(-1.0f, 1.0f);
@@ -75,7 +75,7 @@ bool sameBits(const Hit& a, const Hit& b, bool zerosHaveSigns) {
 
 }  // namespace
 
-class HitTableTest : public QObject {
+class HitRecordsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void everyBitComesBack_data() {
@@ -86,9 +86,9 @@ private Q_SLOTS:
     void everyBitComesBack() {
         QFETCH(bool, json);
         std::mt19937 random(5);
-        const HitTable table = randomTable(random, 3000);
+        const HitRecords table = randomTable(random, 3000);
         const std::string text = json ? toJson(table) : toCsv(table);
-        const Result<HitTable> read = readHitTable(text, kPipelines);
+        const Result<HitRecords> read = readHitRecords(text, kPipelines);
         QVERIFY2(read.ok(), read.ok() ? "" : read.error().message().c_str());
         QCOMPARE(read.value().hits.size(), table.hits.size());
         for (std::size_t i = 0; i < table.hits.size(); ++i) {
@@ -98,16 +98,16 @@ private Q_SLOTS:
     }
 
     void noHits() {
-        QCOMPARE(readHitTable(toCsv({}), kPipelines).value().hits.size(), std::size_t{0});
-        QCOMPARE(readHitTable(toJson({}), kPipelines).value().hits.size(), std::size_t{0});
-        QCOMPARE(readHitTable("[]", kPipelines).value().hits.size(), std::size_t{0});
+        QCOMPARE(readHitRecords(toCsv({}), kPipelines).value().hits.size(), std::size_t{0});
+        QCOMPARE(readHitRecords(toJson({}), kPipelines).value().hits.size(), std::size_t{0});
+        QCOMPARE(readHitRecords("[]", kPipelines).value().hits.size(), std::size_t{0});
     }
 
     void handWritten() {
         const std::string text =
             std::string("\xef\xbb\xbf") + kHeader +
             "\"A \"\"b\"\", c\",1,2.5,-3e-1,0,0,-2,,,\r\n\r\nB,0,0,0,1,0,0,0.25,reference,0";
-        const Result<HitTable> read = readHitTable(text, kPipelines);
+        const Result<HitRecords> read = readHitRecords(text, kPipelines);
         QVERIFY2(read.ok(), read.ok() ? "" : read.error().message().c_str());
         const std::vector<Hit>& hits = read.value().hits;
         QCOMPARE(hits.size(), std::size_t{2});
@@ -179,8 +179,8 @@ private Q_SLOTS:
     void badFiles() {
         QFETCH(QByteArray, text);
         QFETCH(QString, message);
-        const Result<HitTable> read =
-            readHitTable({text.data(), static_cast<std::size_t>(text.size())}, kPipelines);
+        const Result<HitRecords> read =
+            readHitRecords({text.data(), static_cast<std::size_t>(text.size())}, kPipelines);
         QVERIFY(!read.ok());
         const QString said = QString::fromStdString(read.error().message());
         QVERIFY2(said.contains(message), qPrintable(said));
@@ -188,7 +188,7 @@ private Q_SLOTS:
 
     void brokenFilesDoNoHarm() {
         std::mt19937 random(8);
-        const HitTable table = randomTable(random, 5);
+        const HitRecords table = randomTable(random, 5);
         for (const std::string& whole : {toCsv(table), toJson(table)}) {
             for (int i = 0; i < 3000; ++i) {
                 std::string text = whole;
@@ -196,7 +196,7 @@ private Q_SLOTS:
                     text[random() % text.size()] = static_cast<char>(random() % 256);
                 }
                 text.resize(random() % 4 == 0 ? random() % text.size() : text.size());
-                const Result<HitTable> read = readHitTable(text, kPipelines);
+                const Result<HitRecords> read = readHitRecords(text, kPipelines);
                 QVERIFY(read.ok() || !read.error().where.empty());
             }
         }
@@ -212,20 +212,20 @@ private Q_SLOTS:
         QVERIFY(session.addHit(hit).ok());
         hit.target = session.targets()[1]->id;
         QVERIFY(session.addHit(hit).ok());
-        const std::string text = toCsv(tableOf(session, nullptr));
+        const std::string text = toCsv(recordsOf(session, nullptr));
         const std::vector<Hit> before(session.history().hits().begin(), session.history().hits().end());
 
         session.clearHits();
-        const Result<HitTable> read = readHitTable(text, pipelineKeys());
+        const Result<HitRecords> read = readHitRecords(text, pipelineKeys());
         QVERIFY(read.ok());
-        QVERIFY(appendTable(session, read.value()).ok());
+        QVERIFY(appendRecords(session, read.value()).ok());
         QVERIFY(std::ranges::equal(session.history().hits(), before));
         QVERIFY(pipelineOf(session.history().hits()[0]) == PipelineKind::Compute);
         session.undo();  // one step
         QCOMPARE(session.history().size(), std::size_t{0});
 
         QVERIFY(session.renameTarget(session.targets()[3]->id, QStringLiteral("Other")).ok());
-        const Status refused = appendTable(session, read.value());
+        const Status refused = appendRecords(session, read.value());
         QVERIFY(!refused.ok());
         QVERIFY(refused.error().what.find("“" + read.value().targets.at(TargetId{1}) + "”") !=
                 std::string::npos);
@@ -233,5 +233,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(HitTableTest)
-#include "hit_table_test.moc"
+QTEST_GUILESS_MAIN(HitRecordsTest)
+#include "hit_records_test.moc"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "io/hit_table_fields.h"
+#include "io/hit_records_fields.h"
 #include "io/number_text.h"
 
 namespace hitscope {
@@ -35,7 +35,7 @@ void appendQuoted(std::string& text, std::string_view value) {
     text += '"';
 }
 
-void appendHit(std::string& text, const HitTable& table, std::size_t index) {
+void appendHit(std::string& text, const HitRecords& table, std::size_t index) {
     text += '{';
     bool isFirst = true;
     for (const FieldName& key : kFields) {
@@ -107,7 +107,7 @@ std::optional<std::string> textOf(const QJsonValue& value, Field field) {
     return text;
 }
 
-Status readHit(TableReader& reader, const QJsonValue& value) {
+Status readHit(RecordReader& reader, const QJsonValue& value) {
     if (!value.isObject()) {
         return Error{"A hit is not an object in braces.", "", ""};
     }
@@ -138,7 +138,7 @@ Status readHit(TableReader& reader, const QJsonValue& value) {
 
 }  // namespace
 
-std::string toJson(const HitTable& table) {
+std::string toJson(const HitRecords& table) {
     std::string text = "{\"hits\": [";
     for (std::size_t i = 0; i < table.hits.size(); ++i) {
         text += i == 0 ? "\n" : ",\n";
@@ -148,7 +148,7 @@ std::string toJson(const HitTable& table) {
     return text;
 }
 
-Result<HitTable> hit_fields::readJson(std::string_view text, std::vector<std::string> pipelines) {
+Result<HitRecords> hit_fields::readJson(std::string_view text, std::vector<std::string> pipelines) {
     QJsonParseError problem;
     const QByteArray bytes = QByteArray::fromRawData(text.data(), static_cast<qsizetype>(text.size()));
     const QJsonDocument document = QJsonDocument::fromJson(bytes, &problem);
@@ -169,7 +169,7 @@ Result<HitTable> hit_fields::readJson(std::string_view text, std::vector<std::st
     if (!hits.isArray()) {
         return atLine(1, "There is no array “hits”.");
     }
-    TableReader reader(std::move(pipelines));
+    RecordReader reader(std::move(pipelines));
     const QJsonArray array = hits.toArray();
     for (qsizetype i = 0; i < array.size(); ++i) {
         if (Status status = readHit(reader, array.at(i)); !status) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "io/hit_table_fields.h"
+#include "io/hit_records_fields.h"
 
 namespace hitscope {
 
@@ -119,7 +119,7 @@ Result<std::vector<Field>> columnsIn(const std::vector<std::string>& names, std:
     return columns;
 }
 
-Status readRow(TableReader& reader, const std::vector<Field>& columns,
+Status readRow(RecordReader& reader, const std::vector<Field>& columns,
                const std::vector<std::string>& fields) {
     if (fields.size() != columns.size()) {
         return Error{"The line has " + std::to_string(fields.size()) + " fields, the header " +
@@ -137,7 +137,7 @@ Status readRow(TableReader& reader, const std::vector<Field>& columns,
 
 }  // namespace
 
-std::string toCsv(const HitTable& table) {
+std::string toCsv(const HitRecords& table) {
     std::string text;
     for (const FieldName& column : kFields) {
         text += column.name;
@@ -152,7 +152,7 @@ std::string toCsv(const HitTable& table) {
     return text;
 }
 
-Result<HitTable> hit_fields::readCsv(std::string_view text, std::vector<std::string> pipelines) {
+Result<HitRecords> hit_fields::readCsv(std::string_view text, std::vector<std::string> pipelines) {
     CsvRows rows(text);
     std::vector<std::string> fields;
     if (Status status = rows.next(fields); !status) {
@@ -162,7 +162,7 @@ Result<HitTable> hit_fields::readCsv(std::string_view text, std::vector<std::str
     if (!columns) {
         return columns.error();
     }
-    TableReader reader(std::move(pipelines));
+    RecordReader reader(std::move(pipelines));
     while (!rows.atEnd()) {
         if (Status status = rows.next(fields); !status) {
             return status.error();

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "io/hit_table.h"
+#include "io/hit_records.h"
 
 namespace hitscope::hit_fields {
 
@@ -71,30 +71,30 @@ inline constexpr std::array<FieldName, 22> kFields{{
 /// Nothing: no such name.
 [[nodiscard]] std::optional<Field> fieldNamed(std::string_view name);
 /// Of hit `index`; empty: not known. Texts are not quoted.
-[[nodiscard]] std::string valueOf(const HitTable& table, std::size_t index, Field field);
+[[nodiscard]] std::string valueOf(const HitRecords& table, std::size_t index, Field field);
 
 /// Builds a table hit by hit out of texts.
-class TableReader {
+class RecordReader {
 public:
-    explicit TableReader(std::vector<std::string> pipelines);
+    explicit RecordReader(std::vector<std::string> pipelines);
     /// An empty value leaves what is not required as it is.
     [[nodiscard]] Status set(Hit& hit, Field field, std::string_view value);
     /// Every field of it has been set.
     [[nodiscard]] Status add(const Hit& hit);
-    [[nodiscard]] HitTable take() { return std::move(m_table); }
+    [[nodiscard]] HitRecords take() { return std::move(m_table); }
 
 private:
     [[nodiscard]] Status setTarget(Hit& hit, std::string_view name);
     [[nodiscard]] Status setPipeline(Hit& hit, std::string_view key);
 
-    HitTable m_table;
+    HitRecords m_table;
     std::map<std::string, TargetId, std::less<>> m_targets;
 };
 
 /// `what` at a line, counted from 1.
 [[nodiscard]] Error atLine(std::size_t line, std::string what);
 
-[[nodiscard]] Result<HitTable> readCsv(std::string_view text, std::vector<std::string> pipelines);
-[[nodiscard]] Result<HitTable> readJson(std::string_view text, std::vector<std::string> pipelines);
+[[nodiscard]] Result<HitRecords> readCsv(std::string_view text, std::vector<std::string> pipelines);
+[[nodiscard]] Result<HitRecords> readJson(std::string_view text, std::vector<std::string> pipelines);
 
 }  // namespace hitscope::hit_fields
