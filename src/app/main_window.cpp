@@ -6,6 +6,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QMenu>
+#include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
 #include <QSurfaceFormat>
@@ -17,6 +18,9 @@
 #include "app/pipeline_chooser.h"
 #include "app/scene_files.h"
 #include "app/status_line.h"
+#include "app/texture_chooser.h"
+#include "app/time_actions.h"
+#include "app/time_badge.h"
 #include "models/undo_text.h"
 #include "panels/deformation_constants/deformation_constants_panel.h"
 #include "panels/frame_rate/frame_rate_panel.h"
@@ -57,6 +61,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_files(new SceneFiles(session, this)),
       m_hitActions(new HitActions(session, m_hitEffects, m_settings.folder, this)),
       m_status(new StatusLine(session, *statusBar(), this)),
+      m_time(new TimeActions(session, this)),
       m_pipelines(new PipelineChooser(session, this)) {
     loadSessionSettings(QSettings(), session);
     applyTheme(m_settings.theme);
@@ -67,6 +72,8 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     makeMenus();
     makeDocks();
     makeToolBar();
+    new TimeBadge(session, m_viewport);
+    m_textureChooser->choose(m_settings.coverTexture);
     connectFiles();
 
     connect(&session, &Session::sceneReplaced, this, &MainWindow::followScene);
@@ -157,7 +164,8 @@ QDockWidget* MainWindow::makeSceneDock() {
 }
 
 void MainWindow::restoreWindow() {
-    resize(1440, 900);
+    // On a small screen no part of it is out of sight at first.
+    resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
     m_firstLayout = saveState(kLayoutVersion);
     const QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
@@ -173,6 +181,7 @@ void MainWindow::saveSettings() {
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/layout"), saveState(kLayoutVersion));
     m_settings.display = m_viewport->options();
+    m_settings.coverTexture = m_textureChooser->chosen();
     saveAppSettings(settings, m_settings);
     m_hitActions->save(settings);
     saveSessionSettings(settings, m_session);

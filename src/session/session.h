@@ -21,9 +21,11 @@
 #include "render/camera.h"
 #include "render/lights.h"
 #include "session/collider_follower.h"
+#include "session/constants_setting.h"
 #include "session/hit_rows.h"
 #include "session/scene_presets.h"
 #include "session/session_undo.h"
+#include "session/shot_schedule.h"
 #include "session/target.h"
 
 namespace hitscope {
@@ -111,9 +113,15 @@ public:
     [[nodiscard]] const VertexSelection& selection() const { return *m_selection; }
 
     // Settings
-    [[nodiscard]] const DeformationConstants& constants() const { return m_constants; }
+    [[nodiscard]] const DeformationConstants& constants() const { return m_constants.constants; }
+    [[nodiscard]] const ConstantsSetting& constantsSetting() const { return m_constants; }
     /// Constants of the hits to come and, if `past`, of all made so far. Refused when out of range.
-    [[nodiscard]] Status setConstants(const DeformationConstants& constants, bool past);
+    [[nodiscard]] Status setConstants(const DeformationConstants& constants, bool past) {
+        return setConstants(ConstantsSetting{constants, m_constants.relative}, past);
+    }
+    [[nodiscard]] Status setConstants(const ConstantsSetting& setting, bool past);
+    /// Those that a hit on this target is made with now.
+    [[nodiscard]] DeformationConstants constantsOn(const Target& target) const;
     [[nodiscard]] const Lights& lights() const { return m_lights; }
     void setLights(const Lights& lights);
     /// A picture on all targets that have texture coordinates, instead of their own materials; null: none.
@@ -131,6 +139,13 @@ public:
     /// A hit without flight, where the ray first meets a target: exact and repeatable. Returns whether there
     /// is one.
     bool hitscan(const Ray& ray);
+    /// The hit that this shot would make if nothing moved meanwhile, as shoot() or, without flight, as
+    /// hitscan() makes it. Nothing when it would strike no target.
+    [[nodiscard]] std::optional<Hit> predictedHit(const Ray& ray, bool isInstant) const;
+    /// Shots that leave by themselves as time goes on.
+    void schedule(std::span<const ScheduledShot> shots);
+    void cancelScheduled();
+    [[nodiscard]] std::size_t shotsToCome() const { return m_schedule.size(); }
     /// Steps the physics; contacts become hits, dynamic targets move.
     void advance(double seconds);
     void stepOnce();  ///< one physics step, paused or not
@@ -198,8 +213,9 @@ Q_SIGNALS:
     void projectileSettingsChanged();
     void pipelineChanged();
     void exactnessChanged();
-    void aboutToStep();  ///< before each physics step: what is shot now flies with it
-    void timeChanged();  ///< paused or not, time scale, physics step
+    void scheduleChanged();  ///< shotsToCome()
+    void aboutToStep();      ///< before each physics step: what is shot now flies with it
+    void timeChanged();      ///< paused or not, time scale, physics step
     void targetSelected(hitscope::TargetId target);
     void hitSelected();
     void shownHitsChanged();  ///< showHits(), not the history
@@ -214,7 +230,10 @@ private:
     Target& insertTarget(std::size_t index, const TargetState& state);
     void eraseTarget(std::size_t index);
     void letCollide(const Target& target);
+    [[nodiscard]] std::optional<Hit> hitOf(const Impact& impact) const;
     void takeImpacts(std::span<const Impact> impacts);
+    bool hitscan(const Ray& ray, const ProjectileSettings& settings);
+    void fireScheduled();
     void step();
     void catchUp();
     void expectMoves(std::span<const HistoryEdit> edits);
@@ -241,7 +260,8 @@ private:
     static std::optional<SessionUndo::Name> nameOf(const SessionUndo::Change* change) {
         return change != nullptr ? std::optional(change->name) : std::nullopt;
     }
-    void takeConstants(const DeformationConstants& constants);
+    void takeConstants(const ConstantsSetting& constants);
+    [[nodiscard]] DeformationConstants constantsOf(const Hit& hit) const;
 
     QString m_sceneName;
     std::vector<std::unique_ptr<Target>> m_targets;
@@ -252,7 +272,7 @@ private:
     SessionUndo m_undo;
     std::optional<std::size_t> m_selectedHit;
     std::optional<std::size_t> m_shownHits;  ///< nothing: all
-    DeformationConstants m_constants;
+    ConstantsSetting m_constants;
     Lights m_lights;
     std::shared_ptr<const Image> m_coverTexture;
     ProjectileSettings m_projectileSettings;
@@ -260,6 +280,7 @@ private:
     std::optional<Exactness> m_exactness;
     PhysicsWorld m_physics;
     ColliderFollower m_colliders{m_physics};
+    ShotSchedule m_schedule;
     std::function<void()> m_catchUp;
     bool m_isBehind = false;                    ///< the CPU copies, until setUpToDate()
     std::map<TargetId, QString> m_notHittable;  ///< why

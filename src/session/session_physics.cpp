@@ -10,28 +10,17 @@ namespace hitscope {
 
 namespace {
 
-Hit hitOf(const Impact& impact, const DeformationConstants& constants) {
+Hit localHit(const Impact& impact) {
     Hit hit;
     hit.target = impact.target;
     hit.point = impact.where.toLocal(impact.point);
     hit.direction = impact.where.directionToLocal(impact.direction);
     hit.normal = impact.where.directionToLocal(impact.normal);
     hit.triangle = impact.triangle;
-    hit.constants = constants;
     hit.time = impact.time;
     hit.speed = impact.speed;
     hit.impulse = impact.impulse;
     return hit;
-}
-
-/// The power of a hit of that impulse, where the settings say that one follows the other.
-float powerOf(const DeformationConstants& constants, const ProjectileSettings& settings, float impulse) {
-    if (!settings.powerFollowsImpulse) {
-        return constants.power;
-    }
-    const double most = deformationParameters()[1].maximum;
-    const float scaled = constants.power * (impulse / settings.referenceImpulse);
-    return std::min(scaled, static_cast<float>(most));
 }
 
 bool keepsAllHits(PipelineKind kind) {
@@ -48,9 +37,13 @@ void Session::shoot(const Ray& ray) {
 }
 
 bool Session::hitscan(const Ray& ray) {
+    return hitscan(ray, m_projectileSettings);
+}
+
+bool Session::hitscan(const Ray& ray, const ProjectileSettings& settings) {
     catchUp();
     m_colliders.updateAll(currentVertices());
-    const auto impact = m_physics.hitscan(ray.origin, ray.direction, m_projectileSettings);
+    const auto impact = m_physics.hitscan(ray.origin, ray.direction, settings);
     const std::size_t before = m_history.size();
     if (impact) {
         takeImpacts({&*impact, 1});
@@ -58,14 +51,36 @@ bool Session::hitscan(const Ray& ray) {
     return m_history.size() > before;
 }
 
+std::optional<Hit> Session::predictedHit(const Ray& ray, bool isInstant) const {
+    const auto impact = m_physics.predict(ray.origin, ray.direction, m_projectileSettings, isInstant);
+    return impact ? hitOf(*impact) : std::nullopt;
+}
+
+void Session::schedule(std::span<const ScheduledShot> shots) {
+    m_schedule.add(shots, m_physics.time());
+    Q_EMIT scheduleChanged();
+    Q_EMIT pictureChanged();
+}
+
+void Session::cancelScheduled() {
+    m_schedule.clear();
+    Q_EMIT scheduleChanged();
+}
+
+/// Nothing for an impact that no hit can be made of.
+std::optional<Hit> Session::hitOf(const Impact& impact) const {
+    Hit hit = localHit(impact);
+    hit.constants = constantsOf(hit);
+    hit.pipeline = static_cast<std::uint8_t>(m_pipeline);
+    Result<Hit> checked = checkedHit(hit);
+    return checked && target(impact.target) != nullptr ? std::optional(checked.value()) : std::nullopt;
+}
+
 void Session::takeImpacts(std::span<const Impact> impacts) {
     std::vector<Hit> hits;
     for (const Impact& impact : impacts) {
-        Hit hit = hitOf(impact, m_constants);
-        hit.constants.power = powerOf(m_constants, m_projectileSettings, impact.impulse);
-        hit.pipeline = static_cast<std::uint8_t>(m_pipeline);
-        if (Result<Hit> checked = checkedHit(hit); checked && target(impact.target) != nullptr) {
-            hits.push_back(checked.value());
+        if (const std::optional<Hit> hit = hitOf(impact)) {
+            hits.push_back(*hit);
         }
     }
     appendHits(hits);
@@ -104,7 +119,23 @@ ColliderFollower::Vertices Session::currentVertices() const {
 
 // Time
 
+/// Between steps, so that an instant shot finds the dents of those before it.
+void Session::fireScheduled() {
+    const std::vector<ShotSchedule::Due> due = m_schedule.takeDue(m_physics.time(), m_physics.step());
+    for (const auto& [shot, volley] : due) {
+        if (shot.isInstant) {
+            hitscan(shot.ray, shot.settings);
+        } else {
+            m_physics.shoot(shot.ray.origin, shot.ray.direction, shot.settings, volley);
+        }
+    }
+    if (!due.empty()) {
+        Q_EMIT scheduleChanged();
+    }
+}
+
 void Session::step() {
+    fireScheduled();
     Q_EMIT aboutToStep();
     if (m_colliders.isDue()) {
         catchUp();
@@ -156,7 +187,7 @@ void Session::setPhysicsStep(double seconds) {
 }
 
 bool Session::isMoving() const {
-    return !m_physics.isPaused() && m_physics.isMoving();
+    return !m_physics.isPaused() && (m_physics.isMoving() || m_schedule.size() > 0);
 }
 
 void Session::followDynamicTargets() {
