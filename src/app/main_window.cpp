@@ -16,6 +16,7 @@
 #include "app/change_actions.h"
 #include "app/dialogs.h"
 #include "app/full_view.h"
+#include "app/hit_actions.h"
 #include "app/notice_bar.h"
 #include "app/picture_actions.h"
 #include "app/pipeline_chooser.h"
@@ -62,12 +63,14 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     : QMainWindow(parent),
       m_session(session),
       m_settings(loadAppSettings(QSettings())),
-      m_hitHistory(session),
+      m_hitEffects(session),
+      m_hitHistory(session, &m_hitEffects),
       m_meshStatistics(session),
       m_scene(session),
       m_viewport(new Viewport(session, this)),
       m_notice(new NoticeBar(m_viewport)),
       m_files(new SceneFiles(session, this)),
+      m_hitActions(new HitActions(session, m_hitEffects, m_settings.folder, this)),
       m_status(new StatusLine(session, *statusBar(), this)),
       m_time(new TimeActions(session, this)),
       m_shots(new ShotActions(session, *m_viewport, *this)),
@@ -78,8 +81,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     loadSessionSettings(QSettings(), session);
     applyTheme(m_settings.theme);
     m_viewport->setOptions(m_settings.display);
-    m_hitEffects = new HitEffects(session, this);
-    m_change = new ChangeActions(session, *m_hitEffects, *m_viewport, this);
+    m_change = new ChangeActions(session, m_hitEffects, *m_viewport, this);
     setCentralWidget(m_viewport);
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
@@ -103,6 +105,9 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
         m_pipelines, &PipelineChooser::fellBack, this,
         [this](const QString& notice) { m_notice->say(notice); }, Qt::QueuedConnection);
     connect(m_shots, &ShotActions::noticeWanted, this, [this](const QString& text) { m_notice->say(text); });
+    connect(m_hitActions, &HitActions::said, this,
+            [this](const QString& text) { statusBar()->showMessage(text, kHintStays); });
+    connect(m_hitActions, &HitActions::failed, this, [this](const Error& error) { showError(this, error); });
     connect(m_viewport, &Viewport::rendererKnown, this,
             [this] { m_status->setRenderer(m_viewport->rendererName()); });
     connect(m_viewport, &Viewport::failed, this, [this](const Error& error) { showError(this, error); });
@@ -140,8 +145,12 @@ void MainWindow::makeDocks() {
         addDock(QStringLiteral("meshStatistics"), tr("Mesh statistics"),
                 new MeshStatisticsPanel(m_session, m_meshStatistics), Qt::RightDockWidgetArea);
     QDockWidget* scene = makeSceneDock();
-    QDockWidget* history = addDock(QStringLiteral("hitHistory"), tr("Hit history"),
-                                   new HitHistoryPanel(m_session, m_hitHistory), Qt::BottomDockWidgetArea);
+    auto* historyPanel = new HitHistoryPanel(m_session, m_hitHistory);
+    m_hitActions->adopt(*historyPanel);
+    connect(historyPanel, &HitHistoryPanel::flyWanted, this,
+            [this](const Bounds& part) { m_viewport->navigation().frame(part); });
+    QDockWidget* history =
+        addDock(QStringLiteral("hitHistory"), tr("Hit history"), historyPanel, Qt::BottomDockWidgetArea);
     QDockWidget* constants = addDock(QStringLiteral("deformationConstants"), tr("Deformation constants"),
                                      new DeformationConstantsPanel(m_session), Qt::RightDockWidgetArea);
     QDockWidget* lights =
@@ -213,6 +222,7 @@ void MainWindow::saveSettings() {
     m_settings.display = m_viewport->options();
     m_settings.coverTexture = m_textureChooser->chosen();
     saveAppSettings(settings, m_settings);
+    m_hitActions->save(settings);
     saveSessionSettings(settings, m_session);
 }
 

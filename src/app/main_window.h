@@ -10,6 +10,7 @@
 #include "models/hit_history_model.h"
 #include "models/mesh_statistics_model.h"
 #include "models/scene_model.h"
+#include "session/hit_effects.h"
 #include "session/sample_scenes.h"
 #include "session/session.h"
 
@@ -23,7 +24,7 @@ class CameraActions;
 class ChangeActions;
 class FrameRatePanel;
 class FullView;
-class HitEffects;
+class HitActions;
 class NoticeBar;
 class PictureActions;
 class PipelineChooser;
@@ -125,12 +126,14 @@ private:
 
     Session& m_session;
     AppSettings m_settings;
+    HitEffects m_hitEffects;
     HitHistoryModel m_hitHistory;
     MeshStatisticsModel m_meshStatistics;
     SceneModel m_scene;
     Viewport* m_viewport = nullptr;
     NoticeBar* m_notice = nullptr;
     SceneFiles* m_files = nullptr;
+    HitActions* m_hitActions = nullptr;
     StatusLine* m_status = nullptr;
     TextureChooser* m_textureChooser = nullptr;
     TimeActions* m_time = nullptr;
@@ -140,7 +143,6 @@ private:
     CameraActions* m_cameraActions = nullptr;
     PictureActions* m_pictures = nullptr;
     FullView* m_fullView = nullptr;
-    HitEffects* m_hitEffects = nullptr;
     ChangeActions* m_change = nullptr;
     FrameRatePanel* m_frameRate = nullptr;
     QTimer m_frameRateTimer;

@@ -12,6 +12,7 @@
 #include "app/change_actions.h"
 #include "app/dialogs.h"
 #include "app/full_view.h"
+#include "app/hit_actions.h"
 #include "app/keys_overlay.h"
 #include "app/main_window.h"
 #include "app/picture_actions.h"
@@ -92,6 +93,7 @@ void MainWindow::makeFileMenu() {
     m_export = addAction(
         menu, tr("&Export Deformed Mesh…"), tr("Ctrl+E"), [this] { chooseExport(); },
         QStringLiteral("export"));
+    m_hitActions->fill(menu);
     m_pictures->fill(menu);
     menu.addSeparator();
     addAction(menu, tr("&Quit"), tr("Ctrl+Q"), [this] { close(); });

@@ -5,8 +5,11 @@
 #include <QIODevice>
 #include <QMimeData>
 #include <algorithm>
+#include <limits>
 
 #include "models/quantity_text.h"
+#include "session/frame_costs.h"
+#include "session/hit_files.h"
 
 namespace hitscope {
 
@@ -36,50 +39,54 @@ constexpr Header kHeaders[HitHistoryModel::ColumnCount] = {
     {QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "Impulse (N s)"),
      QT_TRANSLATE_NOOP("hitscope::HitHistoryModel",
                        "Impulse of the contact, as the physics engine applied it")},
+    {QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "Affected"),
+     QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "Vertices that the hit moved")},
+    {QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "Greatest (m)"),
+     QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "The longest way that the hit moved a vertex")},
+    {QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "CPU (ms)"),
+     QT_TRANSLATE_NOOP("hitscope::HitHistoryModel",
+                       "Processor time that applying the hit took: its share of those applied with it")},
+    {QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "GPU (ms)"),
+     QT_TRANSLATE_NOOP("hitscope::HitHistoryModel",
+                       "Graphics time that applying the hit took: its share of those applied with it")},
+    {QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "Pipeline"),
+     QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "The pipeline that was active when the hit was made")},
+    {QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "Max distance (m)"),
+     QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "The hit's constant: vertices within it are moved")},
+    {QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "Power (m²)"),
+     QT_TRANSLATE_NOOP("hitscope::HitHistoryModel",
+                       "The hit's constant: a vertex moves by power / distance")},
+    {QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "Max magnitude (m)"),
+     QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "The hit's constant: no vertex moves farther")},
+    {QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "World point (m)"),
+     QT_TRANSLATE_NOOP("hitscope::HitHistoryModel",
+                       "The contact point in the world, where the target stands now: x, y, z")},
+    {QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "Surface normal"),
+     QT_TRANSLATE_NOOP("hitscope::HitHistoryModel",
+                       "Of the surface where it was struck: unit vector, local frame")},
+    {QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "Triangle"),
+     QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "The triangle that was struck, counted from 0")},
 };
 
-QVariant rawValue(const Hit& hit, int row, int column) {
-    const auto list = [](const glm::vec3& v) {
-        return QVariantList{static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
-    };
-    switch (column) {
-        case HitHistoryModel::NumberColumn:
-            return static_cast<qulonglong>(row) + 1;
-        case HitHistoryModel::TimeColumn:
-            return hit.time;
-        case HitHistoryModel::TargetColumn:
-            return static_cast<qulonglong>(hit.target.value);
-        case HitHistoryModel::PointColumn:
-            return list(hit.point);
-        case HitHistoryModel::DirectionColumn:
-            return list(hit.direction);
-        case HitHistoryModel::SpeedColumn:
-            return static_cast<double>(hit.speed);
-        case HitHistoryModel::ImpulseColumn:
-            return static_cast<double>(hit.impulse);
-        default:
-            return {};
-    }
+/// Texts, which stand at the left.
+bool isName(int column) {
+    return column == HitHistoryModel::TargetColumn || column == HitHistoryModel::PipelineColumn;
 }
 
-/// A field as RFC 4180 wants it.
-QString csvField(QString text) {
-    if (text.contains(u'"') || text.contains(u',') || text.contains(u'\n')) {
-        text.replace(u'"', QStringLiteral("\"\""));
-        return u'"' + text + u'"';
-    }
-    return text;
+bool isCount(int column) {
+    return column == HitHistoryModel::NumberColumn || column == HitHistoryModel::AffectedColumn ||
+           column == HitHistoryModel::TriangleColumn;
 }
 
-/// Nine digits bring the same float back.
-QString exact(float value) {
-    return QString::number(static_cast<double>(value), 'g', 9);
-}
+constexpr double kMilliseconds = 1000.0;  // in a second
 
 }  // namespace
 
-HitHistoryModel::HitHistoryModel(Session& session, QObject* parent)
-    : QAbstractTableModel(parent), m_session(session), m_rows(static_cast<int>(session.history().size())) {
+HitHistoryModel::HitHistoryModel(Session& session, HitEffects* effects, QObject* parent)
+    : QAbstractTableModel(parent),
+      m_session(session),
+      m_effects(effects),
+      m_rows(static_cast<int>(session.history().size())) {
     connect(&session, &Session::hitsAboutToBeAppended, this, &HitHistoryModel::beginAppend);
     connect(&session, &Session::hitsAppended, this, &HitHistoryModel::endAppend);
     connect(&session, &Session::hitsChanged, this, &HitHistoryModel::refresh);
@@ -88,6 +95,13 @@ HitHistoryModel::HitHistoryModel(Session& session, QObject* parent)
     // Its name may have.
     connect(&session, &Session::targetChanged, this, [this] { refresh(0, m_rows - 1); });
     connect(&session, &Session::capacityChanged, this, [this] { refresh(0, m_rows - 1); });
+    connect(&session, &Session::shownHitsChanged, this, [this] { refresh(0, m_rows - 1); });
+    connect(&session.frameCosts(), &FrameCosts::hitCostsChanged, this,
+            [this](int first, int last) { refreshColumns(first, last, CpuCostColumn, GpuCostColumn); });
+    if (effects != nullptr) {
+        connect(effects, &HitEffects::effectsChanged, this,
+                [this](int first, int last) { refreshColumns(first, last, AffectedColumn, GreatestColumn); });
+    }
 }
 
 int HitHistoryModel::rowCount(const QModelIndex& parent) const {
@@ -107,48 +121,145 @@ QVariant HitHistoryModel::data(const QModelIndex& index, int role) const {
     const Hit& hit = hits[row];
     switch (role) {
         case Qt::DisplayRole:
-            return text(hit, index.row(), index.column());
+            return text(hit, row, index.column());
         case Qt::CheckStateRole:
             return index.column() == NumberColumn ? QVariant(hit.enabled ? Qt::Checked : Qt::Unchecked)
                                                   : QVariant();
         case Qt::TextAlignmentRole:
-            return index.column() == TargetColumn ? QVariant(Qt::AlignLeft | Qt::AlignVCenter)
-                                                  : QVariant(Qt::AlignRight | Qt::AlignVCenter);
+            return QVariant((isName(index.column()) ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
         case Qt::ToolTipRole:
             return toolTip(hit, row);
         case HitStateRole:
             return stateOf(row);
         case RawValueRole:
-            return rawValue(hit, index.row(), index.column());
+            return rawValue(hit, row, index.column());
         default:
             return {};
     }
 }
 
-QString HitHistoryModel::text(const Hit& hit, int row, int column) const {
+std::optional<double> HitHistoryModel::number(const Hit& hit, std::size_t row, int column) const {
+    const auto asDouble = [](float value) { return static_cast<double>(value); };
+    const bool isEffect = column == AffectedColumn || column == GreatestColumn;
+    const auto effect =
+        isEffect && m_effects != nullptr ? m_effects->effect(row) : std::optional<HitEffect>();
+    const bool isCost = column == CpuCostColumn || column == GpuCostColumn;
+    const auto cost = isCost ? m_session.frameCosts().hitCost(row) : std::optional<HitCost>();
     switch (column) {
         case NumberColumn:
-            return countText(static_cast<std::size_t>(row) + 1);
+            return static_cast<double>(row + 1);
         case TimeColumn:
-            return QString::number(hit.time, 'f', 2);
-        case TargetColumn:
-            return targetName(hit);
-        case PointColumn:
-            return vectorText(hit.point);
-        case DirectionColumn:
-            return vectorText(hit.direction);
+            return hit.time;
         case SpeedColumn:
-            return QString::number(static_cast<double>(hit.speed), 'f', 2);
+            return asDouble(hit.speed);
         case ImpulseColumn:
-            return QString::number(static_cast<double>(hit.impulse), 'f', 2);
+            return asDouble(hit.impulse);
+        case AffectedColumn:
+            return effect ? std::optional(static_cast<double>(effect->affected)) : std::nullopt;
+        case GreatestColumn:
+            return effect ? std::optional(asDouble(effect->greatest)) : std::nullopt;
+        case CpuCostColumn:
+            return cost ? std::optional(cost->cpu * kMilliseconds) : std::nullopt;
+        case GpuCostColumn:
+            return cost && cost->gpu ? std::optional(*cost->gpu * kMilliseconds) : std::nullopt;
+        case MaxDistanceColumn:
+            return asDouble(hit.constants.maxDistance);
+        case PowerColumn:
+            return asDouble(hit.constants.power);
+        case MaxMagnitudeColumn:
+            return asDouble(hit.constants.maxMagnitude);
+        case TriangleColumn:
+            return hit.triangle != kNoIndex ? std::optional(static_cast<double>(hit.triangle)) : std::nullopt;
         default:
-            return {};
+            return std::nullopt;
+    }
+}
+
+std::optional<glm::vec3> HitHistoryModel::vector(const Hit& hit, int column) const {
+    switch (column) {
+        case PointColumn:
+            return hit.point;
+        case DirectionColumn:
+            return hit.direction;
+        case NormalColumn:
+            return hit.normal != glm::vec3(0.0f) ? std::optional(hit.normal) : std::nullopt;
+        case WorldPointColumn: {
+            const Target* target = m_session.target(hit.target);
+            return target != nullptr ? std::optional(target->transform.toWorld(hit.point)) : std::nullopt;
+        }
+        default:
+            return std::nullopt;
+    }
+}
+
+QVariant HitHistoryModel::rawValue(const Hit& hit, std::size_t row, int column) const {
+    if (const std::optional<glm::vec3> v = vector(hit, column)) {
+        return QVariantList{static_cast<double>(v->x), static_cast<double>(v->y), static_cast<double>(v->z)};
+    }
+    if (column == TargetColumn) {
+        return static_cast<qulonglong>(hit.target.value);
+    }
+    const std::optional<double> value = number(hit, row, column);
+    if (!value) {
+        return {};
+    }
+    return isCount(column) ? QVariant(static_cast<qulonglong>(*value)) : QVariant(*value);
+}
+
+void HitHistoryModel::sortParts(std::size_t row, int column, double (&parts)[3]) const {
+    const Hit& hit = m_session.history().hits()[row];
+    constexpr double kUnknown = -std::numeric_limits<double>::infinity();
+    if (const std::optional<glm::vec3> v = vector(hit, column)) {
+        for (int i = 0; i < 3; ++i) {
+            parts[i] = static_cast<double>((*v)[i]);
+        }
+    } else if (column == PipelineColumn) {
+        parts[0] = pipelineOf(hit) ? static_cast<double>(hit.pipeline) : kUnknown;
+    } else {
+        parts[0] = number(hit, row, column).value_or(kUnknown);
+    }
+}
+
+QString HitHistoryModel::text(const Hit& hit, std::size_t row, int column) const {
+    if (const std::optional<glm::vec3> v = vector(hit, column)) {
+        return vectorText(*v);
+    }
+    if (column == TargetColumn) {
+        return targetName(hit);
+    }
+    if (column == PipelineColumn) {
+        const std::optional<PipelineKind> kind = pipelineOf(hit);
+        const std::string_view name = kind ? pipelineTraits(*kind).name : std::string_view();
+        return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+    }
+    const std::optional<double> value = number(hit, row, column);
+    if (!value) {
+        return {};
+    }
+    switch (column) {
+        case TimeColumn:
+        case SpeedColumn:
+        case ImpulseColumn:
+            return QString::number(*value, 'f', 2);
+        case GreatestColumn:
+        case CpuCostColumn:
+        case GpuCostColumn:
+            return QString::number(*value, 'f', 3);
+        case MaxDistanceColumn:
+        case PowerColumn:
+        case MaxMagnitudeColumn:
+            return quantityText(*value);
+        default:
+            return countText(static_cast<std::size_t>(*value));
     }
 }
 
 HitHistoryModel::HitState HitHistoryModel::stateOf(std::size_t row) const {
     if (!m_session.history().hits()[row].enabled) {
         return Disabled;
+    }
+    if (row >= m_session.shownHits().size()) {
+        return Later;
     }
     return m_session.isDropped(row) ? Dropped : Applied;
 }
@@ -161,6 +272,8 @@ QString HitHistoryModel::toolTip(const Hit& hit, std::size_t row) const {
     const HitState state = stateOf(row);
     if (state == Disabled) {
         tip.prepend(tr("Disabled: the mesh is as if this hit had not been made.") + u'\n');
+    } else if (state == Later) {
+        tip.prepend(tr("Later: the targets are shown as they were before this hit.") + u'\n');
     } else if (state == Dropped) {
         const CapacityReport& report = m_session.capacity();
         const std::string_view pipeline = pipelineTraits(m_session.pipeline()).name;
@@ -251,42 +364,10 @@ bool HitHistoryModel::dropMimeData(const QMimeData* data, Qt::DropAction action,
     return true;
 }
 
-QString HitHistoryModel::csv(std::span<const int> rows) const {
-    QString text = QStringLiteral(
-        "number,time_s,target,point_x_m,point_y_m,point_z_m,direction_x,direction_y,direction_z,"
-        "speed_m_per_s,impulse_n_s,max_distance_m,power_m2,max_magnitude_m,enabled\n");
-    const std::span<const Hit> hits = m_session.history().hits();
-    const auto append = [&](std::size_t row) {
-        if (row >= hits.size()) {
-            return;
-        }
-        const Hit& hit = hits[row];
-        const QStringList fields{QString::number(row + 1),
-                                 QString::number(hit.time, 'g', 17),
-                                 csvField(targetName(hit)),
-                                 exact(hit.point.x),
-                                 exact(hit.point.y),
-                                 exact(hit.point.z),
-                                 exact(hit.direction.x),
-                                 exact(hit.direction.y),
-                                 exact(hit.direction.z),
-                                 exact(hit.speed),
-                                 exact(hit.impulse),
-                                 exact(hit.constants.maxDistance),
-                                 exact(hit.constants.power),
-                                 exact(hit.constants.maxMagnitude),
-                                 QString::number(hit.enabled ? 1 : 0)};
-        text += fields.join(u',') + u'\n';
-    };
-    if (rows.empty()) {
-        for (std::size_t row = 0; row < hits.size(); ++row) {
-            append(row);
-        }
-    }
-    for (const int row : rows) {
-        append(static_cast<std::size_t>(row));
-    }
-    return text;
+QString HitHistoryModel::csv(std::span<const std::size_t> rows) const {
+    const HitRecords table =
+        rows.empty() ? recordsOf(m_session, m_effects) : recordsOf(m_session, m_effects, rows);
+    return QString::fromStdString(toCsv(table));
 }
 
 void HitHistoryModel::beginAppend(int first, int last) {
@@ -300,8 +381,14 @@ void HitHistoryModel::endAppend() {
 }
 
 void HitHistoryModel::refresh(int first, int last) {
-    if (first <= last) {
-        Q_EMIT dataChanged(index(first, 0), index(last, ColumnCount - 1));
+    refreshColumns(first, last, 0, ColumnCount - 1);
+}
+
+/// Rows that the views have not been told of are passed over.
+void HitHistoryModel::refreshColumns(int firstRow, int lastRow, int firstColumn, int lastColumn) {
+    const int last = std::min(lastRow, m_rows - 1);
+    if (firstRow <= last) {
+        Q_EMIT dataChanged(index(firstRow, firstColumn), index(last, lastColumn));
     }
 }
 

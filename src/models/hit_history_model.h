@@ -4,7 +4,7 @@
 #include <QAbstractTableModel>
 #include <span>
 
-#include "session/session.h"
+#include "session/hit_effects.h"
 
 namespace hitscope {
 
@@ -24,13 +24,23 @@ public:
         DirectionColumn,
         SpeedColumn,
         ImpulseColumn,
+        AffectedColumn,
+        GreatestColumn,
+        CpuCostColumn,
+        GpuCostColumn,
+        PipelineColumn,
+        MaxDistanceColumn,
+        PowerColumn,
+        MaxMagnitudeColumn,
+        WorldPointColumn,
+        NormalColumn,
+        TriangleColumn,
         ColumnCount
     };
     enum Role : int {
-        /// The number behind the text: qulonglong for NumberColumn and TargetColumn (the target's id), double
-        /// for
-        /// times (s), speeds (m/s) and impulses (N s), QVariantList of three doubles for points (m) and
-        /// directions.
+        /// The number behind the text: qulonglong for numbers, counts and TargetColumn (the target's id),
+        /// double for times (s), lengths (m) and costs (ms), QVariantList of three doubles for points (m) and
+        /// directions; nothing for what is not known and for PipelineColumn.
         RawValueRole = Qt::UserRole,
         HitStateRole,  ///< HitState as int: whether the mesh on screen shows the hit
     };
@@ -38,10 +48,11 @@ public:
         Applied,
         Disabled,
         Dropped,  ///< enabled, but the pipeline's capacity was reached
+        Later,    ///< enabled, but the targets are shown as they were before it (Session::showHits())
     };
 
-    /// `session` outlives the model.
-    explicit HitHistoryModel(Session& session, QObject* parent = nullptr);
+    /// `session` and `effects` outlive the model; without `effects` what hits did is not known.
+    explicit HitHistoryModel(Session& session, HitEffects* effects = nullptr, QObject* parent = nullptr);
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -59,9 +70,11 @@ public:
     bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
                       const QModelIndex& parent) override;
 
-    /// The given rows (all of them when empty) as comma-separated text with a header line, numbers in full
-    /// precision with a point whatever the locale. Rows out of range are passed over.
-    [[nodiscard]] QString csv(std::span<const int> rows = {}) const;
+    /// The given rows (all of them when empty) as toCsv() writes them. Rows out of range are passed over.
+    [[nodiscard]] QString csv(std::span<const std::size_t> rows = {}) const;
+    /// What rows are sorted by in a column, but for TargetColumn: three numbers, compared in turn. What is
+    /// not known comes first. row < rowCount().
+    void sortParts(std::size_t row, int column, double (&parts)[3]) const;
 
 private:
     void beginAppend(int first, int last);
@@ -71,10 +84,17 @@ private:
     void reset();
     [[nodiscard]] HitState stateOf(std::size_t row) const;
     [[nodiscard]] QString toolTip(const Hit& hit, std::size_t row) const;
-    [[nodiscard]] QString text(const Hit& hit, int row, int column) const;
+    [[nodiscard]] QString text(const Hit& hit, std::size_t row, int column) const;
+    [[nodiscard]] QVariant rawValue(const Hit& hit, std::size_t row, int column) const;
+    /// Of a column that holds one; nothing: not known.
+    [[nodiscard]] std::optional<double> number(const Hit& hit, std::size_t row, int column) const;
+    /// Of a column that holds one; nothing: not known.
+    [[nodiscard]] std::optional<glm::vec3> vector(const Hit& hit, int column) const;
+    void refreshColumns(int firstRow, int lastRow, int firstColumn, int lastColumn);
     [[nodiscard]] QString targetName(const Hit& hit) const;
 
     Session& m_session;
+    HitEffects* m_effects;
     /// What the views were told. The history changes before the session says so, and a view must not see
     /// that in between.
     int m_rows = 0;

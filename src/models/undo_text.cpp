@@ -42,6 +42,10 @@ QString undoText(const SessionUndo::Name& name) {
             one = TEXT("Disable Hit");
             many = TEXT("Disable %1 Hits");
             break;
+        case SessionUndo::Kind::EditHit:
+            one = TEXT("Edit Hit");
+            many = TEXT("Edit %1 Hits");
+            break;
         case SessionUndo::Kind::AddTarget:
             one = TEXT("Add Target");
             many = TEXT("Add %1 Targets");

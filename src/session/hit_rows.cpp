@@ -64,6 +64,9 @@ private:
 }  // namespace
 
 bool keepsPlaces(const HistoryEdit& edit) {
+    if (edit.before.size() == 1 && edit.after.size() == 1) {
+        return true;
+    }
     return std::equal(edit.before.begin(), edit.before.end(), edit.after.begin(), edit.after.end(),
                       [](Hit before, const Hit& after) {
                           before.enabled = after.enabled;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "deform/history_prefix.h"
 #include "render/pick_pass.h"
 #include "render/renderer.h"
 #include "session/change_upload.h"
@@ -27,23 +28,8 @@ glm::mat4 modelMatrix(const RigidTransform& transform) {
     return model;
 }
 
-/// Hits that came one by one are applied in one pass all the same.
-std::vector<HistoryEdit> withAppendsJoined(std::vector<HistoryEdit> edits) {
-    std::vector<HistoryEdit> joined;
-    for (HistoryEdit& edit : edits) {
-        HistoryEdit* last = joined.empty() ? nullptr : &joined.back();
-        if (last != nullptr && last->before.empty() && edit.before.empty() &&
-            last->first + last->after.size() == edit.first) {
-            last->after.insert(last->after.end(), edit.after.begin(), edit.after.end());
-        } else {
-            joined.push_back(std::move(edit));
-        }
-    }
-    return joined;
-}
-
-bool isAppend(const HistoryEdit& edit, const HitHistory& history) {
-    return edit.before.empty() && edit.first + edit.after.size() == history.size();
+bool isAppend(const HistoryEdit& edit, std::size_t hits) {
+    return edit.before.empty() && edit.first + edit.after.size() == hits;
 }
 
 std::map<PipelineKind, QString> unavailablePipelines() {
@@ -76,6 +62,7 @@ struct SceneGpu::Private {
     std::shared_ptr<const MaterialSet> cover;
     std::uint64_t appliedRevision = 0;
     std::uint64_t meshRevision = 1;
+    HistoryPrefix applied;  // of the history at that revision
     gl::Defines deformDefines;
     ChangeUpload changeUpload;
     SecondScene second;
@@ -206,20 +193,22 @@ Status SceneGpu::Private::followPipeline(bool& startOver) {
 
 bool SceneGpu::Private::followHistory(bool startOver) {
     const HitHistory& history = session.history();
-    if (!startOver && appliedRevision == history.revision()) {
+    const std::span<const Hit> shown = session.shownHits();
+    if (!startOver && appliedRevision == history.revision() && applied.size() == shown.size()) {
         return false;
     }
     auto edits = history.editsSince(appliedRevision);
     startOver = startOver || !edits;
     if (startOver) {
-        meter.applying(0, history.size(), false);
-        pipeline->reset(history.hits());
+        meter.applying(0, shown.size(), false);
+        pipeline->reset(shown);
+        applied.reset(shown.size());
     } else {
-        const std::vector<HistoryEdit> joined = withAppendsJoined(*std::move(edits));
-        if (joined.size() == 1 && isAppend(joined.front(), history)) {
-            meter.applying(joined.front().first, joined.front().after.size(), true);
+        const std::vector<HistoryEdit> made = applied.follow(*edits, history.hits(), shown.size());
+        if (made.size() == 1 && isAppend(made.front(), shown.size())) {
+            meter.applying(made.front().first, made.front().after.size(), true);
         }
-        for (const HistoryEdit& edit : joined) {
+        for (const HistoryEdit& edit : made) {
             pipeline->edit(edit);
         }
     }

@@ -78,14 +78,16 @@ void SecondScene::follow(Comparison* comparison, const gl::Defines& deformDefine
     }
     followTargets();
     const HitHistory& history = m_session.history();
-    if (startOver || m_revision != history.revision()) {
+    const std::span<const Hit> shown = m_session.shownHits();
+    if (startOver || m_revision != history.revision() || m_applied.size() != shown.size()) {
         const auto edits = startOver ? std::nullopt : history.editsSince(m_revision);
         if (edits) {
-            for (const HistoryEdit& edit : *edits) {
+            for (const HistoryEdit& edit : m_applied.follow(*edits, history.hits(), shown.size())) {
                 m_pipeline->edit(edit);
             }
         } else {
-            m_pipeline->reset(history.hits());
+            m_pipeline->reset(shown);
+            m_applied.reset(shown.size());
             delivery = Delivery::All;
         }
         m_revision = history.revision();

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "deform/history_prefix.h"
 #include "pipeline/deformation_pipeline.h"
 #include "render/renderer.h"
 #include "session/comparison.h"
@@ -43,6 +44,7 @@ private:
     std::unique_ptr<DeformationPipeline> m_pipeline;  // below the buffers it is given, so that it goes first
     const Comparison* m_comparison = nullptr;
     std::uint64_t m_revision = 0;
+    HistoryPrefix m_applied;  // of the history at that revision
     std::optional<PipelineKind> m_tried;
 };
 

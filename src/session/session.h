@@ -98,6 +98,13 @@ public:
     void removeHits(std::span<const std::size_t> indices);
     void removeHit(std::size_t index);
     void clearHits();
+    /// The hit at `index` becomes `hit`. Refused as addHit() does. One step to undo.
+    [[nodiscard]] Status replaceHit(std::size_t index, const Hit& hit);
+    /// Shows the targets as they were after the first `count` hits; nothing: after all. The history stays as
+    /// it is, and hits that come end it.
+    void showHits(std::optional<std::size_t> count);
+    [[nodiscard]] std::span<const Hit> shownHits() const;  ///< the first ones of the history, or all
+    [[nodiscard]] bool showsAllHits() const { return !m_shownHits; }
     [[nodiscard]] std::size_t disabledHits() const { return m_disabledHits; }
     [[nodiscard]] std::optional<std::size_t> selectedHit() const { return m_selectedHit; }
     void selectHit(std::optional<std::size_t> index);
@@ -215,6 +222,7 @@ Q_SIGNALS:
     void timeChanged();      ///< paused or not, time scale, physics step
     void targetSelected(hitscope::TargetId target);
     void hitSelected();
+    void shownHitsChanged();  ///< showHits(), not the history
     void capacityChanged();
     void unavailablePipelinesChanged();
     void pictureChanged();  ///< anything that a new frame would show
@@ -267,6 +275,7 @@ private:
     HitHistory m_history;
     SessionUndo m_undo;
     std::optional<std::size_t> m_selectedHit;
+    std::optional<std::size_t> m_shownHits;  ///< nothing: all
     ConstantsSetting m_constants;
     LightSpace m_lightSpace;
     Lights m_lights = defaultLights(m_lightSpace);

@@ -128,6 +128,7 @@ void Session::appendHits(std::span<const Hit> hits) {
         {{edit}, m_constants, m_constants, SessionUndo::Merge::Never, {SessionUndo::Kind::Hit, hits.size()}});
     m_disabledHits += countDisabled(hits);
     Q_EMIT hitsAppended();
+    showHits(std::nullopt);
     selectTarget(hits.back().target);
     Q_EMIT pictureChanged();
 }

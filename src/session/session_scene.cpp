@@ -86,6 +86,7 @@ void Session::clearScene() {
     m_history.clear();
     m_undo.clear();
     m_selectedHit.reset();
+    m_shownHits.reset();
     m_selectedTarget = {};
     m_disabledHits = 0;
 }
@@ -101,6 +102,7 @@ void Session::announceScene(const QString& name) {
     m_lightSpace = space;
     Q_EMIT sceneReplaced();
     Q_EMIT historyReset();
+    Q_EMIT shownHitsChanged();
     Q_EMIT undoChanged();
     setCapacity({m_capacity.capacity, m_capacity.perTarget, 0, {}});
     Q_EMIT lightsChanged();

@@ -29,6 +29,7 @@ public:
         Move,
         Enable,
         Disable,
+        EditHit,
         Constants,
         AddTarget,
         DuplicateTarget,

@@ -127,9 +127,9 @@ void HitHistoryModelTest::csvIsExactAndQuoted() {
     QVERIFY(first.endsWith(QStringLiteral(",1")));
     session.setHitsEnabled(std::array<std::size_t, 1>{0}, false);
     QVERIFY(model.csv().section(u'\n', 1, 1).endsWith(QStringLiteral(",0")));
-    QVERIFY2(first.startsWith(QStringLiteral("1,1.5,\"a, \"\"quoted\"\" mesh\",0.100000001,0.5,-1.25,")),
+    QVERIFY2(first.startsWith(QStringLiteral("1,1.5,\"a, \"\"quoted\"\" mesh\",0.1,0.5,-1.25,")),
              qPrintable(first));
-    const std::array<int, 2> rows{1, 99};
+    const std::array<std::size_t, 2> rows{1, 99};
     const QString some = model.csv(rows);
     QCOMPARE(some.count(u'\n'), 2);
     QVERIFY(some.section(u'\n', 1, 1).startsWith(QStringLiteral("2,")));

@@ -105,7 +105,7 @@ QAction* HitHistoryTest::action(const QString& text) const {
 }
 
 void HitHistoryTest::checkBoxByMouse() {
-    const QModelIndex number = m_model->index(2, HitHistoryModel::NumberColumn);
+    const QModelIndex number = m_table->model()->index(2, HitHistoryModel::NumberColumn);
     QStyleOptionViewItem option;
     option.initFrom(m_table);
     option.rect = m_table->visualRect(number);
@@ -236,7 +236,7 @@ void HitHistoryTest::severalRowsAreDragged() {
 void HitHistoryTest::selectionAndPlaceSurviveChanges() {
     addHits(*m_session, 500);
     m_table->selectRow(200);
-    m_table->scrollTo(m_model->index(200, 0), QAbstractItemView::PositionAtTop);
+    m_table->scrollTo(m_table->model()->index(200, 0), QAbstractItemView::PositionAtTop);
     const int place = m_table->verticalScrollBar()->value();
     m_session->setHitsEnabled(std::vector<std::size_t>{200, 300}, false);
     addHits(*m_session, 3);

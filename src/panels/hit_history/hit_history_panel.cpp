@@ -10,7 +10,11 @@
 #include <algorithm>
 
 #include "models/quantity_text.h"
+#include "panels/hit_history/hit_columns.h"
 #include "panels/hit_history/hit_delegate.h"
+#include "panels/hit_history/hit_editor.h"
+#include "panels/hit_history/hit_filter_bar.h"
+#include "panels/hit_history/time_scrubber.h"
 #include "panels/icons/themed_icon.h"
 #include "ui_hit_history.h"
 
@@ -18,7 +22,8 @@ namespace hitscope {
 
 namespace {
 
-constexpr int kCellPadding = 14;  // pixels
+/// Around a hit that is looked at, in reaches of the hit.
+constexpr float kSurroundings = 2.5f;
 
 QString withKey(const QString& text, const QKeySequence& key) {
     return QStringLiteral("%1 (%2)").arg(text, key.toString(QKeySequence::NativeText));
@@ -27,8 +32,15 @@ QString withKey(const QString& text, const QKeySequence& key) {
 }  // namespace
 
 HitHistoryPanel::HitHistoryPanel(Session& session, HitHistoryModel& model, QWidget* parent)
-    : QWidget(parent), m_session(session), m_model(model), m_ui(std::make_unique<Ui::HitHistory>()) {
+    : QWidget(parent),
+      m_session(session),
+      m_model(model),
+      m_list(session, model),
+      m_ui(std::make_unique<Ui::HitHistory>()) {
     m_ui->setupUi(this);
+    m_filterBar = new HitFilterBar(session, m_list, this);
+    m_ui->layout->insertWidget(0, m_filterBar);
+    m_ui->buttons->insertWidget(0, new TimeScrubber(session, this), 1);
     setUpTable();
     makeActions();
     m_ui->meter->follow(session);
@@ -41,27 +53,32 @@ HitHistoryPanel::~HitHistoryPanel() = default;
 
 void HitHistoryPanel::setUpTable() {
     QTableView& table = *m_ui->table;
-    table.setModel(&m_model);
+    table.setModel(&m_list);
     table.setItemDelegate(new HitDelegate(&table));
-    // Sizes by hand: measuring the contents of 100,000 rows would cost time with every hit.
-    table.verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    table.verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
-    const QString widest[HitHistoryModel::ColumnCount] = {QStringLiteral("000,000"),
-                                                          QStringLiteral("0000.00"),
-                                                          QStringLiteral("HP sphere 10"),
-                                                          QStringLiteral("-00.000, -00.000, -00.000"),
-                                                          QStringLiteral("-0.000, -0.000, -0.000"),
-                                                          QStringLiteral("000.00"),
-                                                          QStringLiteral("000.00")};
-    for (int column = 0; column < HitHistoryModel::ColumnCount; ++column) {
-        const QString title = m_model.headerData(column, Qt::Horizontal).toString();
-        int width = kCellPadding + std::max(fontMetrics().horizontalAdvance(widest[column]),
-                                            fontMetrics().horizontalAdvance(title));
-        if (column == HitHistoryModel::NumberColumn) {
-            width += style()->pixelMetric(QStyle::PM_IndicatorWidth, nullptr, &table);
-        }
-        table.setColumnWidth(column, width);
+    setUpHitColumns(table);
+    table.horizontalHeader()->setSortIndicator(HitHistoryModel::NumberColumn, Qt::AscendingOrder);
+    table.horizontalHeader()->setSortIndicatorClearable(true);
+    table.setSortingEnabled(true);
+}
+
+QByteArray HitHistoryPanel::columns() const {
+    return m_ui->table->horizontalHeader()->saveState();
+}
+
+/// The rows are in the history's order all the same.
+void HitHistoryPanel::setColumns(const QByteArray& columns) {
+    QHeaderView& header = *m_ui->table->horizontalHeader();
+    if (header.restoreState(columns)) {
+        header.setSectionHidden(HitHistoryModel::NumberColumn, false);
+        m_ui->table->sortByColumn(HitHistoryModel::NumberColumn, Qt::AscendingOrder);
     }
+}
+
+void HitHistoryPanel::addHitActions(const QList<QAction*>& actions) {
+    auto* separator = new QAction(this);
+    separator->setSeparator(true);
+    m_ui->table->addAction(separator);
+    m_ui->table->addActions(actions);
 }
 
 void HitHistoryPanel::connectAll() {
@@ -69,12 +86,23 @@ void HitHistoryPanel::connectAll() {
     connect(selection, &QItemSelectionModel::selectionChanged, this, &HitHistoryPanel::followSelection);
     connect(selection, &QItemSelectionModel::currentChanged, this, &HitHistoryPanel::followSelection);
     connect(&m_session, &Session::hitSelected, this, &HitHistoryPanel::showSelectedHit);
-    connect(&m_model, &QAbstractItemModel::modelReset, this, &HitHistoryPanel::showSelectedHit);
-    connect(&m_model, &QAbstractItemModel::rowsAboutToBeInserted, this, [this] {
+    connect(&m_list, &QAbstractItemModel::modelReset, this, &HitHistoryPanel::showSelectedHit);
+    connect(&m_list, &HitList::listed, this, &HitHistoryPanel::updateActions);
+    connect(&m_session, &Session::shownHitsChanged, this, &HitHistoryPanel::updateSummary);
+    connect(m_ui->table, &QAbstractItemView::doubleClicked, this, &HitHistoryPanel::flyToCurrent);
+    connect(m_filterBar, &HitFilterBar::opened, this, [this](bool isOpen) {
+        m_filter->setChecked(isOpen);
+        updateSummary();
+        if (!isOpen) {
+            m_ui->table->setFocus();
+        }
+    });
+    connect(&m_list, &HitList::listed, this, &HitHistoryPanel::updateSummary);
+    connect(&m_list, &QAbstractItemModel::rowsAboutToBeInserted, this, [this] {
         const QScrollBar* bar = m_ui->table->verticalScrollBar();
         m_atNewest = bar->value() == bar->maximum();
     });
-    connect(&m_model, &QAbstractItemModel::rowsInserted, this, &HitHistoryPanel::scrollToNewest);
+    connect(&m_list, &QAbstractItemModel::rowsInserted, this, &HitHistoryPanel::scrollToNewest);
     connect(&m_session, &Session::hitsAppended, this, &HitHistoryPanel::updateSummary);
     connect(&m_session, &Session::capacityChanged, this, &HitHistoryPanel::updateSummary);
     connect(&m_session, &Session::historyReset, this, [this] {
@@ -105,6 +133,8 @@ void HitHistoryPanel::makeActions() {
     m_up = makeAction(tr("Move Up"), Qt::ALT | Qt::Key_Up, &HitHistoryPanel::moveSelectedUp);
     m_down = makeAction(tr("Move Down"), Qt::ALT | Qt::Key_Down, &HitHistoryPanel::moveSelectedDown);
     addSeparator();
+    m_fly = makeAction(tr("Fly There"), Qt::Key_Return, &HitHistoryPanel::flyToCurrent);
+    m_edit = makeAction(tr("Edit…"), Qt::Key_F2, &HitHistoryPanel::editCurrent);
     m_selectTargets = makeAction(tr("Select All on This Target"), {}, &HitHistoryPanel::selectTargetsHits);
     m_copy = makeAction(tr("Copy as CSV"), QKeySequence::Copy, &HitHistoryPanel::copySelected);
     addSeparator();
@@ -115,6 +145,14 @@ void HitHistoryPanel::makeActions() {
                                  m_remove->shortcut()));
     m_copy->setToolTip(
         withKey(tr("Copy the selected hits, or all, as comma-separated text"), m_copy->shortcut()));
+    m_filter = new QAction(themedIcon(QStringLiteral("filter")), tr("Filter"), this);
+    m_filter->setCheckable(true);
+    m_filter->setShortcut(QKeySequence::Find);
+    m_filter->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    m_filter->setToolTip(withKey(tr("List only some of the hits"), m_filter->shortcut()));
+    addAction(m_filter);
+    connect(m_filter, &QAction::triggered, this, &HitHistoryPanel::toggleFilter);
+    m_ui->filter->setDefaultAction(m_filter);
     m_ui->remove->setDefaultAction(m_remove);
     m_ui->copy->setDefaultAction(m_copy);
 }
@@ -123,12 +161,18 @@ std::vector<std::size_t> HitHistoryPanel::selectedRows() const {
     std::vector<std::size_t> rows;
     for (const QItemSelectionRange& range : m_ui->table->selectionModel()->selection()) {
         for (int row = range.top(); row <= range.bottom(); ++row) {
-            rows.push_back(static_cast<std::size_t>(row));
+            rows.push_back(static_cast<std::size_t>(m_list.mapToSource(m_list.index(row, 0)).row()));
         }
     }
     std::sort(rows.begin(), rows.end());
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
     return rows;
+}
+
+std::optional<std::size_t> HitHistoryPanel::currentHit() const {
+    const QModelIndex current = m_list.mapToSource(m_ui->table->currentIndex());
+    const auto hit = static_cast<std::size_t>(current.row());
+    return current.isValid() && hit < m_session.history().size() ? std::optional(hit) : std::nullopt;
 }
 
 bool HitHistoryPanel::isAnyEnabled(const std::vector<std::size_t>& rows) const {
@@ -167,36 +211,74 @@ void HitHistoryPanel::removeSelected() {
     if (rows.empty()) {
         return;
     }
+    const int place = m_list.mapFromSource(m_model.index(static_cast<int>(rows.front()), 0)).row();
     m_ui->table->clearSelection();  // following it row by row into nothing would cost time
     m_session.removeHits(rows);
-    const int next = std::min(static_cast<int>(rows.front()), m_model.rowCount() - 1);
-    m_ui->table->selectionModel()->setCurrentIndex(m_model.index(next, 0), QItemSelectionModel::NoUpdate);
+    const int next = std::min(place, m_list.rowCount() - 1);
+    m_ui->table->selectionModel()->setCurrentIndex(m_list.index(next, 0), QItemSelectionModel::NoUpdate);
 }
 
 void HitHistoryPanel::copySelected() {
-    const std::vector<std::size_t> rows = selectedRows();
-    const std::vector<int> numbers(rows.begin(), rows.end());
-    QGuiApplication::clipboard()->setText(m_model.csv(numbers));
+    QGuiApplication::clipboard()->setText(m_model.csv(selectedRows()));
+}
+
+void HitHistoryPanel::editCurrent() {
+    const std::optional<std::size_t> hit = currentHit();
+    if (!hit) {
+        return;
+    }
+    const Hit before = m_session.history().hits()[*hit];
+    HitEditor editor(before, tr("Hit %1").arg(countText(*hit + 1)), this);
+    // While the dialog is open hits may come, but those there are stay where they are.
+    if (editor.exec() != QDialog::Accepted || *hit >= m_session.history().size()) {
+        return;
+    }
+    // checkedHit() has seen it.
+    static_cast<void>(m_session.replaceHit(*hit, editor.hit()));
+}
+
+void HitHistoryPanel::flyToCurrent() {
+    const std::optional<std::size_t> index = currentHit();
+    const Target* target = index ? m_session.target(m_session.history().hits()[*index].target) : nullptr;
+    if (target != nullptr) {
+        const Hit& hit = m_session.history().hits()[*index];
+        const glm::vec3 point = target->transform.toWorld(hit.point);
+        const float reach = kSurroundings * hit.constants.maxDistance;
+        Bounds part;
+        part.add(point - reach);
+        part.add(point + reach);
+        Q_EMIT flyWanted(part);
+    }
+}
+
+void HitHistoryPanel::toggleFilter() {
+    if (m_filterBar->isHidden()) {
+        m_filterBar->open();
+    } else {
+        m_filterBar->close();
+    }
 }
 
 void HitHistoryPanel::selectTargetsHits() {
     const std::span<const Hit> hits = m_session.history().hits();
-    const auto current = static_cast<std::size_t>(m_ui->table->currentIndex().row());
-    if (current >= hits.size()) {
+    const std::optional<std::size_t> current = currentHit();
+    if (!current) {
         return;
     }
     QItemSelection selection;
-    const auto isOnIt = [&](std::size_t row) { return hits[row].target == hits[current].target; };
-    for (std::size_t row = 0; row < hits.size(); ++row) {
+    const auto isOnIt = [&](int row) {
+        const auto hit = static_cast<std::size_t>(m_list.mapToSource(m_list.index(row, 0)).row());
+        return hits[hit].target == hits[*current].target;
+    };
+    for (int row = 0; row < m_list.rowCount(); ++row) {
         if (!isOnIt(row)) {
             continue;
         }
-        const std::size_t first = row;
-        while (row + 1 < hits.size() && isOnIt(row + 1)) {
+        const int first = row;
+        while (row + 1 < m_list.rowCount() && isOnIt(row + 1)) {
             ++row;
         }
-        selection.append({m_model.index(static_cast<int>(first), 0),
-                          m_model.index(static_cast<int>(row), HitHistoryModel::ColumnCount - 1)});
+        selection.append({m_list.index(first, 0), m_list.index(row, HitHistoryModel::ColumnCount - 1)});
     }
     m_ui->table->selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
 }
@@ -206,12 +288,9 @@ void HitHistoryPanel::followSelection() {
         return;
     }
     m_following = true;
-    const QModelIndex current = m_ui->table->selectionModel()->currentIndex();
-    const bool chosen = m_ui->table->selectionModel()->isSelected(current) &&
-                        static_cast<std::size_t>(current.row()) < m_session.history().size();
-    if (chosen) {
-        const std::size_t hit = static_cast<std::size_t>(current.row());
-        m_session.selectTarget(m_session.history().hits()[hit].target);  // the statistics are about it
+    const std::optional<std::size_t> hit = currentHit();
+    if (hit && m_ui->table->selectionModel()->isSelected(m_ui->table->currentIndex())) {
+        m_session.selectTarget(m_session.history().hits()[*hit].target);  // the statistics are about it
         m_session.selectHit(hit);
     } else {
         m_session.selectHit(std::nullopt);
@@ -227,11 +306,12 @@ void HitHistoryPanel::showSelectedHit() {
     m_following = true;
     const std::optional<std::size_t> hit = m_session.selectedHit();
     const QModelIndex current = m_ui->table->currentIndex();
-    if (!hit) {
+    const QModelIndex row =
+        hit ? m_list.mapFromSource(m_model.index(static_cast<int>(*hit), 0)) : QModelIndex();
+    if (!row.isValid()) {
         m_ui->table->clearSelection();
-    } else if (current.row() != static_cast<int>(*hit) ||
-               !m_ui->table->selectionModel()->isSelected(current)) {
-        m_ui->table->selectRow(static_cast<int>(*hit));
+    } else if (current.row() != row.row() || !m_ui->table->selectionModel()->isSelected(current)) {
+        m_ui->table->selectRow(row.row());
     }  // else it has moved, and the selection with it
     updateActions();
     m_following = false;
@@ -248,6 +328,12 @@ void HitHistoryPanel::updateSummary() {
     QString text = hits == 0   ? tr("No hits yet: click on a target")
                    : hits == 1 ? tr("1 hit")
                                : tr("%1 hits").arg(countText(hits));
+    if (!m_session.showsAllHits()) {
+        text = tr("After hit %1 of %2").arg(countText(m_session.shownHits().size()), countText(hits));
+    } else if (!m_list.filter().isAll()) {
+        text = tr("%1 of %2 listed")
+                   .arg(countText(static_cast<std::size_t>(m_list.rowCount())), countText(hits));
+    }
     if (m_session.disabledHits() > 0) {
         text += tr(", %1 disabled").arg(countText(m_session.disabledHits()));
     }
@@ -264,8 +350,10 @@ void HitHistoryPanel::updateActions() {
     m_toggle->setEnabled(some);
     m_toggle->setText(!some || isAnyEnabled(rows) ? tr("Disable") : tr("Enable"));
     // Also at the ends: a key that is not taken would move the cursor.
-    m_up->setEnabled(some);
-    m_down->setEnabled(some);
+    m_up->setEnabled(some && m_list.isInOrder());
+    m_down->setEnabled(some && m_list.isInOrder());
+    m_edit->setEnabled(rows.size() == 1);
+    m_fly->setEnabled(some);
     m_selectTargets->setEnabled(some);
     m_remove->setEnabled(some);
 }

@@ -4,11 +4,17 @@
 #include <QKeySequence>
 #include <QWidget>
 #include <memory>
+#include <optional>
 #include <vector>
 
-#include "models/hit_history_model.h"
+#include "core/bounds.h"
+#include "models/hit_list.h"
 
 class QAction;
+
+namespace hitscope {
+class HitFilterBar;
+}
 
 namespace Ui {
 class HitHistory;
@@ -17,14 +23,26 @@ class HitHistory;
 namespace hitscope {
 
 /// The dock "Hit history": a row a hit, with a check box that enables it. The current row's hit is marked in
-/// the viewport; the selected ones can be disabled, moved (also by dragging), removed and copied as CSV, from
-/// the context menu or by key. Below, how many there are and, for a pipeline with a capacity, how full it is.
+/// the viewport; the selected ones can be disabled, moved (also by dragging), removed and copied as CSV, and
+/// one can be edited, from the context menu or by key. Rows can be filtered, and sorted by a column, and
+/// columns shown and hidden. Below, a slider goes back and forth through the hits, and it says how many there
+/// are and, for a pipeline with a capacity, how full it is.
 class HitHistoryPanel : public QWidget {
     Q_OBJECT
 public:
     /// `session` and `model` outlive the panel.
     HitHistoryPanel(Session& session, HitHistoryModel& model, QWidget* parent = nullptr);
     ~HitHistoryPanel() override;
+
+    /// Widths, order and visibility of the columns, to be kept for the next start.
+    [[nodiscard]] QByteArray columns() const;
+    void setColumns(const QByteArray& columns);  ///< what columns() gave once; else nothing happens
+    /// Puts more actions, about all hits, at the end of the context menu.
+    void addHitActions(const QList<QAction*>& actions);
+
+Q_SIGNALS:
+    /// A person wants to look at a hit: this part of the world.
+    void flyWanted(const hitscope::Bounds& part);
 
 private:
     void setUpTable();
@@ -37,6 +55,9 @@ private:
     void moveSelected(std::size_t to);
     void removeSelected();
     void copySelected();
+    void editCurrent();
+    void flyToCurrent();
+    void toggleFilter();
     void selectTargetsHits();
     void showSelectedHit();  ///< session -> table
     void followSelection();  ///< table -> session
@@ -44,11 +65,14 @@ private:
     void updateActions();
     void scrollToNewest();
     /// Ascending. Costs what is selected, not what there is.
-    [[nodiscard]] std::vector<std::size_t> selectedRows() const;
+    [[nodiscard]] std::vector<std::size_t> selectedRows() const;  ///< of the history
+    /// Of the history; nothing: no row is current.
+    [[nodiscard]] std::optional<std::size_t> currentHit() const;
     [[nodiscard]] bool isAnyEnabled(const std::vector<std::size_t>& rows) const;
 
     Session& m_session;
     HitHistoryModel& m_model;
+    HitList m_list;
     std::unique_ptr<Ui::HitHistory> m_ui;
     QAction* m_toggle = nullptr;
     QAction* m_up = nullptr;
@@ -56,6 +80,10 @@ private:
     QAction* m_remove = nullptr;
     QAction* m_copy = nullptr;
     QAction* m_selectTargets = nullptr;
+    QAction* m_edit = nullptr;
+    QAction* m_fly = nullptr;
+    QAction* m_filter = nullptr;
+    HitFilterBar* m_filterBar = nullptr;
     bool m_atNewest = true;  ///< the table stood at its end before rows came
     bool m_following = false;
 };

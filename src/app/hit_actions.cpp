@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/hit_actions.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QPointer>
+#include <QSaveFile>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QThreadPool>
+#include <memory>
+#include <utility>
+
+#include "models/quantity_text.h"
+#include "panels/hit_history/hit_history_panel.h"
+#include "session/hit_files.h"
+
+namespace hitscope {
+
+namespace {
+
+QString columnsKey() {
+    return QStringLiteral("hitHistory/columns");
+}
+
+Status writeFile(const QString& path, const std::string& text) {
+    QSaveFile file(path);
+    const auto size = static_cast<qint64>(text.size());
+    if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), size) != size || !file.commit()) {
+        return Error{"The file could not be written: " + file.errorString().toStdString() + ".",
+                     path.toStdString(), "Choose another place."};
+    }
+    return Done{};
+}
+
+Result<HitRecords> readFile(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return Error{"The file could not be read: " + file.errorString().toStdString() + ".",
+                     path.toStdString(), ""};
+    }
+    const QByteArray bytes = file.read(static_cast<qint64>(kMostRecordBytes) + 1);
+    Result<HitRecords> table =
+        readHitRecords({bytes.data(), static_cast<std::size_t>(bytes.size())}, pipelineKeys());
+    if (!table) {
+        const Error& error = table.error();
+        const std::string name = QFileInfo(path).fileName().toStdString();
+        return Error{error.what, error.where.empty() ? name : name + ", " + error.where, error.advice};
+    }
+    return table;
+}
+
+}  // namespace
+
+HitActions::HitActions(Session& session, HitEffects& effects, QString& folder, QWidget* window)
+    : QObject(window),
+      m_session(session),
+      m_effects(effects),
+      m_folder(folder),
+      m_window(window),
+      m_highlight(session, effects) {
+    connect(&session, &Session::hitsAppended, this, &HitActions::follow);
+    connect(&session, &Session::historyReset, this, &HitActions::follow);
+    connect(&session, &Session::sceneReplaced, this, [this] { ++m_scene; });
+}
+
+void HitActions::fill(QMenu& menu) {
+    m_import = menu.addAction(tr("&Import Hits…"));
+    m_import->setToolTip(tr("Append the hits of a CSV or JSON file, on the targets of the same names"));
+    m_export = menu.addAction(tr("Export &Hits…"));
+    m_export->setToolTip(tr("Write all hits to a CSV or JSON file"));
+    connect(m_import, &QAction::triggered, this, &HitActions::chooseImport);
+    connect(m_export, &QAction::triggered, this, &HitActions::chooseExport);
+    follow();
+}
+
+void HitActions::adopt(HitHistoryPanel& panel) {
+    m_panel = &panel;
+    panel.setColumns(QSettings().value(columnsKey()).toByteArray());
+    panel.addHitActions({m_import, m_export});
+}
+
+void HitActions::save(QSettings& settings) const {
+    if (m_panel != nullptr) {
+        settings.setValue(columnsKey(), m_panel->columns());
+    }
+}
+
+void HitActions::follow() {
+    if (m_export != nullptr) {
+        m_export->setEnabled(!m_isBusy && m_session.history().size() > 0);
+        m_import->setEnabled(!m_isBusy);
+    }
+}
+
+/// `work` runs on another thread, and what it returns on this one.
+void HitActions::run(const std::function<std::function<void()>()>& work) {
+    m_isBusy = true;
+    follow();
+    QThreadPool::globalInstance()->start([self = QPointer<HitActions>(this), work] {
+        std::function<void()> then = work();
+        // By way of the application: the window may go while it is being told.
+        QMetaObject::invokeMethod(
+            QCoreApplication::instance(),
+            [self, then] {
+                if (HitActions* actions = self.data(); actions != nullptr) {
+                    actions->m_isBusy = false;
+                    actions->follow();
+                    then();
+                }
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void HitActions::exportTo(const QString& path) {
+    m_effects.finish();
+    const bool isJson = path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
+    run([this, path, isJson, table = recordsOf(m_session, &m_effects)]() -> std::function<void()> {
+        const Status written = writeFile(path, isJson ? toJson(table) : toCsv(table));
+        const std::size_t hits = table.hits.size();
+        return [this, path, written, hits] {
+            if (written) {
+                Q_EMIT said(tr("Exported %1 hits to %2").arg(countText(hits), path));
+            } else {
+                Q_EMIT failed(written.error());
+            }
+        };
+    });
+}
+
+void HitActions::importFrom(const QString& path) {
+    run([this, path, scene = m_scene]() -> std::function<void()> {
+        const auto table = std::make_shared<Result<HitRecords>>(readFile(path));
+        return [this, path, scene, table] {
+            if (scene == m_scene) {
+                takeRecords(*table, path);
+            }
+        };
+    });
+}
+
+void HitActions::takeRecords(const Result<HitRecords>& table, const QString& path) {
+    if (!table) {
+        Q_EMIT failed(table.error());
+    } else if (Status taken = appendRecords(m_session, table.value()); !taken) {
+        const Error& error = taken.error();
+        Q_EMIT failed({error.what, QFileInfo(path).fileName().toStdString(), error.advice});
+    } else {
+        Q_EMIT said(tr("Imported %1 hits from %2").arg(countText(table.value().hits.size()), path));
+    }
+}
+
+void HitActions::chooseExport() {
+    const QString csv = tr("Comma-separated values (*.csv)");
+    const QString json = tr("JSON (*.json)");
+    const QString start =
+        m_folder.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) : m_folder;
+    QString filter = csv;
+    QString path =
+        QFileDialog::getSaveFileName(m_window, tr("Export all hits"), start + QStringLiteral("/hits.csv"),
+                                     csv + QStringLiteral(";;") + json, &filter);
+    if (path.isEmpty()) {
+        return;
+    }
+    if (QFileInfo(path).suffix().isEmpty()) {
+        path += filter == json ? QStringLiteral(".json") : QStringLiteral(".csv");
+    }
+    m_folder = QFileInfo(path).absolutePath();
+    exportTo(path);
+}
+
+void HitActions::chooseImport() {
+    const QString path = QFileDialog::getOpenFileName(m_window, tr("Import hits"), m_folder,
+                                                      tr("Hits (*.csv *.json);;All files (*)"));
+    if (!path.isEmpty()) {
+        m_folder = QFileInfo(path).absolutePath();
+        importFrom(path);
+    }
+}
+
+}  // namespace hitscope

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Going back and forth through the history: every pipeline shows what the first hits alone make of the
+// targets, in every bit, and all of it again in the end.
+#include <QSignalSpy>
+#include <QtTest>
+#include <array>
+#include <limits>
+
+#include "deform/reference.h"
+#include "gl/context.h"
+#include "session/demo_shots.h"
+#include "session/scene_gpu.h"
+
+using namespace hitscope;
+
+class ShownHitsTest : public QObject {
+    Q_OBJECT
+private:
+    /// Vertices that are not where the first `hits` hits alone put them.
+    static std::size_t differences(const Session& session, std::size_t hits) {
+        std::size_t count = 0;
+        for (const std::unique_ptr<Target>& target : session.targets()) {
+            std::vector<Hit> first;
+            for (const Hit& hit : session.history().hits().first(hits)) {
+                if (hit.enabled && hit.target == target->id) {
+                    first.push_back(hit);
+                }
+            }
+            ReferenceDeformation reference(target->deformed.render());
+            reference.apply(first);
+            for (std::size_t i = 0; i < reference.vertices().size(); ++i) {
+                const DynamicVertex& is = target->deformed.vertices()[i];
+                const DynamicVertex& should = reference.vertices()[i];
+                count += is.position != should.position || is.normal != should.normal ? 1 : 0;
+            }
+        }
+        return count;
+    }
+    static void shoot(Session& session, std::uint32_t seed) {
+        shootAll(session, demoShots(session, 40, seed));
+    }
+
+private Q_SLOTS:
+    void initTestCase() {
+        Result<std::unique_ptr<gl::OffscreenContext>> made = gl::OffscreenContext::create();
+        QVERIFY2(made.ok(), made.ok() ? "" : made.error().message().c_str());
+        m_context = std::move(made).value();
+        gl::collectDebugMessages();
+    }
+    void cleanup() {
+        const std::vector<std::string> errors = gl::takeErrors();
+        QVERIFY2(errors.empty(), errors.empty() ? "" : errors.front().c_str());
+    }
+    void cleanupTestCase() { m_context.reset(); }
+
+    void backAndForth_data() {
+        QTest::addColumn<int>("kind");
+        for (const PipelineTraits& traits : allPipelines()) {
+            QTest::addRow("%s", std::string(traits.key).c_str()) << static_cast<int>(traits.kind);
+        }
+    }
+    void backAndForth() {
+        QFETCH(int, kind);
+        Session session;
+        session.loadPaperRow(kDefaultPaperRow);
+        session.setPipeline(static_cast<PipelineKind>(kind));
+        Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
+        QVERIFY(made);
+        SceneGpu& gpu = *made.value();
+        const auto shows = [&](std::size_t hits) {
+            return gpu.sync().ok() && session.shownHits().size() == hits && differences(session, hits) == 0;
+        };
+        shoot(session, 3);
+        const std::size_t all = session.history().size();
+        QVERIFY(all > 30);
+        QVERIFY(shows(all));
+        for (const std::size_t at : {all - 1, all - 2, all - 1, std::size_t{0}, all / 2, all / 2 + 1, all}) {
+            session.showHits(at);
+            QVERIFY(shows(at));
+        }
+        // The history changes meanwhile.
+        session.showHits(all / 2);
+        session.setHitsEnabled(std::array<std::size_t, 3>{1, all / 2, all - 1}, false);
+        QVERIFY(shows(all / 2));
+        session.removeHits(std::array<std::size_t, 2>{2, all - 2});
+        QVERIFY(shows(all / 2));
+        session.undo();
+        QVERIFY(shows(all / 2));
+        session.setPipeline(PipelineKind::Reference);
+        QVERIFY(shows(all / 2));
+        session.setPipeline(static_cast<PipelineKind>(kind));
+        QVERIFY(shows(all / 2));
+        session.showHits(std::nullopt);
+        QVERIFY(shows(all));
+        // Hits that come end it.
+        session.showHits(5);
+        QVERIFY(shows(5));
+        const QSignalSpy shown(&session, &Session::shownHitsChanged);
+        shoot(session, 4);
+        QCOMPARE(shown.size(), 1);
+        QVERIFY(session.showsAllHits());
+        QVERIFY(shows(session.history().size()));
+        session.showHits(7);
+        session.loadPaperRow(kDefaultPaperRow);
+        QVERIFY(session.showsAllHits());
+        QVERIFY(shows(0));
+    }
+
+    void aHitIsEdited() {
+        Session session;
+        session.loadPaperRow(kDefaultPaperRow);
+        Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
+        QVERIFY(made);
+        shoot(session, 3);
+        const std::vector<Hit> before(session.history().hits().begin(), session.history().hits().end());
+        session.selectHit(4);
+        Hit hit = before[4];
+        hit.point += glm::vec3(0.2f, 0.0f, 0.0f);
+        hit.direction = {0.0f, -3.0f, 0.0f};
+        hit.constants.maxDistance = 0.9f;
+        const QSignalSpy rearranged(&session, &Session::hitsRearranged);
+        QVERIFY(session.replaceHit(4, hit).ok());
+        QVERIFY(session.history().hits()[4].direction == glm::vec3(0.0f, -1.0f, 0.0f));
+        QCOMPARE(rearranged.size(), 0);
+        QVERIFY(session.selectedHit() == std::optional<std::size_t>(4));
+        QVERIFY(made.value()->sync().ok());
+        QCOMPARE(differences(session, before.size()), std::size_t{0});
+        session.undo();  // one step
+        QVERIFY(std::ranges::equal(session.history().hits(), before));
+        QVERIFY(made.value()->sync().ok());
+        QCOMPARE(differences(session, before.size()), std::size_t{0});
+        hit.point.x = std::numeric_limits<float>::quiet_NaN();
+        QVERIFY(!session.replaceHit(4, hit).ok());
+        QVERIFY(!session.replaceHit(before.size(), before[0]).ok());
+    }
+
+private:
+    std::unique_ptr<gl::OffscreenContext> m_context;
+};
+
+QTEST_GUILESS_MAIN(ShownHitsTest)
+#include "shown_hits_test.moc"

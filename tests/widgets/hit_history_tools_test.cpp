@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Filtering, sorting, scrubbing and editing in the hit history's panel, by mouse and keys; and what the
+// window does with it.
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTableView>
+#include <QTimer>
+#include <QToolButton>
+#include <set>
+
+#include "app/hit_actions.h"
+#include "panels/hit_history/hit_editor.h"
+#include "panels/hit_history/hit_history_panel.h"
+#include "panels/hit_history/time_scrubber.h"
+#include "session/vertex_selection.h"
+#include "widgets/window_support.h"
+
+using namespace hitscope;
+
+class HitHistoryToolsTest : public QObject {
+    Q_OBJECT
+public:
+    static void initMain() { MainWindow::setSurfaceFormat(); }
+
+private:
+    void addHits(int count) const {
+        for (int i = 0; i < count; ++i) {
+            const std::size_t made = m_session->history().size();
+            Hit hit;
+            hit.target = m_session->targets()[made % 4]->id;
+            hit.point = {0.1f * static_cast<float>(made % 10), 0.0f, 2.5f};
+            hit.speed = static_cast<float>((made * 7) % 13);
+            QVERIFY(m_session->addHit(hit).ok());
+        }
+    }
+    [[nodiscard]] QRect cell(int row, int column) const {
+        return m_table->visualRect(m_table->model()->index(row, column));
+    }
+    template <class Widget>
+    [[nodiscard]] Widget* part(const char* name) const {
+        return m_panel->findChild<Widget*>(QString::fromLatin1(name));
+    }
+    [[nodiscard]] QString summary() const { return part<QLabel>("summary")->text(); }
+    [[nodiscard]] std::size_t shown() const { return m_session->shownHits().size(); }
+    static void press(QToolButton* button) { QTest::mouseClick(button, Qt::LeftButton); }
+
+    std::unique_ptr<TestSettings> m_settings;
+    std::unique_ptr<Session> m_session;
+    std::unique_ptr<HitEffects> m_effects;
+    std::unique_ptr<HitHistoryModel> m_model;
+    std::unique_ptr<HitHistoryPanel> m_panel;
+    QTableView* m_table = nullptr;
+
+private Q_SLOTS:
+    void init() {
+        m_settings = std::make_unique<TestSettings>();
+        m_session = std::make_unique<Session>();
+        m_session->loadPaperRow(kDefaultPaperRow);
+        m_effects = std::make_unique<HitEffects>(*m_session);
+        m_model = std::make_unique<HitHistoryModel>(*m_session, m_effects.get());
+        m_panel = std::make_unique<HitHistoryPanel>(*m_session, *m_model);
+        m_table = m_panel->findChild<QTableView*>();
+        m_panel->resize(900, 300);
+        m_panel->show();
+        m_panel->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
+        addHits(12);
+        m_table->setFocus();
+    }
+    void cleanup() {
+        m_panel.reset();
+        m_model.reset();
+        m_effects.reset();
+        m_session.reset();
+        m_settings.reset();
+    }
+
+    void headerSorts() {
+        QHeaderView* header = m_table->horizontalHeader();
+        const auto click = [header](int column) {
+            QTest::mouseClick(header->viewport(), Qt::LeftButton, {},
+                              {header->sectionViewportPosition(column) + 20, header->height() / 2});
+        };
+        const auto speed = [this](int row) {
+            return m_table->model()->index(row, HitHistoryModel::SpeedColumn).data().toString();
+        };
+        click(HitHistoryModel::SpeedColumn);
+        QCOMPARE(speed(0), QStringLiteral("0.00"));
+        click(HitHistoryModel::SpeedColumn);
+        QCOMPARE(speed(0), QStringLiteral("12.00"));
+        // The row that is chosen is the hit that is.
+        QTest::mouseClick(m_table->viewport(), Qt::LeftButton, {}, cell(0, 2).center());
+        const std::size_t hit = *m_session->selectedHit();
+        QCOMPARE(m_session->history().hits()[hit].speed, 12.0f);
+        QTest::keyClick(m_table, Qt::Key_Space);
+        QVERIFY(!m_session->history().hits()[hit].enabled);
+        const std::vector<Hit> before(m_session->history().hits().begin(), m_session->history().hits().end());
+        QTest::keyClick(m_table, Qt::Key_Up, Qt::AltModifier);
+        QVERIFY(std::ranges::equal(m_session->history().hits(), before));
+        click(HitHistoryModel::SpeedColumn);  // a third time: the history's order again
+        QCOMPARE(m_table->model()->index(0, 0).data().toString(), QStringLiteral("1"));
+        QTest::keyClick(m_table, Qt::Key_Delete);
+        QCOMPARE(m_session->history().size(), std::size_t{11});
+        for (const Hit& left : m_session->history().hits()) {
+            QVERIFY(left.speed != 12.0f);
+        }
+    }
+
+    void filterByKeys() {
+        auto* text = part<QLineEdit>("filterText");
+        QVERIFY(!text->isVisible());
+        QTest::keyClick(m_table, Qt::Key_F, Qt::ControlModifier);
+        QVERIFY(text->isVisible());
+        QVERIFY(text->hasFocus());
+        QTest::keyClicks(text, m_session->targets()[2]->name);
+        QCOMPARE(m_table->model()->rowCount(), 3);
+        QCOMPARE(summary(), QStringLiteral("3 of 12 listed"));
+        m_session->setHitsEnabled(std::vector<std::size_t>{2}, false);
+        QTest::mouseClick(part<QCheckBox>("filterEnabled"), Qt::LeftButton, {}, {8, 8});
+        QCOMPARE(m_table->model()->rowCount(), 2);
+        QTest::keyClick(text, Qt::Key_Escape);
+        QVERIFY(!text->isVisible());
+        QCOMPARE(m_table->model()->rowCount(), 12);
+        QCOMPARE(summary(), QStringLiteral("12 hits, 1 disabled"));
+        QVERIFY(m_table->hasFocus());
+        QTest::keyClick(m_table, Qt::Key_F, Qt::ControlModifier);
+        text->clear();
+        part<QComboBox>("filterTarget")->setFocus();
+        QTest::keyClick(part<QComboBox>("filterTarget"), Qt::Key_Down);
+        part<QCheckBox>("filterEnabled")->setChecked(false);
+        QCOMPARE(m_table->model()->rowCount(), 3);
+    }
+
+    void scrubbing() {
+        auto* slider = part<QSlider>("time");
+        QCOMPARE(slider->maximum(), 12);
+        QCOMPARE(slider->value(), 12);
+        press(part<QToolButton>("stepBack"));
+        QCOMPARE(shown(), std::size_t{11});
+        QCOMPARE(summary(), QStringLiteral("After hit 11 of 12"));
+        QCOMPARE(m_model->index(11, 0).data(HitHistoryModel::HitStateRole).toInt(),
+                 static_cast<int>(HitHistoryModel::Later));
+        slider->setFocus();
+        QTest::keyClick(slider, Qt::Key_Left);
+        QCOMPARE(shown(), std::size_t{10});
+        QTest::keyClick(slider, Qt::Key_Home);
+        QCOMPARE(shown(), std::size_t{0});
+        QVERIFY(!part<QToolButton>("stepBack")->isEnabled());
+        press(part<QToolButton>("stepOn"));
+        QCOMPARE(shown(), std::size_t{1});
+        QCOMPARE(m_session->history().size(), std::size_t{12});
+        QVERIFY(m_session->undoName()->kind == SessionUndo::Kind::Hit);  // nothing of it can be undone
+        slider->setFocus();
+        QTest::keyClick(slider, Qt::Key_Escape);
+        QVERIFY(m_session->showsAllHits());
+        QCOMPARE(summary(), QStringLiteral("12 hits"));
+        QTest::keyClick(slider, Qt::Key_PageUp);
+        QTest::keyClick(slider, Qt::Key_Home);
+        QTest::keyClick(slider, Qt::Key_End);
+        QVERIFY(m_session->showsAllHits());
+    }
+
+    void playing() {
+        const auto* scrubber = m_panel->findChild<TimeScrubber*>();
+        std::vector<std::size_t> seen;
+        connect(m_session.get(), &Session::shownHitsChanged, this, [&] { seen.push_back(shown()); });
+        press(part<QToolButton>("play"));
+        QVERIFY(scrubber->isPlaying());
+        QTRY_VERIFY_WITH_TIMEOUT(!scrubber->isPlaying(), kPatience);
+        QVERIFY(m_session->showsAllHits());
+        QCOMPARE(seen.size(), std::size_t{13});
+        QVERIFY(std::is_sorted(seen.begin(), seen.end()));
+        press(part<QToolButton>("play"));
+        QTRY_VERIFY(shown() > 1);
+        press(part<QToolButton>("play"));
+        QVERIFY(!scrubber->isPlaying());
+        const std::size_t stopped = shown();
+        QVERIFY(stopped < 12);
+        press(part<QToolButton>("play"));  // from there
+        QVERIFY(shown() >= stopped);
+        addHits(1);  // who shoots wants to see it
+        QVERIFY(!scrubber->isPlaying());
+        QVERIFY(m_session->showsAllHits());
+    }
+
+    void editing() {
+        const Hit before = m_session->history().hits()[5];
+        QTest::mouseClick(m_table->viewport(), Qt::LeftButton, {}, cell(5, 2).center());
+        QTimer::singleShot(0, this, [this] {
+            HitEditor* editor = nullptr;
+            QTRY_VERIFY((editor = qobject_cast<HitEditor*>(QApplication::activeModalWidget())) != nullptr);
+            const auto field = [editor](const char* name) {
+                return editor->findChild<QLineEdit*>(QString::fromLatin1(name));
+            };
+            const auto type = [&field](const char* name, const char* text) {
+                field(name)->selectAll();
+                QTest::keyClicks(field(name), QString::fromLatin1(text));
+            };
+            QPushButton* ok = editor->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+            const auto* problem = editor->findChild<QLabel*>(QStringLiteral("problem"));
+            QVERIFY(ok->isEnabled());
+            QCOMPARE(field("pointX")->text(), QStringLiteral("0.5"));
+            type("pointX", "x1");
+            QVERIFY(!ok->isEnabled());
+            QCOMPARE(problem->text(), QStringLiteral("“x1” is not a number."));
+            type("pointX", "nan");
+            QVERIFY(!ok->isEnabled());
+            type("pointX", "0.75");
+            type("maxDistance", "-1");
+            QVERIFY(!ok->isEnabled());
+            QVERIFY(problem->text().contains(QStringLiteral("Max distance is -1")));
+            type("maxDistance", "0.7");
+            type("directionX", "0");
+            type("directionY", "0");
+            type("directionZ", "0");
+            QVERIFY(!ok->isEnabled());
+            type("directionY", "2");
+            QVERIFY2(ok->isEnabled(), qPrintable(problem->text()));
+            QTest::mouseClick(ok, Qt::LeftButton);
+        });
+        QTest::keyClick(m_table, Qt::Key_F2);
+        const Hit& after = m_session->history().hits()[5];
+        QVERIFY(after.point == glm::vec3(0.75f, before.point.y, before.point.z));
+        QVERIFY(after.direction == glm::vec3(0.0f, 1.0f, 0.0f));
+        QCOMPARE(after.constants.maxDistance, 0.7f);
+        QCOMPARE(after.constants.power, before.constants.power);
+        QCOMPARE(m_session->selectedHit(), std::optional<std::size_t>(5));
+        QVERIFY(m_session->undoName()->kind == SessionUndo::Kind::EditHit);
+        m_session->undo();
+        QVERIFY(m_session->history().hits()[5] == before);
+        QCOMPARE(m_session->history().size(), std::size_t{12});
+    }
+
+    void doubleClickFlies() {
+        QSignalSpy flown(m_panel.get(), &HitHistoryPanel::flyWanted);
+        QTest::mouseClick(m_table->viewport(), Qt::LeftButton, {}, cell(3, 2).center());
+        QTest::mouseDClick(m_table->viewport(), Qt::LeftButton, {}, cell(3, 2).center());
+        QCOMPARE(flown.size(), 1);
+        const auto part = flown[0][0].value<Bounds>();
+        const Hit& hit = m_session->history().hits()[3];
+        const glm::vec3 point = m_session->target(hit.target)->transform.toWorld(hit.point);
+        QVERIFY(glm::length(part.centre() - point) < 1e-3f);
+        QTest::keyClick(m_table, Qt::Key_Return);
+        QCOMPARE(flown.size(), 2);
+    }
+
+    void columnsAreShownAndKept() {
+        QHeaderView* header = m_table->horizontalHeader();
+        QVERIFY(header->isSectionHidden(HitHistoryModel::PipelineColumn));
+        QTimer::singleShot(0, this, [] {
+            QMenu* menu = nullptr;
+            QTRY_VERIFY((menu = qobject_cast<QMenu*>(QApplication::activePopupWidget())) != nullptr);
+            for (QAction* action : menu->actions()) {
+                if (action->text() == QStringLiteral("Pipeline")) {
+                    QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
+                    return;
+                }
+            }
+            menu->close();
+        });
+        QContextMenuEvent event(QContextMenuEvent::Mouse, {30, 5},
+                                header->viewport()->mapToGlobal(QPoint(30, 5)));
+        QCoreApplication::sendEvent(header->viewport(), &event);
+        QTRY_VERIFY(!header->isSectionHidden(HitHistoryModel::PipelineColumn));
+        header->resizeSection(HitHistoryModel::TargetColumn, 173);
+        const QByteArray kept = m_panel->columns();
+        HitHistoryPanel other(*m_session, *m_model);
+        const QHeaderView* restored = other.findChild<QTableView*>()->horizontalHeader();
+        QVERIFY(restored->isSectionHidden(HitHistoryModel::PipelineColumn));
+        other.setColumns(kept);
+        QVERIFY(!restored->isSectionHidden(HitHistoryModel::PipelineColumn));
+        QCOMPARE(restored->sectionSize(HitHistoryModel::TargetColumn), 173);
+        other.setColumns("nonsense");
+        QCOMPARE(restored->sectionSize(HitHistoryModel::TargetColumn), 173);
+    }
+
+    /// Only what is in view is asked for, and nothing twice while hits stream in elsewhere.
+    void manyRowsCostWhatIsInView() {
+        class Counting : public HitHistoryModel {
+        public:
+            using HitHistoryModel::HitHistoryModel;
+            QVariant data(const QModelIndex& index, int role) const override {
+                ++calls;
+                rows.insert(index.row());
+                return HitHistoryModel::data(index, role);
+            }
+            mutable std::size_t calls = 0;
+            mutable std::set<int> rows;
+        };
+        std::vector<Hit> hits(100'000, m_session->history().hits()[0]);
+        QVERIFY(m_session->addHits(hits).ok());
+        Counting model(*m_session);
+        HitHistoryPanel panel(*m_session, model);
+        panel.resize(900, 300);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        auto* table = panel.findChild<QTableView*>();
+        QScrollBar* bar = table->verticalScrollBar();
+        const int inView = table->viewport()->height() / table->rowHeight(0) + 2;
+        model.calls = 0;
+        model.rows.clear();
+        constexpr int kSteps = 20;
+        for (int step = 1; step <= kSteps; ++step) {
+            bar->setValue(bar->maximum() / kSteps * step);
+            table->viewport()->repaint();
+        }
+        QVERIFY(!model.rows.empty());
+        QVERIFY2(model.rows.size() <= static_cast<std::size_t>(inView * (kSteps + 2)),
+                 qPrintable(QString::number(model.rows.size())));
+        const std::size_t cells = static_cast<std::size_t>(inView) * kSteps * HitHistoryModel::ColumnCount;
+        QVERIFY2(model.calls <= 20 * cells, qPrintable(QString::number(model.calls)));
+        bar->setValue(0);
+        table->viewport()->repaint();
+        model.rows.clear();
+        for (int i = 0; i < 50; ++i) {
+            QVERIFY(m_session->addHit(hits[0]).ok());
+            QCoreApplication::processEvents();
+        }
+        for (const int row : model.rows) {
+            QVERIFY(row < inView);
+        }
+    }
+
+    void inTheWindow() {
+        m_panel->hide();
+        QTemporaryDir folder;
+        Session session;
+        session.loadPaperRow(kDefaultPaperRow);
+        {
+            MainWindow window(session);
+            showReady(window);
+            for (int i = 0; i < 5; ++i) {
+                Hit hit;
+                hit.target = session.targets()[0]->id;
+                hit.point = {0.2f * static_cast<float>(i), 0.0f, 2.5f};
+                QVERIFY(session.addHit(hit).ok());
+            }
+            auto* table = window.findChild<HitHistoryPanel*>()->findChild<QTableView*>();
+            const auto text = [table](int row, int column) {
+                return table->model()->index(row, column).data().toString();
+            };
+            QTRY_VERIFY(text(4, HitHistoryModel::AffectedColumn).toInt() > 0);
+            QTRY_VERIFY_WITH_TIMEOUT(!text(4, HitHistoryModel::CpuCostColumn).isEmpty(), kPatience);
+            // The chosen hit's vertices light up.
+            table->selectRow(2);
+            QTRY_COMPARE(QString::number(session.selection().count()),
+                         text(2, HitHistoryModel::AffectedColumn));
+            table->clearSelection();
+            QTRY_COMPARE(session.selection().count(), std::size_t{0});
+            // The camera goes there.
+            const glm::vec3 eye = window.viewport().camera().eye();
+            table->selectRow(0);
+            table->setFocus();
+            QTest::keyClick(table, Qt::Key_Return);
+            QTRY_VERIFY(window.viewport().camera().eye() != eye);
+            // Out, and in again.
+            auto* actions = window.findChild<HitActions*>();
+            QSignalSpy failed(actions, &HitActions::failed);
+            const std::vector<Hit> before(session.history().hits().begin(), session.history().hits().end());
+            for (const char* name : {"hits.csv", "hits.json"}) {
+                const QString path = folder.filePath(QString::fromLatin1(name));
+                actions->exportTo(path);
+                QVERIFY(actions->isBusy());
+                QTRY_VERIFY(!actions->isBusy());
+                session.clearHits();
+                actions->importFrom(path);
+                QTRY_VERIFY(!actions->isBusy());
+                QCOMPARE(failed.size(), 0);
+                QVERIFY(std::ranges::equal(session.history().hits(), before));
+            }
+            QFile bad(folder.filePath(QStringLiteral("bad.csv")));
+            QVERIFY(bad.open(QIODevice::WriteOnly));
+            bad.write("nonsense\n");
+            bad.close();
+            QTimer::singleShot(0, this, [] {
+                QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
+                QApplication::activeModalWidget()->close();
+            });
+            actions->importFrom(bad.fileName());
+            QTRY_COMPARE(failed.size(), 1);
+            const auto error = failed[0][0].value<Error>();
+            QVERIFY(error.message().find("bad.csv, line 1") != std::string::npos);
+            QTRY_VERIFY(QApplication::activeModalWidget() == nullptr);
+            // Undo and redo by their keys.
+            window.viewport().setFocus();
+            QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
+            QCOMPARE(session.history().size(), std::size_t{0});
+            QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+            QCOMPARE(session.history().size(), std::size_t{5});
+            table->horizontalHeader()->resizeSection(HitHistoryModel::TargetColumn, 181);
+            window.close();
+        }
+        MainWindow again(session);
+        const auto* table = again.findChild<HitHistoryPanel*>()->findChild<QTableView*>();
+        QCOMPARE(table->horizontalHeader()->sectionSize(HitHistoryModel::TargetColumn), 181);
+    }
+};
+
+QTEST_MAIN(HitHistoryToolsTest)
+#include "hit_history_tools_test.moc"
