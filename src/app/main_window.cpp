@@ -12,10 +12,12 @@
 #include <algorithm>
 
 #include "app/dialogs.h"
+#include "app/inspect_actions.h"
 #include "app/notice_bar.h"
 #include "app/pipeline_chooser.h"
 #include "app/scene_files.h"
 #include "app/status_line.h"
+#include "app/vertex_label.h"
 #include "models/undo_text.h"
 #include "panels/deformation_constants/deformation_constants_panel.h"
 #include "panels/frame_rate/frame_rate_panel.h"
@@ -54,13 +56,15 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_notice(new NoticeBar(m_viewport)),
       m_files(new SceneFiles(session, this)),
       m_status(new StatusLine(session, *statusBar(), this)),
-      m_pipelines(new PipelineChooser(session, this)) {
+      m_pipelines(new PipelineChooser(session, this)),
+      m_inspect(new InspectActions(session, *m_viewport, this)) {
     loadSessionSettings(QSettings(), session);
     applyTheme(m_settings.theme);
     m_viewport->setOptions(m_settings.display);
     setCentralWidget(m_viewport);
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+    new VertexLabel(session, *m_viewport);
     makeMenus();
     makeDocks();
     makeToolBar();
@@ -165,6 +169,7 @@ void MainWindow::saveSettings() {
     m_settings.display = m_viewport->options();
     saveAppSettings(settings, m_settings);
     saveSessionSettings(settings, m_session);
+    m_inspect->save(settings);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

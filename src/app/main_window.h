@@ -20,6 +20,7 @@ class QMenu;
 namespace hitscope {
 
 class FrameRatePanel;
+class InspectActions;
 class NoticeBar;
 class PipelineChooser;
 class SceneFiles;
@@ -123,6 +124,7 @@ private:
     SceneFiles* m_files = nullptr;
     StatusLine* m_status = nullptr;
     PipelineChooser* m_pipelines = nullptr;
+    InspectActions* m_inspect = nullptr;
     FrameRatePanel* m_frameRate = nullptr;
     QTimer m_frameRateTimer;
     QByteArray m_firstLayout;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/dialogs.h"
+#include "app/inspect_actions.h"
 #include "app/keys_sheet.h"
 #include "app/main_window.h"
 #include "app/pipeline_chooser.h"
@@ -58,6 +59,7 @@ void MainWindow::makeMenus() {
     makeViewMenu();
     makeMeshMenu();
     makeShootMenu();
+    m_inspect->fill(*menuBar()->addMenu(tr("&Inspect")));
     makeLightsMenu();
     makeHelpMenu();
 }
@@ -276,6 +278,8 @@ void MainWindow::makeToolBar() {
     bar.addSeparator();
     bar.addAction(m_undo);
     bar.addAction(m_redo);
+    bar.addSeparator();
+    m_inspect->fill(bar);
     bar.addSeparator();
     auto* wireframe = new QToolButton(&bar);
     wireframe->setIcon(themedIcon(QStringLiteral("wireframe")));

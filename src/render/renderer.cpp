@@ -175,6 +175,9 @@ Status Renderer::draw(const Frame& frame, DeformationPipeline& pipeline, GLuint 
     if (!status) {
         return status;
     }
+    if (status = drawVertexMarks(context, pipeline); !status) {
+        return status;
+    }
     if (status = drawHighlightedHit(context); !status) {
         return status;
     }

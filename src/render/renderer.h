@@ -17,6 +17,7 @@
 #include "render/camera.h"
 #include "render/display_options.h"
 #include "render/lights.h"
+#include "render/vertex_marks.h"
 
 namespace hitscope {
 
@@ -43,6 +44,7 @@ struct Frame {
     float floorHeight = 0.0f;  ///< metres, world y
     std::span<const DrawItem> targets;
     std::span<const Sphere> projectiles;  ///< world
+    std::span<const VertexMarks> marks;   ///< drawn in this order
     std::optional<Sphere>
         highlightedHit;  ///< world: a selected hit's point and max_distance; drawn as a ring
 };

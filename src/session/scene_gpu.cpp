@@ -10,6 +10,7 @@
 
 #include "render/pick_pass.h"
 #include "render/renderer.h"
+#include "session/scene_marks.h"
 
 namespace hitscope {
 
@@ -79,6 +80,7 @@ struct SceneGpu::Private {
     std::unordered_map<const MeshData*, std::weak_ptr<const MaterialSet>> materials;
     std::shared_ptr<const Image> coverImage;  // what `cover` was made of
     std::shared_ptr<const MaterialSet> cover;
+    SceneMarks marks;
     std::uint64_t appliedRevision = 0;
     gl::Defines deformDefines;
 
@@ -297,6 +299,9 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
     frame.options = view.options;
     frame.floorHeight = session.floorHeight();
     frame.targets = items;
+    d->marks.follow(session);
+    const std::vector<VertexMarks> marks = d->marks.on(items);
+    frame.marks = marks;
     frame.projectiles = projectiles;
     if (session.selectedHit()) {
         const Hit& hit = session.history().hits()[*session.selectedHit()];

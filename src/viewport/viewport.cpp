@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "gl/context.h"
+#include "viewport/inspect_tool.h"
 #include "viewport/surface_format.h"
 
 namespace hitscope {
@@ -20,7 +21,8 @@ constexpr double kNanosecond = 1.0e-9;  // seconds
 
 }  // namespace
 
-Viewport::Viewport(Session& session, QWidget* parent) : QOpenGLWidget(parent), m_session(session) {
+Viewport::Viewport(Session& session, QWidget* parent)
+    : QOpenGLWidget(parent), m_session(session), m_inspect(new InspectTool(*this, session.selection())) {
     setFormat(viewportFormat());
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(240, 180);
@@ -39,6 +41,10 @@ Viewport::Viewport(Session& session, QWidget* parent) : QOpenGLWidget(parent), m
     connect(this, &QOpenGLWidget::frameSwapped, this, &Viewport::moveOn);
     connect(&session, &Session::projectileSettingsChanged, this, followRateOfFire);
     connect(&session, &Session::pictureChanged, this, qOverload<>(&QWidget::update));
+    const VertexSelection& selection = session.selection();
+    connect(&selection, &VertexSelection::hoveredChanged, this, qOverload<>(&QWidget::update));
+    connect(&selection, &VertexSelection::pickedChanged, this, qOverload<>(&QWidget::update));
+    connect(&selection, &VertexSelection::selectionChanged, this, qOverload<>(&QWidget::update));
     connect(&session, &Session::sceneReplaced, this, &Viewport::followScene);
     connect(&session, &Session::targetAdded, this, &Viewport::followSize);
     connect(&session, &Session::targetRemoved, this, &Viewport::followSize);
@@ -60,6 +66,7 @@ void Viewport::initializeGL() {
     Result<std::unique_ptr<SceneGpu>> scene = SceneGpu::create(m_session);
     if (scene) {
         m_scene = std::move(scene).value();
+        m_picker = std::make_unique<ScenePicker>(m_session, *m_scene);
         m_error.clear();
         m_session.setCatchUp([this] { catchUp(); });
     } else {
@@ -75,6 +82,7 @@ void Viewport::releaseGpu() {
     if (m_scene) {
         m_session.setCatchUp({});
         makeCurrent();
+        m_picker.reset();
         m_scene.reset();
         doneCurrent();
     }
