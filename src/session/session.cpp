@@ -5,11 +5,15 @@
 #include <cmath>
 #include <utility>
 
+#include "session/frame_costs.h"
 #include "session/vertex_selection.h"
 
 namespace hitscope {
 
-Session::Session(QObject* parent) : QObject(parent), m_selection(std::make_unique<VertexSelection>(*this)) {}
+Session::Session(QObject* parent)
+    : QObject(parent),
+      m_frameCosts(std::make_unique<FrameCosts>(*this)),
+      m_selection(std::make_unique<VertexSelection>(*this)) {}
 
 Session::~Session() = default;
 

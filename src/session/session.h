@@ -28,6 +28,7 @@
 
 namespace hitscope {
 
+class FrameCosts;
 class VertexSelection;
 
 /// Everything a person works on: targets, hit history, constants, lights, projectiles. Makes no GL call;
@@ -138,6 +139,9 @@ public:
     [[nodiscard]] Status setTargetPhysics(TargetId id, const TargetPhysics& physics);
     /// Why shots pass a target, in words for the interface; empty: they do not.
     [[nodiscard]] QString whyNotHittable(TargetId id) const;
+
+    /// What frames and hits cost; SceneGpu reports there.
+    [[nodiscard]] FrameCosts& frameCosts() const { return *m_frameCosts; }
 
     // What SceneGpu reports back
     void setExactness(const Exactness& exactness);
@@ -253,6 +257,7 @@ private:
     std::size_t m_disabledHits = 0;
     CapacityReport m_capacity;
     std::map<PipelineKind, QString> m_unavailablePipelines;
+    std::unique_ptr<FrameCosts> m_frameCosts;
     std::map<TargetId, std::vector<std::uint32_t>>
         m_moved;  ///< file vertices, since the last finishReadBack()
     std::unique_ptr<VertexSelection> m_selection;

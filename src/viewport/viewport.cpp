@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "gl/context.h"
+#include "session/frame_costs.h"
 #include "viewport/inspect_tool.h"
 #include "viewport/surface_format.h"
 
@@ -16,6 +17,7 @@ namespace hitscope {
 namespace {
 
 constexpr int kCrosshairStays = 1500;   // milliseconds after the last shot with Space
+constexpr int kCostsArrive = 200;       // milliseconds after the last frame of many
 constexpr double kLongestStep = 0.25;   // seconds: a window that stood still does not make the scene jump
 constexpr double kNanosecond = 1.0e-9;  // seconds
 
@@ -30,6 +32,9 @@ Viewport::Viewport(Session& session, QWidget* parent)
     m_holdTimer.setInterval(kDoubleClickGrace);
     m_crosshairTimer.setSingleShot(true);
     m_crosshairTimer.setInterval(kCrosshairStays);
+    m_costsTimer.setSingleShot(true);
+    m_costsTimer.setInterval(kCostsArrive);
+    connect(&m_costsTimer, &QTimer::timeout, this, &Viewport::collectCosts);
     const auto followRateOfFire = [this] {
         m_repeatTimer.setInterval(qRound(1000.0f / m_session.projectileSettings().rateOfFire));
     };
@@ -133,6 +138,7 @@ void Viewport::paintGL() {
     const double seconds = static_cast<double>(measure.nsecsElapsed()) * kNanosecond;
     m_frameFollows = false;
     m_sinceFrame.start();
+    m_session.frameCosts().endFrame(seconds);
     Q_EMIT framePainted(seconds);
 }
 
@@ -151,6 +157,7 @@ bool Viewport::wantsFrames() const {
 
 void Viewport::moveOn() {
     if (!wantsFrames()) {
+        m_costsTimer.start();
         m_clock.invalidate();
         return;
     }
@@ -164,6 +171,14 @@ void Viewport::moveOn() {
     m_navigation.advance(passed);
     m_frameFollows = true;
     update();
+}
+
+void Viewport::collectCosts() {
+    if (m_scene) {
+        makeCurrent();
+        m_scene->collectCosts();
+        doneCurrent();
+    }
 }
 
 void Viewport::setOptions(const DisplayOptions& options) {
