@@ -25,6 +25,8 @@
 #include "panels/lights/lights_panel.h"
 #include "panels/mesh_statistics/mesh_statistics_panel.h"
 #include "panels/scene/scene_panel.h"
+#include "panels/vertex_changes/vertex_changes_panel.h"
+#include "session/hit_effects.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -33,7 +35,7 @@ namespace {
 
 constexpr int kFrameRateInterval = 500;  // milliseconds between read-outs in the status bar
 constexpr int kHintStays = 20'000;       // milliseconds
-constexpr int kLayoutVersion = 2;        // docks that are gone or new make an old layout useless
+constexpr int kLayoutVersion = 3;        // docks that are gone or new make an old layout useless
 
 }  // namespace
 
@@ -61,6 +63,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     loadSessionSettings(QSettings(), session);
     applyTheme(m_settings.theme);
     m_viewport->setOptions(m_settings.display);
+    m_hitEffects = new HitEffects(session, this);
     setCentralWidget(m_viewport);
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
@@ -120,6 +123,7 @@ void MainWindow::makeDocks() {
     QDockWidget* scene = makeSceneDock();
     QDockWidget* history = addDock(QStringLiteral("hitHistory"), tr("Hit history"),
                                    new HitHistoryPanel(m_session, m_hitHistory), Qt::BottomDockWidgetArea);
+    QDockWidget* vertices = makeVertexChangesDock();
     QDockWidget* constants = addDock(QStringLiteral("deformationConstants"), tr("Deformation constants"),
                                      new DeformationConstantsPanel(m_session), Qt::RightDockWidgetArea);
     QDockWidget* lights =
@@ -128,6 +132,8 @@ void MainWindow::makeDocks() {
         addDock(QStringLiteral("frameRate"), tr("Frame rate"), m_frameRate, Qt::BottomDockWidgetArea);
     tabifyDockWidget(statistics, scene);
     statistics->raise();
+    tabifyDockWidget(history, vertices);
+    history->raise();
     tabifyDockWidget(constants, lights);
     constants->raise();
     resizeDocks({statistics, constants}, {350, 350}, Qt::Horizontal);
@@ -148,6 +154,15 @@ QDockWidget* MainWindow::makeSceneDock() {
     m_meshMenu->insertMenu(first, panel->addMenu());
     m_meshMenu->insertSeparator(first);
     return addDock(QStringLiteral("scene"), tr("Scene"), panel, Qt::RightDockWidgetArea);
+}
+
+QDockWidget* MainWindow::makeVertexChangesDock() {
+    auto* changes = new VertexChangesModel(m_session, *m_hitEffects, this);
+    auto* attribution = new AttributionModel(m_session, this);
+    auto* panel = new VertexChangesPanel(m_session, *changes, *attribution);
+    connect(panel, &VertexChangesPanel::failed, this, [this](const Error& error) { showError(this, error); });
+    connect(panel, &VertexChangesPanel::vertexWanted, m_viewport, &Viewport::lookAt);
+    return addDock(QStringLiteral("vertexChanges"), tr("Vertex changes"), panel, Qt::BottomDockWidgetArea);
 }
 
 void MainWindow::restoreWindow() {

@@ -20,6 +20,7 @@ class QMenu;
 namespace hitscope {
 
 class FrameRatePanel;
+class HitEffects;
 class InspectActions;
 class NoticeBar;
 class PipelineChooser;
@@ -61,6 +62,7 @@ private:
     // Parts
     void makeDocks();
     QDockWidget* makeSceneDock();
+    QDockWidget* makeVertexChangesDock();
     QDockWidget* addDock(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area);
     void makeMenus();
     void makeFileMenu();
@@ -119,6 +121,7 @@ private:
     HitHistoryModel m_hitHistory;
     MeshStatisticsModel m_meshStatistics;
     SceneModel m_scene;
+    HitEffects* m_hitEffects = nullptr;
     Viewport* m_viewport = nullptr;
     NoticeBar* m_notice = nullptr;
     SceneFiles* m_files = nullptr;

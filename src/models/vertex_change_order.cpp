@@ -20,7 +20,8 @@ void VertexChangeOrder::take(std::span<const MovedVertex> moved) {
     for (const MovedVertex& vertex : moved) {
         const std::uint32_t v = vertex.vertex;
         m_current[v] = vertex.current;
-        m_length[v] = glm::distance(vertex.current, m_original->positions[v]);
+        m_length[v] = static_cast<float>(
+            glm::distance(glm::dvec3(vertex.current), glm::dvec3(m_original->positions[v])));
         m_turned[v] = vertex.turned;
         if (m_isListed[v] == 0) {
             m_isListed[v] = 1;

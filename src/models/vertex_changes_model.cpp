@@ -301,7 +301,11 @@ void VertexChangesModel::saveCsv(const QString& path) {
     m_pool.start([this, order = m_order, rows = m_rows, path] {
         const Status status = hitscope::saveCsv(order->table(rows), path);
         QMetaObject::invokeMethod(
-            this, [this, path, status] { Q_EMIT saved(path, status); }, Qt::QueuedConnection);
+            this,
+            [this, path, status] {
+                Q_EMIT saved(path, status ? std::nullopt : std::optional(status.error()));
+            },
+            Qt::QueuedConnection);
     });
 }
 

@@ -75,7 +75,8 @@ public:
 Q_SIGNALS:
     void targetChanged();  ///< the rows are of another target, or of none
     void rowsFollowed();   ///< rows are new, gone or elsewhere
-    void saved(const QString& path, const hitscope::Status& status);
+    /// Without an error it is there.
+    void saved(const QString& path, const std::optional<hitscope::Error>& error);
 
 private:
     void followTarget();

@@ -56,7 +56,8 @@ public:
     /// The changed vertices within an outline, of each visible target that has some there.
     [[nodiscard]] std::map<TargetId, std::vector<std::uint32_t>> changedWithin(const QPolygonF& outline,
                                                                                bool hiddenToo);
-    void selectTargetOf(const VertexRef& vertex);  ///< where there are several targets
+    void lookAt(const hitscope::VertexRef& vertex);  ///< from now on
+    void selectTargetOf(const VertexRef& vertex);    ///< where there are several targets
 
     /// Brings the GPU and the read-back to the session's state now: before an export. Fails when there is no
     /// GL.

@@ -71,6 +71,13 @@ std::map<TargetId, std::vector<std::uint32_t>> Viewport::changedWithin(const QPo
     return std::move(found).value();
 }
 
+void Viewport::lookAt(const VertexRef& vertex) {
+    if (const Target* target = m_session.target(vertex.target)) {
+        m_navigation.recentre(target->transform.toWorld(target->deformed.positions()[vertex.vertex]));
+        update();
+    }
+}
+
 void Viewport::selectTargetOf(const VertexRef& vertex) {
     if (m_session.targets().size() > 1) {
         m_session.selectTarget(vertex.target);

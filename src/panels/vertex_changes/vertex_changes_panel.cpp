@@ -113,11 +113,12 @@ void VertexChangesPanel::connectAll() {
             &VertexChangesPanel::updateSummary);
     connect(&m_changes, &VertexChangesModel::targetChanged, this, &VertexChangesPanel::updateSummary);
     connect(&m_changes, &VertexChangesModel::rowsFollowed, this, &VertexChangesPanel::updateSummary);
-    connect(&m_changes, &VertexChangesModel::saved, this, [this](const QString&, const Status& status) {
-        if (!status) {
-            Q_EMIT failed(status.error());
-        }
-    });
+    connect(&m_changes, &VertexChangesModel::saved, this,
+            [this](const QString&, const std::optional<Error>& error) {
+                if (error) {
+                    Q_EMIT failed(*error);
+                }
+            });
     connect(&m_attribution, &AttributionModel::summaryChanged, this, &VertexChangesPanel::updateAttribution);
 }
 
