@@ -56,6 +56,12 @@ constexpr Line kScene[] = {{TEXT("F2"), TEXT("Rename the target; or double-click
                            {TEXT("Space"), TEXT("Hide or show the selected targets")},
                            {TEXT("Ctrl+D"), TEXT("Duplicate them; also in the viewport")},
                            {TEXT("Del"), TEXT("Remove them; also in the viewport")}};
+constexpr Line kInspect[] = {{TEXT("I"), TEXT("Switch between Shoot and Inspect")},
+                             {TEXT("Alt+click"), TEXT("Pick the vertex there; with Inspect, any click")},
+                             {TEXT("Inspect: drag"), TEXT("Select changed vertices in the outline")},
+                             {TEXT("Ctrl Shift"), TEXT("Add to the selection; take from it")},
+                             {TEXT("Alt+drag"), TEXT("Orbit, with Inspect too")},
+                             {TEXT("Esc"), TEXT("Select no vertex")}};
 #undef TEXT
 
 QString text(const char* words) {
@@ -102,9 +108,11 @@ void showKeysSheet(QWidget* parent) {
         0);
     layout->addWidget(section(text(QT_TRANSLATE_NOOP("hitscope::KeysSheet", "Scene")), kScene, colour, sheet),
                       2, 1);
+    layout->addWidget(
+        section(text(QT_TRANSLATE_NOOP("hitscope::KeysSheet", "Inspect")), kInspect, colour, sheet), 0, 2);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, sheet);
     QObject::connect(buttons, &QDialogButtonBox::rejected, sheet, &QDialog::close);
-    layout->addWidget(buttons, 3, 0, 1, 2);
+    layout->addWidget(buttons, 3, 0, 1, 3);
     layout->setSizeConstraint(QLayout::SetFixedSize);
     sheet->show();
 }
