@@ -17,6 +17,7 @@
 #include "app/dialogs.h"
 #include "app/full_view.h"
 #include "app/hit_actions.h"
+#include "app/inspect_actions.h"
 #include "app/notice_bar.h"
 #include "app/picture_actions.h"
 #include "app/pipeline_chooser.h"
@@ -27,6 +28,7 @@
 #include "app/texture_chooser.h"
 #include "app/time_actions.h"
 #include "app/time_badge.h"
+#include "app/vertex_label.h"
 #include "models/undo_text.h"
 #include "panels/change/change_panel.h"
 #include "panels/deformation_constants/deformation_constants_panel.h"
@@ -37,6 +39,7 @@
 #include "panels/lights/lights_panel.h"
 #include "panels/mesh_statistics/mesh_statistics_panel.h"
 #include "panels/scene/scene_panel.h"
+#include "panels/vertex_changes/vertex_changes_panel.h"
 #include "session/hit_effects.h"
 #include "viewport/viewport.h"
 
@@ -77,7 +80,8 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_pipelines(new PipelineChooser(session, this)),
       m_cameraActions(new CameraActions(*m_viewport, this)),
       m_pictures(new PictureActions(*m_viewport, *this)),
-      m_fullView(new FullView(*this)) {
+      m_fullView(new FullView(*this)),
+      m_inspect(new InspectActions(session, *m_viewport, this)) {
     loadSessionSettings(QSettings(), session);
     applyTheme(m_settings.theme);
     m_viewport->setOptions(m_settings.display);
@@ -85,6 +89,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     setCentralWidget(m_viewport);
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+    new VertexLabel(session, *m_viewport);
     makeMenus();
     makeDocks();
     makeToolBar();
@@ -151,6 +156,7 @@ void MainWindow::makeDocks() {
             [this](const Bounds& part) { m_viewport->navigation().frame(part); });
     QDockWidget* history =
         addDock(QStringLiteral("hitHistory"), tr("Hit history"), historyPanel, Qt::BottomDockWidgetArea);
+    QDockWidget* vertices = makeVertexChangesDock();
     QDockWidget* constants = addDock(QStringLiteral("deformationConstants"), tr("Deformation constants"),
                                      new DeformationConstantsPanel(m_session), Qt::RightDockWidgetArea);
     QDockWidget* lights =
@@ -165,6 +171,8 @@ void MainWindow::makeDocks() {
     tabifyDockWidget(scene, change);
     tabifyDockWidget(change, dent);
     statistics->raise();
+    tabifyDockWidget(history, vertices);
+    history->raise();
     tabifyDockWidget(constants, lights);
     constants->raise();
     resizeDocks({statistics, constants}, {350, 350}, Qt::Horizontal);
@@ -199,6 +207,15 @@ void MainWindow::connectCameraAndPictures() {
             [this](const Error& error) { showError(this, error); });
 }
 
+QDockWidget* MainWindow::makeVertexChangesDock() {
+    auto* changes = new VertexChangesModel(m_session, m_hitEffects, this);
+    auto* attribution = new AttributionModel(m_session, this);
+    auto* panel = new VertexChangesPanel(m_session, *changes, *attribution);
+    connect(panel, &VertexChangesPanel::failed, this, [this](const Error& error) { showError(this, error); });
+    connect(panel, &VertexChangesPanel::vertexWanted, m_viewport, &Viewport::lookAt);
+    return addDock(QStringLiteral("vertexChanges"), tr("Vertex changes"), panel, Qt::BottomDockWidgetArea);
+}
+
 void MainWindow::restoreWindow() {
     // On a small screen no part of it is out of sight at first.
     resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
@@ -224,6 +241,7 @@ void MainWindow::saveSettings() {
     saveAppSettings(settings, m_settings);
     m_hitActions->save(settings);
     saveSessionSettings(settings, m_session);
+    m_inspect->save(settings);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

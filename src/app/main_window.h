@@ -25,6 +25,7 @@ class ChangeActions;
 class FrameRatePanel;
 class FullView;
 class HitActions;
+class InspectActions;
 class NoticeBar;
 class PictureActions;
 class PipelineChooser;
@@ -70,6 +71,7 @@ private:
     // Parts
     void makeDocks();
     QDockWidget* makeSceneDock();
+    QDockWidget* makeVertexChangesDock();
     QDockWidget* addDock(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area);
     void makeMenus();
     void makeFileMenu();
@@ -130,6 +132,7 @@ private:
     HitHistoryModel m_hitHistory;
     MeshStatisticsModel m_meshStatistics;
     SceneModel m_scene;
+    HitEffects* m_hitEffects = nullptr;
     Viewport* m_viewport = nullptr;
     NoticeBar* m_notice = nullptr;
     SceneFiles* m_files = nullptr;
@@ -143,6 +146,7 @@ private:
     CameraActions* m_cameraActions = nullptr;
     PictureActions* m_pictures = nullptr;
     FullView* m_fullView = nullptr;
+    InspectActions* m_inspect = nullptr;
     ChangeActions* m_change = nullptr;
     FrameRatePanel* m_frameRate = nullptr;
     QTimer m_frameRateTimer;

@@ -13,6 +13,7 @@
 #include "app/dialogs.h"
 #include "app/full_view.h"
 #include "app/hit_actions.h"
+#include "app/inspect_actions.h"
 #include "app/keys_overlay.h"
 #include "app/main_window.h"
 #include "app/picture_actions.h"
@@ -66,6 +67,7 @@ void MainWindow::makeMenus() {
     makeViewMenu();
     makeMeshMenu();
     makeShootMenu();
+    m_inspect->fill(*menuBar()->addMenu(tr("&Inspect")));
     makeLightsMenu();
     makeHelpMenu();
 }
@@ -297,6 +299,8 @@ void MainWindow::makeToolBar() {
     bar.addSeparator();
     bar.addAction(m_undo);
     bar.addAction(m_redo);
+    bar.addSeparator();
+    m_inspect->fill(bar);
     bar.addSeparator();
     auto* wireframe = new QToolButton(&bar);
     wireframe->setIcon(themedIcon(QStringLiteral("wireframe")));

@@ -34,23 +34,36 @@ float turnedComponent(float s, float length) {
 //   s = n + v,  len2 = (s.x * s.x + s.y * s.y) + s.z * s.z             eq. 2
 //   len2 > 1e-12: n = s / sqrt(len2), components of s below 1e-20 as 0; else n stays, since the sum has no
 //   direction
-bool deform(glm::vec3& position, glm::vec3& normal, const Hit& hit) {
+std::optional<Contribution> contributionTo(const glm::vec3& position, const Hit& hit) {
     const float dx = position.x - hit.point.x;
     const float dy = position.y - hit.point.y;
     const float dz = position.z - hit.point.z;
     const float r2 = (dx * dx + dy * dy) + dz * dz;
     if (!(r2 <= hit.constants.maxDistance * hit.constants.maxDistance)) {
+        return std::nullopt;
+    }
+    Contribution made;
+    made.magnitude = hit.constants.maxMagnitude;
+    made.isCapped = true;
+    if (r2 >= kNoDistance2) {
+        made.distance = std::sqrt(r2);
+        const float ratio = hit.constants.power / made.distance;
+        made.isCapped = !(ratio < made.magnitude);
+        made.magnitude = made.isCapped ? made.magnitude : ratio;
+    }
+    made.displacement = {hit.direction.x * made.magnitude, hit.direction.y * made.magnitude,
+                         hit.direction.z * made.magnitude};
+    return made;
+}
+
+bool deform(glm::vec3& position, glm::vec3& normal, const Hit& hit) {
+    const std::optional<Contribution> made = contributionTo(position, hit);
+    if (!made) {
         return false;
     }
-    float magnitude = hit.constants.maxMagnitude;
-    if (r2 >= kNoDistance2) {
-        const float r = std::sqrt(r2);
-        const float ratio = hit.constants.power / r;
-        magnitude = ratio < magnitude ? ratio : magnitude;
-    }
-    const float vx = hit.direction.x * magnitude;
-    const float vy = hit.direction.y * magnitude;
-    const float vz = hit.direction.z * magnitude;
+    const float vx = made->displacement.x;
+    const float vy = made->displacement.y;
+    const float vz = made->displacement.z;
     position.x += vx;
     position.y += vy;
     position.z += vz;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "deform/hit.h"
 
@@ -12,5 +13,16 @@ namespace hitscope {
 /// same operations in the same order, each rounded to float, nothing contracted; tests/gl compares them bit
 /// for bit.
 bool deform(glm::vec3& position, glm::vec3& normal, const Hit& hit);
+
+/// What deform() adds to a position, by the very same operations: position + displacement is what it makes of
+/// it, to the last bit.
+struct Contribution {
+    float distance = 0.0f;   ///< metres: r
+    float magnitude = 0.0f;  ///< metres: m
+    bool isCapped = false;   ///< max_magnitude applied
+    glm::vec3 displacement{0.0f};
+};
+/// Nothing: the position is out of the hit's reach.
+[[nodiscard]] std::optional<Contribution> contributionTo(const glm::vec3& position, const Hit& hit);
 
 }  // namespace hitscope

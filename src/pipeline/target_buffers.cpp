@@ -120,6 +120,7 @@ TargetBuffers::TargetBuffers(const RenderMesh& mesh)
 
     glBindVertexArray(m_captureArray.id());
     attachDynamic(m_dynamic);
+    attachOriginal(m_original);
 
     glBindVertexArray(m_originalSurfaceArray.id());
     attachDynamic(m_original);

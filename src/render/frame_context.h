@@ -52,6 +52,8 @@ void setLights(const gl::Program& program, const FrameContext& context);
 [[nodiscard]] Status drawBackground(const FrameContext& context);
 [[nodiscard]] Status drawFloor(const FrameContext& context);
 [[nodiscard]] Status drawContactShades(const FrameContext& context);
+/// Dots on vertices; dimmed where a surface hides them.
+[[nodiscard]] Status drawVertexMarks(const FrameContext& context, DeformationPipeline& pipeline);
 [[nodiscard]] Status drawHighlightedHit(const FrameContext& context);
 [[nodiscard]] Status drawCrosshair(const FrameContext& context);
 

@@ -8,8 +8,8 @@
 
 #include "gl/context.h"
 #include "render/change_map.h"
-#include "render/frame_context.h"
 #include "render/dent_ghost_pass.h"
+#include "render/frame_context.h"
 #include "render/ghost_pass.h"
 #include "render/gl_state.h"
 #include "render/line_pass.h"
@@ -281,6 +281,9 @@ Status Renderer::draw(const Frame& frame, DeformationPipeline& pipeline, GLuint 
     Status status =
         frame.options.beforeAfter.wipe ? d->drawWiped(context, pipeline) : d->drawScene(context, pipeline);
     if (!status) {
+        return status;
+    }
+    if (status = render::drawVertexMarks(context, pipeline); !status) {
         return status;
     }
     startBlended();

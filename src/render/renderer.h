@@ -17,6 +17,7 @@
 #include "render/camera.h"
 #include "render/display_options.h"
 #include "render/lights.h"
+#include "render/vertex_marks.h"
 
 namespace hitscope {
 
@@ -58,6 +59,7 @@ struct Frame {
     std::span<const ProjectileItem> projectiles;
     /// Corners of triangles, world: a surface that is not there yet, drawn over everything. Null: none.
     std::shared_ptr<const std::vector<glm::vec3>> ghost;
+    std::span<const VertexMarks> marks;  ///< drawn in this order
     std::optional<Sphere>
         highlightedHit;  ///< world: a selected hit's point and max_distance; drawn as a ring
 };

@@ -15,6 +15,7 @@
 #include "session/change_values.h"
 #include "session/comparison.h"
 #include "session/frame_meter.h"
+#include "session/scene_marks.h"
 #include "session/second_scene.h"
 #include "session/shading_normals.h"
 
@@ -60,6 +61,7 @@ struct SceneGpu::Private {
     std::unordered_map<const MeshData*, std::weak_ptr<const MaterialSet>> materials;
     std::shared_ptr<const Image> coverImage;  // what `cover` was made of
     std::shared_ptr<const MaterialSet> cover;
+    SceneMarks marks;
     std::uint64_t appliedRevision = 0;
     std::uint64_t meshRevision = 1;
     HistoryPrefix applied;  // of the history at that revision
@@ -355,6 +357,9 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
             d->changeUpload.upload(item.target, *d->targets.at(item.target).buffers);
         }
     }
+    d->marks.follow(session);
+    const std::vector<VertexMarks> marks = d->marks.on(items);
+    frame.marks = marks;
     frame.projectiles = projectiles;
     frame.ghost = view.ghost;
     if (session.selectedHit()) {

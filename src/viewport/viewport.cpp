@@ -10,6 +10,7 @@
 #include "gl/context.h"
 #include "gl/swap_interval.h"
 #include "session/frame_costs.h"
+#include "viewport/inspect_tool.h"
 #include "viewport/surface_format.h"
 #include "viewport/view_label.h"
 
@@ -25,7 +26,10 @@ constexpr double kNanosecond = 1.0e-9;  // seconds
 }  // namespace
 
 Viewport::Viewport(Session& session, QWidget* parent)
-    : QOpenGLWidget(parent), m_session(session), m_navigation([this](const QPointF& position) {
+    : QOpenGLWidget(parent),
+      m_session(session),
+      m_inspect(new InspectTool(*this, session.selection())),
+      m_navigation([this](const QPointF& position) {
           const auto met = aimedAt(m_navigation.rayAt(position));
           return met ? std::optional(met->point) : std::nullopt;
       }) {
@@ -50,6 +54,10 @@ Viewport::Viewport(Session& session, QWidget* parent)
     connect(this, &QOpenGLWidget::frameSwapped, this, &Viewport::moveOn);
     connect(&session, &Session::projectileSettingsChanged, this, followRateOfFire);
     connect(&session, &Session::pictureChanged, this, qOverload<>(&QWidget::update));
+    const VertexSelection& selection = session.selection();
+    connect(&selection, &VertexSelection::hoveredChanged, this, qOverload<>(&QWidget::update));
+    connect(&selection, &VertexSelection::pickedChanged, this, qOverload<>(&QWidget::update));
+    connect(&selection, &VertexSelection::selectionChanged, this, qOverload<>(&QWidget::update));
     connect(&session, &Session::sceneReplaced, this, &Viewport::followScene);
     connect(&session, &Session::targetAdded, this, &Viewport::followSize);
     connect(&session, &Session::targetRemoved, this, &Viewport::followSize);
@@ -73,6 +81,7 @@ void Viewport::initializeGL() {
     Result<std::unique_ptr<SceneGpu>> scene = SceneGpu::create(m_session);
     if (scene) {
         m_scene = std::move(scene).value();
+        m_picker = std::make_unique<ScenePicker>(m_session, *m_scene);
         m_error.clear();
         m_session.setCatchUp([this] { catchUp(); });
     } else {
@@ -89,6 +98,7 @@ void Viewport::releaseGpu() {
         m_session.setCatchUp({});
         makeCurrent();
         Q_EMIT aboutToReleaseGpu();
+        m_picker.reset();
         m_scene.reset();
         doneCurrent();
     }

@@ -3,6 +3,7 @@
 
 #include <QElapsedTimer>
 #include <QOpenGLWidget>
+#include <QPolygonF>
 #include <QTimer>
 #include <functional>
 #include <memory>
@@ -11,9 +12,12 @@
 #include "session/picture.h"
 #include "session/scene_gpu.h"
 #include "viewport/change_overlay.h"
+#include "session/scene_picker.h"
 #include "viewport/navigation.h"
 
 namespace hitscope {
+
+class InspectTool;
 
 /// The picture of a session, and the hand on it: events in, frames out. Makes no GL call itself (SceneGpu
 /// does).
@@ -52,6 +56,20 @@ public:
     [[nodiscard]] Ray launched(const Ray& ray) const;
     /// A surface to draw over the picture (SceneGpu::View); null: none.
     void setGhost(std::shared_ptr<const std::vector<glm::vec3>> ghost);
+
+    /// Shoot or Inspect, and what Inspect does.
+    [[nodiscard]] InspectTool& inspectTool() { return *m_inspect; }
+    // Positions are logical pixels of the widget. What is found is as the picture would show it now.
+    [[nodiscard]] std::optional<VertexRef> vertexAt(const QPointF& position);
+    /// Likewise, without waiting for the GPU: requestedVertex() has it some milliseconds later, once. False:
+    /// it never will.
+    bool requestVertexAt(const QPointF& position);
+    [[nodiscard]] std::optional<std::optional<VertexRef>> requestedVertex();
+    /// The changed vertices within an outline, of each visible target that has some there.
+    [[nodiscard]] std::map<TargetId, std::vector<std::uint32_t>> changedWithin(const QPolygonF& outline,
+                                                                               bool hiddenToo);
+    void lookAt(const hitscope::VertexRef& vertex);  ///< from now on
+    void selectTargetOf(const VertexRef& vertex);    ///< where there are several targets
 
     /// Brings the GPU and the read-back to the session's state now: before an export. Fails when there is no
     /// GL.
@@ -117,6 +135,8 @@ private:
 
     Session& m_session;
     std::unique_ptr<SceneGpu> m_scene;
+    std::unique_ptr<ScenePicker> m_picker;  ///< while there is a scene
+    InspectTool* m_inspect;
     QString m_rendererName;
     QString m_rendererVersion;
     std::string m_error;  ///< the reason there is no picture; empty: there is one

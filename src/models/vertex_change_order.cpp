@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "models/vertex_change_order.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <utility>
+
+namespace hitscope {
+
+VertexChangeOrder::VertexChangeOrder(std::shared_ptr<const MeshData> original)
+    : m_original(std::move(original)),
+      m_current(m_original->positions),
+      m_length(m_current.size(), 0.0f),
+      m_turned(m_current.size(), 0.0f),
+      m_isListed(m_current.size(), 0),
+      m_isMoved(m_current.size(), 0) {}
+
+void VertexChangeOrder::take(std::span<const MovedVertex> moved) {
+    for (const MovedVertex& vertex : moved) {
+        const std::uint32_t v = vertex.vertex;
+        m_current[v] = vertex.current;
+        m_length[v] = static_cast<float>(
+            glm::distance(glm::dvec3(vertex.current), glm::dvec3(m_original->positions[v])));
+        m_turned[v] = vertex.turned;
+        if (m_isListed[v] == 0) {
+            m_isListed[v] = 1;
+            m_listed.push_back(v);
+        }
+        if (m_isMoved[v] == 0) {
+            m_isMoved[v] = 1;
+            m_moved.push_back(v);
+        }
+    }
+}
+
+void VertexChangeOrder::takeCounts(std::vector<std::uint32_t> counts) {
+    m_counts = std::move(counts);
+    if (m_query.key == VertexQuery::Key::Hits) {
+        m_rows.reset();
+    }
+}
+
+VertexChangesTable VertexChangeOrder::table(std::vector<std::uint32_t> vertices) const {
+    VertexChangesTable table{m_original, std::move(vertices), {}};
+    table.values.reserve(table.rows.size());
+    for (const std::uint32_t vertex : table.rows) {
+        table.values.push_back(
+            {m_current[vertex], m_turned[vertex], vertex < m_counts.size() ? m_counts[vertex] : 0});
+    }
+    return table;
+}
+
+bool VertexChangeOrder::isShown(std::uint32_t vertex) const {
+    return m_current[vertex] != m_original->positions[vertex] && m_length[vertex] >= m_query.leastLength &&
+           (m_query.only == nullptr ||
+            std::binary_search(m_query.only->begin(), m_query.only->end(), vertex));
+}
+
+float VertexChangeOrder::keyOf(std::uint32_t vertex, int component) const {
+    switch (m_query.key) {
+        case VertexQuery::Key::Original:
+            return m_original->positions[vertex][component];
+        case VertexQuery::Key::Current:
+            return m_current[vertex][component];
+        case VertexQuery::Key::Displacement:
+            return m_current[vertex][component] - m_original->positions[vertex][component];
+        case VertexQuery::Key::Length:
+            return m_length[vertex];
+        case VertexQuery::Key::Turned:
+            return m_turned[vertex];
+        case VertexQuery::Key::Hits:
+            return vertex < m_counts.size() ? static_cast<float>(m_counts[vertex]) : 0.0f;
+        case VertexQuery::Key::Number:
+            break;
+    }
+    return 0.0f;
+}
+
+bool VertexChangeOrder::isBefore(std::uint32_t a, std::uint32_t b) const {
+    if (m_query.key == VertexQuery::Key::Number) {
+        return m_query.descending ? b < a : a < b;
+    }
+    for (int component = 0; component < 3; ++component) {
+        const float left = keyOf(a, component);
+        const float right = keyOf(b, component);
+        if (left != right) {
+            return m_query.descending ? right < left : left < right;
+        }
+    }
+    return a < b;
+}
+
+std::vector<std::uint32_t> VertexChangeOrder::rows(const VertexQuery& query) {
+    if (!m_rows || query != m_query) {
+        m_query = query;
+        sortAll();
+    } else if (!m_moved.empty()) {
+        mergeMoved();
+    }
+    for (const std::uint32_t vertex : m_moved) {
+        m_isMoved[vertex] = 0;
+    }
+    m_moved.clear();
+    return *m_rows;
+}
+
+void VertexChangeOrder::sortAll() {
+    std::vector<std::uint32_t> rows;
+    std::copy_if(m_listed.begin(), m_listed.end(), std::back_inserter(rows),
+                 [this](std::uint32_t vertex) { return isShown(vertex); });
+    std::sort(rows.begin(), rows.end(), [this](std::uint32_t a, std::uint32_t b) { return isBefore(a, b); });
+    m_rows = std::move(rows);
+}
+
+/// Those that moved leave their places and come in anew; the others are in order already.
+void VertexChangeOrder::mergeMoved() {
+    const auto before = [this](std::uint32_t a, std::uint32_t b) { return isBefore(a, b); };
+    std::vector<std::uint32_t> moved;
+    std::copy_if(m_moved.begin(), m_moved.end(), std::back_inserter(moved),
+                 [this](std::uint32_t vertex) { return isShown(vertex); });
+    std::sort(moved.begin(), moved.end(), before);
+    std::erase_if(*m_rows, [this](std::uint32_t vertex) { return m_isMoved[vertex] != 0; });
+    std::vector<std::uint32_t> merged;
+    merged.reserve(m_rows->size() + moved.size());
+    std::merge(m_rows->begin(), m_rows->end(), moved.begin(), moved.end(), std::back_inserter(merged),
+               before);
+    m_rows = std::move(merged);
+}
+
+}  // namespace hitscope

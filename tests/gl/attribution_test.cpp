@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What attribution adds up to, against what every pipeline's buffers hold.
+#include "deform/attribution.h"
+
+#include <QtTest>
+#include <cstring>
+
+#include "gl/context.h"
+#include "session/demo_shots.h"
+#include "session/scene_gpu.h"
+
+using namespace hitscope;
+
+class AttributionTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() {
+        Result<std::unique_ptr<gl::OffscreenContext>> made = gl::OffscreenContext::create();
+        QVERIFY2(made.ok(), made.ok() ? "" : made.error().message().c_str());
+        m_context = std::move(made).value();
+        gl::collectDebugMessages();
+    }
+    void cleanup() {
+        const std::vector<std::string> errors = gl::takeErrors();
+        QVERIFY2(errors.empty(), errors.empty() ? "" : errors.front().c_str());
+    }
+    void cleanupTestCase() { m_context.reset(); }
+
+    void addsUpToTheBuffersBits_data() {
+        QTest::addColumn<int>("kind");
+        for (const PipelineTraits& traits : allPipelines()) {
+            QTest::addRow("%s", std::string(traits.key).c_str()) << static_cast<int>(traits.kind);
+        }
+    }
+    void addsUpToTheBuffersBits() {
+        QFETCH(int, kind);
+        Session session;
+        session.loadTeapot();
+        session.setPipeline(static_cast<PipelineKind>(kind));
+        auto gpu = SceneGpu::create(session);
+        QVERIFY(gpu.ok());
+        if (!session.exactness()->exact) {
+            QSKIP("this renderer's arithmetic is not exact");
+        }
+        // More than the uniform arrays hold, so that some are dropped.
+        shootAll(session, demoShots(session, 700, 21));
+        QVERIFY(session.history().size() > 400);
+        QVERIFY(gpu.value()->sync().ok());
+        const Target& target = *session.targets().front();
+        std::size_t contributions = 0;
+        for (std::size_t v = 0; v < target.deformed.vertices().size(); ++v) {
+            Attribution attribution(target.deformed.render().vertices[v]);
+            for (std::size_t i = 0; i < session.history().size(); ++i) {
+                if (!session.isDropped(i)) {
+                    attribution.add(i, session.history().hits()[i]);
+                }
+            }
+            contributions += attribution.contributions().size();
+            QCOMPARE(
+                std::memcmp(&attribution.vertex(), &target.deformed.vertices()[v], sizeof(DynamicVertex)), 0);
+            glm::vec3 sum = target.deformed.render().vertices[v].position;
+            for (const VertexContribution& row : attribution.contributions()) {
+                sum += row.contribution.displacement;
+                QCOMPARE(sum, row.position);
+            }
+        }
+        QVERIFY(contributions > 5000);
+    }
+
+private:
+    std::unique_ptr<gl::OffscreenContext> m_context;
+};
+
+QTEST_GUILESS_MAIN(AttributionTest)
+#include "attribution_test.moc"
