@@ -166,7 +166,7 @@ void MainWindow::makeViewMenu() {
                                {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f},  {0.0f, -1.0f, 0.0f}};
     for (std::size_t i = 0; i < std::size(steps); ++i) {
         addHeldKey(fly, names[i].first, names[i].second,
-                   [this, step = steps[i]] { m_viewport->flyStep(step); });
+                   [this, step = steps[i]] { m_viewport->navigation().flyStep(step); });
     }
     menu.addSeparator();
     m_docksMenu = menu.addMenu(tr("&Docks"));

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "session/vertex_selection.h"
+
 namespace hitscope {
 
-Session::Session(QObject* parent) : QObject(parent) {}
+Session::Session(QObject* parent) : QObject(parent), m_selection(std::make_unique<VertexSelection>(*this)) {}
 
 Session::~Session() = default;
 

@@ -26,6 +26,8 @@
 
 namespace hitscope {
 
+class VertexSelection;
+
 /// Everything a person works on: targets, hit history, constants, lights, projectiles. Makes no GL call;
 /// SceneGpu follows it on the GPU and hands back what the pipeline made. One thread: the one it was created
 /// on.
@@ -94,6 +96,9 @@ public:
     [[nodiscard]] std::size_t disabledHits() const { return m_disabledHits; }
     [[nodiscard]] std::optional<std::size_t> selectedHit() const { return m_selectedHit; }
     void selectHit(std::optional<std::size_t> index);
+    /// The vertices pointed at, picked and selected.
+    [[nodiscard]] VertexSelection& selection() { return *m_selection; }
+    [[nodiscard]] const VertexSelection& selection() const { return *m_selection; }
 
     // Settings
     [[nodiscard]] const DeformationConstants& constants() const { return m_constants; }
@@ -232,6 +237,7 @@ private:
     std::map<PipelineKind, QString> m_unavailablePipelines;
     std::map<TargetId, std::vector<std::uint32_t>>
         m_moved;  ///< file vertices, since the last finishReadBack()
+    std::unique_ptr<VertexSelection> m_selection;
 };
 
 }  // namespace hitscope

@@ -16,9 +16,6 @@ namespace {
 
 constexpr int kCrosshairStays = 1500;   // milliseconds after the last shot with Space
 constexpr double kLongestStep = 0.25;   // seconds: a window that stood still does not make the scene jump
-constexpr float kFlySpeed = 0.7f;       // camera distances a second
-constexpr float kFastFactor = 3.0f;     // with Shift
-constexpr float kStride = 0.15f;        // camera distances
 constexpr double kNanosecond = 1.0e-9;  // seconds
 
 }  // namespace
@@ -38,6 +35,7 @@ Viewport::Viewport(Session& session, QWidget* parent) : QOpenGLWidget(parent), m
     connect(&m_holdTimer, &QTimer::timeout, this, &Viewport::fireHeldShot);
     connect(&m_repeatTimer, &QTimer::timeout, this, &Viewport::shootAtCrosshair);
     connect(&m_crosshairTimer, &QTimer::timeout, this, qOverload<>(&QWidget::update));
+    connect(&m_navigation, &Navigation::cameraChanged, this, qOverload<>(&QWidget::update));
     connect(this, &QOpenGLWidget::frameSwapped, this, &Viewport::moveOn);
     connect(&session, &Session::projectileSettingsChanged, this, followRateOfFire);
     connect(&session, &Session::pictureChanged, this, qOverload<>(&QWidget::update));
@@ -91,14 +89,11 @@ void Viewport::report(const Error& error) {
 }
 
 void Viewport::resizeGL(int, int) {
+    m_navigation.setViewSize(size());
     if (!m_framed) {
         m_framed = true;
         frameAll();
     }
-}
-
-float Viewport::aspect() const {
-    return static_cast<float>(std::max(width(), 1)) / static_cast<float>(std::max(height(), 1));
 }
 
 SceneGpu::View Viewport::view() const {
@@ -106,7 +101,7 @@ SceneGpu::View Viewport::view() const {
     view.width = std::max(1, static_cast<int>(std::lround(width() * devicePixelRatioF())));
     view.height = std::max(1, static_cast<int>(std::lround(height() * devicePixelRatioF())));
     view.pixelRatio = static_cast<float>(devicePixelRatioF());
-    view.camera = m_camera;
+    view.camera = camera();
     view.options = m_options;
     view.options.crosshair = m_options.crosshair || m_crosshairTimer.isActive();
     return view;
@@ -140,7 +135,7 @@ void Viewport::paintError() {
 }
 
 bool Viewport::wantsFrames() const {
-    return isVisible() && (m_continuous || m_flyKeys.any() || m_session.isMoving() ||
+    return isVisible() && (m_continuous || m_navigation.isMoving() || m_session.isMoving() ||
                            (m_scene && m_scene->isReadBackPending()));
 }
 
@@ -156,10 +151,7 @@ void Viewport::moveOn() {
     if (m_session.isMoving()) {
         m_session.advance(passed);
     }
-    if (m_flyKeys.any()) {
-        const float speed = m_camera.distance() * kFlySpeed * (m_flyFast ? kFastFactor : 1.0f);
-        m_camera.fly(m_flyKeys.direction() * (speed * static_cast<float>(passed)));
-    }
+    m_navigation.advance(passed);
     m_frameFollows = true;
     update();
 }
@@ -181,33 +173,21 @@ void Viewport::followScene() {
 }
 
 void Viewport::followSize() {
-    m_camera.setSceneRadius(std::max(m_session.sceneBounds().diagonal(), 1.0e-3f));
-}
-
-void Viewport::frameBounds(const Bounds& bounds) {
-    if (!bounds.empty()) {
-        m_camera.frame(bounds, aspect());
-        update();
-    }
+    m_navigation.setSceneRadius(std::max(m_session.sceneBounds().diagonal(), 1.0e-3f));
 }
 
 void Viewport::frameAll() {
-    frameBounds(m_session.sceneBounds());
+    m_navigation.frame(m_session.sceneBounds());
 }
 
 void Viewport::frameSelection() {
     const Target* target = m_session.target(m_session.selectedTarget());
-    frameBounds(target != nullptr ? target->worldBounds() : m_session.sceneBounds());
-}
-
-void Viewport::flyStep(const glm::vec3& step) {
-    m_camera.fly(step * (kStride * m_camera.distance()));
-    update();
+    m_navigation.frame(target != nullptr ? target->worldBounds() : m_session.sceneBounds());
 }
 
 void Viewport::shootAtCrosshair() {
     m_crosshairTimer.start();
-    shootAlong(m_camera.rayThrough({0.0f, 0.0f}, aspect()));
+    shootAlong(camera().rayThrough({0.0f, 0.0f}, m_navigation.aspect()));
     update();
 }
 

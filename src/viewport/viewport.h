@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "session/scene_gpu.h"
-#include "viewport/fly_keys.h"
+#include "viewport/navigation.h"
 
 namespace hitscope {
 
@@ -18,10 +18,10 @@ namespace hitscope {
 /// Draws only when something changed; while projectiles fly, keys are held or continuous drawing is on, each
 /// frame moves the session on by the time the last one took and asks for the next.
 ///
-/// Left-drag orbits, right- or Shift+left-drag (or middle-drag) pans, the wheel zooms. A short stationary
-/// left click shoots; a second click on the same spot within kDoubleClickGrace recentres instead, and for
-/// that the shot waits so long: navigating never dents a mesh. W A S D E Q fly (Shift: faster), Space shoots
-/// at the crosshair, repeatedly while held, Escape ends the selection.
+/// Drags, the wheel and the keys W A S D E Q move the camera (Navigation). A short stationary left click
+/// shoots; a second click on the same spot within kDoubleClickGrace recentres instead, and for that the shot
+/// waits so long: navigating never dents a mesh. Space shoots at the crosshair, repeatedly while held, Escape
+/// ends the selection.
 class Viewport : public QOpenGLWidget {
     Q_OBJECT
 public:
@@ -35,10 +35,10 @@ public:
     /// A frame after the other even if nothing moves: for measuring.
     void setDrawsContinuously(bool on);
 
-    [[nodiscard]] const Camera& camera() const { return m_camera; }
+    [[nodiscard]] Navigation& navigation() { return m_navigation; }
+    [[nodiscard]] const Camera& camera() const { return m_navigation.camera(); }
     void frameAll();
-    void frameSelection();                ///< the selected target; all if none is
-    void flyStep(const glm::vec3& step);  ///< right, up, forward; 1 is a fair stride
+    void frameSelection();  ///< the selected target; all if none is
     void shootAtCrosshair();
 
     /// Brings the GPU and the read-back to the session's state now: before an export. Fails when there is no
@@ -71,8 +71,6 @@ protected:
     void focusOutEvent(QFocusEvent* event) override;
 
 private:
-    enum class Drag : std::uint8_t { None, Undecided, Orbit, Pan };
-
     void releaseGpu();
     void report(const Error& error);
     void paintError();
@@ -80,16 +78,11 @@ private:
     void followSize();
     [[nodiscard]] bool wantsFrames() const;
     void moveOn();  ///< after a frame: advances what moves by the time since the last
-    [[nodiscard]] float aspect() const;
     [[nodiscard]] SceneGpu::View view() const;
-    [[nodiscard]] Ray rayAt(const QPointF& position) const;  ///< logical pixels
     /// What the ray meets first: for aiming and recentring.
     [[nodiscard]] std::optional<PhysicsWorld::RayHit> aimedAt(const Ray& ray) const;
     /// Shoots so that the projectile lands where the ray does.
     void shootAlong(const Ray& ray);
-    void frameBounds(const Bounds& bounds);
-    void beginDrag(QMouseEvent* event);
-    void drag(const QPointF& delta);
     void click(const QPointF& position);
     void fireHeldShot();
     void recentre(const QPointF& position);
@@ -101,7 +94,7 @@ private:
     std::string m_error;  ///< the reason there is no picture; empty: there is one
 
     DisplayOptions m_options;
-    Camera m_camera;
+    Navigation m_navigation;
     bool m_framed = false;  ///< the scene has been framed at a real size
 
     bool m_continuous = false;
@@ -109,17 +102,12 @@ private:
     QElapsedTimer m_sinceFrame;   ///< since the last frame ended
     bool m_frameFollows = false;  ///< the frame to come was asked for right after the last
 
-    Drag m_drag = Drag::None;
-    QPointF m_pressedAt;
-    QPointF m_draggedTo;
     quint64 m_pressTime = 0;  ///< milliseconds, of the event
     bool m_clickCounts = false;
     std::optional<Ray> m_heldShot;
     QTimer m_holdTimer;
     QTimer m_repeatTimer;
     QTimer m_crosshairTimer;  ///< runs while the crosshair shows because Space was used
-    FlyKeys m_flyKeys;
-    bool m_flyFast = false;
 };
 
 }  // namespace hitscope

@@ -187,7 +187,7 @@ void ViewportTest::flyKeysMoveWhileHeld() {
 void ViewportTest::framing() {
     Viewport& viewport = m_window->viewport();
     const Camera before = viewport.camera();
-    viewport.flyStep({3.0f, 1.0f, 2.0f});
+    viewport.navigation().flyStep({3.0f, 1.0f, 2.0f});
     QVERIFY(!near(viewport.camera().pivot(), before.pivot(), 0.1f));
     QTest::keyClick(m_window.get(), Qt::Key_F);
     QVERIFY(near(viewport.camera().pivot(), before.pivot()));
