@@ -33,6 +33,14 @@ double distance(const glm::vec3& from, const glm::vec3& to) {
     return glm::length(glm::dvec3(to) - glm::dvec3(from));
 }
 
+Box boxOf(std::span<const glm::vec3> positions, const glm::dmat3& rotation, const glm::dvec3& shift) {
+    Box box;
+    for (const glm::vec3& position : positions) {
+        box.add(rotation * glm::dvec3(position) + shift);
+    }
+    return box;
+}
+
 }  // namespace
 
 float stretchOf(std::span<const std::uint32_t> face, std::span<const glm::vec3> originals,
@@ -143,8 +151,8 @@ SurfaceMeasurer::FaceBlock SurfaceMeasurer::measureFaces(std::size_t block) cons
     return sums;
 }
 
-Range SurfaceMeasurer::measureEdges(std::size_t block) const {
-    Range lengths;
+Spread SurfaceMeasurer::measureEdges(std::size_t block) const {
+    Spread lengths;
     const std::span<const SurfaceTopology::Edge> edges = m_topology->edges();
     for (std::size_t e = block * kBlock; e < std::min((block + 1) * kBlock, edges.size()); ++e) {
         lengths.add(distance(m_positions[edges[e].low], m_positions[edges[e].high]));
@@ -165,7 +173,7 @@ SurfaceMeasures SurfaceMeasurer::measures() const {
     for (const Box& box : m_boxes) {
         sums.box.add(box);
     }
-    for (const Range& lengths : m_edges) {
+    for (const Spread& lengths : m_edges) {
         sums.edgeLength.add(lengths);
     }
     for (const FaceBlock& block : m_faces) {
@@ -243,11 +251,11 @@ void SurfaceMeasurer::listHarms(std::size_t block, float stretchLimit, std::size
 }
 
 Box SurfaceMeasurer::boxThrough(const glm::dmat3& rotation, const glm::dvec3& shift) const {
-    Box box;
-    for (const glm::vec3& position : m_positions) {
-        box.add(rotation * glm::dvec3(position) + shift);
-    }
-    return box;
+    return boxOf(m_positions, rotation, shift);
+}
+
+Box SurfaceMeasurer::originalBoxThrough(const glm::dmat3& rotation, const glm::dvec3& shift) const {
+    return boxOf(m_mesh->positions, rotation, shift);
 }
 
 }  // namespace hitscope

@@ -57,6 +57,7 @@ public:
     [[nodiscard]] std::vector<FaceHarm> harms(float stretchLimit, std::size_t most, std::size_t& found) const;
     /// Box of the vertices seen through a rigid transform: rotation (row by row orthonormal), then shift.
     [[nodiscard]] Box boxThrough(const glm::dmat3& rotation, const glm::dvec3& shift) const;
+    [[nodiscard]] Box originalBoxThrough(const glm::dmat3& rotation, const glm::dvec3& shift) const;
 
     [[nodiscard]] const MeshData& mesh() const { return *m_mesh; }
     [[nodiscard]] const SurfaceTopology& topology() const { return *m_topology; }
@@ -65,8 +66,8 @@ public:
 
 private:
     struct FaceBlock {
-        Range area;
-        Range aspect;
+        Spread area;
+        Spread aspect;
         double volume = 0.0;
         glm::dvec3 moment{0.0};
         std::uint32_t degenerate = 0;
@@ -75,7 +76,7 @@ private:
         float stretch = 1.0f;  ///< the greatest
     };
     [[nodiscard]] FaceBlock measureFaces(std::size_t block) const;
-    [[nodiscard]] Range measureEdges(std::size_t block) const;
+    [[nodiscard]] Spread measureEdges(std::size_t block) const;
     [[nodiscard]] Box measureBox(std::size_t block) const;
     void listHarms(std::size_t block, float stretchLimit, std::size_t most, std::vector<FaceHarm>& harms,
                    std::size_t& found) const;
@@ -87,7 +88,7 @@ private:
     std::vector<std::uint32_t> m_listed;  ///< file vertices that were ever moved
     std::vector<bool> m_isListed;
     std::vector<FaceBlock> m_faces;
-    std::vector<Range> m_edges;
+    std::vector<Spread> m_edges;
     std::vector<Box> m_boxes;
     std::vector<std::uint32_t> m_dirtyFaces;  ///< blocks, of the move() that runs
     std::vector<std::uint32_t> m_dirtyEdges;

@@ -7,14 +7,14 @@
 
 namespace hitscope {
 
-void Range::add(double value) {
+void Spread::add(double value) {
     least = std::min(least, value);
     greatest = std::max(greatest, value);
     sum += value;
     ++count;
 }
 
-void Range::add(const Range& other) {
+void Spread::add(const Spread& other) {
     least = std::min(least, other.least);
     greatest = std::max(greatest, other.greatest);
     sum += other.sum;
@@ -96,19 +96,17 @@ Displacements::Summary summarise(std::span<const Displacements* const> lists) {
     return summary;
 }
 
-std::vector<std::size_t> histogram(std::span<const Displacements* const> lists, double most,
-                                   std::size_t bins) {
-    std::vector<std::size_t> counts(bins, 0);
+Histogram histogramOf(std::span<const Displacements* const> lists, double most, std::size_t bins) {
     if (!(most > 0.0)) {
-        return counts;
+        return {};
     }
+    Histogram histogram(0.0, most, bins);
     for (const Displacements* list : lists) {
         for (const float length : list->lengths) {
-            const double place = double{length} / most * static_cast<double>(bins);
-            ++counts[std::min(static_cast<std::size_t>(place), bins - 1)];
+            histogram.add(double{length});
         }
     }
-    return counts;
+    return histogram;
 }
 
 }  // namespace hitscope

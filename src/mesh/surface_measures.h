@@ -8,19 +8,21 @@
 #include <utility>
 #include <vector>
 
+#include "core/histogram.h"
+
 namespace hitscope {
 
 /// Least, greatest and sum of some numbers.
-struct Range {
+struct Spread {
     double least = std::numeric_limits<double>::infinity();
     double greatest = -std::numeric_limits<double>::infinity();
     double sum = 0.0;
     std::size_t count = 0;
 
     void add(double value);
-    void add(const Range& other);
+    void add(const Spread& other);
     [[nodiscard]] double mean() const { return count == 0 ? 0.0 : sum / static_cast<double>(count); }
-    bool operator==(const Range&) const = default;
+    bool operator==(const Spread&) const = default;
 };
 
 /// Axis-aligned box in double; empty until something is added.
@@ -37,10 +39,10 @@ struct Box {
 
 /// What a surface measures with its vertices where they are. All sums are in double.
 struct SurfaceMeasures {
-    Box box;           ///< metres, of all vertices
-    Range edgeLength;  ///< metres
-    Range faceArea;    ///< square metres; the sum is the surface's area
-    Range aspect;      ///< of the faces that are not degenerate; see FaceMeasure
+    Box box;            ///< metres, of all vertices
+    Spread edgeLength;  ///< metres
+    Spread faceArea;    ///< square metres; the sum is the surface's area
+    Spread aspect;      ///< of the faces that are not degenerate; see FaceMeasure
     std::size_t degenerateFaces = 0;
     std::size_t flippedFaces = 0;  ///< look the other way than they did in the original
     double signedVolume = 0.0;     ///< cubic metres; < 0 where the faces look inwards
@@ -59,7 +61,7 @@ struct Displacements {
     std::vector<std::uint32_t> vertices;  ///< file vertex of each
 
     struct Summary {
-        Range length;                    ///< metres
+        Spread length;                   ///< metres
         double median = 0.0;             ///< metres
         double rootMeanSquare = 0.0;     ///< metres
         double standardDeviation = 0.0;  ///< metres, of the changed vertices as the whole population
@@ -72,8 +74,8 @@ struct Displacements {
 /// Of all these lists together.
 [[nodiscard]] Displacements::Summary summarise(std::span<const Displacements* const> lists);
 
-/// How many lengths fall into each of `bins` equal parts of [0, most]; the last includes `most`.
-[[nodiscard]] std::vector<std::size_t> histogram(std::span<const Displacements* const> lists, double most,
-                                                 std::size_t bins);
+/// Of the lengths of all these lists, in equal parts of [0, most]; empty for most = 0.
+[[nodiscard]] Histogram histogramOf(std::span<const Displacements* const> lists, double most,
+                                    std::size_t bins);
 
 }  // namespace hitscope

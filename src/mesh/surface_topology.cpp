@@ -37,6 +37,35 @@ bool repeats(std::vector<std::uint32_t> places) {
 
 }  // namespace
 
+void SurfaceStatistics::add(const SurfaceStatistics& other) {
+    const bool isWatertight =
+        (faces == 0 || watertight) && (other.faces == 0 || other.watertight) && faces + other.faces > 0;
+    const bool hasGenus = (components == 0 || genus) && (other.components == 0 || other.genus);
+    if (hasGenus && components + other.components > 0) {
+        genus = genus.value_or(0) + other.genus.value_or(0);
+    } else {
+        genus.reset();
+    }
+    watertight = isWatertight;
+    orientable = orientable && other.orientable;
+    vertices += other.vertices;
+    unreferencedVertices += other.unreferencedVertices;
+    places += other.places;
+    edges += other.edges;
+    faces += other.faces;
+    triangles += other.triangles;
+    quads += other.quads;
+    largerPolygons += other.largerPolygons;
+    collapsedFaces += other.collapsedFaces;
+    boundaryEdges += other.boundaryEdges;
+    holes += other.holes;
+    components += other.components;
+    nonManifoldEdges += other.nonManifoldEdges;
+    nonManifoldVertices += other.nonManifoldVertices;
+    opposedEdges += other.opposedEdges;
+    eulerCharacteristic += other.eulerCharacteristic;
+}
+
 std::vector<std::uint32_t> weldedVertices(const MeshData& mesh) {
     const std::vector<bool> used = usedVertices(mesh);
     std::vector<std::uint32_t> standsFor(mesh.vertexCount());

@@ -39,6 +39,8 @@ struct SurfaceStatistics {
     bool watertight = false;            ///< manifold, without boundary, with at least one face
     bool operator==(const SurfaceStatistics&) const = default;
 
+    /// Counts in another surface, apart from this one.
+    void add(const SurfaceStatistics& other);
     [[nodiscard]] bool isManifold() const { return nonManifoldEdges == 0 && nonManifoldVertices == 0; }
     /// Encloses a volume whose sign is the same everywhere.
     [[nodiscard]] bool isSolid() const { return watertight && opposedEdges == 0; }

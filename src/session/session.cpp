@@ -5,11 +5,15 @@
 #include <cmath>
 #include <utility>
 
+#include "session/task_list.h"
 #include "session/vertex_selection.h"
 
 namespace hitscope {
 
-Session::Session(QObject* parent) : QObject(parent), m_selection(std::make_unique<VertexSelection>(*this)) {}
+Session::Session(QObject* parent)
+    : QObject(parent),
+      m_selection(std::make_unique<VertexSelection>(*this)),
+      m_tasks(std::make_unique<TaskList>()) {}
 
 Session::~Session() = default;
 

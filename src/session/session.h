@@ -26,6 +26,7 @@
 
 namespace hitscope {
 
+class TaskList;
 class VertexSelection;
 
 /// Everything a person works on: targets, hit history, constants, lights, projectiles. Makes no GL call;
@@ -100,6 +101,9 @@ public:
     [[nodiscard]] VertexSelection& selection() { return *m_selection; }
     [[nodiscard]] const VertexSelection& selection() const { return *m_selection; }
 
+    /// What takes a while at the moment.
+    [[nodiscard]] TaskList& tasks() const { return *m_tasks; }
+
     // Settings
     [[nodiscard]] const DeformationConstants& constants() const { return m_constants; }
     /// Constants of the hits to come and, if `past`, of all made so far. Refused when out of range.
@@ -171,7 +175,10 @@ Q_SIGNALS:
     void hitsChanged(int first, int last);
     void hitsRearranged(const hitscope::HitRows& rows);  ///< removed, put back, moved
     void historyReset();                                 ///< after either of these, and with a new scene
-    void meshChanged(hitscope::TargetId target);         ///< its DeformedMesh did
+    /// These file vertices (in any order, some perhaps repeated) are no longer where its DeformedMesh had
+    /// them; meshChanged() follows.
+    void verticesMoved(hitscope::TargetId target, const std::vector<std::uint32_t>& fileVertices);
+    void meshChanged(hitscope::TargetId target);  ///< its DeformedMesh did
     void constantsChanged();
     void lightsChanged();
     void projectileSettingsChanged();
@@ -238,6 +245,7 @@ private:
     std::map<TargetId, std::vector<std::uint32_t>>
         m_moved;  ///< file vertices, since the last finishReadBack()
     std::unique_ptr<VertexSelection> m_selection;
+    std::unique_ptr<TaskList> m_tasks;
 };
 
 }  // namespace hitscope

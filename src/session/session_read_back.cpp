@@ -127,8 +127,9 @@ std::vector<Session::ChangedNormals> Session::finishReadBack() {
         target->trueNormals.update(target->deformed.positions(), *moved, updated);
         sort(updated);
     });
-    m_moved.clear();
+    const std::map<TargetId, std::vector<std::uint32_t>> movedVertices = std::exchange(m_moved, {});
     for (const ChangedNormals& change : changes) {
+        Q_EMIT verticesMoved(change.target, movedVertices.at(change.target));
         Q_EMIT meshChanged(change.target);
     }
     return changes;

@@ -232,7 +232,7 @@ private Q_SLOTS:
         QCOMPARE(s.standardDeviation, std::sqrt((4.0 + 1.0 + 1.0 + 4.0) / 4.0));
         const auto within = list.within(2.0, 4.0);
         QVERIFY(std::equal(within.begin(), within.end(), std::begin({1u, 2u})));
-        QCOMPARE(histogram(lists, 5.0, 5), (std::vector<std::size_t>{0, 1, 1, 0, 2}));
+        QCOMPARE(histogramOf(lists, 5.0, 5).counts, (std::vector<std::uint32_t>{0, 1, 1, 0, 2}));
         const Displacements* twice[] = {&list, &list};
         QCOMPARE(summarise(twice).median, 3.0);
         QCOMPARE(summarise({}).length.count, std::size_t{0});
