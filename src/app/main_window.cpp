@@ -110,9 +110,13 @@ void MainWindow::makeDocks() {
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     m_frameRate = new FrameRatePanel(*m_continuous);
-    QDockWidget* statistics =
-        addDock(QStringLiteral("meshStatistics"), tr("Mesh statistics"),
-                new MeshStatisticsPanel(m_session, m_meshStatistics), Qt::RightDockWidgetArea);
+    auto* statisticsPanel = new MeshStatisticsPanel(m_session, m_meshStatistics);
+    connect(statisticsPanel, &MeshStatisticsPanel::lookWanted, this, [this](const Bounds& bounds) {
+        m_viewport->navigation().frame(bounds);
+        m_viewport->update();
+    });
+    QDockWidget* statistics = addDock(QStringLiteral("meshStatistics"), tr("Mesh statistics"),
+                                      statisticsPanel, Qt::RightDockWidgetArea);
     QDockWidget* scene = makeSceneDock();
     QDockWidget* history = addDock(QStringLiteral("hitHistory"), tr("Hit history"),
                                    new HitHistoryPanel(m_session, m_hitHistory), Qt::BottomDockWidgetArea);

@@ -45,6 +45,8 @@ public:
     /// File vertices, each once, among them all changed ones; in no order.
     [[nodiscard]] std::span<const std::uint32_t> everChanged() const { return m_changed; }
     [[nodiscard]] glm::vec3 displacement(std::uint32_t fileVertex) const;
+    /// Every changed vertex, each once and in no order, and perhaps some that are back at their original.
+    [[nodiscard]] std::span<const std::uint32_t> onceChanged() const { return m_changed; }
     /// Of all changed vertices; costs time in proportion to the vertices changed so far.
     [[nodiscard]] DisplacementStatistics statistics() const;
     /// Grows with every write() and reset().

@@ -11,6 +11,9 @@
 
 namespace hitscope {
 
+/// Of Hit::pipeline: not known.
+inline constexpr std::uint8_t kUnknownPipeline = 0xff;
+
 /// One deformation of one target: where, which way, with which constants. Lives in the target's local frame,
 /// so that it goes where the target goes.
 struct Hit {
@@ -26,6 +29,8 @@ struct Hit {
                              ///< zero: not known
     std::uint32_t triangle = kNoIndex;  ///< that it struck, of the render mesh; kNoIndex: not known, or an
                                         ///< undented primitive, which is struck as what it is
+    std::uint8_t pipeline = kUnknownPipeline;  ///< that was active when it was made, as a number that who
+                                               ///< makes hits gives a meaning; nothing here depends on it
 
     bool operator==(const Hit&) const = default;
 };

@@ -12,14 +12,14 @@ std::ptrdiff_t offset(std::size_t index) {
     return static_cast<std::ptrdiff_t>(index);
 }
 
-TargetEdit& editOf(std::vector<TargetEdit>& edits, TargetId target) {
+TargetHitsEdit& editOf(std::vector<TargetHitsEdit>& edits, TargetId target) {
     const auto known = std::find_if(edits.begin(), edits.end(),
-                                    [target](const TargetEdit& edit) { return edit.target == target; });
-    return known != edits.end() ? *known : edits.emplace_back(TargetEdit{target, 0, {}, {}});
+                                    [target](const TargetHitsEdit& edit) { return edit.target == target; });
+    return known != edits.end() ? *known : edits.emplace_back(TargetHitsEdit{target, 0, {}, {}});
 }
 
 /// Leaves out what is the same on both sides.
-void trim(TargetEdit& edit) {
+void trim(TargetHitsEdit& edit) {
     const auto [before, after] =
         std::mismatch(edit.before.begin(), edit.before.end(), edit.after.begin(), edit.after.end());
     edit.first += static_cast<std::size_t>(before - edit.before.begin());
@@ -42,8 +42,8 @@ std::size_t HitsByTarget::enabledBefore(std::size_t index, TargetId target) cons
                       [target](const Place& place) { return place.enabled && place.target == target; }));
 }
 
-std::vector<TargetEdit> HitsByTarget::apply(const HistoryEdit& edit) {
-    std::vector<TargetEdit> edits;
+std::vector<TargetHitsEdit> HitsByTarget::apply(const HistoryEdit& edit) {
+    std::vector<TargetHitsEdit> edits;
     for (const Hit& hit : edit.before) {
         if (hit.enabled) {
             editOf(edits, hit.target).before.push_back(hit);
@@ -54,7 +54,7 @@ std::vector<TargetEdit> HitsByTarget::apply(const HistoryEdit& edit) {
             editOf(edits, hit.target).after.push_back(hit);
         }
     }
-    for (TargetEdit& change : edits) {
+    for (TargetHitsEdit& change : edits) {
         change.first = enabledBefore(edit.first, change.target);
         trim(change);
         std::vector<Hit>& hits = m_hits[change.target];
@@ -63,7 +63,7 @@ std::vector<TargetEdit> HitsByTarget::apply(const HistoryEdit& edit) {
         hits.insert(at, change.after.begin(), change.after.end());
     }
     std::erase_if(edits,
-                  [](const TargetEdit& change) { return change.before.empty() && change.after.empty(); });
+                  [](const TargetHitsEdit& change) { return change.before.empty() && change.after.empty(); });
 
     std::vector<Place> places;
     places.reserve(edit.after.size());

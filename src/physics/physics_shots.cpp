@@ -17,6 +17,8 @@ namespace {
 
 constexpr float kWholeWorld = 2.0f * kFarthest;  // metres: longer than any line between two usable points
 
+constexpr float kNearFactor = 1.1f;  // of the radius
+
 bool isDirection(const glm::vec3& v) {
     const float length = glm::length(v);
     return length > 0.0f && std::isfinite(length);
@@ -94,6 +96,32 @@ std::vector<ProjectileState> PhysicsWorld::projectiles() const {
 
 std::size_t PhysicsWorld::projectileCount() const {
     return d->flights.size();
+}
+
+bool PhysicsWorld::isApproached(TargetId target, float reach) const {
+    const auto found = d->targets.find(target);
+    if (found == d->targets.end()) {
+        return false;
+    }
+    btVector3 least;
+    btVector3 most;
+    found->second.body->getAabb(least, most);
+    const auto step = static_cast<btScalar>(d->stepSeconds);
+    const auto comesNear = [&](const Flight& flight) {
+        const btVector3 from = flight.body->getWorldTransform().getOrigin();
+        const btVector3 to =
+            from + (flight.body->getLinearVelocity() + btVector3(0, -kGravity, 0) * step) * step;
+        const btScalar around = flight.settings.radius * kNearFactor + reach;
+        const btVector3 grown(around, around, around);
+        btVector3 low = from;
+        low.setMin(to);
+        btVector3 high = from;
+        high.setMax(to);
+        return TestAabbAgainstAabb2(low - grown, high + grown, least, most);
+    };
+    return std::any_of(d->flights.begin(), d->flights.end(), [&](const auto& entry) {
+        return entry.second.lastStruck != target && comesNear(entry.second);
+    });
 }
 
 std::optional<SurfacePoint> PhysicsWorld::Private::surfacePoint(TargetId target, const glm::vec3& from,

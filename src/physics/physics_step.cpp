@@ -122,6 +122,7 @@ void PhysicsWorld::Private::approach(Flight& flight) {
 
 void PhysicsWorld::Private::strike(ProjectileId id, Flight& flight, TargetId target, const Touch& touch,
                                    std::vector<Impact>& impacts) {
+    flight.lastStruck = target;
     const float speed = glm::length(flight.velocity);
     const float inwards = -glm::dot(flight.velocity, touch.deepest.normal);
     const bool counts = flight.hasHit ? flight.settings.bouncesCount && inwards >= kLeastBounceSpeed

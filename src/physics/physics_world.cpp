@@ -62,6 +62,9 @@ void TargetBody::place() {
 
 PhysicsWorld::Private::Private() {
     world.setGravity(btVector3(0, -kGravity, 0));
+    // Contacts are solved in the order of the bodies, not of the tree that found them, whose shape remembers
+    // in which order boxes moved.
+    world.getDispatchInfo().m_deterministicOverlappingPairs = true;
 }
 
 PhysicsWorld::Private::~Private() {
@@ -255,10 +258,9 @@ void PhysicsWorld::removeFloor() {
 
 // Time
 
-std::vector<Impact> PhysicsWorld::advance(double seconds) {
-    std::vector<Impact> impacts;
+int PhysicsWorld::stepsDue(double seconds) {
     if (d->isPaused || !(seconds > 0.0) || !std::isfinite(seconds)) {
-        return impacts;
+        return 0;
     }
     d->waiting += seconds * d->timeScale;
     // A frame of exactly n steps must not lose one to rounding.
@@ -266,18 +268,31 @@ std::vector<Impact> PhysicsWorld::advance(double seconds) {
     const double most = std::round(kLongestFrame / d->stepSeconds);
     const int count = static_cast<int>(std::min(due, most));
     d->waiting = due > most ? 0.0 : std::max(0.0, d->waiting - count * d->stepSeconds);
-    for (int i = 0; i < count; ++i) {
+    return count;
+}
+
+std::vector<Impact> PhysicsWorld::takeStep() {
+    std::vector<Impact> impacts;
+    d->step(impacts);
+    return impacts;
+}
+
+std::vector<Impact> PhysicsWorld::advance(double seconds) {
+    std::vector<Impact> impacts;
+    for (int steps = stepsDue(seconds); steps > 0; --steps) {
         d->step(impacts);
     }
     return impacts;
 }
 
 std::vector<Impact> PhysicsWorld::stepOnce() {
-    std::vector<Impact> impacts;
-    d->step(impacts);
-    // What is drawn after a single step is that step.
-    d->waiting = std::nextafter(d->stepSeconds, 0.0);
+    std::vector<Impact> impacts = takeStep();
+    showLastStep();
     return impacts;
+}
+
+void PhysicsWorld::showLastStep() {
+    d->waiting = std::nextafter(d->stepSeconds, 0.0);
 }
 
 double PhysicsWorld::time() const {

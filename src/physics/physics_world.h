@@ -87,6 +87,9 @@ public:
     /// that struck just there. Nothing when no target is first on the line.
     [[nodiscard]] std::optional<Impact> hitscan(const glm::vec3& origin, const glm::vec3& direction,
                                                 const ProjectileSettings& settings);
+    /// Whether in the next step a projectile that has not struck this target as the last one it struck comes
+    /// within `reach` metres of its box (infinite: whether there is such a projectile).
+    [[nodiscard]] bool isApproached(TargetId target, float reach) const;
     void removeProjectiles();
     [[nodiscard]] std::vector<ProjectileState> projectiles() const;
     [[nodiscard]] std::size_t projectileCount() const;
@@ -96,8 +99,14 @@ public:
     /// most kLongestFrame a call, the rest of the time is dropped so that a slow frame cannot snowball).
     /// Returns the impacts in the order they happened. Paused: nothing happens.
     [[nodiscard]] std::vector<Impact> advance(double seconds);
+    /// The same in parts, for who has to see to things between steps: how many steps it is time for, each
+    /// then to be taken by takeStep().
+    [[nodiscard]] int stepsDue(double seconds);
+    [[nodiscard]] std::vector<Impact> takeStep();
     /// One step, paused or not.
     [[nodiscard]] std::vector<Impact> stepOnce();
+    /// What is drawn until time goes on is the last step, not a place before it.
+    void showLastStep();
     /// Seconds simulated so far.
     [[nodiscard]] double time() const;
     [[nodiscard]] double step() const;

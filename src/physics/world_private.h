@@ -41,6 +41,7 @@ struct Flight {
     std::unique_ptr<btRigidBody> body;
     double end = 0.0;                ///< simulated time when it disappears
     bool hasHit = false;             ///< it has made a hit
+    TargetId lastStruck;             ///< 0: none
     std::vector<TargetId> touching;  ///< after the last step; sorted
     glm::vec3 velocity{0.0f};        ///< just before any impact of this step, m/s
     glm::vec3 previous{0.0f};        ///< position before the last step

@@ -43,7 +43,7 @@ void KeptVerticesPipeline::startOver(std::span<const Hit> history) {
 }
 
 void KeptVerticesPipeline::follow(const HistoryEdit& edit) {
-    for (const TargetEdit& change : m_hits.apply(edit)) {
+    for (const TargetHitsEdit& change : m_hits.apply(edit)) {
         const auto target = m_targets.find(change.target);
         if (target != m_targets.end()) {
             this->change(target->second, change);
@@ -51,7 +51,7 @@ void KeptVerticesPipeline::follow(const HistoryEdit& edit) {
     }
 }
 
-void KeptVerticesPipeline::change(TargetState& target, const TargetEdit& edit) {
+void KeptVerticesPipeline::change(TargetState& target, const TargetHitsEdit& edit) {
     if (edit.before.empty() && edit.first + edit.after.size() == m_hits.of(target.id).size()) {
         append(target, edit.first, Arrival::Live);
     } else if (!goBack(target, edit)) {
@@ -99,7 +99,7 @@ std::vector<VertexRange> KeptVerticesPipeline::flush(TargetState& target, std::s
 }
 
 /// Takes the last hits back and applies what now comes after.
-bool KeptVerticesPipeline::goBack(TargetState& target, const TargetEdit& edit) {
+bool KeptVerticesPipeline::goBack(TargetState& target, const TargetHitsEdit& edit) {
     const std::optional<std::size_t> firstHit = m_undo.reachableBefore(target.id, edit.first);
     if (!firstHit || m_hits.of(target.id).size() - *firstHit > kMostRepeated) {
         return false;
@@ -114,7 +114,7 @@ bool KeptVerticesPipeline::goBack(TargetState& target, const TargetEdit& edit) {
 
 /// Vertices do not influence one another: only those in clusters that a hit taken out or put in may have
 /// reached can come out otherwise, and they are taken from their originals through all hits again.
-void KeptVerticesPipeline::redo(TargetState& target, const TargetEdit& edit) {
+void KeptVerticesPipeline::redo(TargetState& target, const TargetHitsEdit& edit) {
     m_undo.forget(target.id);
     ++target.epoch;
     std::vector<std::uint32_t> concerned;

@@ -59,10 +59,10 @@ private:
         std::vector<std::uint32_t> reached;
     };
     enum class Arrival { Live, Bulk };
-    void change(TargetState& target, const TargetEdit& edit);
+    void change(TargetState& target, const TargetHitsEdit& edit);
     void append(TargetState& target, std::size_t firstHit, Arrival arrival);
-    [[nodiscard]] bool goBack(TargetState& target, const TargetEdit& edit);
-    void redo(TargetState& target, const TargetEdit& edit);
+    [[nodiscard]] bool goBack(TargetState& target, const TargetHitsEdit& edit);
+    void redo(TargetState& target, const TargetHitsEdit& edit);
     std::vector<VertexRange> flush(TargetState& target, std::size_t firstHit, Arrival arrival);
     void tighten(TargetState& target, std::span<const VertexRange> ranges);
     void rewritten(TargetState& target, std::span<const VertexRange> ranges);

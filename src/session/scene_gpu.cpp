@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "render/pick_pass.h"
 #include "render/renderer.h"
 
 namespace hitscope {
@@ -84,6 +85,7 @@ struct SceneGpu::Private {
     void followTargets();
     void followCover();
     [[nodiscard]] const MaterialSet* materialsToDraw(const Target& target) const;
+    [[nodiscard]] std::vector<DrawItem> drawItems() const;
     Status followPipeline(bool& startOver);
     /// Returns whether the pipeline started over.
     bool followHistory(bool startOver);
@@ -162,6 +164,21 @@ const MaterialSet* SceneGpu::Private::materialsToDraw(const Target& target) cons
     return covered ? cover.get() : targets.at(target.id).materials.get();
 }
 
+/// The visible targets that are on the GPU.
+std::vector<DrawItem> SceneGpu::Private::drawItems() const {
+    std::vector<DrawItem> items;
+    items.reserve(session.targets().size());
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        const auto gpu = targets.find(target->id);
+        if (target->visible && gpu != targets.end()) {
+            items.push_back({target->id, gpu->second.buffers.get(), materialsToDraw(*target),
+                             modelMatrix(target->transform),
+                             target->id == session.selectedTarget() && session.targets().size() > 1});
+        }
+    }
+    return items;
+}
+
 Status SceneGpu::Private::followPipeline(bool& startOver) {
     startOver = !pipeline || pipeline->traits().kind != session.pipeline();
     if (!startOver) {
@@ -230,6 +247,9 @@ Status SceneGpu::Private::follow(Delivery delivery) {
         delivery = Delivery::All;
     }
     readBack(delivery);
+    if (!pipeline->isReadBackPending()) {
+        session.setUpToDate();
+    }
     return Done{};
 }
 
@@ -241,22 +261,27 @@ bool SceneGpu::isReadBackPending() const {
     return d->pipeline && d->pipeline->isReadBackPending();
 }
 
+Status SceneGpu::drawElements(const View& view, PickPass& pass, const PixelArea& area,
+                              PickElements elements) {
+    if (!d->pipeline) {
+        return Done{};
+    }
+    const std::vector<DrawItem> items = d->drawItems();
+    Frame frame;
+    frame.width = view.width;
+    frame.height = view.height;
+    frame.camera = view.camera;
+    frame.options = view.options;
+    frame.targets = items;
+    return pass.draw(frame, *d->pipeline, area, elements);
+}
+
 Status SceneGpu::draw(const View& view, unsigned framebuffer) {
     if (Status status = d->follow(Private::Delivery::WhatHasArrived); !status) {
         return status;
     }
     const Session& session = d->session;
-    std::vector<DrawItem> items;
-    items.reserve(session.targets().size());
-    for (const std::unique_ptr<Target>& target : session.targets()) {
-        if (!target->visible) {
-            continue;
-        }
-        const Private::GpuTarget& gpu = d->targets.at(target->id);
-        items.push_back({target->id, gpu.buffers.get(), d->materialsToDraw(*target),
-                         modelMatrix(target->transform),
-                         target->id == session.selectedTarget() && session.targets().size() > 1});
-    }
+    const std::vector<DrawItem> items = d->drawItems();
     std::vector<Sphere> projectiles;
     projectiles.reserve(session.physics().projectileCount());
     for (const ProjectileState& projectile : session.physics().projectiles()) {

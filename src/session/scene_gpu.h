@@ -6,9 +6,12 @@
 #include "core/result.h"
 #include "render/camera.h"
 #include "render/display_options.h"
+#include "render/picked.h"
 #include "session/session.h"
 
 namespace hitscope {
+
+class PickPass;
 
 /// A session on the GPU: buffers for its targets, the active pipeline, the renderer. Follows the session by
 /// the history's revision; nothing in it is truth, so it can be thrown away with its context and made again.
@@ -35,6 +38,10 @@ public:
     /// As sync(), but waits for nothing: what changed comes to the session with one of the next frames. Then
     /// one picture into the framebuffer object of that name (0: the default framebuffer).
     [[nodiscard]] Status draw(const View& view, unsigned framebuffer);
+    /// What draw() last drew, into `pass`: what lies under the pixels of `area` of that view. Nothing before
+    /// the first draw() or sync().
+    [[nodiscard]] Status drawElements(const View& view, PickPass& pass, const PixelArea& area,
+                                      PickElements elements);
     /// Whether the session is behind what was drawn: another draw() or sync() brings it on.
     [[nodiscard]] bool isReadBackPending() const;
 

@@ -67,6 +67,10 @@ void Session::setProjectileSettings(const ProjectileSettings& settings) {
 void Session::setPipeline(PipelineKind kind) {
     if (kind != m_pipeline) {
         m_pipeline = kind;
+        m_isBehind = true;
+        for (const std::unique_ptr<Target>& target : m_targets) {
+            m_colliders.expect(target->id, {});
+        }
         Q_EMIT pipelineChanged();
         Q_EMIT pictureChanged();
     }

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -19,6 +20,7 @@
 #include "pipeline/pipeline_kind.h"
 #include "render/camera.h"
 #include "render/lights.h"
+#include "session/collider_follower.h"
 #include "session/hit_rows.h"
 #include "session/scene_presets.h"
 #include "session/session_undo.h"
@@ -128,7 +130,7 @@ public:
     /// Steps the physics; contacts become hits, dynamic targets move.
     void advance(double seconds);
     void stepOnce();  ///< one physics step, paused or not
-    bool isPaused() const { return m_physics.isPaused(); }
+    [[nodiscard]] bool isPaused() const { return m_physics.isPaused(); }
     void setPaused(bool paused);
     /// 1: as real time goes; clamped to timeScaleParameter().
     void setTimeScale(double scale);
@@ -156,6 +158,12 @@ public:
     /// The read-back is complete: recomputes true normals around what moved and emits meshChanged() for each
     /// target concerned. Returns the render vertices whose shading normal changed.
     std::vector<ChangedNormals> finishReadBack();
+    /// Nothing is on its way any more: the CPU copies are what the pipeline makes of the history as it is
+    /// now.
+    void setUpToDate() { m_isBehind = false; }
+    /// How to bring the CPU copies up to date at once, as SceneGpu::sync() does; called before a physics step
+    /// that needs to know. None: colliders take on what has been read back so far.
+    void setCatchUp(std::function<void()> catchUp) { m_catchUp = std::move(catchUp); }
     void setCapacity(CapacityReport report);
     [[nodiscard]] const CapacityReport& capacity() const { return m_capacity; }
     /// Hits that the active pipeline no longer applies because its capacity was reached.
@@ -175,15 +183,15 @@ Q_SIGNALS:
     void hitsChanged(int first, int last);
     void hitsRearranged(const hitscope::HitRows& rows);  ///< removed, put back, moved
     void historyReset();                                 ///< after either of these, and with a new scene
-    /// These file vertices (in any order, some perhaps repeated) are no longer where its DeformedMesh had
-    /// them; meshChanged() follows.
-    void verticesMoved(hitscope::TargetId target, const std::vector<std::uint32_t>& fileVertices);
-    void meshChanged(hitscope::TargetId target);  ///< its DeformedMesh did
+    void meshChanged(hitscope::TargetId target);         ///< its DeformedMesh did
+    /// Before that: which file vertices are now somewhere else, in no order; some may be repeated.
+    void verticesMoved(hitscope::TargetId target, const std::vector<std::uint32_t>& vertices);
     void constantsChanged();
     void lightsChanged();
     void projectileSettingsChanged();
     void pipelineChanged();
     void exactnessChanged();
+    void aboutToStep();  ///< before each physics step: what is shot now flies with it
     void timeChanged();  ///< paused or not, time scale, physics step
     void targetSelected(hitscope::TargetId target);
     void hitSelected();
@@ -199,6 +207,10 @@ private:
     void eraseTarget(std::size_t index);
     void letCollide(const Target& target);
     void takeImpacts(std::span<const Impact> impacts);
+    void step();
+    void catchUp();
+    void expectMoves(std::span<const HistoryEdit> edits);
+    [[nodiscard]] ColliderFollower::Vertices currentVertices() const;
     void followDynamicTargets();
     [[nodiscard]] std::optional<std::size_t> indexOf(TargetId id) const;
     [[nodiscard]] std::vector<std::size_t> indicesOf(std::span<const TargetId> ids) const;
@@ -238,6 +250,9 @@ private:
     PipelineKind m_pipeline = PipelineKind::TransformFeedback;
     std::optional<Exactness> m_exactness;
     PhysicsWorld m_physics;
+    ColliderFollower m_colliders{m_physics};
+    std::function<void()> m_catchUp;
+    bool m_isBehind = false;                    ///< the CPU copies, until setUpToDate()
     std::map<TargetId, QString> m_notHittable;  ///< why
     std::size_t m_disabledHits = 0;
     CapacityReport m_capacity;

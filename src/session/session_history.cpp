@@ -122,11 +122,10 @@ void Session::appendHits(std::span<const Hit> hits) {
     }
     const int first = static_cast<int>(m_history.size());
     Q_EMIT hitsAboutToBeAppended(first, first + static_cast<int>(hits.size()) - 1);
-    recordUndo({{m_history.append(hits)},
-                m_constants,
-                m_constants,
-                SessionUndo::Merge::Never,
-                {SessionUndo::Kind::Hit, hits.size()}});
+    const HistoryEdit edit = m_history.append(hits);
+    expectMoves({&edit, 1});
+    recordUndo(
+        {{edit}, m_constants, m_constants, SessionUndo::Merge::Never, {SessionUndo::Kind::Hit, hits.size()}});
     m_disabledHits += countDisabled(hits);
     Q_EMIT hitsAppended();
     selectTarget(hits.back().target);
@@ -149,6 +148,7 @@ std::vector<HistoryEdit> Session::spliceOut(std::span<const std::size_t> hits) {
 }
 
 void Session::announceEdits(std::span<const HistoryEdit> edits) {
+    expectMoves(edits);
     std::size_t first = m_history.size();
     std::size_t last = 0;
     std::size_t sizeBefore = m_history.size();

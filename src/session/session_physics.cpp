@@ -32,6 +32,10 @@ float powerOf(const DeformationConstants& constants, const ProjectileSettings& s
     return std::min(scaled, static_cast<float>(most));
 }
 
+bool keepsAllHits(PipelineKind kind) {
+    return kind != PipelineKind::UniformArray && kind != PipelineKind::UniformArrayCulled;
+}
+
 }  // namespace
 
 // Shots
@@ -42,6 +46,8 @@ void Session::shoot(const Ray& ray) {
 }
 
 bool Session::hitscan(const Ray& ray) {
+    catchUp();
+    m_colliders.updateAll(currentVertices());
     const auto impact = m_physics.hitscan(ray.origin, ray.direction, m_projectileSettings);
     const std::size_t before = m_history.size();
     if (impact) {
@@ -55,6 +61,7 @@ void Session::takeImpacts(std::span<const Impact> impacts) {
     for (const Impact& impact : impacts) {
         Hit hit = hitOf(impact, m_constants);
         hit.constants.power = powerOf(m_constants, m_projectileSettings, impact.impulse);
+        hit.pipeline = static_cast<std::uint8_t>(m_pipeline);
         if (Result<Hit> checked = checkedHit(hit); checked && target(impact.target) != nullptr) {
             hits.push_back(checked.value());
         }
@@ -62,11 +69,53 @@ void Session::takeImpacts(std::span<const Impact> impacts) {
     appendHits(hits);
 }
 
+// Colliders
+
+/// Vertices will move: of the targets whose hits these are, hits added at the end by no more than their caps.
+void Session::expectMoves(std::span<const HistoryEdit> edits) {
+    m_isBehind = true;
+    const bool dropsHits = !keepsAllHits(m_pipeline);
+    for (const HistoryEdit& edit : edits) {
+        const bool appends = edit.before.empty() && edit.first + edit.after.size() == m_history.size();
+        for (const Hit& hit : edit.before) {
+            m_colliders.expect(hit.target, {});
+        }
+        for (const Hit& hit : edit.after) {
+            m_colliders.expect(
+                hit.target, appends && !dropsHits ? std::optional(hit.constants.maxMagnitude) : std::nullopt);
+        }
+    }
+}
+
+void Session::catchUp() {
+    if (m_isBehind && m_catchUp) {
+        m_catchUp();
+    }
+}
+
+ColliderFollower::Vertices Session::currentVertices() const {
+    return [this](TargetId id) {
+        const Target* of = target(id);
+        return of != nullptr ? of->deformed.vertices() : std::span<const DynamicVertex>();
+    };
+}
+
 // Time
+
+void Session::step() {
+    Q_EMIT aboutToStep();
+    if (m_colliders.isDue()) {
+        catchUp();
+        m_colliders.updateDue(currentVertices());
+    }
+    takeImpacts(m_physics.takeStep());
+}
 
 void Session::advance(double seconds) {
     const bool wasMoving = isMoving();
-    takeImpacts(m_physics.advance(seconds));
+    for (int steps = m_physics.stepsDue(seconds); steps > 0; --steps) {
+        step();
+    }
     if (wasMoving) {
         followDynamicTargets();
         Q_EMIT pictureChanged();
@@ -74,7 +123,8 @@ void Session::advance(double seconds) {
 }
 
 void Session::stepOnce() {
-    takeImpacts(m_physics.stepOnce());
+    m_physics.showLastStep();
+    step();
     followDynamicTargets();
     Q_EMIT pictureChanged();
 }

@@ -83,7 +83,8 @@ void Session::restartReadBack() {
             }
         }
         mesh.reset();
-        m_physics.resetTarget(target->id);
+        m_colliders.note(target->id, {0, static_cast<std::uint32_t>(mesh.vertices().size())});
+        m_colliders.expect(target->id, {});
     }
 }
 
@@ -93,7 +94,7 @@ void Session::takeReadBack(TargetId id, std::uint32_t first, std::span<const Dyn
         return;
     }
     target->deformed.write(first, vertices, m_moved[id]);
-    m_physics.updateTarget(id, first, vertices);
+    m_colliders.note(id, {first, static_cast<std::uint32_t>(vertices.size())});
 }
 
 void Session::setExactness(const Exactness& exactness) {
@@ -127,9 +128,12 @@ std::vector<Session::ChangedNormals> Session::finishReadBack() {
         target->trueNormals.update(target->deformed.positions(), *moved, updated);
         sort(updated);
     });
-    const std::map<TargetId, std::vector<std::uint32_t>> movedVertices = std::exchange(m_moved, {});
+    const auto announced = std::exchange(m_moved, {});
+    if (!m_physics.isMoving()) {
+        m_colliders.updateAll(currentVertices());
+    }
     for (const ChangedNormals& change : changes) {
-        Q_EMIT verticesMoved(change.target, movedVertices.at(change.target));
+        Q_EMIT verticesMoved(change.target, announced.at(change.target));
         Q_EMIT meshChanged(change.target);
     }
     return changes;

@@ -87,6 +87,7 @@ void VertexSelection::change(std::map<TargetId, std::vector<std::uint32_t>> sele
     for (const auto& entry : m_selected) {
         m_count += entry.second.size();
     }
+    ++m_revision;
     Q_EMIT selectionChanged();
 }
 

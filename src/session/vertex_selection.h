@@ -45,6 +45,9 @@ public:
     [[nodiscard]] std::size_t count() const { return m_count; }  ///< on all targets
     [[nodiscard]] bool isSelected(const VertexRef& vertex) const;
 
+    /// Grows with every change of what is selected.
+    [[nodiscard]] std::uint64_t revision() const { return m_revision; }
+
     /// Replace: nothing else stays selected, on any target.
     enum class Combine : std::uint8_t { Replace, Add, Remove };
     /// In any order; repeated ones count once.
@@ -67,6 +70,7 @@ private:
     std::optional<VertexRef> m_picked;
     std::map<TargetId, std::vector<std::uint32_t>> m_selected;  ///< no empty ones
     std::size_t m_count = 0;
+    std::uint64_t m_revision = 0;
 };
 
 }  // namespace hitscope

@@ -61,6 +61,7 @@ void Viewport::initializeGL() {
     if (scene) {
         m_scene = std::move(scene).value();
         m_error.clear();
+        m_session.setCatchUp([this] { catchUp(); });
     } else {
         report(scene.error());
     }
@@ -72,6 +73,7 @@ void Viewport::releaseGpu() {
         disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseGpu);
     }
     if (m_scene) {
+        m_session.setCatchUp({});
         makeCurrent();
         m_scene.reset();
         doneCurrent();
@@ -189,6 +191,13 @@ void Viewport::shootAtCrosshair() {
     m_crosshairTimer.start();
     shootAlong(camera().rayThrough({0.0f, 0.0f}, m_navigation.aspect()));
     update();
+}
+
+/// Trouble comes up again with the next frame, and is reported then.
+void Viewport::catchUp() {
+    makeCurrent();
+    static_cast<void>(m_scene->sync());
+    doneCurrent();
 }
 
 Status Viewport::syncNow() {

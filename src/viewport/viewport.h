@@ -77,6 +77,7 @@ private:
     void followScene();
     void followSize();
     [[nodiscard]] bool wantsFrames() const;
+    void catchUp();
     void moveOn();  ///< after a frame: advances what moves by the time since the last
     [[nodiscard]] SceneGpu::View view() const;
     /// What the ray meets first: for aiming and recentring.

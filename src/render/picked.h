@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "core/ids.h"
+
+namespace hitscope {
+
+/// A rectangle of a picture's pixels. It may stick out of the picture; nothing shows there.
+struct PixelArea {
+    int x = 0;  ///< of its lower left pixel; (0, 0) is the picture's lower left one
+    int y = 0;
+    int width = 0;
+    int height = 0;
+};
+
+/// What pixels can tell.
+enum class PickElements : std::uint8_t {
+    Triangles,  ///< the surface seen there
+    Points      ///< the vertex that falls there, the nearest one to the eye, hidden by surfaces or not
+};
+
+/// What a pixel shows.
+struct PickedElement {
+    TargetId target;            ///< 0: none
+    std::uint32_t element = 0;  ///< triangle or render vertex of its RenderMesh
+
+    bool operator==(const PickedElement&) const = default;
+};
+
+}  // namespace hitscope

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "deform/history_effects.h"
+#include "session/session.h"
+
+namespace hitscope {
+
+/// What each hit of a session did, and how many hits moved each vertex, by the reference deformation, which
+/// all pipelines agree with. Of the whole history, also where a pipeline has dropped hits or only the first
+/// ones are shown.
+///
+/// Worked out on a thread of its own, at the cost of what the edits of the history reach; results come
+/// through the event loop, a moment after the edits. Memory: 30 bytes a vertex of the targets that have hits,
+/// and about 100 bytes a hit.
+class HitEffects : public QObject {
+    Q_OBJECT
+public:
+    /// `session` outlives this.
+    explicit HitEffects(Session& session, QObject* parent = nullptr);
+    ~HitEffects() override;
+
+    /// Of the hit in this row (< the history's size). Nothing: not known yet, or the hit is disabled.
+    [[nodiscard]] std::optional<HitEffect> effect(std::size_t row) const;
+    /// How many hits moved each vertex of a target, by file vertex; empty: none moved any, as far as known.
+    [[nodiscard]] std::span<const std::uint32_t> counts(TargetId target) const;
+    /// Everything is known, of the history as it is.
+    [[nodiscard]] bool isUpToDate() const { return m_followed == m_asked; }
+    /// Waits until it is; for tests and for files.
+    void finish();
+
+    /// Finds the vertices that a hit moved; a later request replaces one that has not been answered.
+    /// verticesFound() follows.
+    void findVertices(std::size_t row);
+
+Q_SIGNALS:
+    /// Of hits in the rows [first, last].
+    void effectsChanged(int first, int last);
+    void countsChanged(hitscope::TargetId target);
+    /// File vertices of `target`, ascending: those that the hit moved which findVertices() asked about. Not
+    /// emitted where the history has changed meanwhile.
+    void verticesFound(hitscope::TargetId target, const std::vector<std::uint32_t>& vertices);
+
+private:
+    struct Worker;
+    /// How an edit that the worker has been given moved the rows.
+    struct Shift {
+        std::uint64_t number = 0;
+        std::size_t first = 0;
+        std::size_t before = 0;
+        std::size_t after = 0;
+    };
+    void startOver();
+    void follow();
+    void submit(std::vector<HistoryEdit> edits, const HistoryEffects::Shapes& shapes);
+    void followShape(TargetId target);
+    void take();
+    void takeRows(std::vector<HistoryEffects::Changes::Row>& rows);
+    void takeCounts(const HistoryEffects::Changes::Counts& counts);
+
+    Session& m_session;
+    std::shared_ptr<Worker> m_worker;
+    std::uint64_t m_revision = 0;  ///< of the history, up to which the worker has been given the edits
+    std::uint64_t m_asked = 0;     ///< number of the last task given
+    std::uint64_t m_followed = 0;  ///< and of the last whose results are here
+    std::deque<Shift> m_shifts;    ///< of the tasks between
+    std::vector<std::optional<HitEffect>> m_effects;  ///< one a hit
+    std::map<TargetId, std::vector<std::uint32_t>> m_counts;
+};
+
+}  // namespace hitscope

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The same shots at the same steps make the same hits, however frames fall between the steps: colliders
+// follow dents that come back from the GPU whenever frames let them.
+#include <QtTest>
+#include <random>
+
+#include "deform/hit_history.h"
+#include "gl/context.h"
+#include "gl/render_target.h"
+#include "session/scene_gpu.h"
+
+using namespace hitscope;
+
+namespace {
+
+constexpr int kShots = 500;
+constexpr int kStepsBetween = 3;  // 80 shots a second: fresher dents than read-backs are
+constexpr int kLanding = 120;     // steps
+
+/// How many steps the next frame takes.
+using FrameLength = std::function<int(std::mt19937&)>;
+
+class Run {
+public:
+    Run() : m_target(32, 24, 1) {
+        m_session.loadTeapot();
+        ProjectileSettings settings = m_session.projectileSettings();
+        settings.lifetime = 0.5f;
+        settings.bouncesCount = true;
+        m_session.setProjectileSettings(settings);
+        auto gpu = SceneGpu::create(m_session);
+        if (gpu) {
+            m_gpu = std::move(gpu).value();
+            m_session.setCatchUp([this] { m_failed = m_failed || !m_gpu->sync(); });
+        }
+        m_view.width = 32;
+        m_view.height = 24;
+        m_view.options.floor = false;
+    }
+
+    void shootAll(const FrameLength& frame, std::uint32_t seed) {
+        std::mt19937 frames(seed);
+        std::mt19937 random(7);
+        int shots = 0;
+        int stepsInFrame = 0;
+        for (int step = 0; step < kShots * kStepsBetween + kLanding; ++step) {
+            if (shots < kShots && step % kStepsBetween == 0) {
+                m_session.shoot(aim(random));
+                ++shots;
+            }
+            m_session.stepOnce();
+            if (--stepsInFrame <= 0) {
+                stepsInFrame = frame(frames);
+                m_failed = m_failed || !m_gpu->draw(m_view, m_target.framebuffer());
+            }
+        }
+        m_failed = m_failed || !m_gpu->sync();
+    }
+
+    [[nodiscard]] bool failed() const { return m_failed || !m_gpu; }
+    [[nodiscard]] std::vector<Hit> hits() const {
+        const std::span<const Hit> hits = m_session.history().hits();
+        return {hits.begin(), hits.end()};
+    }
+
+private:
+    [[nodiscard]] Ray aim(std::mt19937& random) const {
+        const Bounds bounds = m_session.sceneBounds();
+        const glm::vec3 centre = 0.5f * (bounds.min + bounds.max);
+        std::uniform_real_distribution<float> off(-0.25f, 0.25f);
+        Ray ray;
+        ray.origin = centre + glm::vec3(0.3f, 0.4f, 1.5f) * bounds.diagonal();
+        ray.direction = glm::normalize(
+            centre + glm::vec3(off(random), off(random), off(random)) * bounds.diagonal() - ray.origin);
+        return ray;
+    }
+
+    Session m_session;
+    gl::RenderTarget m_target;
+    std::unique_ptr<SceneGpu> m_gpu;
+    SceneGpu::View m_view;
+    bool m_failed = false;
+};
+
+}  // namespace
+
+class DeterminismTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() {
+        Result<std::unique_ptr<gl::OffscreenContext>> made = gl::OffscreenContext::create();
+        QVERIFY2(made.ok(), made.ok() ? "" : made.error().message().c_str());
+        m_context = std::move(made).value();
+        gl::collectDebugMessages();
+    }
+    void cleanupTestCase() { m_context.reset(); }
+
+    void theSameShotsMakeTheSameHitsHoweverFramesFall() {
+        const std::array<FrameLength, 3> frames{
+            [](std::mt19937&) { return 3; },
+            [](std::mt19937&) { return 8; },
+            [](std::mt19937& random) { return 1 + static_cast<int>(random() % 40); },
+        };
+        std::vector<std::vector<Hit>> histories;
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            Run run;
+            run.shootAll(frames[i], static_cast<std::uint32_t>(i));
+            QVERIFY(!run.failed());
+            histories.push_back(run.hits());
+        }
+        QVERIFY2(histories[0].size() > kShots / 2, qPrintable(QString::number(histories[0].size())));
+        QCOMPARE(histories[1].size(), histories[0].size());
+        QCOMPARE(histories[2].size(), histories[0].size());
+        for (std::size_t i = 0; i < histories[0].size(); ++i) {
+            QVERIFY2(histories[1][i] == histories[0][i], qPrintable(QString::number(i)));
+            QVERIFY2(histories[2][i] == histories[0][i], qPrintable(QString::number(i)));
+        }
+    }
+
+private:
+    std::unique_ptr<gl::OffscreenContext> m_context;
+};
+
+QTEST_GUILESS_MAIN(DeterminismTest)
+#include "determinism_test.moc"

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What pixels are said to show, held against rays cast by the CPU.
+#include <QtTest>
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <random>
+#include <set>
+
+#include "gl/context.h"
+#include "mesh/primitives.h"
+#include "session/demo_shots.h"
+#include "session/primitive_target.h"
+#include "session/scene_picker.h"
+#include "session/screen_space.h"
+
+using namespace hitscope;
+using Depth = ScenePicker::Depth;
+
+namespace {
+
+/// Möller and Trumbore, in double. The distance along the ray; nothing: it passes by.
+std::optional<double> meets(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& a,
+                            const glm::dvec3& b, const glm::dvec3& c) {
+    const glm::dvec3 e1 = b - a;
+    const glm::dvec3 e2 = c - a;
+    const glm::dvec3 p = glm::cross(direction, e2);
+    const double det = glm::dot(e1, p);
+    if (det == 0.0) {
+        return std::nullopt;
+    }
+    const glm::dvec3 s = (origin - a) / det;
+    const double u = glm::dot(s, p);
+    const double v = glm::dot(glm::cross(s, e1), direction);
+    const double t = glm::dot(glm::cross(s, e1), e2);
+    return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0 ? std::optional(t) : std::nullopt;
+}
+
+struct Met {
+    const Target* target = nullptr;
+    std::size_t triangle = 0;
+    double distance = std::numeric_limits<double>::infinity();
+};
+
+Met castRay(const Session& session, const Ray& ray) {
+    Met nearest;
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        const glm::dquat back = glm::conjugate(glm::dquat(target->transform.rotation));
+        const glm::dvec3 origin = back * (glm::dvec3(ray.origin) - glm::dvec3(target->transform.position));
+        const glm::dvec3 direction = back * glm::dvec3(ray.direction);
+        const RenderMesh& mesh = target->deformed.render();
+        const std::span<const DynamicVertex> vertices = target->deformed.vertices();
+        for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+            const auto met =
+                meets(origin, direction, vertices[mesh.triangles[i]].position,
+                      vertices[mesh.triangles[i + 1]].position, vertices[mesh.triangles[i + 2]].position);
+            if (met && *met < nearest.distance) {
+                nearest = {target.get(), i / 3, *met};
+            }
+        }
+    }
+    return nearest;
+}
+
+std::optional<VertexRef> cornerNearest(const SceneGpu::View& view, const Met& met, const glm::vec2& at) {
+    if (met.target == nullptr) {
+        return std::nullopt;
+    }
+    const ScreenSpace screen(view, met.target->transform);
+    const RenderMesh& mesh = met.target->deformed.render();
+    std::optional<VertexRef> nearest;
+    float least = std::numeric_limits<float>::infinity();
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const std::uint32_t vertex = mesh.triangles[3 * met.triangle + corner];
+        const auto point = screen.project(met.target->deformed.vertices()[vertex].position);
+        if (point && glm::distance(point->at, at) < least) {
+            least = glm::distance(point->at, at);
+            nearest = VertexRef{met.target->id, mesh.fileVertices[vertex]};
+        }
+    }
+    return nearest;
+}
+
+}  // namespace
+
+class PickingTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() {
+        Result<std::unique_ptr<gl::OffscreenContext>> made = gl::OffscreenContext::create();
+        QVERIFY2(made.ok(), made.ok() ? "" : made.error().message().c_str());
+        m_context = std::move(made).value();
+        gl::collectDebugMessages();
+    }
+    void cleanup() {
+        m_picker.reset();
+        m_gpu.reset();
+        m_session.reset();
+        const std::vector<std::string> errors = gl::takeErrors();
+        QVERIFY2(errors.empty(), errors.empty() ? "" : errors.front().c_str());
+    }
+    void cleanupTestCase() { m_context.reset(); }
+
+    void pixelsShowWhatRaysMeet_data() {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<float>("ratio");
+        const float ratios[] = {1.0f, 1.5f, 2.0f};
+        int i = 0;
+        for (const PipelineTraits& traits : allPipelines()) {
+            const float ratio = ratios[i++ % 3];
+            QTest::addRow("%s at %g", std::string(traits.key).c_str(), static_cast<double>(ratio))
+                << static_cast<int>(traits.kind) << ratio;
+        }
+    }
+    void pixelsShowWhatRaysMeet() {
+        QFETCH(int, kind);
+        QFETCH(float, ratio);
+        open(static_cast<PipelineKind>(kind));
+        const SceneGpu::View view = viewOf(ratio);
+        std::mt19937 random(static_cast<unsigned>(kind) + 7u);
+        std::uniform_real_distribution<float> x(0.0f, static_cast<float>(view.width));
+        std::uniform_real_distribution<float> y(0.0f, static_cast<float>(view.height));
+        int onTargets = 0;
+        for (int i = 0; i < 1000 / static_cast<int>(allPipelines().size()) + 1; ++i) {
+            const glm::vec2 at(x(random), y(random));
+            const auto picked = m_picker->pick(view, at);
+            QVERIFY(picked.ok());
+            onTargets += picked.value().has_value() ? 1 : 0;
+            QVERIFY2(isSeenAt(view, at, picked.value()),
+                     qPrintable(QStringLiteral("pixel %1, %2: vertex %3 of target %4")
+                                    .arg(at.x)
+                                    .arg(at.y)
+                                    .arg(picked.value() ? picked.value()->vertex : 0u)
+                                    .arg(picked.value() ? picked.value()->target.value : 0u)));
+        }
+        QVERIFY2(onTargets > 80, qPrintable(QString::number(onTargets)));
+    }
+
+    void laterAnswersAreTheSame() {
+        open(PipelineKind::TransformFeedback);
+        const SceneGpu::View view = viewOf(1.0f);
+        for (int i = 0; i < 20; ++i) {
+            const glm::vec2 at(200.5f + 10.0f * static_cast<float>(i), 240.5f);
+            const auto now = m_picker->pick(view, at);
+            QVERIFY(m_picker->request(view, at).ok());
+            QVERIFY(m_picker->isPending());
+            std::optional<std::optional<VertexRef>> later;
+            QTRY_VERIFY(later || (later = m_picker->arrived()).has_value());
+            QVERIFY(!m_picker->isPending());
+            QCOMPARE(*later, now.value());
+            QVERIFY(!m_picker->arrived().has_value());
+        }
+    }
+
+    void wireframesGiveHiddenVerticesToo() {
+        open(PipelineKind::UniformArrayCulled);
+        SceneGpu::View view = viewOf(1.5f);
+        view.options.wireframe = WireframeMode::Only;
+        const Target& target = *m_session->targets().front();
+        const ScreenSpace screen(view, target.transform);
+        const std::span<const glm::vec3> positions = target.deformed.positions();
+        const glm::vec2 size(static_cast<float>(view.width), static_cast<float>(view.height));
+        int checked = 0;
+        for (std::uint32_t vertex = 0; vertex < positions.size(); vertex += 29) {
+            const auto point = screen.project(positions[vertex]);
+            QVERIFY(point.has_value());
+            if (!glm::all(glm::lessThan(glm::abs(point->at / size - 0.5f), glm::vec2(0.49f)))) {
+                continue;  // not in the picture
+            }
+            const auto picked = m_picker->pick(view, point->at);
+            QVERIFY(picked.ok());
+            QVERIFY(picked.value().has_value());
+            // Others may fall nearer to it than a pixel, those of other targets too.
+            const Target& found = *m_session->target(picked.value()->target);
+            const auto at = ScreenSpace(view, found.transform)
+                                .project(found.deformed.positions()[picked.value()->vertex]);
+            QVERIFY(at && glm::distance(at->at, point->at) < 1.5f);
+            ++checked;
+        }
+        QVERIFY(checked > 50);
+        QVERIFY(!m_picker->pick(view, {2.5f, 2.5f}).value().has_value());
+    }
+
+    void outlinesGiveWhatTheyHold() {
+        open(PipelineKind::Compute);
+        SceneGpu::View view = viewOf(1.0f);
+        view.camera.frame(m_session->sceneBounds(), 640.0f / 480.0f);
+        const auto w = static_cast<float>(view.width);
+        const auto h = static_cast<float>(view.height);
+        const std::vector<glm::vec2> all{{0.0f, 0.0f}, {w, 0.0f}, {w, h}, {0.0f, h}};
+        const auto through = m_picker->changedWithin(view, all, Depth::Through);
+        QVERIFY(through.ok());
+        std::size_t changed = 0;
+        std::size_t found = 0;
+        for (const std::unique_ptr<Target>& target : m_session->targets()) {
+            changed += target->deformed.statistics().changedVertices;
+            const auto here = through.value().find(target->id);
+            found += here == through.value().end() ? 0 : here->second.size();
+        }
+        QVERIFY(changed > 200);
+        QCOMPARE(found, changed);
+
+        const auto visible = m_picker->changedWithin(view, all, Depth::Visible);
+        QVERIFY(visible.ok());
+        int seen = 0;
+        int wrong = 0;
+        int extra = 0;
+        for (const auto& [id, vertices] : through.value()) {
+            const auto here = visible.value().find(id);
+            const std::vector<std::uint32_t> shown =
+                here == visible.value().end() ? std::vector<std::uint32_t>() : here->second;
+            QVERIFY(std::includes(vertices.begin(), vertices.end(), shown.begin(), shown.end()));
+            for (const std::uint32_t vertex : vertices) {
+                const bool is = std::binary_search(shown.begin(), shown.end(), vertex);
+                seen += is ? 1 : 0;
+                const bool should = isInView(view, {id, vertex});
+                wrong += is != should ? 1 : 0;
+                extra += is && !should ? 1 : 0;
+            }
+        }
+        QVERIFY(seen > 50);
+        QVERIFY(static_cast<std::size_t>(seen) < changed);
+        // At a silhouette a pixel cannot tell what its neighbour hides.
+        QVERIFY2(wrong * 40 < seen, qPrintable(QStringLiteral("%1 of %2, %3 hidden").arg(wrong).arg(seen).arg(extra)));
+    }
+
+    void lassosHaveAnInside() {
+        const std::vector<glm::vec2> bow{{0, 0}, {10, 0}, {0, 10}, {10, 10}};
+        QVERIFY(isWithin(bow, {5, 2}));
+        QVERIFY(isWithin(bow, {5, 8}));
+        QVERIFY(!isWithin(bow, {1, 5}));
+        QVERIFY(!isWithin(bow, {9, 5}));
+        QVERIFY(!isWithin(bow, {5, -1}));
+        QVERIFY(!isWithin({}, {5, 5}));
+    }
+
+private:
+    void open(PipelineKind kind) {
+        m_session = std::make_unique<Session>();
+        ScenePlan plan;
+        plan.targets.push_back(planPrimitive({PrimitiveKind::UvSphere, 64, 5.0f}));
+        plan.targets.push_back(planPrimitive({PrimitiveKind::Torus, 48, 5.0f}));
+        plan.targets.push_back(planPrimitive({PrimitiveKind::Cube, 24, 5.0f}));
+        plan.targets[1].transform.position = {3.5f, 0.5f, -3.0f};
+        plan.targets[1].transform.rotation = glm::angleAxis(0.7f, glm::normalize(glm::vec3(1, 2, 3)));
+        plan.targets[2].transform.position = {-4.5f, 0.0f, 1.0f};
+        m_session->loadScene(std::move(plan));
+        m_session->setPipeline(kind);
+        auto made = SceneGpu::create(*m_session);
+        QVERIFY(made.ok());
+        m_gpu = std::move(made).value();
+        m_picker = std::make_unique<ScenePicker>(*m_session, *m_gpu);
+        shootAll(*m_session, demoShots(*m_session, 120, 11));
+        QVERIFY(m_session->history().size() > 30);
+        QVERIFY(m_gpu->sync().ok());
+    }
+
+    [[nodiscard]] SceneGpu::View viewOf(float ratio) const {
+        SceneGpu::View view;
+        view.width = static_cast<int>(640 * ratio);
+        view.height = static_cast<int>(480 * ratio);
+        view.pixelRatio = ratio;
+        const Bounds bounds = m_session->sceneBounds();
+        view.camera.setSceneRadius(bounds.diagonal());
+        view.camera.frame(bounds, 640.0f / 480.0f);
+        view.camera.zoom(0.5f);
+        return view;
+    }
+
+    [[nodiscard]] static Ray rayAt(const SceneGpu::View& view, const glm::vec2& at) {
+        const glm::vec2 size(static_cast<float>(view.width), static_cast<float>(view.height));
+        return view.camera.rayThrough({2.0f * at.x / size.x - 1.0f, 1.0f - 2.0f * at.y / size.y},
+                                      size.x / size.y);
+    }
+
+    /// The rasterizer rounds corners to a fraction of a pixel: rays a little beside the pixel's middle count.
+    [[nodiscard]] bool isSeenAt(const SceneGpu::View& view, const glm::vec2& at,
+                                const std::optional<VertexRef>& picked) const {
+        const glm::vec2 middle = glm::floor(at) + 0.5f;
+        for (const glm::vec2& off : {glm::vec2(0.0f), glm::vec2(1.0f, 0.0f), glm::vec2(-1.0f, 0.0f),
+                                     glm::vec2(0.0f, 1.0f), glm::vec2(0.0f, -1.0f)}) {
+            const Met met = castRay(*m_session, rayAt(view, middle + off / 128.0f));
+            if (cornerNearest(view, met, at) == picked) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool isInView(const SceneGpu::View& view, const VertexRef& vertex) const {
+        const Target& target = *m_session->target(vertex.target);
+        const glm::vec3 world = target.transform.toWorld(target.deformed.positions()[vertex.vertex]);
+        const glm::vec3 eye = view.camera.eye();
+        const double distance = static_cast<double>(glm::distance(world, eye));
+        const Met met = castRay(*m_session, {eye, glm::normalize(world - eye)});
+        return met.distance > distance * (1.0 - 2.0e-3);
+    }
+
+    std::unique_ptr<gl::OffscreenContext> m_context;
+    std::unique_ptr<Session> m_session;
+    std::unique_ptr<SceneGpu> m_gpu;
+    std::unique_ptr<ScenePicker> m_picker;
+};
+
+QTEST_GUILESS_MAIN(PickingTest)
+#include "picking_test.moc"

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a session's hits did, worked out beside it: the same as working it out at once, whatever happens
+// between.
+#include "session/hit_effects.h"
+
+#include <QSignalSpy>
+#include <QThreadPool>
+#include <QtTest>
+#include <random>
+
+using namespace hitscope;
+
+namespace {
+
+Hit randomHit(const Session& session, std::mt19937& random) {
+    std::uniform_real_distribution<float> number(-2.5f, 2.5f);
+    const auto& targets = session.targets();
+    Hit hit;
+    hit.target = targets[random() % std::min<std::size_t>(targets.size(), 3)]->id;
+    hit.point = {number(random), number(random), 2.5f};
+    hit.time = static_cast<double>(random());
+    return hit;
+}
+
+void shootRandomly(Session& session, std::mt19937& random, int count) {
+    for (int i = 0; i < count; ++i) {
+        QVERIFY(session.addHit(randomHit(session, random)).ok());
+    }
+}
+
+}  // namespace
+
+class HitEffectsTest : public QObject {
+    Q_OBJECT
+private:
+    /// Against effects that see the session as it is for the first time.
+    static void compare(HitEffects& effects, Session& session) {
+        effects.finish();
+        QVERIFY(effects.isUpToDate());
+        HitEffects fresh(session);
+        fresh.finish();
+        for (std::size_t row = 0; row < session.history().size(); ++row) {
+            QCOMPARE(effects.effect(row).has_value(), session.history().hits()[row].enabled);
+            QVERIFY(effects.effect(row) == fresh.effect(row));
+        }
+        for (const std::unique_ptr<Target>& target : session.targets()) {
+            QVERIFY(std::ranges::equal(effects.counts(target->id), fresh.counts(target->id)));
+        }
+    }
+
+private Q_SLOTS:
+    void followsASession() {
+        Session session;
+        session.loadPaperRow(kDefaultPaperRow);
+        HitEffects effects(session);
+        std::mt19937 random(3);
+        std::uint32_t mostHits = 0;
+        for (int step = 0; step < 200; ++step) {
+            shootRandomly(session, random, static_cast<int>(random() % 5));
+            const std::size_t size = session.history().size();
+            const std::array<std::size_t, 3> some{random() % (size + 1), random() % (size + 1),
+                                                  random() % (size + 1)};
+            switch (random() % 10) {
+                case 0:
+                    session.setHitsEnabled(some, random() % 2 == 0);
+                    break;
+                case 1:
+                    session.moveHits(some, random() % (size + 1));
+                    break;
+                case 2:
+                    session.removeHits(some);
+                    break;
+                case 3:
+                case 4:
+                    session.undo();
+                    break;
+                case 5:
+                    session.redo();
+                    break;
+                case 6: {
+                    DeformationConstants constants;
+                    constants.maxDistance = 0.3f + 0.1f * static_cast<float>(random() % 5);
+                    QVERIFY(session.setConstants(constants, true).ok());
+                    break;
+                }
+                case 7: {
+                    const std::array<TargetId, 1> id{session.targets()[random() % 2]->id};
+                    session.removeTargets(id);
+                    session.undo();
+                    break;
+                }
+                default:
+                    break;
+            }
+            if (random() % 3 == 0) {
+                QCoreApplication::processEvents();
+            }
+            if (step % 20 == 0) {
+                compare(effects, session);
+                for (const std::uint32_t hits : effects.counts(session.targets().front()->id)) {
+                    mostHits = std::max(mostHits, hits);
+                }
+            }
+        }
+        compare(effects, session);
+        QVERIFY(mostHits > 1);
+        session.loadTeapot();
+        compare(effects, session);
+        shootRandomly(session, random, 10);
+        compare(effects, session);
+    }
+
+    void tellsByTheEventLoop() {
+        Session session;
+        session.loadPaperRow(kDefaultPaperRow);
+        HitEffects effects(session);
+        QSignalSpy changed(&effects, &HitEffects::effectsChanged);
+        QSignalSpy counts(&effects, &HitEffects::countsChanged);
+        std::mt19937 random(5);
+        shootRandomly(session, random, 1);
+        QCOMPARE(changed.size(), 0);
+        QVERIFY(!effects.effect(0));
+        QTRY_COMPARE(changed.size(), 1);
+        QCOMPARE(changed.first(), (QVariantList{0, 0}));
+        QCOMPARE(counts.size(), 1);
+        QVERIFY(effects.effect(0)->affected > 0);
+        QVERIFY(effects.isUpToDate());
+        QVERIFY(!effects.effect(1));
+    }
+
+    void resultsFollowHitsThatMoveMeanwhile() {
+        Session session;
+        session.loadPaperRow(kDefaultPaperRow);
+        HitEffects effects(session);
+        std::mt19937 random(6);
+        Hit other = randomHit(session, random);
+        other.target = session.targets().back()->id;
+        QVERIFY(session.addHits(std::vector<Hit>(3, other)).ok());
+        shootRandomly(session, random, 20);
+        QThreadPool::globalInstance()->waitForDone();  // worked out, not told yet
+        session.removeHit(1);
+        compare(effects, session);
+        shootRandomly(session, random, 20);
+        QThreadPool::globalInstance()->waitForDone();
+        session.undo();
+        session.removeHits(std::vector<std::size_t>{0, 21, 22, 30});
+        compare(effects, session);
+    }
+
+    void findsTheVerticesOfAHit() {
+        Session session;
+        session.loadPaperRow(kDefaultPaperRow);
+        HitEffects effects(session);
+        std::vector<std::uint32_t> found;
+        TargetId on;
+        connect(&effects, &HitEffects::verticesFound, this,
+                [&](TargetId target, const std::vector<std::uint32_t>& vertices) {
+                    on = target;
+                    found = vertices;
+                });
+        std::mt19937 random(9);
+        shootRandomly(session, random, 60);
+        effects.findVertices(30);
+        effects.findVertices(40);
+        QTRY_VERIFY(!found.empty());
+        QVERIFY(on == session.history().hits()[40].target);
+        QCOMPARE(found.size(), static_cast<std::size_t>(effects.effect(40)->affected));
+        QVERIFY(std::binary_search(found.begin(), found.end(), effects.effect(40)->deepest));
+        const std::span<const std::uint32_t> counts = effects.counts(on);
+        QVERIFY(std::all_of(found.begin(), found.end(), [counts](std::uint32_t v) { return counts[v] > 0; }));
+        // An answer about rows that are others by now is not given.
+        effects.findVertices(10);
+        session.removeHit(0);
+        found.clear();
+        effects.finish();
+        QCoreApplication::processEvents();
+        QVERIFY(found.empty());
+    }
+
+    void goesWhileAtWork() {
+        Session session;
+        session.loadPaperRow(kDefaultPaperRow);
+        std::mt19937 random(11);
+        for (int i = 0; i < 20; ++i) {
+            HitEffects effects(session);
+            std::vector<Hit> hits;
+            for (int k = 0; k < 500; ++k) {
+                hits.push_back(randomHit(session, random));
+            }
+            QVERIFY(session.addHits(hits).ok());
+            if (i % 2 == 0) {
+                session.loadPaperRow(kDefaultPaperRow);
+            }
+        }
+    }
+
+    void tenThousandHitsOneByOne() {
+        Session session;
+        session.loadPaperRow(kDefaultPaperRow);
+        HitEffects effects(session);
+        std::mt19937 random(13);
+        shootRandomly(session, random, 10'000);
+        compare(effects, session);
+    }
+};
+
+QTEST_GUILESS_MAIN(HitEffectsTest)
+#include "hit_effects_test.moc"
