@@ -22,6 +22,7 @@
 #include "panels/hit_history/hit_history_panel.h"
 #include "panels/lights/lights_panel.h"
 #include "panels/mesh_statistics/mesh_statistics_panel.h"
+#include "panels/pipeline_agreement/pipeline_agreement_panel.h"
 #include "panels/scene/scene_panel.h"
 #include "viewport/viewport.h"
 
@@ -110,11 +111,15 @@ void MainWindow::makeDocks() {
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     m_frameRate = new FrameRatePanel(*m_continuous);
-    auto* statisticsPanel = new MeshStatisticsPanel(m_session, m_meshStatistics);
-    connect(statisticsPanel, &MeshStatisticsPanel::lookWanted, this, [this](const Bounds& bounds) {
+    const auto lookAt = [this](const Bounds& bounds) {
         m_viewport->navigation().frame(bounds);
         m_viewport->update();
-    });
+    };
+    auto* statisticsPanel = new MeshStatisticsPanel(m_session, m_meshStatistics);
+    connect(statisticsPanel, &MeshStatisticsPanel::lookWanted, this, lookAt);
+    auto* agreementPanel =
+        new PipelineAgreementPanel(m_session, [this] { return m_viewport->syncNow().ok(); });
+    connect(agreementPanel, &PipelineAgreementPanel::lookWanted, this, lookAt);
     QDockWidget* statistics = addDock(QStringLiteral("meshStatistics"), tr("Mesh statistics"),
                                       statisticsPanel, Qt::RightDockWidgetArea);
     QDockWidget* scene = makeSceneDock();
@@ -126,6 +131,10 @@ void MainWindow::makeDocks() {
         addDock(QStringLiteral("lights"), tr("Lights"), new LightsPanel(m_session), Qt::RightDockWidgetArea);
     QDockWidget* frameRate =
         addDock(QStringLiteral("frameRate"), tr("Frame rate"), m_frameRate, Qt::BottomDockWidgetArea);
+    QDockWidget* agreement = addDock(QStringLiteral("pipelineAgreement"), tr("Pipeline agreement"),
+                                     agreementPanel, Qt::BottomDockWidgetArea);
+    tabifyDockWidget(frameRate, agreement);
+    frameRate->raise();
     tabifyDockWidget(statistics, scene);
     statistics->raise();
     tabifyDockWidget(constants, lights);

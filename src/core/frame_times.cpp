@@ -49,6 +49,7 @@ FrameTimes::Summary FrameTimes::summary(double now) const {
     const std::size_t count = costs.size();
     summary.meanCost = std::accumulate(costs.begin(), costs.end(), 0.0) / static_cast<double>(count);
     summary.medianCost = count % 2 == 1 ? costs[count / 2] : 0.5 * (costs[count / 2 - 1] + costs[count / 2]);
+    summary.percentile99Cost = costs[count / 100];
     summary.worstCost = costs.front();
     const std::size_t slowest = std::max<std::size_t>(1, count / 100);
     const double slowestSum =

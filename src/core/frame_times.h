@@ -23,10 +23,11 @@ public:
     [[nodiscard]] std::size_t size() const { return m_samples.size(); }
 
     struct Summary {
-        double framesPerSecond = 0.0;  ///< frames that ended in the last second before `now`
-        double meanCost = 0.0;         ///< seconds, over the samples kept
-        double medianCost = 0.0;       ///< seconds
-        double worstCost = 0.0;        ///< seconds
+        double framesPerSecond = 0.0;   ///< frames that ended in the last second before `now`
+        double meanCost = 0.0;          ///< seconds, over the samples kept
+        double medianCost = 0.0;        ///< seconds
+        double percentile99Cost = 0.0;  ///< seconds; 99 of 100 frames took that long or less (nearest rank)
+        double worstCost = 0.0;         ///< seconds
         double onePercentLow =
             0.0;  ///< frames a second, 1 / mean cost of the slowest hundredth (at least one frame)
     };

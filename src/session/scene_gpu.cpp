@@ -10,6 +10,7 @@
 
 #include "render/pick_pass.h"
 #include "render/renderer.h"
+#include "session/frame_meter.h"
 
 namespace hitscope {
 
@@ -52,6 +53,10 @@ std::vector<HistoryEdit> withAppendsJoined(std::vector<HistoryEdit> edits) {
     return joined;
 }
 
+bool isAppend(const HistoryEdit& edit, const HitHistory& history) {
+    return edit.before.empty() && edit.first + edit.after.size() == history.size();
+}
+
 std::map<PipelineKind, QString> unavailablePipelines() {
     std::map<PipelineKind, QString> reasons;
     for (const PipelineTraits& traits : allPipelines()) {
@@ -65,7 +70,7 @@ std::map<PipelineKind, QString> unavailablePipelines() {
 }  // namespace
 
 struct SceneGpu::Private {
-    explicit Private(Session& followed) : session(followed) {}
+    explicit Private(Session& followed) : session(followed), meter(followed.frameCosts()) {}
 
     struct GpuTarget {
         std::unique_ptr<TargetBuffers> buffers;
@@ -73,6 +78,7 @@ struct SceneGpu::Private {
     };
 
     Session& session;
+    FrameMeter meter;
     std::unique_ptr<Renderer> renderer;
     std::unordered_map<TargetId, GpuTarget> targets;
     std::unique_ptr<DeformationPipeline> pipeline;  // below the buffers it is given, so that it goes first
@@ -206,9 +212,14 @@ bool SceneGpu::Private::followHistory(bool startOver) {
     auto edits = history.editsSince(appliedRevision);
     startOver = startOver || !edits;
     if (startOver) {
+        meter.applying(0, history.size(), false);
         pipeline->reset(history.hits());
     } else {
-        for (const HistoryEdit& edit : withAppendsJoined(*std::move(edits))) {
+        const std::vector<HistoryEdit> joined = withAppendsJoined(*std::move(edits));
+        if (joined.size() == 1 && isAppend(joined.front(), history)) {
+            meter.applying(joined.front().first, joined.front().after.size(), true);
+        }
+        for (const HistoryEdit& edit : joined) {
             pipeline->edit(edit);
         }
     }
@@ -242,11 +253,14 @@ Status SceneGpu::Private::follow(Delivery delivery) {
     if (Status status = followPipeline(startOver); !status) {
         return status;
     }
+    meter.endOf(FrameMeter::Part::Preparation);
     // Started over, the CPU copy is at the originals: it must not be seen like that for a frame or two.
     if (followHistory(startOver)) {
         delivery = Delivery::All;
     }
+    meter.endOf(FrameMeter::Part::Deformation);
     readBack(delivery);
+    meter.endOf(FrameMeter::Part::ReadBack);
     if (!pipeline->isReadBackPending()) {
         session.setUpToDate();
     }
@@ -254,7 +268,14 @@ Status SceneGpu::Private::follow(Delivery delivery) {
 }
 
 Status SceneGpu::sync() {
-    return d->follow(Private::Delivery::All);
+    d->meter.begin();
+    Status status = d->follow(Private::Delivery::All);
+    d->meter.end();
+    return status;
+}
+
+void SceneGpu::collectCosts() {
+    d->meter.collect();
 }
 
 bool SceneGpu::isReadBackPending() const {
@@ -277,7 +298,9 @@ Status SceneGpu::drawElements(const View& view, PickPass& pass, const PixelArea&
 }
 
 Status SceneGpu::draw(const View& view, unsigned framebuffer) {
+    d->meter.begin();
     if (Status status = d->follow(Private::Delivery::WhatHasArrived); !status) {
+        d->meter.end();
         return status;
     }
     const Session& session = d->session;
@@ -304,7 +327,10 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
             frame.highlightedHit = Sphere{target->transform.toWorld(hit.point), hit.constants.maxDistance};
         }
     }
-    return d->renderer->draw(frame, *d->pipeline, framebuffer);
+    Status status = d->renderer->draw(frame, *d->pipeline, framebuffer);
+    d->meter.endOf(FrameMeter::Part::Drawing);
+    d->meter.end();
+    return status;
 }
 
 }  // namespace hitscope

@@ -44,6 +44,9 @@ public:
                                       PickElements elements);
     /// Whether the session is behind what was drawn: another draw() or sync() brings it on.
     [[nodiscard]] bool isReadBackPending() const;
+    /// Tells the session's FrameCosts what the GPU has taken so far; draw() does so for all but the latest
+    /// frames.
+    void collectCosts();
 
 private:
     explicit SceneGpu(Session& session);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "session/frame_costs.h"
 #include "session/task_list.h"
 #include "session/vertex_selection.h"
 
@@ -12,6 +13,7 @@ namespace hitscope {
 
 Session::Session(QObject* parent)
     : QObject(parent),
+      m_frameCosts(std::make_unique<FrameCosts>(*this)),
       m_selection(std::make_unique<VertexSelection>(*this)),
       m_tasks(std::make_unique<TaskList>()) {}
 

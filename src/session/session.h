@@ -28,6 +28,7 @@
 
 namespace hitscope {
 
+class FrameCosts;
 class TaskList;
 class VertexSelection;
 
@@ -143,6 +144,9 @@ public:
     /// Why shots pass a target, in words for the interface; empty: they do not.
     [[nodiscard]] QString whyNotHittable(TargetId id) const;
 
+    /// What frames and hits cost; SceneGpu reports there.
+    [[nodiscard]] FrameCosts& frameCosts() const { return *m_frameCosts; }
+
     // What SceneGpu reports back
     void setExactness(const Exactness& exactness);
     /// Of the renderer that draws; nothing before there is one.
@@ -257,6 +261,7 @@ private:
     std::size_t m_disabledHits = 0;
     CapacityReport m_capacity;
     std::map<PipelineKind, QString> m_unavailablePipelines;
+    std::unique_ptr<FrameCosts> m_frameCosts;
     std::map<TargetId, std::vector<std::uint32_t>>
         m_moved;  ///< file vertices, since the last finishReadBack()
     std::unique_ptr<VertexSelection> m_selection;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The session's physics: shots, time, what collides and what is knocked about.
+#include <QElapsedTimer>
 #include <algorithm>
 
+#include "session/frame_costs.h"
 #include "session/session.h"
 
 namespace hitscope {
@@ -106,9 +108,15 @@ void Session::step() {
     Q_EMIT aboutToStep();
     if (m_colliders.isDue()) {
         catchUp();
+    }
+    QElapsedTimer clock;
+    clock.start();
+    if (m_colliders.isDue()) {
         m_colliders.updateDue(currentVertices());
     }
-    takeImpacts(m_physics.takeStep());
+    const std::vector<Impact> impacts = m_physics.takeStep();
+    m_frameCosts->addPhysics(static_cast<double>(clock.nsecsElapsed()) * 1.0e-9);
+    takeImpacts(impacts);
 }
 
 void Session::advance(double seconds) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "gl/context.h"
+#include "session/frame_costs.h"
 #include "viewport/surface_format.h"
 
 namespace hitscope {
@@ -15,6 +16,7 @@ namespace hitscope {
 namespace {
 
 constexpr int kCrosshairStays = 1500;   // milliseconds after the last shot with Space
+constexpr int kCostsArrive = 200;       // milliseconds after the last frame of many
 constexpr double kLongestStep = 0.25;   // seconds: a window that stood still does not make the scene jump
 constexpr double kNanosecond = 1.0e-9;  // seconds
 
@@ -28,6 +30,9 @@ Viewport::Viewport(Session& session, QWidget* parent) : QOpenGLWidget(parent), m
     m_holdTimer.setInterval(kDoubleClickGrace);
     m_crosshairTimer.setSingleShot(true);
     m_crosshairTimer.setInterval(kCrosshairStays);
+    m_costsTimer.setSingleShot(true);
+    m_costsTimer.setInterval(kCostsArrive);
+    connect(&m_costsTimer, &QTimer::timeout, this, &Viewport::collectCosts);
     const auto followRateOfFire = [this] {
         m_repeatTimer.setInterval(qRound(1000.0f / m_session.projectileSettings().rateOfFire));
     };
@@ -125,6 +130,7 @@ void Viewport::paintGL() {
     const double seconds = static_cast<double>(measure.nsecsElapsed()) * kNanosecond;
     m_frameFollows = false;
     m_sinceFrame.start();
+    m_session.frameCosts().endFrame(seconds);
     Q_EMIT framePainted(seconds);
 }
 
@@ -143,6 +149,7 @@ bool Viewport::wantsFrames() const {
 
 void Viewport::moveOn() {
     if (!wantsFrames()) {
+        m_costsTimer.start();
         m_clock.invalidate();
         return;
     }
@@ -156,6 +163,14 @@ void Viewport::moveOn() {
     m_navigation.advance(passed);
     m_frameFollows = true;
     update();
+}
+
+void Viewport::collectCosts() {
+    if (m_scene) {
+        makeCurrent();
+        m_scene->collectCosts();
+        doneCurrent();
+    }
 }
 
 void Viewport::setOptions(const DisplayOptions& options) {

@@ -78,7 +78,8 @@ private:
     void followSize();
     [[nodiscard]] bool wantsFrames() const;
     void catchUp();
-    void moveOn();  ///< after a frame: advances what moves by the time since the last
+    void moveOn();        ///< after a frame: advances what moves by the time since the last
+    void collectCosts();  ///< of the last frames, once no more follow
     [[nodiscard]] SceneGpu::View view() const;
     /// What the ray meets first: for aiming and recentring.
     [[nodiscard]] std::optional<PhysicsWorld::RayHit> aimedAt(const Ray& ray) const;
@@ -99,8 +100,9 @@ private:
     bool m_framed = false;  ///< the scene has been framed at a real size
 
     bool m_continuous = false;
-    QElapsedTimer m_clock;        ///< since moveOn() last ran; invalid while nothing moves
-    QElapsedTimer m_sinceFrame;   ///< since the last frame ended
+    QElapsedTimer m_clock;       ///< since moveOn() last ran; invalid while nothing moves
+    QElapsedTimer m_sinceFrame;  ///< since the last frame ended
+    QTimer m_costsTimer;
     bool m_frameFollows = false;  ///< the frame to come was asked for right after the last
 
     quint64 m_pressTime = 0;  ///< milliseconds, of the event

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+hitscope_test(frames LABEL unit SOURCES ${CMAKE_CURRENT_LIST_DIR}/frames_test.cpp LINK hitscope_session)
