@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/scene_gpu.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -11,6 +12,8 @@
 #include "render/pick_pass.h"
 #include "render/renderer.h"
 #include "session/frame_meter.h"
+#include "session/history_edits.h"
+#include "session/reapplication.h"
 
 namespace hitscope {
 
@@ -38,25 +41,6 @@ void writeShadingNormals(TargetBuffers& buffers, std::span<const std::uint32_t> 
     }
 }
 
-/// Hits that came one by one are applied in one pass all the same.
-std::vector<HistoryEdit> withAppendsJoined(std::vector<HistoryEdit> edits) {
-    std::vector<HistoryEdit> joined;
-    for (HistoryEdit& edit : edits) {
-        HistoryEdit* last = joined.empty() ? nullptr : &joined.back();
-        if (last != nullptr && last->before.empty() && edit.before.empty() &&
-            last->first + last->after.size() == edit.first) {
-            last->after.insert(last->after.end(), edit.after.begin(), edit.after.end());
-        } else {
-            joined.push_back(std::move(edit));
-        }
-    }
-    return joined;
-}
-
-bool isAppend(const HistoryEdit& edit, const HitHistory& history) {
-    return edit.before.empty() && edit.first + edit.after.size() == history.size();
-}
-
 std::map<PipelineKind, QString> unavailablePipelines() {
     std::map<PipelineKind, QString> reasons;
     for (const PipelineTraits& traits : allPipelines()) {
@@ -68,6 +52,11 @@ std::map<PipelineKind, QString> unavailablePipelines() {
 }
 
 }  // namespace
+
+/// Lends the words to be translated their context.
+struct SceneGpuText {
+    Q_DECLARE_TR_FUNCTIONS(hitscope::SceneGpu)
+};
 
 struct SceneGpu::Private {
     explicit Private(Session& followed) : session(followed), meter(followed.frameCosts()) {}
@@ -87,15 +76,22 @@ struct SceneGpu::Private {
     std::shared_ptr<const MaterialSet> cover;
     std::uint64_t appliedRevision = 0;
     gl::Defines deformDefines;
+    std::unique_ptr<Reapplication> reapplication;  // null: nothing is applied again in slices
+    std::uint64_t lookedAt = 0;                    // revision at which `mustStartOver` was found out
+    bool mustStartOver = false;
 
+    enum class Delivery { WhatHasArrived, All };
     void followTargets();
     void followCover();
     [[nodiscard]] const MaterialSet* materialsToDraw(const Target& target) const;
     [[nodiscard]] std::vector<DrawItem> drawItems() const;
+    [[nodiscard]] Result<std::unique_ptr<DeformationPipeline>> newPipeline() const;
     Status followPipeline(bool& startOver);
+    [[nodiscard]] bool hasToStartOver();
+    Status followReapplication(Delivery delivery);
+    void takeReapplied();
     /// Returns whether the pipeline started over.
     bool followHistory(bool startOver);
-    enum class Delivery { WhatHasArrived, All };
     void readBack(Delivery delivery);
     Status follow(Delivery delivery);
     std::shared_ptr<const MaterialSet> materialsOf(const DeformedMesh& mesh);
@@ -185,13 +181,96 @@ std::vector<DrawItem> SceneGpu::Private::drawItems() const {
     return items;
 }
 
+Result<std::unique_ptr<DeformationPipeline>> SceneGpu::Private::newPipeline() const {
+    return makePipeline(session.pipeline(), {.vertexUniformComponents = {}, .deformDefines = deformDefines});
+}
+
+/// Whether bringing the pipeline up to date means to apply most of a long history.
+bool SceneGpu::Private::hasToStartOver() {
+    const HitHistory& history = session.history();
+    if (!pipeline || !Reapplication::isWorthSlicing(session.pipeline(), history.size())) {
+        return false;
+    }
+    if (pipeline->traits().kind != session.pipeline()) {
+        return true;
+    }
+    if (appliedRevision == history.revision()) {
+        return false;
+    }
+    if (lookedAt == history.revision()) {
+        return mustStartOver;  // the edits may be long: they are looked at once
+    }
+    auto edits = history.editsSince(appliedRevision);
+    if (!edits) {
+        return true;
+    }
+    lookedAt = history.revision();
+    const std::vector<HistoryEdit> left = withoutUndone(*std::move(edits));
+    mustStartOver = std::any_of(left.begin(), left.end(), [](const HistoryEdit& edit) {
+        return edit.before.size() + edit.after.size() > Reapplication::kWorthSlicing && !edit.before.empty();
+    });
+    return mustStartOver;
+}
+
+/// Begins, carries on, ends or gives up what is applied in slices.
+Status SceneGpu::Private::followReapplication(Delivery delivery) {
+    if (reapplication && (!hasToStartOver() || reapplication->kind() != session.pipeline() ||
+                          !reapplication->isOfTheseTargets())) {
+        reapplication.reset();
+    }
+    if (!reapplication && delivery == Delivery::WhatHasArrived && hasToStartOver()) {
+        Result<std::unique_ptr<DeformationPipeline>> made = newPipeline();
+        if (!made) {
+            return made.error();
+        }
+        const PipelineKind before = pipeline->traits().kind;
+        const bool isSwitch = before != session.pipeline();
+        const auto cancel = [&followed = session, isSwitch, before, edited = session.history().revision()] {
+            if (isSwitch) {
+                followed.setPipeline(before);
+            } else if (followed.history().revision() == edited) {
+                followed.undo();
+            }
+        };
+        reapplication =
+            std::make_unique<Reapplication>(session, std::move(made).value(), cancel,
+                                            isSwitch ? SceneGpuText::tr("Go back to the pipeline before")
+                                                     : SceneGpuText::tr("Undo the change"));
+    }
+    if (!reapplication) {
+        return Done{};
+    }
+    if (delivery == Delivery::All) {
+        reapplication->finish();
+        takeReapplied();
+    } else if (reapplication->advance()) {
+        takeReapplied();
+    }
+    return Done{};
+}
+
+/// Everything is applied: from now on this is what is shown.
+void SceneGpu::Private::takeReapplied() {
+    const std::unique_ptr<Reapplication> done = std::move(reapplication);
+    appliedRevision = done->revision();
+    mustStartOver = false;
+    Reapplication::Buffers buffers = done->takeBuffers();
+    pipeline = done->takePipeline();
+    for (auto& [id, target] : targets) {
+        target.buffers = std::move(buffers.at(id));
+        target.buffers->writeShadingNormals(0, session.target(id)->trueNormals.normals());
+    }
+    session.restartReadBack();
+    session.setCapacity(pipeline->capacity());
+    readBack(Delivery::All);
+}
+
 Status SceneGpu::Private::followPipeline(bool& startOver) {
     startOver = !pipeline || pipeline->traits().kind != session.pipeline();
     if (!startOver) {
         return Done{};
     }
-    Result<std::unique_ptr<DeformationPipeline>> made =
-        makePipeline(session.pipeline(), {.vertexUniformComponents = {}, .deformDefines = deformDefines});
+    Result<std::unique_ptr<DeformationPipeline>> made = newPipeline();
     if (!made) {
         return made.error();
     }
@@ -215,7 +294,7 @@ bool SceneGpu::Private::followHistory(bool startOver) {
         meter.applying(0, history.size(), false);
         pipeline->reset(history.hits());
     } else {
-        const std::vector<HistoryEdit> joined = withAppendsJoined(*std::move(edits));
+        const std::vector<HistoryEdit> joined = withAppendsJoined(withoutUndone(*std::move(edits)));
         if (joined.size() == 1 && isAppend(joined.front(), history)) {
             meter.applying(joined.front().first, joined.front().after.size(), true);
         }
@@ -249,6 +328,14 @@ void SceneGpu::Private::readBack(Delivery delivery) {
 Status SceneGpu::Private::follow(Delivery delivery) {
     followTargets();
     followCover();
+    if (Status status = followReapplication(delivery); !status) {
+        return status;
+    }
+    if (reapplication) {
+        // Until it is done everything stays as it was, also where the session is already further.
+        readBack(Delivery::WhatHasArrived);
+        return Done{};
+    }
     bool startOver = false;
     if (Status status = followPipeline(startOver); !status) {
         return status;
@@ -279,7 +366,7 @@ void SceneGpu::collectCosts() {
 }
 
 bool SceneGpu::isReadBackPending() const {
-    return d->pipeline && d->pipeline->isReadBackPending();
+    return d->reapplication || (d->pipeline && d->pipeline->isReadBackPending());
 }
 
 Status SceneGpu::drawElements(const View& view, PickPass& pass, const PixelArea& area,

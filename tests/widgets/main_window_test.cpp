@@ -226,7 +226,7 @@ void MainWindowTest::openingCanBeCancelled() {
     showReady(window);
     writeObj(makeHighPolyCube(1.0f), path(QStringLiteral("slow.obj")));
     window.openFiles({path(QStringLiteral("slow.obj"))});
-    window.findChild<QToolButton*>(QStringLiteral("cancelOpening"))->click();
+    window.findChild<QToolButton*>(QStringLiteral("cancelTask"))->click();
     QTest::qWait(1000);
     QCOMPARE(session.targets().size(), std::size_t{16});
     QVERIFY(window.findChildren<QMessageBox*>().isEmpty());
