@@ -76,7 +76,13 @@ void loadProjectile(const QSettings& settings, Session& session) {
     projectile.powerFollowsImpulse =
         settings.value(QStringLiteral("projectile/powerFollowsImpulse"), projectile.powerFollowsImpulse)
             .toBool();
+    readColour(settings, QStringLiteral("projectile/colour"), projectile.colour);
     session.setProjectileSettings(projectile);
+    bool isNumber = false;
+    const double step = settings.value(QStringLiteral("physicsStep")).toDouble(&isNumber);
+    if (isNumber && stepParameter().accepts(step)) {
+        session.setPhysicsStep(step);
+    }
 }
 
 }  // namespace
@@ -102,6 +108,7 @@ AppSettings loadAppSettings(const QSettings& settings) {
     if (settings.contains(QStringLiteral("exportNormals"))) {
         values.exportNormals = readEnum(settings, QStringLiteral("exportNormals"), 2, NormalMode::True);
     }
+    values.coverTexture = settings.value(QStringLiteral("display/coverTexture"), 0).toInt();
     values.recentFiles =
         settings.value(QStringLiteral("recentFiles")).toStringList().mid(0, AppSettings::kMostRecentFiles);
     values.folder = settings.value(QStringLiteral("folder")).toString();
@@ -126,6 +133,7 @@ void saveAppSettings(QSettings& settings, const AppSettings& values) {
     } else {
         settings.remove(QStringLiteral("exportNormals"));
     }
+    settings.setValue(QStringLiteral("display/coverTexture"), values.coverTexture);
     settings.setValue(QStringLiteral("recentFiles"), values.recentFiles);
     settings.setValue(QStringLiteral("folder"), values.folder);
 }
@@ -182,6 +190,8 @@ void saveSessionSettings(QSettings& settings, const Session& session) {
     }
     settings.setValue(QStringLiteral("projectile/bouncesCount"), projectile.bouncesCount);
     settings.setValue(QStringLiteral("projectile/powerFollowsImpulse"), projectile.powerFollowsImpulse);
+    writeColour(settings, QStringLiteral("projectile/colour"), projectile.colour);
+    settings.setValue(QStringLiteral("physicsStep"), QString::number(session.physics().step(), 'g', 17));
 }
 
 }  // namespace hitscope

@@ -18,6 +18,7 @@ struct AppSettings {
     ThemeChoice theme = ThemeChoice::System;
     std::optional<Theme> viewportTheme;  ///< nothing: as the window
     DisplayOptions display;
+    int coverTexture = 0;                     ///< TextureChooser::chosen()
     std::optional<NormalMode> exportNormals;  ///< nothing: those on the screen
     QStringList recentFiles;                  ///< newest first
     QString folder;                           ///< where the last file was opened or saved

@@ -16,6 +16,9 @@
 #include "app/pipeline_chooser.h"
 #include "app/scene_files.h"
 #include "app/status_line.h"
+#include "app/texture_chooser.h"
+#include "app/time_actions.h"
+#include "app/time_badge.h"
 #include "models/undo_text.h"
 #include "panels/deformation_constants/deformation_constants_panel.h"
 #include "panels/frame_rate/frame_rate_panel.h"
@@ -55,6 +58,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_notice(new NoticeBar(m_viewport)),
       m_files(new SceneFiles(session, this)),
       m_status(new StatusLine(session, *statusBar(), this)),
+      m_time(new TimeActions(session, this)),
       m_pipelines(new PipelineChooser(session, this)) {
     loadSessionSettings(QSettings(), session);
     applyTheme(m_settings.theme);
@@ -65,6 +69,8 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     makeMenus();
     makeDocks();
     makeToolBar();
+    new TimeBadge(session, m_viewport);
+    m_textureChooser->choose(m_settings.coverTexture);
     connectFiles();
 
     connect(&session, &Session::sceneReplaced, this, &MainWindow::followScene);
@@ -176,6 +182,7 @@ void MainWindow::saveSettings() {
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/layout"), saveState(kLayoutVersion));
     m_settings.display = m_viewport->options();
+    m_settings.coverTexture = m_textureChooser->chosen();
     saveAppSettings(settings, m_settings);
     saveSessionSettings(settings, m_session);
 }

@@ -24,6 +24,8 @@ class NoticeBar;
 class PipelineChooser;
 class SceneFiles;
 class StatusLine;
+class TextureChooser;
+class TimeActions;
 class Viewport;
 
 /// The window: makes viewport, docks, menus and actions and connects them to the session. Knows nothing of
@@ -122,6 +124,8 @@ private:
     NoticeBar* m_notice = nullptr;
     SceneFiles* m_files = nullptr;
     StatusLine* m_status = nullptr;
+    TextureChooser* m_textureChooser = nullptr;
+    TimeActions* m_time = nullptr;
     PipelineChooser* m_pipelines = nullptr;
     FrameRatePanel* m_frameRate = nullptr;
     QTimer m_frameRateTimer;

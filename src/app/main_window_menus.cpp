@@ -14,6 +14,7 @@
 #include "app/pipeline_chooser.h"
 #include "app/projectile_dialog.h"
 #include "app/texture_chooser.h"
+#include "app/time_actions.h"
 #include "panels/icons/themed_icon.h"
 #include "viewport/viewport.h"
 
@@ -137,7 +138,8 @@ void MainWindow::makeDisplayActions(QMenu& menu) {
         });
     });
     QMenu& textures = *menu.addMenu(tr("Te&xture"));
-    (new TextureChooser(m_session, this))->fill(textures);
+    m_textureChooser = new TextureChooser(m_session, this);
+    m_textureChooser->fill(textures);
     textures.addSeparator();
     m_textures = addToggle(textures, tr("&Show Textures"), Qt::Key_T, true, [this](bool on) {
         changeDisplay([on](DisplayOptions& display) { display.textures = on; });
@@ -225,6 +227,8 @@ void MainWindow::makeShootMenu() {
                               m_session.setProjectileSettings(settings);
                           });
     addAction(menu, tr("&Projectile…"), {}, [this] { showProjectileDialog(); });
+    menu.addSeparator();
+    m_time->fill(menu);
     connect(&m_session, &Session::projectileSettingsChanged, this,
             [this] { m_bounces->setChecked(m_session.projectileSettings().bouncesCount); });
 }
@@ -285,6 +289,9 @@ void MainWindow::makeToolBar() {
     connect(wireframe, &QToolButton::clicked, this, &MainWindow::cycleWireframe);
     bar.addWidget(wireframe);
     bar.addAction(m_frame);
+    bar.addSeparator();
+    m_time->fill(bar);
+    connect(m_time, &TimeActions::numberTyped, m_viewport, [this] { m_viewport->setFocus(); });
     bar.addSeparator();
     auto* label = new QLabel(tr("Pipeline"), &bar);
     label->setContentsMargins(6, 0, 6, 0);

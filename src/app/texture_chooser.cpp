@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QPointer>
 #include <QThreadPool>
+#include <algorithm>
 #include <memory>
 #include <new>
 
@@ -24,6 +25,7 @@ void TextureChooser::fill(QMenu& menu) {
             menu.addAction(size == 0 ? tr("Each Target's &Own") : tr("Worn Panels, &%1K").arg(size / 1024));
         action->setCheckable(true);
         action->setChecked(size == m_chosen);
+        action->setData(size);
         if (size > 0) {
             action->setToolTip(tr("%1 x %1 pixels, on all targets that have texture coordinates").arg(size));
         }
@@ -34,6 +36,14 @@ void TextureChooser::fill(QMenu& menu) {
 
 /// What was chosen last wins, whichever picture is ready first.
 void TextureChooser::choose(int size) {
+    const QList<QAction*> offered = m_actions->actions();
+    const auto wanted = std::find_if(offered.begin(), offered.end(), [size](const QAction* action) {
+        return action->data().toInt() == size;
+    });
+    if (wanted == offered.end()) {
+        return;
+    }
+    (*wanted)->setChecked(true);
     m_chosen = size;
     if (size == 0) {
         m_session.setCoverTexture(nullptr);

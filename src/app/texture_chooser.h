@@ -21,9 +21,11 @@ public:
     explicit TextureChooser(Session& session, QObject* parent = nullptr);
 
     void fill(QMenu& menu);  ///< once
+    /// Pixels each way, one of those in the menu; 0: the targets' own. Others are passed over.
+    void choose(int size);
+    [[nodiscard]] int chosen() const { return m_chosen; }
 
 private:
-    void choose(int size);
     void take(int size, const std::shared_ptr<const Image>& image);
 
     Session& m_session;

@@ -181,6 +181,16 @@ std::optional<SurfaceCast> CollisionShape::cast(const glm::dvec3& start, const g
     return fraction ? std::optional(SurfaceCast{*fraction, -1}) : std::nullopt;
 }
 
+std::vector<std::uint32_t> CollisionShape::near(const glm::vec3& point, float distance) const {
+    std::vector<std::uint32_t> found;
+    if (m_mesh) {
+        m_mesh->surface().visitNear(point, distance, [&found](std::uint32_t index, const Triangle& /*unused*/) {
+            found.push_back(index);
+        });
+    }
+    return found;
+}
+
 std::optional<SurfacePoint> CollisionShape::nearest(const glm::vec3& from, int triangle) const {
     if (usesMesh()) {
         const std::size_t count = m_mesh->surface().original().corners()->size() / 3;

@@ -40,6 +40,8 @@ public:
     /// First contact of a sphere, `radius` 0: of a point; local frame.
     [[nodiscard]] std::optional<SurfaceCast> cast(const glm::dvec3& start, const glm::dvec3& motion,
                                                   double radius) const;
+    /// The triangles in boxes within `distance` of `point`, unhurt primitive or not.
+    [[nodiscard]] std::vector<std::uint32_t> near(const glm::vec3& point, float distance) const;
     /// The point of the surface nearest to `from` (metres, local frame). For a mesh: on `triangle`; nothing
     /// when there is none such.
     [[nodiscard]] std::optional<SurfacePoint> nearest(const glm::vec3& from, int triangle) const;

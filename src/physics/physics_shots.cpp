@@ -52,7 +52,7 @@ bool Flight::touches(TargetId target) const {
 }
 
 ProjectileId PhysicsWorld::shoot(const glm::vec3& origin, const glm::vec3& direction,
-                                 const ProjectileSettings& settings) {
+                                 const ProjectileSettings& settings, int volley) {
     if (!isUsable(origin) || !isDirection(direction)) {
         return {};
     }
@@ -64,12 +64,21 @@ ProjectileId PhysicsWorld::shoot(const glm::vec3& origin, const glm::vec3& direc
     const ProjectileId id{d->nextProjectile++};
     flight.body->setUserIndex(static_cast<int>(BodyKind::Projectile));
     flight.body->setUserIndex2(static_cast<int>(id.value));
+    flight.body->setUserIndex3(volley);
     // Half a step less, so that rounding never adds one; it lives for a step at least.
     flight.end =
         d->time() + std::max(0.5 * d->stepSeconds, static_cast<double>(shot.lifetime) - 0.5 * d->stepSeconds);
     d->world.addRigidBody(flight.body.get());
     d->flights.emplace(id, std::move(flight));
     return id;
+}
+
+void Flight::keepTrail() {
+    if (trailCount == kTrailPoints) {
+        std::copy(trail.begin() + 1, trail.end(), trail.begin());
+        --trailCount;
+    }
+    trail[trailCount++] = previous;
 }
 
 void PhysicsWorld::Private::removeFlight(std::map<ProjectileId, Flight>::iterator flight) {
@@ -89,7 +98,8 @@ std::vector<ProjectileState> PhysicsWorld::projectiles() const {
     for (const auto& [id, flight] : d->flights) {
         const glm::vec3 position = fromBullet(flight.body->getWorldTransform().getOrigin());
         states.push_back({id, position, glm::mix(flight.previous, position, d->between()),
-                          fromBullet(flight.body->getLinearVelocity()), flight.settings.radius});
+                          fromBullet(flight.body->getLinearVelocity()), flight.settings.radius,
+                          flight.settings.colour, std::span(flight.trail).first(flight.trailCount)});
     }
     return states;
 }
@@ -182,6 +192,59 @@ std::optional<Impact> PhysicsWorld::hitscan(const glm::vec3& origin, const glm::
     TargetBody& target = d->targets.at(struck->target);
     bounce(flight, target, touch);
     return impactOf(struck->target, target.transform, flight.velocity, touch, d->time());
+}
+
+std::optional<Impact> PhysicsWorld::predict(const glm::vec3& origin, const glm::vec3& direction,
+                                            const ProjectileSettings& settings, bool isInstant) const {
+    if (!isUsable(origin) || !isDirection(direction)) {
+        return std::nullopt;
+    }
+    const ProjectileSettings shot = clamped(settings);
+    glm::vec3 velocity = glm::normalize(direction) * shot.speed;
+    double time = d->time();
+    const std::optional<Strike> struck = isInstant
+                                             ? d->castLine(origin, glm::normalize(direction) * kWholeWorld)
+                                             : d->fly(origin, shot, velocity, time);
+    if (!struck || !struck->target) {
+        return std::nullopt;
+    }
+    const TargetBody& target = d->targets.at(struck->target);
+    Touch touch{0.0f, struck->surface, 0.0f};
+    touch.impulse = bounceImpulse(velocity, shot.mass, target.physics, struck->surface.normal);
+    return impactOf(struck->target, target.transform, velocity, touch, time);
+}
+
+/// As step() would move it.
+std::optional<Strike> PhysicsWorld::Private::fly(glm::vec3 position, const ProjectileSettings& shot,
+                                                 glm::vec3& velocity, double& now) {
+    noteSurfaces();
+    const auto seconds = static_cast<float>(stepSeconds);
+    const auto most = static_cast<int>(std::ceil(static_cast<double>(shot.lifetime) / stepSeconds));
+    for (int i = 0; i < most && isUsable(position); ++i) {
+        velocity += kFall * seconds;
+        now += stepSeconds;
+        const glm::vec3 motion = velocity * seconds;
+        const auto contact = surfaces.sweep(position, motion, shot.radius);
+        if (contact && !contact->target) {
+            return std::nullopt;
+        }
+        if (contact) {
+            const glm::vec3 centre = position + motion * static_cast<float>(contact->fraction);
+            const auto surface = surfacePoint(contact->target, centre, contact->triangle);
+            return surface ? std::optional(Strike{contact->target, *surface}) : std::nullopt;
+        }
+        position += motion;
+    }
+    return std::nullopt;
+}
+
+std::vector<std::uint32_t> PhysicsWorld::trianglesNear(TargetId target, const glm::vec3& point,
+                                                       float distance) const {
+    const auto found = d->targets.find(target);
+    std::vector<std::uint32_t> near =
+        found == d->targets.end() ? std::vector<std::uint32_t>() : found->second.shape->near(point, distance);
+    std::sort(near.begin(), near.end());
+    return near;
 }
 
 }  // namespace hitscope

@@ -15,7 +15,6 @@ using namespace physics;
 
 namespace {
 
-const glm::vec3 kFall(0.0f, -PhysicsWorld::kGravity, 0.0f);  // m/s^2
 constexpr float kLeastImpactSpeed = 1.0e-3f;
 constexpr float kLeastBounceSpeed = 0.25f;  // along the normal: a projectile that rolls does not strike
 // Of the radius: Bullet makes a contact only where bodies overlap, so a projectile that arrives is let in
@@ -32,17 +31,21 @@ void moveTo(btRigidBody& body, const glm::vec3& position) {
 
 }  // namespace
 
+float physics::bounceImpulse(const glm::vec3& velocity, float mass, const TargetPhysics& target,
+                             const glm::vec3& normal) {
+    const float inwards = std::max(0.0f, -glm::dot(velocity, normal));
+    // Two bodies: the lighter one takes most of the change of speed.
+    const float shared = target.isDynamic ? mass * target.mass / (mass + target.mass) : mass;
+    return shared * inwards * (1.0f + kRestitution * target.restitution);
+}
+
 void physics::bounce(Flight& flight, TargetBody& target, Touch& touch) {
     const glm::vec3 normal = touch.deepest.normal;
-    const float inwards = -glm::dot(flight.velocity, normal);
-    if (inwards <= 0.0f) {
+    if (-glm::dot(flight.velocity, normal) <= 0.0f) {
         return;
     }
     const float mass = flight.settings.mass;
-    // Two bodies: the lighter one takes most of the change of speed.
-    const float shared =
-        target.physics.isDynamic ? mass * target.physics.mass / (mass + target.physics.mass) : mass;
-    touch.impulse = shared * inwards * (1.0f + kRestitution * target.physics.restitution);
+    touch.impulse = bounceImpulse(flight.velocity, mass, target.physics, normal);
     btRigidBody& body = *flight.body;
     moveTo(body, touch.deepest.point + normal * flight.settings.radius);
     body.setLinearVelocity(toBullet(flight.velocity + normal * (touch.impulse / mass)));
@@ -181,6 +184,16 @@ void PhysicsWorld::Private::removeSpentFlights() {
     }
 }
 
+void PhysicsWorld::Private::keepTrails() {
+    const double apart = kTrailSeconds / static_cast<double>(Flight::kTrailPoints);
+    const std::int64_t every = std::max<std::int64_t>(1, std::llround(apart / stepSeconds));
+    if (steps % every == 0) {
+        for (auto& [id, flight] : flights) {
+            flight.keepTrail();
+        }
+    }
+}
+
 void PhysicsWorld::Private::step(std::vector<Impact>& impacts) {
     ++steps;
     bool isMoving = !flights.empty();
@@ -195,6 +208,7 @@ void PhysicsWorld::Private::step(std::vector<Impact>& impacts) {
     for (auto& [id, flight] : flights) {
         approach(flight);
     }
+    keepTrails();
     world.stepSimulation(static_cast<btScalar>(stepSeconds), 0);
     const auto contacts = touches(dispatcher);
     for (auto& [id, flight] : flights) {

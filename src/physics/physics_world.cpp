@@ -62,6 +62,7 @@ void TargetBody::place() {
 
 PhysicsWorld::Private::Private() {
     world.setGravity(btVector3(0, -kGravity, 0));
+    broadphase.getOverlappingPairCache()->setOverlapFilterCallback(&volleyFilter);
     // Contacts are solved in the order of the bodies, not of the tree that found them, whose shape remembers
     // in which order boxes moved.
     world.getDispatchInfo().m_deterministicOverlappingPairs = true;

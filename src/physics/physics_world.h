@@ -23,6 +23,10 @@ struct ProjectileState {
     glm::vec3 drawn{0.0f};     ///< where to draw it now, between the last two steps
     glm::vec3 velocity{0.0f};  ///< m/s
     float radius = 0.1f;       ///< metres
+    glm::vec3 colour{1.0f};    ///< sRGB
+    /// Where it has been in the last kTrailSeconds of simulated time, metres, world, oldest first. Valid
+    /// until the world changes.
+    std::span<const glm::vec3> trail;
 };
 
 /// A dynamic target's place.
@@ -80,13 +84,18 @@ public:
     // Shots
     /// Launches a projectile from `origin` (metres, world) along `direction` (unit). It never tunnels.
     /// Settings out of range are clamped. Nothing is launched, and id 0 comes back, when origin or direction
-    /// is not finite or the direction is zero.
+    /// is not finite or the direction is zero. Projectiles of one volley (> 0) pass through each other: they
+    /// may leave from one point.
     ProjectileId shoot(const glm::vec3& origin, const glm::vec3& direction,
-                       const ProjectileSettings& settings);
+                       const ProjectileSettings& settings, int volley = 0);
     /// An instant shot without flight, along a straight line: what a projectile of these settings would do
     /// that struck just there. Nothing when no target is first on the line.
     [[nodiscard]] std::optional<Impact> hitscan(const glm::vec3& origin, const glm::vec3& direction,
                                                 const ProjectileSettings& settings);
+    /// What a shot would strike if nothing moved meanwhile; changes nothing. In flight it falls, in the
+    /// world's own steps; one that meets the floor first strikes nothing.
+    [[nodiscard]] std::optional<Impact> predict(const glm::vec3& origin, const glm::vec3& direction,
+                                                const ProjectileSettings& settings, bool isInstant) const;
     /// Whether in the next step a projectile that has not struck this target as the last one it struck comes
     /// within `reach` metres of its box (infinite: whether there is such a projectile).
     [[nodiscard]] bool isApproached(TargetId target, float reach) const;
@@ -127,7 +136,12 @@ public:
     /// Nothing when the ray meets neither target nor floor within `length` metres. `direction` is unit.
     [[nodiscard]] std::optional<RayHit> castRay(const glm::vec3& origin, const glm::vec3& direction,
                                                 float length) const;
+    /// The triangles of a target's surface as it is now that may come within `distance` metres of `point`
+    /// (local frame), and some more; ascending. Empty: no such target, or no triangles.
+    [[nodiscard]] std::vector<std::uint32_t> trianglesNear(TargetId target, const glm::vec3& point,
+                                                           float distance) const;
 
+    static constexpr double kTrailSeconds = 0.15;
     static constexpr double kStep = 1.0 / 240.0;   ///< seconds; the default
     static constexpr float kGravity = 9.81f;       ///< m/s^2, downwards along y
     static constexpr double kLongestFrame = 0.25;  ///< seconds of simulated time

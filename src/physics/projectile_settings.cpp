@@ -114,7 +114,12 @@ void setParameterValue(ProjectileSettings& settings, std::size_t index, double v
 }
 
 ProjectileSettings clamped(const ProjectileSettings& settings) {
-    return clampedBy(settings, projectileParameters());
+    ProjectileSettings usable = clampedBy(settings, projectileParameters());
+    for (int i = 0; i < 3; ++i) {
+        const float part = settings.colour[i];
+        usable.colour[i] = std::isfinite(part) ? std::clamp(part, 0.0f, 1.0f) : ProjectileSettings().colour[i];
+    }
+    return usable;
 }
 
 const std::array<ParameterDescriptor, 3>& targetParameters() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <glm/vec3.hpp>
 
 #include "core/parameter.h"
 
@@ -18,7 +19,8 @@ struct ProjectileSettings {
     int mostAlive = 500;        ///< the oldest goes when one more is shot
     /// The deformation's power is multiplied by impulse / referenceImpulse; the paper's is constant.
     bool powerFollowsImpulse = false;
-    float referenceImpulse = 40.8f;  ///< newton seconds; the default: of the default shot, head on
+    float referenceImpulse = 40.8f;         ///< newton seconds; the default: of the default shot, head on
+    glm::vec3 colour{0.90f, 0.58f, 0.30f};  ///< sRGB, [0, 1]; what a projectile looks like in flight
 
     bool operator==(const ProjectileSettings&) const = default;
 };
@@ -28,7 +30,8 @@ struct ProjectileSettings {
 [[nodiscard]] double parameterValue(const ProjectileSettings& settings, std::size_t index);
 void setParameterValue(ProjectileSettings& settings, std::size_t index, double value);
 
-/// With every number within its descriptor's range; what is not finite becomes the default.
+/// With every number within its descriptor's range, and the colour within its own; what is not finite becomes
+/// the default.
 [[nodiscard]] ProjectileSettings clamped(const ProjectileSettings& settings);
 
 /// Whether a target stays where it was put, as in the paper, or is knocked about.

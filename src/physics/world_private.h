@@ -3,6 +3,7 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include <array>
 #include <map>
 
 #include "physics/mesh_contacts.h"
@@ -10,11 +11,13 @@
 #include "physics/physics_world.h"
 #include "physics/stepped_world.h"
 #include "physics/touches.h"
+#include "physics/volley_filter.h"
 
 namespace hitscope {
 
 namespace physics {
 
+inline const glm::vec3 kFall(0.0f, -PhysicsWorld::kGravity, 0.0f);  // m/s^2
 inline constexpr float kRestitution = 0.6f;  // of projectiles and the floor; Bullet multiplies the two
 inline constexpr float kFriction = 0.6f;
 inline constexpr float kRollingFriction = 0.05f;  // metres: without it a sphere on a plane rolls for ever
@@ -46,13 +49,22 @@ struct Flight {
     glm::vec3 velocity{0.0f};        ///< just before any impact of this step, m/s
     glm::vec3 previous{0.0f};        ///< position before the last step
     std::optional<Strike> strike;
+    static constexpr std::size_t kTrailPoints = 12;
+    std::array<glm::vec3, kTrailPoints> trail;  ///< oldest first
+    std::size_t trailCount = 0;
 
+    void keepTrail();  ///< adds `previous`
     [[nodiscard]] bool touches(TargetId target) const;
 };
 
 /// Bounces a flight off a target where it touches, as Bullet would have, and pushes a dynamic target; writes
 /// the impulse into `touch`. Moving away: nothing.
 void bounce(Flight& flight, TargetBody& target, Touch& touch);
+
+/// Newton seconds that a projectile of `mass` takes from a target it meets with `velocity` (m/s) where the
+/// normal (unit) is that; 0 when it moves away.
+[[nodiscard]] float bounceImpulse(const glm::vec3& velocity, float mass, const TargetPhysics& target,
+                                  const glm::vec3& normal);
 
 /// `where`: of the target when the touch was found.
 [[nodiscard]] Impact impactOf(TargetId target, const RigidTransform& where, const glm::vec3& velocity,
@@ -76,11 +88,16 @@ struct PhysicsWorld::Private {
                 std::vector<Impact>& impacts);
     void followDynamicTargets();
     void removeSpentFlights();
+    void keepTrails();
 
     void addBody(physics::TargetBody& target);
     void reshape(TargetId id, physics::TargetBody& target, bool shapeChanged);
     /// First target, or the floor (target 0), on a line.
     [[nodiscard]] std::optional<physics::Strike> castLine(const glm::vec3& origin, const glm::vec3& motion);
+    /// Where a projectile from `position` first strikes something; `velocity` (m/s) and `now` (simulated
+    /// time) become those of that moment.
+    [[nodiscard]] std::optional<physics::Strike> fly(glm::vec3 position, const ProjectileSettings& shot,
+                                                     glm::vec3& velocity, double& now);
     void removeFlight(std::map<ProjectileId, physics::Flight>::iterator flight);
     void wakeAll();
     [[nodiscard]] std::optional<physics::SurfacePoint> surfacePoint(TargetId target, const glm::vec3& from,
@@ -93,6 +110,7 @@ struct PhysicsWorld::Private {
     btCollisionDispatcher dispatcher{&configuration};
     physics::MeshContacts meshContacts{dispatcher};
     btDbvtBroadphase broadphase;
+    physics::VolleyFilter volleyFilter;
     btSequentialImpulseConstraintSolver solver;
     physics::SweepScene surfaces;  ///< as of the last noteSurfaces()
     physics::SteppedWorld world{dispatcher, broadphase, solver, configuration, surfaces};

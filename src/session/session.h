@@ -24,6 +24,7 @@
 #include "session/hit_rows.h"
 #include "session/scene_presets.h"
 #include "session/session_undo.h"
+#include "session/shot_schedule.h"
 #include "session/target.h"
 
 namespace hitscope {
@@ -128,6 +129,13 @@ public:
     /// A hit without flight, where the ray first meets a target: exact and repeatable. Returns whether there
     /// is one.
     bool hitscan(const Ray& ray);
+    /// The hit that this shot would make if nothing moved meanwhile, as shoot() or, without flight, as
+    /// hitscan() makes it. Nothing when it would strike no target.
+    [[nodiscard]] std::optional<Hit> predictedHit(const Ray& ray, bool isInstant) const;
+    /// Shots that leave by themselves as time goes on.
+    void schedule(std::span<const ScheduledShot> shots);
+    void cancelScheduled();
+    [[nodiscard]] std::size_t shotsToCome() const { return m_schedule.size(); }
     /// Steps the physics; contacts become hits, dynamic targets move.
     void advance(double seconds);
     void stepOnce();  ///< one physics step, paused or not
@@ -195,8 +203,9 @@ Q_SIGNALS:
     void projectileSettingsChanged();
     void pipelineChanged();
     void exactnessChanged();
-    void aboutToStep();  ///< before each physics step: what is shot now flies with it
-    void timeChanged();  ///< paused or not, time scale, physics step
+    void scheduleChanged();  ///< shotsToCome()
+    void aboutToStep();      ///< before each physics step: what is shot now flies with it
+    void timeChanged();      ///< paused or not, time scale, physics step
     void targetSelected(hitscope::TargetId target);
     void hitSelected();
     void capacityChanged();
@@ -210,7 +219,10 @@ private:
     Target& insertTarget(std::size_t index, const TargetState& state);
     void eraseTarget(std::size_t index);
     void letCollide(const Target& target);
+    [[nodiscard]] std::optional<Hit> hitOf(const Impact& impact) const;
     void takeImpacts(std::span<const Impact> impacts);
+    bool hitscan(const Ray& ray, const ProjectileSettings& settings);
+    void fireScheduled();
     void step();
     void catchUp();
     void expectMoves(std::span<const HistoryEdit> edits);
@@ -255,6 +267,7 @@ private:
     std::optional<Exactness> m_exactness;
     PhysicsWorld m_physics;
     ColliderFollower m_colliders{m_physics};
+    ShotSchedule m_schedule;
     std::function<void()> m_catchUp;
     bool m_isBehind = false;                    ///< the CPU copies, until setUpToDate()
     std::map<TargetId, QString> m_notHittable;  ///< why

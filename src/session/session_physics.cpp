@@ -10,7 +10,7 @@ namespace hitscope {
 
 namespace {
 
-Hit hitOf(const Impact& impact, const DeformationConstants& constants) {
+Hit localHit(const Impact& impact, const DeformationConstants& constants) {
     Hit hit;
     hit.target = impact.target;
     hit.point = impact.where.toLocal(impact.point);
@@ -48,9 +48,13 @@ void Session::shoot(const Ray& ray) {
 }
 
 bool Session::hitscan(const Ray& ray) {
+    return hitscan(ray, m_projectileSettings);
+}
+
+bool Session::hitscan(const Ray& ray, const ProjectileSettings& settings) {
     catchUp();
     m_colliders.updateAll(currentVertices());
-    const auto impact = m_physics.hitscan(ray.origin, ray.direction, m_projectileSettings);
+    const auto impact = m_physics.hitscan(ray.origin, ray.direction, settings);
     const std::size_t before = m_history.size();
     if (impact) {
         takeImpacts({&*impact, 1});
@@ -58,14 +62,36 @@ bool Session::hitscan(const Ray& ray) {
     return m_history.size() > before;
 }
 
+std::optional<Hit> Session::predictedHit(const Ray& ray, bool isInstant) const {
+    const auto impact = m_physics.predict(ray.origin, ray.direction, m_projectileSettings, isInstant);
+    return impact ? hitOf(*impact) : std::nullopt;
+}
+
+void Session::schedule(std::span<const ScheduledShot> shots) {
+    m_schedule.add(shots, m_physics.time());
+    Q_EMIT scheduleChanged();
+    Q_EMIT pictureChanged();
+}
+
+void Session::cancelScheduled() {
+    m_schedule.clear();
+    Q_EMIT scheduleChanged();
+}
+
+/// Nothing for an impact that no hit can be made of.
+std::optional<Hit> Session::hitOf(const Impact& impact) const {
+    Hit hit = localHit(impact, m_constants);
+    hit.constants.power = powerOf(m_constants, m_projectileSettings, impact.impulse);
+    hit.pipeline = static_cast<std::uint8_t>(m_pipeline);
+    Result<Hit> checked = checkedHit(hit);
+    return checked && target(impact.target) != nullptr ? std::optional(checked.value()) : std::nullopt;
+}
+
 void Session::takeImpacts(std::span<const Impact> impacts) {
     std::vector<Hit> hits;
     for (const Impact& impact : impacts) {
-        Hit hit = hitOf(impact, m_constants);
-        hit.constants.power = powerOf(m_constants, m_projectileSettings, impact.impulse);
-        hit.pipeline = static_cast<std::uint8_t>(m_pipeline);
-        if (Result<Hit> checked = checkedHit(hit); checked && target(impact.target) != nullptr) {
-            hits.push_back(checked.value());
+        if (const std::optional<Hit> hit = hitOf(impact)) {
+            hits.push_back(*hit);
         }
     }
     appendHits(hits);
@@ -104,7 +130,23 @@ ColliderFollower::Vertices Session::currentVertices() const {
 
 // Time
 
+/// Between steps, so that an instant shot finds the dents of those before it.
+void Session::fireScheduled() {
+    const std::vector<ShotSchedule::Due> due = m_schedule.takeDue(m_physics.time(), m_physics.step());
+    for (const auto& [shot, volley] : due) {
+        if (shot.isInstant) {
+            hitscan(shot.ray, shot.settings);
+        } else {
+            m_physics.shoot(shot.ray.origin, shot.ray.direction, shot.settings, volley);
+        }
+    }
+    if (!due.empty()) {
+        Q_EMIT scheduleChanged();
+    }
+}
+
 void Session::step() {
+    fireScheduled();
     Q_EMIT aboutToStep();
     if (m_colliders.isDue()) {
         catchUp();
@@ -156,7 +198,7 @@ void Session::setPhysicsStep(double seconds) {
 }
 
 bool Session::isMoving() const {
-    return !m_physics.isPaused() && m_physics.isMoving();
+    return !m_physics.isPaused() && (m_physics.isMoving() || m_schedule.size() > 0);
 }
 
 void Session::followDynamicTargets() {

@@ -78,6 +78,7 @@ void Session::clearScene() {
         m_physics.removeTarget(target->id);
     }
     m_physics.removeProjectiles();
+    m_schedule.clear();
     m_colliders.clear();
     m_targets.clear();
     m_moved.clear();

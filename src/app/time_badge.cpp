@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/time_badge.h"
+
+#include <QEvent>
+#include <QStringList>
+
+#include "models/quantity_text.h"
+
+namespace hitscope {
+
+namespace {
+
+QString timeText(const PhysicsWorld& physics) {
+    const double scale = physics.timeScale();
+    if (physics.isPaused()) {
+        return TimeBadge::tr("Paused");
+    }
+    if (scale == 1.0) {
+        return {};
+    }
+    const QString factor = QString::number(scale, 'g', 3);
+    return scale < 1.0 ? TimeBadge::tr("Slow motion %1×").arg(factor)
+                       : TimeBadge::tr("Fast motion %1×").arg(factor);
+}
+
+}  // namespace
+
+TimeBadge::TimeBadge(const Session& session, QWidget* over) : QLabel(over), m_session(session) {
+    setObjectName(QStringLiteral("timeBadge"));
+    setTextFormat(Qt::PlainText);
+    setFrameShape(QFrame::StyledPanel);
+    setAutoFillBackground(true);
+    setContentsMargins(6, 2, 6, 2);
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    over->installEventFilter(this);
+    connect(&session, &Session::timeChanged, this, &TimeBadge::follow);
+    connect(&session, &Session::scheduleChanged, this, &TimeBadge::follow);
+    connect(&session, &Session::sceneReplaced, this, &TimeBadge::follow);
+    follow();
+}
+
+void TimeBadge::follow() {
+    QStringList parts;
+    if (const QString time = timeText(m_session.physics()); !time.isEmpty()) {
+        parts << time;
+    }
+    if (const std::size_t toCome = m_session.shotsToCome(); toCome > 0) {
+        parts << (toCome == 1 ? tr("1 shot to come") : tr("%1 shots to come").arg(countText(toCome)));
+    }
+    setText(parts.join(QStringLiteral(" · ")));
+    setVisible(!parts.isEmpty());
+    place();
+}
+
+bool TimeBadge::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == parent() && event->type() == QEvent::Resize) {
+        place();
+    }
+    return QLabel::eventFilter(watched, event);
+}
+
+void TimeBadge::place() {
+    constexpr int kMargin = 8;
+    resize(sizeHint());
+    move(kMargin, parentWidget()->height() - height() - kMargin);
+}
+
+}  // namespace hitscope
