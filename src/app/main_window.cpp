@@ -121,6 +121,7 @@ void MainWindow::makeDocks() {
         m_viewport->navigation().frame(bounds);
         m_viewport->update();
     };
+    m_meshStatistics.measuring().setStretchLimit(static_cast<float>(m_settings.stretchLimit));
     auto* statisticsPanel = new MeshStatisticsPanel(m_session, m_meshStatistics);
     connect(statisticsPanel, &MeshStatisticsPanel::lookWanted, this, lookAt);
     auto* agreementPanel =
@@ -183,6 +184,7 @@ void MainWindow::saveSettings() {
     settings.setValue(QStringLiteral("window/layout"), saveState(kLayoutVersion));
     m_settings.display = m_viewport->options();
     m_settings.coverTexture = m_textureChooser->chosen();
+    m_settings.stretchLimit = static_cast<double>(m_meshStatistics.measuring().stretchLimit());
     saveAppSettings(settings, m_settings);
     saveSessionSettings(settings, m_session);
 }

@@ -179,9 +179,7 @@ QVariant MeshStatisticsModel::data(const QModelIndex& index, int role) const {
 
 QString MeshStatisticsModel::cellText(const StatisticsRow& row, int column) const {
     if (column == PropertyColumn) {
-        const QString unit = QString::fromUtf8(row.unit);
-        return unit.isEmpty() ? translated(row.name)
-                              : QStringLiteral("%1 (%2)").arg(translated(row.name), unit);
+        return propertyName(row);
     }
     const std::shared_ptr<const MeshMeasurement>& measurement = m_measuring.measurement();
     if (!measurement) {

@@ -13,12 +13,6 @@ QString tr(const char* text) {
     return QCoreApplication::translate("hitscope::StatisticsReport", text);
 }
 
-QString propertyOf(const StatisticsRow& row) {
-    const QString name = QCoreApplication::translate("hitscope::StatisticsRow", row.name);
-    const QString unit = QString::fromUtf8(row.unit);
-    return unit.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, unit);
-}
-
 using Cells = std::array<QString, 4>;
 
 Cells headings() {
@@ -26,7 +20,7 @@ Cells headings() {
 }
 
 Cells cellsOf(const StatisticsRow& row, const MeshMeasurement& measurement) {
-    return {propertyOf(row), statisticsText(row, measurement, StatisticsSide::Original),
+    return {propertyName(row), statisticsText(row, measurement, StatisticsSide::Original),
             statisticsText(row, measurement, StatisticsSide::Deformed),
             statisticsText(row, measurement, StatisticsSide::Change)};
 }

@@ -84,10 +84,10 @@ constexpr const char* kSolidMeaning = HITSCOPE_TEXT(
     "all look the same way.");
 
 const Row kRows[] = {
-    {kDisplacement, "changed_vertices", HITSCOPE_TEXT("Changed vertices"), "",
+    {kDisplacement, "changed_vertices", HITSCOPE_TEXT("Changed"), "",
      HITSCOPE_TEXT("Vertices of the file that are not where they were."), kCount, kDeformed,
      [](const Sheet& s) { return count(s.all.displacement.length.count); }},
-    {kDisplacement, "changed_share", HITSCOPE_TEXT("Share changed"), "%",
+    {kDisplacement, "changed_share", HITSCOPE_TEXT("Changed"), "%",
      HITSCOPE_TEXT("Changed vertices among all vertices of the file."), Row::Kind::Percent, kDeformed,
      [](const Sheet& s) {
          return allVertices(s) == 0 ? Value(0.0)
@@ -113,34 +113,34 @@ const Row kRows[] = {
      HITSCOPE_TEXT("Standard deviation of the changed vertices' displacements about their mean."), kQuantity,
      kDeformed, [](const Sheet& s) { return ofDisplacement(s, s.all.displacement.standardDeviation); }},
 
-    {kSize, "box_size_x", HITSCOPE_TEXT("Box size x"), "m", kBoxFrame, kQuantity, kBoth, boxSize<0>},
-    {kSize, "box_size_y", HITSCOPE_TEXT("Box size y"), "m", kBoxFrame, kQuantity, kBoth, boxSize<1>},
-    {kSize, "box_size_z", HITSCOPE_TEXT("Box size z"), "m", kBoxFrame, kQuantity, kBoth, boxSize<2>},
-    {kSize, "box_diagonal", HITSCOPE_TEXT("Box diagonal"), "m", kBoxFrame, kQuantity, kBoth,
+    {kSize, "box_size_x", HITSCOPE_TEXT("Size x"), "m", kBoxFrame, kQuantity, kBoth, boxSize<0>},
+    {kSize, "box_size_y", HITSCOPE_TEXT("Size y"), "m", kBoxFrame, kQuantity, kBoth, boxSize<1>},
+    {kSize, "box_size_z", HITSCOPE_TEXT("Size z"), "m", kBoxFrame, kQuantity, kBoth, boxSize<2>},
+    {kSize, "box_diagonal", HITSCOPE_TEXT("Diagonal"), "m", kBoxFrame, kQuantity, kBoth,
      [](const Sheet& s) { return Value(glm::length(s.measures.box.size())); }},
-    {kSize, "box_min_x", HITSCOPE_TEXT("Box min x"), "m", kBoxFrame, kQuantity, kBoth, boxMin<0>},
-    {kSize, "box_min_y", HITSCOPE_TEXT("Box min y"), "m", kBoxFrame, kQuantity, kBoth, boxMin<1>},
-    {kSize, "box_min_z", HITSCOPE_TEXT("Box min z"), "m", kBoxFrame, kQuantity, kBoth, boxMin<2>},
-    {kSize, "box_max_x", HITSCOPE_TEXT("Box max x"), "m", kBoxFrame, kQuantity, kBoth, boxMax<0>},
-    {kSize, "box_max_y", HITSCOPE_TEXT("Box max y"), "m", kBoxFrame, kQuantity, kBoth, boxMax<1>},
-    {kSize, "box_max_z", HITSCOPE_TEXT("Box max z"), "m", kBoxFrame, kQuantity, kBoth, boxMax<2>},
+    {kSize, "box_min_x", HITSCOPE_TEXT("Min x"), "m", kBoxFrame, kQuantity, kBoth, boxMin<0>},
+    {kSize, "box_min_y", HITSCOPE_TEXT("Min y"), "m", kBoxFrame, kQuantity, kBoth, boxMin<1>},
+    {kSize, "box_min_z", HITSCOPE_TEXT("Min z"), "m", kBoxFrame, kQuantity, kBoth, boxMin<2>},
+    {kSize, "box_max_x", HITSCOPE_TEXT("Max x"), "m", kBoxFrame, kQuantity, kBoth, boxMax<0>},
+    {kSize, "box_max_y", HITSCOPE_TEXT("Max y"), "m", kBoxFrame, kQuantity, kBoth, boxMax<1>},
+    {kSize, "box_max_z", HITSCOPE_TEXT("Max z"), "m", kBoxFrame, kQuantity, kBoth, boxMax<2>},
 
-    {kSurface, "surface_area", HITSCOPE_TEXT("Surface area"), "m²", HITSCOPE_TEXT("Sum of the faces' areas."),
+    {kSurface, "surface_area", HITSCOPE_TEXT("Area"), "m²", HITSCOPE_TEXT("Sum of the faces' areas."),
      kQuantity, kBoth, [](const Sheet& s) { return Value(s.measures.faceArea.sum); }},
     {kSurface, "volume", HITSCOPE_TEXT("Volume"), "m³", kSolidMeaning, kQuantity, kBoth,
      [](const Sheet& s) { return s.all.topology.isSolid() ? Value(s.measures.volume()) : std::nullopt; }},
-    {kSurface, "centre_of_mass_x", HITSCOPE_TEXT("Centre of mass x"), "m", kSolidMeaning, kQuantity, kBoth,
+    {kSurface, "centre_of_mass_x", HITSCOPE_TEXT("Centre x"), "m", kSolidMeaning, kQuantity, kBoth,
      centreOfMass<0>},
-    {kSurface, "centre_of_mass_y", HITSCOPE_TEXT("Centre of mass y"), "m", kSolidMeaning, kQuantity, kBoth,
+    {kSurface, "centre_of_mass_y", HITSCOPE_TEXT("Centre y"), "m", kSolidMeaning, kQuantity, kBoth,
      centreOfMass<1>},
-    {kSurface, "centre_of_mass_z", HITSCOPE_TEXT("Centre of mass z"), "m", kSolidMeaning, kQuantity, kBoth,
+    {kSurface, "centre_of_mass_z", HITSCOPE_TEXT("Centre z"), "m", kSolidMeaning, kQuantity, kBoth,
      centreOfMass<2>},
 
-    {kEdges, "edge_length_total", HITSCOPE_TEXT("Total length"), "m",
+    {kEdges, "edge_length_total", HITSCOPE_TEXT("Total"), "m",
      HITSCOPE_TEXT("Sum of the lengths of all edges, each once."), kQuantity, kBoth,
      [](const Sheet& s) { return Value(s.measures.edgeLength.sum); }},
-    {kEdges, "edge_length_mean", HITSCOPE_TEXT("Mean length"), "m",
-     HITSCOPE_TEXT("Average length of an edge."), kQuantity, kBoth,
+    {kEdges, "edge_length_mean", HITSCOPE_TEXT("Mean"), "m", HITSCOPE_TEXT("Average length of an edge."),
+     kQuantity, kBoth,
      [](const Sheet& s) { return ofSome(s.measures.edgeLength, s.measures.edgeLength.mean()); }},
     {kEdges, "edge_length_min", HITSCOPE_TEXT("Shortest"), "m", HITSCOPE_TEXT("Length of the shortest edge."),
      kQuantity, kBoth,
@@ -149,18 +149,17 @@ const Row kRows[] = {
      kQuantity, kBoth,
      [](const Sheet& s) { return ofSome(s.measures.edgeLength, s.measures.edgeLength.greatest); }},
 
-    {kFaces, "face_area_min", HITSCOPE_TEXT("Smallest area"), "m²",
-     HITSCOPE_TEXT("Area of the smallest face."), kQuantity, kBoth,
-     [](const Sheet& s) { return ofSome(s.measures.faceArea, s.measures.faceArea.least); }},
-    {kFaces, "face_area_max", HITSCOPE_TEXT("Largest area"), "m²", HITSCOPE_TEXT("Area of the largest face."),
+    {kFaces, "face_area_min", HITSCOPE_TEXT("Smallest"), "m²", HITSCOPE_TEXT("Area of the smallest face."),
+     kQuantity, kBoth, [](const Sheet& s) { return ofSome(s.measures.faceArea, s.measures.faceArea.least); }},
+    {kFaces, "face_area_max", HITSCOPE_TEXT("Largest"), "m²", HITSCOPE_TEXT("Area of the largest face."),
      kQuantity, kBoth,
      [](const Sheet& s) { return ofSome(s.measures.faceArea, s.measures.faceArea.greatest); }},
-    {kFaces, "aspect_min", HITSCOPE_TEXT("Best aspect ratio"), "",
+    {kFaces, "aspect_min", HITSCOPE_TEXT("Best aspect"), "",
      HITSCOPE_TEXT(
          "Of the best shaped face: longest edge times perimeter over area, scaled so that a regular "
          "polygon has 1. Degenerate faces do not count."),
      kQuantity, kBoth, [](const Sheet& s) { return ofSome(s.measures.aspect, s.measures.aspect.least); }},
-    {kFaces, "aspect_max", HITSCOPE_TEXT("Worst aspect ratio"), "",
+    {kFaces, "aspect_max", HITSCOPE_TEXT("Worst aspect"), "",
      HITSCOPE_TEXT("Of the worst shaped face: longest edge times perimeter over area, scaled so that a "
                    "regular polygon has 1. Degenerate faces do not count."),
      kQuantity, kBoth, [](const Sheet& s) { return ofSome(s.measures.aspect, s.measures.aspect.greatest); }},
@@ -176,7 +175,7 @@ const Row kRows[] = {
     {kTopology, "unreferenced_vertices", HITSCOPE_TEXT("Unreferenced"), "",
      HITSCOPE_TEXT("Vertices that no face uses. They are not drawn and no hit moves them."), kCount, kSame,
      [](const Sheet& s) { return count(s.all.topology.unreferencedVertices); }},
-    {kTopology, "places", HITSCOPE_TEXT("Different places"), "",
+    {kTopology, "places", HITSCOPE_TEXT("Places"), "",
      HITSCOPE_TEXT("Vertices that faces use, those at the very same place counted once: files split vertices "
                    "along seams, but the surface hangs together there. What follows is of this surface."),
      kCount, kSame, [](const Sheet& s) { return count(s.all.topology.places); }},
@@ -201,17 +200,17 @@ const Row kRows[] = {
     {kTopology, "holes", HITSCOPE_TEXT("Holes"), "",
      HITSCOPE_TEXT("Closed lines of boundary edges; the rim of an open surface is one."), kCount, kSame,
      [](const Sheet& s) { return count(s.all.topology.holes); }},
-    {kTopology, "non_manifold_edges", HITSCOPE_TEXT("Non-manifold edges"), "",
+    {kTopology, "non_manifold_edges", HITSCOPE_TEXT("Non-man. edges"), "",
      HITSCOPE_TEXT("Edges that three faces or more share."), kCount, kSame,
      [](const Sheet& s) { return count(s.all.topology.nonManifoldEdges); }},
-    {kTopology, "non_manifold_vertices", HITSCOPE_TEXT("Non-man. vertices"), "",
+    {kTopology, "non_manifold_vertices", HITSCOPE_TEXT("Non-man. verts"), "",
      HITSCOPE_TEXT("Places where parts of the surface meet in a point only. The ends of non-manifold edges "
                    "are not counted again."),
      kCount, kSame, [](const Sheet& s) { return count(s.all.topology.nonManifoldVertices); }},
     {kTopology, "opposed_edges", HITSCOPE_TEXT("Opposed edges"), "",
      HITSCOPE_TEXT("Edges whose two faces look to different sides: one of them is turned over."), kCount,
      kSame, [](const Sheet& s) { return count(s.all.topology.opposedEdges); }},
-    {kTopology, "collapsed_faces", HITSCOPE_TEXT("Collapsed faces"), "",
+    {kTopology, "collapsed_faces", HITSCOPE_TEXT("Collapsed"), "",
      HITSCOPE_TEXT("Faces with fewer than three corners at different places, or that pass one place twice. "
                    "They are no part of the surface."),
      kCount, kSame, [](const Sheet& s) { return count(s.all.topology.collapsedFaces); }},
@@ -272,6 +271,17 @@ bool mayBeMissing(const Row& row) {
     return key == "volume" || key == "genus" || key.starts_with("centre_of_mass");
 }
 
+/// A change in fewer digits: it is read against the numbers beside it.
+QString changeText(double value) {
+    constexpr int kDigits = 3;
+    const double size = std::abs(value);
+    return size != 0.0 && size < 1000.0 && size > 1.0e-5
+               ? QString::number(
+                     value, 'f',
+                     std::clamp(kDigits - 1 - static_cast<int>(std::floor(std::log10(size))), 0, 7))
+               : QString::number(value, 'g', kDigits);
+}
+
 QString numberText(const Row& row, double value) {
     switch (row.kind) {
         case Row::Kind::Count:
@@ -298,16 +308,24 @@ const StatisticsRow& statisticsRow(const char* key) {
                          [key](const Row& row) { return std::string_view(row.key) == key; });
 }
 
+QString propertyName(const StatisticsRow& row) {
+    const bool isSaid = row.section == kDisplacement || row.section == kSize || row.section == kEdges;
+    const QString unit = QString::fromUtf8(row.unit);
+    return unit.isEmpty() || (isSaid && unit == QLatin1String("m"))
+               ? tr(row.name)
+               : QStringLiteral("%1 (%2)").arg(tr(row.name), unit);
+}
+
 QString sectionName(StatisticsRow::Section section) {
     switch (section) {
         case Row::Section::Displacement:
-            return tr("Displacement");
+            return tr("Displacement (m)");
         case Row::Section::Size:
-            return tr("Bounding box");
+            return tr("Bounding box (m)");
         case Row::Section::Surface:
             return tr("Surface and volume");
         case Row::Section::Edges:
-            return tr("Edges");
+            return tr("Edge lengths (m)");
         case Row::Section::Faces:
             return tr("Faces");
         case Row::Section::Topology:
@@ -335,7 +353,8 @@ std::optional<double> statisticsValue(const StatisticsRow& row, const MeshMeasur
 QString statisticsText(const StatisticsRow& row, const MeshMeasurement& all, StatisticsSide side) {
     const Value value = statisticsValue(row, all, side);
     if (value) {
-        const QString text = numberText(row, *value);
+        const bool isChange = side == StatisticsSide::Change && row.kind == Row::Kind::Quantity;
+        const QString text = isChange ? changeText(*value) : numberText(row, *value);
         const bool isIncrease = side == StatisticsSide::Change && *value > 0.0;
         return isIncrease ? u'+' + text : text;
     }

@@ -34,7 +34,10 @@ struct StatisticsRow {
 
 /// All of them, section by section.
 [[nodiscard]] std::span<const StatisticsRow> statisticsRows();
+/// With the unit that the section's lengths are in: "Displacement (m)".
 [[nodiscard]] QString sectionName(StatisticsRow::Section section);
+/// With its unit, unless the section has named it: "Area (m²)", "Largest".
+[[nodiscard]] QString propertyName(const StatisticsRow& row);
 
 /// The row of that key; it exists.
 [[nodiscard]] const StatisticsRow& statisticsRow(const char* key);

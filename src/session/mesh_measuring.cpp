@@ -70,7 +70,9 @@ MeshMeasuring::MeshMeasuring(Session& session, QObject* parent)
                 const Target* target = m_session.target(id);
                 if (m_active && target != nullptr && m_measured.contains(id)) {
                     m_moved.note(*target, vertices);
-                    schedule();
+                    if (std::find(m_targets.begin(), m_targets.end(), id) != m_targets.end()) {
+                        schedule();
+                    }
                 }
             });
     connect(&session, &Session::targetChanged, this, [this] {
@@ -226,8 +228,11 @@ void MeshMeasuring::take(const Job& job) {
         m_history.startOver();
         return;
     }
-    m_measurement = job.made;
-    Q_EMIT measured();
+    // Others may have been asked for meanwhile.
+    if (job.made->targets == m_targets && job.alone == m_alone) {
+        m_measurement = job.made;
+        Q_EMIT measured();
+    }
     if (m_changed) {
         schedule();
     }

@@ -68,8 +68,25 @@ void Reapplication::applySome(std::size_t most) {
     const std::size_t count = std::min(most, hits.size() - m_applied);
     m_pipeline->append(hits.subspan(m_applied, count));
     m_applied += count;
-    // Not for the vertices' sake: the pipeline learns where they are, and so which of them a hit can reach.
-    m_pipeline->pollReadBack([](TargetId, std::uint32_t, std::span<const DynamicVertex>) {});
+    // On the way the pipeline learns where the vertices are, and so which of them a hit can reach.
+    m_pipeline->pollReadBack(
+        [this](TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices) {
+            Arrived& arrived = m_arrived[target];
+            if (arrived.vertices.empty()) {
+                arrived.vertices = m_session.target(target)->deformed.render().vertices;
+            }
+            std::copy(vertices.begin(), vertices.end(), arrived.vertices.begin() + first);
+            const VertexRange range{first, static_cast<std::uint32_t>(vertices.size())};
+            arrived.ranges.add({&range, 1});
+        });
+}
+
+void Reapplication::deliver(const ReadBackSink& sink) {
+    for (auto& [target, arrived] : m_arrived) {
+        for (const VertexRange& range : arrived.ranges.take()) {
+            sink(target, range.first, std::span(arrived.vertices).subspan(range.first, range.count));
+        }
+    }
 }
 
 bool Reapplication::advance() {

@@ -4,7 +4,9 @@
 #include <functional>
 #include <memory>
 #include <unordered_map>
+#include <vector>
 
+#include "deform/vertex_range.h"
 #include "pipeline/deformation_pipeline.h"
 #include "session/task_list.h"
 
@@ -36,9 +38,8 @@ public:
     /// The session's targets are still those it began with.
     [[nodiscard]] bool isOfTheseTargets() const;
     [[nodiscard]] PipelineKind kind() const { return m_pipeline->traits().kind; }
-    /// Of the history, up to which everything is applied once advance() has returned true.
-    [[nodiscard]] std::uint64_t revision() const { return m_revision; }
-
+    /// Delivers what the pipeline has delivered so far; the rest is still to be read back from it.
+    void deliver(const ReadBackSink& sink);
     [[nodiscard]] Buffers takeBuffers() { return std::move(m_buffers); }
     [[nodiscard]] std::unique_ptr<DeformationPipeline> takePipeline() { return std::move(m_pipeline); }
 
@@ -49,7 +50,13 @@ private:
     Session& m_session;
     Buffers m_buffers;
     std::unique_ptr<DeformationPipeline> m_pipeline;  // below the buffers, so that it goes first
-    std::size_t m_applied = 0;                        ///< hits of the history
+    /// What has arrived of a target, which the pipeline does not tell again.
+    struct Arrived {
+        std::vector<DynamicVertex> vertices;
+        ChangedRanges ranges;
+    };
+    std::unordered_map<TargetId, Arrived> m_arrived;
+    std::size_t m_applied = 0;  ///< hits of the history
     std::uint64_t m_revision = 0;
     TaskProgress m_progress;
 };

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <unordered_map>
@@ -74,11 +75,10 @@ struct SceneGpu::Private {
     std::unordered_map<const MeshData*, std::weak_ptr<const MaterialSet>> materials;
     std::shared_ptr<const Image> coverImage;  // what `cover` was made of
     std::shared_ptr<const MaterialSet> cover;
-    std::uint64_t appliedRevision = 0;
+    std::uint64_t seenRevision = 0;                         // of the history
+    std::optional<std::vector<HistoryEdit>> unapplied{{}};  // edits until then; nothing: they are not known
     gl::Defines deformDefines;
     std::unique_ptr<Reapplication> reapplication;  // null: nothing is applied again in slices
-    std::uint64_t lookedAt = 0;                    // revision at which `mustStartOver` was found out
-    bool mustStartOver = false;
 
     enum class Delivery { WhatHasArrived, All };
     void followTargets();
@@ -87,7 +87,8 @@ struct SceneGpu::Private {
     [[nodiscard]] std::vector<DrawItem> drawItems() const;
     [[nodiscard]] Result<std::unique_ptr<DeformationPipeline>> newPipeline() const;
     Status followPipeline(bool& startOver);
-    [[nodiscard]] bool hasToStartOver();
+    void seeHistory();
+    [[nodiscard]] bool hasToStartOver() const;
     Status followReapplication(Delivery delivery);
     void takeReapplied();
     /// Returns whether the pipeline started over.
@@ -185,31 +186,33 @@ Result<std::unique_ptr<DeformationPipeline>> SceneGpu::Private::newPipeline() co
     return makePipeline(session.pipeline(), {.vertexUniformComponents = {}, .deformDefines = deformDefines});
 }
 
-/// Whether bringing the pipeline up to date means to apply most of a long history.
-bool SceneGpu::Private::hasToStartOver() {
+/// The history keeps its large edits for a short while only: they are taken as they come.
+void SceneGpu::Private::seeHistory() {
     const HitHistory& history = session.history();
-    if (!pipeline || !Reapplication::isWorthSlicing(session.pipeline(), history.size())) {
+    if (seenRevision == history.revision()) {
+        return;
+    }
+    std::optional<std::vector<HistoryEdit>> more = history.editsSince(seenRevision);
+    seenRevision = history.revision();
+    if (!unapplied || !more) {
+        unapplied.reset();
+        return;
+    }
+    std::move(more->begin(), more->end(), std::back_inserter(*unapplied));
+    unapplied = withoutUndone(*std::move(unapplied));
+}
+
+/// Whether bringing the pipeline up to date means to apply most of a long history.
+bool SceneGpu::Private::hasToStartOver() const {
+    if (!pipeline || !Reapplication::isWorthSlicing(session.pipeline(), session.history().size())) {
         return false;
     }
-    if (pipeline->traits().kind != session.pipeline()) {
+    if (pipeline->traits().kind != session.pipeline() || !unapplied) {
         return true;
     }
-    if (appliedRevision == history.revision()) {
-        return false;
-    }
-    if (lookedAt == history.revision()) {
-        return mustStartOver;  // the edits may be long: they are looked at once
-    }
-    auto edits = history.editsSince(appliedRevision);
-    if (!edits) {
-        return true;
-    }
-    lookedAt = history.revision();
-    const std::vector<HistoryEdit> left = withoutUndone(*std::move(edits));
-    mustStartOver = std::any_of(left.begin(), left.end(), [](const HistoryEdit& edit) {
+    return std::any_of(unapplied->begin(), unapplied->end(), [](const HistoryEdit& edit) {
         return edit.before.size() + edit.after.size() > Reapplication::kWorthSlicing && !edit.before.empty();
     });
-    return mustStartOver;
 }
 
 /// Begins, carries on, ends or gives up what is applied in slices.
@@ -252,8 +255,7 @@ Status SceneGpu::Private::followReapplication(Delivery delivery) {
 /// Everything is applied: from now on this is what is shown.
 void SceneGpu::Private::takeReapplied() {
     const std::unique_ptr<Reapplication> done = std::move(reapplication);
-    appliedRevision = done->revision();
-    mustStartOver = false;
+    unapplied.emplace();
     Reapplication::Buffers buffers = done->takeBuffers();
     pipeline = done->takePipeline();
     for (auto& [id, target] : targets) {
@@ -262,6 +264,9 @@ void SceneGpu::Private::takeReapplied() {
     }
     session.restartReadBack();
     session.setCapacity(pipeline->capacity());
+    done->deliver([this](TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices) {
+        session.takeReadBack(target, first, vertices);
+    });
     readBack(Delivery::All);
 }
 
@@ -285,16 +290,15 @@ Status SceneGpu::Private::followPipeline(bool& startOver) {
 
 bool SceneGpu::Private::followHistory(bool startOver) {
     const HitHistory& history = session.history();
-    if (!startOver && appliedRevision == history.revision()) {
+    if (!startOver && unapplied && unapplied->empty()) {
         return false;
     }
-    auto edits = history.editsSince(appliedRevision);
-    startOver = startOver || !edits;
+    startOver = startOver || !unapplied;
     if (startOver) {
         meter.applying(0, history.size(), false);
         pipeline->reset(history.hits());
     } else {
-        const std::vector<HistoryEdit> joined = withAppendsJoined(withoutUndone(*std::move(edits)));
+        const std::vector<HistoryEdit> joined = withAppendsJoined(*std::move(unapplied));
         if (joined.size() == 1 && isAppend(joined.front(), history)) {
             meter.applying(joined.front().first, joined.front().after.size(), true);
         }
@@ -302,7 +306,7 @@ bool SceneGpu::Private::followHistory(bool startOver) {
             pipeline->edit(edit);
         }
     }
-    appliedRevision = history.revision();
+    unapplied.emplace();
     session.setCapacity(pipeline->capacity());
     return startOver;
 }
@@ -328,6 +332,7 @@ void SceneGpu::Private::readBack(Delivery delivery) {
 Status SceneGpu::Private::follow(Delivery delivery) {
     followTargets();
     followCover();
+    seeHistory();
     if (Status status = followReapplication(delivery); !status) {
         return status;
     }

@@ -21,11 +21,11 @@ DisplacementHistogram::DisplacementHistogram(Session& session, const MeshMeasuri
         m_isChosen = false;
         follow();
     });
-    connect(&m_widgets.plot, &HistogramPlot::rangeDragged, this, &DisplacementHistogram::showBetween);
-    connect(&m_widgets.plot, &HistogramPlot::rangeChosen, this, [this] {
+    connect(&m_widgets.plot, &HistogramPlot::rangeDragged, this, [this](double low, double high) {
         m_isChosen = true;
-        select();
+        showBetween(low, high);
     });
+    connect(&m_widgets.plot, &HistogramPlot::rangeChosen, this, &DisplacementHistogram::select);
     connect(&m_widgets.select, &QPushButton::clicked, this, &DisplacementHistogram::select);
     connect(&m_widgets.whole, &QPushButton::clicked, this, &DisplacementHistogram::reset);
     follow();

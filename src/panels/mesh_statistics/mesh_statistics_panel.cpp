@@ -87,12 +87,13 @@ void MeshStatisticsPanel::fitColumns() {
     header.setStretchLastSection(false);
     header.setMinimumSectionSize(fontMetrics().averageCharWidth() * 6);
     header.setSectionResizeMode(MeshStatisticsModel::PropertyColumn, QHeaderView::Stretch);
-    const int room = fontMetrics().horizontalAdvance(QStringLiteral("+0.0000000")) + 6;
-    for (const int column : {MeshStatisticsModel::OriginalColumn, MeshStatisticsModel::DeformedColumn,
-                             MeshStatisticsModel::ChangeColumn}) {
+    const auto fix = [&header, this](int column, const QString& widest) {
         header.setSectionResizeMode(column, QHeaderView::Fixed);
-        header.resizeSection(column, room);
-    }
+        header.resizeSection(column, fontMetrics().horizontalAdvance(widest) + 7);
+    };
+    fix(MeshStatisticsModel::OriginalColumn, QStringLiteral("00.000000"));
+    fix(MeshStatisticsModel::DeformedColumn, QStringLiteral("00.000000"));
+    fix(MeshStatisticsModel::ChangeColumn, QStringLiteral("+0.00000"));
 }
 
 void MeshStatisticsPanel::makeHealth() {
