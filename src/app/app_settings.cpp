@@ -170,7 +170,9 @@ void loadSessionSettings(const QSettings& settings, Session& session) {
         }
     }
     // Each value was checked against the same ranges, so this is not refused.
-    static_cast<void>(session.setConstants(constants, false));
+    const bool relative =
+        settings.value(QStringLiteral("constants/relative"), ConstantsSetting{}.relative).toBool();
+    static_cast<void>(session.setConstants(ConstantsSetting{constants, relative}, false));
     loadProjectile(settings, session);
 }
 
@@ -188,6 +190,7 @@ void saveSessionSettings(QSettings& settings, const Session& session) {
         settings.setValue(QStringLiteral("constants/") + text(parameters[i].key),
                           QString::number(parameterValue(session.constants(), i), 'g', 9));
     }
+    settings.setValue(QStringLiteral("constants/relative"), session.constantsSetting().relative);
     const ProjectileSettings& projectile = session.projectileSettings();
     const auto& shot = projectileParameters();
     for (std::size_t i = 0; i < shot.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QMenu>
+#include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
 #include <QSurfaceFormat>
@@ -167,7 +168,8 @@ QDockWidget* MainWindow::makeSceneDock() {
 }
 
 void MainWindow::restoreWindow() {
-    resize(1440, 900);
+    // On a small screen no part of it is out of sight at first.
+    resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
     m_firstLayout = saveState(kLayoutVersion);
     const QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());

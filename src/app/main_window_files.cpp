@@ -27,7 +27,6 @@ namespace hitscope {
 
 namespace {
 
-constexpr double kUsualExtent = 5.0;     // metres: that of the paper's targets
 constexpr float kSmallestExtent = 0.5f;  // metres; projectiles are 0.2 m across
 constexpr float kLargestExtent = 200.0f;
 constexpr int kMessageStays = 8'000;  // milliseconds
@@ -125,10 +124,15 @@ void MainWindow::saidOpened(const QStringList& paths, const QStringList& notes) 
     const float extent = std::max({size.x, size.y, size.z});
     const bool oneMesh = m_session.targets().size() == 1;
     if (oneMesh && extent > 0.0f && (extent < kSmallestExtent || extent > kLargestExtent)) {
-        lines.prepend(tr("This mesh is %1 m across; hits reach %2 m around where they land.")
-                          .arg(static_cast<double>(extent), 0, 'g', 3)
-                          .arg(static_cast<double>(m_session.constants().maxDistance), 0, 'g', 3));
-        m_notice->say(lines.join(u'\n'), tr("Scale to %1 m").arg(kUsualExtent),
+        const bool relative = m_session.constantsSetting().relative;
+        const float reach =
+            relative ? 2.0f * m_session.projectileSettings().radius : m_session.constants().maxDistance;
+        const QString text = relative
+                                 ? tr("This mesh is %1 m across; a projectile is %2 m.")
+                                 : tr("This mesh is %1 m across; hits reach %2 m around where they land.");
+        lines.prepend(
+            text.arg(static_cast<double>(extent), 0, 'g', 3).arg(static_cast<double>(reach), 0, 'g', 3));
+        m_notice->say(lines.join(u'\n'), tr("Scale to %1 m").arg(static_cast<double>(kUsualExtent)),
                       [this] { placeMesh(kUsualExtent); });
     } else if (!lines.isEmpty()) {
         m_notice->say(lines.join(u'\n'));

@@ -37,6 +37,21 @@ const std::array<ParameterDescriptor, 3>& deformationParameters() {
     return parameters;
 }
 
+const std::array<ParameterDescriptor, 3>& hitParameters() {
+    constexpr double kLeastLength = 1.0e-9;  // metres
+    constexpr double kMostLength = 1.0e9;    // metres
+    constexpr double kMostPower = 1.0e18;    // square metres
+    static const std::array<ParameterDescriptor, 3> parameters = [] {
+        std::array<ParameterDescriptor, 3> wide = deformationParameters();
+        wide[0].minimum = kLeastLength;
+        wide[0].maximum = kMostLength;
+        wide[1].maximum = kMostPower;
+        wide[2].maximum = kMostLength;
+        return wide;
+    }();
+    return parameters;
+}
+
 double parameterValue(const DeformationConstants& constants, std::size_t index) {
     switch (index) {
         case 0:
@@ -61,6 +76,11 @@ void setParameterValue(DeformationConstants& constants, std::size_t index, doubl
             constants.maxMagnitude = number;
             break;
     }
+}
+
+DeformationConstants scaled(const DeformationConstants& constants, float factor) {
+    return {constants.maxDistance * factor, constants.power * factor * factor,
+            constants.maxMagnitude * factor};
 }
 
 bool isValid(const DeformationConstants& constants) {

@@ -24,4 +24,11 @@ void setParameterValue(DeformationConstants& constants, std::size_t index, doubl
 /// True when every constant is within its descriptor's range.
 [[nodiscard]] bool isValid(const DeformationConstants& constants);
 
+/// The same constants with the ranges that a hit may have: wide enough for those of a target of 0.1 mm or of
+/// 1,000 km, narrow enough that nothing overflows.
+[[nodiscard]] const std::array<ParameterDescriptor, 3>& hitParameters();
+
+/// For a target `factor` (> 0) times as large: the same dent, as many times as large.
+[[nodiscard]] DeformationConstants scaled(const DeformationConstants& constants, float factor);
+
 }  // namespace hitscope

@@ -21,12 +21,10 @@ float withoutTiny(float value, float smallest) {
 
 void removeTiny(Hit& hit) {
     constexpr float kSmallestComponent = 1e-20f;
-    constexpr float kSmallestConstant = 1e-15f;  // square metres, metres
     for (glm::length_t i = 0; i < 3; ++i) {
         hit.direction[i] = withoutTiny(hit.direction[i], kSmallestComponent);
     }
-    hit.constants.power = withoutTiny(hit.constants.power, kSmallestConstant);
-    hit.constants.maxMagnitude = withoutTiny(hit.constants.maxMagnitude, kSmallestConstant);
+    hit.constants = withoutTiny(hit.constants);
 }
 
 Error notFinite(const char* field) {
@@ -47,6 +45,12 @@ Error outOfRange(const ParameterDescriptor& parameter, double value) {
 
 }  // namespace
 
+DeformationConstants withoutTiny(const DeformationConstants& constants) {
+    constexpr float kSmallestConstant = 1e-15f;  // square metres, metres
+    return {constants.maxDistance, withoutTiny(constants.power, kSmallestConstant),
+            withoutTiny(constants.maxMagnitude, kSmallestConstant)};
+}
+
 Result<Hit> checkedHit(Hit hit) {
     if (!isFinite(hit.point)) {
         return notFinite("hit point");
@@ -60,10 +64,10 @@ Result<Hit> checkedHit(Hit hit) {
     if (!std::isfinite(hit.time) || !std::isfinite(hit.speed) || !std::isfinite(hit.impulse)) {
         return notFinite("hit time, speed or impulse");
     }
-    for (std::size_t i = 0; i < deformationParameters().size(); ++i) {
+    for (std::size_t i = 0; i < hitParameters().size(); ++i) {
         const double value = parameterValue(hit.constants, i);
-        if (!deformationParameters()[i].accepts(value)) {
-            return outOfRange(deformationParameters()[i], value);
+        if (!hitParameters()[i].accepts(value)) {
+            return outOfRange(hitParameters()[i], value);
         }
     }
     // In double no float can overflow or vanish here.

@@ -35,6 +35,10 @@ struct Hit {
     bool operator==(const Hit&) const = default;
 };
 
+/// With 0 for what is so small that deforming with it would give denormal numbers, which some renderers
+/// flush.
+[[nodiscard]] DeformationConstants withoutTiny(const DeformationConstants& constants);
+
 /// A hit with its direction made unit length; an error for a non-finite number, a zero direction or constants
 /// out of range. Every way into a HitHistory passes through here (DESIGN: "refused where it enters").
 [[nodiscard]] Result<Hit> checkedHit(Hit hit);

@@ -105,10 +105,10 @@ HistoryEdit HitHistory::setEnabled(std::size_t index, bool enabled) {
     return splice(index, 1, {&hit, 1});
 }
 
-HistoryEdit HitHistory::setConstantsOfAll(const DeformationConstants& constants) {
+HistoryEdit HitHistory::setConstantsOfAll(const std::function<DeformationConstants(const Hit&)>& constants) {
     std::vector<Hit> changed = m_hits;
     for (Hit& hit : changed) {
-        hit.constants = constants;
+        hit.constants = withoutTiny(constants(hit));
     }
     return splice(0, size(), changed);
 }

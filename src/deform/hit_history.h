@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -48,8 +49,9 @@ public:
     /// Takes the hit out and puts it in so that it comes to stand at `to`. from, to < size(). Two edits, so
     /// that followers see one hit move and not all between.
     std::vector<HistoryEdit> move(std::size_t from, std::size_t to);
-    HistoryEdit setEnabled(std::size_t index, bool enabled);               ///< index < size()
-    HistoryEdit setConstantsOfAll(const DeformationConstants& constants);  ///< isValid(constants)
+    HistoryEdit setEnabled(std::size_t index, bool enabled);  ///< index < size()
+    /// Each gets what `constants` says for it; that is within hitParameters().
+    HistoryEdit setConstantsOfAll(const std::function<DeformationConstants(const Hit&)>& constants);
     HistoryEdit clear();
 
     /// Makes `edit` undone: what it brought becomes what it took. It was the last edit, or all after it have

@@ -21,27 +21,44 @@ Session::~Session() = default;
 
 // Settings
 
-Status Session::setConstants(const DeformationConstants& constants, bool past) {
-    if (!isValid(constants)) {
+Status Session::setConstants(const ConstantsSetting& setting, bool past) {
+    if (!isValid(setting.constants)) {
         return Error{"A deformation constant is out of its range.", "",
                      "Keep to the ranges the panel shows."};
     }
+    const ConstantsSetting before = std::exchange(m_constants, setting);
     std::vector<HistoryEdit> edits;
     if (past) {
-        edits.push_back(m_history.setConstantsOfAll(constants));
+        edits.push_back(m_history.setConstantsOfAll([this](const Hit& hit) { return constantsOf(hit); }));
         // Dragging a slider is one change, not hundreds.
         recordUndo({edits,
-                    m_constants,
-                    constants,
+                    before,
+                    setting,
                     SessionUndo::Merge::WithSameKind,
                     {SessionUndo::Kind::Constants, m_history.size()}});
     }
-    takeConstants(constants);
+    if (setting != before) {
+        Q_EMIT constantsChanged();
+    }
     announceEdits(edits);
     return Done{};
 }
 
-void Session::takeConstants(const DeformationConstants& constants) {
+DeformationConstants Session::constantsOn(const Target& target) const {
+    return hitscope::constantsOn(target.extent(), m_constants);
+}
+
+DeformationConstants Session::constantsOf(const Hit& hit) const {
+    const Target* on = target(hit.target);
+    DeformationConstants constants = on != nullptr ? constantsOn(*on) : m_constants.constants;
+    if (m_projectileSettings.powerFollowsImpulse) {
+        const float power = constants.power * (hit.impulse / m_projectileSettings.referenceImpulse);
+        constants.power = std::clamp(power, 0.0f, static_cast<float>(hitParameters()[1].maximum));
+    }
+    return constants;
+}
+
+void Session::takeConstants(const ConstantsSetting& constants) {
     if (constants != m_constants) {
         m_constants = constants;
         Q_EMIT constantsChanged();

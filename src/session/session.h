@@ -21,6 +21,7 @@
 #include "render/camera.h"
 #include "render/lights.h"
 #include "session/collider_follower.h"
+#include "session/constants_setting.h"
 #include "session/hit_rows.h"
 #include "session/scene_presets.h"
 #include "session/session_undo.h"
@@ -109,9 +110,15 @@ public:
     [[nodiscard]] TaskList& tasks() const { return *m_tasks; }
 
     // Settings
-    [[nodiscard]] const DeformationConstants& constants() const { return m_constants; }
+    [[nodiscard]] const DeformationConstants& constants() const { return m_constants.constants; }
+    [[nodiscard]] const ConstantsSetting& constantsSetting() const { return m_constants; }
     /// Constants of the hits to come and, if `past`, of all made so far. Refused when out of range.
-    [[nodiscard]] Status setConstants(const DeformationConstants& constants, bool past);
+    [[nodiscard]] Status setConstants(const DeformationConstants& constants, bool past) {
+        return setConstants(ConstantsSetting{constants, m_constants.relative}, past);
+    }
+    [[nodiscard]] Status setConstants(const ConstantsSetting& setting, bool past);
+    /// Those that a hit on this target is made with now.
+    [[nodiscard]] DeformationConstants constantsOn(const Target& target) const;
     [[nodiscard]] const Lights& lights() const { return m_lights; }
     void setLights(const Lights& lights);
     /// A picture on all targets that have texture coordinates, instead of their own materials; null: none.
@@ -249,7 +256,8 @@ private:
     static std::optional<SessionUndo::Name> nameOf(const SessionUndo::Change* change) {
         return change != nullptr ? std::optional(change->name) : std::nullopt;
     }
-    void takeConstants(const DeformationConstants& constants);
+    void takeConstants(const ConstantsSetting& constants);
+    [[nodiscard]] DeformationConstants constantsOf(const Hit& hit) const;
 
     QString m_sceneName;
     std::vector<std::unique_ptr<Target>> m_targets;
@@ -259,7 +267,7 @@ private:
     HitHistory m_history;
     SessionUndo m_undo;
     std::optional<std::size_t> m_selectedHit;
-    DeformationConstants m_constants;
+    ConstantsSetting m_constants;
     Lights m_lights;
     std::shared_ptr<const Image> m_coverTexture;
     ProjectileSettings m_projectileSettings;

@@ -10,28 +10,17 @@ namespace hitscope {
 
 namespace {
 
-Hit localHit(const Impact& impact, const DeformationConstants& constants) {
+Hit localHit(const Impact& impact) {
     Hit hit;
     hit.target = impact.target;
     hit.point = impact.where.toLocal(impact.point);
     hit.direction = impact.where.directionToLocal(impact.direction);
     hit.normal = impact.where.directionToLocal(impact.normal);
     hit.triangle = impact.triangle;
-    hit.constants = constants;
     hit.time = impact.time;
     hit.speed = impact.speed;
     hit.impulse = impact.impulse;
     return hit;
-}
-
-/// The power of a hit of that impulse, where the settings say that one follows the other.
-float powerOf(const DeformationConstants& constants, const ProjectileSettings& settings, float impulse) {
-    if (!settings.powerFollowsImpulse) {
-        return constants.power;
-    }
-    const double most = deformationParameters()[1].maximum;
-    const float scaled = constants.power * (impulse / settings.referenceImpulse);
-    return std::min(scaled, static_cast<float>(most));
 }
 
 bool keepsAllHits(PipelineKind kind) {
@@ -80,8 +69,8 @@ void Session::cancelScheduled() {
 
 /// Nothing for an impact that no hit can be made of.
 std::optional<Hit> Session::hitOf(const Impact& impact) const {
-    Hit hit = localHit(impact, m_constants);
-    hit.constants.power = powerOf(m_constants, m_projectileSettings, impact.impulse);
+    Hit hit = localHit(impact);
+    hit.constants = constantsOf(hit);
     hit.pipeline = static_cast<std::uint8_t>(m_pipeline);
     Result<Hit> checked = checkedHit(hit);
     return checked && target(impact.target) != nullptr ? std::optional(checked.value()) : std::nullopt;

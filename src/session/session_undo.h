@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "deform/hit_history.h"
+#include "session/constants_setting.h"
 #include "session/target_state.h"
 
 namespace hitscope {
@@ -50,8 +51,8 @@ public:
     /// What one action of a person changed.
     struct Change {
         std::vector<HistoryEdit> edits;  ///< in the order made
-        DeformationConstants constantsBefore;
-        DeformationConstants constantsAfter;
+        ConstantsSetting constantsBefore;
+        ConstantsSetting constantsAfter;
         Merge merge = Merge::Never;
         Name name = {};
         std::vector<TargetEdit> targets = {};  ///< in the order made

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/target.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace hitscope {
 
 Target::Target(TargetState state)
-    : TargetState(std::move(state)), deformed(shape.mesh, shape.render), trueNormals(*shape.trueNormals) {}
+    : TargetState(std::move(state)), deformed(shape.mesh, shape.render), trueNormals(*shape.trueNormals) {
+    Bounds bounds;
+    for (const Cluster& cluster : deformed.render().clusters) {
+        bounds.add(cluster.bounds);
+    }
+    const glm::vec3 size = bounds.size();
+    m_extent = std::max({size.x, size.y, size.z});
+}
 
 const TopologyStatistics& Target::topology() const {
     if (!m_topology) {

@@ -20,9 +20,11 @@ struct Target : TargetState {
 
     [[nodiscard]] const TopologyStatistics& topology() const;          ///< computed when first asked for
     [[nodiscard]] const GeometryStatistics& originalGeometry() const;  ///< likewise
-    [[nodiscard]] Bounds worldBounds() const;                          ///< of the original shape
+    [[nodiscard]] float extent() const { return m_extent; }  ///< of the original: its largest, metres
+    [[nodiscard]] Bounds worldBounds() const;                ///< of the original shape
 
 private:
+    float m_extent = 0.0f;
     mutable std::optional<TopologyStatistics> m_topology;
     mutable std::optional<GeometryStatistics> m_originalGeometry;
 };

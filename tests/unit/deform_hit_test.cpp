@@ -129,7 +129,9 @@ private Q_SLOTS:
         QCOMPARE(history.hits()[1].point.x, 2.0f);
         made(history.setEnabled(2, false));
         QVERIFY(!history.hits()[2].enabled);
-        made(history.setConstantsOfAll({.maxDistance = 1.0f, .power = 0.2f, .maxMagnitude = 0.4f}));
+        made(history.setConstantsOfAll([](const Hit&) {
+            return DeformationConstants{.maxDistance = 1.0f, .power = 0.2f, .maxMagnitude = 0.4f};
+        }));
         QCOMPARE(history.hits()[0].constants.power, 0.2f);
         made(history.removeTarget({1}));
         QCOMPARE(history.size(), std::size_t{2});
@@ -186,7 +188,7 @@ private Q_SLOTS:
         const std::uint64_t revision = history.revision();
         history.removeTarget({77});
         history.setEnabled(0, true);
-        history.setConstantsOfAll(history.hits()[0].constants);
+        history.setConstantsOfAll([](const Hit& hit) { return hit.constants; });
         QCOMPARE(history.revision(), revision);
         const std::vector<Hit> hits = {history.hits()[0], hitOn(3), history.hits()[1]};
         const HistoryEdit edit = history.splice(0, 2, hits);

@@ -27,7 +27,7 @@ DeformationConstants make(HitHistory& history, const SessionUndo::Change& change
     for (const HistoryEdit& edit : change.edits) {
         history.redo(edit);
     }
-    return change.constantsAfter;
+    return change.constantsAfter.constants;
 }
 
 TargetState targetAt(float x, std::uint32_t id = 1) {
@@ -96,23 +96,23 @@ private Q_SLOTS:
     void draggingConstantsIsOneStep() {
         HitHistory history;
         SessionUndo undo;
-        const DeformationConstants before;
-        DeformationConstants constants = before;
+        const ConstantsSetting before;
+        ConstantsSetting constants = before;
         undo.record({{history.append(hitAt(1))}, before, before});
         undo.record({{history.append(hitAt(2))}, before, before});
         for (const float power : {0.06f, 0.07f, 0.08f}) {
-            DeformationConstants next = constants;
-            next.power = power;
-            undo.record({{history.setConstantsOfAll(next)},
+            ConstantsSetting next = constants;
+            next.constants.power = power;
+            undo.record({{history.setConstantsOfAll([&next](const Hit&) { return next.constants; })},
                          constants,
                          next,
                          SessionUndo::Merge::WithSameKind,
                          {SessionUndo::Kind::Constants, 2}});
             constants = next;
         }
-        QCOMPARE(make(history, undo.undo()).power, before.power);
+        QCOMPARE(make(history, undo.undo()).power, before.constants.power);
         for (const Hit& hit : history.hits()) {
-            QCOMPARE(hit.constants.power, before.power);
+            QCOMPARE(hit.constants.power, before.constants.power);
         }
         QCOMPARE(make(history, undo.redo()).power, 0.08f);
         for (const Hit& hit : history.hits()) {

@@ -95,7 +95,9 @@ void PanelsTest::constantsApplyToThePastOnRequest() {
     QCOMPARE(session.history().hits()[0].constants.power, 0.05f);
     past->setChecked(true);
     QCOMPARE(session.history().hits()[0].constants.power, 0.1f);
-    panel.findChild<QPushButton*>(QStringLiteral("reset"))->click();
+    auto* preset = panel.findChild<QComboBox*>(QStringLiteral("preset"));
+    QCOMPARE(preset->currentIndex(), -1);
+    QTest::keyClick(preset, Qt::Key_Home);
     QVERIFY(session.constants() == DeformationConstants{});
     QCOMPARE(power->value(), 0.05);
     QVERIFY(session.history().hits()[1].constants == DeformationConstants{});

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "core/result.h"
+#include "deform/deformation_constants.h"
+
+class QSettings;
+
+namespace hitscope {
+
+struct ConstantsPreset {
+    QString name;
+    DeformationConstants constants;
+    bool isOurs = false;  ///< came with the program: always there
+};
+
+/// Deformation constants under a name: ours first, then those people saved, by name.
+class ConstantsPresets {
+public:
+    ConstantsPresets();
+
+    [[nodiscard]] const std::vector<ConstantsPreset>& all() const { return m_presets; }
+    /// The first of these constants; nothing: they are nobody's.
+    [[nodiscard]] std::optional<std::size_t> find(const DeformationConstants& constants) const;
+    /// Under a new name, or in place of a saved one of that name. Refused for an empty name and one of ours.
+    [[nodiscard]] Status save(const QString& name, const DeformationConstants& constants);
+    void remove(std::size_t index);  ///< ours stay
+
+    /// What is not a preset within the ranges is passed over.
+    void load(QSettings& settings);
+    void store(QSettings& settings) const;
+
+private:
+    std::vector<ConstantsPreset> m_presets;
+};
+
+}  // namespace hitscope

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/constants_setting.h"
+
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "deform/reference.h"
+#include "mesh/primitives.h"
+#include "session/session.h"
+
+using namespace hitscope;
+
+namespace {
+
+/// A sphere of that diameter (metres) in its own coordinates, struck once from the side: the greatest
+/// displacement over the diameter, and the share of vertices that moved.
+struct Dent {
+    double depth = 0.0;
+    double share = 0.0;
+};
+
+Dent dentIn(float diameter, bool relative) {
+    Session session;
+    session.loadMesh(makeUvSphere(32, 16, 0.5f * diameter));
+    if (!session.setConstants(ConstantsSetting{DeformationConstants{}, relative}, false)) {
+        return {};
+    }
+    const Bounds bounds = session.sceneBounds();
+    Ray ray;
+    ray.origin = bounds.centre() + glm::vec3(0.0f, 0.0f, 3.0f * diameter);
+    ray.direction = glm::vec3(0.0f, 0.0f, -1.0f);
+    if (!session.hitscan(ray)) {
+        return {};
+    }
+    const Target& target = *session.targets().front();
+    ReferenceDeformation reference(target.deformed.render());
+    reference.apply(session.history().hits());
+    Dent dent;
+    for (std::size_t i = 0; i < reference.vertices().size(); ++i) {
+        const double moved =
+            glm::distance(reference.vertices()[i].position, target.deformed.render().vertices[i].position);
+        dent.depth = std::max(dent.depth, moved / diameter);
+        dent.share += moved > 0.0 ? 1.0 / static_cast<double>(reference.vertices().size()) : 0.0;
+    }
+    return dent;
+}
+
+}  // namespace
+
+class ConstantsSettingTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void factorsAreReadable() {
+        QCOMPARE(sizeFactor(5.0f), 1.0f);
+        QCOMPARE(sizeFactor(5.0000005f), 1.0f);
+        QCOMPARE(sizeFactor(4.9999995f), 1.0f);
+        QCOMPARE(sizeFactor(0.617f), 0.123f);
+        QCOMPARE(sizeFactor(1.0e-4f), 2.0e-5f);
+        QCOMPARE(sizeFactor(1.0e6f), 2.0e5f);
+        QCOMPARE(sizeFactor(0.0f), 1.0f);
+        QCOMPARE(sizeFactor(std::numeric_limits<float>::infinity()), 1.0f);
+    }
+
+    void thePapersTargetsHaveThePapersConstants() {
+        Session session;
+        session.loadPaperRow(kDefaultPaperRow);
+        QVERIFY(session.constantsSetting().relative);
+        for (const std::unique_ptr<Target>& target : session.targets()) {
+            QVERIFY(session.constantsOn(*target) == DeformationConstants{});
+        }
+    }
+
+    void lengthsGrowWithTheTargetAndPowerWithItsSquare() {
+        const DeformationConstants ten = constantsOn(50.0f, {});
+        QCOMPARE(ten.maxDistance, 5.0f);
+        QCOMPARE(ten.power, 5.0f);
+        QCOMPARE(ten.maxMagnitude, 3.0f);
+        QVERIFY(constantsOn(50.0f, {.constants = {}, .relative = false}) == DeformationConstants{});
+    }
+
+    void meshesOfAnySizeDentAlike_data() {
+        QTest::addColumn<float>("diameter");
+        for (const float diameter : {1.0e-4f, 0.02f, 5.0f, 300.0f, 1.0e6f}) {
+            QTest::addRow("%g m", static_cast<double>(diameter)) << diameter;
+        }
+    }
+    void meshesOfAnySizeDentAlike() {
+        QFETCH(float, diameter);
+        const Dent usual = dentIn(5.0f, true);
+        const Dent dent = dentIn(diameter, true);
+        QVERIFY(usual.depth > 0.01);
+        QVERIFY2(std::abs(dent.depth / usual.depth - 1.0) < 0.02, qPrintable(QString::number(dent.depth)));
+        QVERIFY2(std::abs(dent.share / usual.share - 1.0) < 0.1, qPrintable(QString::number(dent.share)));
+    }
+
+    void absoluteConstantsMakeTheSameDentEverywhere() {
+        QVERIFY(dentIn(300.0f, false).depth < 0.01);
+        QCOMPARE(dentIn(0.02f, false).share, 1.0);
+    }
+
+    void theirChangeIsAppliedToThePastByTarget() {
+        Session session;
+        session.loadPaperRow(kDefaultPaperRow);
+        Hit hit;
+        hit.target = session.targets().front()->id;
+        QVERIFY(session.addHit(hit).ok());
+        ConstantsSetting setting;
+        setting.constants.power = 0.07f;
+        QVERIFY(session.setConstants(setting, true).ok());
+        QCOMPARE(session.history().hits()[0].constants.power, 0.07f);
+        session.undo();
+        QCOMPARE(session.history().hits()[0].constants.power, 0.05f);
+        QCOMPARE(session.constants().power, 0.05f);
+    }
+};
+
+QTEST_GUILESS_MAIN(ConstantsSettingTest)
+#include "constants_setting_test.moc"
