@@ -75,8 +75,9 @@ struct SceneGpu::Private {
     std::unordered_map<const MeshData*, std::weak_ptr<const MaterialSet>> materials;
     std::shared_ptr<const Image> coverImage;  // what `cover` was made of
     std::shared_ptr<const MaterialSet> cover;
-    std::uint64_t seenRevision = 0;                         // of the history
-    std::optional<std::vector<HistoryEdit>> unapplied{{}};  // edits until then; nothing: they are not known
+    std::uint64_t seenRevision = 0;  // of the history
+    /// The edits until then that the pipeline has not got; nothing: they are not known.
+    std::optional<std::vector<HistoryEdit>> unapplied = std::vector<HistoryEdit>();
     gl::Defines deformDefines;
     std::unique_ptr<Reapplication> reapplication;  // null: nothing is applied again in slices
 

@@ -84,7 +84,7 @@ private Q_SLOTS:
         const std::uint64_t revision = history.revision();
         DeformationConstants other;
         other.power = 0.1f;
-        const HistoryEdit edit = history.setConstantsOfAll(other);
+        const HistoryEdit edit = history.setConstantsOfAll([&other](const Hit&) { return other; });
         QCOMPARE(withoutUndone(*history.editsSince(revision)).size(), std::size_t{1});
         history.undo(edit);
         QVERIFY(withoutUndone(*history.editsSince(revision)).empty());
