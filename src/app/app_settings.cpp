@@ -106,6 +106,11 @@ AppSettings loadAppSettings(const QSettings& settings) {
         values.exportNormals = readEnum(settings, QStringLiteral("exportNormals"), 2, NormalMode::True);
     }
     values.coverTexture = settings.value(QStringLiteral("display/coverTexture"), 0).toInt();
+    bool isNumber = false;
+    const double stretch = settings.value(QStringLiteral("statistics/stretchLimit")).toDouble(&isNumber);
+    if (isNumber && stretch >= 1.05 && stretch <= 100.0) {
+        values.stretchLimit = stretch;
+    }
     values.recentFiles =
         settings.value(QStringLiteral("recentFiles")).toStringList().mid(0, AppSettings::kMostRecentFiles);
     values.folder = settings.value(QStringLiteral("folder")).toString();
@@ -135,6 +140,7 @@ void saveAppSettings(QSettings& settings, const AppSettings& values) {
         settings.remove(QStringLiteral("exportNormals"));
     }
     settings.setValue(QStringLiteral("display/coverTexture"), values.coverTexture);
+    settings.setValue(QStringLiteral("statistics/stretchLimit"), values.stretchLimit);
     settings.setValue(QStringLiteral("recentFiles"), values.recentFiles);
     settings.setValue(QStringLiteral("folder"), values.folder);
 }

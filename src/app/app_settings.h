@@ -20,6 +20,7 @@ struct AppSettings {
     DisplayOptions display;
     int coverTexture = 0;                     ///< TextureChooser::chosen()
     std::optional<NormalMode> exportNormals;  ///< nothing: those on the screen
+    double stretchLimit = 2.0;                ///< mesh health: length now over length before
     QStringList recentFiles;                  ///< newest first
     QString folder;                           ///< where the last file was opened or saved
 

@@ -22,8 +22,8 @@
 #include "app/picture_actions.h"
 #include "app/pipeline_chooser.h"
 #include "app/scene_files.h"
-#include "app/shot_actions.h"
 #include "app/shading_actions.h"
+#include "app/shot_actions.h"
 #include "app/status_line.h"
 #include "app/texture_chooser.h"
 #include "app/time_actions.h"
@@ -38,6 +38,7 @@
 #include "panels/hit_history/hit_history_panel.h"
 #include "panels/lights/lights_panel.h"
 #include "panels/mesh_statistics/mesh_statistics_panel.h"
+#include "panels/pipeline_agreement/pipeline_agreement_panel.h"
 #include "panels/scene/scene_panel.h"
 #include "panels/vertex_changes/vertex_changes_panel.h"
 #include "session/hit_effects.h"
@@ -146,9 +147,18 @@ void MainWindow::makeDocks() {
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     m_frameRate = new FrameRatePanel(m_session, *m_continuous);
     m_frameRate->costs().setCamera([this] { return m_viewport->camera(); });
-    QDockWidget* statistics =
-        addDock(QStringLiteral("meshStatistics"), tr("Mesh statistics"),
-                new MeshStatisticsPanel(m_session, m_meshStatistics), Qt::RightDockWidgetArea);
+    const auto lookAt = [this](const Bounds& bounds) {
+        m_viewport->navigation().frame(bounds);
+        m_viewport->update();
+    };
+    m_meshStatistics.measuring().setStretchLimit(static_cast<float>(m_settings.stretchLimit));
+    auto* statisticsPanel = new MeshStatisticsPanel(m_session, m_meshStatistics);
+    connect(statisticsPanel, &MeshStatisticsPanel::lookWanted, this, lookAt);
+    auto* agreementPanel =
+        new PipelineAgreementPanel(m_session, [this] { return m_viewport->syncNow().ok(); });
+    connect(agreementPanel, &PipelineAgreementPanel::lookWanted, this, lookAt);
+    QDockWidget* statistics = addDock(QStringLiteral("meshStatistics"), tr("Mesh statistics"),
+                                      statisticsPanel, Qt::RightDockWidgetArea);
     QDockWidget* scene = makeSceneDock();
     auto* historyPanel = new HitHistoryPanel(m_session, m_hitHistory);
     m_hitActions->adopt(*historyPanel);
@@ -167,6 +177,10 @@ void MainWindow::makeDocks() {
         addDock(QStringLiteral("change"), tr("Change"), m_change->panel(), Qt::RightDockWidgetArea);
     QDockWidget* dent = addDock(QStringLiteral("dentMeasurement"), tr("Dent measurement"),
                                 new DentMeasurementPanel(m_session), Qt::RightDockWidgetArea);
+    QDockWidget* agreement = addDock(QStringLiteral("pipelineAgreement"), tr("Pipeline agreement"),
+                                     agreementPanel, Qt::BottomDockWidgetArea);
+    tabifyDockWidget(frameRate, agreement);
+    frameRate->raise();
     tabifyDockWidget(statistics, scene);
     tabifyDockWidget(scene, change);
     tabifyDockWidget(change, dent);
@@ -238,6 +252,7 @@ void MainWindow::saveSettings() {
     m_cameraActions->save(settings);
     m_settings.display = m_viewport->options();
     m_settings.coverTexture = m_textureChooser->chosen();
+    m_settings.stretchLimit = static_cast<double>(m_meshStatistics.measuring().stretchLimit());
     saveAppSettings(settings, m_settings);
     m_hitActions->save(settings);
     saveSessionSettings(settings, m_session);

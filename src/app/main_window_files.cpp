@@ -17,7 +17,6 @@
 #include "app/notice_bar.h"
 #include "app/picture_actions.h"
 #include "app/scene_files.h"
-#include "app/status_line.h"
 #include "io/import.h"
 #include "models/focus_target.h"
 #include "session/export_target.h"
@@ -76,16 +75,11 @@ QString withSuffix(const QString& path, const QString& suffix) {
 }  // namespace
 
 void MainWindow::connectFiles() {
-    connect(m_files, &SceneFiles::started, m_status, &StatusLine::beginProgress);
-    connect(m_files, &SceneFiles::progressed, m_status, &StatusLine::setProgress);
-    connect(m_files, &SceneFiles::ended, m_status, &StatusLine::endProgress);
     connect(m_files, &SceneFiles::opened, this, &MainWindow::saidOpened);
     connect(m_files, &SceneFiles::made, statusBar(), &QStatusBar::clearMessage);
     connect(m_files, &SceneFiles::failed, this, [this](const Error& error) { showError(this, error); });
-    connect(m_status, &StatusLine::cancelled, this, [this] {
-        m_files->cancel();
-        statusBar()->showMessage(tr("Cancelled; the scene is as it was."), kMessageStays);
-    });
+    connect(m_files, &SceneFiles::cancelled, this,
+            [this] { statusBar()->showMessage(tr("Cancelled; the scene is as it was."), kMessageStays); });
 }
 
 void MainWindow::openFiles(const QStringList& paths) {

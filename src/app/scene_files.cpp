@@ -10,6 +10,8 @@
 #include <optional>
 #include <utility>
 
+#include "session/task_list.h"
+
 namespace hitscope {
 
 /// What is on its way in. The thread that prepares it holds on to it too; whoever finds that it is no longer
@@ -42,9 +44,29 @@ QString sceneNameOf(const ScenePlan& scene) {
 
 }  // namespace
 
-SceneFiles::SceneFiles(Session& session, QObject* parent) : QObject(parent), m_session(session) {}
+SceneFiles::SceneFiles(Session& session, QObject* parent) : QObject(parent), m_session(session) {
+    connect(this, &SceneFiles::started, this, [this](const QString& name) {
+        m_name = QFileInfo(name).fileName();
+        m_progress = std::make_unique<TaskProgress>(
+            m_session.tasks(), tr("Opening %1").arg(m_name),
+            [this] {
+                cancel();
+                Q_EMIT cancelled();
+            },
+            tr("Stop opening; the scene stays as it is"));
+    });
+    connect(this, &SceneFiles::progressed, this, &SceneFiles::say);
+    connect(this, &SceneFiles::ended, this, [this] { m_progress.reset(); });
+}
 
 SceneFiles::~SceneFiles() = default;
+
+void SceneFiles::say(double fraction, const QString& doing) {
+    if (m_progress) {
+        m_progress->say(tr("%1 %2", "Reading teapot.obj").arg(doing, m_name));
+        m_progress->report(fraction);
+    }
+}
 
 void SceneFiles::open(const QStringList& paths, Into into) {
     cancel();

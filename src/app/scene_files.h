@@ -12,6 +12,8 @@
 
 namespace hitscope {
 
+class TaskProgress;
+
 /// Brings mesh files and scenes of ours into a session without holding up the window: files are read by
 /// another process, and what takes time besides is done on another thread. One thing at a time; the next
 /// gives the first up.
@@ -41,7 +43,8 @@ Q_SIGNALS:
     void opened(const QStringList& paths, const QStringList& notes);
     void made(const QString& name);  ///< the session has it
     void failed(const hitscope::Error& error);
-    void ended();  ///< after opened, made, failed or cancelled
+    void cancelled();  ///< by somebody who saw it in the list of tasks
+    void ended();      ///< after opened, made, failed or cancelled
 
 private:
     struct Work;
@@ -54,9 +57,12 @@ private:
     void deliver();
     void fail(const Error& error);
     void end();
+    void say(double fraction, const QString& doing);
 
     Session& m_session;
-    std::shared_ptr<Work> m_work;  ///< null: nothing is being opened
+    QString m_name;                            ///< of what is being opened or made
+    std::unique_ptr<TaskProgress> m_progress;  ///< null: nothing is
+    std::shared_ptr<Work> m_work;              ///< null: nothing is being opened
 };
 
 }  // namespace hitscope

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/status_line.h"
 
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -11,7 +10,7 @@
 #include <cmath>
 
 #include "models/quantity_text.h"
-#include "panels/icons/themed_icon.h"
+#include "session/task_list.h"
 
 namespace hitscope {
 
@@ -27,7 +26,7 @@ StatusLine::StatusLine(const Session& session, QStatusBar& bar, QObject* parent)
     makeProgress();
     m_pipeline = addCell(tr("Pipeline that applies the hits"));
     m_renderer = addCell({});
-    m_target = addCell(tr("Target in focus"));
+    m_target = addCell(tr("Selected target, and its vertices"));
     m_vertices = addCell(tr("Vertices of all targets"));
     m_hits = addCell(tr("Hits made so far"));
     m_frameRate = addCell(tr("Frames drawn in the last second"));
@@ -63,15 +62,14 @@ void StatusLine::makeProgress() {
     m_fraction = new QProgressBar(m_progress);
     m_fraction->setFixedWidth(140);
     m_fraction->setTextVisible(false);
-    auto* cancel = new QToolButton(m_progress);
-    cancel->setObjectName(QStringLiteral("cancelOpening"));
-    cancel->setText(tr("Cancel"));
-    cancel->setToolTip(tr("Stop opening; the scene stays as it is"));
+    m_cancel = new QToolButton(m_progress);
+    m_cancel->setObjectName(QStringLiteral("cancelTask"));
+    m_cancel->setText(tr("Cancel"));
     auto* layout = new QHBoxLayout(m_progress);
     layout->setContentsMargins(6, 0, 0, 0);
     layout->addWidget(m_doing);
     layout->addWidget(m_fraction);
-    layout->addWidget(cancel);
+    layout->addWidget(m_cancel);
     m_bar.addWidget(m_progress);
     m_progress->hide();
     m_progressDelay.setSingleShot(true);
@@ -80,24 +78,31 @@ void StatusLine::makeProgress() {
         m_bar.clearMessage();
         m_progress->show();
     });
-    connect(cancel, &QToolButton::clicked, this, &StatusLine::cancelled);
+    connect(m_cancel, &QToolButton::clicked, this, [this] { m_session.tasks().cancel(m_task); });
+    connect(&m_session.tasks(), &TaskList::changed, this, &StatusLine::showTask);
 }
 
-void StatusLine::beginProgress(const QString& path) {
-    m_opening = QFileInfo(path).fileName();
-    setProgress(-1.0, tr("Opening"));
-    m_progressDelay.start();
-}
-
-void StatusLine::setProgress(double fraction, const QString& doing) {
-    m_doing->setText(tr("%1 %2").arg(doing, m_opening));
-    m_fraction->setMaximum(fraction < 0.0 ? 0 : kPercent);
-    m_fraction->setValue(fraction < 0.0 ? 0 : static_cast<int>(std::lround(fraction * kPercent)));
-}
-
-void StatusLine::endProgress() {
-    m_progressDelay.stop();
-    m_progress->hide();
+/// Shown only if it is not over soon.
+void StatusLine::showTask() {
+    const TaskList::Task* task = m_session.tasks().current();
+    if (task == nullptr) {
+        m_task = 0;
+        m_progressDelay.stop();
+        m_progress->hide();
+        return;
+    }
+    if (task->id != m_task) {
+        m_task = task->id;
+        if (!m_progress->isVisible()) {
+            m_progressDelay.start();
+        }
+    }
+    const std::size_t others = m_session.tasks().size() - 1;
+    m_doing->setText(others == 0 ? task->what : tr("%1 (%2 more)").arg(task->what).arg(others));
+    m_fraction->setMaximum(task->fraction < 0.0 ? 0 : kPercent);
+    m_fraction->setValue(task->fraction < 0.0 ? 0 : static_cast<int>(std::lround(task->fraction * kPercent)));
+    m_cancel->setVisible(static_cast<bool>(task->cancel));
+    m_cancel->setToolTip(task->cancelHelp);
 }
 
 void StatusLine::setRenderer(const QString& name) {
@@ -127,7 +132,7 @@ void StatusLine::showScene() {
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
         vertices += target->deformed.original().vertexCount();
     }
-    m_vertices->setText(tr("%1 vertices").arg(countText(vertices)));
+    m_vertices->setText(tr("%1 vertices in all").arg(countText(vertices)));
     m_vertices->setToolTip(tr("Vertices of all targets (%1)").arg(countText(m_session.targets().size())));
     showTarget();
     showHits();
@@ -135,12 +140,21 @@ void StatusLine::showScene() {
 
 void StatusLine::showTarget() {
     const Target* target = m_session.target(m_session.selectedTarget());
-    m_target->setText(target != nullptr ? target->name : tr("no target selected"));
+    m_target->setText(
+        target != nullptr
+            ? tr("%1: %2 vertices").arg(target->name, countText(target->deformed.original().vertexCount()))
+            : tr("no target selected"));
+    m_vertices->setVisible(target == nullptr || m_session.targets().size() > 1);
 }
 
 void StatusLine::showHits() {
     const std::size_t hits = m_session.history().size();
     QString text = hits == 1 ? tr("1 hit") : tr("%1 hits").arg(countText(hits));
+    const CapacityReport& report = m_session.capacity();
+    if (report.capacity) {
+        text = report.perTarget ? tr("%1, %2 a target at most").arg(text, countText(*report.capacity))
+                                : tr("%1 of %2").arg(text, countText(*report.capacity));
+    }
     if (m_session.disabledHits() > 0) {
         text += tr(", %1 disabled").arg(countText(m_session.disabledHits()));
     }
@@ -148,7 +162,6 @@ void StatusLine::showHits() {
         text += tr(", %1 dropped").arg(countText(m_session.droppedHits()));
     }
     m_hits->setText(text);
-    const CapacityReport& report = m_session.capacity();
     QString tip = tr("Hits made so far");
     if (report.capacity) {
         tip += u'\n' + (report.perTarget ? tr("The pipeline keeps the last %1 on each target.")

@@ -9,11 +9,12 @@
 class QLabel;
 class QProgressBar;
 class QStatusBar;
+class QToolButton;
 
 namespace hitscope {
 
 /// What the status bar says: on the right pipeline, renderer, target, vertices, hits, frame rate; on the left
-/// what is being opened, with a button to cancel.
+/// what takes a while at the moment (Session::tasks()), with a button to cancel it.
 class StatusLine : public QObject {
     Q_OBJECT
 public:
@@ -22,17 +23,11 @@ public:
 
     void setRenderer(const QString& name);
     void setFrameRate(double framesPerSecond);  ///< 0: nothing was drawn lately
-    /// Shows the progress bar if it is not over soon.
-    void beginProgress(const QString& path);
-    void setProgress(double fraction, const QString& doing);
-    void endProgress();
-
-Q_SIGNALS:
-    void cancelled();
 
 private:
     QLabel* addCell(const QString& toolTip);
     void makeProgress();
+    void showTask();
     void showScene();
     void showTarget();
     void showHits();
@@ -51,8 +46,9 @@ private:
     QLabel* m_doing = nullptr;
     QProgressBar* m_fraction = nullptr;
     QString m_rendererName;
-    QString m_opening;  ///< base name of the file
+    QToolButton* m_cancel = nullptr;
     QTimer m_progressDelay;
+    int m_task = 0;  ///< the one that is shown; 0: none
 };
 
 }  // namespace hitscope

@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <vector>
 
 #include "mesh/connectivity.h"
-#include "mesh/triangulate.h"
+#include "mesh/face_measure.h"
 
 namespace hitscope {
 namespace {
@@ -34,27 +33,6 @@ std::size_t countUnreferenced(const MeshData& mesh) {
         used[vertex] = true;
     }
     return static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
-}
-
-struct FanMeasure {
-    double area = 0.0;
-    double volume = 0.0;  ///< between the fan and the reference point, signed
-};
-
-FanMeasure measure(std::span<const glm::vec3> positions, std::span<const std::uint32_t> face,
-                   const glm::dvec3& reference) {
-    const glm::dvec3 facing = doubleAreaVector(positions, face);
-    const glm::dvec3 a = glm::dvec3(positions[face[0]]) - reference;
-    FanMeasure result;
-    for (std::size_t i = 1; i + 1 < face.size(); ++i) {
-        const glm::dvec3 b = glm::dvec3(positions[face[i]]) - reference;
-        const glm::dvec3 c = glm::dvec3(positions[face[i + 1]]) - reference;
-        const glm::dvec3 doubleArea = glm::cross(b - a, c - a);
-        const double area = 0.5 * glm::length(doubleArea);
-        result.area += glm::dot(doubleArea, facing) < 0.0 ? -area : area;
-        result.volume += glm::dot(a, glm::cross(b, c)) / 6.0;
-    }
-    return result;
 }
 
 }  // namespace
@@ -97,7 +75,7 @@ GeometryStatistics computeGeometry(const MeshData& mesh, std::span<const glm::ve
     const glm::dvec3 reference(statistics.bounds.centre());
     double volume = 0.0;
     for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-        const FanMeasure face = measure(positions, mesh.face(f), reference);
+        const FaceMeasure face = measureFace(positions, mesh.face(f), reference);
         statistics.surfaceArea += face.area;
         volume += face.volume;
     }

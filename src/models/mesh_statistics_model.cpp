@@ -2,197 +2,135 @@
 #include "models/mesh_statistics_model.h"
 
 #include <QCoreApplication>
-#include <QPointer>
-#include <QThreadPool>
-#include <algorithm>
-#include <new>
-#include <utility>
 
 #include "models/focus_target.h"
-#include "models/quantity_text.h"
 
 namespace hitscope {
 
 namespace {
 
-constexpr qint64 kMeasureInterval = 200;  // milliseconds
+constexpr quintptr kSectionId = 0;  // internal id of a section; a row has its section's number + 1
 
-/// One a row, in the order of MeshStatisticsModel::Row.
-constexpr const char* kRowNames[MeshStatisticsModel::RowCount] = {
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Displacement"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Changed vertices"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Largest (m)"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Mean (m)"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "RMS (m)"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Shape"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Bounding box x (m)"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Bounding box y (m)"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Bounding box z (m)"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Surface area (m²)"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Volume (m³)"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Topology"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Vertices"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Edges"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Faces"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Triangles"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Quads"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Larger polygons"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Boundary edges"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Components"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Euler characteristic"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Watertight"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Unused vertices"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Degenerate faces"),
-    QT_TRANSLATE_NOOP("hitscope::MeshStatisticsModel", "Non-manifold faces"),
-};
+QString translated(const char* text) {
+    return QCoreApplication::translate("hitscope::StatisticsRow", text);
+}
 
-/// Until the numbers are there.
-QString notKnown() {
-    return QStringLiteral("…");
+StatisticsSide sideOf(int column) {
+    return column == MeshStatisticsModel::OriginalColumn   ? StatisticsSide::Original
+           : column == MeshStatisticsModel::DeformedColumn ? StatisticsSide::Deformed
+                                                           : StatisticsSide::Change;
 }
 
 }  // namespace
 
-/// What another thread makes; carries its own copy of all it reads.
-struct MeshStatisticsModel::Measurement {
-    TargetId target;
-    std::shared_ptr<const MeshData> mesh;
-    std::vector<glm::vec3> positions;  ///< the deformed ones; empty: nothing is deformed
-    std::optional<TopologyStatistics> topology;
-    std::optional<GeometryStatistics> original;
-    std::optional<GeometryStatistics> deformed;
-
-    void make() {
-        if (!topology) {
-            topology = computeTopology(*mesh);
+MeshStatisticsModel::MeshStatisticsModel(Session& session, QObject* parent)
+    : QAbstractItemModel(parent), m_session(session), m_measuring(session) {
+    const std::span<const StatisticsRow> rows = statisticsRows();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (m_sections.empty() || m_sections.back().section != rows[i].section) {
+            m_sections.push_back({rows[i].section, i, 0});
         }
-        if (!original) {
-            original = computeGeometry(*mesh, mesh->positions, *topology);
-        }
-        deformed = positions.empty() ? original : computeGeometry(*mesh, positions, *topology);
+        ++m_sections.back().count;
     }
-};
-
-MeshStatisticsModel::MeshStatisticsModel(const Session& session, std::size_t immediateFaces, QObject* parent)
-    : QAbstractTableModel(parent), m_session(session), m_immediateFaces(immediateFaces) {
-    m_timer.setSingleShot(true);
-    connect(&m_timer, &QTimer::timeout, this, &MeshStatisticsModel::measure);
-    connect(&session, &Session::sceneReplaced, this, &MeshStatisticsModel::startOver);
+    connect(&m_measuring, &MeshMeasuring::measured, this, &MeshStatisticsModel::announceValues);
+    connect(&session, &Session::sceneReplaced, this, &MeshStatisticsModel::follow);
     connect(&session, &Session::targetSelected, this, &MeshStatisticsModel::follow);
     connect(&session, &Session::targetAdded, this, &MeshStatisticsModel::follow);
     connect(&session, &Session::targetRemoved, this, &MeshStatisticsModel::follow);
     connect(&session, &Session::hitsAppended, this, &MeshStatisticsModel::follow);
     connect(&session, &Session::historyReset, this, &MeshStatisticsModel::follow);
-    connect(&session, &Session::meshChanged, this, [this](TargetId target) {
-        if (target == m_target) {
-            schedule();
-        }
-    });
     follow();
 }
 
-void MeshStatisticsModel::startOver() {
-    m_target = {};
-    follow();
+void MeshStatisticsModel::setShowsAll(bool all) {
+    if (all != m_showsAll) {
+        m_showsAll = all;
+        follow();
+        Q_EMIT shownTargetChanged();
+    }
 }
 
 void MeshStatisticsModel::follow() {
-    const Target* target = focusTarget(m_session);
-    const TargetId id = target != nullptr ? target->id : TargetId{};
-    if (id == m_target && id) {
-        return;
+    const Target* focus = m_showsAll ? nullptr : focusTarget(m_session);
+    std::vector<TargetId> targets;
+    if (m_showsAll) {
+        for (const std::unique_ptr<Target>& target : m_session.targets()) {
+            targets.push_back(target->id);
+        }
+    } else if (focus != nullptr) {
+        targets.push_back(focus->id);
     }
-    beginResetModel();
-    m_target = id;
-    m_values = {};
-    endResetModel();
-    Q_EMIT shownTargetChanged();
-    if (id) {
-        schedule();
-    }
-}
-
-void MeshStatisticsModel::schedule() {
-    // Never measured right here: the session reports changed meshes in the middle of drawing a frame.
-    if (!m_timer.isActive()) {
-        const qint64 since = m_sinceMeasured.isValid() ? m_sinceMeasured.elapsed() : kMeasureInterval;
-        m_timer.start(static_cast<int>(std::max<qint64>(0, kMeasureInterval - since)));
-    }
-}
-
-void MeshStatisticsModel::measure() {
-    const Target* target = m_session.target(m_target);
-    if (target == nullptr) {
-        return;
-    }
-    m_sinceMeasured.start();
-    const DeformedMesh& mesh = target->deformed;
-    m_values.displacement = mesh.statistics();
-    if (mesh.original().faceCount() > m_immediateFaces) {
-        measureElsewhere(*target);
-    } else {
-        m_values.topology = target->topology();
-        m_values.original = target->originalGeometry();
-        m_values.deformed = m_values.displacement.changedVertices == 0
-                                ? m_values.original
-                                : computeGeometry(mesh.original(), mesh.positions(), *m_values.topology);
+    m_measuring.setTargets(std::move(targets), !m_showsAll);
+    const TargetId id = focus != nullptr ? focus->id : TargetId{};
+    if (id != m_target) {
+        m_target = id;
+        Q_EMIT shownTargetChanged();
     }
     announceValues();
 }
 
-void MeshStatisticsModel::measureElsewhere(const Target& target) {
-    if (m_measuringElsewhere) {
-        schedule();
-        return;
-    }
-    Measurement work;
-    work.target = target.id;
-    work.mesh = target.deformed.sharedOriginal();
-    work.topology = m_values.topology;
-    work.original = m_values.original;
-    if (m_values.displacement.changedVertices > 0) {
-        const std::span<const glm::vec3> positions = target.deformed.positions();
-        work.positions.assign(positions.begin(), positions.end());
-    }
-    m_measuringElsewhere = true;
-    QThreadPool::globalInstance()->start([self = QPointer(this), work = std::move(work)]() mutable {
-        try {
-            work.make();
-        } catch (const std::bad_alloc&) {
-            work.topology.reset();  // the values stay unknown; everything else goes on
-        }
-        QMetaObject::invokeMethod(QCoreApplication::instance(), [self, done = std::move(work)] {
-            if (self) {
-                self->take(done);
-            }
-        });
-    });
-}
-
-void MeshStatisticsModel::take(const Measurement& measurement) {
-    m_measuringElsewhere = false;
-    if (measurement.target == m_target && measurement.topology) {
-        m_values.topology = measurement.topology;
-        m_values.original = measurement.original;
-        m_values.deformed = measurement.deformed;
-        announceValues();
-    }
-}
-
 void MeshStatisticsModel::announceValues() {
-    Q_EMIT dataChanged(index(0, OriginalColumn), index(RowCount - 1, DeformedColumn));
+    for (int section = 0; section < rowCount(); ++section) {
+        const QModelIndex parent = index(section, 0);
+        Q_EMIT dataChanged(index(0, OriginalColumn, parent),
+                           index(rowCount(parent) - 1, ChangeColumn, parent));
+    }
+}
+
+QModelIndex MeshStatisticsModel::find(const char* key, int column) const {
+    const auto row = static_cast<std::size_t>(&statisticsRow(key) - statisticsRows().data());
+    for (std::size_t s = 0; s < m_sections.size(); ++s) {
+        const Section& section = m_sections[s];
+        if (row >= section.first && row < section.first + static_cast<std::size_t>(section.count)) {
+            return createIndex(static_cast<int>(row - section.first), column, quintptr{s + 1});
+        }
+    }
+    return {};
+}
+
+QModelIndex MeshStatisticsModel::index(int row, int column, const QModelIndex& parent) const {
+    if (!hasIndex(row, column, parent)) {
+        return {};
+    }
+    return createIndex(row, column, parent.isValid() ? static_cast<quintptr>(parent.row()) + 1 : kSectionId);
+}
+
+QModelIndex MeshStatisticsModel::parent(const QModelIndex& child) const {
+    if (!child.isValid() || child.internalId() == kSectionId) {
+        return {};
+    }
+    return createIndex(static_cast<int>(child.internalId()) - 1, 0, kSectionId);
 }
 
 int MeshStatisticsModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() || !m_target ? 0 : RowCount;
+    if (!parent.isValid()) {
+        return static_cast<int>(m_sections.size());
+    }
+    const bool isSection = parent.internalId() == kSectionId && parent.column() == 0;
+    return isSection ? m_sections[static_cast<std::size_t>(parent.row())].count : 0;
 }
 
-int MeshStatisticsModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : ColumnCount;
+int MeshStatisticsModel::columnCount(const QModelIndex& /*parent*/) const {
+    return ColumnCount;
+}
+
+const StatisticsRow* MeshStatisticsModel::rowAt(const QModelIndex& index) const {
+    if (!index.isValid() || index.internalId() == kSectionId) {
+        return nullptr;
+    }
+    const Section& section = m_sections[static_cast<std::size_t>(index.internalId()) - 1];
+    return &statisticsRows()[section.first + static_cast<std::size_t>(index.row())];
 }
 
 QVariant MeshStatisticsModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
+    if (orientation != Qt::Horizontal) {
+        return {};
+    }
+    if (role == Qt::TextAlignmentRole) {
+        return section == PropertyColumn ? QVariant(Qt::AlignLeft | Qt::AlignVCenter)
+                                         : QVariant(Qt::AlignRight | Qt::AlignVCenter);
+    }
+    if (role != Qt::DisplayRole) {
         return {};
     }
     switch (section) {
@@ -202,126 +140,72 @@ QVariant MeshStatisticsModel::headerData(int section, Qt::Orientation orientatio
             return tr("Original");
         case DeformedColumn:
             return tr("Deformed");
+        case ChangeColumn:
+            return tr("Change");
         default:
             return {};
     }
 }
 
 QVariant MeshStatisticsModel::data(const QModelIndex& index, int role) const {
-    if (!index.isValid() || index.row() >= rowCount()) {
-        return {};
+    const StatisticsRow* row = rowAt(index);
+    if (row == nullptr) {
+        const bool isTitle = index.isValid() && index.column() == 0 && role == Qt::DisplayRole;
+        return isTitle ? QVariant(sectionName(m_sections[static_cast<std::size_t>(index.row())].section))
+                       : QVariant();
     }
-    const int row = index.row();
+    const std::shared_ptr<const MeshMeasurement>& measurement = m_measuring.measurement();
     switch (role) {
         case Qt::DisplayRole:
-            return cellText(row, index.column());
+            return cellText(*row, index.column());
+        case Qt::ToolTipRole:
+            return cellToolTip(*row, index.column());
         case Qt::TextAlignmentRole:
             return index.column() == PropertyColumn ? QVariant(Qt::AlignLeft | Qt::AlignVCenter)
                                                     : QVariant(Qt::AlignRight | Qt::AlignVCenter);
-        case HeadingRole:
-            return row == TopologyHeading || row == ShapeHeading || row == DisplacementHeading;
-        case SharedRole:
-            return row > TopologyHeading;
-        default:
-            return {};
-    }
-}
-
-QString MeshStatisticsModel::cellText(int row, int column) const {
-    if (column == PropertyColumn) {
-        return tr(kRowNames[row]);
-    }
-    if (row > TopologyHeading) {
-        return column == OriginalColumn ? topologyText(row) : QString();
-    }
-    if (row > ShapeHeading && row < TopologyHeading) {
-        return shapeText(row, column == OriginalColumn ? m_values.original : m_values.deformed);
-    }
-    if (row > DisplacementHeading && row < ShapeHeading) {
-        return column == DeformedColumn ? displacementText(row) : QString();
-    }
-    return {};
-}
-
-QString MeshStatisticsModel::topologyText(int row) const {
-    if (!m_values.topology) {
-        return notKnown();
-    }
-    const TopologyStatistics& topology = *m_values.topology;
-    switch (row) {
-        case VerticesRow:
-            return countText(topology.vertices);
-        case EdgesRow:
-            return countText(topology.edges);
-        case FacesRow:
-            return countText(topology.faces);
-        case TrianglesRow:
-            return countText(topology.triangles);
-        case QuadsRow:
-            return countText(topology.quads);
-        case LargerPolygonsRow:
-            return countText(topology.largerPolygons);
-        case BoundaryEdgesRow:
-            return countText(topology.boundaryEdges);
-        case ComponentsRow:
-            return countText(topology.components);
-        case EulerRow:
-            return topology.eulerCharacteristic ? QString::number(*topology.eulerCharacteristic)
-                                                : tr("not defined");
-        case WatertightRow:
-            return topology.watertight ? tr("yes") : tr("no");
-        case UnreferencedRow:
-            return countText(topology.unreferencedVertices);
-        case DegenerateRow:
-            return countText(topology.degenerateFaces);
-        case NonManifoldRow:
-            return countText(topology.nonManifoldFaces);
-        default:
-            return {};
-    }
-}
-
-QString MeshStatisticsModel::shapeText(int row, const std::optional<GeometryStatistics>& geometry) const {
-    if (!geometry) {
-        return notKnown();
-    }
-    const glm::vec3 size = geometry->bounds.size();
-    switch (row) {
-        case SizeXRow:
-            return quantityText(static_cast<double>(size.x));
-        case SizeYRow:
-            return quantityText(static_cast<double>(size.y));
-        case SizeZRow:
-            return quantityText(static_cast<double>(size.z));
-        case SurfaceAreaRow:
-            return quantityText(geometry->surfaceArea);
-        case VolumeRow:
-            return geometry->volume ? quantityText(*geometry->volume) : tr("not watertight");
-        default:
-            return {};
-    }
-}
-
-QString MeshStatisticsModel::displacementText(int row) const {
-    const DisplacementStatistics& moved = m_values.displacement;
-    switch (row) {
-        case ChangedVerticesRow: {
-            const Target* target = m_session.target(m_target);
-            const std::size_t all = target != nullptr ? target->deformed.original().vertexCount() : 0;
-            const double share =
-                all == 0 ? 0.0
-                         : 100.0 * static_cast<double>(moved.changedVertices) / static_cast<double>(all);
-            return tr("%1 (%2 %)").arg(countText(moved.changedVertices), QString::number(share, 'f', 1));
+        case ValueRole: {
+            if (!measurement || index.column() == PropertyColumn) {
+                return {};
+            }
+            const std::optional<double> value = statisticsValue(*row, *measurement, sideOf(index.column()));
+            return value ? QVariant(*value) : QVariant();
         }
-        case LargestDisplacementRow:
-            return quantityText(moved.maximum);
-        case MeanDisplacementRow:
-            return quantityText(moved.mean);
-        case RmsDisplacementRow:
-            return quantityText(moved.rms);
+        case SharedRole:
+            return row->sides == StatisticsRow::Sides::Same;
         default:
             return {};
     }
+}
+
+QString MeshStatisticsModel::cellText(const StatisticsRow& row, int column) const {
+    if (column == PropertyColumn) {
+        return propertyName(row);
+    }
+    const std::shared_ptr<const MeshMeasurement>& measurement = m_measuring.measurement();
+    if (!measurement) {
+        const bool isToCome = column != ChangeColumn && !m_session.targets().empty();
+        return isToCome ? QStringLiteral("…") : QString();
+    }
+    return statisticsText(row, *measurement, sideOf(column));
+}
+
+/// What the number means, why there is none, and all its digits.
+QString MeshStatisticsModel::cellToolTip(const StatisticsRow& row, int column) const {
+    QString text = translated(row.meaning);
+    const std::shared_ptr<const MeshMeasurement>& measurement = m_measuring.measurement();
+    if (measurement) {
+        const QString reason = whyNot(row, *measurement);
+        const std::optional<double> value =
+            column == PropertyColumn ? std::nullopt : statisticsValue(row, *measurement, sideOf(column));
+        if (!reason.isEmpty()) {
+            text += u'\n' + reason;
+        } else if (value && row.kind == StatisticsRow::Kind::Quantity) {
+            text += u'\n' + QString::number(*value, 'g', 15) + u' ' + QString::fromUtf8(row.unit);
+        }
+    }
+    // Rich text is broken into lines.
+    return QStringLiteral("<p>%1</p>")
+        .arg(text.trimmed().toHtmlEscaped().replace(u'\n', QLatin1String("<br>")));
 }
 
 }  // namespace hitscope

@@ -1,66 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QAbstractTableModel>
-#include <QElapsedTimer>
-#include <QTimer>
-#include <memory>
-#include <optional>
-#include <vector>
+#include <QAbstractItemModel>
 
-#include "session/session.h"
+#include "models/statistics_rows.h"
+#include "session/mesh_measuring.h"
 
 namespace hitscope {
 
-/// What there is to know about the target in focus (focusTarget()): original and deformed, side by side.
-/// Follows the session; measured at most five times a second, and on another thread where the mesh is large.
-class MeshStatisticsModel : public QAbstractTableModel {
+/// What there is to know about the target in focus (focusTarget()), or about all together: original, deformed
+/// and the change, in sections. Follows the session; measured on another thread (MeshMeasuring).
+class MeshStatisticsModel : public QAbstractItemModel {
     Q_OBJECT
 public:
-    enum Column : int { PropertyColumn, OriginalColumn, DeformedColumn, ColumnCount };
-    enum Row : int {
-        DisplacementHeading,
-        ChangedVerticesRow,
-        LargestDisplacementRow,
-        MeanDisplacementRow,
-        RmsDisplacementRow,
-        ShapeHeading,
-        SizeXRow,
-        SizeYRow,
-        SizeZRow,
-        SurfaceAreaRow,
-        VolumeRow,
-        TopologyHeading,
-        VerticesRow,
-        EdgesRow,
-        FacesRow,
-        TrianglesRow,
-        QuadsRow,
-        LargerPolygonsRow,
-        BoundaryEdgesRow,
-        ComponentsRow,
-        EulerRow,
-        WatertightRow,
-        UnreferencedRow,
-        DegenerateRow,
-        NonManifoldRow,
-        RowCount
-    };
+    enum Column : int { PropertyColumn, OriginalColumn, DeformedColumn, ChangeColumn, ColumnCount };
     enum Role : int {
-        HeadingRole = Qt::UserRole,  ///< bool: the row is the title of the rows below it
-        SharedRole,  ///< bool: no hit changes this; the value in OriginalColumn holds for both
+        ValueRole = Qt::UserRole,  ///< double, where there is one: the number behind the text
+        SharedRole,                ///< bool: no hit changes this; both columns say the same
     };
-
-    /// Meshes of more faces than this are measured on another thread.
-    static constexpr std::size_t kImmediateFaces = 200'000;
 
     /// `session` outlives the model.
-    explicit MeshStatisticsModel(const Session& session, std::size_t immediateFaces = kImmediateFaces,
-                                 QObject* parent = nullptr);
+    explicit MeshStatisticsModel(Session& session, QObject* parent = nullptr);
 
-    /// The target that the values are of; 0: the scene is empty.
+    /// The target that the values are of; 0: of all together, or the scene is empty.
     [[nodiscard]] TargetId shownTarget() const { return m_target; }
+    [[nodiscard]] bool showsAll() const { return m_showsAll; }
+    void setShowsAll(bool all);
+    [[nodiscard]] MeshMeasuring& measuring() { return m_measuring; }
+    [[nodiscard]] const MeshMeasuring& measuring() const { return m_measuring; }
+    /// Of the row with that key, which exists (statisticsRows()).
+    [[nodiscard]] QModelIndex find(const char* key, int column) const;
 
+    [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QModelIndex parent(const QModelIndex& child) const override;
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
@@ -71,33 +43,22 @@ Q_SIGNALS:
     void shownTargetChanged();
 
 private:
-    struct Values {
-        std::optional<TopologyStatistics> topology;
-        std::optional<GeometryStatistics> original;
-        std::optional<GeometryStatistics> deformed;
-        DisplacementStatistics displacement;
+    struct Section {
+        StatisticsRow::Section section;
+        std::size_t first = 0;  ///< of statisticsRows()
+        int count = 0;
     };
-    struct Measurement;
-
     void follow();
-    void startOver();
-    void schedule();
-    void measure();
-    void measureElsewhere(const Target& target);
-    void take(const Measurement& measurement);
     void announceValues();
-    [[nodiscard]] QString topologyText(int row) const;
-    [[nodiscard]] QString shapeText(int row, const std::optional<GeometryStatistics>& geometry) const;
-    [[nodiscard]] QString displacementText(int row) const;
-    [[nodiscard]] QString cellText(int row, int column) const;
+    [[nodiscard]] const StatisticsRow* rowAt(const QModelIndex& index) const;
+    [[nodiscard]] QString cellText(const StatisticsRow& row, int column) const;
+    [[nodiscard]] QString cellToolTip(const StatisticsRow& row, int column) const;
 
-    const Session& m_session;
-    std::size_t m_immediateFaces;
+    Session& m_session;
+    MeshMeasuring m_measuring;
+    std::vector<Section> m_sections;
     TargetId m_target;
-    Values m_values;
-    QTimer m_timer;
-    QElapsedTimer m_sinceMeasured;
-    bool m_measuringElsewhere = false;
+    bool m_showsAll = false;
 };
 
 }  // namespace hitscope

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "session/frame_costs.h"
+#include "session/task_list.h"
 #include "session/vertex_selection.h"
 
 namespace hitscope {
@@ -13,7 +14,8 @@ namespace hitscope {
 Session::Session(QObject* parent)
     : QObject(parent),
       m_frameCosts(std::make_unique<FrameCosts>(*this)),
-      m_selection(std::make_unique<VertexSelection>(*this)) {}
+      m_selection(std::make_unique<VertexSelection>(*this)),
+      m_tasks(std::make_unique<TaskList>()) {}
 
 Session::~Session() = default;
 

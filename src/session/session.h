@@ -31,6 +31,7 @@
 namespace hitscope {
 
 class FrameCosts;
+class TaskList;
 class VertexSelection;
 
 /// Everything a person works on: targets, hit history, constants, lights, projectiles. Makes no GL call;
@@ -111,6 +112,9 @@ public:
     /// The vertices pointed at, picked and selected.
     [[nodiscard]] VertexSelection& selection() { return *m_selection; }
     [[nodiscard]] const VertexSelection& selection() const { return *m_selection; }
+
+    /// What takes a while at the moment.
+    [[nodiscard]] TaskList& tasks() const { return *m_tasks; }
 
     // Settings
     [[nodiscard]] const DeformationConstants& constants() const { return m_constants.constants; }
@@ -296,6 +300,7 @@ private:
     std::map<TargetId, std::vector<std::uint32_t>>
         m_moved;  ///< file vertices, since the last finishReadBack()
     std::unique_ptr<VertexSelection> m_selection;
+    std::unique_ptr<TaskList> m_tasks;
 };
 
 }  // namespace hitscope

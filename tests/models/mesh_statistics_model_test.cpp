@@ -3,11 +3,16 @@
 #include <QLocale>
 #include <QSignalSpy>
 #include <QTest>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <vector>
 
 #include "deform/reference.h"
 #include "mesh/primitives.h"
+#include "models/mesh_health_model.h"
 #include "models/mesh_statistics_model.h"
+#include "models/statistics_report.h"
 
 using namespace hitscope;
 
@@ -15,8 +20,12 @@ namespace {
 
 using Model = MeshStatisticsModel;
 
-QString cell(const Model& model, int row, int column) {
-    return model.index(row, column).data().toString();
+QString cell(const Model& model, const char* key, int column) {
+    return model.find(key, column).data().toString();
+}
+
+double value(const Model& model, const char* key, int column) {
+    return model.find(key, column).data(Model::ValueRole).toDouble();
 }
 
 Hit hitOn(const Target& target) {
@@ -49,9 +58,13 @@ class MeshStatisticsModelTest : public QObject {
 private Q_SLOTS:
     void describesTheOriginal();
     void followsHitsAndUndo();
+    void staysConsistentWhileHitsStreamIn();
     void followsTheTargetInFocus();
+    void addsUpAllTargets();
     void saysWhyThereIsNoVolume();
-    void largeMeshesAreMeasuredElsewhere();
+    void measuresOnlyWhileLookedAt();
+    void reportsAreWhatIsShown();
+    void listsHarmedFacesAndTheirHits();
 };
 
 void MeshStatisticsModelTest::describesTheOriginal() {
@@ -59,22 +72,27 @@ void MeshStatisticsModelTest::describesTheOriginal() {
     session.loadMesh(makeLowPolyCube(2.5f));
     Model model(session);
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
-    QTRY_COMPARE(cell(model, Model::VerticesRow, Model::OriginalColumn), QStringLiteral("386"));
-    QCOMPARE(cell(model, Model::VerticesRow, Model::PropertyColumn), QStringLiteral("Vertices"));
-    QCOMPARE(cell(model, Model::RmsDisplacementRow, Model::PropertyColumn), QStringLiteral("RMS (m)"));
-    QCOMPARE(cell(model, Model::FacesRow, Model::OriginalColumn), QStringLiteral("384"));
-    QCOMPARE(cell(model, Model::QuadsRow, Model::OriginalColumn), QStringLiteral("384"));
-    QCOMPARE(cell(model, Model::EdgesRow, Model::OriginalColumn), QStringLiteral("768"));
-    QCOMPARE(cell(model, Model::EulerRow, Model::OriginalColumn), QStringLiteral("2"));
-    QCOMPARE(cell(model, Model::WatertightRow, Model::OriginalColumn), QStringLiteral("yes"));
-    QCOMPARE(cell(model, Model::SizeXRow, Model::OriginalColumn), QStringLiteral("5.0000"));
-    QCOMPARE(cell(model, Model::SizeZRow, Model::PropertyColumn), QStringLiteral("Bounding box z (m)"));
-    QCOMPARE(cell(model, Model::SurfaceAreaRow, Model::OriginalColumn), QStringLiteral("150.00"));
-    QCOMPARE(cell(model, Model::VolumeRow, Model::OriginalColumn), QStringLiteral("125.00"));
-    QCOMPARE(cell(model, Model::VolumeRow, Model::DeformedColumn), QStringLiteral("125.00"));
-    QCOMPARE(cell(model, Model::ChangedVerticesRow, Model::DeformedColumn), QStringLiteral("0 (0.0 %)"));
-    QVERIFY(model.index(Model::VerticesRow, 0).data(Model::SharedRole).toBool());
-    QVERIFY(model.index(Model::ShapeHeading, 0).data(Model::HeadingRole).toBool());
+    QCOMPARE(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("…"));
+    QTRY_COMPARE(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("386"));
+    QCOMPARE(cell(model, "vertices", Model::PropertyColumn), QStringLiteral("Vertices"));
+    QCOMPARE(cell(model, "displacement_rms", Model::PropertyColumn), QStringLiteral("RMS"));
+    QCOMPARE(cell(model, "faces", Model::OriginalColumn), QStringLiteral("384"));
+    QCOMPARE(cell(model, "quads", Model::DeformedColumn), QStringLiteral("384"));
+    QCOMPARE(cell(model, "edges", Model::OriginalColumn), QStringLiteral("768"));
+    QCOMPARE(cell(model, "euler_characteristic", Model::OriginalColumn), QStringLiteral("2"));
+    QCOMPARE(cell(model, "genus", Model::OriginalColumn), QStringLiteral("0"));
+    QCOMPARE(cell(model, "watertight", Model::OriginalColumn), QStringLiteral("yes"));
+    QCOMPARE(cell(model, "box_size_x", Model::OriginalColumn), QStringLiteral("5.0000"));
+    QCOMPARE(cell(model, "box_min_z", Model::PropertyColumn), QStringLiteral("Min z"));
+    QCOMPARE(cell(model, "surface_area", Model::OriginalColumn), QStringLiteral("150.00"));
+    QCOMPARE(cell(model, "volume", Model::OriginalColumn), QStringLiteral("125.00"));
+    QCOMPARE(cell(model, "volume", Model::DeformedColumn), QStringLiteral("125.00"));
+    QCOMPARE(cell(model, "changed_vertices", Model::DeformedColumn), QStringLiteral("0"));
+    QCOMPARE(cell(model, "displacement_mean", Model::DeformedColumn), QString());
+    QVERIFY(model.find("vertices", 0).data(Model::SharedRole).toBool());
+    for (const StatisticsRow& row : statisticsRows()) {
+        QVERIFY(!model.find(row.key, 0).data(Qt::ToolTipRole).toString().isEmpty());
+    }
 }
 
 void MeshStatisticsModelTest::followsHitsAndUndo() {
@@ -82,7 +100,7 @@ void MeshStatisticsModelTest::followsHitsAndUndo() {
     session.loadMesh(makeHighPolyCube(2.5f));
     Model model(session);
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
-    QTRY_COMPARE(cell(model, Model::VerticesRow, Model::OriginalColumn), QStringLiteral("6,146"));
+    QTRY_COMPARE(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("6,146"));
 
     QVERIFY(session.addHit(hitOn(*session.targets().front())).ok());
     applyOnCpu(session);
@@ -92,24 +110,55 @@ void MeshStatisticsModelTest::followsHitsAndUndo() {
         within += way.x * way.x + way.y * way.y + way.z * way.z <= 0.25f ? 1 : 0;
     }
     QVERIFY(within > 20);
-    QTRY_VERIFY(cell(model, Model::ChangedVerticesRow, Model::DeformedColumn)
-                    .startsWith(QString::number(within) + u' '));
-    QCOMPARE(cell(model, Model::LargestDisplacementRow, Model::DeformedColumn), QStringLiteral("0.30000"));
-    QVERIFY(cell(model, Model::VolumeRow, Model::DeformedColumn) !=
-            cell(model, Model::VolumeRow, Model::OriginalColumn));
+    QTRY_COMPARE(cell(model, "changed_vertices", Model::DeformedColumn), QString::number(within));
+    QCOMPARE(cell(model, "displacement_max", Model::DeformedColumn), QStringLiteral("0.30000"));
+    QVERIFY(value(model, "volume", Model::ChangeColumn) < 0.0);
+    QVERIFY(cell(model, "surface_area", Model::ChangeColumn).startsWith(u'+'));
 
     session.undo();
     applyOnCpu(session);
-    QTRY_COMPARE(cell(model, Model::ChangedVerticesRow, Model::DeformedColumn), QStringLiteral("0 (0.0 %)"));
-    QCOMPARE(cell(model, Model::VolumeRow, Model::DeformedColumn),
-             cell(model, Model::VolumeRow, Model::OriginalColumn));
+    QTRY_COMPARE(cell(model, "changed_vertices", Model::DeformedColumn), QStringLiteral("0"));
+    QCOMPARE(value(model, "volume", Model::ChangeColumn), 0.0);
+}
+
+/// Live numbers end where a measurement from scratch does.
+void MeshStatisticsModelTest::staysConsistentWhileHitsStreamIn() {
+    Session session;
+    session.loadMesh(makeHighPolySphere(2.5f));
+    Model model(session);
+    MeshHealthModel health(session, model.measuring());
+    const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    const QAbstractItemModelTester other(&health, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    const Target& target = *session.targets().front();
+    ReferenceDeformation reference(target.deformed.render());
+    for (int i = 0; i < 60; ++i) {
+        Hit hit;
+        hit.target = target.id;
+        const float angle = 0.3f * static_cast<float>(i);
+        hit.point = 2.5f * glm::vec3(std::cos(angle), 0.1f, std::sin(angle));
+        hit.direction = -glm::normalize(hit.point);
+        QVERIFY(session.addHit(hit));
+        for (const VertexRange& range : reference.apply({&hit, 1})) {
+            session.takeReadBack(target.id, range.first,
+                                 reference.vertices().subspan(range.first, range.count));
+        }
+        session.finishReadBack();
+        QTest::qWait(5);
+    }
+    Model fresh(session);
+    QTRY_VERIFY(fresh.measuring().measurement());
+    QTRY_VERIFY(model.measuring().measurement() &&
+                model.measuring().measurement()->deformed == fresh.measuring().measurement()->deformed);
+    QVERIFY(model.measuring().measurement()->displacement == fresh.measuring().measurement()->displacement);
+    QTRY_COMPARE(health.found(), fresh.measuring().measurement()->harmsFound);
+    QVERIFY(health.rowCount() > 0);
 }
 
 void MeshStatisticsModelTest::followsTheTargetInFocus() {
     Session session;
     Model model(session);
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
-    QCOMPARE(model.rowCount(), 0);
+    QCOMPARE(cell(model, "vertices", Model::OriginalColumn), QString());
     session.loadPaperRow(kDefaultPaperRow);
     QCOMPARE(model.shownTarget(), session.targets().front()->id);
 
@@ -120,13 +169,42 @@ void MeshStatisticsModelTest::followsTheTargetInFocus() {
     QCOMPARE(changed.size(), 1);
     const QString vertices =
         QLocale(QLocale::English).toString(qulonglong(other.deformed.original().vertexCount()));
-    QTRY_COMPARE(cell(model, Model::VerticesRow, Model::OriginalColumn), vertices);
+    QTRY_COMPARE(cell(model, "vertices", Model::OriginalColumn), vertices);
 
     QVERIFY(session.addHit(hitOn(*session.targets()[4])).ok());
     session.selectTarget({});
     QCOMPARE(model.shownTarget(), session.targets()[4]->id);
     session.loadPaperRow(3);
     QCOMPARE(model.shownTarget(), session.targets().front()->id);
+}
+
+void MeshStatisticsModelTest::addsUpAllTargets() {
+    Session session;
+    session.loadMesh(makeLowPolyCube(1.0f));
+    std::vector<TargetPlan> more;
+    more.push_back(planMesh(makeLowPolyCube(2.0f)));
+    session.addTargets(std::move(more));
+    RigidTransform turned;
+    turned.position = {10.0f, 0.0f, 0.0f};
+    turned.rotation = glm::angleAxis(0.78539816f, glm::vec3(0.0f, 1.0f, 0.0f));
+    QVERIFY(session.setTargetTransform(session.targets()[1]->id, turned));
+    QVERIFY(session.setTargetTransform(session.targets()[0]->id, RigidTransform{}));
+    Model model(session);
+    model.setShowsAll(true);
+    QCOMPARE(model.shownTarget(), TargetId{});
+    QTRY_COMPARE(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("772"));
+    QCOMPARE(cell(model, "components", Model::OriginalColumn), QStringLiteral("2"));
+    QVERIFY(std::abs(value(model, "volume", Model::OriginalColumn) - (8.0 + 64.0)) < 1e-6);
+    QVERIFY(std::abs(value(model, "surface_area", Model::DeformedColumn) - (24.0 + 96.0)) < 1e-6);
+    QVERIFY(std::abs(value(model, "centre_of_mass_x", Model::OriginalColumn) - 640.0 / 72.0) < 1e-5);
+    QVERIFY(std::abs(value(model, "box_max_x", Model::OriginalColumn) - (10.0 + std::sqrt(8.0))) < 1e-5);
+    QVERIFY(std::abs(value(model, "box_min_x", Model::OriginalColumn) + 1.0) < 1e-6);
+    // A target that is moved takes the box along.
+    turned.position.x = 20.0f;
+    QVERIFY(session.setTargetTransform(session.targets()[1]->id, turned));
+    QTRY_VERIFY(std::abs(value(model, "box_max_x", Model::DeformedColumn) - (20.0 + std::sqrt(8.0))) < 1e-5);
+    session.removeTargets(std::vector<TargetId>{session.targets()[1]->id});
+    QTRY_COMPARE(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("386"));
 }
 
 void MeshStatisticsModelTest::saysWhyThereIsNoVolume() {
@@ -138,26 +216,97 @@ void MeshStatisticsModelTest::saysWhyThereIsNoVolume() {
     Session session;
     session.loadMesh(mesh);
     const Model model(session);
-    QTRY_COMPARE(cell(model, Model::VolumeRow, Model::OriginalColumn), QStringLiteral("not watertight"));
-    QCOMPARE(cell(model, Model::BoundaryEdgesRow, Model::OriginalColumn), QStringLiteral("3"));
-    QCOMPARE(cell(model, Model::SurfaceAreaRow, Model::OriginalColumn), QStringLiteral("2.0000"));
+    QTRY_COMPARE(cell(model, "volume", Model::OriginalColumn), QStringLiteral("open"));
+    QVERIFY(model.find("volume", Model::OriginalColumn)
+                .data(Qt::ToolTipRole)
+                .toString()
+                .contains(QStringLiteral("Not watertight: 3 boundary edges.")));
+    QVERIFY(!model.find("volume", Model::OriginalColumn).data(Model::ValueRole).isValid());
+    QCOMPARE(cell(model, "boundary_edges", Model::OriginalColumn), QStringLiteral("3"));
+    QCOMPARE(cell(model, "holes", Model::OriginalColumn), QStringLiteral("1"));
+    QCOMPARE(cell(model, "surface_area", Model::OriginalColumn), QStringLiteral("2.0000"));
+
+    MeshData fan = mesh;
+    fan.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}};
+    fan.faceStarts = {0, 3, 6, 9};
+    fan.cornerVertices = {0, 1, 2, 0, 1, 3, 0, 1, 4};
+    session.loadMesh(fan);
+    QTRY_COMPARE(cell(model, "genus", Model::OriginalColumn), QStringLiteral("not manifold"));
+    QVERIFY(model.find("genus", 0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("Not defined")));
+    QCOMPARE(cell(model, "non_manifold_edges", Model::OriginalColumn), QStringLiteral("1"));
 }
 
-void MeshStatisticsModelTest::largeMeshesAreMeasuredElsewhere() {
+void MeshStatisticsModelTest::measuresOnlyWhileLookedAt() {
     Session session;
     session.loadMesh(makeHighPolyCube(2.5f));
-    constexpr std::size_t kEveryMeshIsLarge = 1;
-    Model model(session, kEveryMeshIsLarge);
-    const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
-    QCOMPARE(cell(model, Model::VerticesRow, Model::OriginalColumn), QStringLiteral("…"));
-    QTRY_COMPARE(cell(model, Model::VerticesRow, Model::OriginalColumn), QStringLiteral("6,146"));
+    Model model(session);
+    QTRY_VERIFY(model.measuring().measurement());
+    model.measuring().setActive(false);
+    const QSignalSpy measured(&model.measuring(), &MeshMeasuring::measured);
     QVERIFY(session.addHit(hitOn(*session.targets().front())).ok());
     applyOnCpu(session);
-    QTRY_VERIFY(cell(model, Model::VolumeRow, Model::DeformedColumn) !=
-                cell(model, Model::VolumeRow, Model::OriginalColumn));
+    QTest::qWait(400);
+    QCOMPARE(measured.size(), 0);
+    model.measuring().setActive(true);
+    QTRY_VERIFY(value(model, "volume", Model::ChangeColumn) < 0.0);
     // A scene that goes while it is measured takes nothing with it.
+    session.loadMesh(makeHighPolyCube(3.0f));
+    QTest::qWait(1);
     session.loadMesh(makeLowPolyCube(1.0f));
-    QTRY_COMPARE(cell(model, Model::VerticesRow, Model::OriginalColumn), QStringLiteral("386"));
+    QTRY_COMPARE(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("386"));
+}
+
+void MeshStatisticsModelTest::reportsAreWhatIsShown() {
+    Session session;
+    session.loadMesh(makeLowPolyCube(2.5f));
+    Model model(session);
+    QTRY_VERIFY(model.measuring().measurement());
+    const MeshMeasurement& measurement = *model.measuring().measurement();
+    const QString csv = statisticsAsCsv(measurement);
+    QCOMPARE(csv.count(QStringLiteral("\r\n")), static_cast<qsizetype>(statisticsRows().size()) + 1);
+    for (const QString& line : csv.split(QStringLiteral("\r\n"))) {
+        const QStringList cells = line.split(u',');
+        if (cells.value(1) == QStringLiteral("volume")) {
+            QCOMPARE(cells.value(3), QStringLiteral("m³"));
+            QCOMPARE(cells.value(4).toDouble(), measurement.original.volume());
+            QVERIFY(std::abs(cells.value(5).toDouble() - 125.0) < 1e-9);
+        }
+    }
+    QVERIFY(csv.contains(QStringLiteral("Surface and volume,volume,Volume,")));
+    const QString text = statisticsAsText(QStringLiteral("cube"), measurement);
+    QVERIFY(text.startsWith(QStringLiteral("cube\n")));
+    QVERIFY(text.contains(QStringLiteral("Volume (m³)")));
+    const QString markdown = statisticsAsMarkdown(QStringLiteral("cube"), measurement);
+    QVERIFY(markdown.contains(QStringLiteral("| Volume (m³) | 125.00 | 125.00 | 0 |")));
+    QCOMPARE(markdown.count(QStringLiteral("### ")), qsizetype{6});
+}
+
+void MeshStatisticsModelTest::listsHarmedFacesAndTheirHits() {
+    Session session;
+    session.loadMesh(makeHighPolyCube(2.5f));
+    const Target& target = *session.targets().front();
+    Hit harmless = hitOn(target);
+    harmless.constants.power = 0.0001f;
+    harmless.constants.maxMagnitude = 0.0001f;
+    QVERIFY(session.addHits(std::vector<Hit>{harmless, hitOn(target), harmless}));
+    applyOnCpu(session);
+    Model model(session);
+    model.measuring().setStretchLimit(1.15f);
+    MeshHealthModel health(session, model.measuring());
+    const QAbstractItemModelTester tester(&health, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    QTRY_VERIFY(health.rowCount() > 0);
+    for (int row = 0; row < health.rowCount(); ++row) {
+        QCOMPARE(health.harmAt(row).hit, std::optional<std::size_t>(1));
+        QCOMPARE(health.index(row, MeshHealthModel::HitColumn).data().toString(), QStringLiteral("2"));
+        QVERIFY(health.harmAt(row).harm.kind != FaceHarm::Kind::Stretched ||
+                health.harmAt(row).harm.stretch > 1.15f);
+    }
+    const int before = health.rowCount();
+    model.measuring().setStretchLimit(1.01f);
+    QTRY_VERIFY(health.rowCount() > before);
+    session.undo();
+    applyOnCpu(session);
+    QTRY_COMPARE(health.rowCount(), 0);
 }
 
 QTEST_GUILESS_MAIN(MeshStatisticsModelTest)

@@ -12,6 +12,7 @@
 #include <QSlider>
 #include <QTableView>
 #include <QTest>
+#include <QTreeView>
 
 #include "mesh/primitives.h"
 #include "panels/deformation_constants/deformation_constants_panel.h"
@@ -159,15 +160,20 @@ void PanelsTest::statisticsChooseTheTarget() {
     session.loadPaperRow(kDefaultPaperRow);
     MeshStatisticsModel model(session);
     MeshStatisticsPanel panel(session, model);
-    auto* box = panel.findChild<QComboBox*>();
-    QCOMPARE(box->count(), 16);
+    auto* box = panel.findChild<QComboBox*>(QStringLiteral("target"));
+    QCOMPARE(box->count(), 18);  // a line and all together below them
     session.selectTarget(session.targets()[7]->id);
     QCOMPARE(box->currentIndex(), 7);
     Q_EMIT box->activated(3);
     QCOMPARE(session.selectedTarget(), session.targets()[3]->id);
-    auto* table = panel.findChild<QTableView*>();
-    QCOMPARE(table->columnSpan(MeshStatisticsModel::VerticesRow, MeshStatisticsModel::OriginalColumn), 2);
-    QCOMPARE(table->columnSpan(MeshStatisticsModel::VolumeRow, MeshStatisticsModel::OriginalColumn), 1);
+    Q_EMIT box->activated(17);
+    QVERIFY(model.showsAll());
+    QCOMPARE(panel.title(), QStringLiteral("All targets"));
+    Q_EMIT box->activated(2);
+    QVERIFY(!model.showsAll());
+    auto* numbers = panel.findChild<QTreeView*>(QStringLiteral("numbers"));
+    QVERIFY(numbers->isFirstColumnSpanned(0, {}));
+    QVERIFY(numbers->isExpanded(model.index(0, 0)));
 }
 
 void PanelsTest::iconsAreDrawnInThePalette() {

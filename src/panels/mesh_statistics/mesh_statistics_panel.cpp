@@ -1,17 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/mesh_statistics/mesh_statistics_panel.h"
 
+#include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QHeaderView>
-#include <QPainter>
+#include <QMenu>
 #include <QStyledItemDelegate>
 
+#include "models/quantity_text.h"
+#include "models/statistics_report.h"
+#include "panels/icons/themed_icon.h"
+#include "panels/mesh_statistics/displacement_histogram.h"
+#include "session/vertex_selection.h"
 #include "ui_mesh_statistics.h"
 
 namespace hitscope {
 
 namespace {
 
-/// Titles of sections in bold on a tinted row.
+constexpr quint32 kAllTargets = 0;  // no target has this id
+
+/// Titles of sections in bold on a tinted row; what no hit changes in a fainter ink.
 class SectionDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -19,9 +29,14 @@ public:
 protected:
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
         QStyledItemDelegate::initStyleOption(option, index);
-        if (index.data(MeshStatisticsModel::HeadingRole).toBool()) {
+        if (!index.parent().isValid()) {
             option->font.setBold(true);
             option->backgroundBrush = option->palette.alternateBase();
+        } else if (index.column() == MeshStatisticsModel::DeformedColumn &&
+                   index.data(MeshStatisticsModel::SharedRole).toBool()) {
+            QColor faint = option->palette.color(QPalette::Text);
+            faint.setAlphaF(0.55f);
+            option->palette.setColor(QPalette::Text, faint);
         }
     }
 };
@@ -29,53 +44,180 @@ protected:
 }  // namespace
 
 MeshStatisticsPanel::MeshStatisticsPanel(Session& session, MeshStatisticsModel& model, QWidget* parent)
-    : QWidget(parent), m_session(session), m_model(model), m_ui(std::make_unique<Ui::MeshStatistics>()) {
+    : QWidget(parent),
+      m_session(session),
+      m_model(model),
+      m_health(session, model.measuring()),
+      m_ui(std::make_unique<Ui::MeshStatistics>()) {
     m_ui->setupUi(this);
-    m_ui->table->setModel(&model);
-    m_ui->table->setItemDelegate(new SectionDelegate(m_ui->table));
-    QHeaderView* columns = m_ui->table->horizontalHeader();
-    columns->setSectionResizeMode(QHeaderView::Stretch);
-    columns->setSectionResizeMode(MeshStatisticsModel::PropertyColumn, QHeaderView::ResizeToContents);
-    columns->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    m_ui->table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
-    mergeSharedCells();
+    makeNumbers();
+    makeHealth();
+    makeCopyMenu();
+    m_histogram = std::make_unique<DisplacementHistogram>(
+        session, model.measuring(),
+        DisplacementHistogram::Widgets{*m_ui->histogram, *m_ui->between, *m_ui->selectRange,
+                                       *m_ui->wholeRange});
     listTargets();
+    model.measuring().setActive(false);
 
-    connect(&model, &QAbstractItemModel::modelReset, this, &MeshStatisticsPanel::mergeSharedCells);
     connect(&model, &MeshStatisticsModel::shownTargetChanged, this, &MeshStatisticsPanel::showTarget);
     connect(&session, &Session::sceneReplaced, this, &MeshStatisticsPanel::listTargets);
     connect(&session, &Session::targetAdded, this, &MeshStatisticsPanel::listTargets);
     connect(&session, &Session::targetRemoved, this, &MeshStatisticsPanel::listTargets);
     connect(&session, &Session::targetChanged, this, &MeshStatisticsPanel::listTargets);
-    connect(m_ui->target, &QComboBox::activated, this,
-            [this](int index) { m_session.selectTarget(TargetId{m_ui->target->itemData(index).toUInt()}); });
+    connect(m_ui->target, &QComboBox::activated, this, &MeshStatisticsPanel::chooseTarget);
 }
 
 MeshStatisticsPanel::~MeshStatisticsPanel() = default;
+
+void MeshStatisticsPanel::makeNumbers() {
+    QTreeView& numbers = *m_ui->numbers;
+    numbers.setModel(&m_model);
+    numbers.setItemDelegate(new SectionDelegate(&numbers));
+    numbers.expandAll();
+    for (int section = 0; section < m_model.rowCount(); ++section) {
+        numbers.setFirstColumnSpanned(section, {}, true);
+    }
+    fitColumns();
+}
+
+/// The numbers get the room they need; the names what is left.
+void MeshStatisticsPanel::fitColumns() {
+    QHeaderView& header = *m_ui->numbers->header();
+    header.setStretchLastSection(false);
+    header.setMinimumSectionSize(fontMetrics().averageCharWidth() * 6);
+    header.setSectionResizeMode(MeshStatisticsModel::PropertyColumn, QHeaderView::Stretch);
+    const auto fix = [&header, this](int column, const QString& widest) {
+        header.setSectionResizeMode(column, QHeaderView::Fixed);
+        header.resizeSection(column, fontMetrics().horizontalAdvance(widest) + 7);
+    };
+    fix(MeshStatisticsModel::OriginalColumn, QStringLiteral("00.000000"));
+    fix(MeshStatisticsModel::DeformedColumn, QStringLiteral("00.000000"));
+    fix(MeshStatisticsModel::ChangeColumn, QStringLiteral("+0.00000"));
+}
+
+void MeshStatisticsPanel::makeHealth() {
+    QTableView& harms = *m_ui->harms;
+    harms.setModel(&m_health);
+    QHeaderView& header = *harms.horizontalHeader();
+    header.setSectionResizeMode(QHeaderView::ResizeToContents);
+    header.setSectionResizeMode(MeshHealthModel::HarmColumn, QHeaderView::Stretch);
+    harms.verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
+    m_ui->stretchLimit->setValue(static_cast<double>(m_model.measuring().stretchLimit()));
+    connect(m_ui->stretchLimit, &QDoubleSpinBox::valueChanged, this,
+            [this](double limit) { m_model.measuring().setStretchLimit(static_cast<float>(limit)); });
+    connect(&m_health, &MeshHealthModel::foundChanged, this, &MeshStatisticsPanel::showFound);
+    connect(harms.selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this](const QModelIndex& current) { selectHarm(current); });
+    connect(&harms, &QTableView::clicked, this, &MeshStatisticsPanel::selectHarm);
+    connect(&harms, &QTableView::activated, this, &MeshStatisticsPanel::lookAtHarm);
+    showFound();
+}
+
+void MeshStatisticsPanel::makeCopyMenu() {
+    m_ui->copy->setIcon(themedIcon(QStringLiteral("copy")));
+    auto* menu = new QMenu(m_ui->copy);
+    const auto add = [this, menu](const QString& text, auto report) {
+        QAction* action = menu->addAction(text);
+        connect(action, &QAction::triggered, this, [this, report] {
+            if (const auto& measurement = m_model.measuring().measurement()) {
+                QGuiApplication::clipboard()->setText(report(*measurement));
+            }
+        });
+    };
+    add(tr("Copy as &Text"), [this](const MeshMeasurement& all) { return statisticsAsText(title(), all); });
+    add(tr("Copy as &CSV"), [](const MeshMeasurement& all) { return statisticsAsCsv(all); });
+    add(tr("Copy as &Markdown"),
+        [this](const MeshMeasurement& all) { return statisticsAsMarkdown(title(), all); });
+    m_ui->copy->setMenu(menu);
+}
+
+QString MeshStatisticsPanel::title() const {
+    return m_ui->target->currentText();
+}
 
 void MeshStatisticsPanel::listTargets() {
     m_ui->target->clear();
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
         m_ui->target->addItem(target->name, target->id.value);
     }
+    if (m_session.targets().size() > 1) {
+        m_ui->target->insertSeparator(m_ui->target->count());
+        m_ui->target->addItem(tr("All targets"), kAllTargets);
+    } else if (m_model.showsAll()) {
+        m_model.setShowsAll(false);
+    }
     showTarget();
 }
 
 void MeshStatisticsPanel::showTarget() {
-    m_ui->target->setCurrentIndex(m_ui->target->findData(m_model.shownTarget().value));
+    const quint32 shown = m_model.showsAll() ? kAllTargets : m_model.shownTarget().value;
+    m_ui->target->setCurrentIndex(m_ui->target->findData(shown));
 }
 
-void MeshStatisticsPanel::mergeSharedCells() {
-    m_ui->table->clearSpans();
-    for (int row = 0; row < m_model.rowCount(); ++row) {
-        const QModelIndex index = m_model.index(row, MeshStatisticsModel::PropertyColumn);
-        if (index.data(MeshStatisticsModel::HeadingRole).toBool()) {
-            m_ui->table->setSpan(row, MeshStatisticsModel::PropertyColumn, 1,
-                                 MeshStatisticsModel::ColumnCount);
-        } else if (index.data(MeshStatisticsModel::SharedRole).toBool()) {
-            m_ui->table->setSpan(row, MeshStatisticsModel::OriginalColumn, 1, 2);
-        }
+void MeshStatisticsPanel::chooseTarget(int index) {
+    const quint32 chosen = m_ui->target->itemData(index).toUInt();
+    m_model.setShowsAll(chosen == kAllTargets);
+    if (chosen != kAllTargets) {
+        m_session.selectTarget(TargetId{chosen});
     }
+}
+
+void MeshStatisticsPanel::showFound() {
+    const auto listed = static_cast<std::size_t>(m_health.rowCount());
+    const std::size_t found = m_health.found();
+    m_ui->found->setText(
+        found == 0       ? tr("No face is flipped, degenerated or stretched by a hit.")
+        : found > listed ? tr("%1 changes; the first %2 are listed.").arg(countText(found), countText(listed))
+                         : tr("%n change(s) for the worse", nullptr, static_cast<int>(found)));
+    m_ui->tabs->setTabText(m_ui->tabs->indexOf(m_ui->healthPage),
+                           found == 0 ? tr("Health") : tr("Health (%1)").arg(countText(found)));
+}
+
+void MeshStatisticsPanel::selectHarm(const QModelIndex& index) {
+    if (!index.isValid()) {
+        return;
+    }
+    const HarmRow row = m_health.harmAt(index.row());
+    const Target* target = m_session.target(row.target);
+    if (target != nullptr) {
+        const std::span<const std::uint32_t> face = target->deformed.original().face(row.harm.face);
+        m_session.selection().select(row.target, {face.begin(), face.end()},
+                                     VertexSelection::Combine::Replace);
+    }
+}
+
+void MeshStatisticsPanel::lookAtHarm(const QModelIndex& index) {
+    if (!index.isValid()) {
+        return;
+    }
+    const HarmRow row = m_health.harmAt(index.row());
+    const Target* target = m_session.target(row.target);
+    if (target == nullptr) {
+        return;
+    }
+    if (row.hit) {
+        m_session.selectHit(*row.hit);
+    }
+    // The face and as much around it as shows where it is.
+    constexpr float kAround = 0.25f;  // metres
+    Bounds bounds;
+    for (const std::uint32_t vertex : target->deformed.original().face(row.harm.face)) {
+        const glm::vec3 place = target->transform.toWorld(target->deformed.positions()[vertex]);
+        bounds.add(place - glm::vec3(kAround));
+        bounds.add(place + glm::vec3(kAround));
+    }
+    Q_EMIT lookWanted(bounds);
+}
+
+void MeshStatisticsPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    m_model.measuring().setActive(true);
+}
+
+void MeshStatisticsPanel::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    m_model.measuring().setActive(false);
 }
 
 }  // namespace hitscope

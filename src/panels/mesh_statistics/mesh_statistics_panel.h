@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <memory>
 
+#include "models/mesh_health_model.h"
 #include "models/mesh_statistics_model.h"
 
 namespace Ui {
@@ -12,7 +13,10 @@ class MeshStatistics;
 
 namespace hitscope {
 
-/// The dock "Mesh statistics": the target in focus, original and deformed side by side.
+class DisplacementHistogram;
+
+/// The dock "Mesh statistics": numbers of the target in focus or of all, original, deformed and the change;
+/// the histogram of displacements; and the faces that hits have harmed. Measures only while it can be seen.
 class MeshStatisticsPanel : public QWidget {
     Q_OBJECT
 public:
@@ -20,14 +24,34 @@ public:
     MeshStatisticsPanel(Session& session, MeshStatisticsModel& model, QWidget* parent = nullptr);
     ~MeshStatisticsPanel() override;
 
+    /// Where the numbers are of, as they are copied: "teapot".
+    [[nodiscard]] QString title() const;
+
+Q_SIGNALS:
+    /// Somebody wants to see this box (world).
+    void lookWanted(const hitscope::Bounds& bounds);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
 private:
+    void makeNumbers();
+    void makeHealth();
+    void makeCopyMenu();
     void listTargets();
     void showTarget();
-    void mergeSharedCells();
+    void chooseTarget(int index);
+    void showFound();
+    void selectHarm(const QModelIndex& index);
+    void lookAtHarm(const QModelIndex& index);
+    void fitColumns();
 
     Session& m_session;
     MeshStatisticsModel& m_model;
+    MeshHealthModel m_health;
     std::unique_ptr<Ui::MeshStatistics> m_ui;
+    std::unique_ptr<DisplacementHistogram> m_histogram;
 };
 
 }  // namespace hitscope

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "models/statistics_report.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <array>
+
+namespace hitscope {
+
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("hitscope::StatisticsReport", text);
+}
+
+using Cells = std::array<QString, 4>;
+
+Cells headings() {
+    return {tr("Property"), tr("Original"), tr("Deformed"), tr("Change")};
+}
+
+Cells cellsOf(const StatisticsRow& row, const MeshMeasurement& measurement) {
+    return {propertyName(row), statisticsText(row, measurement, StatisticsSide::Original),
+            statisticsText(row, measurement, StatisticsSide::Deformed),
+            statisticsText(row, measurement, StatisticsSide::Change)};
+}
+
+QString padded(const Cells& cells, const std::array<qsizetype, 4>& widths) {
+    QString line = cells[0].leftJustified(static_cast<int>(widths[0]));
+    for (std::size_t i = 1; i < cells.size(); ++i) {
+        line += QStringLiteral("  ") + cells[i].rightJustified(static_cast<int>(widths[i]));
+    }
+    while (line.endsWith(u' ')) {
+        line.chop(1);
+    }
+    return line + u'\n';
+}
+
+QString quoted(QString text) {
+    const bool isPlain = !text.contains(u',') && !text.contains(u'"') && !text.contains(u'\n');
+    return isPlain ? text : u'"' + text.replace(u'"', QLatin1String("\"\"")) + u'"';
+}
+
+QString digits(const std::optional<double>& value) {
+    return value ? QString::number(*value, 'g', 17) : QString();
+}
+
+}  // namespace
+
+QString statisticsAsText(const QString& title, const MeshMeasurement& measurement) {
+    std::array<qsizetype, 4> widths{};
+    const auto widen = [&widths](const Cells& cells) {
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            widths[i] = std::max(widths[i], cells[i].size());
+        }
+    };
+    widen(headings());
+    for (const StatisticsRow& row : statisticsRows()) {
+        widen(cellsOf(row, measurement));
+    }
+    QString text = title + u'\n' + padded(headings(), widths);
+    const StatisticsRow* last = nullptr;
+    for (const StatisticsRow& row : statisticsRows()) {
+        if (last == nullptr || row.section != last->section) {
+            text += u'\n' + sectionName(row.section) + u'\n';
+        }
+        text += padded(cellsOf(row, measurement), widths);
+        last = &row;
+    }
+    return text;
+}
+
+QString statisticsAsMarkdown(const QString& title, const MeshMeasurement& measurement) {
+    QString text = QStringLiteral("## ") + title + u'\n';
+    const auto line = [&text](const Cells& cells) {
+        QStringList escaped;
+        for (QString cell : cells) {
+            escaped << cell.replace(u'|', QLatin1String("\\|"));
+        }
+        text += QStringLiteral("| ") + escaped.join(QStringLiteral(" | ")) + QStringLiteral(" |\n");
+    };
+    const StatisticsRow* last = nullptr;
+    for (const StatisticsRow& row : statisticsRows()) {
+        if (last == nullptr || row.section != last->section) {
+            text += QStringLiteral("\n### ") + sectionName(row.section) + QStringLiteral("\n\n");
+            line(headings());
+            text += QStringLiteral("| :--- | ---: | ---: | ---: |\n");
+        }
+        line(cellsOf(row, measurement));
+        last = &row;
+    }
+    return text;
+}
+
+QString statisticsAsCsv(const MeshMeasurement& measurement) {
+    QString text = QStringLiteral("section,key,property,unit,original,deformed,change,note\r\n");
+    for (const StatisticsRow& row : statisticsRows()) {
+        const QStringList cells{sectionName(row.section),
+                                QString::fromLatin1(row.key),
+                                QCoreApplication::translate("hitscope::StatisticsRow", row.name),
+                                QString::fromUtf8(row.unit),
+                                digits(statisticsValue(row, measurement, StatisticsSide::Original)),
+                                digits(statisticsValue(row, measurement, StatisticsSide::Deformed)),
+                                digits(statisticsValue(row, measurement, StatisticsSide::Change)),
+                                whyNot(row, measurement)};
+        QStringList written;
+        for (const QString& cell : cells) {
+            written << quoted(cell);
+        }
+        text += written.join(u',') + QStringLiteral("\r\n");
+    }
+    return text;
+}
+
+}  // namespace hitscope

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/mesh_statistics/displacement_histogram.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+
+#include "models/quantity_text.h"
+#include "panels/histogram/histogram_plot.h"
+#include "session/vertex_selection.h"
+
+namespace hitscope {
+
+DisplacementHistogram::DisplacementHistogram(Session& session, const MeshMeasuring& measuring,
+                                             const Widgets& widgets)
+    : m_session(session), m_measuring(measuring), m_widgets(widgets) {
+    m_widgets.plot.setLabels(tr("displacement (m)"), tr("vertices"));
+    m_widgets.plot.setEmptyText(tr("Nothing has moved yet"));
+    connect(&measuring, &MeshMeasuring::measured, this, &DisplacementHistogram::follow);
+    connect(&session, &Session::sceneReplaced, this, [this] {
+        m_isChosen = false;
+        follow();
+    });
+    connect(&m_widgets.plot, &HistogramPlot::rangeDragged, this, [this](double low, double high) {
+        m_isChosen = true;
+        showBetween(low, high);
+    });
+    connect(&m_widgets.plot, &HistogramPlot::rangeChosen, this, &DisplacementHistogram::select);
+    connect(&m_widgets.select, &QPushButton::clicked, this, &DisplacementHistogram::select);
+    connect(&m_widgets.whole, &QPushButton::clicked, this, &DisplacementHistogram::reset);
+    follow();
+}
+
+void DisplacementHistogram::follow() {
+    const std::shared_ptr<const MeshMeasurement>& measurement = m_measuring.measurement();
+    const Histogram histogram = measurement ? measurement->histogram : Histogram();
+    HistogramPlot& plot = m_widgets.plot;
+    plot.setHistogram(histogram);
+    const bool isAny = !histogram.counts.empty();
+    if (!isAny) {
+        plot.setRange({});
+    } else if (!m_isChosen || !plot.range()) {
+        plot.setRange(HistogramPlot::Range{histogram.low, histogram.high});
+    }
+    m_widgets.select.setEnabled(isAny);
+    m_widgets.whole.setEnabled(isAny);
+    if (isAny) {
+        showBetween(plot.range()->low, plot.range()->high);
+    } else {
+        m_widgets.between.clear();
+    }
+}
+
+std::size_t DisplacementHistogram::countBetween(double low, double high) const {
+    std::size_t count = 0;
+    if (const auto& measurement = m_measuring.measurement()) {
+        for (const auto& entry : measurement->displacements) {
+            count += entry.second->within(low, high).size();
+        }
+    }
+    return count;
+}
+
+void DisplacementHistogram::showBetween(double low, double high) {
+    m_widgets.between.setText(
+        tr("%1 vertices moved %2 to %3 m")
+            .arg(countText(countBetween(low, high)), quantityText(low), quantityText(high)));
+}
+
+void DisplacementHistogram::select() {
+    const std::shared_ptr<const MeshMeasurement>& measurement = m_measuring.measurement();
+    const std::optional<HistogramPlot::Range>& range = m_widgets.plot.range();
+    if (!measurement || !range) {
+        return;
+    }
+    auto combine = VertexSelection::Combine::Replace;
+    for (const auto& entry : measurement->displacements) {
+        const std::span<const std::uint32_t> within = entry.second->within(range->low, range->high);
+        m_session.selection().select(entry.first, {within.begin(), within.end()}, combine);
+        combine = VertexSelection::Combine::Add;
+    }
+    showBetween(range->low, range->high);
+}
+
+void DisplacementHistogram::reset() {
+    m_isChosen = false;
+    m_session.selection().clear();
+    follow();
+}
+
+}  // namespace hitscope

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/history_copy.h"
+
+#include <optional>
+#include <utility>
+
+namespace hitscope {
+
+void HistoryCopy::apply(const Update& update) {
+    for (const HistoryEdit& edit : update.edits) {
+        const auto first = m_hits.begin() + static_cast<std::ptrdiff_t>(edit.first);
+        const auto next = m_hits.erase(first, first + static_cast<std::ptrdiff_t>(edit.before.size()));
+        m_hits.insert(next, edit.after.begin(), edit.after.end());
+    }
+}
+
+HistoryCopy::Update HistoryFollower::update(const HitHistory& history) {
+    std::optional<std::vector<HistoryEdit>> edits;
+    if (m_copy) {
+        edits = history.editsSince(m_revision);
+    }
+    m_revision = history.revision();
+    if (edits) {
+        return {*std::move(edits)};
+    }
+    m_copy = std::make_shared<HistoryCopy>();
+    return {{HistoryEdit{0, {}, {history.hits().begin(), history.hits().end()}}}};
+}
+
+}  // namespace hitscope

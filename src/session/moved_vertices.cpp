@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/moved_vertices.h"
+
+#include <algorithm>
+
+#include "session/target.h"
+
+namespace hitscope {
+
+void MovedVertices::note(const Target& target, std::span<const std::uint32_t> fileVertices) {
+    Noted& noted = m_noted[target.id];
+    noted.isNoted.resize(target.deformed.positions().size(), false);
+    for (const std::uint32_t vertex : fileVertices) {
+        if (!noted.isNoted[vertex]) {
+            noted.isNoted[vertex] = true;
+            noted.vertices.push_back(vertex);
+        }
+    }
+}
+
+void MovedVertices::noteChanged(const Target& target) {
+    note(target, target.deformed.everChanged());
+}
+
+bool MovedVertices::isAny(TargetId target) const {
+    const auto noted = m_noted.find(target);
+    return noted != m_noted.end() && !noted->second.vertices.empty();
+}
+
+void MovedVertices::take(const Target& target, std::size_t most, std::vector<MovedVertex>& taken) {
+    const auto found = m_noted.find(target.id);
+    if (found == m_noted.end()) {
+        return;
+    }
+    Noted& noted = found->second;
+    const std::size_t left = noted.vertices.size() - std::min(most, noted.vertices.size());
+    for (std::size_t i = left; i < noted.vertices.size(); ++i) {
+        const std::uint32_t vertex = noted.vertices[i];
+        noted.isNoted[vertex] = false;
+        taken.push_back({vertex, target.deformed.positions()[vertex]});
+    }
+    noted.vertices.resize(left);
+}
+
+}  // namespace hitscope

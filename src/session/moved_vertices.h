@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <span>
+#include <vector>
+
+#include "core/ids.h"
+#include "mesh/surface_measurer.h"
+
+namespace hitscope {
+
+struct Target;
+
+/// Which vertices have moved since they were last taken: for who keeps a copy of the positions on another
+/// thread, so that only what changed has to be carried there. Each vertex is noted once, however often it
+/// moves.
+class MovedVertices {
+public:
+    void note(const Target& target, std::span<const std::uint32_t> fileVertices);
+    /// All that are not at their original: for a copy that starts there.
+    void noteChanged(const Target& target);
+    void forget(TargetId target) { m_noted.erase(target); }
+    void clear() { m_noted.clear(); }
+    [[nodiscard]] bool isAny(TargetId target) const;
+    /// Where they are now, at most `most` of them; appended to `taken`.
+    void take(const Target& target, std::size_t most, std::vector<MovedVertex>& taken);
+
+private:
+    struct Noted {
+        std::vector<std::uint32_t> vertices;
+        std::vector<bool> isNoted;  ///< one a file vertex
+    };
+    std::map<TargetId, Noted> m_noted;
+};
+
+}  // namespace hitscope

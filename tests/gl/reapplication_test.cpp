@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Long histories applied in slices: the picture's state stays as it was until all hits are there, and then
+// equals the reference; giving up leaves everything as it was.
+#include "session/reapplication.h"
+
+#include <QtTest>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "deform/reference.h"
+#include "gl/context.h"
+#include "gl/render_target.h"
+#include "mesh/primitives.h"
+#include "session/scene_gpu.h"
+
+using namespace hitscope;
+
+namespace {
+
+std::vector<Hit> manyHits(TargetId target, std::size_t count) {
+    std::vector<Hit> hits(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float angle = 0.37f * static_cast<float>(i);
+        const float height = std::sin(0.11f * static_cast<float>(i));
+        hits[i].target = target;
+        hits[i].point = 2.5f * glm::normalize(glm::vec3(std::cos(angle), height, std::sin(angle)));
+        hits[i].direction = -glm::normalize(hits[i].point);
+        hits[i].constants.maxDistance = 0.3f;
+        hits[i].constants.power = 0.001f;
+        hits[i].constants.maxMagnitude = 0.01f;
+    }
+    return hits;
+}
+
+std::size_t differences(const Session& session, std::span<const Hit> hits) {
+    const Target& target = *session.targets().front();
+    ReferenceDeformation reference(target.deformed.render());
+    reference.apply(hits);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < reference.vertices().size(); ++i) {
+        count += reference.vertices()[i].position != target.deformed.vertices()[i].position ? 1 : 0;
+    }
+    return count;
+}
+
+}  // namespace
+
+class ReapplicationTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() {
+        Result<std::unique_ptr<gl::OffscreenContext>> made = gl::OffscreenContext::create();
+        QVERIFY2(made.ok(), made.ok() ? "" : made.error().message().c_str());
+        m_context = std::move(made).value();
+        gl::collectDebugMessages();
+        m_target.emplace(64, 48);
+        QVERIFY(m_target->isComplete());
+    }
+    void cleanup() {
+        const std::vector<std::string> errors = gl::takeErrors();
+        QVERIFY2(errors.empty(), errors.empty() ? "" : errors.front().c_str());
+    }
+    void cleanupTestCase() {
+        m_target.reset();
+        m_context.reset();
+    }
+
+    void aSwitchOfPipelinesKeepsThePictureUntilItIsDone() {
+        Session session;
+        SetUp scene(*this, session);
+        const std::vector<Hit> hits(session.history().hits().begin(), session.history().hits().end());
+        session.setPipeline(PipelineKind::Reference);
+        QVERIFY(scene.draw());
+        QVERIFY(session.tasks().current() != nullptr);
+        QCOMPARE(differences(session, hits), std::size_t{0});  // still the old pipeline's
+        int frames = 1;
+        while (session.tasks().current() != nullptr && frames < 1000) {
+            QVERIFY(scene.gpu->isReadBackPending());
+            if (frames == 2) {
+                QVERIFY(session.addHit(hits.front()));  // arrives in between
+            }
+            QVERIFY(scene.draw());
+            ++frames;
+        }
+        QVERIFY(frames > 3);
+        QCOMPARE(session.history().size(), hits.size() + 1);
+        QVERIFY(scene.gpu->sync());
+        QCOMPARE(differences(session, session.history().hits()), std::size_t{0});
+    }
+
+    void givingUpASwitchLeavesEverythingAsItWas() {
+        Session session;
+        SetUp scene(*this, session);
+        session.setPipeline(PipelineKind::Reference);
+        QVERIFY(scene.draw());
+        QVERIFY(scene.draw());
+        const TaskList::Task* task = session.tasks().current();
+        QVERIFY(task != nullptr && task->fraction > 0.0 && task->fraction < 1.0);
+        session.tasks().cancel(task->id);
+        QCOMPARE(session.pipeline(), PipelineKind::TransformFeedback);
+        QVERIFY(scene.draw());
+        QCOMPARE(session.tasks().current(), nullptr);
+        QCOMPARE(differences(session, session.history().hits()), std::size_t{0});
+    }
+
+    void anEditOfThousandsOfHitsIsSlicedAndCanBeUndone() {
+        Session session;
+        SetUp scene(*this, session);
+        const std::vector<Hit> before(session.history().hits().begin(), session.history().hits().end());
+        DeformationConstants constants = before.front().constants;
+        constants.maxMagnitude = 0.02f;
+        constants.power = 0.002f;
+        QVERIFY(session.setConstants(constants, true));
+        QVERIFY(scene.draw());
+        QVERIFY(session.tasks().current() != nullptr);
+        QCOMPARE(differences(session, before), std::size_t{0});
+        session.tasks().cancel(session.tasks().current()->id);
+        QVERIFY(scene.draw());
+        QCOMPARE(session.tasks().current(), nullptr);
+        QVERIFY(std::equal(before.begin(), before.end(), session.history().hits().begin()));
+        QCOMPARE(differences(session, before), std::size_t{0});
+
+        session.redo();
+        QVERIFY(scene.draw());
+        QVERIFY(session.tasks().current() != nullptr);
+        QVERIFY(scene.gpu->sync());  // who needs it now does not wait for frames
+        QCOMPARE(session.tasks().current(), nullptr);
+        QCOMPARE(differences(session, session.history().hits()), std::size_t{0});
+        QVERIFY(differences(session, before) > 0);
+        QVERIFY(scene.draw());
+        QCOMPARE(session.tasks().current(), nullptr);
+    }
+
+    void editsMeanwhileAreFollowed() {
+        Session session;
+        SetUp scene(*this, session);
+        session.setPipeline(PipelineKind::Reference);
+        QVERIFY(scene.draw());
+        session.removeHit(3);
+        QVERIFY(scene.draw());
+        session.removeHit(session.history().size() - 1);
+        for (int frame = 0; frame < 1000 && session.tasks().current() != nullptr; ++frame) {
+            QVERIFY(scene.draw());
+        }
+        QVERIFY(scene.gpu->sync());
+        QCOMPARE(differences(session, session.history().hits()), std::size_t{0});
+    }
+
+    void targetsThatComeMeanwhileAreFollowed() {
+        Session session;
+        SetUp scene(*this, session);
+        session.setPipeline(PipelineKind::Reference);
+        QVERIFY(scene.draw());
+        session.duplicateTargets(std::vector<TargetId>{session.targets().front()->id});
+        for (int frame = 0; frame < 2000 && (frame < 2 || session.tasks().current() != nullptr); ++frame) {
+            QVERIFY(scene.draw());
+        }
+        QVERIFY(scene.gpu->sync());
+        const TargetId first = session.targets().front()->id;
+        QCOMPARE(differences(session, session.history().hitsOn(first)), std::size_t{0});
+        QVERIFY(std::equal(session.targets()[0]->deformed.positions().begin(),
+                           session.targets()[0]->deformed.positions().end(),
+                           session.targets()[1]->deformed.positions().begin()));
+    }
+
+private:
+    /// A sphere with a long history, followed.
+    struct SetUp {
+        SetUp(ReapplicationTest& test, Session& session) : fbo(test.m_target->framebuffer()) {
+            session.loadMesh(makeHighPolySphere(2.5f));
+            session.setPipeline(PipelineKind::TransformFeedback);
+            gpu = SceneGpu::create(session).value();
+            const std::vector<Hit> hits = manyHits(session.targets().front()->id, 3000);
+            QVERIFY(session.addHits(hits));
+            QVERIFY(gpu->sync());
+        }
+        bool draw() {
+            SceneGpu::View view;
+            view.width = 64;
+            view.height = 48;
+            return gpu->draw(view, fbo).ok();
+        }
+        unsigned fbo;
+        std::unique_ptr<SceneGpu> gpu;
+    };
+
+    std::unique_ptr<gl::OffscreenContext> m_context;
+    std::optional<gl::RenderTarget> m_target;
+};
+
+QTEST_GUILESS_MAIN(ReapplicationTest)
+#include "reapplication_test.moc"

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is compared comes in through the session's own door for read-back, so that it can be disturbed.
+#include "session/pipeline_agreement.h"
+
+#include <QSignalSpy>
+#include <QTest>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "deform/reference.h"
+#include "mesh/primitives.h"
+
+using namespace hitscope;
+
+namespace {
+
+Hit hitAt(const Target& target, float angle) {
+    Hit hit;
+    hit.target = target.id;
+    hit.point = 2.5f * glm::vec3(std::cos(angle), 0.0f, std::sin(angle));
+    hit.direction = -glm::normalize(hit.point);
+    return hit;
+}
+
+/// What a faultless pipeline would deliver.
+void readBack(Session& session) {
+    session.restartReadBack();
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        ReferenceDeformation reference(target->deformed.render());
+        reference.apply(session.history().hitsOn(target->id));
+        session.takeReadBack(target->id, 0, reference.vertices());
+    }
+    session.finishReadBack();
+}
+
+}  // namespace
+
+class PipelineAgreementTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void agreesAfterHits() {
+        Session session;
+        session.loadMesh(makeHighPolySphere(2.5f));
+        const Target& target = *session.targets().front();
+        PipelineAgreement agreement(session);
+        for (int i = 0; i < 20; ++i) {
+            QVERIFY(session.addHit(hitAt(target, 0.4f * static_cast<float>(i))));
+        }
+        readBack(session);
+        agreement.compare();
+        QVERIFY(agreement.isComparing());
+        QTRY_VERIFY(agreement.report());
+        QCOMPARE(agreement.report()->different, std::size_t{0});
+        QCOMPARE(agreement.report()->largest, 0.0);
+        QCOMPARE(agreement.report()->vertices, target.deformed.original().vertexCount());
+        QCOMPARE(agreement.report()->hits, std::size_t{20});
+        QVERIFY(!agreement.report()->worst);
+    }
+
+    void findsTheVertexThatIsWrong() {
+        Session session;
+        session.loadMesh(makeHighPolySphere(2.5f));
+        const Target& target = *session.targets().front();
+        QVERIFY(session.addHit(hitAt(target, 0.0f)));
+        readBack(session);
+        PipelineAgreement agreement(session);
+        agreement.compare();
+        QTRY_VERIFY(agreement.report());
+
+        constexpr std::uint32_t kDisturbed = 1234;
+        DynamicVertex vertex = target.deformed.vertices()[kDisturbed];
+        vertex.position.y += 0.25f;
+        session.takeReadBack(target.id, kDisturbed, {&vertex, 1});
+        session.finishReadBack();
+        agreement.compare();
+        QTRY_COMPARE(agreement.report()->different, std::size_t{1});
+        QVERIFY(std::abs(agreement.report()->largest - 0.25) < 1e-6);
+        const double count = static_cast<double>(agreement.report()->vertices);
+        QVERIFY(std::abs(agreement.report()->rootMeanSquare - 0.25 / std::sqrt(count)) < 1e-7);
+        QCOMPARE(agreement.report()->worst->vertex, target.deformed.render().fileVertices[kDisturbed]);
+        QCOMPARE(agreement.report()->worst->target, target.id);
+        readBack(session);
+        agreement.compare();
+        QTRY_COMPARE(agreement.report()->different, std::size_t{0});
+    }
+
+    void followsContinuouslyThroughEdits() {
+        Session session;
+        session.loadMesh(makeHighPolySphere(2.5f));
+        const Target& target = *session.targets().front();
+        PipelineAgreement agreement(session);
+        int synced = 0;
+        agreement.setSync([&] {
+            readBack(session);
+            ++synced;
+            return true;
+        });
+        agreement.setContinuous(true);
+        for (int i = 0; i < 8; ++i) {
+            QVERIFY(session.addHit(hitAt(target, 0.4f * static_cast<float>(i))));
+        }
+        QTRY_VERIFY(agreement.report() && agreement.report()->hits == 8);
+        QCOMPARE(agreement.report()->different, std::size_t{0});
+        session.removeHit(2);
+        QTRY_COMPARE(agreement.report()->hits, std::size_t{7});
+        QCOMPARE(agreement.report()->different, std::size_t{0});
+        QVERIFY(synced >= 2);
+        session.loadMesh(makeLowPolyCube(1.0f));
+        QTRY_VERIFY(agreement.report() && agreement.report()->vertices == 386);
+    }
+
+    void hitsThatThePipelineDroppedAreLeftOut() {
+        Session session;
+        session.loadMesh(makeHighPolySphere(2.5f));
+        const Target& target = *session.targets().front();
+        QVERIFY(session.addHit(hitAt(target, 0.0f)));
+        CapacityReport report;
+        report.capacity = 0;
+        report.dropped = {0};
+        session.setCapacity(report);
+        PipelineAgreement agreement(session);
+        agreement.compare();
+        QTRY_VERIFY(agreement.report());
+        QCOMPARE(agreement.report()->different, std::size_t{0});
+        QCOMPARE(agreement.report()->dropped, std::size_t{1});
+        session.setCapacity({});
+        agreement.compare();
+        QTRY_VERIFY(agreement.report()->different > 0);
+    }
+};
+
+QTEST_GUILESS_MAIN(PipelineAgreementTest)
+#include "pipeline_agreement_test.moc"

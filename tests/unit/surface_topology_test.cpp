@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/surface_topology.h"
+
+#include <QtTest>
+#include <random>
+
+#include "mesh/connectivity.h"
+#include "mesh/primitives.h"
+#include "mesh/teapot.h"
+#include "mesh/topology.h"
+#include "solids.h"
+
+using namespace hitscope;
+using namespace hitscope::test;
+
+namespace {
+
+SurfaceStatistics statisticsOf(const MeshData& mesh) {
+    return SurfaceTopology::build(mesh)->statistics();
+}
+
+/// A strip of quads around the z axis with half a turn in it.
+MeshData moebiusStrip(std::uint32_t quads) {
+    std::vector<glm::vec3> positions;
+    std::vector<std::vector<std::uint32_t>> faces;
+    for (std::uint32_t i = 0; i < quads; ++i) {
+        const double u = 2.0 * std::numbers::pi * i / quads;
+        for (const double side : {-0.3, 0.3}) {
+            const double out = 1.0 + side * std::cos(u / 2.0);
+            positions.emplace_back(out * std::cos(u), out * std::sin(u), side * std::sin(u / 2.0));
+        }
+        const bool isLast = i + 1 == quads;
+        const std::uint32_t next = isLast ? 0 : 2 * i + 2;
+        faces.push_back({2 * i, next + (isLast ? 1 : 0), next + (isLast ? 0 : 1), 2 * i + 1});
+    }
+    return meshOf(std::move(positions), faces);
+}
+
+MeshData withoutFace(const MeshData& mesh, std::size_t left) {
+    std::vector<std::vector<std::uint32_t>> faces;
+    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        if (f != left) {
+            faces.emplace_back(mesh.face(f).begin(), mesh.face(f).end());
+        }
+    }
+    return meshOf(mesh.positions, faces);
+}
+
+}  // namespace
+
+class SurfaceTopologyTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void cube() {
+        const SurfaceStatistics s = statisticsOf(makeCube(4, 1.0f));
+        QCOMPARE(s.vertices, std::size_t{98});
+        QCOMPARE(s.places, std::size_t{98});
+        QCOMPARE(s.edges, std::size_t{192});
+        QCOMPARE(s.quads, std::size_t{96});
+        QCOMPARE(s.eulerCharacteristic, 2LL);
+        QCOMPARE(s.genus, std::optional<long long>(0));
+        QCOMPARE(s.components, std::size_t{1});
+        QVERIFY(s.watertight && s.isSolid());
+    }
+
+    void sphereAndTorusDifferByAHandle() {
+        QCOMPARE(statisticsOf(makeHighPolySphere(1.0f)).genus, std::optional<long long>(0));
+        const SurfaceStatistics s = statisticsOf(torus(24, 12, 2.0, 0.5));
+        QCOMPARE(s.eulerCharacteristic, 0LL);
+        QCOMPARE(s.genus, std::optional<long long>(1));
+        QVERIFY(s.isSolid());
+    }
+
+    void openCylinderHasTwoHoles() {
+        const SurfaceStatistics s = statisticsOf(cylinder(12, false));
+        QCOMPARE(s.boundaryEdges, std::size_t{24});
+        QCOMPARE(s.holes, std::size_t{2});
+        QCOMPARE(s.edges, std::size_t{36});
+        QCOMPARE(s.eulerCharacteristic, 0LL);
+        QCOMPARE(s.genus, std::optional<long long>(0));
+        QVERIFY(!s.watertight);
+        const SurfaceStatistics closed = statisticsOf(cylinder(12, true));
+        QCOMPARE(closed.holes, std::size_t{0});
+        QCOMPARE(closed.largerPolygons, std::size_t{2});
+        QVERIFY(closed.isSolid());
+    }
+
+    void twoComponentsAndALooseVertex() {
+        MeshData both = together(makeCube(2, 1.0f), torus(8, 6, 5.0, 1.0));
+        both.positions.emplace_back(9.0f);
+        const SurfaceStatistics s = statisticsOf(both);
+        QCOMPARE(s.components, std::size_t{2});
+        QCOMPARE(s.unreferencedVertices, std::size_t{1});
+        QCOMPARE(s.eulerCharacteristic, 2LL);
+        QCOMPARE(s.genus, std::optional<long long>(1));
+        QVERIFY(s.watertight);
+    }
+
+    void aFanOnOneEdgeIsNotManifold() {
+        const SurfaceStatistics s = statisticsOf(nonManifoldFan(5));
+        QCOMPARE(s.nonManifoldEdges, std::size_t{1});
+        QCOMPARE(s.nonManifoldVertices, std::size_t{0});  // the edge's ends are told by the edge
+        QCOMPARE(s.edges, std::size_t{11});
+        QCOMPARE(s.boundaryEdges, std::size_t{10});
+        QCOMPARE(s.components, std::size_t{1});
+        QVERIFY(!s.genus && !s.watertight);
+        QVERIFY(statisticsOf(nonManifoldFan(2)).isManifold());
+    }
+
+    void facesThatMeetInAPointAreNotManifoldThere() {
+        const SurfaceStatistics s = statisticsOf(
+            meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 3, 4}}));
+        QCOMPARE(s.components, std::size_t{2});
+        QCOMPARE(s.nonManifoldVertices, std::size_t{1});
+        QCOMPARE(s.holes, std::size_t{2});  // two triangles' outlines, not one figure of eight
+        QVERIFY(!s.genus);
+    }
+
+    void aFaceTurnedOverIsCounted() {
+        MeshData cube = makeCube(2, 1.0f);
+        turnOver(cube, 5);
+        const SurfaceStatistics s = statisticsOf(cube);
+        QCOMPARE(s.opposedEdges, std::size_t{4});
+        QVERIFY(s.orientable && s.watertight && !s.isSolid());
+        QCOMPARE(s.genus, std::optional<long long>(0));
+    }
+
+    void aMoebiusStripHasOneSide() {
+        const SurfaceStatistics s = statisticsOf(moebiusStrip(16));
+        QVERIFY(s.isManifold() && !s.orientable);
+        QCOMPARE(s.holes, std::size_t{1});
+        QCOMPARE(s.eulerCharacteristic, 0LL);
+        QVERIFY(!s.genus);
+    }
+
+    void seamsAreWelded() {
+        for (const MeshData& mesh : {makeCube(4, 1.0f), torus(24, 12, 2.0, 0.5), cylinder(12, false)}) {
+            SurfaceStatistics whole = statisticsOf(mesh);
+            SurfaceStatistics split = statisticsOf(exploded(mesh));
+            QCOMPARE(split.vertices, mesh.cornerVertices.size());
+            whole.vertices = split.vertices = 0;
+            QVERIFY(whole == split);
+        }
+    }
+
+    void cornersAtOnePlaceCollapse() {
+        // A pole: the quad's upper side has no length, so it is a triangle of the surface.
+        const SurfaceStatistics s =
+            statisticsOf(meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}, {5, 5, 5}},
+                                {{0, 1, 2, 3}, {0, 0, 1}, {0, 1, 0, 4}, {1, 1, 1}}));
+        QCOMPARE(s.collapsedFaces, std::size_t{3});
+        QCOMPARE(s.edges, std::size_t{3});
+        QCOMPARE(s.components, std::size_t{1});
+        QCOMPARE(s.eulerCharacteristic, 1LL);
+    }
+
+    void noFaces() {
+        const SurfaceStatistics s = statisticsOf(meshOf({{0, 0, 0}}, {}));
+        QCOMPARE(s.components, std::size_t{0});
+        QVERIFY(!s.watertight && !s.genus);
+        QCOMPARE(statisticsOf(MeshData()).vertices, std::size_t{0});
+    }
+
+    void neighboursAreFound() {
+        const MeshData mesh = torus(9, 7, 2.0, 0.5);
+        const auto topology = SurfaceTopology::build(mesh);
+        for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+            QCOMPARE(topology->facesAt(v).size(), std::size_t{4});
+            QCOMPARE(topology->edgesAt(v).size(), std::size_t{4});
+            for (const std::uint32_t edge : topology->edgesAt(v)) {
+                QVERIFY(topology->edges()[edge].low == v || topology->edges()[edge].high == v);
+            }
+        }
+    }
+
+    void stopsWhenAsked() {
+        std::stop_source source;
+        source.request_stop();
+        QVERIFY(SurfaceTopology::build(makeCube(4, 1.0f), source.get_token()) == nullptr);
+    }
+
+    /// The other way to the same numbers: OpenMesh's half-edges, on surfaces with faces taken out at random.
+    void agreesWithHalfEdges() {
+        std::mt19937 random(5);
+        int compared = 0;
+        for (const MeshData& whole : {makeCube(6, 1.0f), torus(14, 9, 2.0, 0.5), makeTeapot(),
+                                      makeHighPolySphere(1.0f), makeLowPolySphere(1.0f)}) {
+            MeshData mesh = whole;
+            for (int round = 0; round < 12; ++round) {
+                const TopologyStatistics other = computeTopology(mesh);
+                const SurfaceStatistics s = statisticsOf(mesh);
+                if (s.places + s.unreferencedVertices == s.vertices && other.nonManifoldFaces == 0) {
+                    QCOMPARE(s.edges, other.edges);
+                    QCOMPARE(s.boundaryEdges, other.boundaryEdges);
+                    QCOMPARE(s.components, other.components);
+                    QCOMPARE(s.watertight, other.watertight);
+                    QCOMPARE(s.eulerCharacteristic, other.eulerCharacteristic.value_or(-999));
+                    ++compared;
+                }
+                mesh = withoutFace(mesh, random() % mesh.faceCount());
+            }
+        }
+        QVERIFY(compared > 40);
+    }
+};
+
+QTEST_APPLESS_MAIN(SurfaceTopologyTest)
+#include "surface_topology_test.moc"

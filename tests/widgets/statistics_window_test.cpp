@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Mesh statistics, pipeline agreement and tasks in the window, by mouse.
+#include <QClipboard>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QTableView>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeView>
+
+#include "mesh/primitives.h"
+#include "models/mesh_statistics_model.h"
+#include "panels/histogram/histogram_plot.h"
+#include "session/task_list.h"
+#include "session/vertex_selection.h"
+#include "window_support.h"
+
+using namespace hitscope;
+
+namespace {
+
+/// A window on a cube with one dent in its top.
+struct Scene {
+    Scene() {
+        session.loadMesh(makeHighPolyCube(2.5f));
+        window.emplace(session);
+        showReady(*window);
+        statistics = window->findChild<QDockWidget*>(QStringLiteral("meshStatistics"));
+        statistics->raise();
+        Hit hit;
+        hit.target = session.targets().front()->id;
+        hit.point = {0.0f, 2.5f, 0.0f};
+        hit.direction = {0.0f, -1.0f, 0.0f};
+        QVERIFY(session.addHit(hit).ok());
+    }
+
+    template <class Widget>
+    Widget* find(const char* name) {
+        return statistics->findChild<Widget*>(QLatin1String(name));
+    }
+    QString number(const char* key) {
+        const auto* model = qobject_cast<const MeshStatisticsModel*>(find<QTreeView>("numbers")->model());
+        return model->find(key, MeshStatisticsModel::DeformedColumn).data().toString();
+    }
+    void openTab(int index) {
+        QTabBar* bar = find<QTabWidget>("tabs")->tabBar();
+        QTest::mouseClick(bar, Qt::LeftButton, {}, bar->tabRect(index).center());
+    }
+
+    Session session;
+    std::optional<MainWindow> window;
+    QDockWidget* statistics = nullptr;
+};
+
+}  // namespace
+
+class StatisticsWindowTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void numbersFollowAHit() {
+        Scene scene;
+        QTRY_COMPARE_WITH_TIMEOUT(scene.number("displacement_max"), QStringLiteral("0.30000"), kPatience);
+        QVERIFY(scene.number("volume").toDouble() < 125.0);
+        auto* numbers = scene.find<QTreeView>("numbers");
+        const QModelIndex section = numbers->model()->index(0, 0);
+        QVERIFY(numbers->isExpanded(section));
+        const QRect title = numbers->visualRect(section);
+        QTest::mouseClick(numbers->viewport(), Qt::LeftButton, {},
+                          {title.left() - numbers->indentation() / 2, title.center().y()});
+        QVERIFY(!numbers->isExpanded(section));
+    }
+
+    void copiesAsMarkdown() {
+        Scene scene;
+        QTRY_COMPARE_WITH_TIMEOUT(scene.number("displacement_max"), QStringLiteral("0.30000"), kPatience);
+        const QList<QAction*> actions = scene.find<QToolButton>("copy")->menu()->actions();
+        QCOMPARE(actions.size(), qsizetype{3});
+        actions[2]->trigger();
+        QVERIFY(
+            QGuiApplication::clipboard()->text().contains(QStringLiteral("| Largest |  | 0.30000 |")));
+        actions[1]->trigger();
+        QVERIFY(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("section,key,")));
+    }
+
+    void handlesOfTheHistogramSelectVertices() {
+        Scene scene;
+        QTRY_COMPARE_WITH_TIMEOUT(scene.number("displacement_max"), QStringLiteral("0.30000"), kPatience);
+        scene.openTab(1);
+        auto* histogram = scene.find<HistogramPlot>("histogram");
+        QTRY_VERIFY(histogram->isVisible() && histogram->range());
+        QTest::mouseClick(scene.find<QPushButton>("selectRange"), Qt::LeftButton);
+        const TargetId target = scene.session.targets().front()->id;
+        const std::size_t all = scene.session.selection().vertices(target).size();
+        QCOMPARE(scene.session.targets().front()->deformed.statistics().changedVertices, all);
+
+        QWidget* plot = histogram->findChildren<QWidget*>().constFirst();
+        const int y = plot->height() / 2;
+        const auto at = [&](double value) { return QPoint(qRound(histogram->pixelOf(value)), y); };
+        QTest::mousePress(plot, Qt::LeftButton, {}, at(histogram->range()->low));
+        QTest::mouseMove(plot, at(0.15));
+        QTest::mouseMove(plot, at(0.2));
+        QTest::mouseRelease(plot, Qt::LeftButton, {}, at(0.2));
+        const std::size_t some = scene.session.selection().vertices(target).size();
+        QVERIFY(some > 0 && some < all);
+        QVERIFY(scene.find<QLabel>("between")->text().startsWith(QString::number(some) + u' '));
+        QTest::mouseClick(scene.find<QPushButton>("wholeRange"), Qt::LeftButton);
+        QCOMPARE(scene.session.selection().count(), std::size_t{0});
+    }
+
+    void harmedFacesAreJumpedTo() {
+        Scene scene;
+        QTRY_COMPARE_WITH_TIMEOUT(scene.number("displacement_max"), QStringLiteral("0.30000"), kPatience);
+        scene.openTab(2);
+        auto* harms = scene.find<QTableView>("harms");
+        scene.find<QDoubleSpinBox>("stretchLimit")->setValue(1.1);
+        QTRY_VERIFY_WITH_TIMEOUT(harms->model()->rowCount() > 0, kPatience);
+        const float before = scene.window->viewport().camera().distance();
+        const QPoint row = harms->visualRect(harms->model()->index(0, 1)).center();
+        QTest::mouseClick(harms->viewport(), Qt::LeftButton, {}, row);
+        QVERIFY(scene.session.selection().count() >= 3);
+        QTest::mouseDClick(harms->viewport(), Qt::LeftButton, {}, row);
+        QTRY_VERIFY(scene.window->viewport().camera().distance() < 0.5f * before);
+        QCOMPARE(scene.session.selectedHit(), std::optional<std::size_t>(0));
+    }
+
+    void thePipelineAgrees() {
+        Scene scene;
+        auto* dock = scene.window->findChild<QDockWidget*>(QStringLiteral("pipelineAgreement"));
+        dock->show();
+        dock->raise();
+        QTest::mouseClick(dock->findChild<QPushButton*>(QStringLiteral("compare")), Qt::LeftButton);
+        auto* different = dock->findChild<QLabel*>(QStringLiteral("different"));
+        QTRY_COMPARE_WITH_TIMEOUT(different->text(), QStringLiteral("0"), kPatience);
+        QVERIFY(dock->findChild<QLabel*>(QStringLiteral("verdict"))
+                    ->text()
+                    .contains(QStringLiteral("to the last bit")));
+        QVERIFY(!dock->findChild<QToolButton*>(QStringLiteral("worst"))->isEnabled());
+
+        // A vertex disturbed behind the pipeline's back.
+        const Target& target = *scene.session.targets().front();
+        DynamicVertex vertex = target.deformed.vertices()[100];
+        vertex.position.x += 0.5f;
+        scene.session.takeReadBack(target.id, 100, {&vertex, 1});
+        scene.session.finishReadBack();
+        QTest::mouseClick(dock->findChild<QPushButton*>(QStringLiteral("compare")), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(different->text(), QStringLiteral("1"), kPatience);
+        QTest::mouseClick(dock->findChild<QToolButton*>(QStringLiteral("worst")), Qt::LeftButton);
+        QVERIFY(scene.session.selection().picked());
+        QCOMPARE(scene.session.selection().picked()->vertex, target.deformed.render().fileVertices[100]);
+    }
+
+    void theStatusBarShowsWhatTakesAWhile() {
+        Scene scene;
+        auto* cancel = scene.window->findChild<QToolButton*>(QStringLiteral("cancelTask"));
+        bool isCancelled = false;
+        {
+            TaskProgress task(scene.session.tasks(), QStringLiteral("Thinking"),
+                              [&isCancelled] { isCancelled = true; });
+            task.report(0.5);
+            QVERIFY(!cancel->isVisible());  // it may be over soon
+            QTRY_VERIFY(cancel->isVisible());
+            QTest::mouseClick(cancel, Qt::LeftButton);
+            QVERIFY(isCancelled);
+        }
+        QVERIFY(!cancel->isVisible());
+    }
+
+private:
+    TestSettings m_settings;
+};
+
+QTEST_MAIN(StatisticsWindowTest)
+#include "statistics_window_test.moc"
