@@ -23,6 +23,7 @@ class FrameRatePanel;
 class NoticeBar;
 class PipelineChooser;
 class SceneFiles;
+class ShotActions;
 class StatusLine;
 class TextureChooser;
 class ShadingActions;
@@ -128,6 +129,7 @@ private:
     TextureChooser* m_textureChooser = nullptr;
     TimeActions* m_time = nullptr;
     ShadingActions* m_shading = nullptr;
+    ShotActions* m_shots = nullptr;
     PipelineChooser* m_pipelines = nullptr;
     FrameRatePanel* m_frameRate = nullptr;
     QTimer m_frameRateTimer;

@@ -32,6 +32,13 @@ struct DrawItem {
     bool selected = false;
 };
 
+/// One projectile to draw. World, metres.
+struct ProjectileItem {
+    Sphere sphere;
+    glm::vec3 colour{1.0f};            ///< sRGB
+    std::span<const glm::vec3> trail;  ///< where it came by, oldest first
+};
+
 /// One picture, in full.
 struct Frame {
     int width = 0;            ///< pixels
@@ -44,7 +51,9 @@ struct Frame {
     /// Another number when a mesh has changed; 0: any may have. Shadows are kept as long as it is the same.
     std::uint64_t meshRevision = 0;
     std::span<const DrawItem> targets;
-    std::span<const Sphere> projectiles;  ///< world
+    std::span<const ProjectileItem> projectiles;
+    /// Corners of triangles, world: a surface that is not there yet, drawn over everything. Null: none.
+    std::shared_ptr<const std::vector<glm::vec3>> ghost;
     std::optional<Sphere>
         highlightedHit;  ///< world: a selected hit's point and max_distance; drawn as a ring
 };
