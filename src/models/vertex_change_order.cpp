@@ -16,8 +16,8 @@ VertexChangeOrder::VertexChangeOrder(std::shared_ptr<const MeshData> original)
       m_isListed(m_current.size(), 0),
       m_isMoved(m_current.size(), 0) {}
 
-void VertexChangeOrder::take(std::span<const MovedVertex> moved) {
-    for (const MovedVertex& vertex : moved) {
+void VertexChangeOrder::take(std::span<const VertexState> moved) {
+    for (const VertexState& vertex : moved) {
         const std::uint32_t v = vertex.vertex;
         m_current[v] = vertex.current;
         m_length[v] = static_cast<float>(

@@ -14,7 +14,7 @@
 namespace hitscope {
 
 /// Where a vertex is now. Metres, local frame; radians.
-struct MovedVertex {
+struct VertexState {
     std::uint32_t vertex = 0;
     glm::vec3 current{0.0f};
     float turned = 0.0f;  ///< of its normal
@@ -40,7 +40,7 @@ public:
     explicit VertexChangeOrder(std::shared_ptr<const MeshData> original);
 
     /// Those back at their original are no changed vertices any more.
-    void take(std::span<const MovedVertex> moved);
+    void take(std::span<const VertexState> moved);
     /// Hits that moved each vertex; may be empty.
     void takeCounts(std::vector<std::uint32_t> counts);
     /// File vertices.

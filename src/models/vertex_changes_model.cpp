@@ -176,8 +176,8 @@ void VertexChangesModel::schedule() {
 }
 
 /// The next slice, so that a million of them do not hold up the window.
-std::vector<MovedVertex> VertexChangesModel::nextMoved() {
-    std::vector<MovedVertex> moved;
+std::vector<VertexState> VertexChangesModel::nextMoved() {
+    std::vector<VertexState> moved;
     const Target* shown = target();
     if (shown == nullptr) {
         m_pending.clear();
@@ -198,7 +198,7 @@ void VertexChangesModel::work() {
         return;
     }
     m_working = true;
-    std::vector<MovedVertex> moved = nextMoved();
+    std::vector<VertexState> moved = nextMoved();
     const bool wantsRows = m_pending.empty();
     std::optional<std::vector<std::uint32_t>> counts;
     if (std::exchange(m_countsPending, false)) {

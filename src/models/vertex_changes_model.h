@@ -89,7 +89,7 @@ private:
     void work();
     void finish(std::uint64_t generation, bool hasRows, std::vector<std::uint32_t> rows);
     void adopt(std::vector<std::uint32_t> rows);
-    [[nodiscard]] std::vector<MovedVertex> nextMoved();
+    [[nodiscard]] std::vector<VertexState> nextMoved();
     [[nodiscard]] std::uint32_t hitsOf(std::uint32_t vertex) const;
     [[nodiscard]] QString text(std::uint32_t vertex, int column) const;
     [[nodiscard]] QVariant rawValue(std::uint32_t vertex, int column) const;

@@ -163,9 +163,15 @@ struct Renderer::Private {
     ProgramCache programs;
     ColourTextures colourTextures;
     ProjectilePass projectiles;
+<<<<<<< HEAD
     TrailPass trails;
     DentGhostPass dentGhost;
     NeedlePass needles;
+=======
+    NeedlePass needles;
+    TrailPass trails;
+    GhostPass ghost;
+>>>>>>> light
     gl::VertexArray emptyArray = gl::VertexArray::make();
     bool software = gl::rendererInfo().isSoftware();
     ShadowMap shadows{software};
@@ -283,10 +289,16 @@ Status Renderer::draw(const Frame& frame, DeformationPipeline& pipeline, GLuint 
     if (!status) {
         return status;
     }
+<<<<<<< HEAD
     if (status = render::drawVertexMarks(context, pipeline); !status) {
         return status;
     }
+=======
+>>>>>>> light
     startBlended();
+    if (status = d->drawVertexMarks(context, pipeline); !status) {
+        return status;
+    }
     if (status = d->trails.draw(context); !status) {
         return status;
     }

@@ -8,6 +8,7 @@
 #include "cli/bench/arrival.h"
 #include "cli/bench/history.h"
 #include "cli/bench/hit_size.h"
+#include "cli/bench/mode_cost.h"
 #include "cli/bench/paper_row.h"
 
 namespace hitscope::bench {
@@ -203,7 +204,10 @@ std::span<const Check> allChecks() {
             return overPaperWay(vertices, room, plan);
         };
     };
-    static const std::array<Check, 10> kChecks{
+    const auto modeWith = [](const DisplayOptions& options) {
+        return [options](const BenchRoom& room, const Plan& plan) { return modeCost(room, plan, options); };
+    };
+    static const std::array<Check, 16> kChecks{
         {{"size-transform-feedback", "a hit on 4,000,000 vertices / on 7,938, transform feedback", 2.0,
           growthOf("transform-feedback")},
          {"size-compute", "the same, compute", 2.0, growthOf("compute")},
@@ -221,7 +225,15 @@ std::span<const Check> allChecks() {
           arrivingHits},
          {"thousand-hits",
           "a frame's 1,000 hits / a frame's one hit, transform feedback, the scene the window opens with",
-          50.0, thousandHits}}};
+          50.0, thousandHits},
+         {"mode-wire-over", "a frame with the wireframe over / plain shading, 98,000 vertices", 1.5,
+          modeWith({.wireframe = WireframeMode::Over})},
+         {"mode-wire-only", "the same, wireframe only", 1.5, modeWith({.wireframe = WireframeMode::Only})},
+         {"mode-flat", "the same, flat shading and tinted back faces", 1.5,
+          modeWith({.flat = true, .backFaces = true})},
+         {"mode-needles", "the same, normals as needles", 1.5, modeWith({.needles = true})},
+         {"mode-dots", "the same, vertices as dots", 1.5, modeWith({.dots = true})},
+         {"mode-shadows", "the same, soft shadows", 1.5, modeWith({.shadows = true})}}};
     return kChecks;
 }
 

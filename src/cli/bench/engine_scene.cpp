@@ -48,6 +48,7 @@ public:
     Status draw() override {
         if (!m_arrived.empty()) {
             m_pipeline->append(m_arrived);
+            ++m_frame.meshRevision;
             m_arrived.clear();
         }
         m_pipeline->pollReadBack(
@@ -92,7 +93,8 @@ private:
         m_frame.height = m_picture.height();
         m_frame.camera.frame(bounds, static_cast<float>(m_frame.width) / static_cast<float>(m_frame.height));
         m_frame.lights = defaultLights({bounds.centre(), std::max({size.x, size.y, size.z})});
-        m_frame.options.normals = NormalMode::Paper;
+        m_frame.options = m_parts.options;
+        m_frame.meshRevision = 1;
         m_frame.floorHeight = bounds.min.y;
         m_frame.targets = m_items;
     }

@@ -43,6 +43,7 @@ public:
 struct RowParts {
     std::vector<TargetPlan> plans;
     std::shared_ptr<const MaterialSet> materials;  ///< of all targets; null: the default one
+    DisplayOptions options{.normals = NormalMode::Paper};
 };
 /// Targets with or without room for a texture.
 [[nodiscard]] std::vector<TargetPlan> planRow(const PaperRow& row, bool textured);
