@@ -140,13 +140,8 @@ private:
     StatusLine* m_status = nullptr;
     TextureChooser* m_textureChooser = nullptr;
     TimeActions* m_time = nullptr;
-<<<<<<< HEAD
-    ShotActions* m_shots = nullptr;
-    ShadingActions* m_shading = nullptr;
-=======
     ShadingActions* m_shading = nullptr;
     ShotActions* m_shots = nullptr;
->>>>>>> light
     PipelineChooser* m_pipelines = nullptr;
     CameraActions* m_cameraActions = nullptr;
     PictureActions* m_pictures = nullptr;

@@ -19,13 +19,8 @@
 #include "app/picture_actions.h"
 #include "app/pipeline_chooser.h"
 #include "app/projectile_dialog.h"
-<<<<<<< HEAD
-#include "app/shot_actions.h"
-#include "app/shading_actions.h"
-=======
 #include "app/shading_actions.h"
 #include "app/shot_actions.h"
->>>>>>> light
 #include "app/texture_chooser.h"
 #include "app/time_actions.h"
 #include "panels/icons/themed_icon.h"

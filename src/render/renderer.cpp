@@ -163,15 +163,9 @@ struct Renderer::Private {
     ProgramCache programs;
     ColourTextures colourTextures;
     ProjectilePass projectiles;
-<<<<<<< HEAD
+    NeedlePass needles;
     TrailPass trails;
     DentGhostPass dentGhost;
-    NeedlePass needles;
-=======
-    NeedlePass needles;
-    TrailPass trails;
-    GhostPass ghost;
->>>>>>> light
     gl::VertexArray emptyArray = gl::VertexArray::make();
     bool software = gl::rendererInfo().isSoftware();
     ShadowMap shadows{software};
@@ -289,12 +283,9 @@ Status Renderer::draw(const Frame& frame, DeformationPipeline& pipeline, GLuint 
     if (!status) {
         return status;
     }
-<<<<<<< HEAD
     if (status = render::drawVertexMarks(context, pipeline); !status) {
         return status;
     }
-=======
->>>>>>> light
     startBlended();
     if (status = d->drawVertexMarks(context, pipeline); !status) {
         return status;
