@@ -25,8 +25,10 @@ void drawScene(const QDir& folder, const QString& name, Renderer& renderer, Test
     const auto pipeline = scene.pipeline(PipelineKind::TransformFeedback, hits);
     Frame frame = frameOf(scene, 1200, 720);
     scene.showTrueNormals(hits);
-    const Sphere projectiles[] = {{scene.bounds().centre() + glm::vec3(1.5f, 2.4f, 2.2f), 0.1f},
-                                  {scene.bounds().centre() + glm::vec3(2.0f, 1.4f, 2.9f), 0.1f}};
+    const glm::vec3 orange(0.9f, 0.58f, 0.29f);
+    const ProjectileItem projectiles[] = {
+        {{scene.bounds().centre() + glm::vec3(1.5f, 2.4f, 2.2f), 0.1f}, orange, {}},
+        {{scene.bounds().centre() + glm::vec3(2.0f, 1.4f, 2.9f), 0.1f}, orange, {}}};
     frame.projectiles = projectiles;
     for (const Theme theme : {Theme::Dark, Theme::Light}) {
         const QString suffix = theme == Theme::Dark ? QStringLiteral("-dark") : QStringLiteral("-light");

@@ -251,7 +251,9 @@ void RendererTest::projectilesAreDrawn() {
     const glm::vec3 eye = m_frame.camera.eye();
     const Ray left = m_frame.camera.rayThrough({-0.75f, 0.0f}, float(kWidth) / kHeight);
     const Ray right = m_frame.camera.rayThrough({0.75f, 0.0f}, float(kWidth) / kHeight);
-    const Sphere spheres[] = {{eye + 4.0f * left.direction, 0.2f}, {eye + 4.0f * right.direction, 0.2f}};
+    const glm::vec3 orange(0.9f, 0.58f, 0.29f);
+    const ProjectileItem spheres[] = {{{eye + 4.0f * left.direction, 0.2f}, orange, {}},
+                                      {{eye + 4.0f * right.direction, 0.2f}, orange, {}}};
     m_frame.projectiles = spheres;
     const QImage two = draw(m_frame);
     for (const int x : {kWidth / 8, kWidth - kWidth / 8}) {
