@@ -26,8 +26,9 @@ bool isAppend(const HistoryEdit& edit, std::size_t hits) {
 std::vector<HistoryEdit> withoutUndone(std::vector<HistoryEdit> edits) {
     std::vector<HistoryEdit> left;
     for (HistoryEdit& edit : edits) {
-        if (!left.empty() && left.back().first == edit.first && left.back().before == edit.after &&
-            left.back().after == edit.before) {
+        const bool isInPlace = edit.before.size() == edit.after.size();
+        if (isInPlace && !left.empty() && left.back().first == edit.first &&
+            left.back().before == edit.after && left.back().after == edit.before) {
             left.pop_back();
         } else {
             left.push_back(std::move(edit));

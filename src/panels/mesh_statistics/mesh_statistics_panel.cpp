@@ -47,6 +47,7 @@ MeshStatisticsPanel::MeshStatisticsPanel(Session& session, MeshStatisticsModel& 
     : QWidget(parent),
       m_session(session),
       m_model(model),
+      m_measuring(&model.measuring()),
       m_health(session, model.measuring()),
       m_ui(std::make_unique<Ui::MeshStatistics>()) {
     m_ui->setupUi(this);
@@ -217,7 +218,10 @@ void MeshStatisticsPanel::showEvent(QShowEvent* event) {
 
 void MeshStatisticsPanel::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
-    m_model.measuring().setActive(false);
+    // A window that is destroyed while it is open hides its panels last, when what it showed is gone.
+    if (m_measuring) {
+        m_measuring->setActive(false);
+    }
 }
 
 }  // namespace hitscope

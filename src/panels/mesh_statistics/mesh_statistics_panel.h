@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QPointer>
 #include <QWidget>
 #include <memory>
 
@@ -49,6 +50,7 @@ private:
 
     Session& m_session;
     MeshStatisticsModel& m_model;
+    QPointer<MeshMeasuring> m_measuring;
     MeshHealthModel m_health;
     std::unique_ptr<Ui::MeshStatistics> m_ui;
     std::unique_ptr<DisplacementHistogram> m_histogram;
