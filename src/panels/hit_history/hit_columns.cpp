@@ -57,6 +57,10 @@ void reset(QTableView& table) {
         header.setSectionHidden(column, !kColumns[column].isShown);
         header.resizeSection(column, width);
     }
+    // What a hit did stands in view without scrolling.
+    constexpr int kBehindTarget = HitHistoryModel::TargetColumn + 1;
+    header.moveSection(header.visualIndex(HitHistoryModel::GreatestColumn), kBehindTarget);
+    header.moveSection(header.visualIndex(HitHistoryModel::AffectedColumn), kBehindTarget);
 }
 
 void showMenu(QTableView& table, const QPoint& at) {
