@@ -26,6 +26,7 @@ class NoticeBar;
 class PictureActions;
 class PipelineChooser;
 class SceneFiles;
+class ShotActions;
 class StatusLine;
 class TextureChooser;
 class TimeActions;
@@ -130,6 +131,7 @@ private:
     StatusLine* m_status = nullptr;
     TextureChooser* m_textureChooser = nullptr;
     TimeActions* m_time = nullptr;
+    ShotActions* m_shots = nullptr;
     PipelineChooser* m_pipelines = nullptr;
     CameraActions* m_cameraActions = nullptr;
     PictureActions* m_pictures = nullptr;

@@ -7,6 +7,7 @@
 #include "cli/bench/bench_command.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/shoot.h"
 #include "core/memory.h"
 
 namespace {
@@ -116,6 +117,7 @@ int printUsage() {
         << "            and the deformed mesh\n"
         << "  picture   draw a scene into a PNG file of any size\n"
         << "  sequence  draw a turntable, or the hits one by one, into PNG files\n"
+        << "  shoot     shoot a burst or a saved script, print what was hit\n"
         << "  info      print what is in a mesh file, or what draws (--renderer)\n"
         << "  bench     measure the pipelines: frames, hits, the paper's tables\n\n"
         << "Options:\n"
@@ -148,6 +150,9 @@ int main(int argc, char** argv) {
     arguments.removeAt(1);
     if (command == QLatin1String("demo")) {
         return demo(arguments);
+    }
+    if (command == QLatin1String("shoot")) {
+        return hitscope::cli::shootCommand(arguments);
     }
     if (command == QLatin1String("info")) {
         return info(arguments);

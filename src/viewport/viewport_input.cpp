@@ -79,13 +79,18 @@ std::optional<PhysicsWorld::RayHit> Viewport::aimedAt(const Ray& ray) const {
     return m_session.physics().castRay(ray.origin, ray.direction, length);
 }
 
-void Viewport::shootAlong(const Ray& ray) {
+Ray Viewport::launched(const Ray& ray) const {
     const auto met = aimedAt(ray);
     Ray shot = shotAlong(ray, camera(), met ? std::optional(met->point) : std::nullopt);
     if (met && met->point != shot.origin) {
         shot.direction = launchDirection(shot.origin, met->point, m_session.projectileSettings().speed);
     }
-    m_session.shoot(shot);
+    return shot;
+}
+
+void Viewport::shootAlong(const Ray& ray) {
+    m_session.shoot(launched(ray));
+    Q_EMIT shot(ray);
 }
 
 void Viewport::recentre(const QPointF& position) {
