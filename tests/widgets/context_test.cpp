@@ -175,7 +175,7 @@ void ContextTest::windowTricksLoseNothing() {
     back();
     auto* dock = m_window->findChild<QDockWidget*>(QStringLiteral("hitHistory"));
     dock->setFloating(true);
-    QTRY_VERIFY_WITH_TIMEOUT(viewport.size() != size, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(dock->isFloating() && dock->isVisible(), kPatience);
     dock->setFloating(false);
     back();
 }
