@@ -92,6 +92,7 @@ void ViewportTest::aimAllowsForTheFall() {
 }
 
 void ViewportTest::dragOrbitsAndShootsNothing() {
+    m_window->viewport().navigation().setOrbitMode(OrbitMode::Turntable);
     const Camera before = m_window->viewport().camera();
     drag(Qt::LeftButton, {}, {80, 30});
     const Camera& after = m_window->viewport().camera();
@@ -140,6 +141,7 @@ void ViewportTest::doubleClickRecentresAndShootsNothing() {
     const QPoint at = centre() + QPoint(40, -30);
     QTest::mouseClick(&viewport, Qt::LeftButton, {}, at);
     QTest::mouseDClick(&viewport, Qt::LeftButton, {}, at);
+    QTRY_VERIFY_WITH_TIMEOUT(!viewport.navigation().isMoving(), kPatience);
     QVERIFY(!near(viewport.camera().pivot(), before.pivot(), 0.1f));
     QVERIFY(std::abs(glm::length(viewport.camera().pivot()) - 2.5f) < 0.1f);
     QTest::qWait(2 * Viewport::kDoubleClickGrace);
@@ -190,6 +192,7 @@ void ViewportTest::framing() {
     viewport.navigation().flyStep({3.0f, 1.0f, 2.0f});
     QVERIFY(!near(viewport.camera().pivot(), before.pivot(), 0.1f));
     QTest::keyClick(m_window.get(), Qt::Key_F);
+    QTRY_VERIFY_WITH_TIMEOUT(!viewport.navigation().isMoving(), kPatience);
     QVERIFY(near(viewport.camera().pivot(), before.pivot()));
     QVERIFY(std::abs(viewport.camera().distance() - before.distance()) < 0.05f);
 }
