@@ -28,8 +28,13 @@ ChangeActions::ChangeActions(Session& session, HitEffects& effects, Viewport& vi
     followCounts(effects);
     viewport.setChangeValues(&m_values, &m_comparison);
     followComparison();
-    connect(&m_values, &ChangeValues::summaryChanged, &viewport, [this] { m_viewport.update(); });
-    connect(&m_values, &ChangeValues::valuesChanged, &viewport, [this] { m_viewport.update(); });
+    const auto redraw = [this] {
+        if (m_viewport.options().change.on) {
+            m_viewport.update();
+        }
+    };
+    connect(&m_values, &ChangeValues::summaryChanged, &viewport, redraw);
+    connect(&m_values, &ChangeValues::valuesChanged, &viewport, redraw);
     connect(m_panel, &ChangePanel::mapEdited, this, [this](const ChangeMapOptions& map) {
         change([&map](DisplayOptions& display) { display.change = map; });
     });
@@ -81,7 +86,7 @@ void ChangeActions::change(const std::function<void(DisplayOptions&)>& edit) {
 /// The viewport's options are the truth.
 void ChangeActions::follow() {
     const DisplayOptions& display = m_viewport.options();
-    const bool looked = display.change.on || !m_panel->isHidden();
+    const bool looked = display.change.on || m_panel->isVisible();
     m_values.setQuantity(looked ? std::optional(display.change.quantity) : std::nullopt);
     m_panel->setOptions(display);
     if (m_on == nullptr) {
