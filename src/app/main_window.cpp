@@ -17,6 +17,7 @@
 #include "app/notice_bar.h"
 #include "app/pipeline_chooser.h"
 #include "app/scene_files.h"
+#include "app/shot_actions.h"
 #include "app/status_line.h"
 #include "app/texture_chooser.h"
 #include "app/time_actions.h"
@@ -63,6 +64,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_files(new SceneFiles(session, this)),
       m_status(new StatusLine(session, *statusBar(), this)),
       m_time(new TimeActions(session, this)),
+      m_shots(new ShotActions(session, *m_viewport, *this)),
       m_pipelines(new PipelineChooser(session, this)),
       m_inspect(new InspectActions(session, *m_viewport, this)) {
     loadSessionSettings(QSettings(), session);
@@ -91,6 +93,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     connect(
         m_pipelines, &PipelineChooser::fellBack, this,
         [this](const QString& notice) { m_notice->say(notice); }, Qt::QueuedConnection);
+    connect(m_shots, &ShotActions::noticeWanted, this, [this](const QString& text) { m_notice->say(text); });
     connect(m_viewport, &Viewport::framePainted, m_frameRate, &FrameRatePanel::addFrame);
     connect(m_viewport, &Viewport::rendererKnown, this,
             [this] { m_status->setRenderer(m_viewport->rendererName()); });

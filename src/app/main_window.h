@@ -25,6 +25,7 @@ class InspectActions;
 class NoticeBar;
 class PipelineChooser;
 class SceneFiles;
+class ShotActions;
 class StatusLine;
 class TextureChooser;
 class TimeActions;
@@ -130,6 +131,7 @@ private:
     StatusLine* m_status = nullptr;
     TextureChooser* m_textureChooser = nullptr;
     TimeActions* m_time = nullptr;
+    ShotActions* m_shots = nullptr;
     PipelineChooser* m_pipelines = nullptr;
     InspectActions* m_inspect = nullptr;
     FrameRatePanel* m_frameRate = nullptr;
