@@ -57,6 +57,7 @@ struct Frame {
     std::uint64_t meshRevision = 0;
     std::span<const DrawItem> targets;
     std::span<const ProjectileItem> projectiles;
+    std::span<const VertexMarks> marks;  ///< drawn in this order
     /// Corners of triangles, world: a surface that is not there yet, drawn over everything. Null: none.
     std::shared_ptr<const std::vector<glm::vec3>> ghost;
     std::span<const VertexMarks> marks;  ///< drawn in this order
