@@ -27,6 +27,10 @@ constexpr Line kMouse[] = {{TEXT("Click"), TEXT("Shoot at the point under the cu
                            {TEXT("Right-drag"), TEXT("Pan; also Shift+drag and middle-drag")},
                            {TEXT("Wheel"), TEXT("Zoom")}};
 constexpr Line kViewport[] = {{TEXT("Space"), TEXT("Shoot at the crosshair; hold to repeat")},
+                              {TEXT("Ctrl+B"), TEXT("Burst of shots")},
+                              {TEXT("P"), TEXT("Pause, or let time go on")},
+                              {TEXT("."), TEXT("One physics step")},
+                              {TEXT(","), TEXT("Slow motion")},
                               {TEXT("W A S D"), TEXT("Fly; with Shift faster")},
                               {TEXT("E Q"), TEXT("Fly up and down")},
                               {TEXT("F"), TEXT("Frame the selected target, or all")},

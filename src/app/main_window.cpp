@@ -16,6 +16,7 @@
 #include "app/notice_bar.h"
 #include "app/pipeline_chooser.h"
 #include "app/scene_files.h"
+#include "app/shot_actions.h"
 #include "app/status_line.h"
 #include "app/texture_chooser.h"
 #include "app/time_actions.h"
@@ -61,6 +62,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_files(new SceneFiles(session, this)),
       m_status(new StatusLine(session, *statusBar(), this)),
       m_time(new TimeActions(session, this)),
+      m_shots(new ShotActions(session, *m_viewport, *this)),
       m_pipelines(new PipelineChooser(session, this)) {
     loadSessionSettings(QSettings(), session);
     applyTheme(m_settings.theme);
@@ -86,6 +88,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     connect(
         m_pipelines, &PipelineChooser::fellBack, this,
         [this](const QString& notice) { m_notice->say(notice); }, Qt::QueuedConnection);
+    connect(m_shots, &ShotActions::noticeWanted, this, [this](const QString& text) { m_notice->say(text); });
     connect(m_viewport, &Viewport::rendererKnown, this,
             [this] { m_status->setRenderer(m_viewport->rendererName()); });
     connect(m_viewport, &Viewport::failed, this, [this](const Error& error) { showError(this, error); });

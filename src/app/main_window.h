@@ -23,6 +23,7 @@ class FrameRatePanel;
 class NoticeBar;
 class PipelineChooser;
 class SceneFiles;
+class ShotActions;
 class StatusLine;
 class TextureChooser;
 class TimeActions;
@@ -126,6 +127,7 @@ private:
     StatusLine* m_status = nullptr;
     TextureChooser* m_textureChooser = nullptr;
     TimeActions* m_time = nullptr;
+    ShotActions* m_shots = nullptr;
     PipelineChooser* m_pipelines = nullptr;
     FrameRatePanel* m_frameRate = nullptr;
     QTimer m_frameRateTimer;

@@ -13,6 +13,7 @@
 #include "app/main_window.h"
 #include "app/pipeline_chooser.h"
 #include "app/projectile_dialog.h"
+#include "app/shot_actions.h"
 #include "app/texture_chooser.h"
 #include "app/time_actions.h"
 #include "panels/icons/themed_icon.h"
@@ -219,6 +220,7 @@ void MainWindow::makeMeshMenu() {
 void MainWindow::makeShootMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Shoot"));
     addHeldKey(menu, tr("&Shoot at the Crosshair"), tr("Space"), [this] { m_viewport->shootAtCrosshair(); });
+    m_shots->fill(menu);
     menu.addSeparator();
     m_bounces = addToggle(menu, tr("&Bounces Count as Hits"), {}, m_session.projectileSettings().bouncesCount,
                           [this](bool on) {

@@ -37,6 +37,7 @@ ProjectileDialog::ProjectileDialog(Session& session, QWidget* parent)
     }
     connect(m_ui->bounces, &QCheckBox::toggled, this, &ProjectileDialog::apply);
     connect(m_ui->powerFollowsImpulse, &QCheckBox::toggled, this, &ProjectileDialog::apply);
+    connect(m_ui->colour, &ColourButton::colourPicked, this, &ProjectileDialog::apply);
     for (QAbstractButton* button : m_ui->buttons->buttons()) {
         // Enter ends the editing of a number and presses nothing.
         qobject_cast<QPushButton*>(button)->setAutoDefault(false);
@@ -56,6 +57,8 @@ void ProjectileDialog::showSettings() {
     for (std::size_t i = 0; i < m_numbers.size(); ++i) {
         m_numbers[i]->setValue(parameterValue(settings, i));
     }
+    const glm::vec3& colour = settings.colour;
+    m_ui->colour->setColour(QColor::fromRgbF(colour.r, colour.g, colour.b));
     m_ui->bounces->setChecked(settings.bouncesCount);
     m_ui->powerFollowsImpulse->setChecked(settings.powerFollowsImpulse);
     m_ui->referenceImpulse->setEnabled(settings.powerFollowsImpulse);
@@ -70,6 +73,8 @@ void ProjectileDialog::apply() {
     for (std::size_t i = 0; i < m_numbers.size(); ++i) {
         setParameterValue(settings, i, m_numbers[i]->value());
     }
+    const QColor colour = m_ui->colour->colour();
+    settings.colour = {colour.redF(), colour.greenF(), colour.blueF()};
     settings.bouncesCount = m_ui->bounces->isChecked();
     settings.powerFollowsImpulse = m_ui->powerFollowsImpulse->isChecked();
     m_session.setProjectileSettings(settings);

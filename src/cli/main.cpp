@@ -7,6 +7,7 @@
 #include "cli/bench/bench_command.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/shoot.h"
 #include "core/memory.h"
 
 namespace {
@@ -114,6 +115,7 @@ int printUsage() {
         << "Commands:\n"
         << "  demo   shoot at the paper's scene or a mesh, compare the pipelines, write pictures\n"
         << "         and the deformed mesh\n"
+        << "  shoot  shoot a burst or a saved script, print what was hit\n"
         << "  info   print what is in a mesh file, or what draws (--renderer)\n"
         << "  bench  measure the pipelines: frames, hits, the paper's tables\n\n"
         << "Options:\n"
@@ -146,6 +148,9 @@ int main(int argc, char** argv) {
     arguments.removeAt(1);
     if (command == QLatin1String("demo")) {
         return demo(arguments);
+    }
+    if (command == QLatin1String("shoot")) {
+        return hitscope::cli::shootCommand(arguments);
     }
     if (command == QLatin1String("info")) {
         return info(arguments);

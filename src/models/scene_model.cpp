@@ -109,6 +109,10 @@ QString SceneModel::toolTip(const Target& target, int column) const {
     if (column == VisibleColumn) {
         return target.visible ? tr("Visible: click to hide it") : tr("Hidden: click to show it");
     }
+    if (const QString reason = m_session.whyNotHittable(target.id);
+        column == NameColumn && !reason.isEmpty()) {
+        return tr("Cannot be hit. %1").arg(reason);
+    }
     return column == NameColumn && !target.sourcePath.isEmpty() ? target.sourcePath : QString();
 }
 
@@ -131,6 +135,8 @@ QVariant SceneModel::data(const QModelIndex& index, int role) const {
                                         : QVariant(Qt::AlignRight | Qt::AlignVCenter);
         case Qt::ToolTipRole:
             return toolTip(*target, column);
+        case WhyNotHittableRole:
+            return m_session.whyNotHittable(target->id);
         case VisibleRole:
             return target->visible;
         case RawValueRole:

@@ -25,6 +25,8 @@ public:
         /// The number behind the text: qulonglong for VerticesColumn and HitsColumn.
         RawValueRole = Qt::UserRole,
         VisibleRole,  ///< bool, for every column
+        /// QString, for every column: why shots pass the target; empty: they do not.
+        WhyNotHittableRole,
     };
 
     /// `session` outlives the model.

@@ -1,83 +1,78 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/projectile_pass.h"
 
-#include <cmath>
+#include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <glm/gtc/constants.hpp>
+#include <glm/geometric.hpp>
+#include <tuple>
 #include <vector>
+
+#include "render/projectile_mesh.h"
 
 namespace hitscope::render {
 namespace {
 
-constexpr int kSegments = 24;
-constexpr int kRings = 16;
 constexpr GLuint kPosition = 0;
 constexpr GLuint kInstance = 5;
 static_assert(sizeof(Sphere) == 4 * sizeof(float) && offsetof(Sphere, radius) == 3 * sizeof(float),
               "spheres go to the GPU as they are: centre, radius");
 
-std::vector<glm::vec3> sphereVertices() {
-    std::vector<glm::vec3> vertices;
-    for (int ring = 0; ring <= kRings; ++ring) {
-        const float theta = glm::pi<float>() * static_cast<float>(ring) / kRings;
-        for (int segment = 0; segment <= kSegments; ++segment) {
-            const float phi = glm::two_pi<float>() * static_cast<float>(segment) / kSegments;
-            vertices.emplace_back(std::sin(theta) * std::cos(phi), std::cos(theta),
-                                  std::sin(theta) * std::sin(phi));
-        }
+/// The finest first: how finely a sphere is drawn, and from which radius in pixels on.
+struct Fineness {
+    int segments;
+    int rings;
+    float pixels;
+};
+constexpr Fineness kFineness[ProjectilePass::kLevels] = {{24, 16, 12.0f}, {12, 8, 3.0f}, {6, 4, 0.0f}};
+
+std::size_t levelOf(const Sphere& sphere, const FrameContext& context) {
+    const float distance = glm::distance(sphere.centre, context.eye);
+    const float pixels = sphere.radius * context.pixelsAtOneMetre / std::max(distance, sphere.radius);
+    std::size_t level = 0;
+    while (pixels < kFineness[level].pixels) {
+        ++level;
     }
-    return vertices;
+    return level;
 }
 
-std::vector<std::uint16_t> sphereIndices() {
-    std::vector<std::uint16_t> indices;
-    const auto add = [&indices](int ring, int segment) {
-        indices.push_back(static_cast<std::uint16_t>(ring * (kSegments + 1) + segment));
-    };
-    for (int ring = 0; ring < kRings; ++ring) {
-        for (int segment = 0; segment < kSegments; ++segment) {
-            add(ring, segment);
-            add(ring, segment + 1);
-            add(ring + 1, segment);
-            add(ring + 1, segment);
-            add(ring, segment + 1);
-            add(ring + 1, segment + 1);
-        }
-    }
-    return indices;
-}
+/// What one draw call has in common.
+struct Batch {
+    std::size_t level = 0;
+    glm::vec3 colour{0.0f};
+
+    [[nodiscard]] auto key() const { return std::tuple(level, colour.r, colour.g, colour.b); }
+};
 
 }  // namespace
 
-ProjectilePass::ProjectilePass()
-    : m_vertices(gl::Buffer::make()),
-      m_indices(gl::Buffer::make()),
-      m_instances(gl::Buffer::make()),
-      m_array(gl::VertexArray::make()) {
-    const auto vertices = sphereVertices();
-    const auto indices = sphereIndices();
-    m_indexCount = static_cast<GLsizei>(indices.size());
-    glBindVertexArray(m_array.id());
-    glBindBuffer(GL_ARRAY_BUFFER, m_vertices.id());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(glm::vec3)),
-                 vertices.data(), GL_STATIC_DRAW);
-    glEnableVertexAttribArray(kPosition);
-    glVertexAttribPointer(kPosition, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
-    glBindBuffer(GL_ARRAY_BUFFER, m_instances.id());
-    glEnableVertexAttribArray(kInstance);
-    glVertexAttribPointer(kInstance, 4, GL_FLOAT, GL_FALSE, sizeof(Sphere), nullptr);
-    glVertexAttribDivisor(kInstance, 1);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_indices.id());
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint16_t)),
-                 indices.data(), GL_STATIC_DRAW);
+ProjectilePass::ProjectilePass() : m_instances(gl::Buffer::make()) {
+    for (std::size_t i = 0; i < kLevels; ++i) {
+        const BallMesh ball = makeBall(kFineness[i].segments, kFineness[i].rings);
+        Level& level = m_levels[i];
+        level.vertices = gl::Buffer::make();
+        level.indices = gl::Buffer::make();
+        level.array = gl::VertexArray::make();
+        level.indexCount = static_cast<GLsizei>(ball.indices.size());
+        glBindVertexArray(level.array.id());
+        glBindBuffer(GL_ARRAY_BUFFER, level.vertices.id());
+        glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(ball.vertices.size() * sizeof(glm::vec3)),
+                     ball.vertices.data(), GL_STATIC_DRAW);
+        glEnableVertexAttribArray(kPosition);
+        glVertexAttribPointer(kPosition, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
+        glEnableVertexAttribArray(kInstance);
+        glVertexAttribDivisor(kInstance, 1);
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, level.indices.id());
+        glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+                     static_cast<GLsizeiptr>(ball.indices.size() * sizeof(std::uint16_t)),
+                     ball.indices.data(), GL_STATIC_DRAW);
+    }
     glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
 Status ProjectilePass::draw(const FrameContext& context) {
-    const std::span<const Sphere> spheres = context.frame.projectiles;
-    if (spheres.empty()) {
+    const std::span<const ProjectileItem> items = context.frame.projectiles;
+    if (items.empty()) {
         return Done{};
     }
     const auto found = context.programs.get("projectile.vert", "surface.frag");
@@ -88,18 +83,42 @@ Status ProjectilePass::draw(const FrameContext& context) {
     program.use();
     setLights(program, context);
     program.set("u_viewProjection", context.viewProjection);
-    program.set("u_diffuse", glm::vec3(0.78f, 0.30f, 0.07f));
     program.set("u_specular", glm::vec3(0.6f));
     program.set("u_shininess", 48.0f);
     program.set("u_opacity", 1.0f);
     program.set("u_rim", glm::vec4(0.0f));
     program.set("u_ring", glm::vec4(0.0f));
-    glBindVertexArray(m_array.id());
+
+    std::vector<std::pair<Batch, Sphere>> sorted;
+    sorted.reserve(items.size());
+    for (const ProjectileItem& item : items) {
+        sorted.push_back({{levelOf(item.sphere, context), item.colour}, item.sphere});
+    }
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const auto& a, const auto& b) { return a.first.key() < b.first.key(); });
+    std::vector<Sphere> spheres;
+    spheres.reserve(sorted.size());
+    for (const auto& entry : sorted) {
+        spheres.push_back(entry.second);
+    }
     glBindBuffer(GL_ARRAY_BUFFER, m_instances.id());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(spheres.size_bytes()), spheres.data(),
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(spheres.size() * sizeof(Sphere)), spheres.data(),
                  GL_STREAM_DRAW);
-    glDrawElementsInstanced(GL_TRIANGLES, m_indexCount, GL_UNSIGNED_SHORT, nullptr,
-                            static_cast<GLsizei>(spheres.size()));
+    for (std::size_t begin = 0; begin < sorted.size();) {
+        const Batch& batch = sorted[begin].first;
+        std::size_t end = begin + 1;
+        while (end < sorted.size() && sorted[end].first.key() == batch.key()) {
+            ++end;
+        }
+        const Level& level = m_levels[batch.level];
+        program.set("u_diffuse", toLinear(batch.colour));
+        glBindVertexArray(level.array.id());
+        glVertexAttribPointer(kInstance, 4, GL_FLOAT, GL_FALSE, sizeof(Sphere),
+                              reinterpret_cast<const void*>(begin * sizeof(Sphere)));
+        glDrawElementsInstanced(GL_TRIANGLES, level.indexCount, GL_UNSIGNED_SHORT, nullptr,
+                                static_cast<GLsizei>(end - begin));
+        begin = end;
+    }
     return Done{};
 }
 

@@ -7,10 +7,12 @@
 
 #include "gl/context.h"
 #include "render/frame_context.h"
+#include "render/ghost_pass.h"
 #include "render/gl_state.h"
 #include "render/material_set.h"
 #include "render/projectile_pass.h"
 #include "render/target_pass.h"
+#include "render/trail_pass.h"
 
 namespace hitscope {
 
@@ -22,11 +24,13 @@ constexpr float kSelectedLines = 0.7f;  // of the accent colour, where lines are
 constexpr float kHiddenLines = 0.16f;   // opacity of lines behind a surface, of that of the others
 
 /// Programs that do not depend on a pipeline.
-constexpr std::array<std::pair<const char*, const char*>, 6> kPrograms{
+constexpr std::array<std::pair<const char*, const char*>, 8> kPrograms{
     {{"background.vert", "background.frag"},
      {"floor.vert", "floor.frag"},
      {"contact.vert", "contact.frag"},
      {"projectile.vert", "surface.frag"},
+     {"trail.vert", "trail.frag"},
+     {"ghost.vert", "ghost.frag"},
      {"ring.vert", "ring.frag"},
      {"crosshair.vert", "crosshair.frag"}}};
 
@@ -129,6 +133,8 @@ Status drawWires(const FrameContext& context, DeformationPipeline& pipeline) {
 struct Renderer::Private {
     ProgramCache programs;
     ProjectilePass projectiles;
+    TrailPass trails;
+    GhostPass ghost;
     gl::VertexArray emptyArray = gl::VertexArray::make();
     bool software = gl::rendererInfo().isSoftware();
 };
@@ -175,7 +181,14 @@ Status Renderer::draw(const Frame& frame, DeformationPipeline& pipeline, GLuint 
     if (!status) {
         return status;
     }
+    startBlended();
+    if (status = d->trails.draw(context); !status) {
+        return status;
+    }
     if (status = drawHighlightedHit(context); !status) {
+        return status;
+    }
+    if (status = d->ghost.draw(context); !status) {
         return status;
     }
     return drawCrosshair(context);

@@ -32,6 +32,13 @@ struct DrawItem {
     bool selected = false;
 };
 
+/// One projectile to draw. World, metres.
+struct ProjectileItem {
+    Sphere sphere;
+    glm::vec3 colour{1.0f};            ///< sRGB
+    std::span<const glm::vec3> trail;  ///< where it came by, oldest first
+};
+
 /// One picture, in full.
 struct Frame {
     int width = 0;            ///< pixels
@@ -42,7 +49,9 @@ struct Frame {
     DisplayOptions options;
     float floorHeight = 0.0f;  ///< metres, world y
     std::span<const DrawItem> targets;
-    std::span<const Sphere> projectiles;  ///< world
+    std::span<const ProjectileItem> projectiles;
+    /// Corners of triangles, world: a surface that is not there yet, drawn over everything. Null: none.
+    std::shared_ptr<const std::vector<glm::vec3>> ghost;
     std::optional<Sphere>
         highlightedHit;  ///< world: a selected hit's point and max_distance; drawn as a ring
 };

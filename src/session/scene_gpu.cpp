@@ -305,10 +305,10 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
     }
     const Session& session = d->session;
     const std::vector<DrawItem> items = d->drawItems();
-    std::vector<Sphere> projectiles;
+    std::vector<ProjectileItem> projectiles;
     projectiles.reserve(session.physics().projectileCount());
     for (const ProjectileState& projectile : session.physics().projectiles()) {
-        projectiles.push_back({projectile.drawn, projectile.radius});
+        projectiles.push_back({{projectile.drawn, projectile.radius}, projectile.colour, projectile.trail});
     }
 
     Frame frame;
@@ -321,6 +321,7 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
     frame.floorHeight = session.floorHeight();
     frame.targets = items;
     frame.projectiles = projectiles;
+    frame.ghost = view.ghost;
     if (session.selectedHit()) {
         const Hit& hit = session.history().hits()[*session.selectedHit()];
         if (const Target* target = session.target(hit.target)) {

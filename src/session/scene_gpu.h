@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <memory>
+#include <vector>
 
 #include "core/result.h"
 #include "render/camera.h"
@@ -34,6 +36,7 @@ public:
         float pixelRatio = 1.0f;
         Camera camera;
         DisplayOptions options;
+        std::shared_ptr<const std::vector<glm::vec3>> ghost;  ///< as in Frame
     };
     /// As sync(), but waits for nothing: what changed comes to the session with one of the next frames. Then
     /// one picture into the framebuffer object of that name (0: the default framebuffer).

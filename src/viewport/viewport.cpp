@@ -110,6 +110,7 @@ SceneGpu::View Viewport::view() const {
     view.pixelRatio = static_cast<float>(devicePixelRatioF());
     view.camera = camera();
     view.options = m_options;
+    view.ghost = m_ghost;
     view.options.crosshair = m_options.crosshair || m_crosshairTimer.isActive();
     return view;
 }
@@ -200,6 +201,17 @@ void Viewport::frameAll() {
 void Viewport::frameSelection() {
     const Target* target = m_session.target(m_session.selectedTarget());
     m_navigation.frame(target != nullptr ? target->worldBounds() : m_session.sceneBounds());
+}
+
+Ray Viewport::rayThrough(const QPointF& place) const {
+    return m_navigation.rayAt({place.x() * width(), place.y() * height()});
+}
+
+void Viewport::setGhost(std::shared_ptr<const std::vector<glm::vec3>> ghost) {
+    if (ghost != m_ghost) {
+        m_ghost = std::move(ghost);
+        update();
+    }
 }
 
 void Viewport::shootAtCrosshair() {

@@ -40,6 +40,12 @@ public:
     void frameAll();
     void frameSelection();  ///< the selected target; all if none is
     void shootAtCrosshair();
+    /// Through a place of the picture, in fractions of its size from the top left corner.
+    [[nodiscard]] Ray rayThrough(const QPointF& place) const;
+    /// `ray`, raised so that a projectile lands where the ray does.
+    [[nodiscard]] Ray launched(const Ray& ray) const;
+    /// A surface to draw over the picture (SceneGpu::View); null: none.
+    void setGhost(std::shared_ptr<const std::vector<glm::vec3>> ghost);
 
     /// Brings the GPU and the read-back to the session's state now: before an export. Fails when there is no
     /// GL.
@@ -55,6 +61,7 @@ Q_SIGNALS:
     /// Seconds: from the frame before while frames follow each other, else what drawing took.
     void framePainted(double seconds);
     void rendererKnown();
+    void shot(const hitscope::Ray& ray);        ///< by click or key, along this line of sight
     void failed(const hitscope::Error& error);  ///< no picture can be drawn; emitted once for each reason
 
 protected:
@@ -83,7 +90,6 @@ private:
     [[nodiscard]] SceneGpu::View view() const;
     /// What the ray meets first: for aiming and recentring.
     [[nodiscard]] std::optional<PhysicsWorld::RayHit> aimedAt(const Ray& ray) const;
-    /// Shoots so that the projectile lands where the ray does.
     void shootAlong(const Ray& ray);
     void click(const QPointF& position);
     void fireHeldShot();
@@ -96,6 +102,7 @@ private:
     std::string m_error;  ///< the reason there is no picture; empty: there is one
 
     DisplayOptions m_options;
+    std::shared_ptr<const std::vector<glm::vec3>> m_ghost;
     Navigation m_navigation;
     bool m_framed = false;  ///< the scene has been framed at a real size
 

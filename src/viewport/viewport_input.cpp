@@ -69,12 +69,17 @@ std::optional<PhysicsWorld::RayHit> Viewport::aimedAt(const Ray& ray) const {
     return m_session.physics().castRay(ray.origin, ray.direction, length);
 }
 
-void Viewport::shootAlong(const Ray& ray) {
+Ray Viewport::launched(const Ray& ray) const {
     Ray shot = ray;
     if (const auto met = aimedAt(ray); met && met->point != ray.origin) {
         shot.direction = launchDirection(ray.origin, met->point, m_session.projectileSettings().speed);
     }
-    m_session.shoot(shot);
+    return shot;
+}
+
+void Viewport::shootAlong(const Ray& ray) {
+    m_session.shoot(launched(ray));
+    Q_EMIT shot(ray);
 }
 
 void Viewport::recentre(const QPointF& position) {

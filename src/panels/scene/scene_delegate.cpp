@@ -21,6 +21,12 @@ void SceneDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIn
     if (!index.data(SceneModel::VisibleRole).toBool()) {
         option->palette.setColor(QPalette::Text, option->palette.color(QPalette::Disabled, QPalette::Text));
     }
+    if (index.column() == SceneModel::NameColumn &&
+        !index.data(SceneModel::WhyNotHittableRole).toString().isEmpty()) {
+        option->features |= QStyleOptionViewItem::HasDecoration;
+        option->icon = themedIcon(QStringLiteral("warning"));
+        option->decorationSize = QSize(kEye, kEye);
+    }
 }
 
 void SceneDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,

@@ -11,6 +11,7 @@
 #include "models/quantity_text.h"
 #include "panels/icons/themed_icon.h"
 #include "panels/scene/add_primitive_dialog.h"
+#include "panels/scene/physics_fields.h"
 #include "panels/scene/scene_delegate.h"
 #include "panels/scene/transform_fields.h"
 #include "ui_scene.h"
@@ -38,6 +39,8 @@ ScenePanel::ScenePanel(Session& session, SceneModel& model, QWidget* parent)
                         {m_ui->positionX, m_ui->positionY, m_ui->positionZ, m_ui->rotationX, m_ui->rotationY,
                          m_ui->rotationZ},
                         this);
+    new PhysicsFields(session, *m_ui->dynamic, {m_ui->mass, m_ui->friction, m_ui->restitution},
+                      *m_ui->trouble, this);
     const QItemSelectionModel* selection = m_ui->table->selectionModel();
     connect(selection, &QItemSelectionModel::selectionChanged, this, &ScenePanel::followSelection);
     connect(selection, &QItemSelectionModel::currentChanged, this, &ScenePanel::followSelection);

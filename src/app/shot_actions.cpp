@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/shot_actions.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QMenu>
+#include <QSettings>
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "app/dialogs.h"
+#include "app/shot_series_dialog.h"
+#include "session/shot_script_file.h"
+#include "viewport/aim_preview.h"
+#include "viewport/viewport.h"
+
+namespace hitscope {
+
+namespace {
+
+const QString kPreviewKey = QStringLiteral("aimPreview");
+constexpr float kFarthest = 1.0e7f;  // metres
+
+/// Along the ray, metres; infinite when it misses the box.
+float distanceTo(const Bounds& box, const Ray& ray) {
+    constexpr float kNever = std::numeric_limits<float>::infinity();
+    float enter = 0.0f;
+    float leave = kNever;
+    for (int axis = 0; axis < 3; ++axis) {
+        const float a = (box.min[axis] - ray.origin[axis]) / ray.direction[axis];
+        const float b = (box.max[axis] - ray.origin[axis]) / ray.direction[axis];
+        enter = std::max(enter, std::min(a, b));
+        leave = std::min(leave, std::max(a, b));
+    }
+    return enter <= leave ? enter : kNever;
+}
+
+}  // namespace
+
+ShotActions::ShotActions(Session& session, Viewport& viewport, QWidget& window)
+    : QObject(&window),
+      m_session(session),
+      m_viewport(viewport),
+      m_window(window),
+      m_aimPreview(new AimPreview(session, viewport)) {
+    m_aimPreview->setEnabled(QSettings().value(kPreviewKey, true).toBool());
+    connect(&viewport, &Viewport::shot, this, &ShotActions::explainPass);
+    connect(&session, &Session::scheduleChanged, this, &ShotActions::follow);
+    connect(&session, &Session::sceneReplaced, this, &ShotActions::follow);
+}
+
+void ShotActions::fill(QMenu& menu) {
+    menu.addAction(tr("B&urst…"), tr("Ctrl+B"), this, [this] { showSeries(ShotSeries::Pattern::Burst); });
+    menu.addAction(tr("Se&quence…"), this, [this] { showSeries(ShotSeries::Pattern::Line); });
+    menu.addAction(tr("&Run Shot Script…"), this, &ShotActions::runScript);
+    m_stop = menu.addAction(tr("St&op Shots to Come"), &m_session, &Session::cancelScheduled);
+    m_stop->setObjectName(QStringLiteral("stopShots"));
+    menu.addSeparator();
+    QAction* preview = menu.addAction(tr("Aim Pre&view"));
+    preview->setObjectName(QStringLiteral("aimPreviewOn"));
+    preview->setCheckable(true);
+    preview->setChecked(m_aimPreview->isEnabled());
+    preview->setToolTip(tr("While the cursor rests on a target: the dent that a click would make"));
+    connect(preview, &QAction::triggered, this, [this](bool on) {
+        m_aimPreview->setEnabled(on);
+        QSettings().setValue(kPreviewKey, on);
+    });
+    follow();
+}
+
+void ShotActions::showSeries(ShotSeries::Pattern pattern) {
+    auto* dialog = m_window.findChild<ShotSeriesDialog*>();
+    if (dialog == nullptr) {
+        dialog = new ShotSeriesDialog(&m_window);
+        connect(dialog, &ShotSeriesDialog::shotsWanted, this, &ShotActions::shoot);
+        connect(dialog, &ShotSeriesDialog::saveWanted, this, &ShotActions::save);
+    }
+    dialog->setPattern(pattern);
+    dialog->show();
+    dialog->raise();
+    dialog->activateWindow();
+}
+
+void ShotActions::shoot(const ShotSeries& series) {
+    schedule(m_session, makeScript(series, m_viewport, m_session.projectileSettings()));
+}
+
+void ShotActions::save(const ShotSeries& series) {
+    const QString path = QFileDialog::getSaveFileName(
+        &m_window, tr("Save shot script"), QStringLiteral("shots.json"), tr("Shot scripts (*.json)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    const Status written =
+        writeShotScript(makeScript(series, m_viewport, m_session.projectileSettings()), path);
+    if (!written) {
+        showError(&m_window, written.error());
+    }
+}
+
+void ShotActions::runScript() {
+    const QString path =
+        QFileDialog::getOpenFileName(&m_window, tr("Run shot script"), {}, tr("Shot scripts (*.json)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    const Result<ShotScript> script = readShotScript(path);
+    if (!script) {
+        showError(&m_window, script.error());
+        return;
+    }
+    schedule(m_session, script.value());
+}
+
+void ShotActions::explainPass(const Ray& ray) {
+    const auto met = m_session.physics().castRay(ray.origin, ray.direction, kFarthest);
+    const float first = met ? glm::distance(ray.origin, met->point) : kFarthest;
+    for (const std::unique_ptr<Target>& target : m_session.targets()) {
+        const QString reason = m_session.whyNotHittable(target->id);
+        if (target->visible && !reason.isEmpty() && distanceTo(target->worldBounds(), ray) < first) {
+            Q_EMIT noticeWanted(tr("%1 cannot be hit. %2").arg(target->name, reason));
+            return;
+        }
+    }
+}
+
+void ShotActions::follow() {
+    if (m_stop != nullptr) {
+        m_stop->setEnabled(m_session.shotsToCome() > 0);
+    }
+}
+
+}  // namespace hitscope

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+#include "app/shot_series.h"
+#include "session/session.h"
+
+class QAction;
+class QMenu;
+class QWidget;
+
+namespace hitscope {
+
+class AimPreview;
+class Viewport;
+
+/// What the Shoot menu offers beside single shots: bursts, sequences, scripts, the aim preview.
+class ShotActions : public QObject {
+    Q_OBJECT
+public:
+    /// `session`, `viewport` and `window`, the dialogs' parent, outlive this.
+    ShotActions(Session& session, Viewport& viewport, QWidget& window);
+
+    void fill(QMenu& menu);  ///< once
+    [[nodiscard]] AimPreview& aimPreview() { return *m_aimPreview; }
+
+Q_SIGNALS:
+    void noticeWanted(const QString& text);  ///< why the shot just made passes what it was aimed at
+
+private:
+    void explainPass(const Ray& ray);
+    void showSeries(ShotSeries::Pattern pattern);
+    void shoot(const ShotSeries& series);
+    void save(const ShotSeries& series);
+    void runScript();
+    void follow();
+
+    Session& m_session;
+    Viewport& m_viewport;
+    QWidget& m_window;
+    AimPreview* m_aimPreview = nullptr;
+    QAction* m_stop = nullptr;
+};
+
+}  // namespace hitscope

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/scene/physics_fields.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QSignalBlocker>
+
+namespace hitscope {
+
+namespace {
+
+constexpr int kNarrowest = 64;  // pixels; what the range would want is far wider
+
+QString text(std::string_view words) {
+    return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
+}
+
+}  // namespace
+
+PhysicsFields::PhysicsFields(Session& session, QCheckBox& dynamic, const Boxes& boxes, QLabel& trouble,
+                             QObject* parent)
+    : QObject(parent), m_session(session), m_dynamic(dynamic), m_boxes(boxes), m_trouble(trouble) {
+    for (std::size_t i = 0; i < m_boxes.size(); ++i) {
+        const ParameterDescriptor& parameter = targetParameters()[i];
+        QDoubleSpinBox& box = *m_boxes[i];
+        box.setKeyboardTracking(false);
+        box.setDecimals(parameter.decimals);
+        box.setSingleStep(parameter.step);
+        box.setRange(parameter.minimum, parameter.maximum);
+        box.setToolTip(text(parameter.description));
+        box.setMinimumWidth(kNarrowest);
+        box.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        connect(&box, &QDoubleSpinBox::valueChanged, this, &PhysicsFields::apply);
+    }
+    connect(&m_dynamic, &QCheckBox::toggled, this, &PhysicsFields::apply);
+    connect(&session, &Session::sceneReplaced, this, &PhysicsFields::show);
+    connect(&session, &Session::targetSelected, this, &PhysicsFields::show);
+    connect(&session, &Session::targetChanged, this, [this](TargetId id) {
+        if (id == m_session.selectedTarget()) {
+            show();
+        }
+    });
+    show();
+}
+
+void PhysicsFields::show() {
+    const Target* target = m_session.target(m_session.selectedTarget());
+    const TargetPhysics physics = target != nullptr ? target->physics : TargetPhysics{};
+    const QSignalBlocker quiet(m_dynamic);
+    m_dynamic.setEnabled(target != nullptr);
+    m_dynamic.setChecked(physics.isDynamic);
+    for (std::size_t i = 0; i < m_boxes.size(); ++i) {
+        const QSignalBlocker still(*m_boxes[i]);
+        m_boxes[i]->setValue(parameterValue(physics, i));
+        // What stays where it is has no mass that matters.
+        m_boxes[i]->setEnabled(target != nullptr && (i > 0 || physics.isDynamic));
+    }
+    const QString reason = target != nullptr ? m_session.whyNotHittable(target->id) : QString();
+    m_trouble.setText(reason);
+    m_trouble.setVisible(!reason.isEmpty());
+}
+
+void PhysicsFields::apply() {
+    const Target* target = m_session.target(m_session.selectedTarget());
+    if (target == nullptr) {
+        return;
+    }
+    TargetPhysics physics = target->physics;
+    physics.isDynamic = m_dynamic.isChecked();
+    for (std::size_t i = 0; i < m_boxes.size(); ++i) {
+        setParameterValue(physics, i, m_boxes[i]->value());
+    }
+    if (const Status set = m_session.setTargetPhysics(target->id, physics); !set) {
+        show();
+        m_trouble.setText(QString::fromStdString(set.error().message()));
+        m_trouble.show();
+    }
+}
+
+}  // namespace hitscope

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <array>
+
+#include "session/session.h"
+
+class QCheckBox;
+class QDoubleSpinBox;
+class QLabel;
+
+namespace hitscope {
+
+/// Shows and sets whether the selected target is knocked about, and how: mass, friction, restitution, in the
+/// order of targetParameters(). Each change is a step to undo. Below them stands why the target cannot be
+/// hit, if so.
+class PhysicsFields : public QObject {
+    Q_OBJECT
+public:
+    using Boxes = std::array<QDoubleSpinBox*, 3>;
+    /// `session` and the widgets outlive this.
+    PhysicsFields(Session& session, QCheckBox& dynamic, const Boxes& boxes, QLabel& trouble,
+                  QObject* parent = nullptr);
+
+private:
+    void show();
+    void apply();
+
+    Session& m_session;
+    QCheckBox& m_dynamic;
+    Boxes m_boxes;
+    QLabel& m_trouble;
+};
+
+}  // namespace hitscope

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/aim_preview.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QMouseEvent>
+#include <algorithm>
+#include <memory>
+
+#include "deform/dent_preview.h"
+#include "viewport/viewport.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr int kBeside = 18;  // pixels from the cursor to the label
+
+}  // namespace
+
+AimPreview::AimPreview(Session& session, Viewport& viewport)
+    : QObject(&viewport), m_session(session), m_viewport(viewport), m_label(new QLabel(&viewport)) {
+    m_label->setObjectName(QStringLiteral("aimPreview"));
+    m_label->setTextFormat(Qt::PlainText);
+    m_label->setFrameShape(QFrame::StyledPanel);
+    m_label->setAutoFillBackground(true);
+    m_label->setContentsMargins(5, 1, 5, 1);
+    m_label->setAttribute(Qt::WA_TransparentForMouseEvents);
+    m_label->hide();
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(kRest);
+    viewport.setMouseTracking(true);
+    viewport.installEventFilter(this);
+    connect(&m_rest, &QTimer::timeout, this, &AimPreview::show);
+    connect(&viewport.navigation(), &Navigation::cameraChanged, this, &AimPreview::wait);
+    connect(&session, &Session::meshChanged, this, &AimPreview::wait);
+    connect(&session, &Session::targetAdded, this, &AimPreview::wait);
+    connect(&session, &Session::targetRemoved, this, &AimPreview::wait);
+    connect(&session, &Session::targetChanged, this, &AimPreview::wait);
+    connect(&session, &Session::sceneReplaced, this, &AimPreview::wait);
+    connect(&session, &Session::constantsChanged, this, &AimPreview::wait);
+    connect(&session, &Session::projectileSettingsChanged, this, &AimPreview::wait);
+}
+
+void AimPreview::setEnabled(bool on) {
+    m_enabled = on;
+    wait();
+}
+
+void AimPreview::setClicksShoot(bool on) {
+    m_clicksShoot = on;
+    wait();
+}
+
+bool AimPreview::eventFilter(QObject* watched, QEvent* event) {
+    switch (event->type()) {
+        case QEvent::MouseMove: {
+            const auto* move = static_cast<const QMouseEvent*>(event);
+            m_at = move->position();
+            m_isOver = move->buttons() == Qt::NoButton;
+            wait();
+            break;
+        }
+        case QEvent::MouseButtonPress:
+        case QEvent::MouseButtonDblClick:
+        case QEvent::Leave:
+            m_isOver = false;
+            clear();
+            break;
+        case QEvent::MouseButtonRelease: {
+            const auto* release = static_cast<const QMouseEvent*>(event);
+            m_isOver = release->buttons() == Qt::NoButton;
+            wait();
+            break;
+        }
+        default:
+            break;
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+void AimPreview::clear() {
+    m_rest.stop();
+    m_label->hide();
+    m_viewport.setGhost(nullptr);
+}
+
+void AimPreview::wait() {
+    clear();
+    if (m_enabled && m_clicksShoot && m_isOver) {
+        m_rest.start();
+    }
+}
+
+void AimPreview::show() {
+    const Ray shot = m_viewport.launched(m_viewport.navigation().rayAt(m_at));
+    const std::optional<Hit> hit = m_session.predictedHit(shot, false);
+    const Target* target = hit ? m_session.target(hit->target) : nullptr;
+    if (target == nullptr) {
+        return;
+    }
+    const float distance = hit->constants.maxDistance;
+    const RenderMesh& mesh = target->deformed.render();
+    const std::vector<VertexRange> reach = clustersNear(mesh, clusterBoxes(*target), hit->point, distance);
+    if (vertexCount(reach) > kMostVertices) {
+        showText(tr("Too many vertices in reach to count"));
+        return;
+    }
+    const std::vector<std::uint32_t> near =
+        m_session.physics().trianglesNear(target->id, hit->point, distance);
+    const DentPreview preview = previewDent(mesh, target->deformed.vertices(), reach, near, *hit);
+    auto ghost = std::make_shared<std::vector<glm::vec3>>();
+    ghost->reserve(preview.dent.size());
+    for (const glm::vec3& corner : preview.dent) {
+        ghost->push_back(target->transform.toWorld(corner));
+    }
+    m_viewport.setGhost(std::move(ghost));
+    const QLocale locale;
+    const auto count = static_cast<qulonglong>(preview.affectedVertices);
+    const QString depth = locale.toString(static_cast<double>(preview.depth), 'f', 3);
+    showText(count == 1 ? tr("1 vertex, %1 m deep").arg(depth)
+                        : tr("%1 vertices, %2 m deep").arg(locale.toString(count), depth));
+}
+
+void AimPreview::showText(const QString& text) {
+    m_label->setText(text);
+    m_label->resize(m_label->sizeHint());
+    // Beside the cursor, on the side where there is room.
+    QPoint at = m_at.toPoint() + QPoint(kBeside, kBeside);
+    if (at.x() + m_label->width() > m_viewport.width()) {
+        at.setX(static_cast<int>(m_at.x()) - kBeside - m_label->width());
+    }
+    if (at.y() + m_label->height() > m_viewport.height()) {
+        at.setY(static_cast<int>(m_at.y()) - kBeside - m_label->height());
+    }
+    m_label->move(at);
+    m_label->show();
+}
+
+/// Of all clusters, as the vertices are now; worked out again only after they have moved.
+std::span<const Bounds> AimPreview::clusterBoxes(const Target& target) {
+    const std::span<const DynamicVertex> vertices = target.deformed.vertices();
+    if (m_boxesOf != target.id || m_boxesRevision != target.deformed.revision()) {
+        m_boxesOf = target.id;
+        m_boxesRevision = target.deformed.revision();
+        m_boxes.clear();
+        for (const Cluster& cluster : target.deformed.render().clusters) {
+            Bounds box;
+            for (const DynamicVertex& vertex : vertices.subspan(cluster.first, cluster.count)) {
+                box.add(vertex.position);
+            }
+            m_boxes.push_back(box);
+        }
+    }
+    return m_boxes;
+}
+
+}  // namespace hitscope

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAction>
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <cmath>
+
+#include "app/shot_series_dialog.h"
+#include "mesh/primitives.h"
+#include "viewport/aim_preview.h"
+#include "window_support.h"
+
+using namespace hitscope;
+
+/// The aim preview, the dialog for bursts and sequences, and a target's physics, by mouse and keys.
+class ShotsTest : public QObject {
+    Q_OBJECT
+public:
+    static void initMain() { MainWindow::setSurfaceFormat(); }
+
+private Q_SLOTS:
+    void init();
+    void restingCursorForetells();
+    void previewCanBeTurnedOff();
+    void burstFromTheDialog();
+    void sequenceAlongALine();
+    void targetIsMadeDynamicAndBack();
+
+private:
+    [[nodiscard]] QLabel& label() const { return *m_window->findChild<QLabel*>("aimPreview"); }
+    void moveTo(const QPoint& at);
+    ShotSeriesDialog* openDialog(const QString& menuText);
+
+    TestSettings m_settings;
+    std::unique_ptr<Session> m_session;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+void ShotsTest::init() {
+    m_window.reset();
+    m_session = std::make_unique<Session>();
+    m_session->loadMesh(makeHighPolySphere(2.5f));
+    m_window = std::make_unique<MainWindow>(*m_session);
+    showReady(*m_window);
+}
+
+void ShotsTest::moveTo(const QPoint& at) {
+    Viewport& viewport = m_window->viewport();
+    QMouseEvent move(QEvent::MouseMove, at, viewport.mapToGlobal(QPointF(at)), Qt::NoButton, Qt::NoButton,
+                     {});
+    QCoreApplication::sendEvent(&viewport, &move);
+}
+
+ShotSeriesDialog* ShotsTest::openDialog(const QString& menuText) {
+    for (QAction* action : m_window->findChildren<QAction*>()) {
+        if (action->text().remove(u'&').startsWith(menuText)) {
+            action->trigger();
+            break;
+        }
+    }
+    return m_window->findChild<ShotSeriesDialog*>();
+}
+
+void ShotsTest::restingCursorForetells() {
+    const QPoint centre = m_window->viewport().rect().center();
+    QVERIFY(!label().isVisible());
+    moveTo(centre);
+    QVERIFY(!label().isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(label().isVisible(), kPatience);
+    const QString foretold = label().text();
+    // It goes with the first move, and there is none beside the target.
+    moveTo(centre + QPoint(3, 0));
+    QVERIFY(!label().isVisible());
+    moveTo({2, 2});
+    QTest::qWait(3 * AimPreview::kRest);
+    QVERIFY(!label().isVisible());
+
+    moveTo(centre);
+    QTRY_COMPARE_WITH_TIMEOUT(label().text(), foretold, kPatience);
+    QTest::mouseClick(&m_window->viewport(), Qt::LeftButton, {}, centre);
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{1}, kPatience);
+    QVERIFY(m_window->viewport().syncNow().ok());
+    const auto made = m_session->targets().front()->deformed.statistics();
+    QCOMPARE(foretold,
+             QStringLiteral("%1 vertices, %2 m deep").arg(made.changedVertices).arg(made.maximum, 0, 'f', 3));
+}
+
+void ShotsTest::previewCanBeTurnedOff() {
+    auto* preview = m_window->findChild<QAction*>("aimPreviewOn");
+    QVERIFY(preview->isChecked());
+    preview->trigger();
+    moveTo(m_window->viewport().rect().center());
+    QTest::qWait(3 * AimPreview::kRest);
+    QVERIFY(!label().isVisible());
+    preview->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(label().isVisible(), kPatience);
+}
+
+void ShotsTest::burstFromTheDialog() {
+    ShotSeriesDialog* dialog = openDialog(QStringLiteral("Burst"));
+    QVERIFY(dialog != nullptr && dialog->isVisible());
+    auto* count = dialog->findChild<QSpinBox*>("count");
+    count->setFocus();
+    count->selectAll();
+    QTest::keyClicks(count, "30");
+    dialog->findChild<QDoubleSpinBox*>("angle")->setValue(3.0);
+    auto* instant = dialog->findChild<QCheckBox*>("instant");
+    QTest::mouseClick(instant, Qt::LeftButton, {}, {8, instant->height() / 2});
+    QVERIFY(instant->isChecked());
+    QTest::mouseClick(dialog->findChild<QPushButton*>("shoot"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{30}, kPatience);
+    const std::vector<Hit> first(m_session->history().hits().begin(), m_session->history().hits().end());
+    // Again from here onto the whole target: the same.
+    m_session->clearHits();
+    QVERIFY(m_window->viewport().syncNow().ok());
+    QTest::mouseClick(dialog->findChild<QPushButton*>("shoot"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{30}, kPatience);
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        QVERIFY(m_session->history().hits()[i].point == first[i].point);
+        QVERIFY(m_session->history().hits()[i].direction == first[i].direction);
+    }
+}
+
+void ShotsTest::sequenceAlongALine() {
+    ShotSeriesDialog* dialog = openDialog(QStringLiteral("Sequence"));
+    QVERIFY(dialog != nullptr);
+    QCOMPARE(dialog->series().pattern, ShotSeries::Pattern::Line);
+    QVERIFY(dialog->findChild<QDoubleSpinBox*>("fromX")->isEnabled());
+    QVERIFY(!dialog->findChild<QSpinBox*>("seed")->isEnabled());
+    dialog->findChild<QSpinBox*>("count")->setValue(5);
+    dialog->findChild<QDoubleSpinBox*>("fromX")->setValue(45.0);
+    dialog->findChild<QDoubleSpinBox*>("toX")->setValue(55.0);
+    dialog->findChild<QPushButton*>("shoot")->click();
+    QVERIFY(m_window->findChild<QAction*>("stopShots")->isEnabled());
+    QVERIFY(m_window->findChild<QLabel*>("timeBadge")->text().contains(QStringLiteral("5 shots to come")));
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{5}, kPatience);
+    QVERIFY(!m_window->findChild<QAction*>("stopShots")->isEnabled());
+    // A tenth of a second apart, and from left to right.
+    const std::span<const Hit> hits = m_session->history().hits();
+    const glm::vec3 right = m_window->viewport().camera().right();
+    for (std::size_t i = 1; i < hits.size(); ++i) {
+        QVERIFY(std::abs(hits[i].time - hits[i - 1].time - 0.1) < 0.05);
+        QVERIFY(glm::dot(hits[i].point - hits[i - 1].point, right) > 0.0f);
+    }
+}
+
+void ShotsTest::targetIsMadeDynamicAndBack() {
+    const Target& target = *m_session->targets().front();
+    m_session->selectTarget(target.id);
+    auto* dynamic = m_window->findChild<QCheckBox*>("dynamic");
+    auto* mass = m_window->findChild<QDoubleSpinBox*>("mass");
+    QVERIFY(!dynamic->isChecked() && !mass->isEnabled());
+    dynamic->click();
+    QVERIFY(target.physics.isDynamic && mass->isEnabled());
+    mass->setValue(7.0);
+    QCOMPARE(target.physics.mass, 7.0f);
+    m_session->undo();
+    QVERIFY(!target.physics.isDynamic);
+    QVERIFY(!dynamic->isChecked());
+    m_session->redo();
+    QVERIFY(target.physics.isDynamic && dynamic->isChecked());
+}
+
+QTEST_MAIN(ShotsTest)
+#include "shots_test.moc"
