@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <limits>
 
 namespace hitscope {
 
@@ -77,6 +78,36 @@ double widthAcross(std::span<const std::uint32_t> vertices, std::span<const glm:
         }
     }
     return greatest;
+}
+
+/// Sets depth and deepest. The cap makes bottoms flat: of those that are as deep, the one in their midst.
+void findDeepest(DentMeasures& dent, std::span<const std::uint32_t> vertices,
+                 std::span<const glm::vec3> before, std::span<const glm::vec3> after) {
+    constexpr double kAsDeep = 1.0 - 1.0e-4;
+    const auto depthOf = [&](std::uint32_t vertex) {
+        return glm::dot(glm::dvec3(after[vertex]) - glm::dvec3(before[vertex]), glm::dvec3(dent.axis));
+    };
+    for (const std::uint32_t vertex : vertices) {
+        dent.depth = std::max(dent.depth, depthOf(vertex));
+    }
+    glm::dvec3 sum(0.0);
+    double count = 0.0;
+    for (const std::uint32_t vertex : vertices) {
+        if (depthOf(vertex) >= kAsDeep * dent.depth) {
+            sum += glm::dvec3(before[vertex]);
+            count += 1.0;
+        }
+    }
+    const glm::dvec3 middle = count > 0.0 ? sum / count : glm::dvec3(before[vertices.front()]);
+    double nearest = std::numeric_limits<double>::infinity();
+    dent.deepest = vertices.front();
+    for (const std::uint32_t vertex : vertices) {
+        const double distance = glm::distance(glm::dvec3(before[vertex]), middle);
+        if (depthOf(vertex) >= kAsDeep * dent.depth && distance < nearest) {
+            nearest = distance;
+            dent.deepest = vertex;
+        }
+    }
 }
 
 /// Of a set of vertices, root of each: neighbours that moved come to have the same.
@@ -159,17 +190,7 @@ std::optional<DentMeasures> measureDent(std::span<const std::uint32_t> vertices,
     // A closed surface that moved as a whole has no mean normal.
     const double length = glm::length(normal);
     dent.axis = length > 1.0e-9 * area ? glm::vec3(-normal / length) : glm::vec3(0.0f, -1.0f, 0.0f);
-    dent.deepest = vertices.front();
-    double deepest = -1.0;
-    for (const std::uint32_t vertex : vertices) {
-        const double depth =
-            glm::dot(glm::dvec3(after[vertex]) - glm::dvec3(before[vertex]), glm::dvec3(dent.axis));
-        if (depth > deepest) {
-            deepest = depth;
-            dent.deepest = vertex;
-        }
-    }
-    dent.depth = std::max(deepest, 0.0);
+    findDeepest(dent, vertices, before, after);
     dent.rimDiameter = widthAcross(vertices, before, dent.axis);
     return dent;
 }

@@ -13,10 +13,11 @@ namespace hitscope {
 
 /// What a dent amounts to: metres, square and cubic metres, in the target's local frame.
 struct DentMeasures {
-    std::size_t vertices = 0;      ///< that it moved
-    std::uint32_t deepest = 0;     ///< of them, the vertex furthest below where it was
-    glm::vec3 axis{0.0f};          ///< unit, into the surface: against its mean normal before
-    double depth = 0.0;            ///< of the deepest, along `axis`
+    std::size_t vertices = 0;  ///< that it moved
+    std::uint32_t deepest =
+        0;                 ///< of them, the one furthest below where it was, in the midst of a flat bottom
+    glm::vec3 axis{0.0f};  ///< unit, into the surface: against its mean normal before
+    double depth = 0.0;    ///< of the deepest, along `axis`
     double rimDiameter = 0.0;      ///< greatest distance across, at right angles to `axis`, before
     double affectedArea = 0.0;     ///< a third of each triangle for each of its corners that moved, before
     double displacedVolume = 0.0;  ///< between the surface before and after, inwards positive

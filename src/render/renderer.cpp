@@ -175,7 +175,7 @@ struct Renderer::Private {
     /// Targets and what marks them.
     [[nodiscard]] Status drawScene(const FrameContext& context, DeformationPipeline& pipeline);
     [[nodiscard]] Status drawWiped(const FrameContext& context, DeformationPipeline& pipeline);
-    Status drawVertexMarks(const FrameContext& context, DeformationPipeline& pipeline) {
+    Status drawDotsAndNeedles(const FrameContext& context, DeformationPipeline& pipeline) {
         const DisplayOptions& options = context.frame.options;
         if (options.dots) {
             if (Status status = drawDots(context, pipeline); !status) {
@@ -210,7 +210,7 @@ Status Renderer::Private::drawScene(const FrameContext& context, DeformationPipe
     if (Status status = drawGhosts(context.frame); !status) {
         return status;
     }
-    return drawVertexMarks(context, pipeline);
+    return drawDotsAndNeedles(context, pipeline);
 }
 
 /// The originals left of the line, what has become of them right of it.
@@ -283,11 +283,8 @@ Status Renderer::draw(const Frame& frame, DeformationPipeline& pipeline, GLuint 
     if (!status) {
         return status;
     }
-    if (status = render::drawVertexMarks(context, pipeline); !status) {
-        return status;
-    }
     startBlended();
-    if (status = d->drawVertexMarks(context, pipeline); !status) {
+    if (status = drawVertexMarks(context, pipeline); !status) {
         return status;
     }
     if (status = d->trails.draw(context); !status) {

@@ -164,7 +164,10 @@ Status CostMeasurement::measure(const Order& order, const std::atomic<bool>& can
     if (!subjects) {
         return subjects.error();
     }
-    const SceneGpu::View view{order.plan.width, order.plan.height, 1.0f, order.camera, {}};
+    SceneGpu::View view;
+    view.width = order.plan.width;
+    view.height = order.plan.height;
+    view.camera = order.camera;
     const int total = static_cast<int>(order.plan.hits.size()) * order.plan.samples;
     int done = 0;
     for (const std::size_t hits : order.plan.hits) {
