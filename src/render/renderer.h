@@ -60,7 +60,6 @@ struct Frame {
     std::span<const VertexMarks> marks;  ///< drawn in this order
     /// Corners of triangles, world: a surface that is not there yet, drawn over everything. Null: none.
     std::shared_ptr<const std::vector<glm::vec3>> ghost;
-    std::span<const VertexMarks> marks;  ///< drawn in this order
     std::optional<Sphere>
         highlightedHit;  ///< world: a selected hit's point and max_distance; drawn as a ring
 };
