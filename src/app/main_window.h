@@ -132,7 +132,6 @@ private:
     HitHistoryModel m_hitHistory;
     MeshStatisticsModel m_meshStatistics;
     SceneModel m_scene;
-    HitEffects* m_hitEffects = nullptr;
     Viewport* m_viewport = nullptr;
     NoticeBar* m_notice = nullptr;
     SceneFiles* m_files = nullptr;

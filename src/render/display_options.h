@@ -22,8 +22,8 @@ struct DisplayOptions {
     bool floor = true;
     bool textures = true;
     bool crosshair = false;
-    ChangeMapOptions change;
-    BeforeAfterOptions beforeAfter;
+    ChangeMapOptions change = {};
+    BeforeAfterOptions beforeAfter = {};
     bool sideBySide = false;  ///< two pictures, where there is a second pipeline to show
     bool flat = false;        ///< one normal a triangle
     bool needles = false;     ///< normals
