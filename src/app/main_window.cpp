@@ -24,6 +24,8 @@
 #include "app/time_badge.h"
 #include "models/undo_text.h"
 #include "panels/deformation_constants/deformation_constants_panel.h"
+#include "panels/dent_measurement/dent_measurement_panel.h"
+#include "panels/frame_rate/cost_view.h"
 #include "panels/frame_rate/frame_rate_panel.h"
 #include "panels/hit_history/hit_history_panel.h"
 #include "panels/lights/lights_panel.h"
@@ -37,7 +39,7 @@ namespace {
 
 constexpr int kFrameRateInterval = 500;  // milliseconds between read-outs in the status bar
 constexpr int kHintStays = 20'000;       // milliseconds
-constexpr int kLayoutVersion = 2;        // docks that are gone or new make an old layout useless
+constexpr int kLayoutVersion = 3;        // docks that are gone or new make an old layout useless
 
 }  // namespace
 
@@ -88,7 +90,6 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
         m_pipelines, &PipelineChooser::fellBack, this,
         [this](const QString& notice) { m_notice->say(notice); }, Qt::QueuedConnection);
     connect(m_shots, &ShotActions::noticeWanted, this, [this](const QString& text) { m_notice->say(text); });
-    connect(m_viewport, &Viewport::framePainted, m_frameRate, &FrameRatePanel::addFrame);
     connect(m_viewport, &Viewport::rendererKnown, this,
             [this] { m_status->setRenderer(m_viewport->rendererName()); });
     connect(m_viewport, &Viewport::failed, this, [this](const Error& error) { showError(this, error); });
@@ -120,7 +121,8 @@ QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWid
 void MainWindow::makeDocks() {
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
-    m_frameRate = new FrameRatePanel(*m_continuous);
+    m_frameRate = new FrameRatePanel(m_session, *m_continuous);
+    m_frameRate->costs().setCamera([this] { return m_viewport->camera(); });
     QDockWidget* statistics =
         addDock(QStringLiteral("meshStatistics"), tr("Mesh statistics"),
                 new MeshStatisticsPanel(m_session, m_meshStatistics), Qt::RightDockWidgetArea);
@@ -133,7 +135,10 @@ void MainWindow::makeDocks() {
         addDock(QStringLiteral("lights"), tr("Lights"), new LightsPanel(m_session), Qt::RightDockWidgetArea);
     QDockWidget* frameRate =
         addDock(QStringLiteral("frameRate"), tr("Frame rate"), m_frameRate, Qt::BottomDockWidgetArea);
+    QDockWidget* dent = addDock(QStringLiteral("dentMeasurement"), tr("Dent measurement"),
+                                new DentMeasurementPanel(m_session), Qt::RightDockWidgetArea);
     tabifyDockWidget(statistics, scene);
+    tabifyDockWidget(scene, dent);
     statistics->raise();
     tabifyDockWidget(constants, lights);
     constants->raise();
@@ -162,6 +167,7 @@ void MainWindow::restoreWindow() {
     resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
     m_firstLayout = saveState(kLayoutVersion);
     const QSettings settings;
+    m_frameRate->restoreState(settings.value(QStringLiteral("window/frameRate")).toByteArray());
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
     restoreState(settings.value(QStringLiteral("window/layout")).toByteArray(), kLayoutVersion);
 }
@@ -174,6 +180,7 @@ void MainWindow::saveSettings() {
     QSettings settings;
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/layout"), saveState(kLayoutVersion));
+    settings.setValue(QStringLiteral("window/frameRate"), m_frameRate->saveState());
     m_settings.display = m_viewport->options();
     m_settings.coverTexture = m_textureChooser->chosen();
     saveAppSettings(settings, m_settings);

@@ -30,6 +30,10 @@ RendererInfo rendererInfo() {
     return info;
 }
 
+void finish() {
+    glFinish();
+}
+
 bool RendererInfo::isSoftware() const {
     for (const char* name : {"llvmpipe", "softpipe", "swrast", "SwiftShader", "SWR"}) {
         if (renderer.find(name) != std::string::npos) {

@@ -23,6 +23,9 @@ struct RendererInfo {
 };
 [[nodiscard]] RendererInfo rendererInfo();
 
+/// Comes back when all that was asked of the current context is done (glFinish).
+void finish();
+
 /// Turns debug output on where the driver has it (KHR_debug); messages of GL errors are collected. Call once,
 /// context current.
 void collectDebugMessages();

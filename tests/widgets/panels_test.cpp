@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The docks' panels on a session, without a window around them.
-#include <QAction>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
@@ -16,7 +15,6 @@
 
 #include "mesh/primitives.h"
 #include "panels/deformation_constants/deformation_constants_panel.h"
-#include "panels/frame_rate/frame_rate_panel.h"
 #include "panels/hit_history/hit_history_panel.h"
 #include "panels/icons/themed_icon.h"
 #include "panels/lights/lights_panel.h"
@@ -45,7 +43,6 @@ private Q_SLOTS:
     void constantsSliderCoversTheRange();
     void lightsSwitchAndTint();
     void statisticsChooseTheTarget();
-    void frameRateReadsOut();
     void iconsAreDrawnInThePalette();
 };
 
@@ -171,22 +168,6 @@ void PanelsTest::statisticsChooseTheTarget() {
     auto* table = panel.findChild<QTableView*>();
     QCOMPARE(table->columnSpan(MeshStatisticsModel::VerticesRow, MeshStatisticsModel::OriginalColumn), 2);
     QCOMPARE(table->columnSpan(MeshStatisticsModel::VolumeRow, MeshStatisticsModel::OriginalColumn), 1);
-}
-
-void PanelsTest::frameRateReadsOut() {
-    QAction continuous(QStringLiteral("Draw continuously"));
-    FrameRatePanel panel(continuous);
-    panel.resize(400, 240);
-    panel.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&panel));
-    for (int i = 0; i < 10; ++i) {
-        panel.addFrame(0.02);
-    }
-    auto* mean = panel.findChild<QLabel*>(QStringLiteral("mean"));
-    QTRY_COMPARE(mean->text(), QStringLiteral("20.0 ms"));
-    QCOMPARE(panel.findChild<QLabel*>(QStringLiteral("low"))->text(), QStringLiteral("50.0"));
-    panel.clear();
-    QCOMPARE(mean->text(), QStringLiteral("–"));
 }
 
 void PanelsTest::iconsAreDrawnInThePalette() {

@@ -2,106 +2,237 @@
 #include "panels/frame_rate/frame_rate_panel.h"
 
 #include <QAction>
-#include <QEvent>
-#include <algorithm>
-#include <limits>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPainter>
+#include <QSaveFile>
+#include <QToolButton>
+#include <QVBoxLayout>
 
+#include "models/costs_csv.h"
+#include "panels/frame_rate/cost_view.h"
+#include "panels/frame_rate/flow_layout.h"
+#include "panels/icons/themed_icon.h"
+#include "session/session.h"
 #include "ui_frame_rate.h"
 
 namespace hitscope {
 
 namespace {
 
-constexpr double kWindow = 10.0;       // seconds that the graph shows
-constexpr double kGap = 0.5;           // seconds without a frame that break the line
 constexpr int kRefreshInterval = 100;  // milliseconds
+constexpr int kLegendPadding = 21;     // pixels: swatch, gaps and frame
 constexpr double kMilliseconds = 1000.0;
 
 QString milliseconds(double seconds) {
     return FrameRatePanel::tr("%1 ms").arg(seconds * kMilliseconds, 0, 'f', seconds < 0.0995 ? 1 : 0);
 }
 
+QLabel* addReadOut(QWidget& row, const char* name, const QString& title, const QString& tip) {
+    auto* pair = new QWidget(&row);
+    pair->setToolTip(tip);
+    auto* layout = new QVBoxLayout(pair);
+    layout->setContentsMargins(0, 0, 8, 0);
+    layout->setSpacing(0);
+    auto* caption = new QLabel(title, pair);
+    caption->setForegroundRole(QPalette::PlaceholderText);
+    layout->addWidget(caption);
+    auto* value = new QLabel(QStringLiteral("–"), pair);
+    value->setObjectName(QLatin1String(name));
+    value->setMinimumWidth(value->fontMetrics().horizontalAdvance(QStringLiteral("99.9 ms")));
+    layout->addWidget(value);
+    row.layout()->addWidget(pair);
+    return value;
+}
+
+QIcon swatch(const QColor& colour, qreal pixelRatio) {
+    constexpr int kSide = 8;
+    QPixmap pixmap(QSize(kSide, kSide) * pixelRatio);
+    pixmap.setDevicePixelRatio(pixelRatio);
+    pixmap.fill(colour);
+    return QIcon(pixmap);
+}
+
 }  // namespace
 
-FrameRatePanel::FrameRatePanel(QAction& continuous, QWidget* parent)
-    : QWidget(parent), m_ui(std::make_unique<Ui::FrameRate>()) {
+FrameRatePanel::FrameRatePanel(Session& session, QAction& continuous, QWidget* parent)
+    : QWidget(parent), m_session(session), m_ui(std::make_unique<Ui::FrameRate>()) {
     m_ui->setupUi(this);
-    m_ui->continuous->setDefaultAction(&continuous);
-    m_clock.start();
+    m_graph = new FrameGraph(*m_ui->plot, session.frameCosts(), this);
+    m_costView = new CostView(session);
+    m_ui->tabs->addTab(m_costView, tr("Cost"));
+    m_ui->tabs->setTabToolTip(1, tr("What frames and hits cost against the number of hits"));
+    makeReadOuts();
+    makeLegend();
+    makeButtons(continuous);
     m_timer.setInterval(kRefreshInterval);
-    makePlot();
     connect(&m_timer, &QTimer::timeout, this, &FrameRatePanel::refresh);
-    connect(m_ui->clear, &QToolButton::clicked, this, &FrameRatePanel::clear);
-    connect(m_ui->quantity, &QComboBox::currentIndexChanged, this, [this] {
-        m_lastRefresh = -1.0;
-        refresh();
+    connect(m_ui->tabs, &QTabWidget::currentChanged, this, &FrameRatePanel::refresh);
+    connect(&session.frameCosts(), &FrameCosts::frameEnded, this, [this] {
+        const FrameCost& frame = m_session.frameCosts().frames().back();
+        m_frames.add(frame.end, frame.total);
     });
 }
 
 FrameRatePanel::~FrameRatePanel() = default;
 
-double FrameRatePanel::now() const {
-    return static_cast<double>(m_clock.nsecsElapsed()) * 1.0e-9;
+void FrameRatePanel::makeReadOuts() {
+    auto* layout = new FlowLayout(m_ui->readOuts);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    const auto add = [this](const char* name, const QString& title, const QString& tip) {
+        return addReadOut(*m_ui->readOuts, name, title, tip);
+    };
+    const QString last = tr(" of the last 1,024 frames");
+    m_readOuts.framesPerSecond = add("framesPerSecond", tr("FPS"), tr("Frames drawn in the last second"));
+    m_readOuts.mean = add("mean", tr("Mean"), tr("Mean frame time") + last);
+    m_readOuts.median = add("median", tr("Median"), tr("Median frame time") + last);
+    m_readOuts.low = add("low", tr("1 % low"), tr("Frames a second over the slowest hundredth") + last);
+    m_readOuts.percentile99 = add("percentile99", tr("99 %"), tr("99 % took that long or less,") + last);
+    m_readOuts.worst = add("worst", tr("Worst"), tr("Longest") + last);
 }
 
-void FrameRatePanel::addFrame(double seconds) {
-    m_frames.add(now(), seconds);
+void FrameRatePanel::makeLegend() {
+    auto* layout = new FlowLayout(m_ui->legend);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    QFont small = font();
+    small.setPointSizeF(0.9 * small.pointSizeF());
+    const std::array<std::array<QString, 2>, FrameGraph::CurveCount> texts = {
+        {{tr("Frame"), tr("The whole frame, in the colour of the pipeline that drew it")},
+         {tr("CPU"), tr("What the window's thread works on a frame")},
+         {tr("GPU"), tr("What the GPU works on a frame, by timer queries")},
+         {tr("Physics"), tr("Steps of the physics")},
+         {tr("Deformation"), tr("Applying hits, CPU and GPU together")},
+         {tr("Read-back"), tr("Taking back what the GPU has moved, and the normals around it")}}};
+    for (std::size_t i = 0; i < m_legend.size(); ++i) {
+        auto* button = new QToolButton(m_ui->legend);
+        button->setObjectName(QStringLiteral("curve%1").arg(i));
+        button->setText(texts[i][0]);
+        button->setToolTip(texts[i][1]);
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        button->setAutoRaise(true);
+        button->setCheckable(true);
+        button->setChecked(true);
+        button->setIconSize({8, 8});
+        button->setFont(small);
+        // Closer than the style has it, so that all are in one row of a dock of usual width.
+        button->setFixedWidth(QFontMetrics(small).horizontalAdvance(texts[i][0]) + kLegendPadding);
+        layout->addWidget(button);
+        connect(button, &QToolButton::toggled, this,
+                [this, i](bool shown) { m_graph->setCurveShown(static_cast<FrameGraph::Curve>(i), shown); });
+        m_legend[i] = button;
+    }
+    m_ui->readOuts->layout()->addWidget(makeQuantity());
+    colourLegend();
+}
+
+QComboBox* FrameRatePanel::makeQuantity() {
+    m_quantity = new QComboBox;
+    m_quantity->setObjectName(QStringLiteral("quantity"));
+    m_quantity->addItems({tr("ms"), tr("FPS")});
+    m_quantity->setToolTip(tr("Frame times, or frames a second"));
+    connect(m_quantity, &QComboBox::currentIndexChanged, this, [this](int index) {
+        m_graph->setPerSecond(index == 1);
+        for (std::size_t i = FrameGraph::Cpu; i < m_legend.size(); ++i) {
+            m_legend[i]->setEnabled(index == 0);
+        }
+    });
+    return m_quantity;
+}
+
+void FrameRatePanel::colourLegend() {
+    m_frameColour = m_graph->colour(FrameGraph::Frame);
+    for (std::size_t i = 0; i < m_legend.size(); ++i) {
+        m_legend[i]->setIcon(swatch(m_graph->colour(static_cast<FrameGraph::Curve>(i)), devicePixelRatioF()));
+    }
+}
+
+void FrameRatePanel::makeButtons(QAction& continuous) {
+    auto* corner = new QWidget(this);
+    auto* layout = new QHBoxLayout(corner);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    const auto add = [&](const char* name, const QString& icon, const QString& tip) {
+        auto* button = new QToolButton(corner);
+        button->setObjectName(QLatin1String(name));
+        button->setIcon(themedIcon(icon));
+        button->setToolTip(tip);
+        button->setAccessibleName(tip);
+        button->setAutoRaise(true);
+        button->setIconSize({16, 16});
+        layout->addWidget(button);
+        return button;
+    };
+    m_pause = add("pause", QStringLiteral("pause"),
+                  tr("Pause the graph. Wheel zooms, drag goes back, double click comes back to now"));
+    m_pause->setCheckable(true);
+    connect(m_pause, &QToolButton::toggled, m_graph, &FrameGraph::setPaused);
+    connect(m_graph, &FrameGraph::pausedChanged, m_pause, &QToolButton::setChecked);
+    auto* run = new QToolButton(corner);
+    run->setObjectName(QStringLiteral("continuous"));
+    run->setDefaultAction(&continuous);
+    run->setAutoRaise(true);
+    run->setIconSize({16, 16});
+    run->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    layout->addWidget(run);
+    connect(add("csv", QStringLiteral("export"), tr("Save as CSV")), &QToolButton::clicked, this,
+            &FrameRatePanel::chooseCsv);
+    connect(add("clear", QStringLiteral("remove"), tr("Forget what was measured so far")),
+            &QToolButton::clicked, this, &FrameRatePanel::clear);
+    m_ui->tabs->setCornerWidget(corner);
 }
 
 void FrameRatePanel::clear() {
     m_frames.clear();
-    m_lastRefresh = -1.0;
-    refresh();
+    m_graph->clear();
+    m_costView->clear();
+    showReadOuts();
 }
 
 FrameTimes::Summary FrameRatePanel::summary() const {
-    return m_frames.summary(now());
+    return m_frames.summary(m_session.frameCosts().now());
 }
 
-void FrameRatePanel::makePlot() {
-    QCustomPlot* plot = m_ui->plot;
-    plot->addGraph();
-    plot->graph()->setLineStyle(QCPGraph::lsLine);
-    plot->xAxis->setRange(-kWindow, 0.0);
-    plot->xAxis->setLabel(tr("seconds"));
-    plot->xAxis->setLabelPadding(1);
-    plot->yAxis->ticker()->setTickCount(4);
-    plot->axisRect()->setMinimumMargins(QMargins(4, 6, 8, 0));
-    plot->setBufferDevicePixelRatio(devicePixelRatioF());
-    applyPalette();
-}
-
-void FrameRatePanel::applyPalette() {
-    QCustomPlot* plot = m_ui->plot;
-    const QColor ink = palette().color(QPalette::WindowText);
-    QColor faint = ink;
-    faint.setAlphaF(0.15f);
-    QColor dim = ink;
-    dim.setAlphaF(0.6f);
-    plot->setBackground(palette().brush(QPalette::Base));
-    for (QCPAxis* axis : {plot->xAxis, plot->yAxis}) {
-        axis->setBasePen(QPen(dim, 1));
-        axis->setTickPen(QPen(dim, 1));
-        axis->setSubTickPen(Qt::NoPen);
-        axis->setTickLabelColor(ink);
-        axis->setLabelColor(dim);
-        axis->setTickLabelFont(font());
-        axis->setLabelFont(font());
-        axis->grid()->setPen(QPen(faint, 1));
-        axis->grid()->setZeroLinePen(Qt::NoPen);
+Status FrameRatePanel::saveCsv(const QString& path) const {
+    const bool ofFrames = m_ui->tabs->currentIndex() == 0;
+    const QByteArray csv = ofFrames ? framesCsv(m_graph->frames()) : curvesCsv(m_costView->curves());
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(csv) != csv.size() || !file.commit()) {
+        return Error{"The CSV file could not be written.", path.toStdString(),
+                     file.errorString().toStdString()};
     }
-    const QColor line = palette().color(QPalette::Highlight);
-    QColor area = line;
-    area.setAlphaF(0.25f);
-    plot->graph()->setPen(QPen(line, 1.5));
-    plot->graph()->setBrush(area);
-    m_lastRefresh = -1.0;
+    return Done{};
 }
 
-void FrameRatePanel::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
-        applyPalette();
+void FrameRatePanel::chooseCsv() {
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save as CSV"), QStringLiteral("frames.csv"),
+                                                      tr("CSV (*.csv)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    if (const Status status = saveCsv(path); !status) {
+        QMessageBox::warning(this, tr("Save as CSV"), QString::fromStdString(status.error().message()));
+    }
+}
+
+QByteArray FrameRatePanel::saveState() const {
+    QByteArray state(1, m_quantity->currentIndex() == 1 ? 'f' : 't');
+    for (const QToolButton* curve : m_legend) {
+        state += curve->isChecked() ? '1' : '0';
+    }
+    return state;
+}
+
+void FrameRatePanel::restoreState(const QByteArray& state) {
+    if (state.size() != static_cast<qsizetype>(m_legend.size()) + 1) {
+        return;
+    }
+    m_quantity->setCurrentIndex(state.front() == 'f' ? 1 : 0);
+    for (std::size_t i = 0; i < m_legend.size(); ++i) {
+        m_legend[i]->setChecked(state[static_cast<qsizetype>(i) + 1] == '1');
     }
 }
 
@@ -116,54 +247,30 @@ void FrameRatePanel::hideEvent(QHideEvent* event) {
 }
 
 void FrameRatePanel::refresh() {
-    // Once the last frame has left the graph there is nothing to move until the next one comes.
-    const std::vector<FrameTimes::Sample> samples = m_frames.samples();
-    const double newest = samples.empty() ? -kWindow : samples.back().end;
-    if (m_lastRefresh >= 0.0 && newest < m_lastRefresh - kWindow - 1.0) {
-        return;
-    }
-    showReadOuts();
-    plotSamples();
-    m_lastRefresh = now();
-}
-
-void FrameRatePanel::plotSamples() {
-    const bool perSecond = m_ui->quantity->currentIndex() == 1;
-    const double present = now();
-    QVector<double> when;
-    QVector<double> values;
-    double highest = 0.0;
-    double before = -std::numeric_limits<double>::infinity();
-    for (const FrameTimes::Sample& sample : m_frames.samples()) {
-        const double age = sample.end - present;
-        if (age < -kWindow - 1.0 || sample.cost <= 0.0) {
-            continue;
+    if (m_ui->tabs->currentIndex() == 0) {
+        m_graph->refresh();
+        showReadOuts();
+        if (m_graph->colour(FrameGraph::Frame) != m_frameColour) {
+            colourLegend();
         }
-        if (sample.end - sample.cost - before > kGap && !when.isEmpty()) {
-            when.append(age);
-            values.append(std::numeric_limits<double>::quiet_NaN());
-        }
-        before = sample.end;
-        when.append(age);
-        values.append(perSecond ? 1.0 / sample.cost : sample.cost * kMilliseconds);
-        highest = std::max(highest, values.back());
     }
-    m_ui->plot->graph()->setData(when, values, true);
-    m_ui->plot->yAxis->setRange(0.0, highest > 0.0 ? highest * 1.15 : (perSecond ? 60.0 : 20.0));
-    m_ui->plot->replot(QCustomPlot::rpQueuedReplot);
+    m_costView->refresh();
 }
 
 void FrameRatePanel::showReadOuts() {
     const FrameTimes::Summary summary = this->summary();
     const bool any = m_frames.size() > 0;
+    const auto show = [any](QLabel& label, const QString& text) {
+        label.setText(any ? text : QStringLiteral("–"));
+    };
     const auto rate = [](double value) { return QString::number(value, 'f', value < 99.5 ? 1 : 0); };
-    const QString nothing = QStringLiteral("–");
-    m_ui->framesPerSecond->setText(summary.framesPerSecond > 0.0 ? rate(summary.framesPerSecond)
-                                                                 : tr("idle"));
-    m_ui->mean->setText(any ? milliseconds(summary.meanCost) : nothing);
-    m_ui->median->setText(any ? milliseconds(summary.medianCost) : nothing);
-    m_ui->low->setText(any ? rate(summary.onePercentLow) : nothing);
-    m_ui->worst->setText(any ? milliseconds(summary.worstCost) : nothing);
+    m_readOuts.framesPerSecond->setText(summary.framesPerSecond > 0.0 ? rate(summary.framesPerSecond)
+                                                                      : tr("idle"));
+    show(*m_readOuts.mean, milliseconds(summary.meanCost));
+    show(*m_readOuts.median, milliseconds(summary.medianCost));
+    show(*m_readOuts.low, rate(summary.onePercentLow));
+    show(*m_readOuts.percentile99, milliseconds(summary.percentile99Cost));
+    show(*m_readOuts.worst, milliseconds(summary.worstCost));
 }
 
 }  // namespace hitscope

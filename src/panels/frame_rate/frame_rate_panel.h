@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
+#include <array>
 #include <memory>
 
 #include "core/frame_times.h"
+#include "core/result.h"
+#include "panels/frame_rate/frame_graph.h"
 
 class QAction;
+class QComboBox;
+class QLabel;
+class QToolButton;
 
 namespace Ui {
 class FrameRate;
@@ -16,36 +21,61 @@ class FrameRate;
 
 namespace hitscope {
 
-/// The dock "Frame rate": read-outs and a scrolling graph of the frames drawn.
+class CostView;
+class Session;
+
+/// The dock "Frame rate": read-outs and a graph of the frames drawn, and what frames and hits cost against
+/// the number of hits.
 class FrameRatePanel : public QWidget {
     Q_OBJECT
 public:
-    /// `continuous` is offered as a button; it outlives the panel.
-    explicit FrameRatePanel(QAction& continuous, QWidget* parent = nullptr);
+    /// `continuous` is offered as a button; both outlive the panel.
+    FrameRatePanel(Session& session, QAction& continuous, QWidget* parent = nullptr);
     ~FrameRatePanel() override;
 
-    void addFrame(double seconds);  ///< a frame ended just now and took that long
     void clear();
     [[nodiscard]] FrameTimes::Summary summary() const;
+    [[nodiscard]] FrameGraph& graph() { return *m_graph; }
+    [[nodiscard]] CostView& costs() { return *m_costView; }
+    /// What the tab in front shows, as CSV, through QSaveFile.
+    [[nodiscard]] Status saveCsv(const QString& path) const;
+
+    // Which curves are shown, and as what; for settings.
+    [[nodiscard]] QByteArray saveState() const;
+    void restoreState(const QByteArray& state);
 
 protected:
-    void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 
 private:
-    void makePlot();
-    void applyPalette();
+    void makeReadOuts();
+    void makeLegend();
+    QComboBox* makeQuantity();
+    void makeButtons(QAction& continuous);
+    void chooseCsv();
     void refresh();
-    void plotSamples();
     void showReadOuts();
-    [[nodiscard]] double now() const;  ///< seconds since the panel was made
+    void colourLegend();
 
+    Session& m_session;
     std::unique_ptr<Ui::FrameRate> m_ui;
     FrameTimes m_frames;
-    QElapsedTimer m_clock;
+    FrameGraph* m_graph = nullptr;
+    CostView* m_costView = nullptr;
     QTimer m_timer;
-    double m_lastRefresh = -1.0;  ///< of the graph; below 0: it has yet to be drawn
+    struct ReadOuts {
+        QLabel* framesPerSecond = nullptr;
+        QLabel* mean = nullptr;
+        QLabel* median = nullptr;
+        QLabel* low = nullptr;
+        QLabel* percentile99 = nullptr;
+        QLabel* worst = nullptr;
+    } m_readOuts;
+    std::array<QToolButton*, FrameGraph::CurveCount> m_legend = {};
+    QComboBox* m_quantity = nullptr;
+    QToolButton* m_pause = nullptr;
+    QColor m_frameColour;  ///< in the legend
 };
 
 }  // namespace hitscope

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <span>
+#include <vector>
+
+#include "session/cost_curves.h"
+#include "session/frame_costs.h"
+
+namespace hitscope {
+
+/// One line a frame under a line of names; times in milliseconds, empty where they are not known.
+[[nodiscard]] QByteArray framesCsv(std::span<const FrameCost> frames);
+
+struct NamedCurve {
+    PipelineKind pipeline = PipelineKind::TransformFeedback;
+    std::vector<CostPoint> points;
+};
+/// One line a point: pipeline, hits, milliseconds of a frame and of a hit.
+[[nodiscard]] QByteArray curvesCsv(std::span<const NamedCurve> curves);
+
+}  // namespace hitscope

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "mesh/dent.h"
+#include "session/session.h"
+#include "session/vertex_selection.h"
+
+namespace hitscope {
+
+/// Measures one dent: the one around the vertex picked or the hit selected last. Works off the window's
+/// thread, and again whenever the target changes.
+class DentMeasurement : public QObject {
+    Q_OBJECT
+public:
+    /// `session` outlives it.
+    explicit DentMeasurement(Session& session, QObject* parent = nullptr);
+    ~DentMeasurement() override;  ///< waits for what is being measured
+
+    using Profile = std::vector<std::vector<ProfilePoint>>;  ///< lines
+    struct Report {
+        std::optional<DentMeasures> dent;  ///< nothing: there is none, and `why`
+        QString why;
+        QString target;
+        Profile before;
+        Profile after;
+    };
+    [[nodiscard]] const Report& report() const { return m_report; }
+    /// Between the two vertices picked last, metres, world; nothing before two have been picked.
+    struct Distance {
+        VertexRef from;
+        VertexRef to;
+        double before = 0.0;
+        double after = 0.0;
+    };
+    [[nodiscard]] std::optional<Distance> distance() const;
+
+    /// Of the profile: radians about the dent's axis.
+    [[nodiscard]] double angle() const { return m_angle; }
+    void setAngle(double angle);
+    /// Not active, it measures nothing: for when nobody looks.
+    void setActive(bool active);
+    [[nodiscard]] bool isBusy() const { return m_isBusy; }
+
+    /// A line a figure: name, value, unit.
+    [[nodiscard]] QString text() const;
+    /// Lines of the profile: "state,line,along_m,height_m".
+    [[nodiscard]] QByteArray profileCsv() const;
+
+Q_SIGNALS:
+    void reportChanged();
+    void distanceChanged();
+
+private:
+    enum class Source : std::uint8_t { None, Vertex, Hit };
+    struct Order;
+    class Worker;
+    void followPick();
+    void followHit();
+    void followMesh(TargetId target);
+    void forget();
+    [[nodiscard]] std::optional<TargetId> target() const;
+    void request();
+    void take(Report report);
+
+    Session& m_session;
+    Source m_source = Source::None;
+    std::array<std::optional<VertexRef>, 2> m_picked;  ///< the latest last
+    double m_angle = 0.0;
+    bool m_isActive = true;
+    bool m_isBusy = false;
+    bool m_isDue = false;
+    Report m_report;
+    std::shared_ptr<Worker> m_worker;  ///< in the pool's hands while busy
+    QThreadPool m_pool;                ///< last: its destructor waits
+};
+
+}  // namespace hitscope

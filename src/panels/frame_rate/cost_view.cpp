@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/frame_rate/cost_view.h"
+
+#include <qcustomplot.h>
+
+#include <algorithm>
+
+#include "panels/frame_rate/pipeline_colour.h"
+#include "panels/plot/plot_theme.h"
+#include "session/frame_costs.h"
+#include "ui_cost_view.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr double kMilliseconds = 1000.0;
+constexpr std::uint64_t kGpuIsLate = 12;  // frames: what the GPU has not told by then it never will
+
+QString nameOf(PipelineKind pipeline) {
+    const std::string_view name = pipelineTraits(pipeline).name;
+    return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+}
+
+}  // namespace
+
+CostView::CostView(Session& session, QWidget* parent)
+    : QWidget(parent), m_session(session), m_ui(std::make_unique<Ui::CostView>()) {
+    m_ui->setupUi(this);
+    QCustomPlot* plot = m_ui->plot;
+    plot->setBufferDevicePixelRatio(plot->devicePixelRatioF());
+    plot->xAxis->setLabel(tr("hits"));
+    plot->xAxis->setLabelPadding(1);
+    plot->yAxis->setLabel(tr("ms"));
+    plot->yAxis->setLabelPadding(1);
+    plot->yAxis->ticker()->setTickCount(4);
+    plot->axisRect()->setMinimumMargins(QMargins(4, 6, 8, 0));
+    for (Curves& curves : m_curves) {
+        curves = {plot->addGraph(), plot->addGraph()};
+    }
+    m_crossover = new QCPItemStraightLine(plot);
+    m_ui->progress->hide();
+    connect(m_ui->measure, &QPushButton::clicked, this, &CostView::measureOrCancel);
+    connect(&m_measurement, &CostMeasurement::progressed, this, [this](int done, int total) {
+        m_ui->progress->setRange(0, total);
+        m_ui->progress->setValue(done);
+        m_showsMeasured = true;
+        m_isDue = true;
+        refresh();
+    });
+    connect(&m_measurement, &CostMeasurement::finished, this, &CostView::followMeasurement);
+    connect(&m_measurement, &CostMeasurement::failed, this, [this](const QString& why) { say(why); });
+    connect(&session, &Session::sceneReplaced, this, &CostView::clear);
+    connect(&session, &Session::targetAdded, this, &CostView::clear);
+    connect(&session, &Session::targetRemoved, this, &CostView::clear);
+    applyPalette();
+}
+
+CostView::~CostView() = default;
+
+void CostView::applyPalette() {
+    applyPlotTheme(*m_ui->plot, *this);
+    for (std::size_t i = 0; i < kPipelines.size(); ++i) {
+        const QColor colour = pipelineColour(kPipelines[i]);
+        m_curves[i].frame->setPen(QPen(colour, 1.5));
+        m_curves[i].hit->setPen(QPen(colour, 1.5, Qt::DashLine));
+        for (QCPGraph* graph : {m_curves[i].frame, m_curves[i].hit}) {
+            graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, colour, 4));
+        }
+    }
+    m_crossover->setPen(QPen(palette().color(QPalette::WindowText), 1, Qt::DotLine));
+    const auto swatch = [](PipelineKind kind) {
+        return QStringLiteral("<font color=\"%1\">■</font> %2")
+            .arg(pipelineColour(kind).name(), nameOf(kind));
+    };
+    m_ui->legend->setText(
+        tr("%1  %2  (— a frame, - - a hit)").arg(swatch(kPipelines[0]), swatch(kPipelines[1])));
+    m_isDue = true;
+    refresh();
+}
+
+void CostView::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if ((event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) &&
+        m_crossover != nullptr) {
+        applyPalette();
+    }
+}
+
+void CostView::measureOrCancel() {
+    if (m_measurement.isRunning()) {
+        m_measurement.cancel();
+        return;
+    }
+    m_measurement.start(m_session, m_camera ? m_camera() : Camera(), m_plan);
+    m_ui->progress->setRange(0, 0);
+    followMeasurement();
+}
+
+void CostView::followMeasurement() {
+    const bool running = m_measurement.isRunning();
+    m_ui->measure->setText(running ? tr("Cancel") : tr("Measure now"));
+    m_ui->progress->setVisible(running);
+}
+
+void CostView::say(const QString& text) {
+    m_ui->words->setText(text);
+    m_ui->words->setToolTip(text);
+}
+
+void CostView::clear() {
+    m_measurement.cancel();
+    m_collected.clear();
+    m_showsMeasured = false;
+    m_nextToCollect = m_session.frameCosts().nextFrame();
+    m_isDue = true;
+    refresh();
+}
+
+void CostView::collect() {
+    const FrameCosts& costs = m_session.frameCosts();
+    const Ring<FrameCost>& frames = costs.frames();
+    std::size_t first = frames.size();
+    while (first > 0 && frames[first - 1].number >= m_nextToCollect) {
+        --first;
+    }
+    for (std::size_t i = first; i < frames.size(); ++i) {
+        const FrameCost& frame = frames[i];
+        if (costs.measuresGpu().value_or(false) && !frame.gpu &&
+            frame.number + kGpuIsLate > costs.nextFrame()) {
+            return;  // its time is on the way
+        }
+        m_nextToCollect = frame.number + 1;
+        const double gpu = frame.gpu.value_or(0.0);
+        if (frame.hits == 0) {
+            m_collected.addFrame(frame.pipeline, frame.history, std::max(frame.cpu - frame.physics, gpu));
+        } else {
+            m_collected.addHit(
+                frame.pipeline, frame.history,
+                (frame.deformation + frame.gpuDeformation.value_or(0.0)) / static_cast<double>(frame.hits));
+        }
+        m_isDue = m_isDue || !m_showsMeasured;
+    }
+}
+
+const CostCurves& CostView::shown() const {
+    return m_showsMeasured ? m_measurement.curves() : m_collected;
+}
+
+std::vector<NamedCurve> CostView::curves() const {
+    std::vector<NamedCurve> curves;
+    for (const PipelineKind pipeline : kPipelines) {
+        curves.push_back({pipeline, shown().points(pipeline)});
+    }
+    return curves;
+}
+
+void CostView::refresh() {
+    collect();
+    if (m_isDue && isVisible()) {
+        m_isDue = false;
+        draw();
+    }
+}
+
+void CostView::draw() {
+    double mostHits = 0.0;
+    double mostTime = 0.0;
+    for (std::size_t i = 0; i < kPipelines.size(); ++i) {
+        m_curves[i].frame->data()->clear();
+        m_curves[i].hit->data()->clear();
+        for (const CostPoint& point : shown().points(kPipelines[i])) {
+            mostHits = std::max(mostHits, point.hits);
+            const auto add = [&](QCPGraph& graph, std::optional<double> seconds) {
+                if (seconds) {
+                    graph.addData(point.hits, *seconds * kMilliseconds);
+                    mostTime = std::max(mostTime, *seconds * kMilliseconds);
+                }
+            };
+            add(*m_curves[i].frame, point.frame);
+            add(*m_curves[i].hit, point.hit);
+        }
+    }
+    m_ui->plot->xAxis->setRange(0.0, std::max(mostHits * 1.05, 10.0));
+    m_ui->plot->yAxis->setRange(0.0, std::max(mostTime * 1.15, 1.0e-3));
+    drawCrossover(*m_crossover, crossoverOf(CostOf::FrameWithHit));
+    say(inWords());
+    m_ui->plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void CostView::drawCrossover(QCPItemStraightLine& line, std::optional<double> hits) {
+    line.setVisible(hits.has_value());
+    line.point1->setCoords(hits.value_or(0.0), 0.0);
+    line.point2->setCoords(hits.value_or(0.0), 1.0);
+}
+
+std::optional<double> CostView::crossoverOf(CostOf what) const {
+    return crossover(shown().points(kPipelines[0]), shown().points(kPipelines[1]), what);
+}
+
+QString CostView::inWords() const {
+    const std::optional<double> still = crossoverOf(CostOf::Frame);
+    const std::optional<double> hit = crossoverOf(CostOf::FrameWithHit);
+    const QString source =
+        m_showsMeasured ? tr("Measured by themselves.") : tr("Collected as you work with each pipeline.");
+    if (!still && !hit) {
+        return source + u' ' + tr("No crossover yet.");
+    }
+    const auto from = [](std::optional<double> hits) {
+        return hits ? tr("from %1 hits").arg(*hits, 0, 'f', 0) : tr("nowhere yet");
+    };
+    return source + u' ' +
+           tr("Crossover, where uniform arrays cost more: %1 in a frame, %2 in a frame that takes a hit.")
+               .arg(from(still), from(hit));
+}
+
+}  // namespace hitscope

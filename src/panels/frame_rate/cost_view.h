@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <functional>
+#include <memory>
+
+#include "models/costs_csv.h"
+#include "session/cost_curves.h"
+#include "session/cost_measurement.h"
+
+class QCPGraph;
+class QCPItemStraightLine;
+class QCustomPlot;
+
+namespace Ui {
+class CostView;
+}
+
+namespace hitscope {
+
+/// What a frame and a hit cost against the number of hits, for the paper's two pipelines: collected as one
+/// works, or measured by themselves in the background.
+class CostView : public QWidget {
+    Q_OBJECT
+public:
+    /// `session` outlives the view.
+    explicit CostView(Session& session, QWidget* parent = nullptr);
+    ~CostView() override;
+
+    /// Where "Measure now" looks from.
+    void setCamera(std::function<Camera()> camera) { m_camera = std::move(camera); }
+    void setPlan(CostPlan plan) { m_plan = std::move(plan); }
+    /// Takes what frames have cost since the last time, and draws if anything has changed.
+    void refresh();
+    void clear();
+    [[nodiscard]] std::vector<NamedCurve> curves() const;  ///< as shown
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void applyPalette();
+    void measureOrCancel();
+    void followMeasurement();
+    void say(const QString& text);
+    void collect();
+    void draw();
+    void drawCrossover(QCPItemStraightLine& line, std::optional<double> hits);
+    [[nodiscard]] QString inWords() const;
+    [[nodiscard]] std::optional<double> crossoverOf(CostOf what) const;
+    [[nodiscard]] const CostCurves& shown() const;
+
+    static constexpr std::array<PipelineKind, 2> kPipelines = {PipelineKind::UniformArray,
+                                                               PipelineKind::TransformFeedback};
+
+    Session& m_session;
+    std::unique_ptr<Ui::CostView> m_ui;
+    std::function<Camera()> m_camera;
+    CostPlan m_plan;
+    CostMeasurement m_measurement;
+    CostCurves m_collected;
+    bool m_showsMeasured = false;
+    bool m_isDue = true;
+    std::uint64_t m_nextToCollect = 0;  ///< frame number
+    struct Curves {
+        QCPGraph* frame = nullptr;
+        QCPGraph* hit = nullptr;
+    };
+    std::array<Curves, 2> m_curves;  ///< by kPipelines
+    QCPItemStraightLine* m_crossover = nullptr;
+};
+
+}  // namespace hitscope

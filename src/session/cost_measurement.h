@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "core/result.h"
+#include "render/camera.h"
+#include "session/cost_curves.h"
+#include "session/session.h"
+
+class QThread;
+
+namespace hitscope {
+
+/// What a measurement measures, and how thoroughly.
+struct CostPlan {
+    int width = 960;   ///< pixels
+    int height = 540;  ///< pixels
+    std::vector<PipelineKind> pipelines = {PipelineKind::UniformArray, PipelineKind::TransformFeedback};
+    std::vector<std::size_t> hits = {0, 25, 50, 100, 150, 200, 300, 400, 500, 600};  ///< ascending
+    int samples = 5;  ///< of a frame and of a hit, each
+};
+
+/// Measures frames and hits of a session's scene by themselves: on a thread and in an OpenGL context of its
+/// own, without a window, the pipelines in turn, each sample until the GPU is done.
+class CostMeasurement : public QObject {
+    Q_OBJECT
+public:
+    explicit CostMeasurement(QObject* parent = nullptr);
+    ~CostMeasurement() override;  ///< cancels, and waits for the sample being taken
+
+    /// The visible targets, whole, and the session's constants; hits at vertices drawn by lot, always the
+    /// same. One that runs is cancelled.
+    void start(const Session& session, const Camera& camera, CostPlan plan = {});
+    void cancel();
+    [[nodiscard]] bool isRunning() const { return m_thread != nullptr; }
+    /// So far, of the last one started.
+    [[nodiscard]] const CostCurves& curves() const { return m_curves; }
+
+Q_SIGNALS:
+    void progressed(int done, int total);  ///< curves() has grown
+    void finished();                       ///< cancelled, or complete
+    void failed(const QString& why);       ///< and so is finished
+
+private:
+    struct Order;
+    struct Sample;
+    static Status measure(const Order& order, const std::atomic<bool>& cancelled,
+                          const std::function<void(const Sample&, int, int)>& report);
+    void end();
+
+    CostCurves m_curves;
+    QThread* m_thread = nullptr;
+    std::shared_ptr<std::atomic<bool>> m_cancelled;
+};
+
+}  // namespace hitscope

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Frames and hits measured in the background.
+#include "session/cost_measurement.h"
+
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "session/frame_costs.h"
+
+using namespace hitscope;
+
+namespace {
+
+constexpr int kPatience = 60'000;  // milliseconds
+
+CostPlan smallPlan() {
+    CostPlan plan;
+    plan.width = 64;
+    plan.height = 48;
+    plan.hits = {0, 3, 7};
+    plan.samples = 2;
+    return plan;
+}
+
+}  // namespace
+
+class CostMeasurementTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void measuresBothOfThePaper() {
+        Session session;
+        session.loadPaperRow(0);
+        CostMeasurement measurement;
+        const QSignalSpy progressed(&measurement, &CostMeasurement::progressed);
+        const QSignalSpy failed(&measurement, &CostMeasurement::failed);
+        QSignalSpy finished(&measurement, &CostMeasurement::finished);
+        measurement.start(session, Camera(), smallPlan());
+        QVERIFY(measurement.isRunning());
+        QVERIFY(finished.wait(kPatience));
+        QVERIFY(!measurement.isRunning());
+        QCOMPARE(failed.size(), 0);
+        QCOMPARE(progressed.size(), 3 * 2 * 2);
+        QCOMPARE(progressed.last(), QList<QVariant>({6, 6}));
+        for (const PipelineKind pipeline : {PipelineKind::UniformArray, PipelineKind::TransformFeedback}) {
+            const std::vector<CostPoint> points = measurement.curves().points(pipeline);
+            QCOMPARE(points.size(), std::size_t{3});
+            QCOMPARE(points[2].hits, 7.0);
+            for (const CostPoint& point : points) {
+                QVERIFY(point.frame.value_or(0.0) > 0.0);
+                QVERIFY(point.hit.value_or(0.0) > 0.0);
+            }
+        }
+        QCOMPARE(session.history().size(), std::size_t{0});
+        QVERIFY(session.frameCosts().frames().empty());
+    }
+
+    void isCancelledAndStartedAgain() {
+        Session session;
+        session.loadPaperRow(0);
+        CostMeasurement measurement;
+        QSignalSpy finished(&measurement, &CostMeasurement::finished);
+        CostPlan endless = smallPlan();
+        endless.samples = 1'000'000;
+        measurement.start(session, Camera(), endless);
+        QTest::qWait(50);
+        measurement.start(session, Camera(), endless);
+        QTest::qWait(50);
+        QVERIFY(measurement.isRunning());
+        measurement.cancel();
+        QVERIFY(finished.wait(kPatience));
+        QCOMPARE(finished.size(), 1);
+        measurement.start(session, Camera(), endless);  // the destructor ends it
+    }
+
+    void saysWhyThereIsNothingToMeasure() {
+        Session session;
+        CostMeasurement measurement;
+        QSignalSpy failed(&measurement, &CostMeasurement::failed);
+        measurement.start(session, Camera(), smallPlan());
+        QVERIFY(failed.wait(kPatience));
+        QVERIFY(failed.first().first().toString().contains(QStringLiteral("nothing to measure")));
+    }
+};
+
+QTEST_GUILESS_MAIN(CostMeasurementTest)
+#include "cost_measurement_test.moc"

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The dent measurement panel on a session whose vertices are moved by hand.
+#include <QClipboard>
+#include <QFile>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+
+#include "deform/reference.h"
+#include "mesh/grid_primitives.h"
+#include "panels/dent_measurement/dent_measurement_panel.h"
+
+using namespace hitscope;
+
+namespace {
+
+constexpr int kPatience = 30'000;  // milliseconds
+
+/// What a pipeline would have read back.
+void applyHits(Session& session) {
+    const Target& target = *session.targets().front();
+    ReferenceDeformation reference(target.deformed.render());
+    reference.apply(session.history().hitsOn(target.id));
+    session.takeReadBack(target.id, 0, reference.vertices());
+    static_cast<void>(session.finishReadBack());
+}
+
+}  // namespace
+
+class DentMeasurementTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void init() {
+        m_session = std::make_unique<Session>();
+        m_session->loadMesh(makeSheet(100, 100, 4.0f, 4.0f));
+        Hit hit;
+        hit.target = m_session->targets().front()->id;
+        hit.point = m_session->targets().front()->deformed.positions()[50 * 101 + 50];
+        hit.direction = {0.0f, 0.0f, -1.0f};
+        QVERIFY(m_session->addHit(hit).ok());
+        applyHits(*m_session);
+        m_panel = std::make_unique<DentMeasurementPanel>(*m_session);
+        m_panel->resize(320, 420);
+        m_panel->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
+    }
+    void cleanup() {
+        m_panel.reset();
+        m_session.reset();
+    }
+
+    void theSelectedHitIsMeasured() {
+        QVERIFY(label("subject").contains(QStringLiteral("Select a hit")));
+        m_session->selectHit(0);
+        QTRY_VERIFY_WITH_TIMEOUT(report().dent.has_value(), kPatience);
+        // power / r under the cap of 0.3 m, out to 0.5 m.
+        QVERIFY(std::abs(report().dent->depth - 0.3) < 1.0e-4);
+        QVERIFY(std::abs(report().dent->rimDiameter - 1.0) < 0.08);
+        QVERIFY(std::abs(report().dent->affectedArea / (3.14159265 * 0.25) - 1.0) < 0.05);
+        QVERIFY(label("depth").startsWith(QStringLiteral("0.3")));
+        QVERIFY(std::abs(m_panel->depthAt(0.0).value_or(0.0) - 0.3) < 1.0e-3);
+        QVERIFY(std::abs(m_panel->depthAt(0.4).value_or(0.0) - 0.125) < 5.0e-3);
+        QCOMPARE(m_panel->depthAt(0.65).value_or(-1.0), 0.0);
+        QVERIFY(!m_panel->depthAt(3.0));
+        const auto lines = report().after.front().size();
+        m_panel->findChild<QSpinBox*>(QStringLiteral("angle"))->setValue(45);
+        QTRY_VERIFY_WITH_TIMEOUT(report().after.front().size() != lines, kPatience);
+    }
+
+    void thePickedVertexIsMeasured() {
+        const TargetId target = m_session->targets().front()->id;
+        m_session->selection().setPicked(VertexRef{target, 0});
+        QTRY_VERIFY_WITH_TIMEOUT(label("subject").contains(QStringLiteral("No hit has moved")), kPatience);
+        QCOMPARE(label("distance"), QStringLiteral("pick two vertices"));
+        m_session->selection().setPicked(VertexRef{target, 50 * 101 + 50});
+        QTRY_VERIFY_WITH_TIMEOUT(report().dent.has_value(), kPatience);
+        const std::optional<DentMeasurement::Distance> distance = m_panel->measurement().distance();
+        QVERIFY(distance);
+        QVERIFY(std::abs(distance->before - std::sqrt(8.0)) < 1.0e-4);
+        QVERIFY(std::abs(distance->after - std::sqrt(8.0 + 0.09)) < 1.0e-3);
+    }
+
+    void followsTheMesh() {
+        m_session->selectHit(0);
+        QTRY_VERIFY_WITH_TIMEOUT(report().dent.has_value(), kPatience);
+        const double before = report().dent->displacedVolume;
+        QVERIFY(before > 0.0);
+        QVERIFY(m_session->addHit(m_session->history().hits()[0]).ok());
+        applyHits(*m_session);
+        QTRY_VERIFY_WITH_TIMEOUT(report().dent->displacedVolume > 1.2 * before, kPatience);
+        m_session->loadMesh(makeSheet(4, 4, 4.0f, 4.0f));
+        QVERIFY(!report().dent);
+        QCOMPARE(label("depth"), QStringLiteral("–"));
+    }
+
+    void copiesAndSaves() {
+        m_session->selectHit(0);
+        QTRY_VERIFY_WITH_TIMEOUT(report().dent.has_value(), kPatience);
+        m_panel->findChild<QToolButton*>(QStringLiteral("copy"))->click();
+        QVERIFY(QGuiApplication::clipboard()->text().contains(QStringLiteral("Displaced volume\t")));
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("profile.csv"));
+        QVERIFY(m_panel->saveCsv(path).ok());
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray csv = file.readAll();
+        QVERIFY(csv.startsWith("state,line,along_m,height_m\noriginal,0,"));
+        QVERIFY(csv.contains("\ndeformed,0,"));
+    }
+
+private:
+    [[nodiscard]] const DentMeasurement::Report& report() { return m_panel->measurement().report(); }
+    [[nodiscard]] QString label(const char* name) {
+        return m_panel->findChild<QLabel*>(QLatin1String(name))->text();
+    }
+    std::unique_ptr<Session> m_session;
+    std::unique_ptr<DentMeasurementPanel> m_panel;
+};
+
+QTEST_MAIN(DentMeasurementTest)
+#include "dent_measurement_test.moc"

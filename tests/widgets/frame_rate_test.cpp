@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The frame rate panel, on frames that are made up, driven by the mouse.
+#include <QAction>
+#include <QComboBox>
+#include <QFile>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <QWheelEvent>
+
+#include "panels/frame_rate/cost_view.h"
+#include "panels/frame_rate/frame_rate_panel.h"
+#include "panels/icons/themed_icon.h"
+#include "session/session.h"
+
+using namespace hitscope;
+
+namespace {
+
+constexpr int kPatience = 60'000;  // milliseconds
+
+void addFrame(Session& session, double seconds, std::uint32_t hits = 0) {
+    FrameCost cost;
+    cost.drawing = 0.25 * seconds;
+    cost.deformation = 0.125 * seconds;
+    cost.hits = hits;
+    session.frameCosts().addGpuTimes(session.frameCosts().nextFrame() - 1, 0.5 * seconds, 0.25 * seconds);
+    session.frameCosts().addFrame(cost);
+    session.frameCosts().endFrame(seconds);
+}
+
+}  // namespace
+
+class FrameRateTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void init();
+    void cleanup();
+    void readsOut();
+    void pausesAndGoesOn();
+    void wheelZooms();
+    void dragGoesBack();
+    void pointingReadsAFrame();
+    void curvesAreSwitchedAndRemembered();
+    void narrowDocksWrap();
+    void plotsFollowThePalette();
+    void savesCsv();
+    void collectsCosts();
+    void measuresOnRequest();
+
+private:
+    template <class Widget>
+    Widget* child(const char* name) {
+        return m_panel->findChild<Widget*>(QLatin1String(name));
+    }
+    QWidget* plot() { return child<QWidget>("framesPage")->findChild<QWidget*>(QStringLiteral("plot")); }
+
+    std::unique_ptr<Session> m_session;
+    QAction m_continuous{themedIcon(QStringLiteral("continuous")), QStringLiteral("Draw continuously")};
+    std::unique_ptr<FrameRatePanel> m_panel;
+};
+
+void FrameRateTest::init() {
+    m_session = std::make_unique<Session>();
+    m_session->frameCosts().setMeasuresGpu(true);
+    m_panel = std::make_unique<FrameRatePanel>(*m_session, m_continuous);
+    m_panel->resize(480, 260);
+    m_panel->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
+}
+
+void FrameRateTest::cleanup() {
+    m_panel.reset();
+    m_session.reset();
+}
+
+void FrameRateTest::readsOut() {
+    for (int i = 0; i < 199; ++i) {
+        addFrame(*m_session, 0.02);
+    }
+    addFrame(*m_session, 0.08);
+    QTRY_COMPARE(child<QLabel>("worst")->text(), QStringLiteral("80.0 ms"));
+    QCOMPARE(child<QLabel>("median")->text(), QStringLiteral("20.0 ms"));
+    QCOMPARE(child<QLabel>("mean")->text(), QStringLiteral("20.3 ms"));
+    QCOMPARE(child<QLabel>("percentile99")->text(), QStringLiteral("20.0 ms"));
+    QCOMPARE(child<QLabel>("low")->text(), QStringLiteral("20.0"));  // 2 frames in 0.1 s
+    child<QToolButton>("clear")->click();
+    QCOMPARE(child<QLabel>("mean")->text(), QStringLiteral("–"));
+    QVERIFY(m_panel->graph().frames().empty());
+    addFrame(*m_session, 0.01);
+    QCOMPARE(m_panel->graph().frames().size(), std::size_t{1});
+}
+
+void FrameRateTest::pausesAndGoesOn() {
+    addFrame(*m_session, 0.02);
+    auto* pause = child<QToolButton>("pause");
+    QTest::mouseClick(pause, Qt::LeftButton);
+    QVERIFY(m_panel->graph().isPaused());
+    addFrame(*m_session, 0.03);
+    QCOMPARE(m_panel->graph().frames().size(), std::size_t{1});
+    QTest::mouseClick(pause, Qt::LeftButton);
+    QVERIFY(!m_panel->graph().isPaused());
+    QCOMPARE(m_panel->graph().frames().size(), std::size_t{2});
+}
+
+void FrameRateTest::wheelZooms() {
+    const double before = m_panel->graph().seconds();
+    const QPointF middle = QRectF(plot()->rect()).center();
+    QWheelEvent wheel(middle, plot()->mapToGlobal(middle), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(plot(), &wheel);
+    QCOMPARE(m_panel->graph().seconds(), before / 1.25);
+    QTest::keyClick(plot(), Qt::Key_Minus);
+    QCOMPARE(m_panel->graph().seconds(), before);
+    for (int i = 0; i < 100; ++i) {
+        QTest::keyClick(plot(), Qt::Key_Plus);
+    }
+    QVERIFY(m_panel->graph().seconds() > 0.0);
+    QTest::mouseDClick(plot(), Qt::LeftButton, {}, middle.toPoint());
+    QCOMPARE(m_panel->graph().seconds(), before);
+}
+
+void FrameRateTest::dragGoesBack() {
+    addFrame(*m_session, 0.02);
+    const QPoint middle = plot()->rect().center();
+    QTest::mousePress(plot(), Qt::LeftButton, {}, middle);
+    QTest::mouseMove(plot(), middle + QPoint(40, 0));
+    QTRY_VERIFY(m_panel->graph().isPaused());
+    QVERIFY(child<QToolButton>("pause")->isChecked());
+    QTest::mouseRelease(plot(), Qt::LeftButton, {}, middle + QPoint(40, 0));
+    QTest::keyClick(plot(), Qt::Key_Home);
+    QVERIFY(!m_panel->graph().isPaused());
+}
+
+void FrameRateTest::pointingReadsAFrame() {
+    addFrame(*m_session, 0.02);
+    QTest::qWait(600);
+    addFrame(*m_session, 0.04, 3);
+    m_panel->graph().setPaused(true);
+    QTest::mouseMove(plot(), QPoint(plot()->width() - 12, plot()->height() / 2));
+    QTRY_VERIFY(m_panel->graph().hovered().has_value());
+    const FrameCost read = *m_panel->graph().hovered();
+    QCOMPARE(read.total, 0.04);
+    const QString words = m_panel->graph().describe(read);
+    QVERIFY2(words.contains(QStringLiteral("40.00 ms")), qPrintable(words));
+    QVERIFY2(words.contains(QStringLiteral("CPU 15.00 ms, GPU –")), qPrintable(words));
+    QVERIFY2(words.contains(QStringLiteral("Hits that arrived: 3")), qPrintable(words));
+    QTest::mouseMove(m_panel.get(), QPoint(2, 2));
+    QTRY_VERIFY(!m_panel->graph().hovered());
+}
+
+void FrameRateTest::curvesAreSwitchedAndRemembered() {
+    QTest::mouseClick(child<QToolButton>("curve2"), Qt::LeftButton);
+    QVERIFY(!child<QToolButton>("curve2")->isChecked());
+    child<QComboBox>("quantity")->setCurrentIndex(1);
+    QVERIFY(!child<QToolButton>("curve1")->isEnabled());
+    const QByteArray state = m_panel->saveState();
+    FrameRatePanel other(*m_session, m_continuous);
+    QVERIFY(other.saveState() != state);
+    other.restoreState(QByteArray("nonsense, and too long"));
+    other.restoreState(state);
+    QCOMPARE(other.saveState(), state);
+    // Another pipeline, another colour.
+    addFrame(*m_session, 0.02);
+    const QColor before = m_panel->graph().colour(FrameGraph::Frame);
+    m_session->setPipeline(PipelineKind::UniformArray);
+    addFrame(*m_session, 0.02);
+    QVERIFY(m_panel->graph().colour(FrameGraph::Frame) != before);
+}
+
+void FrameRateTest::narrowDocksWrap() {
+    QVERIFY2(m_panel->minimumSizeHint().width() <= 260,
+             qPrintable(QStringLiteral("%1: %2 %3 %4")
+                            .arg(m_panel->minimumSizeHint().width())
+                            .arg(child<QTabWidget>("tabs")->cornerWidget()->minimumSizeHint().width())
+                            .arg(child<QWidget>("framesPage")->minimumSizeHint().width())
+                            .arg(m_panel->costs().minimumSizeHint().width())));
+    m_panel->resize(260, 400);
+    for (int i = 0; i < FrameGraph::CurveCount; ++i) {
+        const auto* curve = m_panel->findChild<QToolButton*>(QStringLiteral("curve%1").arg(i));
+        QTRY_VERIFY(curve->geometry().right() < 260);
+        QVERIFY(curve->width() >
+                curve->fontMetrics().horizontalAdvance(curve->text()) + curve->iconSize().width());
+    }
+}
+
+void FrameRateTest::plotsFollowThePalette() {
+    const QPalette before = QGuiApplication::palette();
+    QPalette dark = before;
+    dark.setColor(QPalette::Base, QColor(20, 30, 40));
+    QGuiApplication::setPalette(dark);
+    auto* tabs = child<QTabWidget>("tabs");
+    for (int tab = 0; tab < tabs->count(); ++tab) {
+        tabs->setCurrentIndex(tab);
+        auto* shown = tabs->currentWidget()->findChild<QWidget*>(QStringLiteral("plot"));
+        const auto corner = [shown] { return shown->grab().toImage().pixelColor(1, 1); };
+        QTRY_COMPARE(corner(), QColor(20, 30, 40));
+    }
+    QGuiApplication::setPalette(before);
+}
+
+void FrameRateTest::savesCsv() {
+    addFrame(*m_session, 0.02);
+    addFrame(*m_session, 0.04, 3);
+    addFrame(*m_session, 0.04);
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("frames.csv"));
+    QVERIFY(m_panel->saveCsv(path).ok());
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QList<QByteArray> lines = file.readAll().trimmed().split('\n');
+    QCOMPARE(lines.size(), 4);
+    const QList<QByteArray> names = lines[0].split(',');
+    const QList<QByteArray> cells = lines[2].split(',');
+    QCOMPARE(cells.size(), names.size());
+    const auto cell = [&](const char* name) { return cells[names.indexOf(name)]; };
+    QCOMPARE(cell("pipeline"), QByteArray("transform-feedback"));
+    QCOMPARE(cell("frame_ms").toDouble(), 40.0);
+    QCOMPARE(cell("cpu_ms").toDouble(), 15.0);
+    QCOMPARE(cell("gpu_ms").toDouble(), 20.0);
+    QCOMPARE(cell("arrived_hits"), QByteArray("3"));
+    QCOMPARE(lines[3].split(',')[names.indexOf("gpu_ms")], QByteArray());
+    QVERIFY(!m_panel->saveCsv(folder.filePath(QStringLiteral("no/such/folder.csv"))).ok());
+}
+
+void FrameRateTest::collectsCosts() {
+    m_session->loadPaperRow(0);
+    for (int i = 0; i < 3; ++i) {
+        addFrame(*m_session, 0.02);
+    }
+    m_session->frameCosts().addGpuTimes(m_session->frameCosts().nextFrame() - 1, 0.01, 0.0);
+    m_panel->costs().refresh();
+    std::vector<NamedCurve> curves = m_panel->costs().curves();
+    QCOMPARE(curves[1].pipeline, PipelineKind::TransformFeedback);
+    QCOMPARE(curves[1].points.size(), std::size_t{1});
+    QCOMPARE(curves[1].points[0].frame.value_or(0.0), 0.01);  // the GPU's, which is the longer
+    addFrame(*m_session, 0.02, 2);
+    m_panel->costs().refresh();
+    QVERIFY(!m_panel->costs().curves()[1].points[0].hit);  // the GPU has not told yet
+    m_session->frameCosts().addGpuTimes(m_session->frameCosts().nextFrame() - 1, 0.01, 0.0055);
+    m_panel->costs().refresh();
+    QCOMPARE(m_panel->costs().curves()[1].points[0].hit.value_or(0.0), 0.004);
+    m_session->loadPaperRow(1);
+    QVERIFY(m_panel->costs().curves()[1].points.empty());
+}
+
+void FrameRateTest::measuresOnRequest() {
+    m_session->loadPaperRow(0);
+    CostPlan plan;
+    plan.width = 64;
+    plan.height = 48;
+    plan.hits = {0, 5};
+    plan.samples = 1;
+    m_panel->costs().setPlan(plan);
+    child<QTabWidget>("tabs")->setCurrentIndex(1);
+    auto* measure = child<QPushButton>("measure");
+    QTest::mouseClick(measure, Qt::LeftButton);
+    QCOMPARE(measure->text(), QStringLiteral("Cancel"));
+    QTRY_COMPARE_WITH_TIMEOUT(measure->text(), QStringLiteral("Measure now"), kPatience);
+    for (const NamedCurve& curve : m_panel->costs().curves()) {
+        QCOMPARE(curve.points.size(), std::size_t{2});
+    }
+    QVERIFY(child<QLabel>("words")->text().startsWith(QStringLiteral("Measured")));
+    plan.samples = 1'000'000;
+    m_panel->costs().setPlan(plan);
+    QTest::mouseClick(measure, Qt::LeftButton);
+    QTest::mouseClick(measure, Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(measure->text(), QStringLiteral("Measure now"), kPatience);
+}
+
+QTEST_MAIN(FrameRateTest)
+#include "frame_rate_test.moc"
