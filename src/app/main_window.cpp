@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QScreen>
+#include <QScrollArea>
 #include <QSettings>
 #include <QStatusBar>
 #include <QSurfaceFormat>
@@ -42,6 +43,8 @@
 #include "panels/scene/scene_panel.h"
 #include "panels/vertex_changes/vertex_changes_panel.h"
 #include "session/hit_effects.h"
+#include "viewport/aim_preview.h"
+#include "viewport/inspect_tool.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -110,6 +113,9 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     connect(
         m_pipelines, &PipelineChooser::fellBack, this,
         [this](const QString& notice) { m_notice->say(notice); }, Qt::QueuedConnection);
+    const InspectTool& tool = m_viewport->inspectTool();
+    connect(&tool, &InspectTool::toolChanged, this,
+            [this, &tool] { m_shots->aimPreview().setClicksShoot(tool.tool() == Tool::Shoot); });
     connect(m_shots, &ShotActions::noticeWanted, this, [this](const QString& text) { m_notice->say(text); });
     connect(m_hitActions, &HitActions::said, this,
             [this](const QString& text) { statusBar()->showMessage(text, kHintStays); });
@@ -136,7 +142,12 @@ QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWid
                                  Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(name);
-    dock->setWidget(panel);
+    // On a small screen a panel scrolls; the window never grows past the screen for its sake.
+    auto* scroll = new QScrollArea(dock);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(panel);
+    dock->setWidget(scroll);
     addDockWidget(area, dock);
     m_docksMenu->addAction(dock->toggleViewAction());
     return dock;
@@ -183,9 +194,9 @@ void MainWindow::makeDocks() {
     frameRate->raise();
     tabifyDockWidget(statistics, scene);
     tabifyDockWidget(scene, change);
-    tabifyDockWidget(change, dent);
     statistics->raise();
     tabifyDockWidget(history, vertices);
+    tabifyDockWidget(vertices, dent);
     history->raise();
     tabifyDockWidget(constants, lights);
     constants->raise();

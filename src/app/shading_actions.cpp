@@ -17,14 +17,14 @@ std::span<const ShadingSwitch> shadingSwitches() {
           "Shift+L", &DisplayOptions::flat, false},
          {"backFaces", QT_TRANSLATE_NOOP("hitscope::ShadingActions", "&Back Faces in Red"),
           QT_TRANSLATE_NOOP("hitscope::ShadingActions", "Tints faces that turn their back to the eye"),
-          "Shift+B", &DisplayOptions::backFaces, false},
+          "Shift+R", &DisplayOptions::backFaces, false},
          {"needles", QT_TRANSLATE_NOOP("hitscope::ShadingActions", "&Normals as Needles"),
           QT_TRANSLATE_NOOP("hitscope::ShadingActions",
                             "Those that shade, for as many vertices as can be told apart"),
           "Shift+N", &DisplayOptions::needles, false},
          {"dots", QT_TRANSLATE_NOOP("hitscope::ShadingActions", "&Vertices as Dots"),
           QT_TRANSLATE_NOOP("hitscope::ShadingActions", "Where they are far enough apart in the picture"),
-          "Shift+V", &DisplayOptions::dots, false}}};
+          "Shift+D", &DisplayOptions::dots, false}}};
     return kSwitches;
 }
 

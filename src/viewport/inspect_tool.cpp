@@ -63,7 +63,7 @@ void InspectTool::setTool(Tool tool) {
     m_tool = tool;
     endDrag();
     leave();
-    m_viewport.setMouseTracking(tool == Tool::Inspect);
+    m_viewport.setMouseTracking(true);  // the aim preview and the wipe line need it too
     m_viewport.setCursor(tool == Tool::Inspect ? Qt::CrossCursor : Qt::ArrowCursor);
     Q_EMIT toolChanged();
 }

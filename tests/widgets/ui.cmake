@@ -5,3 +5,4 @@ hitscope_test(panels LABEL widgets SOURCES panels_test.cpp LINK hitscope_app TIM
 if(TARGET hitscope-import)
   add_dependencies(test_widgets_main_window hitscope-import)
 endif()
+hitscope_test(shortcuts LABEL widgets SOURCES shortcuts_test.cpp LINK hitscope_app TIMEOUT 300)

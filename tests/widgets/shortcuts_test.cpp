@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Two actions of the window with one key would both be dead: Qt calls that ambiguous.
+#include <QAction>
+#include <QApplication>
+#include <QMap>
+#include <QTest>
+
+#include "app/main_window.h"
+#include "window_support.h"
+
+using namespace hitscope;
+
+class ShortcutsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { MainWindow::setSurfaceFormat(); }
+
+    void everyKeyHasOneMeaning() {
+        const TestSettings settings;
+        Session session;
+        session.loadPaperRow(kDefaultPaperRow);
+        MainWindow window(session);
+        QMap<QString, QStringList> meanings;
+        for (const QAction* action : window.findChildren<QAction*>()) {
+            if (action->shortcutContext() != Qt::WindowShortcut &&
+                action->shortcutContext() != Qt::ApplicationShortcut) {
+                continue;  // a list's own, while it has the focus
+            }
+            for (const QKeySequence& keys : action->shortcuts()) {
+                meanings[keys.toString()] << action->text();
+            }
+        }
+        QVERIFY(meanings.size() > 20);
+        for (auto it = meanings.cbegin(); it != meanings.cend(); ++it) {
+            QVERIFY2(it.value().size() == 1,
+                     qPrintable(it.key() + QStringLiteral(": ") + it.value().join(u'|')));
+        }
+    }
+};
+
+QTEST_MAIN(ShortcutsTest)
+#include "shortcuts_test.moc"
