@@ -15,10 +15,11 @@ constexpr float kLineWidth = 1.2f;    // logical pixels
 constexpr float kNeedleWidth = 1.2f;  // logical pixels
 constexpr float kLinesAhead = 2.0f;   // pixels' size at their distance: lines lie before the faces they bound
 constexpr float kWideFrom = 6.0f;     // logical pixels of an edge, below which a width cannot be seen
-constexpr float kNeedlesApart = 12.0f;         // logical pixels
-constexpr float kNeedleLength = 0.8f;          // of the way from one to the next
-constexpr std::uint32_t kMostNeedles = 20000;  // of a target
-constexpr float kDot = 3.6f;                   // logical pixels across
+constexpr float kNeedlesApart = 12.0f;                                // logical pixels
+constexpr float kNeedleLength = 0.8f;                                 // of the way from one to the next
+constexpr std::uint32_t kMostNeedles = 20000;                         // of a target
+constexpr std::uint32_t kLongestStep = 2048 / sizeof(DynamicVertex);  // as far apart as attributes may lie
+constexpr float kDot = 3.6f;                                          // logical pixels across
 constexpr glm::vec2 kDotsApart(11.0f, 20.0f);  // logical pixels: dots start to show, show in full
 
 /// Logical pixels that a metre takes at this distance.
@@ -104,7 +105,8 @@ std::uint32_t needleStep(const FrameContext& context, const DrawItem& item) {
     const float pixels = std::max(item.buffers->usualEdge() * pixelsAt(context, distance), 1.0e-3f);
     const float apart = kNeedlesApart / pixels;
     const auto byPicture = static_cast<std::uint32_t>(std::clamp(apart * apart, 1.0f, 1.0e6f));
-    return std::max(byPicture, (item.buffers->vertexCount() + kMostNeedles - 1) / kMostNeedles);
+    const std::uint32_t byCount = (item.buffers->vertexCount() + kMostNeedles - 1) / kMostNeedles;
+    return std::min(std::max(byPicture, byCount), kLongestStep);
 }
 
 /// Every `step`th vertex is an instance.

@@ -34,6 +34,7 @@ private Q_SLOTS:
     void linesAreAsWideAsThePixelRatioSays_data();
     void linesAreAsWideAsThePixelRatioSays();
     void linesPassTheEye();
+    void farNeedlesAreFew();
     void shadowsFollow();
 
 private:
@@ -168,6 +169,16 @@ void ModesTest::linesPassTheEye() {
     inside.targets = {};
     const int lines = differing(shown, picture(*m_renderer, inside, *pipeline), kLevels);
     QVERIFY2(lines > 300 && lines < kWidth * kHeight / 2, qPrintable(QString::number(lines)));
+}
+
+void ModesTest::farNeedlesAreFew() {
+    // Seen from far away, needles that could be told apart would lie further apart in the buffer than GL
+    // allows.
+    const auto pipeline = m_scene->pipeline(PipelineKind::TransformFeedback, {});
+    Frame far = frame(DisplayOptions{.needles = true});
+    far.camera.setSceneRadius(5000.0f);
+    far.camera.zoom(200.0f);
+    QVERIFY(!picture(*m_renderer, far, *pipeline).isNull());
 }
 
 void ModesTest::shadowsFollow() {
