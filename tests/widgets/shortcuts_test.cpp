@@ -13,9 +13,10 @@ using namespace hitscope;
 class ShortcutsTest : public QObject {
     Q_OBJECT
 
-private Q_SLOTS:
-    void initTestCase() { MainWindow::setSurfaceFormat(); }
+public:
+    static void initMain() { MainWindow::setSurfaceFormat(); }
 
+private Q_SLOTS:
     void everyKeyHasOneMeaning() {
         const TestSettings settings;
         Session session;
