@@ -136,7 +136,15 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     m_viewport->setFocus();
 }
 
-MainWindow::~MainWindow() = default;
+/// Hidden while it is still whole: what hides asks views for rows and headings of models that go before it does.
+MainWindow::~MainWindow() {
+    for (QDockWidget* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (dock->isFloating()) {
+            dock->hide();
+        }
+    }
+    hide();
+}
 
 QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* panel,
                                  Qt::DockWidgetArea area) {

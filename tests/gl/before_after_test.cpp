@@ -109,9 +109,9 @@ private Q_SLOTS:
         Session session;
         open(session, makeHighPolySphere(), static_cast<PipelineKind>(kind));
         dent(session);
-        const QImage plain = silhouette();
+        const QImage plain = edges();
         m_view.options.beforeAfter.exaggeration = kFactor;
-        const QImage exaggerated = silhouette();
+        const QImage exaggerated = edges();
         const int moved = differing(plain, exaggerated, 4);
         QVERIFY(moved > 50);
         MeshData mesh = session.targets()[0]->deformed.original();
@@ -122,7 +122,8 @@ private Q_SLOTS:
         Session moving;
         open(moving, mesh, PipelineKind::TransformFeedback);
         m_view.camera = camera;
-        const int different = differing(silhouette(), exaggerated, 4);
+        const int different = differing(edges(), exaggerated, 4);
+        qWarning()<<moved<<different;
         QVERIFY2(different < moved / 20, qPrintable(QStringLiteral("%1 of %2").arg(different).arg(moved)));
     }
 
@@ -142,6 +143,11 @@ private:
 
     void dent(Session& session) {
         shootAll(session, demoShots(session, 25, 3));
+        // Those that missed would be in the picture.
+        for (int second = 0; second < 60 && session.physics().projectileCount() > 0; ++second) {
+            session.advance(1.0);
+        }
+        QCOMPARE(session.physics().projectileCount(), std::size_t{0});
         session.selectTarget({});
         QVERIFY(m_scene->sync());
     }
@@ -155,21 +161,11 @@ private:
         return QImage(image.pixels.data(), image.width, image.height, QImage::Format_RGBA8888).copy();
     }
 
-    /// One colour where the target is, whatever its normals.
-    QImage silhouette() {
+    /// Edges only: they tell where vertices are, whatever their normals.
+    QImage edges() {
         m_view.options.floor = false;
-        m_view.options.change.on = true;
-        m_view.options.change.style() = {ColourMap::Viridis, false, {1000.0f, 2000.0f}};
-        QImage image = picture();
-        m_view.options.change.on = false;
-        for (int y = 0; y < image.height(); ++y) {
-            for (int x = 0; x < image.width(); ++x) {
-                // The background is grey, the map's start violet.
-                const QColor colour = image.pixelColor(x, y);
-                image.setPixelColor(x, y, colour.blue() > colour.green() + 12 ? Qt::black : Qt::white);
-            }
-        }
-        return image;
+        m_view.options.wireframe = WireframeMode::Only;
+        return picture();
     }
 
     test::GlFixture m_gl;
