@@ -136,7 +136,8 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     m_viewport->setFocus();
 }
 
-/// Hidden while it is still whole: what hides asks views for rows and headings of models that go before it does.
+/// Hidden while it is still whole: what hides asks views for rows and headings of models that go before it
+/// does.
 MainWindow::~MainWindow() {
     for (QDockWidget* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
         if (dock->isFloating()) {
