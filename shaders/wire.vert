@@ -25,7 +25,7 @@ void main()
 
     vec4 clip = u_viewProjection * (u_model * vec4(drawnPosition(position), 1.0));
     // Edges a pixel or two long would fill the surface with one colour; they fade instead.
-    v_density = smoothstep(0.5, 9.0, u_edgePixels / max(clip.w, 1.0e-6));
+    v_density = mix(0.15, 1.0, smoothstep(0.5, 9.0, u_edgePixels / max(clip.w, 1.0e-6)));
 #ifdef HITSCOPE_GHOST
     v_density *= position == a_original ? 0.0 : 1.0;
 #endif
