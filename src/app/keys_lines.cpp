@@ -125,6 +125,7 @@ QString motionMeaning(CameraMotion motion, OrbitMode mode) {
 KeysSection mouseKeys(NavigationPreset preset, OrbitMode mode) {
     KeysSection section{tr("Mouse"), {}};
     section.lines.push_back({tr("Click"), tr("Shoot at the point under the cursor")});
+    section.lines.push_back({tr("Ctrl+click"), tr("Select the target there; beside all of them: none")});
     section.lines.push_back({tr("Double-click"), tr("Look at that point from now on")});
     for (const DragBinding& binding : dragBindings(preset)) {
         section.lines.push_back({dragName(binding), motionMeaning(binding.motion, mode)});

@@ -31,6 +31,39 @@ bool segmentMeetsBox(const glm::dvec3& start, const glm::dvec3& motion, const Bo
            std::abs(m.x * h.y - m.y * h.x) <= half.x * a.y + half.y * a.x;
 }
 
+/// A ball around a triangle against a sphere that moves up to `fraction` of its motion: most triangles in the
+/// boxes that it sweeps are told apart by this, for a tenth of what the exact cast costs. Errs on the side of
+/// touching.
+class SweptBall {
+public:
+    SweptBall(const glm::dvec3& start, const glm::dvec3& motion, double radius)
+        : m_start(start), m_motion(motion), m_radius(radius) {
+        const double length2 = glm::dot(motion, motion);
+        m_perMotion = length2 > 0.0 ? 1.0 / length2 : 0.0;
+        const glm::dvec3 farthest = glm::abs(start) + glm::abs(motion);
+        m_slack = 1.0e-12 * (farthest.x + farthest.y + farthest.z) + 1.0e-9 * radius;
+    }
+
+    [[nodiscard]] bool mayMeet(const Triangle& triangle, double fraction) const {
+        const glm::dvec3 centre = (triangle.a + triangle.b + triangle.c) / 3.0;
+        const auto distance2 = [&centre](const glm::dvec3& p) { return glm::dot(p - centre, p - centre); };
+        const double around2 =
+            std::max({distance2(triangle.a), distance2(triangle.b), distance2(triangle.c)});
+        const glm::dvec3 from = m_start - centre;
+        const double nearest = std::clamp(-glm::dot(from, m_motion) * m_perMotion, 0.0, fraction);
+        const glm::dvec3 away = from + m_motion * nearest;
+        const double reach = m_radius + std::sqrt(around2) * (1.0 + 1.0e-9) + m_slack;
+        return !(glm::dot(away, away) > reach * reach);
+    }
+
+private:
+    glm::dvec3 m_start;
+    glm::dvec3 m_motion;
+    double m_radius;
+    double m_perMotion = 0.0;  ///< 1 / length squared
+    double m_slack = 0.0;      ///< metres
+};
+
 }  // namespace
 
 MeshSurface::MeshSurface(std::shared_ptr<const CollisionMesh> original)
@@ -97,13 +130,14 @@ std::optional<SurfaceCast> MeshSurface::cast(const glm::dvec3& start, const glm:
                                              double radius) const {
     SurfaceCast first;
     bool found = false;
+    const SweptBall swept(start, motion, radius);
     const auto accept = [&](const Bounds& box) {
         // Nothing comes before the very start.
         return first.fraction > 0.0 && segmentMeetsBox(start, motion * first.fraction, box, radius);
     };
     m_tree.visit(glm::vec3(motion), accept, [&](std::uint32_t index) {
         const Triangle candidate = triangle(index);
-        if (!candidate.hasArea()) {
+        if (!swept.mayMeet(candidate, first.fraction) || !candidate.hasArea()) {
             return;
         }
         const auto fraction =

@@ -138,15 +138,19 @@ void PhysicsWorld::Private::strike(ProjectileId id, Flight& flight, TargetId tar
     }
 }
 
-void PhysicsWorld::Private::collect(ProjectileId id, Flight& flight,
-                                    const std::map<TouchKey, Touch>& contacts, std::vector<Impact>& impacts) {
-    std::map<TargetId, Touch> touched;
-    for (auto it = contacts.lower_bound({id, TargetId{0}}); it != contacts.end() && it->first.first == id;
-         ++it) {
-        touched.emplace(it->first.second, it->second);
+/// `touched`: the projectile's own.
+void PhysicsWorld::Private::collect(ProjectileId id, Flight& flight, std::span<const TouchEntry> touched,
+                                    std::vector<Impact>& impacts) {
+    if (touched.empty() && !flight.strike) {
+        flight.touching.clear();
+        return;
+    }
+    std::map<TargetId, Touch> touches;
+    for (const TouchEntry& entry : touched) {
+        touches.emplace(entry.target, entry.touch);
     }
     if (flight.strike) {
-        Touch& touch = touched[flight.strike->target];
+        Touch& touch = touches[flight.strike->target];
         touch.deepest = flight.strike->surface;
         if (touch.impulse <= 0.0f) {
             // Bullet found no contact where the sweep did.
@@ -154,7 +158,7 @@ void PhysicsWorld::Private::collect(ProjectileId id, Flight& flight,
         }
     }
     std::vector<TargetId> touching;
-    for (const auto& [target, touch] : touched) {
+    for (const auto& [target, touch] : touches) {
         touching.push_back(target);
         if (!flight.touches(target)) {
             strike(id, flight, target, touch, impacts);
@@ -210,9 +214,14 @@ void PhysicsWorld::Private::step(std::vector<Impact>& impacts) {
     }
     keepTrails();
     world.stepSimulation(static_cast<btScalar>(stepSeconds), 0);
-    const auto contacts = touches(dispatcher);
+    collectTouches(dispatcher, contacts);
+    auto next = contacts.cbegin();
     for (auto& [id, flight] : flights) {
-        collect(id, flight, contacts, impacts);
+        const auto first = next;
+        while (next != contacts.cend() && next->projectile == id) {
+            ++next;
+        }
+        collect(id, flight, {first, next}, impacts);
     }
     followDynamicTargets();
     removeSpentFlights();

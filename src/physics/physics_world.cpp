@@ -36,6 +36,16 @@ Status checkDynamic(const CollisionShape& shape, const TargetPhysics& physics) {
     return Done{};
 }
 
+/// Bullet's plane reaches everywhere and is paired with everything; this one only with what is not above it.
+class FloorShape : public btStaticPlaneShape {
+public:
+    explicit FloorShape(float y) : btStaticPlaneShape(btVector3(0, 1, 0), y) {}
+    void getAabb(const btTransform& where, btVector3& low, btVector3& high) const override {
+        btStaticPlaneShape::getAabb(where, low, high);
+        high.setY(where.getOrigin().y() + getPlaneConstant());
+    }
+};
+
 void setMotion(btRigidBody& body, btCollisionShape& shape, const TargetPhysics& physics) {
     btVector3 inertia(0, 0, 0);
     const float mass = physics.isDynamic ? physics.mass : 0.0f;
@@ -63,9 +73,13 @@ void TargetBody::place() {
 PhysicsWorld::Private::Private() {
     world.setGravity(btVector3(0, -kGravity, 0));
     broadphase.getOverlappingPairCache()->setOverlapFilterCallback(&volleyFilter);
+    broadphase.m_deferedcollide = true;
     // Contacts are solved in the order of the bodies, not of the tree that found them, whose shape remembers
     // in which order boxes moved.
     world.getDispatchInfo().m_deterministicOverlappingPairs = true;
+    // What moves far is stopped by SteppedWorld: boxes around whole motions would only pair up projectiles
+    // that fly side by side.
+    world.getDispatchInfo().m_useContinuous = false;
 }
 
 PhysicsWorld::Private::~Private() {
@@ -236,7 +250,7 @@ void PhysicsWorld::setFloor(float y) {
     if (!(std::abs(y) <= kFarthest)) {
         return;
     }
-    d->floorShape = std::make_unique<btStaticPlaneShape>(btVector3(0, 1, 0), y);
+    d->floorShape = std::make_unique<FloorShape>(y);
     const btRigidBody::btRigidBodyConstructionInfo info(0.0f, nullptr, d->floorShape.get());
     d->floor = std::make_unique<btRigidBody>(info);
     d->floor->setUserIndex(static_cast<int>(BodyKind::Floor));

@@ -4,6 +4,8 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
+#include <algorithm>
+
 #include "physics/bullet_conversions.h"
 
 namespace hitscope::physics {
@@ -31,10 +33,35 @@ void add(Touch& touch, const btPersistentManifold& manifold, bool targetIsB) {
     }
 }
 
+void add(Touch& touch, const Touch& other) {
+    touch.impulse += other.impulse;
+    if (other.distance < touch.distance) {
+        touch.distance = other.distance;
+        touch.deepest = other.deepest;
+    }
+}
+
+bool isSamePair(const TouchEntry& a, const TouchEntry& b) {
+    return a.projectile == b.projectile && a.target == b.target;
+}
+
+/// Those of one pair become one, in the order in which they are.
+void mergePairs(std::vector<TouchEntry>& entries) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        if (kept > 0 && isSamePair(entries[kept - 1], entries[i])) {
+            add(entries[kept - 1].touch, entries[i].touch);
+        } else {
+            entries[kept++] = entries[i];
+        }
+    }
+    entries.resize(kept);
+}
+
 }  // namespace
 
-std::map<TouchKey, Touch> touches(btDispatcher& dispatcher) {
-    std::map<TouchKey, Touch> result;
+void collectTouches(btDispatcher& dispatcher, std::vector<TouchEntry>& result) {
+    result.clear();
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
         const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
         const btCollisionObject* a = manifold.getBody0();
@@ -47,21 +74,16 @@ std::map<TouchKey, Touch> touches(btDispatcher& dispatcher) {
         }
         Touch touch;
         add(touch, manifold, targetIsB);
-        if (touch.impulse <= 0.0f && touch.distance > kTouchDistance) {
-            continue;
-        }
-        const TouchKey key{{static_cast<std::uint32_t>(projectile->getUserIndex2())},
-                           {static_cast<std::uint32_t>(target->getUserIndex2())}};
-        const auto [known, isNew] = result.try_emplace(key, touch);
-        if (!isNew) {
-            known->second.impulse += touch.impulse;
-            if (touch.distance < known->second.distance) {
-                known->second.distance = touch.distance;
-                known->second.deepest = touch.deepest;
-            }
+        if (touch.impulse > 0.0f || touch.distance <= kTouchDistance) {
+            result.push_back({{static_cast<std::uint32_t>(projectile->getUserIndex2())},
+                              {static_cast<std::uint32_t>(target->getUserIndex2())},
+                              touch});
         }
     }
-    return result;
+    std::stable_sort(result.begin(), result.end(), [](const TouchEntry& a, const TouchEntry& b) {
+        return a.projectile != b.projectile ? a.projectile < b.projectile : a.target < b.target;
+    });
+    mergePairs(result);
 }
 
 }  // namespace hitscope::physics

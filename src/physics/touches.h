@@ -3,8 +3,8 @@
 
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 
-#include <map>
 #include <utility>
+#include <vector>
 
 #include "core/ids.h"
 #include "physics/motion_sweep.h"
@@ -18,9 +18,13 @@ struct Touch {
     float distance = 1.0f;  ///< metres, of the deepest point; below zero: they overlap
 };
 
-using TouchKey = std::pair<ProjectileId, TargetId>;
+struct TouchEntry {
+    ProjectileId projectile;
+    TargetId target;
+    Touch touch;
+};
 
-/// The step's contacts, in an order that depends on ids alone.
-[[nodiscard]] std::map<TouchKey, Touch> touches(btDispatcher& dispatcher);
+/// The step's contacts into `result`, one a projectile and target, sorted by these two.
+void collectTouches(btDispatcher& dispatcher, std::vector<TouchEntry>& result);
 
 }  // namespace hitscope::physics

@@ -5,7 +5,10 @@
 
 #include <array>
 #include <map>
+#include <span>
+#include <vector>
 
+#include "physics/ball_contacts.h"
 #include "physics/mesh_contacts.h"
 #include "physics/motion_sweep.h"
 #include "physics/physics_world.h"
@@ -82,8 +85,8 @@ struct PhysicsWorld::Private {
     void step(std::vector<Impact>& impacts);
     void noteSurfaces();
     void approach(physics::Flight& flight);
-    void collect(ProjectileId id, physics::Flight& flight,
-                 const std::map<physics::TouchKey, physics::Touch>& contacts, std::vector<Impact>& impacts);
+    void collect(ProjectileId id, physics::Flight& flight, std::span<const physics::TouchEntry> contacts,
+                 std::vector<Impact>& impacts);
     void strike(ProjectileId id, physics::Flight& flight, TargetId target, const physics::Touch& touch,
                 std::vector<Impact>& impacts);
     void followDynamicTargets();
@@ -109,11 +112,13 @@ struct PhysicsWorld::Private {
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher{&configuration};
     physics::MeshContacts meshContacts{dispatcher};
+    physics::BallContacts ballContacts{dispatcher};
     btDbvtBroadphase broadphase;
     physics::VolleyFilter volleyFilter;
     btSequentialImpulseConstraintSolver solver;
     physics::SweepScene surfaces;  ///< as of the last noteSurfaces()
     physics::SteppedWorld world{dispatcher, broadphase, solver, configuration, surfaces};
+    std::vector<physics::TouchEntry> contacts;  ///< of the last step
     std::map<TargetId, physics::TargetBody> targets;
     std::map<ProjectileId, physics::Flight> flights;
     std::unique_ptr<btStaticPlaneShape> floorShape;

@@ -130,6 +130,7 @@ private:
     [[nodiscard]] std::optional<PhysicsWorld::RayHit> aimedAt(const Ray& ray) const;
     void shootAlong(const Ray& ray);
     void click(const QPointF& position);
+    void selectAt(const QPointF& position);
     void fireHeldShot();
     void recentre(const QPointF& position);
 

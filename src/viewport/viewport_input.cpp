@@ -41,7 +41,11 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     m_navigation.release(*event);
     const bool brief = event->timestamp() - m_pressTime <= static_cast<quint64>(kLongestClick);
     if (m_clickCounts && !m_navigation.hasDragged() && brief && event->button() == Qt::LeftButton) {
-        click(event->position());
+        if (event->modifiers() == Qt::ControlModifier) {
+            selectAt(event->position());
+        } else {
+            click(event->position());
+        }
     }
     m_clickCounts = false;
 }
@@ -49,6 +53,11 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
 void Viewport::click(const QPointF& position) {
     m_heldShot = m_navigation.rayAt(position);
     m_holdTimer.start();
+}
+
+void Viewport::selectAt(const QPointF& position) {
+    const auto met = aimedAt(m_navigation.rayAt(position));
+    m_session.selectTarget(met ? met->target : TargetId{});
 }
 
 void Viewport::fireHeldShot() {

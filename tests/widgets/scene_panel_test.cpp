@@ -16,6 +16,7 @@
 #include <QToolButton>
 #include <array>
 
+#include "mesh/primitives.h"
 #include "panels/scene/scene_panel.h"
 
 using namespace hitscope;
@@ -36,6 +37,7 @@ private Q_SLOTS:
     void stepsInOneFieldAreOneStep();
     void anglesStayAsTyped();
     void primitiveIsAskedFor();
+    void whatCannotBeHitHasAWarning();
 
 private:
     [[nodiscard]] QPoint place(int row, int column) const {
@@ -256,6 +258,34 @@ void ScenePanelTest::primitiveIsAskedFor() {
     QCOMPARE(plan.shape.mesh->vertexCount(), std::size_t{1200});
     actions.last()->trigger();
     QCOMPARE(files.count(), 1);
+}
+
+void ScenePanelTest::whatCannotBeHitHasAWarning() {
+    const auto picture = [this](int row) {
+        const QRect cell = m_table->visualRect(m_model->index(row, SceneModel::NameColumn));
+        return m_table->viewport()->grab({cell.topLeft(), QSize(2 * cell.height(), cell.height())}).toImage();
+    };
+    const QString name = QStringLiteral("Same");
+    MeshData ball = makeHighPolySphere(1.0f);
+    m_session->loadMesh(ball);
+    QVERIFY(m_session->renameTarget(id(0), name).ok());
+    m_session->selectTarget({});
+    m_table->clearFocus();
+    QVERIFY(
+        m_model->index(0, SceneModel::NameColumn).data(SceneModel::WhyNotHittableRole).toString().isEmpty());
+    const QImage without = picture(0);
+    // All of it in one point: nothing has an area.
+    ball.positions.assign(ball.positions.size(), glm::vec3(0.0f, 1.0f, 0.0f));
+    m_session->loadMesh(ball);
+    QVERIFY(m_session->renameTarget(id(0), name).ok());
+    m_session->selectTarget({});
+    const QModelIndex index = m_model->index(0, SceneModel::NameColumn);
+    const QString reason = index.data(SceneModel::WhyNotHittableRole).toString();
+    QVERIFY(!reason.isEmpty());
+    QVERIFY(index.data(Qt::ToolTipRole).toString().contains(reason));
+    const QImage with = picture(0);
+    QCOMPARE(with.size(), without.size());
+    QVERIFY(with != without);
 }
 
 QTEST_MAIN(ScenePanelTest)

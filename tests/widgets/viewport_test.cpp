@@ -32,6 +32,7 @@ private Q_SLOTS:
     void wheelZooms();
     void doubleClickRecentresAndShootsNothing();
     void slowSecondClickIsAnotherShot();
+    void controlClickSelectsAndShootsNothing();
     void spaceShootsRepeatedlyWhileHeld();
     void flyKeysMoveWhileHeld();
     void framing();
@@ -172,6 +173,18 @@ void ViewportTest::spaceShootsRepeatedlyWhileHeld() {
     const std::size_t shot = flying();
     QTest::qWait(qRound(4000.0f / m_session->projectileSettings().rateOfFire));
     QVERIFY(flying() <= shot);
+}
+
+void ViewportTest::controlClickSelectsAndShootsNothing() {
+    Viewport& viewport = m_window->viewport();
+    m_session->selectTarget({});
+    QTest::mouseClick(&viewport, Qt::LeftButton, Qt::ControlModifier, centre());
+    QCOMPARE(m_session->selectedTarget(), m_session->targets().front()->id);
+    QTest::mouseClick(&viewport, Qt::LeftButton, Qt::ControlModifier, {4, 4});
+    QVERIFY(!m_session->selectedTarget());
+    QTest::qWait(2 * Viewport::kDoubleClickGrace);
+    QCOMPARE(flying(), std::size_t{0});
+    QCOMPARE(m_session->history().size(), std::size_t{0});
 }
 
 void ViewportTest::flyKeysMoveWhileHeld() {
