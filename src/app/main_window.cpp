@@ -136,7 +136,10 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     m_viewport->setFocus();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+    // QWidget would hide its parts only after the models they show, which are members here, are gone.
+    hide();
+}
 
 QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* panel,
                                  Qt::DockWidgetArea area) {
