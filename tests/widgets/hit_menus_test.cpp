@@ -189,6 +189,8 @@ QByteArray HitMenusTest::chooseInDialog(MainWindow& window,
     });
     timer.start(50);
     QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
+    // It is written beside the window, and is there once it is whole.
+    [&path] { QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), kPatience); }();
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }

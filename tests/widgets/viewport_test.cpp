@@ -153,8 +153,14 @@ void ViewportTest::doubleClickRecentresAndShootsNothing() {
 void ViewportTest::slowSecondClickIsAnotherShot() {
     Viewport& viewport = m_window->viewport();
     const glm::vec3 before = viewport.camera().pivot();
+    ProjectileSettings settings = m_session->projectileSettings();
+    settings.lifetime = 1.0f;
+    m_session->setProjectileSettings(settings);
     QTest::mouseClick(&viewport, Qt::LeftButton, {}, centre());
     QTRY_COMPARE_WITH_TIMEOUT(flying(), std::size_t{1}, kPatience);
+    // Gone before the next one comes, which it would meet on its way back.
+    QTRY_COMPARE_WITH_TIMEOUT(flying(), std::size_t{0}, kPatience);
+    QCOMPARE(m_session->history().size(), std::size_t{1});
     // The desktop still calls the second press a double click.
     QMouseEvent second(QEvent::MouseButtonDblClick, centre(), viewport.mapToGlobal(QPointF(centre())),
                        Qt::LeftButton, Qt::LeftButton, {});
