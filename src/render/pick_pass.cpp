@@ -108,7 +108,8 @@ Status PickPass::draw(const Frame& frame, DeformationPipeline& pipeline, const P
         pipeline.prepareDraw(program, item.target);
         program.set("u_model", item.model);
         glUniform1ui(target, item.target.value);
-        glBindVertexArray(item.buffers->surfaceArray());
+        glBindVertexArray(item.original ? item.buffers->originalSurfaceArray()
+                                        : item.buffers->surfaceArray());
         if (points) {
             glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(item.buffers->vertexCount()));
         } else {

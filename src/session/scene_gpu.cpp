@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "deform/history_prefix.h"
+#include "render/original_shape.h"
 #include "render/pick_pass.h"
 #include "render/renderer.h"
 #include "session/change_upload.h"
@@ -18,6 +19,7 @@
 #include "session/comparison.h"
 #include "session/frame_meter.h"
 #include "session/history_edits.h"
+#include "session/picture_part.h"
 #include "session/reapplication.h"
 #include "session/scene_marks.h"
 #include "session/second_scene.h"
@@ -391,21 +393,21 @@ Status SceneGpu::drawElements(const View& view, PickPass& pass, const PixelArea&
     if (!d->pipeline) {
         return Done{};
     }
-    const std::vector<DrawItem> items = d->drawItems();
+    std::vector<DrawItem> items = d->drawItems();
     Frame frame;
     frame.width = view.width;
     frame.height = view.height;
     frame.camera = view.camera;
     frame.options = view.options;
     frame.targets = items;
-    if (!d->isSideBySide(view)) {
+    if (!showsOriginals(view)) {
         return pass.draw(frame, *d->pipeline, area, elements);
     }
-    // Both pictures show the same elements; where they are is the first one's.
-    frame.width = view.width / 2;
-    PixelArea within = area;
-    within.x -= area.x >= frame.width ? frame.width : 0;
-    return pass.draw(frame, *d->pipeline, within, elements);
+    for (DrawItem& item : items) {
+        item.original = true;
+    }
+    render::OriginalShape shape;
+    return pass.draw(frame, shape, area, elements);
 }
 
 void SceneGpu::Private::followComparison(Comparison* comparison) {

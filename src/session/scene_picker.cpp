@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "render/pick_pass.h"
+#include "session/picture_part.h"
 #include "session/screen_space.h"
 #include "session/session.h"
 
@@ -32,20 +33,37 @@ PixelArea areaAround(const SceneGpu::View& view, const glm::ivec2& pixel, int re
 
 /// What was asked for, to make sense of the answer.
 struct Question {
-    SceneGpu::View view;
-    glm::vec2 at{0.0f};
+    SceneGpu::View view;  ///< of the part of the picture
+    glm::vec2 at{0.0f};   ///< within that
     PixelArea area;
     PickElements elements = PickElements::Triangles;
 };
 
-Question questionAt(const SceneGpu::View& view, const glm::vec2& at) {
-    Question question{view, at, {}, PickElements::Triangles};
+/// Of that, what lies within the part; at least a column.
+PixelArea within(const PicturePart& part, PixelArea area) {
+    const int right = std::min(area.x + area.width, part.to);
+    area.x = std::max(area.x, part.from);
+    area.width = std::max(1, right - area.x);
+    return area;
+}
+
+Question questionAt(const SceneGpu::View& whole, const glm::vec2& at) {
+    const std::vector<PicturePart> parts = partsOf(whole);
+    const int column = pixelOf(at).x;
+    const auto after = std::find_if(parts.begin(), parts.end(), [column](const PicturePart& part) {
+        return column < part.left + part.to;
+    });
+    const PicturePart& part = after == parts.end() ? parts.back() : *after;
+    Question question{
+        part.view, at - glm::vec2(static_cast<float>(part.left), 0.0f), {}, PickElements::Triangles};
     int reach = 0;
-    if (view.options.wireframe == WireframeMode::Only) {
+    if (part.view.options.wireframe == WireframeMode::Only) {
         question.elements = PickElements::Points;
-        reach = static_cast<int>(std::lround(ScenePicker::kReach * view.pixelRatio));
+        reach = static_cast<int>(std::lround(ScenePicker::kReach * part.view.pixelRatio));
+        question.area = within(part, areaAround(part.view, pixelOf(question.at), reach));
+    } else {
+        question.area = areaAround(part.view, pixelOf(question.at), reach);
     }
-    question.area = areaAround(view, pixelOf(at), reach);
     return question;
 }
 
@@ -61,7 +79,7 @@ std::optional<VertexRef> nearestCorner(const Session& session, const Question& q
     float least = std::numeric_limits<float>::infinity();
     for (std::size_t corner = 0; corner < 3; ++corner) {
         const std::uint32_t vertex = mesh.fileVertices[mesh.triangles[3 * picked.element + corner]];
-        const auto point = screen.project(target->deformed.positions()[vertex]);
+        const auto point = screen.project(drawnPlace(question.view, *target, vertex));
         const float distance =
             point ? glm::distance(point->at, question.at) : std::numeric_limits<float>::max();
         if (distance < least) {
@@ -105,7 +123,7 @@ class SeenTriangles {
 public:
     SeenTriangles(const Session& session, const SceneGpu::View& view, const PixelArea& area,
                   std::vector<PickedElement> picked)
-        : m_session(session), m_height(view.height), m_area(area), m_picked(std::move(picked)) {
+        : m_session(session), m_view(view), m_area(area), m_picked(std::move(picked)) {
         for (const std::unique_ptr<Target>& target : session.targets()) {
             m_screens.emplace(target->id, ScreenSpace(view, target->transform));
         }
@@ -151,12 +169,12 @@ private:
     }
 
     [[nodiscard]] bool contains(const glm::ivec2& pixel) const {
-        const glm::ivec2 off(pixel.x - m_area.x, m_height - 1 - pixel.y - m_area.y);
+        const glm::ivec2 off(pixel.x - m_area.x, m_view.height - 1 - pixel.y - m_area.y);
         return off.x >= 0 && off.y >= 0 && off.x < m_area.width && off.y < m_area.height;
     }
 
     [[nodiscard]] const PickedElement& at(const glm::ivec2& pixel) const {
-        const int row = m_height - 1 - pixel.y - m_area.y;
+        const int row = m_view.height - 1 - pixel.y - m_area.y;
         return m_picked[static_cast<std::size_t>(row) * static_cast<std::size_t>(m_area.width) +
                         static_cast<std::size_t>(pixel.x - m_area.x)];
     }
@@ -169,7 +187,7 @@ private:
         Corners corners;
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const std::uint32_t vertex = mesh.fileVertices[mesh.triangles[3 * triangle + corner]];
-            const auto point = screen.project(target.deformed.positions()[vertex]);
+            const auto point = screen.project(drawnPlace(m_view, target, vertex));
             if (!point) {
                 return std::nullopt;
             }
@@ -209,24 +227,47 @@ private:
     }
 
     const Session& m_session;
-    int m_height;
+    SceneGpu::View m_view;
     PixelArea m_area;
     std::map<TargetId, ScreenSpace> m_screens;
     std::vector<PickedElement> m_picked;
 };
 
-/// The pixels an outline covers, within the picture; empty when it covers none.
-PixelArea areaOf(const SceneGpu::View& view, std::span<const glm::vec2> outline) {
+/// The pixels of the part that an outline covers; empty when it covers none.
+PixelArea areaOf(const PicturePart& part, std::span<const glm::vec2> outline) {
+    const SceneGpu::View& view = part.view;
     glm::vec2 least(static_cast<float>(view.width), static_cast<float>(view.height));
     glm::vec2 most(0.0f);
     for (const glm::vec2& corner : outline) {
         least = glm::min(least, corner);
         most = glm::max(most, corner);
     }
-    const glm::ivec2 first = glm::max(pixelOf(least), glm::ivec2(0));
-    const glm::ivec2 last = glm::min(pixelOf(most), glm::ivec2(view.width - 1, view.height - 1));
+    const glm::ivec2 first = glm::max(pixelOf(least), glm::ivec2(part.from, 0));
+    const glm::ivec2 last = glm::min(pixelOf(most), glm::ivec2(part.to - 1, view.height - 1));
     return {first.x, view.height - 1 - last.y, std::max(0, last.x - first.x + 1),
             std::max(0, last.y - first.y + 1)};
+}
+
+using Found = std::map<TargetId, std::vector<std::uint32_t>>;
+
+/// Adds the vertices that fall within the outline in this part of the picture; `seen` null: hidden ones too.
+void addWithin(Found& found, const Session& session, const PicturePart& part,
+               std::span<const glm::vec2> outline, const SeenTriangles* seen) {
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        if (!target->visible) {
+            continue;
+        }
+        const ScreenSpace screen(part.view, target->transform);
+        for (const std::uint32_t vertex : target->deformed.onceChanged()) {
+            const auto point = screen.project(drawnPlace(part.view, *target, vertex));
+            if (point && point->at.x >= static_cast<float>(part.from) &&
+                point->at.x < static_cast<float>(part.to) && isWithin(outline, point->at) &&
+                target->deformed.isChanged(vertex) &&
+                !(seen != nullptr && seen->hides({target->id, vertex}, *point))) {
+                found[target->id].push_back(vertex);
+            }
+        }
+    }
 }
 
 }  // namespace
@@ -247,7 +288,8 @@ ScenePicker::~ScenePicker() = default;
 
 Result<std::optional<VertexRef>> ScenePicker::pick(const SceneGpu::View& view, const glm::vec2& at) {
     const Question question = questionAt(view, at);
-    if (Status drawn = d->scene.drawElements(view, d->now, question.area, question.elements); !drawn) {
+    if (Status drawn = d->scene.drawElements(question.view, d->now, question.area, question.elements);
+        !drawn) {
         return drawn.error();
     }
     return answer(d->session, question, d->now.read());
@@ -255,7 +297,8 @@ Result<std::optional<VertexRef>> ScenePicker::pick(const SceneGpu::View& view, c
 
 Status ScenePicker::request(const SceneGpu::View& view, const glm::vec2& at) {
     const Question question = questionAt(view, at);
-    if (Status drawn = d->scene.drawElements(view, d->coming, question.area, question.elements); !drawn) {
+    if (Status drawn = d->scene.drawElements(question.view, d->coming, question.area, question.elements);
+        !drawn) {
         return drawn;
     }
     d->coming.startReading();
@@ -281,35 +324,30 @@ std::optional<std::optional<VertexRef>> ScenePicker::arrived() {
 
 Result<std::map<TargetId, std::vector<std::uint32_t>>> ScenePicker::changedWithin(
     const SceneGpu::View& view, std::span<const glm::vec2> outline, Depth depth) {
-    std::map<TargetId, std::vector<std::uint32_t>> found;
-    const PixelArea area = areaOf(view, outline);
-    if (area.width == 0 || area.height == 0) {
-        return found;
-    }
-    std::optional<SeenTriangles> seen;
-    if (depth == Depth::Visible && view.options.wireframe != WireframeMode::Only) {
-        if (Status drawn = d->scene.drawElements(view, d->now, area, PickElements::Triangles); !drawn) {
-            return drawn.error();
+    Found found;
+    for (const PicturePart& part : partsOf(view)) {
+        std::vector<glm::vec2> moved(outline.begin(), outline.end());
+        for (glm::vec2& corner : moved) {
+            corner.x -= static_cast<float>(part.left);
         }
-        seen.emplace(d->session, view, area, d->now.read());
-    }
-    for (const std::unique_ptr<Target>& target : d->session.targets()) {
-        if (!target->visible) {
+        const PixelArea area = areaOf(part, moved);
+        if (area.width == 0 || area.height == 0) {
             continue;
         }
-        const ScreenSpace screen(view, target->transform);
-        std::vector<std::uint32_t> vertices;
-        for (const std::uint32_t vertex : target->deformed.onceChanged()) {
-            const auto point = screen.project(target->deformed.positions()[vertex]);
-            if (point && isWithin(outline, point->at) && target->deformed.isChanged(vertex) &&
-                !(seen && seen->hides({target->id, vertex}, *point))) {
-                vertices.push_back(vertex);
+        std::optional<SeenTriangles> seen;
+        if (depth == Depth::Visible && view.options.wireframe != WireframeMode::Only) {
+            if (Status drawn = d->scene.drawElements(part.view, d->now, area, PickElements::Triangles);
+                !drawn) {
+                return drawn.error();
             }
+            seen.emplace(d->session, part.view, area, d->now.read());
         }
-        if (!vertices.empty()) {
-            std::sort(vertices.begin(), vertices.end());
-            found.emplace(target->id, std::move(vertices));
-        }
+        addWithin(found, d->session, part, moved, seen ? &*seen : nullptr);
+    }
+    // Two pictures show a vertex twice.
+    for (auto& [target, vertices] : found) {
+        std::sort(vertices.begin(), vertices.end());
+        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     }
     return found;
 }

@@ -180,6 +180,27 @@ void paintComparison(QPainter& painter, const SceneGpu::View& view, const QSizeF
               ink);
 }
 
+struct Columns {
+    double from;
+    double to;
+};
+
+/// The line within one picture, and what is on its sides.
+void paintWipe(QPainter& painter, const BeforeAfterOptions& options, const Columns& picture, double height,
+               const Ink& ink) {
+    const double line =
+        std::round(picture.from + static_cast<double>(options.wipeAt) * (picture.to - picture.from));
+    painter.setPen(QPen(ink.plate, 3));
+    painter.drawLine(QPointF(line, 0), QPointF(line, height));
+    painter.setPen(QPen(ink.text, 1));
+    painter.drawLine(QPointF(line, 0), QPointF(line, height));
+    const QFontMetricsF metrics(painter.font());
+    const QString before = words(QT_TRANSLATE_NOOP("hitscope::ChangeOverlay", "Original"));
+    const QString after = words(QT_TRANSLATE_NOOP("hitscope::ChangeOverlay", "Deformed"));
+    paintNote(painter, before, line - kEdge - kPadding - metrics.horizontalAdvance(before) / 2, kEdge, ink);
+    paintNote(painter, after, line + kEdge + kPadding + metrics.horizontalAdvance(after) / 2, kEdge, ink);
+}
+
 }  // namespace
 
 bool ChangeOverlay::isNeeded(const SceneGpu::View& view) {
@@ -198,17 +219,12 @@ void ChangeOverlay::paint(QPainter& painter, const SceneGpu::View& view) {
         paintLegend(painter, size, {titleOf(change), change, view.options.theme, view.pixelRatio});
     }
     if (beforeAfter.wipe) {
-        const double line = std::round(static_cast<double>(beforeAfter.wipeAt) * size.width());
-        painter.setPen(QPen(ink.plate, 3));
-        painter.drawLine(QPointF(line, 0), QPointF(line, size.height()));
-        painter.setPen(QPen(ink.text, 1));
-        painter.drawLine(QPointF(line, 0), QPointF(line, size.height()));
-        const QFontMetricsF metrics(painter.font());
-        const QString before = words(QT_TRANSLATE_NOOP("hitscope::ChangeOverlay", "Original"));
-        const QString after = words(QT_TRANSLATE_NOOP("hitscope::ChangeOverlay", "Deformed"));
-        paintNote(painter, before, line - kEdge - kPadding - metrics.horizontalAdvance(before) / 2, kEdge,
-                  ink);
-        paintNote(painter, after, line + kEdge + kPadding + metrics.horizontalAdvance(after) / 2, kEdge, ink);
+        const bool two = isComparing(view) && view.options.sideBySide;
+        const double width = two ? std::floor(size.width() / 2) : size.width();
+        paintWipe(painter, beforeAfter, {0.0, width}, size.height(), ink);
+        if (two) {
+            paintWipe(painter, beforeAfter, {width, size.width()}, size.height(), ink);
+        }
     }
     if (isComparing(view)) {
         paintComparison(painter, view, size, ink);

@@ -16,8 +16,17 @@ WipeHandle::WipeHandle(Viewport& viewport) : QObject(&viewport), m_viewport(view
 
 bool WipeHandle::isAt(const QMouseEvent& event) const {
     const BeforeAfterOptions& options = m_viewport.options().beforeAfter;
-    const double line = static_cast<double>(options.wipeAt) * m_viewport.width();
-    return options.wipe && std::abs(event.position().x() - line) <= kGrip;
+    const double line = static_cast<double>(options.wipeAt) * pictureWidth();
+    return options.wipe && std::abs(event.position().x() - leftOfPicture(event) - line) <= kGrip;
+}
+
+double WipeHandle::pictureWidth() const {
+    return std::max(m_viewport.options().sideBySide ? m_viewport.width() / 2 : m_viewport.width(), 1);
+}
+
+double WipeHandle::leftOfPicture(const QMouseEvent& event) const {
+    const bool second = m_viewport.options().sideBySide && event.position().x() >= pictureWidth();
+    return second ? pictureWidth() : 0.0;
 }
 
 bool WipeHandle::eventFilter(QObject* watched, QEvent* event) {
@@ -27,12 +36,13 @@ bool WipeHandle::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::MouseButtonPress) {
         const auto& mouse = *static_cast<QMouseEvent*>(event);
         m_held = mouse.button() == Qt::LeftButton && mouse.modifiers() == Qt::NoModifier && isAt(mouse);
+        m_heldLeft = leftOfPicture(mouse);
         return m_held;
     }
     if (event->type() == QEvent::MouseMove) {
         const auto& mouse = *static_cast<QMouseEvent*>(event);
         if (m_held) {
-            const double at = mouse.position().x() / std::max(m_viewport.width(), 1);
+            const double at = (mouse.position().x() - m_heldLeft) / pictureWidth();
             Q_EMIT dragged(static_cast<float>(std::clamp(at, 0.0, 1.0)));
             return true;
         }

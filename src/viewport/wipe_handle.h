@@ -27,9 +27,12 @@ protected:
 
 private:
     [[nodiscard]] bool isAt(const QMouseEvent& event) const;
+    [[nodiscard]] double pictureWidth() const;  ///< one of two, side by side
+    [[nodiscard]] double leftOfPicture(const QMouseEvent& event) const;
 
     Viewport& m_viewport;
     bool m_held = false;
+    double m_heldLeft = 0.0;  ///< of the picture whose line is held
     bool m_hovered = false;
 };
 

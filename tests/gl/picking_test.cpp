@@ -9,6 +9,7 @@
 
 #include "gl/context.h"
 #include "mesh/primitives.h"
+#include "session/comparison.h"
 #include "session/demo_shots.h"
 #include "session/primitive_target.h"
 #include "session/scene_picker.h"
@@ -36,24 +37,35 @@ std::optional<double> meets(const glm::dvec3& origin, const glm::dvec3& directio
     return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0 ? std::optional(t) : std::nullopt;
 }
 
+/// How vertices are drawn.
+struct Shown {
+    bool original = false;
+    float factor = 1.0f;
+
+    [[nodiscard]] glm::vec3 placeOf(const Target& target, std::uint32_t renderVertex) const {
+        const std::uint32_t vertex = target.deformed.render().fileVertices[renderVertex];
+        const glm::vec3 was = target.deformed.original().positions[vertex];
+        return original ? was : was + factor * target.deformed.displacement(vertex);
+    }
+};
+
 struct Met {
     const Target* target = nullptr;
     std::size_t triangle = 0;
     double distance = std::numeric_limits<double>::infinity();
 };
 
-Met castRay(const Session& session, const Ray& ray) {
+Met castRay(const Session& session, const Ray& ray, const Shown& shown = {}) {
     Met nearest;
     for (const std::unique_ptr<Target>& target : session.targets()) {
         const glm::dquat back = glm::conjugate(glm::dquat(target->transform.rotation));
         const glm::dvec3 origin = back * (glm::dvec3(ray.origin) - glm::dvec3(target->transform.position));
         const glm::dvec3 direction = back * glm::dvec3(ray.direction);
         const RenderMesh& mesh = target->deformed.render();
-        const std::span<const DynamicVertex> vertices = target->deformed.vertices();
         for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
-            const auto met =
-                meets(origin, direction, vertices[mesh.triangles[i]].position,
-                      vertices[mesh.triangles[i + 1]].position, vertices[mesh.triangles[i + 2]].position);
+            const auto met = meets(origin, direction, shown.placeOf(*target, mesh.triangles[i]),
+                                   shown.placeOf(*target, mesh.triangles[i + 1]),
+                                   shown.placeOf(*target, mesh.triangles[i + 2]));
             if (met && *met < nearest.distance) {
                 nearest = {target.get(), i / 3, *met};
             }
@@ -62,7 +74,8 @@ Met castRay(const Session& session, const Ray& ray) {
     return nearest;
 }
 
-std::optional<VertexRef> cornerNearest(const SceneGpu::View& view, const Met& met, const glm::vec2& at) {
+std::optional<VertexRef> cornerNearest(const SceneGpu::View& view, const Met& met, const glm::vec2& at,
+                                       const Shown& shown) {
     if (met.target == nullptr) {
         return std::nullopt;
     }
@@ -72,7 +85,7 @@ std::optional<VertexRef> cornerNearest(const SceneGpu::View& view, const Met& me
     float least = std::numeric_limits<float>::infinity();
     for (std::size_t corner = 0; corner < 3; ++corner) {
         const std::uint32_t vertex = mesh.triangles[3 * met.triangle + corner];
-        const auto point = screen.project(met.target->deformed.vertices()[vertex].position);
+        const auto point = screen.project(shown.placeOf(*met.target, vertex));
         if (point && glm::distance(point->at, at) < least) {
             least = glm::distance(point->at, at);
             nearest = VertexRef{met.target->id, mesh.fileVertices[vertex]};
@@ -135,6 +148,77 @@ private Q_SLOTS:
                                     .arg(picked.value() ? picked.value()->target.value : 0u)));
         }
         QVERIFY2(onTargets > 80, qPrintable(QString::number(onTargets)));
+    }
+
+    void pixelsShowVerticesAsTheyAreDrawn_data() {
+        QTest::addColumn<float>("factor");
+        QTest::addColumn<bool>("wipe");
+        QTest::addColumn<bool>("sideBySide");
+        QTest::addRow("exaggerated") << 3.0f << false << false;
+        QTest::addRow("wiped") << 1.0f << true << false;
+        QTest::addRow("side by side") << 1.0f << false << true;
+        QTest::addRow("all at once") << 3.0f << true << true;
+    }
+    void pixelsShowVerticesAsTheyAreDrawn() {
+        open(PipelineKind::TransformFeedback);
+        Comparison comparison(*m_session);
+        comparison.setOther(PipelineKind::Reference);
+        const SceneGpu::View view = changedView(comparison);
+        std::mt19937 random(5);
+        std::uniform_real_distribution<float> x(0.0f, static_cast<float>(view.width));
+        std::uniform_real_distribution<float> y(0.0f, static_cast<float>(view.height));
+        int onTargets = 0;
+        for (int i = 0; i < 250; ++i) {
+            const glm::vec2 at(x(random), y(random));
+            const auto picked = m_picker->pick(view, at);
+            QVERIFY(picked.ok());
+            onTargets += picked.value().has_value() ? 1 : 0;
+            QVERIFY2(isSeenAt(view, at, picked.value()),
+                     qPrintable(QStringLiteral("pixel %1, %2").arg(at.x).arg(at.y)));
+        }
+        QVERIFY2(onTargets > 40, qPrintable(QString::number(onTargets)));
+    }
+
+    /// Half of the picture after the other, and all of it at once.
+    void outlinesHoldVerticesAsTheyAreDrawn_data() { pixelsShowVerticesAsTheyAreDrawn_data(); }
+    void outlinesHoldVerticesAsTheyAreDrawn() {
+        open(PipelineKind::TransformFeedback);
+        Comparison comparison(*m_session);
+        comparison.setOther(PipelineKind::Reference);
+        const SceneGpu::View view = changedView(comparison);
+        const float width = static_cast<float>(view.width) / (view.options.sideBySide ? 2.0f : 1.0f);
+        const float left = view.options.sideBySide ? width : 0.0f;
+        const glm::vec2 low(left + 0.3f * width, 0.3f * static_cast<float>(view.height));
+        const glm::vec2 high(left + 0.7f * width, 0.6f * static_cast<float>(view.height));
+        const std::vector<glm::vec2> box{low, {high.x, low.y}, high, {low.x, high.y}};
+        const auto found = m_picker->changedWithin(view, box, Depth::Through);
+        QVERIFY(found.ok());
+        SceneGpu::View one = view;
+        one.width = static_cast<int>(width);
+        const BeforeAfterOptions& options = view.options.beforeAfter;
+        std::size_t count = 0;
+        for (const std::unique_ptr<Target>& target : m_session->targets()) {
+            const ScreenSpace screen(one, target->transform);
+            std::set<std::uint32_t> expected;
+            for (std::uint32_t i = 0; i < target->deformed.render().fileVertices.size(); ++i) {
+                const std::uint32_t vertex = target->deformed.render().fileVertices[i];
+                for (const bool original : {true, false}) {
+                    const auto point =
+                        screen.project(Shown{original, options.exaggeration}.placeOf(*target, i));
+                    const bool isLeft = point && options.wipe && point->at.x < options.wipeAt * width;
+                    if (point && isLeft == original && isWithin(box, point->at + glm::vec2(left, 0.0f)) &&
+                        target->deformed.isChanged(vertex)) {
+                        expected.insert(vertex);
+                    }
+                }
+            }
+            const auto here = found.value().find(target->id);
+            const std::vector<std::uint32_t> got =
+                here == found.value().end() ? std::vector<std::uint32_t>() : here->second;
+            QCOMPARE(got, std::vector<std::uint32_t>(expected.begin(), expected.end()));
+            count += got.size();
+        }
+        QVERIFY(count > 20);
     }
 
     void laterAnswersAreTheSame() {
@@ -222,7 +306,8 @@ private Q_SLOTS:
         QVERIFY(seen > 50);
         QVERIFY(static_cast<std::size_t>(seen) < changed);
         // At a silhouette a pixel cannot tell what its neighbour hides.
-        QVERIFY2(wrong * 40 < seen, qPrintable(QStringLiteral("%1 of %2, %3 hidden").arg(wrong).arg(seen).arg(extra)));
+        QVERIFY2(wrong * 40 < seen,
+                 qPrintable(QStringLiteral("%1 of %2, %3 hidden").arg(wrong).arg(seen).arg(extra)));
     }
 
     void lassosHaveAnInside() {
@@ -268,6 +353,19 @@ private:
         return view;
     }
 
+    /// With the row's way to show changes.
+    [[nodiscard]] SceneGpu::View changedView(Comparison& comparison) const {
+        QFETCH(float, factor);
+        QFETCH(bool, wipe);
+        QFETCH(bool, sideBySide);
+        SceneGpu::View view = viewOf(1.0f);
+        view.comparison = &comparison;
+        view.options.sideBySide = sideBySide;
+        view.options.beforeAfter.exaggeration = factor;
+        view.options.beforeAfter.wipe = wipe;
+        return view;
+    }
+
     [[nodiscard]] static Ray rayAt(const SceneGpu::View& view, const glm::vec2& at) {
         const glm::vec2 size(static_cast<float>(view.width), static_cast<float>(view.height));
         return view.camera.rayThrough({2.0f * at.x / size.x - 1.0f, 1.0f - 2.0f * at.y / size.y},
@@ -275,13 +373,20 @@ private:
     }
 
     /// The rasterizer rounds corners to a fraction of a pixel: rays a little beside the pixel's middle count.
-    [[nodiscard]] bool isSeenAt(const SceneGpu::View& view, const glm::vec2& at,
+    [[nodiscard]] bool isSeenAt(SceneGpu::View view, glm::vec2 at,
                                 const std::optional<VertexRef>& picked) const {
+        if (view.options.sideBySide) {
+            view.width /= 2;
+            at.x -= at.x < static_cast<float>(view.width) ? 0.0f : static_cast<float>(view.width);
+        }
+        const BeforeAfterOptions& options = view.options.beforeAfter;
+        const Shown shown{options.wipe && at.x < options.wipeAt * static_cast<float>(view.width),
+                          options.exaggeration};
         const glm::vec2 middle = glm::floor(at) + 0.5f;
         for (const glm::vec2& off : {glm::vec2(0.0f), glm::vec2(1.0f, 0.0f), glm::vec2(-1.0f, 0.0f),
                                      glm::vec2(0.0f, 1.0f), glm::vec2(0.0f, -1.0f)}) {
-            const Met met = castRay(*m_session, rayAt(view, middle + off / 128.0f));
-            if (cornerNearest(view, met, at) == picked) {
+            const Met met = castRay(*m_session, rayAt(view, middle + off / 128.0f), shown);
+            if (cornerNearest(view, met, at, shown) == picked) {
                 return true;
             }
         }

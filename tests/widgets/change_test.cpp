@@ -130,6 +130,15 @@ private Q_SLOTS:
         QVERIFY(child<QCheckBox>("sideBySide")->isEnabled());
         child<QCheckBox>("sideBySide")->click();
         QVERIFY(m_window->viewport().options().sideBySide);
+        // Each picture has its own line.
+        Viewport& viewport = m_window->viewport();
+        child<QCheckBox>("wipe")->click();
+        const double half = viewport.width() / 2;
+        const double y = viewport.height() / 2.0;
+        mouse(&viewport, QEvent::MouseButtonPress, {1.5 * half, y}, true);
+        mouse(&viewport, QEvent::MouseMove, {1.25 * half, y}, true);
+        mouse(&viewport, QEvent::MouseButtonRelease, {1.25 * half, y}, false);
+        QVERIFY(std::abs(viewport.options().beforeAfter.wipeAt - 0.25f) < 5e-3f);
         const std::size_t changed = m_session->targets()[0]->deformed.statistics().changedVertices;
         QTRY_VERIFY_WITH_TIMEOUT(
             child<QLabel>("report")->text().contains(QStringLiteral("largest difference 0 m, RMS 0 m")) &&
