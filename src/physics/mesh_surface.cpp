@@ -7,6 +7,8 @@
 #include <glm/vector_relational.hpp>
 #include <utility>
 
+#include "physics/outermost.h"
+
 namespace hitscope::physics {
 namespace {
 
@@ -129,6 +131,10 @@ void MeshSurface::reset() {
         m_tree = m_original->tree();
         m_changed = 0;
     }
+}
+
+std::vector<glm::vec3> MeshSurface::outermost() const {
+    return physics::outermost(m_tree, m_vertices, *m_original->corners());
 }
 
 Triangle MeshSurface::triangle(std::uint32_t index) const {

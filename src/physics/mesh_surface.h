@@ -34,6 +34,8 @@ public:
     [[nodiscard]] Bounds bounds() const { return m_tree.bounds(); }
     [[nodiscard]] const CollisionMesh& original() const { return *m_original; }
 
+    /// See outermost.h.
+    [[nodiscard]] std::vector<glm::vec3> outermost() const;
     [[nodiscard]] Triangle triangle(std::uint32_t index) const;
     /// First contact of a sphere, `radius` 0: of a point.
     [[nodiscard]] std::optional<SurfaceCast> cast(const glm::dvec3& start, const glm::dvec3& motion,
