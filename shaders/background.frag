@@ -5,6 +5,8 @@ in vec2 v_ndc;
 flat in vec3 v_top;
 flat in vec3 v_bottom;
 
+uniform float u_left;  // the viewport's, pixels: pictures side by side are the same
+
 out vec4 o_colour;
 
 void main()
@@ -13,6 +15,6 @@ void main()
     vec3 colour = mix(v_bottom, v_top, height);
     colour *= 1.0 - 0.05 * dot(v_ndc, v_ndc) * 0.5;
     // Half a step of noise, or eight bits would show the gradient as bands.
-    float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+    float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy - vec2(u_left, 0.0), vec2(0.06711056, 0.00583715))));
     o_colour = vec4(colour + (noise - 0.5) / 255.0, 1.0);
 }

@@ -3,12 +3,18 @@
 //
 // HITSCOPE_CHANGE_MAP    defined: v_change is the quantity's value (twin of src/deform/change_quantity.cpp)
 // HITSCOPE_EXAGGERATED   defined: vertices are drawn as if they had moved u_exaggeration times as far
+// HITSCOPE_GHOST         defined: vertices are drawn where they were
 
-#if defined(HITSCOPE_CHANGE_MAP) || defined(HITSCOPE_EXAGGERATED)
+#if defined(HITSCOPE_CHANGE_MAP) || defined(HITSCOPE_EXAGGERATED) || defined(HITSCOPE_GHOST)
 layout(location = 4) in vec3 a_original;
 #endif
 
-#ifdef HITSCOPE_EXAGGERATED
+#if defined(HITSCOPE_GHOST)
+vec3 drawnPosition(vec3 position)
+{
+    return a_original;
+}
+#elif defined(HITSCOPE_EXAGGERATED)
 uniform float u_exaggeration;
 
 vec3 drawnPosition(vec3 position)

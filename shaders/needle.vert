@@ -45,7 +45,7 @@ void main()
     float side = (gl_VertexID & 1) != 0 ? 1.0 : -1.0;
     bool tip = (gl_VertexID & 2) != 0;
     vec4 end = tip ? b : a;
-    g_density = tip ? 1.0 : 0.45;  // which end is which
+    g_density = tip ? 1.0 : 0.53;  // which end is which
     g_across = side * u_reach;
     gl_Position = vec4(end.xy + side * across * end.w, end.zw);
 }

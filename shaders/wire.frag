@@ -24,5 +24,5 @@ void main()
     float density = v_density;
     float cover = 1.0;
 #endif
-    o_colour = vec4(u_colour.rgb, u_colour.a * cover * mix(0.15, 1.0, density));
+    o_colour = vec4(u_colour.rgb, u_colour.a * cover * density);
 }

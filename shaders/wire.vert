@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #version 330 core
 // The edges of the targets' polygons.
+//
+// HITSCOPE_GHOST   defined: as they were, and only what has moved (change.glsl)
 
 #include "hits.glsl"
 #include "change.glsl"
@@ -23,7 +25,10 @@ void main()
 
     vec4 clip = u_viewProjection * (u_model * vec4(drawnPosition(position), 1.0));
     // Edges a pixel or two long would fill the surface with one colour; they fade instead.
-    v_density = smoothstep(0.5, 9.0, u_edgePixels / max(clip.w, 1.0e-6));
+    v_density = mix(0.15, 1.0, smoothstep(0.5, 9.0, u_edgePixels / max(clip.w, 1.0e-6)));
+#ifdef HITSCOPE_GHOST
+    v_density *= position == a_original ? 0.0 : 1.0;
+#endif
     clip.z += u_depthShift;
     gl_Position = clip;
 }

@@ -136,7 +136,11 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     m_viewport->setFocus();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+    // The panels go before the models that they show, which are members.
+    hide();
+    qDeleteAll(findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly));
+}
 
 QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* panel,
                                  Qt::DockWidgetArea area) {

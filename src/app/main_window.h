@@ -26,6 +26,7 @@ class FrameRatePanel;
 class FullView;
 class HitActions;
 class InspectActions;
+class MeshExporter;
 class NoticeBar;
 class PictureActions;
 class PipelineChooser;
@@ -56,6 +57,8 @@ public:
     /// Writes the target in focus as it is on the screen, its normals too unless others are asked for. Errors
     /// are exportTarget()'s.
     [[nodiscard]] Status exportTo(const QString& path, std::optional<NormalMode> normals = {});
+    /// The same beside what else the window does; the status bar says how it goes, and how it ended.
+    void beginExport(const QString& path, std::optional<NormalMode> normals = {});
     [[nodiscard]] Status savePictureTo(const QString& path);
     /// Reloads the scene's only mesh with its centre at the origin and its largest extent `extent` metres,
     /// or, for extent 0, in its file's own coordinates. Hits are lost.
@@ -135,6 +138,7 @@ private:
     Viewport* m_viewport = nullptr;
     NoticeBar* m_notice = nullptr;
     SceneFiles* m_files = nullptr;
+    MeshExporter* m_exporter = nullptr;
     HitActions* m_hitActions = nullptr;
     StatusLine* m_status = nullptr;
     TextureChooser* m_textureChooser = nullptr;

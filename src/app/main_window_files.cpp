@@ -14,6 +14,7 @@
 
 #include "app/dialogs.h"
 #include "app/main_window.h"
+#include "app/mesh_exporter.h"
 #include "app/notice_bar.h"
 #include "app/picture_actions.h"
 #include "app/scene_files.h"
@@ -78,6 +79,13 @@ void MainWindow::connectFiles() {
     connect(m_files, &SceneFiles::opened, this, &MainWindow::saidOpened);
     connect(m_files, &SceneFiles::made, statusBar(), &QStatusBar::clearMessage);
     connect(m_files, &SceneFiles::failed, this, [this](const Error& error) { showError(this, error); });
+    m_exporter = new MeshExporter(m_session.tasks(), this);
+    connect(m_exporter, &MeshExporter::exported, this, [this](const QString& name, const QString& path) {
+        statusBar()->showMessage(tr("Exported “%1” to %2").arg(name, path), kMessageStays);
+    });
+    connect(m_exporter, &MeshExporter::failed, this, [this](const Error& error) { showError(this, error); });
+    connect(m_exporter, &MeshExporter::cancelled, this,
+            [this] { statusBar()->showMessage(tr("Cancelled; the file is as it was."), kMessageStays); });
     connect(m_files, &SceneFiles::cancelled, this,
             [this] { statusBar()->showMessage(tr("Cancelled; the scene is as it was."), kMessageStays); });
 }
@@ -180,11 +188,20 @@ void MainWindow::chooseExport() {
     m_settings.exportNormals = normals == shown ? std::nullopt : std::optional(normals);
     const QString full = withSuffix(path, QStringLiteral("obj"));
     m_settings.folder = QFileInfo(full).absolutePath();
-    if (Status exported = exportTo(full, normals); !exported) {
-        showError(this, exported.error());
-    } else {
-        statusBar()->showMessage(tr("Exported “%1” to %2").arg(target->name, full), kMessageStays);
+    beginExport(full, normals);
+}
+
+void MainWindow::beginExport(const QString& path, std::optional<NormalMode> normals) {
+    const Target* target = focusTarget(m_session);
+    if (target == nullptr) {
+        return;
     }
+    if (Status current = m_viewport->syncNow(); !current) {
+        showError(this, current.error());
+        return;
+    }
+    m_exporter->start(copyForExport(*target, normals.value_or(m_viewport->options().normals)), target->name,
+                      path);
 }
 
 Status MainWindow::exportTo(const QString& path, std::optional<NormalMode> normals) {

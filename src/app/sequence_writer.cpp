@@ -45,6 +45,9 @@ Status SequenceWriter::start(const Plan& plan) {
     });
     if (made) {
         m_count = m_sequence->count();
+        m_task = std::make_unique<TaskProgress>(
+            m_viewport.session().tasks(), tr("Drawing pictures"), [this] { cancel(); },
+            tr("Stop drawing; pictures already written stay"));
         QTimer::singleShot(0, this, &SequenceWriter::step);
     }
     return made;
@@ -90,6 +93,7 @@ void SequenceWriter::took(int run, const Status& saved) {
         return;
     }
     ++m_written;
+    m_task->report(static_cast<double>(m_written) / m_count);
     Q_EMIT progressed(m_written, m_count);
     if (m_written == m_count) {
         stop();
@@ -107,6 +111,7 @@ void SequenceWriter::cancel() {
 }
 
 void SequenceWriter::stop() {
+    m_task.reset();
     if (m_sequence) {
         // Its buffers are given back where they came from.
         static_cast<void>(m_viewport.withScene([this](SceneGpu&) -> Status {

@@ -4,9 +4,11 @@
 #include <QObject>
 #include <QString>
 #include <QThreadPool>
+#include <memory>
 #include <optional>
 
 #include "session/picture_sequence.h"
+#include "session/task_list.h"
 
 namespace hitscope {
 
@@ -47,6 +49,7 @@ private:
     Viewport& m_viewport;
     Plan m_plan;
     std::optional<PictureSequence> m_sequence;
+    std::unique_ptr<TaskProgress> m_task;  ///< null: nothing is drawn
     QThreadPool m_writers;
     int m_run = 0;  ///< tells late answers of a run before from this one's
     int m_count = 0;

@@ -26,23 +26,25 @@ QString libraryPath(const QFileInfo& obj, const QByteArray& content) {
                         : freePath(obj.absolutePath(), name, content);
 }
 
-/// Gives the library's name for the mtllib line. The library is written before the OBJ, so that an OBJ never
-/// refers to one that is not there.
-Result<std::string> exportMaterials(const ObjExport& what, const QFileInfo& obj) {
+/// The MTL that goes with an OBJ. Without a path: none.
+struct Library {
+    QString path;
+    std::string content;
+};
+
+Result<Library> prepareMaterials(const ObjExport& what, const QFileInfo& obj) {
     if (what.mesh->materials.empty()) {
-        return std::string();
+        return Library();
     }
     const Result<std::vector<std::string>> textures =
         placeTextures(*what.mesh, what.sourceFolder, obj.absolutePath(), obj.completeBaseName());
     if (!textures) {
         return textures.error();
     }
-    const std::string content = formatMtl(*what.mesh, textures.value());
-    const QString path = libraryPath(obj, QByteArray::fromStdString(content));
-    if (const Status written = writeWhole(path, content); !written) {
-        return written.error();
-    }
-    return QFileInfo(path).fileName().toStdString();
+    Library library;
+    library.content = formatMtl(*what.mesh, textures.value());
+    library.path = libraryPath(obj, QByteArray::fromStdString(library.content));
+    return library;
 }
 
 }  // namespace
@@ -52,11 +54,22 @@ Status exportObj(const ObjExport& what, const QString& path) {
         return fits;
     }
     try {
-        const Result<std::string> library = exportMaterials(what, QFileInfo(path));
+        const Result<Library> library = prepareMaterials(what, QFileInfo(path));
         if (!library) {
             return library.error();
         }
-        return writeWhole(path, formatObj(what, library.value()));
+        const QString& libraryPath = library.value().path;
+        const std::string text = formatObj(what, QFileInfo(libraryPath).fileName().toStdString());
+        if (text.empty()) {
+            return Error{"The export was cancelled.", path.toStdString(), "The file is as it was."};
+        }
+        // The library first, so that an OBJ never refers to one that is not there.
+        if (!libraryPath.isEmpty()) {
+            if (Status written = writeWhole(libraryPath, library.value().content); !written) {
+                return written;
+            }
+        }
+        return writeWhole(path, text);
     } catch (const std::bad_alloc&) {
         return Error{"There is not enough memory to write the mesh.", path.toStdString(),
                      "Close other programs."};

@@ -90,6 +90,8 @@ private:
     void stateOf(std::size_t face);
     void corner(std::size_t c);
     void linesAndPoints();
+    /// To be asked before each vertex and face. `done`: of all of them.
+    bool isGivenUp(std::size_t done);
     void index(std::uint32_t zeroBased) { appendNumber(m_text, std::uint64_t{zeroBased} + 1); }
 
     const MeshData& m_mesh;
@@ -100,7 +102,17 @@ private:
     std::vector<std::string> m_materials;
     std::size_t m_nextGroup = 0;
     std::uint32_t m_material = kNoIndex;
+    bool m_isGivenUp = false;
 };
+
+bool ObjText::isGivenUp(std::size_t done) {
+    constexpr std::size_t kBetween = 8192;
+    if (!m_isGivenUp && m_what.goOn && done % kBetween == 0) {
+        const std::size_t all = m_mesh.positions.size() + m_mesh.faceCount();
+        m_isGivenUp = !m_what.goOn(static_cast<double>(done) / static_cast<double>(all));
+    }
+    return m_isGivenUp;
+}
 
 void ObjText::position(std::size_t v) {
     const glm::vec3& now = m_what.positions[v];
@@ -126,7 +138,7 @@ void ObjText::position(std::size_t v) {
 }
 
 void ObjText::vertices() {
-    for (std::size_t v = 0; v < m_mesh.positions.size(); ++v) {
+    for (std::size_t v = 0; v < m_mesh.positions.size() && !isGivenUp(v); ++v) {
         m_text += 'v';
         position(v);
         for (int i = 0; !m_mesh.colours.empty() && i < 3; ++i) {
@@ -203,7 +215,7 @@ void ObjText::corner(std::size_t c) {
 }
 
 void ObjText::faces() {
-    for (std::size_t f = 0; f < m_mesh.faceCount(); ++f) {
+    for (std::size_t f = 0; f < m_mesh.faceCount() && !isGivenUp(m_mesh.positions.size() + f); ++f) {
         groupsBefore(f);
         stateOf(f);
         m_text += 'f';
@@ -241,10 +253,15 @@ std::string ObjText::format() {
     }
     m_materials = materialNames(m_mesh);
     vertices();
-    texcoords();
-    normals();
-    faces();
-    linesAndPoints();
+    if (!m_isGivenUp) {
+        texcoords();
+        normals();
+        faces();
+        linesAndPoints();
+    }
+    if (m_isGivenUp || (m_what.goOn && !m_what.goOn(1.0))) {
+        return {};
+    }
     return std::move(m_text);
 }
 

@@ -33,6 +33,7 @@ Status drawBackground(const FrameContext& context) {
     background.use();
     background.set("u_top", context.colours.backgroundTop);
     background.set("u_bottom", context.colours.backgroundBottom);
+    background.set("u_left", static_cast<float>(context.frame.left));
     glBindVertexArray(context.emptyArray);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     return Done{};

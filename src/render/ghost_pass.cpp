@@ -2,7 +2,6 @@
 #include "render/ghost_pass.h"
 
 #include "render/line_pass.h"
-#include "render/original_shape.h"
 
 namespace hitscope::render {
 
@@ -41,12 +40,12 @@ OriginalFrame::OriginalFrame(const Frame& changed)
     frame.options.beforeAfter = {};
 }
 
-Status drawGhosts(const FrameContext& originals, GhostMode mode) {
+Status drawGhosts(const FrameContext& originals, DeformationPipeline& pipeline, GhostMode mode) {
     if (mode == GhostMode::Translucent) {
         return drawTranslucent(originals);
     }
-    OriginalShape shape;
-    return drawEdges(originals, shape, {glm::vec4(originals.colours.accent, kWireOpacity), 0.0f, 0.0f});
+    return drawEdges(originals, pipeline,
+                     {glm::vec4(originals.colours.accent, kWireOpacity), 0.0f, 0.0f, true});
 }
 
 }  // namespace hitscope::render

@@ -17,9 +17,9 @@ struct OriginalFrame {
     Frame frame;
 };
 
-/// The originals of changed targets over what has become of them, as options.beforeAfter.ghost of the frame
-/// that `originals` was made from says. Blending is on, depth test GL_LESS, depth writes off: where nothing
-/// moved the ghost has the surface's very depths and is not seen.
-[[nodiscard]] Status drawGhosts(const FrameContext& originals, GhostMode mode);
+/// The changed targets as they were over what has become of them, in an OriginalFrame; `pipeline` has what
+/// has become of them. Blending is on, depth test GL_LESS, depth writes off. Where nothing moved nothing is
+/// seen: a surface has the very depths of what is there, edges are left out.
+[[nodiscard]] Status drawGhosts(const FrameContext& originals, DeformationPipeline& pipeline, GhostMode mode);
 
 }  // namespace hitscope::render

@@ -56,8 +56,11 @@ void setEdgePixels(const gl::Program& program, const FrameContext& context, cons
 }
 
 Result<const gl::Program*> edgeProgram(const FrameContext& context, const DeformationPipeline& pipeline,
-                                       bool wide) {
-    gl::Defines defines = targetDefines(context.frame, pipeline);
+                                       bool wide, bool ghost) {
+    gl::Defines defines = ghost ? pipeline.drawDefines() : targetDefines(context.frame, pipeline);
+    if (ghost) {
+        defines.emplace_back("HITSCOPE_GHOST", "1");
+    }
     if (wide) {
         defines.emplace_back("HITSCOPE_WIDE", "1");
     }
@@ -75,7 +78,7 @@ Status drawEdgesOf(const FrameContext& context, DeformationPipeline& pipeline, c
             continue;
         }
         if (program == nullptr) {
-            const auto found = edgeProgram(context, pipeline, wide);
+            const auto found = edgeProgram(context, pipeline, wide, style.ghost);
             if (!found) {
                 return found.error();
             }
@@ -88,7 +91,8 @@ Status drawEdgesOf(const FrameContext& context, DeformationPipeline& pipeline, c
         program->set("u_model", item.model);
         program->set("u_colour", item.selected ? selected : style.colour);
         setEdgePixels(*program, context, item);
-        glBindVertexArray(item.original ? item.buffers->originalEdgeArray() : item.buffers->edgeArray());
+        glBindVertexArray(item.original && !style.ghost ? item.buffers->originalEdgeArray()
+                                                        : item.buffers->edgeArray());
         glDrawElements(GL_LINES, static_cast<GLsizei>(item.buffers->edgeIndexCount()), GL_UNSIGNED_INT,
                        nullptr);
     }

@@ -9,6 +9,7 @@ struct EdgeStyle {
     glm::vec4 colour{1.0f};      ///< sRGB, opacity
     float selectionTint = 0.0f;  ///< [0, 1]: how much of the accent colour a selected target's edges take on
     float leastPixels = 0.0f;    ///< shorter edges than these (logical pixels) are not worth drawing
+    bool ghost = false;          ///< where the target was, and only edges that moved
 };
 
 // Each expects blending on, depth test on and depth writes off.

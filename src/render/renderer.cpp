@@ -171,7 +171,7 @@ struct Renderer::Private {
     ShadowMap shadows{software};
 
     [[nodiscard]] FrameContext contextOf(const Frame& frame);
-    [[nodiscard]] Status drawGhosts(const Frame& frame);
+    [[nodiscard]] Status drawGhosts(const Frame& frame, DeformationPipeline& pipeline);
     /// Targets and what marks them.
     [[nodiscard]] Status drawScene(const FrameContext& context, DeformationPipeline& pipeline);
     [[nodiscard]] Status drawWiped(const FrameContext& context, DeformationPipeline& pipeline);
@@ -192,7 +192,7 @@ FrameContext Renderer::Private::contextOf(const Frame& frame) {
     return context;
 }
 
-Status Renderer::Private::drawGhosts(const Frame& frame) {
+Status Renderer::Private::drawGhosts(const Frame& frame, DeformationPipeline& pipeline) {
     const GhostMode mode = frame.options.beforeAfter.ghost;
     if (mode == GhostMode::Off) {
         return Done{};
@@ -200,14 +200,14 @@ Status Renderer::Private::drawGhosts(const Frame& frame) {
     OriginalFrame originals(frame);
     std::erase_if(originals.items, [](const DrawItem& item) { return !item.changed; });
     originals.frame.targets = originals.items;
-    return render::drawGhosts(contextOf(originals.frame), mode);
+    return render::drawGhosts(contextOf(originals.frame), pipeline, mode);
 }
 
 Status Renderer::Private::drawScene(const FrameContext& context, DeformationPipeline& pipeline) {
     if (Status status = drawTargets(context, pipeline); !status) {
         return status;
     }
-    if (Status status = drawGhosts(context.frame); !status) {
+    if (Status status = drawGhosts(context.frame, pipeline); !status) {
         return status;
     }
     return drawDotsAndNeedles(context, pipeline);

@@ -52,8 +52,12 @@ DeformationConstants Session::constantsOf(const Hit& hit) const {
     const Target* on = target(hit.target);
     DeformationConstants constants = on != nullptr ? constantsOn(*on) : m_constants.constants;
     if (m_projectileSettings.powerFollowsImpulse) {
+        ConstantsSetting most = m_constants;
+        most.constants.power = static_cast<float>(deformationParameters()[1].maximum);
+        const float cap =
+            on != nullptr ? hitscope::constantsOn(on->extent(), most).power : most.constants.power;
         const float power = constants.power * (hit.impulse / m_projectileSettings.referenceImpulse);
-        constants.power = std::clamp(power, 0.0f, static_cast<float>(hitParameters()[1].maximum));
+        constants.power = std::clamp(power, 0.0f, cap);
     }
     return constants;
 }

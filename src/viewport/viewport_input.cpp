@@ -78,8 +78,8 @@ void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
     }
     m_heldShot.reset();
     m_holdTimer.stop();
+    m_navigation.press(*event);  // which stops the camera
     recentre(event->position());
-    m_navigation.press(*event);
     m_clickCounts = false;
 }
 

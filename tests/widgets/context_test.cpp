@@ -210,7 +210,8 @@ void ContextTest::pixelsAndRaysAgree() {
     std::uniform_int_distribution<int> y(3, with.height() - 4);
     const auto meets = [&](const QPointF& pixel) {
         const Ray ray = viewport.navigation().rayAt(pixel / scale);
-        return m_session->physics().castRay(ray.origin, ray.direction, 1.0e4f).has_value();
+        const auto met = m_session->physics().castRay(ray.origin, ray.direction, 1.0e4f);
+        return met && met->target;  // not the floor
     };
     for (int i = 0; i < 600; ++i) {
         const QPoint pixel(x(random), y(random));

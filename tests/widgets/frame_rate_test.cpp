@@ -51,6 +51,7 @@ private Q_SLOTS:
     void plotsFollowThePalette();
     void savesCsv();
     void collectsCosts();
+    void saysThatTheGpuIsNotMeasured();
     void measuresOnRequest();
 
 private:
@@ -226,6 +227,14 @@ void FrameRateTest::savesCsv() {
     QCOMPARE(cell("arrived_hits"), QByteArray("3"));
     QCOMPARE(lines[3].split(',')[names.indexOf("gpu_ms")], QByteArray());
     QVERIFY(!m_panel->saveCsv(folder.filePath(QStringLiteral("no/such/folder.csv"))).ok());
+}
+
+void FrameRateTest::saysThatTheGpuIsNotMeasured() {
+    const auto* sentence = child<QLabel>("noGpuTimes");
+    QVERIFY(!sentence->isVisible());
+    m_session->frameCosts().setMeasuresGpu(false);
+    QTRY_VERIFY(sentence->isVisible());
+    QVERIFY(sentence->text().contains(QStringLiteral("no timer queries")));
 }
 
 void FrameRateTest::collectsCosts() {

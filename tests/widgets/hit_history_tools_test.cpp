@@ -392,6 +392,8 @@ private Q_SLOTS:
             QVERIFY(error.message().find("bad.csv, line 1") != std::string::npos);
             QTRY_VERIFY(QApplication::activeModalWidget() == nullptr);
             // Undo and redo by their keys.
+            window.activateWindow();
+            QVERIFY(QTest::qWaitForWindowActive(&window, kPatience));
             window.viewport().setFocus();
             QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
             QCOMPARE(session.history().size(), std::size_t{0});

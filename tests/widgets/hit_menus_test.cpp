@@ -127,7 +127,7 @@ void HitMenusTest::statusBarCountsHits() {
     m_session->setHitsEnabled(std::vector<std::size_t>{1}, false);
     QVERIFY(says(QStringLiteral("3 hits, 1 disabled")));
     m_session->setCapacity({1, false, 1, {0}});
-    QVERIFY(says(QStringLiteral("3 hits, 1 disabled, 1 dropped")));
+    QVERIFY(says(QStringLiteral("3 hits of 1, 1 disabled, 1 dropped")));
 }
 
 void HitMenusTest::unavailablePipelinesAreGrey() {

@@ -249,6 +249,7 @@ void FrameRatePanel::hideEvent(QHideEvent* event) {
 void FrameRatePanel::refresh() {
     if (m_ui->tabs->currentIndex() == 0) {
         m_graph->refresh();
+        m_ui->noGpuTimes->setVisible(!m_session.frameCosts().measuresGpu().value_or(true));
         showReadOuts();
         if (m_graph->colour(FrameGraph::Frame) != m_frameColour) {
             colourLegend();

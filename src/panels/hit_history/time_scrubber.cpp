@@ -77,8 +77,8 @@ void TimeScrubber::follow() {
 void TimeScrubber::show(int hits) {
     m_isShowing = true;
     m_session.showHits(hits >= all() ? std::nullopt : std::optional(static_cast<std::size_t>(hits)));
-    m_isShowing = false;
     follow();
+    m_isShowing = false;  // last: for anybody else's moment follow() stops the replay
 }
 
 void TimeScrubber::togglePlay() {

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/mesh_exporter.h"
+
+#include <QFileInfo>
+#include <utility>
+
+#include "session/task_list.h"
+
+namespace hitscope {
+
+MeshExporter::MeshExporter(TaskList& tasks, QObject* parent) : QObject(parent), m_tasks(tasks) {
+    m_writer.setMaxThreadCount(1);
+}
+
+MeshExporter::~MeshExporter() {
+    m_writer.waitForDone();
+}
+
+void MeshExporter::start(TargetExport what, const QString& name, const QString& path) {
+    auto job = std::make_shared<Job>();
+    job->name = name;
+    job->path = path;
+    job->what = std::move(what);
+    job->progress = std::make_unique<TaskProgress>(
+        m_tasks, tr("Exporting %1").arg(QFileInfo(path).fileName()),
+        [stopped = std::weak_ptr(job)] {
+            if (const std::shared_ptr<Job> it = stopped.lock()) {
+                it->isCancelled = true;
+            }
+        },
+        tr("Stop exporting; the file stays as it was"));
+    m_jobs.push_back(job);
+    m_writer.start([this, job] { write(job); });
+}
+
+/// On the other thread.
+void MeshExporter::write(const std::shared_ptr<Job>& job) {
+    const auto goOn = [this, &job](double fraction) {
+        QMetaObject::invokeMethod(
+            this,
+            [job, fraction] {
+                if (job->progress) {
+                    job->progress->report(fraction);
+                }
+            },
+            Qt::QueuedConnection);
+        return !job->isCancelled;
+    };
+    const Status written = writeExport(job->what, job->path, goOn);
+    QMetaObject::invokeMethod(
+        this, [this, job, written] { take(job, written); }, Qt::QueuedConnection);
+}
+
+void MeshExporter::take(const std::shared_ptr<Job>& job, const Status& written) {
+    job->progress.reset();
+    m_jobs.remove(job);
+    if (written) {
+        Q_EMIT exported(job->name, job->path);
+    } else if (job->isCancelled) {
+        Q_EMIT cancelled();
+    } else {
+        Q_EMIT failed(written.error());
+    }
+}
+
+}  // namespace hitscope

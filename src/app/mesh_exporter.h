@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+#include <atomic>
+#include <list>
+#include <memory>
+
+#include "session/export_target.h"
+
+namespace hitscope {
+
+class TaskList;
+class TaskProgress;
+
+/// Writes targets to files on another thread, one after the other. What is under way when this is destroyed
+/// is written to its end first: the person asked for it.
+class MeshExporter : public QObject {
+    Q_OBJECT
+public:
+    /// `tasks` outlives this; there the exports are shown and can be cancelled.
+    explicit MeshExporter(TaskList& tasks, QObject* parent = nullptr);
+    ~MeshExporter() override;
+
+    /// `name`: the target's, for people.
+    void start(TargetExport what, const QString& name, const QString& path);
+    [[nodiscard]] bool isRunning() const { return !m_jobs.empty(); }
+
+Q_SIGNALS:
+    void exported(const QString& name, const QString& path);
+    void failed(const hitscope::Error& error);
+    void cancelled();  ///< the file is as it was
+
+private:
+    struct Job {
+        QString name;
+        QString path;
+        TargetExport what;
+        std::atomic<bool> isCancelled = false;
+        std::unique_ptr<TaskProgress> progress;  // of the window's thread
+    };
+    void write(const std::shared_ptr<Job>& job);
+    void take(const std::shared_ptr<Job>& job, const Status& written);
+
+    TaskList& m_tasks;
+    std::list<std::shared_ptr<Job>> m_jobs;
+    QThreadPool m_writer;
+};
+
+}  // namespace hitscope

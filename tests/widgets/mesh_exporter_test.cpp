@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Exports beside the window: what is written, and what is not when they are given up.
+#include <QFile>
+#include <QSignalSpy>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/mesh_exporter.h"
+#include "mesh/primitives.h"
+#include "session/task_list.h"
+#include "window_support.h"
+
+using namespace hitscope;
+
+namespace {
+
+QByteArray contentOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+}  // namespace
+
+class MeshExporterTest : public QObject {
+    Q_OBJECT
+public:
+    static void initMain() { MainWindow::setSurfaceFormat(); }
+
+private:
+    [[nodiscard]] QString path(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
+    [[nodiscard]] static const Target& target(const Session& session) { return *session.targets().front(); }
+
+    TestSettings m_settings;
+    QTemporaryDir m_folder;
+
+private Q_SLOTS:
+    void writesWhatWasThere() {
+        Session session;
+        session.loadMesh(makeHighPolyCube(2.5f));
+        QVERIFY(exportTarget(target(session), path("at_once.obj"), NormalMode::True).ok());
+        MeshExporter exporter(session.tasks());
+        QSignalSpy exported(&exporter, &MeshExporter::exported);
+        std::vector<double> fractions;
+        connect(&session.tasks(), &TaskList::changed, this, [&] {
+            if (session.tasks().current() != nullptr) {
+                fractions.push_back(session.tasks().current()->fraction);
+            }
+        });
+        exporter.start(copyForExport(target(session), NormalMode::True), QStringLiteral("cube"),
+                       path("beside.obj"));
+        QCOMPARE(session.tasks().size(), std::size_t{1});
+        QCOMPARE(session.tasks().current()->what, QStringLiteral("Exporting beside.obj"));
+        session.loadPaperRow(kDefaultPaperRow);  // the file is of what there was
+        QTRY_COMPARE_WITH_TIMEOUT(exported.size(), 1, kPatience);
+        QCOMPARE(exported[0][0].toString(), QStringLiteral("cube"));
+        QCOMPARE(session.tasks().size(), std::size_t{0});
+        QVERIFY(!contentOf(path("at_once.obj")).isEmpty());
+        QCOMPARE(contentOf(path("beside.obj")), contentOf(path("at_once.obj")));
+        QVERIFY(std::is_sorted(fractions.begin(), fractions.end()));
+        QCOMPARE(fractions.back(), 1.0);
+    }
+
+    void givenUpLeavesTheOldFile() {
+        Session session;
+        session.loadMesh(makeHighPolyCube(2.5f));
+        const QByteArray old = "# what was there\n";
+        QFile file(path("old.obj"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(old);
+        file.close();
+        MeshExporter exporter(session.tasks());
+        QSignalSpy cancelled(&exporter, &MeshExporter::cancelled);
+        QSignalSpy exported(&exporter, &MeshExporter::exported);
+        // The second waits for the first, so it cannot be over before it is given up.
+        for (const char* name : {"first.obj", "old.obj"}) {
+            exporter.start(copyForExport(target(session), NormalMode::Paper), QStringLiteral("cube"),
+                           path(name));
+        }
+        session.tasks().cancel(session.tasks().current()->id + 1);
+        QTRY_VERIFY_WITH_TIMEOUT(!exporter.isRunning(), kPatience);
+        QCOMPARE(cancelled.size(), 1);
+        QCOMPARE(exported.size(), 1);
+        QCOMPARE(contentOf(path("old.obj")), old);
+        QCOMPARE(session.tasks().size(), std::size_t{0});
+    }
+
+    void whatCannotBeWrittenIsSaid() {
+        Session session;
+        session.loadMesh(makeHighPolyCube(2.5f));
+        MeshExporter exporter(session.tasks());
+        QSignalSpy failed(&exporter, &MeshExporter::failed);
+        exporter.start(copyForExport(target(session), NormalMode::True), QStringLiteral("cube"),
+                       path("no such folder/a.obj"));
+        QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, kPatience);
+        QVERIFY(failed[0][0].value<Error>().message().find("no such folder") != std::string::npos);
+    }
+
+    void isFinishedBeforeItGoes() {
+        Session session;
+        session.loadMesh(makeHighPolyCube(2.5f));
+        {
+            MeshExporter exporter(session.tasks());
+            exporter.start(copyForExport(target(session), NormalMode::True), QStringLiteral("cube"),
+                           path("last.obj"));
+        }
+        QVERIFY(!contentOf(path("last.obj")).isEmpty());
+        QCOMPARE(session.tasks().size(), std::size_t{0});
+    }
+
+    void theWindowSaysHowItEnded() {
+        Session session;
+        session.loadMesh(makeHighPolyCube(2.5f));
+        MainWindow window(session);
+        showReady(window);
+        Hit hit;
+        hit.target = target(session).id;
+        hit.point = {0.0f, 2.5f, 0.0f};
+        hit.direction = {0.0f, -1.0f, 0.0f};
+        QVERIFY(session.addHit(hit).ok());  // no frame has shown it yet
+        window.beginExport(path("window.obj"));
+        QTRY_VERIFY_WITH_TIMEOUT(window.statusBar()->currentMessage().contains(path("window.obj")),
+                                 kPatience);
+        QVERIFY(window.exportTo(path("again.obj")).ok());
+        QVERIFY(!contentOf(path("again.obj")).isEmpty());
+        QCOMPARE(contentOf(path("window.obj")), contentOf(path("again.obj")));
+    }
+};
+
+QTEST_MAIN(MeshExporterTest)
+#include "mesh_exporter_test.moc"
