@@ -17,29 +17,30 @@ const btVector3 kUnscaled(1, 1, 1);
 }  // namespace
 
 MeshShape::MeshShape(std::shared_ptr<const CollisionMesh> original, const glm::vec3& centre)
-    : m_surface(std::move(original)), m_centre(centre) {
+    : m_surface(std::move(original)), m_centre(centre), m_outermost(*m_surface.original().hull()) {
     m_shapeType = CUSTOM_CONCAVE_SHAPE_TYPE;
     m_collisionMargin = 0.0f;
-    makeHull(m_surface.original().hull());
+    makeHull(m_outermost.points());
     m_hull->calculateLocalInertia(1.0f, m_inertia);
 }
 
-void MeshShape::makeHull(const std::vector<glm::vec3>& points) {
+void MeshShape::makeHull(std::vector<glm::vec3> points) {
     m_hull = std::make_unique<btConvexHullShape>();
     for (const glm::vec3& point : points) {
         m_hull->addPoint(toBullet(point - m_centre), false);
     }
     m_hull->recalcLocalAabb();
     m_hull->setMargin(std::min(0.001f, 0.01f * m_surface.original().bounds().diagonal()));
-    m_hullPoints = points;
+    m_hullPoints = std::move(points);
 }
 
 bool MeshShape::followSurface() {
-    const std::vector<glm::vec3> points = m_surface.outermost();
+    m_surface.update(m_outermost);
+    std::vector<glm::vec3> points = m_outermost.points();
     if (points == m_hullPoints) {
         return false;
     }
-    makeHull(points);
+    makeHull(std::move(points));
     return true;
 }
 

@@ -36,11 +36,12 @@ public:
     [[nodiscard]] const char* getName() const override { return "MeshShape"; }
 
 private:
-    void makeHull(const std::vector<glm::vec3>& points);
+    void makeHull(std::vector<glm::vec3> points);
 
     MeshSurface m_surface;
     glm::vec3 m_centre;
-    std::vector<glm::vec3> m_hullPoints;
+    Outermost m_outermost;
+    std::vector<glm::vec3> m_hullPoints;  ///< those of m_hull, local frame
     std::unique_ptr<btConvexHullShape> m_hull;
     btVector3 m_inertia{0, 0, 0};  ///< of 1 kg
 };

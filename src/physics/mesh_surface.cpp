@@ -7,8 +7,6 @@
 #include <glm/vector_relational.hpp>
 #include <utility>
 
-#include "physics/outermost.h"
-
 namespace hitscope::physics {
 namespace {
 
@@ -120,6 +118,7 @@ Bounds MeshSurface::moveRun(std::uint32_t first, std::span<const DynamicVertex> 
             m_changed += (position != original[first + i] ? 1u : 0u);
             m_changed -= (vertex != original[first + i] ? 1u : 0u);
             vertex = position;
+            m_movedTo.add(position);
         }
     }
     return moved;
@@ -130,11 +129,17 @@ void MeshSurface::reset() {
         m_vertices = m_original->vertices();
         m_tree = m_original->tree();
         m_changed = 0;
+        m_movedTo = m_original->bounds();
     }
 }
 
-std::vector<glm::vec3> MeshSurface::outermost() const {
-    return physics::outermost(m_tree, m_vertices, *m_original->corners());
+void MeshSurface::update(Outermost& hull) {
+    const Bounds movedTo = std::exchange(m_movedTo, {});
+    if (isDented()) {
+        hull.follow(m_tree, m_vertices, *m_original->corners(), movedTo);
+    } else {
+        hull = *m_original->hull();
+    }
 }
 
 Triangle MeshSurface::triangle(std::uint32_t index) const {

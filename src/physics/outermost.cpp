@@ -9,29 +9,6 @@
 namespace hitscope::physics {
 namespace {
 
-/// The vertex of the tree's triangles farthest along `direction`; boxes that cannot hold it are passed over.
-glm::vec3 farthestAlong(const TriangleTree& tree, std::span<const glm::vec3> vertices,
-                        std::span<const std::uint32_t> corners, const glm::vec3& direction) {
-    float farthest = -std::numeric_limits<float>::infinity();
-    glm::vec3 result(0.0f);
-    const auto accept = [&](const Bounds& box) {
-        const glm::vec3 corner(direction.x > 0.0f ? box.max.x : box.min.x,
-                               direction.y > 0.0f ? box.max.y : box.min.y,
-                               direction.z > 0.0f ? box.max.z : box.min.z);
-        return glm::dot(corner, direction) > farthest;
-    };
-    tree.visit(-direction, accept, [&](std::uint32_t triangle) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const glm::vec3& vertex = vertices[corners[std::size_t{3} * triangle + k]];
-            if (glm::dot(vertex, direction) > farthest) {
-                farthest = glm::dot(vertex, direction);
-                result = vertex;
-            }
-        }
-    });
-    return result;
-}
-
 /// Spread evenly by the golden angle, and the boxes' own axes, corners and edges.
 std::vector<glm::vec3> hullDirections() {
     constexpr int kSpread = 48;
@@ -50,16 +27,58 @@ std::vector<glm::vec3> hullDirections() {
     return directions;
 }
 
+/// How far a box reaches along `direction`.
+float reach(const Bounds& box, const glm::vec3& direction) {
+    const glm::vec3 corner(direction.x > 0.0f ? box.max.x : box.min.x,
+                           direction.y > 0.0f ? box.max.y : box.min.y,
+                           direction.z > 0.0f ? box.max.z : box.min.z);
+    return glm::dot(corner, direction);
+}
+
 }  // namespace
 
-std::vector<glm::vec3> outermost(const TriangleTree& tree, std::span<const glm::vec3> vertices,
-                                 std::span<const std::uint32_t> corners) {
-    static const std::vector<glm::vec3> directions = hullDirections();
+Outermost::Outermost(const TriangleTree& tree, std::span<const glm::vec3> vertices,
+                     std::span<const std::uint32_t> corners) {
+    for (const glm::vec3& direction : hullDirections()) {
+        m_supports.push_back({direction, glm::vec3(0.0f), -std::numeric_limits<float>::infinity(), 0});
+        extend(m_supports.back(), tree, vertices, corners);
+    }
+}
+
+/// To the vertex that is farthest, if one is farther than the support; boxes that cannot hold one are passed
+/// over.
+void Outermost::extend(Support& support, const TriangleTree& tree, std::span<const glm::vec3> vertices,
+                       std::span<const std::uint32_t> corners) {
+    const auto accept = [&](const Bounds& box) { return reach(box, support.direction) > support.along; };
+    tree.visit(-support.direction, accept, [&](std::uint32_t triangle) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t vertex = corners[std::size_t{3} * triangle + k];
+            const float along = glm::dot(vertices[vertex], support.direction);
+            if (along > support.along) {
+                support = {support.direction, vertices[vertex], along, vertex};
+            }
+        }
+    });
+}
+
+void Outermost::follow(const TriangleTree& tree, std::span<const glm::vec3> vertices,
+                       std::span<const std::uint32_t> corners, const Bounds& movedTo) {
+    for (Support& support : m_supports) {
+        const float before = support.along;
+        support.point = vertices[support.vertex];
+        support.along = glm::dot(support.point, support.direction);
+        const bool sank = support.along < before;
+        if (sank || (!movedTo.empty() && reach(movedTo, support.direction) > support.along)) {
+            extend(support, tree, vertices, corners);
+        }
+    }
+}
+
+std::vector<glm::vec3> Outermost::points() const {
     std::vector<glm::vec3> points;
-    for (const glm::vec3& direction : directions) {
-        const glm::vec3 point = farthestAlong(tree, vertices, corners, direction);
-        if (std::find(points.begin(), points.end(), point) == points.end()) {
-            points.push_back(point);
+    for (const Support& support : m_supports) {
+        if (std::find(points.begin(), points.end(), support.point) == points.end()) {
+            points.push_back(support.point);
         }
     }
     return points;
