@@ -11,8 +11,9 @@
 namespace hitscope {
 
 namespace physics {
+class Outermost;
 class TriangleTree;
-}
+}  // namespace physics
 
 /// A mesh made ready to collide with, at its original shape; shared by all targets of that shape. Making it
 /// takes time in proportion to the mesh (about 0.3 s a million triangles), so it may be done on any thread.
@@ -35,14 +36,14 @@ public:
     /// A triangle with an area is there.
     [[nodiscard]] bool hasSurface() const { return m_hasSurface; }
     [[nodiscard]] Bounds bounds() const;  ///< of the triangles
-    /// The outermost vertices in some dozens of directions: a hull that is good enough to tumble on.
-    [[nodiscard]] const std::vector<glm::vec3>& hull() const { return m_hull; }
+    /// Null: it has no surface.
+    [[nodiscard]] const physics::Outermost* hull() const { return m_hull.get(); }
 
 private:
     std::vector<glm::vec3> m_vertices;
     Corners m_corners;
     std::unique_ptr<const physics::TriangleTree> m_tree;
-    std::vector<glm::vec3> m_hull;
+    std::unique_ptr<const physics::Outermost> m_hull;
     bool m_hasSurface = false;
 };
 

@@ -36,6 +36,8 @@ public:
     /// The mesh's vertices [first, first + vertices.size()) are now there. Returns whether bullet() changed.
     [[nodiscard]] bool update(std::uint32_t first, std::span<const DynamicVertex> vertices);
     [[nodiscard]] bool reset();
+    /// What the floor and other targets meet follows the mesh. Returns whether it became another one.
+    bool followSurface() { return m_mesh && m_mesh->followSurface(); }
 
     /// First contact of a sphere, `radius` 0: of a point; local frame.
     [[nodiscard]] std::optional<SurfaceCast> cast(const glm::dvec3& start, const glm::dvec3& motion,

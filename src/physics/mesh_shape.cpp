@@ -17,20 +17,36 @@ const btVector3 kUnscaled(1, 1, 1);
 }  // namespace
 
 MeshShape::MeshShape(std::shared_ptr<const CollisionMesh> original, const glm::vec3& centre)
-    : m_surface(std::move(original)), m_centre(centre) {
+    : m_surface(std::move(original)), m_centre(centre), m_outermost(*m_surface.original().hull()) {
     m_shapeType = CUSTOM_CONCAVE_SHAPE_TYPE;
     m_collisionMargin = 0.0f;
-    for (const glm::vec3& point : m_surface.original().hull()) {
-        m_hull.addPoint(toBullet(point - centre), false);
+    makeHull(m_outermost.points());
+    m_hull->calculateLocalInertia(1.0f, m_inertia);
+}
+
+void MeshShape::makeHull(std::vector<glm::vec3> points) {
+    m_hull = std::make_unique<btConvexHullShape>();
+    for (const glm::vec3& point : points) {
+        m_hull->addPoint(toBullet(point - m_centre), false);
     }
-    m_hull.recalcLocalAabb();
-    const Bounds bounds = m_surface.bounds();
-    m_hull.setMargin(std::min(0.001f, 0.01f * bounds.diagonal()));
+    m_hull->recalcLocalAabb();
+    m_hull->setMargin(std::min(0.001f, 0.01f * m_surface.original().bounds().diagonal()));
+    m_hullPoints = std::move(points);
+}
+
+bool MeshShape::followSurface() {
+    m_surface.update(m_outermost);
+    std::vector<glm::vec3> points = m_outermost.points();
+    if (points == m_hullPoints) {
+        return false;
+    }
+    makeHull(std::move(points));
+    return true;
 }
 
 void MeshShape::getAabb(const btTransform& transform, btVector3& low, btVector3& high) const {
     const Bounds bounds = m_surface.bounds();
-    btTransformAabb(toBullet(bounds.min - m_centre), toBullet(bounds.max - m_centre), m_hull.getMargin(),
+    btTransformAabb(toBullet(bounds.min - m_centre), toBullet(bounds.max - m_centre), m_hull->getMargin(),
                     transform, low, high);
 }
 
@@ -52,7 +68,7 @@ const btVector3& MeshShape::getLocalScaling() const {
 }
 
 void MeshShape::calculateLocalInertia(btScalar mass, btVector3& inertia) const {
-    m_hull.calculateLocalInertia(mass, inertia);
+    inertia = m_inertia * mass;
 }
 
 }  // namespace hitscope::physics

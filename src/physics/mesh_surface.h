@@ -9,6 +9,7 @@
 
 #include "mesh/render_mesh.h"
 #include "physics/collision_mesh.h"
+#include "physics/outermost.h"
 #include "physics/triangle_math.h"
 #include "physics/triangle_tree.h"
 
@@ -34,6 +35,8 @@ public:
     [[nodiscard]] Bounds bounds() const { return m_tree.bounds(); }
     [[nodiscard]] const CollisionMesh& original() const { return *m_original; }
 
+    /// Brings `hull`, of this surface as it was when this was last called or in the beginning, up to date.
+    void update(Outermost& hull);
     [[nodiscard]] Triangle triangle(std::uint32_t index) const;
     /// First contact of a sphere, `radius` 0: of a point.
     [[nodiscard]] std::optional<SurfaceCast> cast(const glm::dvec3& start, const glm::dvec3& motion,
@@ -52,6 +55,7 @@ private:
     std::shared_ptr<const CollisionMesh> m_original;
     std::vector<glm::vec3> m_vertices;
     TriangleTree m_tree;
+    Bounds m_movedTo;           ///< of what moved since the hull was last brought up to date
     std::size_t m_changed = 0;  ///< vertices that are not at their original place
 };
 

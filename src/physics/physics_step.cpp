@@ -73,6 +73,17 @@ Impact physics::impactOf(TargetId target, const RigidTransform& where, const glm
     return impact;
 }
 
+/// Once a step, however many hits there were: a target that nothing knocks about needs no hull.
+void PhysicsWorld::Private::followHulls() {
+    for (auto& [id, target] : targets) {
+        if (target.physics.isDynamic && std::exchange(target.hullIsOld, false) &&
+            target.shape->followSurface()) {
+            broadphase.getOverlappingPairCache()->cleanProxyFromPairs(target.body->getBroadphaseProxy(),
+                                                                      &dispatcher);
+        }
+    }
+}
+
 void PhysicsWorld::Private::noteSurfaces() {
     surfaces.clear();
     for (const auto& [id, target] : targets) {
@@ -208,6 +219,7 @@ void PhysicsWorld::Private::step(std::vector<Impact>& impacts) {
     if (!isMoving) {
         return;
     }
+    followHulls();
     noteSurfaces();
     for (auto& [id, flight] : flights) {
         approach(flight);

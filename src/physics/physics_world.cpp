@@ -221,6 +221,10 @@ void PhysicsWorld::Private::reshape(TargetId id, TargetBody& target, bool shapeC
     } else {
         world.updateSingleAabb(target.body.get());
     }
+    target.hullIsOld = true;
+    if (target.physics.isDynamic) {
+        target.body->activate(true);
+    }
     // What rests on it may have lost its ground.
     for (auto& [flightId, flight] : flights) {
         if (flight.touches(id)) {

@@ -68,8 +68,9 @@ public:
     [[nodiscard]] bool hasTarget(TargetId target) const;
     /// Puts it elsewhere, at rest, with its dents; no such target: nothing.
     [[nodiscard]] Status moveTarget(TargetId target, const RigidTransform& transform);
-    /// Its dents stay. A dynamic target meets the floor and other targets as its convex hull (of the original
-    /// shape) or primitive, projectiles meet its triangles as they are. It turns about its box's centre.
+    /// Its dents stay. A dynamic target meets the floor and other targets as its convex hull, dents and all,
+    /// or unhurt primitive; projectiles meet its triangles as they are. It turns about its box's original
+    /// centre.
     [[nodiscard]] Status setTargetPhysics(TargetId target, const TargetPhysics& physics);
     /// Vertices [first, first + vertices.size()) of its collider's surface are now there (local frame): from
     /// now on that is what is hit. Costs by the vertices that moved, not by the mesh. Out of range: ignored.

@@ -31,6 +31,7 @@ struct TargetBody {
     TargetPhysics physics;
     std::unique_ptr<CollisionShape> shape;
     std::unique_ptr<btRigidBody> body;
+    bool hullIsOld = false;  ///< its surface moved since its hull was made
 
     void place();  ///< the body to `transform`, at rest
 };
@@ -83,6 +84,7 @@ struct PhysicsWorld::Private {
 
     // physics_step.cpp
     void step(std::vector<Impact>& impacts);
+    void followHulls();
     void noteSurfaces();
     void approach(physics::Flight& flight);
     void collect(ProjectileId id, physics::Flight& flight, std::span<const physics::TouchEntry> contacts,

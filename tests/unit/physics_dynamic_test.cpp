@@ -43,6 +43,15 @@ Triangles cube(float halfExtent, int cells) {
     return mesh;
 }
 
+/// The ball cut off `depth` above its lowest point: its vertices, flattened there.
+std::vector<DynamicVertex> flattened(const Triangles& ball, float radius, float depth) {
+    std::vector<DynamicVertex> vertices;
+    for (const glm::vec3& vertex : ball.vertices) {
+        vertices.push_back({{vertex.x, std::max(vertex.y, depth - radius), vertex.z}, {0, 1, 0}});
+    }
+    return vertices;
+}
+
 }  // namespace
 
 /// Targets that are knocked about, and what hits them on the way.
@@ -95,6 +104,38 @@ private Q_SLOTS:
         QVERIFY(world.dynamicTargets().empty());
         const auto hit = world.hitscan({0, 0, 0}, {1, 0, 0}, {});
         QVERIFY(hit && std::abs(hit->point.x - 2.5f) < 1e-5f);
+    }
+
+    void standsOnWhatADentLeaves() {
+        const Triangles ball = sphereMesh(0.5f, 40, 20);
+        PhysicsWorld world;
+        world.setFloor(-1);
+        place(world, kTarget, {{0, -0.5f, 0}, {1, 0, 0, 0}}, ball, knockable(10));
+        QVERIFY(run(world, 8).empty());
+        QVERIFY(!world.isMoving());
+        QVERIFY(std::abs(poseOf(world).position.y + 0.5f) < 0.01f);
+        world.updateTarget(kTarget, 0, flattened(ball, 0.5f, 0.1f));
+        QVERIFY(world.isMoving());
+        QVERIFY(run(world, 4).empty());
+        const float height = poseOf(world).position.y;
+        QVERIFY2(std::abs(height + 0.6f) < 0.01f, qPrintable(QString::number(height)));
+        world.resetTarget(kTarget);
+        QVERIFY(run(world, 4).empty());
+        const float again = poseOf(world).position.y;
+        QVERIFY2(std::abs(again + 0.5f) < 0.01f, qPrintable(QString::number(again)));
+    }
+
+    void aDentMadeWhileStaticCounts() {
+        const Triangles ball = sphereMesh(0.5f, 40, 20);
+        PhysicsWorld world;
+        world.setFloor(-1);
+        place(world, kTarget, {{0, -0.5f, 0}, {1, 0, 0, 0}}, ball);
+        world.updateTarget(kTarget, 0, flattened(ball, 0.5f, 0.1f));
+        QVERIFY(run(world, 0.5).empty());
+        QVERIFY(world.setTargetPhysics(kTarget, knockable(10)).ok());
+        QVERIFY(run(world, 4).empty());
+        const float height = poseOf(world).position.y;
+        QVERIFY2(std::abs(height + 0.6f) < 0.01f, qPrintable(QString::number(height)));
     }
 
     void fallsAndRestsOnTheFloor_data() { shapes_data(); }

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "physics/triangle_tree.h"
+
+namespace hitscope::physics {
+
+/// The outermost vertices of a surface in some dozens of directions: a hull that is good enough to tumble on.
+/// The tree's boxes lead to them, so that a fine mesh is not gone through, and where the surface changes only
+/// the directions that it may matter to are looked into again.
+class Outermost {
+public:
+    /// `tree` is that of the triangles `corners` (3 each) at `vertices`, metres.
+    Outermost(const TriangleTree& tree, std::span<const glm::vec3> vertices,
+              std::span<const std::uint32_t> corners);
+
+    /// The same surface after vertices moved, which are now within `movedTo`.
+    void follow(const TriangleTree& tree, std::span<const glm::vec3> vertices,
+                std::span<const std::uint32_t> corners, const Bounds& movedTo);
+    [[nodiscard]] std::vector<glm::vec3> points() const;  ///< each once
+
+private:
+    struct Support {
+        glm::vec3 direction;
+        glm::vec3 point;
+        float along;  ///< dot(point, direction)
+        std::uint32_t vertex;
+    };
+    static void extend(Support& support, const TriangleTree& tree, std::span<const glm::vec3> vertices,
+                       std::span<const std::uint32_t> corners);
+
+    std::vector<Support> m_supports;
+};
+
+}  // namespace hitscope::physics
