@@ -20,6 +20,8 @@ namespace hitscope {
 
 namespace {
 
+constexpr int kSideBySide = 420;  // pixels; from here on the profile is beside the figures
+
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// The highest point of the lines at `along`: the outer surface, where a profile crosses it more than once.
@@ -58,7 +60,7 @@ DentMeasurementPanel::DentMeasurementPanel(Session& session, QWidget* parent)
     plot->yAxis->setLabel(tr("height (m)"));
     plot->xAxis->setLabelPadding(1);
     plot->yAxis->setLabelPadding(1);
-    plot->yAxis->ticker()->setTickCount(4);
+    plot->yAxis->ticker()->setTickCount(3);
     plot->setMouseTracking(true);
     m_pointer = new QCPItemStraightLine(plot);
     m_pointer->setVisible(false);
@@ -188,6 +190,12 @@ void DentMeasurementPanel::changeEvent(QEvent* event) {
         m_pointer != nullptr) {
         applyPalette();
     }
+}
+
+/// Below one another where it is narrow: at the side of the window.
+void DentMeasurementPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    m_ui->body->setDirection(width() < kSideBySide ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 void DentMeasurementPanel::showEvent(QShowEvent* event) {

@@ -74,7 +74,7 @@ void CostView::applyPalette() {
             .arg(pipelineColour(kind).name(), nameOf(kind));
     };
     m_ui->legend->setText(
-        tr("%1  %2  (— a frame, - - a hit)").arg(swatch(kPipelines[0]), swatch(kPipelines[1])));
+        tr("%1  %2  (– frame, -- hit)").arg(swatch(kPipelines[0]), swatch(kPipelines[1])));
     m_isDue = true;
     refresh();
 }

@@ -30,18 +30,20 @@ QString milliseconds(double seconds) {
     return FrameRatePanel::tr("%1 ms").arg(seconds * kMilliseconds, 0, 'f', seconds < 0.0995 ? 1 : 0);
 }
 
-QLabel* addReadOut(QWidget& row, const char* name, const QString& title, const QString& tip) {
+/// `widest`: what it usually shows, so that it does not move its neighbours.
+QLabel* addReadOut(QWidget& row, const char* name, const QString& title, const QString& tip,
+                   const QString& widest) {
     auto* pair = new QWidget(&row);
     pair->setToolTip(tip);
     auto* layout = new QVBoxLayout(pair);
-    layout->setContentsMargins(0, 0, 8, 0);
+    layout->setContentsMargins(0, 0, 4, 0);
     layout->setSpacing(0);
     auto* caption = new QLabel(title, pair);
     caption->setForegroundRole(QPalette::PlaceholderText);
     layout->addWidget(caption);
     auto* value = new QLabel(QStringLiteral("–"), pair);
     value->setObjectName(QLatin1String(name));
-    value->setMinimumWidth(value->fontMetrics().horizontalAdvance(QStringLiteral("99.9 ms")));
+    value->setMinimumWidth(value->fontMetrics().horizontalAdvance(widest));
     layout->addWidget(value);
     row.layout()->addWidget(pair);
     return value;
@@ -82,14 +84,17 @@ void FrameRatePanel::makeReadOuts() {
     auto* layout = new FlowLayout(m_ui->readOuts);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
-    const auto add = [this](const char* name, const QString& title, const QString& tip) {
-        return addReadOut(*m_ui->readOuts, name, title, tip);
+    const auto add = [this](const char* name, const QString& title, const QString& tip,
+                            const QString& widest = QStringLiteral("99.9 ms")) {
+        return addReadOut(*m_ui->readOuts, name, title, tip, widest);
     };
+    const QString rate = QStringLiteral("99.9");
     const QString last = tr(" of the last 1,024 frames");
-    m_readOuts.framesPerSecond = add("framesPerSecond", tr("FPS"), tr("Frames drawn in the last second"));
+    m_readOuts.framesPerSecond =
+        add("framesPerSecond", tr("FPS"), tr("Frames drawn in the last second"), rate);
     m_readOuts.mean = add("mean", tr("Mean"), tr("Mean frame time") + last);
     m_readOuts.median = add("median", tr("Median"), tr("Median frame time") + last);
-    m_readOuts.low = add("low", tr("1 % low"), tr("Frames a second over the slowest hundredth") + last);
+    m_readOuts.low = add("low", tr("1 % low"), tr("Frames a second over the slowest hundredth") + last, rate);
     m_readOuts.percentile99 = add("percentile99", tr("99 %"), tr("99 % took that long or less,") + last);
     m_readOuts.worst = add("worst", tr("Worst"), tr("Longest") + last);
 }
@@ -125,7 +130,7 @@ void FrameRatePanel::makeLegend() {
                 [this, i](bool shown) { m_graph->setCurveShown(static_cast<FrameGraph::Curve>(i), shown); });
         m_legend[i] = button;
     }
-    m_ui->readOuts->layout()->addWidget(makeQuantity());
+    layout->addWidget(makeQuantity());
     colourLegend();
 }
 

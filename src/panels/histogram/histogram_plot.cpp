@@ -25,6 +25,7 @@ HistogramPlot::HistogramPlot(QWidget* parent) : QWidget(parent), m_plot(new QCus
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_plot);
     m_plot->setMinimumSize(120, 90);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     m_plot->setMouseTracking(true);
     m_plot->installEventFilter(this);
     m_plot->setBufferDevicePixelRatio(devicePixelRatioF());
