@@ -184,9 +184,9 @@ std::optional<SurfaceCast> CollisionShape::cast(const glm::dvec3& start, const g
 std::vector<std::uint32_t> CollisionShape::near(const glm::vec3& point, float distance) const {
     std::vector<std::uint32_t> found;
     if (m_mesh) {
-        m_mesh->surface().visitNear(point, distance, [&found](std::uint32_t index, const Triangle& /*unused*/) {
-            found.push_back(index);
-        });
+        m_mesh->surface().visitNear(
+            point, distance,
+            [&found](std::uint32_t index, const Triangle& /*unused*/) { found.push_back(index); });
     }
     return found;
 }

@@ -117,7 +117,8 @@ ProjectileSettings clamped(const ProjectileSettings& settings) {
     ProjectileSettings usable = clampedBy(settings, projectileParameters());
     for (int i = 0; i < 3; ++i) {
         const float part = settings.colour[i];
-        usable.colour[i] = std::isfinite(part) ? std::clamp(part, 0.0f, 1.0f) : ProjectileSettings().colour[i];
+        usable.colour[i] =
+            std::isfinite(part) ? std::clamp(part, 0.0f, 1.0f) : ProjectileSettings().colour[i];
     }
     return usable;
 }

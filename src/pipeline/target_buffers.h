@@ -37,7 +37,8 @@ public:
     /// The same two of the target as it was: positions and all normals are the original ones.
     [[nodiscard]] GLuint originalSurfaceArray() const { return m_originalSurfaceArray.id(); }
     [[nodiscard]] GLuint originalEdgeArray() const { return m_originalEdgeArray.id(); }
-    /// Position and normal from the dynamic buffer and the original, no indices: for capturing and for points.
+    /// Position and normal from the dynamic buffer and the original, no indices: for capturing and for
+    /// points.
     [[nodiscard]] GLuint captureArray() const { return m_captureArray.id(); }
     /// One vec3 a vertex: the true normals.
     [[nodiscard]] GLuint shadingNormalBuffer() const { return m_shadingNormals.id(); }

@@ -11,8 +11,8 @@
 
 #include "session/picture.h"
 #include "session/scene_gpu.h"
-#include "viewport/change_overlay.h"
 #include "session/scene_picker.h"
+#include "viewport/change_overlay.h"
 #include "viewport/navigation.h"
 
 namespace hitscope {
@@ -92,7 +92,7 @@ Q_SIGNALS:
     /// Seconds: from the frame before while frames follow each other, else what drawing took.
     void framePainted(double seconds);
     void rendererKnown();
-    void shot(const hitscope::Ray& ray);        ///< by click or key, along this line of sight
+    void shot(const hitscope::Ray& ray);  ///< by click or key, along this line of sight
     /// The context goes, and with it all GL objects; it is current. The scene is built anew from the session
     /// when there is another.
     void aboutToReleaseGpu();

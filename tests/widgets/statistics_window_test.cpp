@@ -82,8 +82,7 @@ private Q_SLOTS:
         const QList<QAction*> actions = scene.find<QToolButton>("copy")->menu()->actions();
         QCOMPARE(actions.size(), qsizetype{3});
         actions[2]->trigger();
-        QVERIFY(
-            QGuiApplication::clipboard()->text().contains(QStringLiteral("| Largest |  | 0.30000 |")));
+        QVERIFY(QGuiApplication::clipboard()->text().contains(QStringLiteral("| Largest |  | 0.30000 |")));
         actions[1]->trigger();
         QVERIFY(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("section,key,")));
     }

@@ -50,7 +50,8 @@ int benchCommand(QStringList arguments) {
         }
     }
     return cli::wrongUsage(
-        QStringLiteral("there is no benchmark \"%1\"; bench takes paper, frame, modes, hit or check.").arg(what));
+        QStringLiteral("there is no benchmark \"%1\"; bench takes paper, frame, modes, hit or check.")
+            .arg(what));
 }
 
 }  // namespace hitscope::bench

@@ -73,8 +73,7 @@ void CostView::applyPalette() {
         return QStringLiteral("<font color=\"%1\">■</font> %2")
             .arg(pipelineColour(kind).name(), nameOf(kind));
     };
-    m_ui->legend->setText(
-        tr("%1  %2  (– frame, -- hit)").arg(swatch(kPipelines[0]), swatch(kPipelines[1])));
+    m_ui->legend->setText(tr("%1  %2  (– frame, -- hit)").arg(swatch(kPipelines[0]), swatch(kPipelines[1])));
     m_isDue = true;
     refresh();
 }
