@@ -205,8 +205,8 @@ void MainWindow::makeDocks() {
     tabifyDockWidget(constants, lights);
     constants->raise();
     resizeDocks({statistics, constants}, {350, 350}, Qt::Horizontal);
-    resizeDocks({statistics, constants}, {380, 210}, Qt::Vertical);
-    resizeDocks({history, frameRate}, {215, 215}, Qt::Vertical);
+    resizeDocks({statistics, constants}, {360, 230}, Qt::Vertical);
+    resizeDocks({history, frameRate}, {235, 235}, Qt::Vertical);
     resizeDocks({history, frameRate}, {620, 380}, Qt::Horizontal);
 }
 

@@ -178,7 +178,7 @@ void ScenePanelTest::removingAllLeavesAnEmptyPanel() {
     QCOMPARE(m_session->targets().size(), std::size_t{0});
     QCOMPARE(child<QLabel>("summary").text(), QStringLiteral("No targets yet"));
     QVERIFY(!child<QToolButton>("remove").isEnabled());
-    QVERIFY(child<QToolButton>("add").isEnabled());
+    QVERIFY(child<QPushButton>("add").isEnabled());
     m_session->undo();
     QCOMPARE(m_model->rowCount(), 16);
 }

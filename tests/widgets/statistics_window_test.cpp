@@ -81,7 +81,7 @@ private Q_SLOTS:
     void copiesAsMarkdown() {
         Scene scene;
         QTRY_COMPARE_WITH_TIMEOUT(scene.number("displacement_max"), QStringLiteral("0.30000"), kPatience);
-        const QList<QAction*> actions = scene.find<QToolButton>("copy")->menu()->actions();
+        const QList<QAction*> actions = scene.find<QPushButton>("copy")->menu()->actions();
         QCOMPARE(actions.size(), qsizetype{3});
         actions[2]->trigger();
         QVERIFY(QGuiApplication::clipboard()->text().contains(QStringLiteral("| Largest |  | 0.30000 |")));

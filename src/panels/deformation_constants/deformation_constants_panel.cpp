@@ -76,7 +76,9 @@ void DeformationConstantsPanel::makePresetMenu() {
     auto* menu = new QMenu(m_ui->presets);
     menu->addAction(tr("Save as Preset…"), this, &DeformationConstantsPanel::savePreset);
     m_delete = menu->addAction(tr("Delete Preset"), this, &DeformationConstantsPanel::deletePreset);
-    m_ui->presets->setMenu(menu);
+    // Not setMenu(): its arrow would stand beside the dots.
+    connect(m_ui->presets, &QToolButton::clicked, menu,
+            [this, menu] { menu->popup(m_ui->presets->mapToGlobal(m_ui->presets->rect().bottomLeft())); });
 }
 
 void DeformationConstantsPanel::listPresets() {

@@ -97,6 +97,7 @@ void FrameRatePanel::makeReadOuts() {
     m_readOuts.low = add("low", tr("1 % low"), tr("Frames a second over the slowest hundredth") + last, rate);
     m_readOuts.percentile99 = add("percentile99", tr("99 %"), tr("99 % took that long or less,") + last);
     m_readOuts.worst = add("worst", tr("Worst"), tr("Longest") + last);
+    layout->addWidget(makeQuantity());
 }
 
 void FrameRatePanel::makeLegend() {
@@ -123,14 +124,14 @@ void FrameRatePanel::makeLegend() {
         button->setChecked(true);
         button->setIconSize({8, 8});
         button->setFont(small);
-        // Closer than the style has it, so that all are in one row of a dock of usual width.
-        button->setFixedWidth(QFontMetrics(small).horizontalAdvance(texts[i][0]) + kLegendPadding);
+        // Closer than the style has it: a low dock is to be left to the graph.
+        const QFontMetrics metrics(small);
+        button->setFixedSize(metrics.horizontalAdvance(texts[i][0]) + kLegendPadding, metrics.height() + 4);
         layout->addWidget(button);
         connect(button, &QToolButton::toggled, this,
                 [this, i](bool shown) { m_graph->setCurveShown(static_cast<FrameGraph::Curve>(i), shown); });
         m_legend[i] = button;
     }
-    layout->addWidget(makeQuantity());
     colourLegend();
 }
 

@@ -182,15 +182,13 @@ void VertexChangesPanel::updateSummary() {
         text = tr("Select a hit in the hit history");
     } else if (target != nullptr) {
         const std::size_t selected = m_session.selection().vertices(target->id).size();
-        text = tr("%1 of %2")
-                   .arg(rows == 1 ? tr("1 vertex")
-                                  : tr("%1 vertices").arg(countText(static_cast<std::size_t>(rows))),
-                        target->name);
-        if (selected > 0) {
-            text += tr(", %1 selected").arg(countText(selected));
-        }
+        const QString listed = countText(static_cast<std::size_t>(rows));
+        text = selected > 0 ? tr("%1 listed, %2 selected").arg(listed, countText(selected))
+               : rows == 1  ? tr("1 vertex")
+                            : tr("%1 vertices").arg(listed);
     }
     m_ui->summary->setText(text);
+    m_ui->summary->setToolTip(target != nullptr ? tr("Of %1").arg(target->name) : QString());
     m_copy->setEnabled(rows > 0);
     m_save->setEnabled(rows > 0);
 }
