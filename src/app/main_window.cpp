@@ -167,13 +167,13 @@ void MainWindow::makeDocks() {
         m_viewport->update();
     };
     m_meshStatistics.measuring().setStretchLimit(static_cast<float>(m_settings.stretchLimit));
-    auto* statisticsPanel = new MeshStatisticsPanel(m_session, m_meshStatistics);
-    connect(statisticsPanel, &MeshStatisticsPanel::lookWanted, this, lookAt);
+    m_statisticsPanel = new MeshStatisticsPanel(m_session, m_meshStatistics);
+    connect(m_statisticsPanel, &MeshStatisticsPanel::lookWanted, this, lookAt);
     auto* agreementPanel =
         new PipelineAgreementPanel(m_session, [this] { return m_viewport->syncNow().ok(); });
     connect(agreementPanel, &PipelineAgreementPanel::lookWanted, this, lookAt);
     QDockWidget* statistics = addDock(QStringLiteral("meshStatistics"), tr("Mesh statistics"),
-                                      statisticsPanel, Qt::RightDockWidgetArea);
+                                      m_statisticsPanel, Qt::RightDockWidgetArea);
     QDockWidget* scene = makeSceneDock();
     auto* historyPanel = new HitHistoryPanel(m_session, m_hitHistory);
     m_hitActions->adopt(*historyPanel);
@@ -251,6 +251,7 @@ void MainWindow::restoreWindow() {
     m_firstLayout = saveState(kLayoutVersion);
     const QSettings settings;
     m_frameRate->restoreState(settings.value(QStringLiteral("window/frameRate")).toByteArray());
+    m_statisticsPanel->restoreState(settings.value(QStringLiteral("window/meshStatistics")).toByteArray());
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
     restoreState(settings.value(QStringLiteral("window/layout")).toByteArray(), kLayoutVersion);
 }
@@ -264,6 +265,7 @@ void MainWindow::saveSettings() {
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/layout"), saveState(kLayoutVersion));
     settings.setValue(QStringLiteral("window/frameRate"), m_frameRate->saveState());
+    settings.setValue(QStringLiteral("window/meshStatistics"), m_statisticsPanel->saveState());
     m_cameraActions->save(settings);
     m_settings.display = m_viewport->options();
     m_settings.coverTexture = m_textureChooser->chosen();

@@ -29,6 +29,7 @@ class InspectActions;
 class MeshExporter;
 class NoticeBar;
 class PictureActions;
+class MeshStatisticsPanel;
 class PipelineChooser;
 class SceneFiles;
 class ShotActions;
@@ -152,6 +153,7 @@ private:
     InspectActions* m_inspect = nullptr;
     ChangeActions* m_change = nullptr;
     FrameRatePanel* m_frameRate = nullptr;
+    MeshStatisticsPanel* m_statisticsPanel = nullptr;
     QTimer m_frameRateTimer;
     QByteArray m_firstLayout;
 

@@ -76,6 +76,12 @@ private Q_SLOTS:
         QTest::mouseClick(numbers->viewport(), Qt::LeftButton, {},
                           {title.left() - numbers->indentation() / 2, title.center().y()});
         QVERIFY(!numbers->isExpanded(section));
+        scene.window->close();
+        // Remembered.
+        Scene next;
+        const QTreeView* others = next.find<QTreeView>("numbers");
+        QVERIFY(!others->isExpanded(others->model()->index(0, 0)));
+        QVERIFY(others->isExpanded(others->model()->index(1, 0)));
     }
 
     void copiesAsMarkdown() {

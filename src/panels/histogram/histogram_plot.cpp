@@ -10,6 +10,8 @@
 #include <cmath>
 #include <utility>
 
+#include "panels/plot/plot_theme.h"
+
 namespace hitscope {
 
 namespace {
@@ -155,23 +157,8 @@ void HistogramPlot::replot() {
 }
 
 void HistogramPlot::applyPalette() {
+    applyPlotTheme(*m_plot, *this);
     const QColor ink = palette().color(QPalette::WindowText);
-    QColor faint = ink;
-    faint.setAlphaF(0.12f);
-    QColor dim = ink;
-    dim.setAlphaF(0.65f);
-    m_plot->setBackground(palette().brush(QPalette::Base));
-    for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis}) {
-        axis->setBasePen(QPen(dim, 1));
-        axis->setTickPen(QPen(dim, 1));
-        axis->setSubTickPen(Qt::NoPen);
-        axis->setTickLabelColor(ink);
-        axis->setLabelColor(dim);
-        axis->setTickLabelFont(font());
-        axis->setLabelFont(font());
-        axis->grid()->setPen(QPen(faint, 1));
-        axis->grid()->setZeroLinePen(Qt::NoPen);
-    }
     m_plot->xAxis->grid()->setVisible(false);
     QColor outline = palette().color(QPalette::Base);
     outline.setAlphaF(0.35f);
@@ -179,7 +166,7 @@ void HistogramPlot::applyPalette() {
     for (QCPItemStraightLine* handle : m_handles) {
         handle->setPen(QPen(ink, 2));
     }
-    m_note->setColor(dim);
+    m_note->setColor(m_plot->xAxis->labelColor());
     m_note->setFont(font());
     replot();
 }

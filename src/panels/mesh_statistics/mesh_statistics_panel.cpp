@@ -82,6 +82,23 @@ void MeshStatisticsPanel::makeNumbers() {
     fitColumns();
 }
 
+QByteArray MeshStatisticsPanel::saveState() const {
+    QByteArray state;
+    for (int section = 0; section < m_model.rowCount(); ++section) {
+        state += m_ui->numbers->isExpanded(m_model.index(section, 0)) ? '1' : '0';
+    }
+    return state;
+}
+
+void MeshStatisticsPanel::restoreState(const QByteArray& state) {
+    if (state.size() != m_model.rowCount()) {
+        return;
+    }
+    for (int section = 0; section < m_model.rowCount(); ++section) {
+        m_ui->numbers->setExpanded(m_model.index(section, 0), state[section] == '1');
+    }
+}
+
 /// The numbers get the room they need; the names what is left.
 void MeshStatisticsPanel::fitColumns() {
     QHeaderView& header = *m_ui->numbers->header();

@@ -28,6 +28,10 @@ public:
     /// Where the numbers are of, as they are copied: "teapot".
     [[nodiscard]] QString title() const;
 
+    // Which sections are folded; for settings.
+    [[nodiscard]] QByteArray saveState() const;
+    void restoreState(const QByteArray& state);
+
 Q_SIGNALS:
     /// Somebody wants to see this box (world).
     void lookWanted(const hitscope::Bounds& bounds);
