@@ -7,6 +7,7 @@
 // HITSCOPE_BACK_FACES    defined: they are tinted
 // HITSCOPE_SHADOWS       defined: of the directional light
 // HITSCOPE_MARKS         defined: something is selected: a target's rim, a hit's ring
+// HITSCOPE_CUT_FILLED    defined: the cutting plane closes what it opens
 // HITSCOPE_CHANGE_MAP    defined: the colour is that of a quantity of change, softly lit (change_map.glsl)
 
 #include "lighting.glsl"
@@ -24,6 +25,9 @@ in vec2 v_texcoord;
 #ifdef HITSCOPE_SHADOWS
 in vec3 v_shadow;
 #endif
+#ifdef HITSCOPE_CUT_FILLED
+#include "cut_fill.glsl"
+#endif
 
 uniform vec3 u_diffuse;
 uniform vec3 u_specular;
@@ -39,6 +43,11 @@ uniform vec4 u_rim;   // linear colour and strength of the selected target's rim
 uniform vec4 u_ring;  // centre, from the eye, and radius of the highlighted hit; radius 0: none
 uniform vec3 u_ringColour;
 uniform float u_ringWidth;  // pixels
+#endif
+
+#ifdef HITSCOPE_CUT_FILLED
+uniform vec3 u_fillColour;  // sRGB
+uniform float u_hatch;      // pixels
 #endif
 
 out vec4 o_colour;
@@ -63,6 +72,14 @@ vec3 facingNormal()
 #endif
 }
 
+#ifdef HITSCOPE_CUT_FILLED
+vec3 filling()
+{
+    float line = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / u_hatch) - 0.5) * u_hatch;
+    return u_fillColour * mix(0.8, 1.0, smoothstep(0.5, 1.2, line));
+}
+#endif
+
 #ifdef HITSCOPE_MARKS
 // Where the highlighted hit's sphere cuts the surface: its max_distance, seen on the mesh.
 float ring()
@@ -79,6 +96,12 @@ float ring()
 
 void main()
 {
+#ifdef HITSCOPE_CUT_FILLED
+    if (isFilling()) {
+        o_colour = vec4(filling(), 1.0);
+        return;
+    }
+#endif
 #ifdef HITSCOPE_MARKS
     float ringed = ring();
 #endif
