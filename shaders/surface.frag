@@ -7,6 +7,8 @@
 // HITSCOPE_BACK_FACES    defined: they are tinted
 // HITSCOPE_SHADOWS       defined: of the directional light
 // HITSCOPE_MARKS         defined: something is selected: a target's rim, a hit's ring
+// HITSCOPE_CUT           defined: one sees into the targets; their inside has a colour of its own, and the light that
+//                        would come in there
 // HITSCOPE_CUT_FILLED    defined: the cutting plane closes what it opens
 // HITSCOPE_CHANGE_MAP    defined: the colour is that of a quantity of change, softly lit (change_map.glsl)
 
@@ -43,6 +45,10 @@ uniform vec4 u_rim;   // linear colour and strength of the selected target's rim
 uniform vec4 u_ring;  // centre, from the eye, and radius of the highlighted hit; radius 0: none
 uniform vec3 u_ringColour;
 uniform float u_ringWidth;  // pixels
+#endif
+
+#ifdef HITSCOPE_CUT
+const vec3 kInside = vec3(0.20, 0.27, 0.36);  // linear
 #endif
 
 #ifdef HITSCOPE_CUT_FILLED
@@ -126,6 +132,8 @@ void main()
 #endif
 #ifdef HITSCOPE_BACK_FACES
     albedo = gl_FrontFacing ? albedo : mix(albedo, kBackFace, 0.8);
+#elif defined(HITSCOPE_CUT)
+    albedo = gl_FrontFacing ? albedo : mix(albedo, kInside, 0.55);
 #endif
     Surface surface;
     surface.position = v_position;
@@ -136,6 +144,9 @@ void main()
     surface.sunlit = 1.0;
 #ifdef HITSCOPE_SHADOWS
     surface.sunlit = sunlitShare(v_shadow);
+#ifdef HITSCOPE_CUT
+    surface.sunlit = gl_FrontFacing ? surface.sunlit : 1.0;
+#endif
 #endif
 
     vec3 light = phong(surface);

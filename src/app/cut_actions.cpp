@@ -5,8 +5,10 @@
 #include <QMenu>
 #include <utility>
 
+#include "models/focus_target.h"
 #include "panels/cutting_plane/cutting_plane_panel.h"
 #include "panels/icons/themed_icon.h"
+#include "session/target.h"
 #include "viewport/cut_handle.h"
 #include "viewport/viewport.h"
 
@@ -53,8 +55,8 @@ CutActions::CutActions(Session& session, Viewport& viewport, QObject* parent)
         m_viewport.setSection(m_sections.section() ? m_sections.section()->lines : nullptr);
         m_panel->setSection(m_sections.section());
     });
-    // Whatever else of the picture is changed, exaggeration say: lines follow it.
-    connect(&viewport, &Viewport::framePainted, this, [this] {
+    // Exaggeration is changed elsewhere: lines follow it.
+    connect(&viewport, &Viewport::optionsChanged, this, [this] {
         const DisplayOptions& options = m_viewport.options();
         m_sections.setCut(options.cut, options.beforeAfter.exaggeration);
     });
@@ -72,12 +74,19 @@ void CutActions::change(const std::function<void(CuttingPlane&)>& edit) {
     follow();
 }
 
+/// Through the middle of what somebody is likely to look at: of several targets the middle may be between
+/// them.
+float CutActions::middleAlong(const glm::vec3& normal) const {
+    const Target* target = focusTarget(m_session);
+    return offsetRange(target != nullptr ? target->worldBounds() : m_session.sceneBounds(), normal).middle();
+}
+
 void CutActions::setOn(bool on) {
     change([this, on](CuttingPlane& cut) {
         const OffsetRange range = offsetRange(m_session.sceneBounds(), cut.normal);
         cut.on = on;
         if (on && (!m_isPlaced || !range.contains(cut.offset))) {
-            cut.offset = range.middle();
+            cut.offset = middleAlong(cut.normal);
         }
     });
     if (on && !std::exchange(m_wasOn, true)) {
@@ -89,12 +98,12 @@ void CutActions::chooseNormal(const glm::vec3& normal, bool flipped) {
     m_isPlaced = true;
     change([&](CuttingPlane& cut) {
         cut.normal = normal;
-        cut.offset = offsetRange(m_session.sceneBounds(), normal).middle();
+        cut.offset = middleAlong(normal);
         cut.flipped = flipped;
     });
 }
 
-/// What is nearer to the eye than the middle of the scene is hidden.
+/// What is nearer to the eye than the middle of the target is hidden.
 void CutActions::cutFromView() {
     chooseNormal(-m_viewport.navigation().goal().forward(), false);
     setOn(true);
@@ -112,7 +121,6 @@ void CutActions::followScene() {
 void CutActions::follow() {
     const DisplayOptions& options = m_viewport.options();
     const Bounds bounds = m_session.sceneBounds();
-    m_sections.setCut(options.cut, options.beforeAfter.exaggeration);
     m_panel->setCut(options.cut, bounds);
     m_handle->setBounds(bounds);
     m_on->setChecked(options.cut.on);

@@ -36,6 +36,7 @@ Q_SIGNALS:
 
 private:
     void change(const std::function<void(CuttingPlane&)>& edit);
+    [[nodiscard]] float middleAlong(const glm::vec3& normal) const;
     void setOn(bool on);
     void chooseNormal(const glm::vec3& normal, bool flipped);
     void cutFromView();

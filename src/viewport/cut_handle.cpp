@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/cut_handle.h"
 
+#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -195,6 +196,9 @@ void CutHandle::endDrag() {
 }
 
 void CutHandle::enterEvent(QEnterEvent*) {
+    // The picture under it is not pointed at any more.
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(&m_viewport, &leave);
     m_over = true;
     Q_EMIT hovered(true);
     update();

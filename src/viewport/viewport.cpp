@@ -230,6 +230,7 @@ void Viewport::setOptions(const DisplayOptions& options) {
     m_options = options;
     followViewSize();
     update();
+    Q_EMIT optionsChanged();
 }
 
 void Viewport::setDrawsContinuously(bool on) {

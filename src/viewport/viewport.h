@@ -100,6 +100,7 @@ Q_SIGNALS:
     /// The context goes, and with it all GL objects; it is current. The scene is built anew from the session
     /// when there is another.
     void aboutToReleaseGpu();
+    void optionsChanged();                      ///< options()
     void failed(const hitscope::Error& error);  ///< no picture can be drawn; emitted once for each reason
 
 protected:

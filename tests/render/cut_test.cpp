@@ -238,7 +238,7 @@ void CutTest::fillingClosesWhatIsCut() {
         const QImage open = draw(cut, *pipeline);
         cut.options.cut.fill = true;
         const QImage filled = draw(cut, *pipeline);
-        QVERIFY(differing(open, filled, 8) > 4000);
+        QVERIFY(differing(open, filled, 8) > 2500);
         int greys = 0;
         for (int y = 60; y < 100; ++y) {
             for (int x = 60; x < 100; ++x) {

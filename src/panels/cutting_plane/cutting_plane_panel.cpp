@@ -53,6 +53,7 @@ CuttingPlanePanel::CuttingPlanePanel(const Session& session, QWidget* parent)
     : QWidget(parent), m_session(session), m_ui(std::make_unique<Ui::CuttingPlaneForm>()) {
     m_ui->setupUi(this);
     m_ui->copy->setIcon(themedIcon(QStringLiteral("copy")));
+    m_ui->reset->setIcon(themedIcon(QStringLiteral("reset")));
     m_ui->csv->setIcon(themedIcon(QStringLiteral("export")));
     m_ui->deepest->setTextInteractionFlags(Qt::TextSelectableByMouse);
     for (QDoubleSpinBox* box : {m_ui->normalX, m_ui->normalY, m_ui->normalZ}) {
@@ -101,7 +102,7 @@ void CuttingPlanePanel::connectPlane() {
         });
     }
     connect(m_ui->fromView, &QToolButton::clicked, this, &CuttingPlanePanel::fromViewWanted);
-    connect(m_ui->reset, &QPushButton::clicked, this, &CuttingPlanePanel::resetWanted);
+    connect(m_ui->reset, &QToolButton::clicked, this, &CuttingPlanePanel::resetWanted);
     connect(m_ui->offset, &QDoubleSpinBox::valueChanged, this, [this](double offset) {
         edit([offset](CuttingPlane& cut) { cut.offset = static_cast<float>(offset); });
     });
@@ -209,7 +210,7 @@ void CuttingPlanePanel::showSection() {
     const auto deepest = deepestOf(*m_section, m_scope);
     const SectionView view = sectionView(m_section->cut.openSide());
     m_ui->deepest->setText(!isAny    ? tr("The plane cuts no target.")
-                           : deepest ? tr("Greatest depth %1 m at %2")
+                           : deepest ? tr("Greatest depth: %1 m\nat %2")
                                            .arg(quantityText(deepest->depth), placeText(view, deepest->place))
                                      : tr("Nothing has moved in this section."));
 }

@@ -12,6 +12,7 @@
 
 #include "models/quantity_text.h"
 #include "panels/plot/plot_theme.h"
+#include "render/theme.h"
 
 namespace hitscope {
 
@@ -71,7 +72,7 @@ SectionPlot::SectionPlot(QWidget* parent)
         axis->ticker()->setTickCount(4);
     }
     m_deepestText->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
-    m_deepestText->setPadding({4, 1, 4, 1});
+    m_deepestText->setPadding({5, 2, 5, 2});
     m_cursor->setStyle(QCPItemTracer::tsCircle);
     m_cursor->setSize(kDot);
     m_note->position->setType(QCPItemPosition::ptAxisRectRatio);
@@ -217,7 +218,10 @@ void SectionPlot::followCursor(const QPointF& position) {
 void SectionPlot::applyPalette() {
     applyPlotTheme(*m_plot, *this);
     const QColor ink = palette().color(QPalette::WindowText);
-    const QColor accent = palette().color(QPalette::Highlight);
+    // The picture's own colour for it.
+    const bool isDark = palette().color(QPalette::Base).lightness() < 128;
+    const glm::vec3 line = render::themeColours(isDark ? Theme::Dark : Theme::Light).accent;
+    const QColor accent = QColor::fromRgbF(line.r, line.g, line.b);
     QColor dim = ink;
     dim.setAlphaF(0.65f);
     QPen original(dim, 1.2);
@@ -225,8 +229,7 @@ void SectionPlot::applyPalette() {
     m_original->setPen(original);
     m_deformed->setPen(QPen(accent, 1.8));
     m_deepest->setPen(QPen(ink, 1.4));
-    m_deepest->setHead(QCPLineEnding(QCPLineEnding::esBar, 7, 7));
-    m_deepest->setTail(QCPLineEnding(QCPLineEnding::esBar, 7, 7));
+    m_deepest->setTail(QCPLineEnding(QCPLineEnding::esDisc, 5, 5));
     m_deepestText->setColor(ink);
     m_deepestText->setFont(font());
     m_pointed->setPen(QPen(dim, 1));
