@@ -21,5 +21,5 @@ void main()
     if (u_dash > 0.0 && fract(g_along / u_dash) > 0.6) {
         discard;
     }
-    o_colour = vec4(mix(u_edgeColour, u_colour.rgb, core), u_colour.a * max(core, 0.6 * cover));
+    o_colour = vec4(mix(u_edgeColour, u_colour.rgb, core), u_colour.a * max(core, 0.85 * cover));
 }

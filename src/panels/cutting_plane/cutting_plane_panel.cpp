@@ -26,6 +26,16 @@ constexpr double kLargest = 1.0e6;      // metres
 constexpr float kSameNormal = 5.0e-4f;  // what three decimals cannot tell apart
 constexpr float kLeastNormal = 1.0e-3f;
 
+/// So that it is seen in any theme which one is on.
+void emphasize(QToolButton& button) {
+    QPalette colours;
+    if (button.isChecked()) {
+        colours.setColor(QPalette::Button, colours.color(QPalette::Highlight));
+        colours.setColor(QPalette::ButtonText, colours.color(QPalette::HighlightedText));
+    }
+    button.setPalette(colours);
+}
+
 glm::vec3 axis(int i) {
     glm::vec3 unit(0.0f);
     unit[i] = 1.0f;
@@ -68,6 +78,9 @@ CuttingPlanePanel::CuttingPlanePanel(const Session& session, QWidget* parent)
     m_ui->offset->setKeyboardTracking(false);
     m_ui->offset->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     m_ui->offset->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-00.000 m")) + 32);
+    for (QToolButton* button : {m_ui->alongX, m_ui->alongY, m_ui->alongZ, m_ui->flip}) {
+        connect(button, &QToolButton::toggled, this, [button] { emphasize(*button); });
+    }
     connectPlane();
     connectReadOut();
     setCut({}, {});
@@ -137,6 +150,9 @@ void CuttingPlanePanel::setCut(const CuttingPlane& cut, const Bounds& bounds) {
     m_ui->plot->setShown(cut.originalLine, cut.deformedLine);
     showNormal();
     showOffset();
+    if (!m_section) {
+        showSection();
+    }
 }
 
 void CuttingPlanePanel::showNormal() {
@@ -201,7 +217,8 @@ void CuttingPlanePanel::showSection() {
     m_ui->copy->setEnabled(isAny);
     m_ui->csv->setEnabled(isAny);
     if (!m_section) {
-        m_ui->deepest->setText(tr("Switch the plane on to see a section."));
+        m_ui->deepest->setText(m_cut.on ? tr("The section is being worked out…")
+                                        : tr("Switch the plane on to see a section."));
         m_ui->plot->setSection(nullptr, {}, {});
         return;
     }
@@ -234,6 +251,15 @@ void CuttingPlanePanel::chooseCsv() {
     if (const Status status = saveCsv(path); !status) {
         QMessageBox::warning(this, tr("Save the section as CSV"),
                              QString::fromStdString(status.error().message()));
+    }
+}
+
+void CuttingPlanePanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        for (QToolButton* button : {m_ui->alongX, m_ui->alongY, m_ui->alongZ, m_ui->flip}) {
+            emphasize(*button);
+        }
     }
 }
 

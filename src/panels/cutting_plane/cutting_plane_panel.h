@@ -37,6 +37,7 @@ Q_SIGNALS:
     void moving(bool on);  ///< the offset's slider is held
 
 protected:
+    void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
