@@ -4,6 +4,7 @@
 
 #include "hits.glsl"
 #include "change.glsl"
+#include "cut.glsl"
 
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
@@ -22,8 +23,13 @@ void main()
     vec3 position = a_position;
     vec3 normal = a_normal;
     applyHits(position, normal);
-    vec4 clip = u_viewProjection * (u_model * vec4(drawnPosition(position), 1.0));
+    vec4 world = u_model * vec4(drawnPosition(position), 1.0);
+    cutAway(world);
+    vec4 clip = u_viewProjection * world;
     v_density = smoothstep(u_apart.x, u_apart.y, u_edgePixels / max(clip.w, 1.0e-6));
+#ifdef HITSCOPE_CUT_FILLED
+    v_density *= seenFromOutside(world.xyz, mat3(u_model) * normal);
+#endif
     clip.z += u_depthShift;
     gl_Position = v_density > 0.0 ? clip : vec4(0.0, 0.0, 2.0, 1.0);
     gl_PointSize = u_pixels + 2.0;

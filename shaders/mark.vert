@@ -4,6 +4,7 @@
 
 #include "hits.glsl"
 #include "change.glsl"
+#include "cut.glsl"
 
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
@@ -19,7 +20,9 @@ void main()
     vec3 normal = a_normal;
     applyHits(position, normal);
 
-    gl_Position = u_viewProjection * (u_model * vec4(drawnPosition(position), 1.0));
+    vec4 world = u_model * vec4(drawnPosition(position), 1.0);
+    cutAway(world);
+    gl_Position = u_viewProjection * world;
     gl_Position.z += u_depthShift;
     gl_PointSize = u_size;
 }

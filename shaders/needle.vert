@@ -6,6 +6,7 @@
 
 #include "hits.glsl"
 #include "change.glsl"
+#include "cut.glsl"
 #include "wide_line.glsl"
 
 layout(location = 0) in vec3 a_position;
@@ -29,7 +30,10 @@ void main()
     normal = a_shadingNormal;
 #endif
     position = drawnPosition(position);
-    vec4 a = u_viewProjection * (u_model * vec4(position, 1.0));
+    // Whole or not at all, by where it stands.
+    vec4 world = u_model * vec4(position, 1.0);
+    cutAway(world);
+    vec4 a = u_viewProjection * world;
     vec4 b = u_viewProjection * (u_model * vec4(position + u_length * normal, 1.0));
     a.z += u_depthShift;
     b.z += u_depthShift;

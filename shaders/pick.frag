@@ -2,6 +2,13 @@
 #version 330 core
 // Which triangle of which target a pixel shows, or which vertex where they are drawn as points. One draw call has
 // all of a target's, so that the number of the primitive is that of the triangle or vertex.
+//
+// HITSCOPE_CUT_FILLED   defined: where the cutting plane closes a body there is none to be seen
+
+#ifdef HITSCOPE_CUT_FILLED
+in vec3 v_position;  // from the eye
+#include "cut_fill.glsl"
+#endif
 
 uniform uint u_target;
 
@@ -10,4 +17,9 @@ out uvec2 o_element;
 void main()
 {
     o_element = uvec2(u_target, uint(gl_PrimitiveID));
+#ifdef HITSCOPE_CUT_FILLED
+    if (isFilling()) {
+        o_element = uvec2(0u, 1u);
+    }
+#endif
 }

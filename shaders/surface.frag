@@ -7,6 +7,9 @@
 // HITSCOPE_BACK_FACES    defined: they are tinted
 // HITSCOPE_SHADOWS       defined: of the directional light
 // HITSCOPE_MARKS         defined: something is selected: a target's rim, a hit's ring
+// HITSCOPE_CUT           defined: one sees into the targets; their inside has a colour of its own, and the light that
+//                        would come in there
+// HITSCOPE_CUT_FILLED    defined: the cutting plane closes what it opens
 // HITSCOPE_CHANGE_MAP    defined: the colour is that of a quantity of change, softly lit (change_map.glsl)
 
 #include "lighting.glsl"
@@ -24,6 +27,9 @@ in vec2 v_texcoord;
 #ifdef HITSCOPE_SHADOWS
 in vec3 v_shadow;
 #endif
+#ifdef HITSCOPE_CUT_FILLED
+#include "cut_fill.glsl"
+#endif
 
 uniform vec3 u_diffuse;
 uniform vec3 u_specular;
@@ -39,6 +45,15 @@ uniform vec4 u_rim;   // linear colour and strength of the selected target's rim
 uniform vec4 u_ring;  // centre, from the eye, and radius of the highlighted hit; radius 0: none
 uniform vec3 u_ringColour;
 uniform float u_ringWidth;  // pixels
+#endif
+
+#ifdef HITSCOPE_CUT
+const vec3 kInside = vec3(0.20, 0.27, 0.36);  // linear
+#endif
+
+#ifdef HITSCOPE_CUT_FILLED
+uniform vec3 u_fillColour;  // sRGB
+uniform float u_hatch;      // pixels
 #endif
 
 out vec4 o_colour;
@@ -63,6 +78,14 @@ vec3 facingNormal()
 #endif
 }
 
+#ifdef HITSCOPE_CUT_FILLED
+vec3 filling()
+{
+    float line = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / u_hatch) - 0.5) * u_hatch;
+    return u_fillColour * mix(0.8, 1.0, smoothstep(0.5, 1.2, line));
+}
+#endif
+
 #ifdef HITSCOPE_MARKS
 // Where the highlighted hit's sphere cuts the surface: its max_distance, seen on the mesh.
 float ring()
@@ -79,6 +102,12 @@ float ring()
 
 void main()
 {
+#ifdef HITSCOPE_CUT_FILLED
+    if (isFilling()) {
+        o_colour = vec4(filling(), 1.0);
+        return;
+    }
+#endif
 #ifdef HITSCOPE_MARKS
     float ringed = ring();
 #endif
@@ -103,6 +132,8 @@ void main()
 #endif
 #ifdef HITSCOPE_BACK_FACES
     albedo = gl_FrontFacing ? albedo : mix(albedo, kBackFace, 0.8);
+#elif defined(HITSCOPE_CUT)
+    albedo = gl_FrontFacing ? albedo : mix(albedo, kInside, 0.55);
 #endif
     Surface surface;
     surface.position = v_position;
@@ -113,6 +144,9 @@ void main()
     surface.sunlit = 1.0;
 #ifdef HITSCOPE_SHADOWS
     surface.sunlit = sunlitShare(v_shadow);
+#ifdef HITSCOPE_CUT
+    surface.sunlit = gl_FrontFacing ? surface.sunlit : 1.0;
+#endif
 #endif
 
     vec3 light = phong(surface);

@@ -6,6 +6,7 @@
 
 #include "hits.glsl"
 #include "change.glsl"
+#include "cut.glsl"
 
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
@@ -57,5 +58,6 @@ void main()
     // From a little above the surface, or its own depths, a texel wide, would shadow it.
     v_shadow = (u_shadowMatrix * vec4(world.xyz + 2.5 * u_shadowTexel * v_normal, 1.0)).xyz;
 #endif
+    cutAway(world);
     gl_Position = u_viewProjection * world;
 }

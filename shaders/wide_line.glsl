@@ -4,8 +4,9 @@
 uniform vec2 u_halfSize;  // of the picture, pixels
 uniform float u_reach;    // pixels from the line's middle to the triangles' edge: half its width and a pixel of fade
 
-// Cuts the line off at the near plane, where it has no direction in the picture any more. False: nothing is left.
-bool clipLine(inout vec4 a, inout vec4 b)
+// Cuts the line off at the near plane, where it has no direction in the picture any more, and what belongs to its
+// ends with them. False: nothing is left.
+bool clipLine(inout vec4 a, inout vec4 b, inout float ofA, inout float ofB)
 {
     float before = a.z + a.w;
     float behind = b.z + b.w;
@@ -13,11 +14,21 @@ bool clipLine(inout vec4 a, inout vec4 b)
         return false;
     }
     if (before < 0.0) {
-        a = mix(a, b, before / (before - behind) + 1.0e-6);
+        float at = before / (before - behind) + 1.0e-6;
+        a = mix(a, b, at);
+        ofA = mix(ofA, ofB, at);
     } else if (behind < 0.0) {
-        b = mix(b, a, behind / (behind - before) + 1.0e-6);
+        float at = behind / (behind - before) + 1.0e-6;
+        b = mix(b, a, at);
+        ofB = mix(ofB, ofA, at);
     }
     return a.w > 0.0 && b.w > 0.0;
+}
+
+bool clipLine(inout vec4 a, inout vec4 b)
+{
+    float nothing = 0.0;
+    return clipLine(a, b, nothing, nothing);
 }
 
 // Clip space: what takes the line's end to the edge of its width, to be scaled with w; a longer line by its width.

@@ -6,6 +6,7 @@
 
 #include "hits.glsl"
 #include "change.glsl"
+#include "cut.glsl"
 
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
@@ -23,9 +24,14 @@ void main()
     vec3 normal = a_normal;
     applyHits(position, normal);
 
-    vec4 clip = u_viewProjection * (u_model * vec4(drawnPosition(position), 1.0));
+    vec4 world = u_model * vec4(drawnPosition(position), 1.0);
+    cutAway(world);
+    vec4 clip = u_viewProjection * world;
     // Edges a pixel or two long would fill the surface with one colour; they fade instead.
     v_density = mix(0.15, 1.0, smoothstep(0.5, 9.0, u_edgePixels / max(clip.w, 1.0e-6)));
+#ifdef HITSCOPE_CUT_FILLED
+    v_density *= seenFromOutside(world.xyz, mat3(u_model) * normal);
+#endif
 #ifdef HITSCOPE_GHOST
     v_density *= position == a_original ? 0.0 : 1.0;
 #endif

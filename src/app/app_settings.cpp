@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/change_settings.h"
+#include "app/cut_settings.h"
 #include "app/light_settings.h"
 #include "app/shading_actions.h"
 
@@ -98,6 +99,7 @@ AppSettings loadAppSettings(const QSettings& settings) {
     display.textures = settings.value(QStringLiteral("display/textures"), display.textures).toBool();
     display.crosshair = settings.value(QStringLiteral("display/crosshair"), display.crosshair).toBool();
     loadChangeSettings(settings, display);
+    loadCutSettings(settings, display.cut);
     for (const ShadingSwitch& shading : shadingSwitches()) {
         display.*shading.option =
             settings.value(QStringLiteral("display/") + text(shading.key), shading.first).toBool();
@@ -131,6 +133,7 @@ void saveAppSettings(QSettings& settings, const AppSettings& values) {
     settings.setValue(QStringLiteral("display/textures"), display.textures);
     settings.setValue(QStringLiteral("display/crosshair"), display.crosshair);
     saveChangeSettings(settings, display);
+    saveCutSettings(settings, display.cut);
     for (const ShadingSwitch& shading : shadingSwitches()) {
         settings.setValue(QStringLiteral("display/") + text(shading.key), display.*shading.option);
     }

@@ -15,6 +15,7 @@
 
 #include "app/camera_actions.h"
 #include "app/change_actions.h"
+#include "app/cut_actions.h"
 #include "app/dialogs.h"
 #include "app/full_view.h"
 #include "app/hit_actions.h"
@@ -32,6 +33,7 @@
 #include "app/vertex_label.h"
 #include "models/undo_text.h"
 #include "panels/change/change_panel.h"
+#include "panels/cutting_plane/cutting_plane_panel.h"
 #include "panels/deformation_constants/deformation_constants_panel.h"
 #include "panels/dent_measurement/dent_measurement_panel.h"
 #include "panels/frame_rate/cost_view.h"
@@ -54,7 +56,7 @@ namespace {
 constexpr int kFrameRateInterval = 500;  // milliseconds between read-outs in the status bar
 constexpr int kHintStays = 20'000;       // milliseconds
 constexpr int kMessageStays = 8'000;     // milliseconds
-constexpr int kLayoutVersion = 3;        // docks that are gone or new make an old layout useless
+constexpr int kLayoutVersion = 4;        // docks that are gone or new make an old layout useless
 
 }  // namespace
 
@@ -90,6 +92,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     applyTheme(m_settings.theme);
     m_viewport->setOptions(m_settings.display);
     m_change = new ChangeActions(session, m_hitEffects, *m_viewport, this);
+    m_cut = new CutActions(session, *m_viewport, this);
     setCentralWidget(m_viewport);
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
@@ -192,6 +195,9 @@ void MainWindow::makeDocks() {
         addDock(QStringLiteral("change"), tr("Change"), m_change->panel(), Qt::RightDockWidgetArea);
     QDockWidget* dent = addDock(QStringLiteral("dentMeasurement"), tr("Dent measurement"),
                                 new DentMeasurementPanel(m_session), Qt::RightDockWidgetArea);
+    QDockWidget* cut = addDock(QStringLiteral("cuttingPlane"), tr("Cutting plane"), m_cut->panel(),
+                               Qt::BottomDockWidgetArea);
+    connect(m_cut, &CutActions::switchedOn, cut, &QDockWidget::raise);
     QDockWidget* agreement = addDock(QStringLiteral("pipelineAgreement"), tr("Pipeline agreement"),
                                      agreementPanel, Qt::BottomDockWidgetArea);
     tabifyDockWidget(frameRate, agreement);
@@ -201,6 +207,7 @@ void MainWindow::makeDocks() {
     statistics->raise();
     tabifyDockWidget(history, vertices);
     tabifyDockWidget(vertices, dent);
+    tabifyDockWidget(dent, cut);
     history->raise();
     tabifyDockWidget(constants, lights);
     constants->raise();

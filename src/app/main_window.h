@@ -22,6 +22,7 @@ namespace hitscope {
 
 class CameraActions;
 class ChangeActions;
+class CutActions;
 class FrameRatePanel;
 class FullView;
 class HitActions;
@@ -152,6 +153,7 @@ private:
     FullView* m_fullView = nullptr;
     InspectActions* m_inspect = nullptr;
     ChangeActions* m_change = nullptr;
+    CutActions* m_cut = nullptr;
     FrameRatePanel* m_frameRate = nullptr;
     MeshStatisticsPanel* m_statisticsPanel = nullptr;
     QTimer m_frameRateTimer;

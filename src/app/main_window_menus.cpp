@@ -10,6 +10,7 @@
 
 #include "app/camera_actions.h"
 #include "app/change_actions.h"
+#include "app/cut_actions.h"
 #include "app/dialogs.h"
 #include "app/full_view.h"
 #include "app/hit_actions.h"
@@ -162,6 +163,7 @@ void MainWindow::makeDisplayActions(QMenu& menu) {
         changeDisplay([on](DisplayOptions& display) { display.textures = on; });
     });
     m_change->fill(*menu.addMenu(tr("Chan&ge")));
+    m_cut->fill(*menu.addMenu(tr("Cutting &Plane")));
     m_floor = addToggle(menu, tr("F&loor"), {}, true, [this](bool on) {
         changeDisplay([on](DisplayOptions& display) { display.floor = on; });
     });
@@ -309,6 +311,7 @@ void MainWindow::makeToolBar() {
     wireframe->setMenu(m_wireframeMenu);
     connect(wireframe, &QToolButton::clicked, this, &MainWindow::cycleWireframe);
     bar.addWidget(wireframe);
+    bar.addAction(m_cut->toggle());
     bar.addAction(m_frame);
     bar.addSeparator();
     m_time->fill(bar);

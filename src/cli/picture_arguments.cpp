@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "cli/cut_argument.h"
+
 namespace hitscope::cli {
 
 namespace {
@@ -76,6 +78,12 @@ PictureOptions::PictureOptions(QCommandLineParser& parser)
                                 "pitch 20 distance 12 fov 50 perspective\". Else all is in the picture."),
                  "text")),
       m_transparent(option("transparent", QStringLiteral("No background."))),
+      m_cut(option(
+          "cut",
+          QStringLiteral("Cut the targets open: x=0.1 hides what lies beyond 0.1 m along x, -x=0.1 the "
+                         "other side, 1,1,0=0.5 cuts across that direction."),
+          "plane")),
+      m_fillCut(option("fill-cut", QStringLiteral("Close what is cut, as if targets were solid."))),
       m_noFloor(option("no-floor", QStringLiteral("No floor."))),
       m_theme(option("theme", QStringLiteral("Background: light or dark."), "name", "dark")),
       m_wireframe(
@@ -85,8 +93,8 @@ PictureOptions::PictureOptions(QCommandLineParser& parser)
                         "name", "transform-feedback")),
       m_shots(option("shots", QStringLiteral("Shoot so often first, 0 to 100000."), "number", "0")),
       m_seed(option("seed", QStringLiteral("Another seed gives other shots."), "number", "1")) {
-    parser.addOptions({m_size, m_camera, m_transparent, m_noFloor, m_theme, m_wireframe, m_normals,
-                       m_pipeline, m_shots, m_seed});
+    parser.addOptions({m_size, m_camera, m_transparent, m_cut, m_fillCut, m_noFloor, m_theme, m_wireframe,
+                       m_normals, m_pipeline, m_shots, m_seed});
 }
 
 Result<PictureArguments> PictureOptions::read(const QCommandLineParser& parser) const {
@@ -119,6 +127,15 @@ Result<PictureArguments> PictureOptions::read(const QCommandLineParser& parser) 
     arguments.pipeline = allPipelines()[static_cast<std::size_t>(pipeline)].kind;
     arguments.options.transparent = parser.isSet(m_transparent);
     arguments.options.floor = !parser.isSet(m_noFloor);
+    if (parser.isSet(m_cut)) {
+        const std::optional<CuttingPlane> cut = parseCut(parser.value(m_cut));
+        if (!cut) {
+            return wrong(m_cut,
+                         QStringLiteral("an axis or a direction, and metres, as in x=0.1 or 1,1,0=0.5"));
+        }
+        arguments.options.cut = *cut;
+        arguments.options.cut.fill = parser.isSet(m_fillCut);
+    }
     const auto shots = wholeNumber(parser.value(m_shots), 0, kMostShots);
     bool seedOk = false;
     arguments.seed = parser.value(m_seed).toUInt(&seedOk);

@@ -35,6 +35,8 @@ private:
     QCommandLineOption m_size;
     QCommandLineOption m_camera;
     QCommandLineOption m_transparent;
+    QCommandLineOption m_cut;
+    QCommandLineOption m_fillCut;
     QCommandLineOption m_noFloor;
     QCommandLineOption m_theme;
     QCommandLineOption m_wireframe;

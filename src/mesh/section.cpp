@@ -5,6 +5,7 @@
 #include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numeric>
 #include <unordered_map>
 
@@ -129,12 +130,54 @@ MeshSections::MeshSections(const RenderMesh& mesh) {
 void MeshSections::setPositions(std::span<const glm::vec3> positions) {
     m_positions.assign(positions.begin(), positions.end());
     m_runs.clear();
-    for (std::size_t first = 0; first < m_triangles.size(); first += 3 * kRun) {
-        Bounds& box = m_runs.emplace_back();
-        const std::size_t end = std::min(m_triangles.size(), first + 3 * kRun);
-        for (std::size_t i = first; i < end; ++i) {
-            box.add(m_positions[m_triangles[i]]);
+    for (std::size_t run = 0; 3 * kRun * run < m_triangles.size(); ++run) {
+        m_runs.push_back(boxOf(run));
+    }
+}
+
+Bounds MeshSections::boxOf(std::size_t run) const {
+    Bounds box;
+    const std::size_t end = std::min(m_triangles.size(), (run + 1) * 3 * kRun);
+    for (std::size_t i = run * 3 * kRun; i < end; ++i) {
+        box.add(m_positions[m_triangles[i]]);
+    }
+    return box;
+}
+
+/// A run is listed once for each vertex that has corners in it.
+void MeshSections::listRuns() {
+    const auto each = [this](auto&& see) {
+        std::vector<std::uint32_t> last(m_positions.size(), std::numeric_limits<std::uint32_t>::max());
+        for (std::size_t i = 0; i < m_triangles.size(); ++i) {
+            const auto run = static_cast<std::uint32_t>(i / (3 * kRun));
+            if (last[m_triangles[i]] != run) {
+                last[m_triangles[i]] = run;
+                see(m_triangles[i], run);
+            }
         }
+    };
+    m_runStarts.assign(m_positions.size() + 1, 0);
+    each([this](std::uint32_t vertex, std::uint32_t) { ++m_runStarts[vertex + 1]; });
+    std::partial_sum(m_runStarts.begin(), m_runStarts.end(), m_runStarts.begin());
+    m_runsOf.resize(m_runStarts.back());
+    std::vector<std::uint32_t> next(m_runStarts.begin(), m_runStarts.end() - 1);
+    each([this, &next](std::uint32_t vertex, std::uint32_t run) { m_runsOf[next[vertex]++] = run; });
+}
+
+void MeshSections::move(std::span<const MovedVertex> moved) {
+    if (m_runStarts.empty() && !moved.empty()) {
+        listRuns();
+    }
+    std::vector<std::uint32_t> runs;
+    for (const MovedVertex& vertex : moved) {
+        m_positions[vertex.vertex] = vertex.position;
+        runs.insert(runs.end(), m_runsOf.begin() + m_runStarts[vertex.vertex],
+                    m_runsOf.begin() + m_runStarts[vertex.vertex + 1]);
+    }
+    std::sort(runs.begin(), runs.end());
+    runs.erase(std::unique(runs.begin(), runs.end()), runs.end());
+    for (const std::uint32_t run : runs) {
+        m_runs[run] = boxOf(run);
     }
 }
 

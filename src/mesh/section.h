@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/bounds.h"
+#include "mesh/moved_vertex.h"
 #include "mesh/render_mesh.h"
 
 namespace hitscope {
@@ -33,6 +34,8 @@ public:
 
     /// Where the file's vertices are now; as many as the mesh has.
     void setPositions(std::span<const glm::vec3> positions);
+    /// Where some of them are now: vertices of the file, at the cost of the runs that they are in.
+    void move(std::span<const MovedVertex> moved);
     /// Curves that end at the mesh's boundary or where more than two triangles meet come first, then closed
     /// ones.
     [[nodiscard]] std::vector<SectionCurve> cut(const Plane& plane) const;
@@ -44,9 +47,14 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> triangles() const { return m_triangles; }
 
 private:
+    void listRuns();
+    [[nodiscard]] Bounds boxOf(std::size_t run) const;
+
     std::vector<glm::vec3> m_positions;
     std::vector<std::uint32_t> m_triangles;  ///< neighbours in space are near each other
     std::vector<Bounds> m_runs;              ///< of kRun triangles each
+    std::vector<std::uint32_t> m_runStarts;  ///< of each vertex in m_runsOf, and their end; empty: not made
+    std::vector<std::uint32_t> m_runsOf;     ///< runs that a vertex is in, by vertex
 };
 
 }  // namespace hitscope

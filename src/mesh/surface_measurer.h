@@ -8,16 +8,11 @@
 #include <vector>
 
 #include "mesh/mesh_data.h"
+#include "mesh/moved_vertex.h"
 #include "mesh/surface_measures.h"
 #include "mesh/surface_topology.h"
 
 namespace hitscope {
-
-/// Where a file vertex now is; metres, local frame.
-struct MovedVertex {
-    std::uint32_t vertex = 0;
-    glm::vec3 position{0.0f};
-};
 
 /// What the hits have done to the health of a face. A face may have several of these.
 struct FaceHarm {

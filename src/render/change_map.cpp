@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "render/cut_away.h"
+
 namespace hitscope::render {
 
 namespace {
@@ -32,7 +34,7 @@ GLuint ColourTextures::get(ColourMap map) {
     return texture.id();
 }
 
-gl::Defines targetDefines(const Frame& frame, const DeformationPipeline& pipeline) {
+gl::Defines wholeTargetDefines(const Frame& frame, const DeformationPipeline& pipeline) {
     gl::Defines defines = pipeline.drawDefines();
     if (frame.options.beforeAfter.exaggeration != 1.0f) {
         defines.emplace_back("HITSCOPE_EXAGGERATED", "1");
@@ -40,8 +42,16 @@ gl::Defines targetDefines(const Frame& frame, const DeformationPipeline& pipelin
     return defines;
 }
 
+gl::Defines targetDefines(const Frame& frame, const DeformationPipeline& pipeline) {
+    gl::Defines defines = wholeTargetDefines(frame, pipeline);
+    const gl::Defines cut = cutDefines(frame);
+    defines.insert(defines.end(), cut.begin(), cut.end());
+    return defines;
+}
+
 void setDrawnPlace(const gl::Program& program, const Frame& frame) {
     program.set("u_exaggeration", frame.options.beforeAfter.exaggeration);
+    setCut(program, frame);
 }
 
 void setChangeMap(const gl::Program& program, const FrameContext& context) {

@@ -18,9 +18,12 @@ private:
     std::array<gl::Texture, kColourMaps> m_textures;
 };
 
-/// What programs that draw targets are built with: the pipeline's definitions and what change.glsl wants.
+/// What programs that draw targets are built with: the pipeline's definitions and what change.glsl and
+/// cut.glsl want.
 [[nodiscard]] gl::Defines targetDefines(const Frame& frame, const DeformationPipeline& pipeline);
-/// Sets change.glsl's uniforms of a program built with them, in use. Passes that draw where targets are need
+/// Likewise for what a cutting plane leaves whole.
+[[nodiscard]] gl::Defines wholeTargetDefines(const Frame& frame, const DeformationPipeline& pipeline);
+/// Sets the uniforms of both of a program built with them, in use. Passes that draw where targets are need
 /// no more.
 void setDrawnPlace(const gl::Program& program, const Frame& frame);
 /// Sets the uniforms of a program built with HITSCOPE_CHANGE_MAP and binds the colours to a texture unit of

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "render/change_options.h"
+#include "render/cutting_plane.h"
 
 namespace hitscope {
 
@@ -24,6 +25,7 @@ struct DisplayOptions {
     bool crosshair = false;
     ChangeMapOptions change = {};
     BeforeAfterOptions beforeAfter = {};
+    CuttingPlane cut = {};
     bool sideBySide = false;  ///< two pictures, where there is a second pipeline to show
     bool flat = false;        ///< one normal a triangle
     bool needles = false;     ///< normals

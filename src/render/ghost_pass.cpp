@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/ghost_pass.h"
 
+#include "render/cut_away.h"
 #include "render/line_pass.h"
 
 namespace hitscope::render {
@@ -10,7 +11,7 @@ namespace {
 constexpr float kWireOpacity = 0.55f;
 
 Status drawTranslucent(const FrameContext& originals) {
-    const auto found = originals.programs.get("surface.vert", "ghost.frag");
+    const auto found = originals.programs.get("surface.vert", "ghost.frag", cutDefines(originals.frame));
     if (!found) {
         return found.error();
     }
@@ -19,6 +20,8 @@ Status drawTranslucent(const FrameContext& originals) {
     program.set("u_viewProjection", originals.viewProjection);
     program.set("u_eye", originals.eye);
     program.set("u_colour", originals.colours.accent);
+    setCut(program, originals.frame);
+    const ClipByCut clip(originals.frame);
     for (const DrawItem& item : originals.frame.targets) {
         program.set("u_model", item.model);
         glBindVertexArray(item.buffers->originalSurfaceArray());

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/change_map.h"
+#include "render/cut_away.h"
 
 namespace hitscope::render {
 namespace {
@@ -45,10 +46,20 @@ void setWideLine(const gl::Program& program, const FrameContext& context, float 
     program.set("u_reach", half + 1.0f);
 }
 
+/// On the filling of a cut nothing of the inside is seen.
+void addFilling(gl::Defines& defines, const Frame& frame) {
+    if (isCutFilled(frame)) {
+        defines.emplace_back("HITSCOPE_CUT_FILLED", "1");
+    }
+}
+
 void setPlace(const gl::Program& program, const FrameContext& context) {
     program.set("u_viewProjection", context.viewProjection);
     program.set("u_depthShift", depthShift(context));
     setDrawnPlace(program, context.frame);
+    if (isCutFilled(context.frame)) {
+        setCutFill(program, context.frame);
+    }
 }
 
 void setEdgePixels(const gl::Program& program, const FrameContext& context, const DrawItem& item) {
@@ -58,7 +69,11 @@ void setEdgePixels(const gl::Program& program, const FrameContext& context, cons
 Result<const gl::Program*> edgeProgram(const FrameContext& context, const DeformationPipeline& pipeline,
                                        bool wide, bool ghost) {
     gl::Defines defines = ghost ? pipeline.drawDefines() : targetDefines(context.frame, pipeline);
-    if (ghost) {
+    if (!ghost) {
+        addFilling(defines, context.frame);
+    } else {
+        const gl::Defines cut = cutDefines(context.frame);
+        defines.insert(defines.end(), cut.begin(), cut.end());
         defines.emplace_back("HITSCOPE_GHOST", "1");
     }
     if (wide) {
@@ -69,6 +84,7 @@ Result<const gl::Program*> edgeProgram(const FrameContext& context, const Deform
 
 Status drawEdgesOf(const FrameContext& context, DeformationPipeline& pipeline, const EdgeStyle& style,
                    bool wide) {
+    const ClipByCut clip(context.frame);
     const gl::Program* program = nullptr;
     const glm::vec4 selected(glm::mix(glm::vec3(style.colour), context.colours.accent, style.selectionTint),
                              style.colour.a);
@@ -142,14 +158,16 @@ Status drawEdges(const FrameContext& context, DeformationPipeline& pipeline, con
 }
 
 Status drawDots(const FrameContext& context, DeformationPipeline& pipeline) {
+    const ClipByCut clip(context.frame);
     const gl::Program* program = nullptr;
     for (const DrawItem& item : context.frame.targets) {
         if (nearestEdgePixels(context, item) < kDotsApart.x) {
             continue;
         }
         if (program == nullptr) {
-            const auto found =
-                context.programs.get("dots.vert", "dots.frag", targetDefines(context.frame, pipeline));
+            gl::Defines defines = targetDefines(context.frame, pipeline);
+            addFilling(defines, context.frame);
+            const auto found = context.programs.get("dots.vert", "dots.frag", defines);
             if (!found) {
                 return found.error();
             }
@@ -184,6 +202,7 @@ Status NeedlePass::draw(const FrameContext& context, DeformationPipeline& pipeli
     program.use();
     setPlace(program, context);
     setWideLine(program, context, kNeedleWidth);
+    const ClipByCut clip(context.frame);
     program.set("u_colour", context.colours.needles);
     glBindVertexArray(m_array.id());
     for (const DrawItem& item : context.frame.targets) {

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "render/change_map.h"
+#include "render/cut_away.h"
 #include "render/frame_context.h"
 
 namespace hitscope::render {
@@ -63,6 +64,7 @@ Status drawVertexMarks(const FrameContext& context, DeformationPipeline& pipelin
     program.set("u_depthShift", context.depthPerPixel * kAhead);
     program.set("u_colour", context.colours.accent);
     program.set("u_lineColour", line);
+    const ClipByCut clip(context.frame);
     glEnable(GL_PROGRAM_POINT_SIZE);
     glDepthFunc(GL_GREATER);
     drawMarks(context, pipeline, program, true);

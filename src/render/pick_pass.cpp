@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "render/change_map.h"
+#include "render/cut_away.h"
 #include "render/gl_state.h"
 
 namespace hitscope {
@@ -82,7 +83,12 @@ Status PickPass::makeRoom(const PixelArea& area) {
 Status PickPass::draw(const Frame& frame, DeformationPipeline& pipeline, const PixelArea& area,
                       PickElements elements) {
     const bool points = elements == PickElements::Points;
-    const auto found = m_programs.get("surface.vert", "pick.frag", render::targetDefines(frame, pipeline));
+    gl::Defines defines = render::targetDefines(frame, pipeline);
+    const bool filled = !points && render::isCutFilled(frame);
+    if (filled) {
+        defines.emplace_back("HITSCOPE_CUT_FILLED", "1");
+    }
+    const auto found = m_programs.get("surface.vert", "pick.frag", defines);
     if (!found) {
         return found.error();
     }
@@ -103,7 +109,12 @@ Status PickPass::draw(const Frame& frame, DeformationPipeline& pipeline, const P
     const float aspect = static_cast<float>(frame.width) / static_cast<float>(frame.height);
     program.set("u_viewProjection", frame.camera.projection(aspect) * frame.camera.view());
     render::setDrawnPlace(program, frame);
+    if (filled) {
+        program.set("u_eye", frame.camera.eye());
+        render::setCutFill(program, frame);
+    }
     const GLint target = program.location("u_target");
+    const render::ClipByCut clip(frame);
     for (const DrawItem& item : frame.targets) {
         pipeline.prepareDraw(program, item.target);
         program.set("u_model", item.model);

@@ -24,7 +24,11 @@ enum class PickElements : std::uint8_t {
 /// What a pixel shows.
 struct PickedElement {
     TargetId target;            ///< 0: none
-    std::uint32_t element = 0;  ///< triangle or render vertex of its RenderMesh
+    std::uint32_t element = 0;  ///< triangle or render vertex of its RenderMesh; of no target: kFilling
+
+    /// No target, but the cutting plane's filling, which hides what lies behind it.
+    static constexpr std::uint32_t kFilling = 1;
+    [[nodiscard]] bool isFilling() const { return !target && element == kFilling; }
 
     bool operator==(const PickedElement&) const = default;
 };

@@ -16,6 +16,7 @@
 #include "render/material_set.h"
 #include "render/original_shape.h"
 #include "render/projectile_pass.h"
+#include "render/section_pass.h"
 #include "render/shadow_map.h"
 #include "render/target_pass.h"
 #include "render/trail_pass.h"
@@ -132,7 +133,7 @@ Status drawShaded(const FrameContext& context, DeformationPipeline& pipeline) {
 
 Status drawWires(const FrameContext& context, DeformationPipeline& pipeline) {
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    if (Status status = drawSurfaceDepth(context, pipeline, context.viewProjection); !status) {
+    if (Status status = drawSurfaceDepth(context, pipeline, context.viewProjection, DepthOf::Seen); !status) {
         return status;
     }
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -166,6 +167,7 @@ struct Renderer::Private {
     NeedlePass needles;
     TrailPass trails;
     DentGhostPass dentGhost;
+    SectionPass sections;
     gl::VertexArray emptyArray = gl::VertexArray::make();
     bool software = gl::rendererInfo().isSoftware();
     ShadowMap shadows{software};
@@ -284,6 +286,9 @@ Status Renderer::draw(const Frame& frame, DeformationPipeline& pipeline, GLuint 
         return status;
     }
     startBlended();
+    if (status = d->sections.draw(context); !status) {
+        return status;
+    }
     if (status = drawVertexMarks(context, pipeline); !status) {
         return status;
     }
@@ -291,6 +296,9 @@ Status Renderer::draw(const Frame& frame, DeformationPipeline& pipeline, GLuint 
         return status;
     }
     if (status = drawHighlightedHit(context); !status) {
+        return status;
+    }
+    if (status = drawCutPane(context); !status) {
         return status;
     }
     if (status = d->dentGhost.draw(context); !status) {

@@ -60,6 +60,8 @@ struct Frame {
     std::span<const VertexMarks> marks;  ///< drawn in this order
     /// Corners of triangles, world: a surface that is not there yet, drawn over everything. Null: none.
     std::shared_ptr<const std::vector<glm::vec3>> ghost;
+    std::shared_ptr<const SectionLines> section;  ///< where options.cut cuts; null: nothing to draw there
+    bool showsCutPlane = false;                   ///< the plane too, as a pane: it is being moved
     std::optional<Sphere>
         highlightedHit;  ///< world: a selected hit's point and max_distance; drawn as a ring
 };

@@ -110,7 +110,7 @@ Status ShadowMap::update(const FrameContext& context, DeformationPipeline& pipel
     glDepthFunc(GL_LESS);
     glClearDepth(1.0);
     glClear(GL_DEPTH_BUFFER_BIT);
-    return drawSurfaceDepth(context, pipeline, place(context));
+    return drawSurfaceDepth(context, pipeline, place(context), DepthOf::Whole);
 }
 
 gl::Defines ShadowMap::defines() const {

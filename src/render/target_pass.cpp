@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <optional>
 
 #include "render/change_map.h"
+#include "render/cut_away.h"
 #include "render/material_set.h"
 #include "render/shadow_map.h"
 
@@ -14,6 +16,7 @@ namespace {
 
 constexpr float kRimStrength = 0.75f;
 constexpr float kRingWidth = 1.8f;  // logical pixels
+constexpr float kHatch = 9.0f;      // logical pixels from one line to the next
 
 /// A software renderer shades pixels on other processors than it transforms vertices, but starts only when
 /// told to, or at the frame's end: told after so many, it does both at once (llvmpipe, 25,000 vertices at
@@ -64,6 +67,7 @@ gl::Defines surfaceDefines(const FrameContext& context, const DeformationPipelin
         {"HITSCOPE_TRANSLUCENT", parts.translucent},
         {"HITSCOPE_FLAT", frame.options.flat},
         {"HITSCOPE_BACK_FACES", frame.options.backFaces && !frame.change},
+        {"HITSCOPE_CUT_FILLED", isCutFilled(frame) && !parts.translucent},
         {"HITSCOPE_MARKS", hasMarks(frame)},
         {"HITSCOPE_PAPER_NORMALS", frame.options.normals == NormalMode::Paper}};
     for (const auto& [name, wanted] : parted) {
@@ -91,6 +95,11 @@ void setSurface(const gl::Program& program, const FrameContext& context) {
         program.set("u_ringColour", toLinear(context.colours.accent));
         program.set("u_ringWidth", std::max(1.0f, kRingWidth * frame.pixelRatio));
     }
+    if (isCutFilled(frame)) {
+        setCutFill(program, frame);
+        program.set("u_fillColour", context.colours.cutFill);
+        program.set("u_hatch", kHatch * frame.pixelRatio);
+    }
     glActiveTexture(GL_TEXTURE0);
     glBindSampler(0, 0);
     if (context.shadows != nullptr && !frame.change) {
@@ -108,6 +117,7 @@ void prepareSurface(const gl::Program& program, const FrameContext& context, Def
 
 Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, const Parts& parts) {
     const gl::Defines defines = surfaceDefines(context, pipeline, parts);
+    const ClipByCut clip(context.frame);
     const gl::Program* program = nullptr;
     std::size_t waiting = 0;
     for (const DrawItem& item : context.frame.targets) {
@@ -163,13 +173,18 @@ Status drawTranslucentSurfaces(const FrameContext& context, DeformationPipeline&
 }
 
 Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline,
-                        const glm::mat4& viewProjection) {
-    const auto found =
-        context.programs.get("surface.vert", "depth.frag", targetDefines(context.frame, pipeline));
+                        const glm::mat4& viewProjection, DepthOf what) {
+    const gl::Defines defines = what == DepthOf::Whole ? wholeTargetDefines(context.frame, pipeline)
+                                                       : targetDefines(context.frame, pipeline);
+    const auto found = context.programs.get("surface.vert", "depth.frag", defines);
     if (!found) {
         return found.error();
     }
     const gl::Program& program = *found.value();
+    std::optional<ClipByCut> clip;
+    if (what == DepthOf::Seen) {
+        clip.emplace(context.frame);
+    }
     program.use();
     program.set("u_viewProjection", viewProjection);
     setDrawnPlace(program, context.frame);

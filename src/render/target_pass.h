@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+
 #include "render/frame_context.h"
 
 namespace hitscope::render {
@@ -9,8 +11,10 @@ namespace hitscope::render {
 [[nodiscard]] Status drawSurfaces(const FrameContext& context, DeformationPipeline& pipeline);
 /// The translucent parts. Blending is on, depth writes are off.
 [[nodiscard]] Status drawTranslucentSurfaces(const FrameContext& context, DeformationPipeline& pipeline);
+/// Whether a cutting plane counts.
+enum class DepthOf : std::uint8_t { Seen, Whole };
 /// Only the depth of the surfaces: hides what a wireframe without surfaces would show through them.
 [[nodiscard]] Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline,
-                                      const glm::mat4& viewProjection);
+                                      const glm::mat4& viewProjection, DepthOf what);
 
 }  // namespace hitscope::render

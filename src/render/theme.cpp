@@ -16,6 +16,7 @@ const ThemeColours kDark{
     .wireOnly = {0.80f, 0.85f, 0.92f, 0.85f},
     .needles = {0.45f, 0.80f, 1.0f, 0.9f},
     .dots = {0.96f, 0.97f, 1.0f, 0.95f},
+    .cutFill = {0.47f, 0.50f, 0.55f},
     .accent = {1.0f, 0.62f, 0.2f},
 };
 
@@ -29,6 +30,7 @@ const ThemeColours kLight{
     .wireOnly = {0.14f, 0.18f, 0.25f, 0.8f},
     .needles = {0.05f, 0.35f, 0.75f, 0.9f},
     .dots = {0.05f, 0.07f, 0.12f, 0.9f},
+    .cutFill = {0.74f, 0.76f, 0.79f},
     .accent = {0.85f, 0.36f, 0.0f},
 };
 

@@ -19,6 +19,7 @@ struct ThemeColours {
     glm::vec4 wireOnly;          ///< sRGB, opacity: without them
     glm::vec4 needles;           ///< sRGB, opacity: normals
     glm::vec4 dots;              ///< sRGB, opacity: vertices
+    glm::vec3 cutFill;           ///< sRGB: inside of what a cutting plane cuts
     glm::vec3 accent;            ///< sRGB: what is selected
 };
 

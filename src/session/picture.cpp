@@ -6,6 +6,7 @@
 #include <string>
 
 #include "gl/render_target.h"
+#include "session/scene_section.h"
 
 namespace hitscope {
 
@@ -70,6 +71,9 @@ Result<Image> drawPicture(SceneGpu& scene, const PictureRequest& request) {
     view.pixelRatio = std::max(1.0f, static_cast<float>(request.height) / kScreenHeight);
     view.camera = request.camera;
     view.options = request.options;
+    view.section = request.section ? request.section
+                                   : sectionLines(scene.session(), request.options.cut,
+                                                  request.options.beforeAfter.exaggeration);
     if (Status drawn = scene.draw(view, target.framebuffer()); !drawn) {
         return drawn.error();
     }

@@ -13,6 +13,7 @@ struct PictureRequest {
     int height = 720;  ///< pixels
     Camera camera;
     DisplayOptions options;  ///< transparent: what nothing covers is so in the picture
+    std::shared_ptr<const SectionLines> section = nullptr;  ///< where options.cut cuts; null: worked out
 };
 
 /// Pixels of a picture's height that count as one screen full: lines are as wide on a larger one as if the

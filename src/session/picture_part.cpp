@@ -2,6 +2,8 @@
 #include "session/picture_part.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
 
 #include "session/comparison.h"
 
@@ -50,6 +52,14 @@ std::vector<PicturePart> partsOf(const SceneGpu::View& view) {
 
 bool showsOriginals(const SceneGpu::View& view) {
     return view.options.beforeAfter.wipe && view.options.beforeAfter.wipeAt >= 1.0f;
+}
+
+float shownBy(const SceneGpu::View& view, const Target& target, std::uint32_t vertex) {
+    if (!view.options.cut.on) {
+        return std::numeric_limits<float>::infinity();
+    }
+    const glm::vec3 place = target.transform.toWorld(drawnPlace(view, target, vertex));
+    return glm::dot(view.options.cut.kept(), glm::vec4(place, 1.0f));
 }
 
 glm::vec3 drawnPlace(const SceneGpu::View& view, const Target& target, std::uint32_t vertex) {

@@ -24,6 +24,10 @@ struct PicturePart {
 /// Whether a part's view shows the targets as they were: a wipe's line at its right edge.
 [[nodiscard]] bool showsOriginals(const SceneGpu::View& view);
 
+/// How far within what the part's cutting plane leaves a vertex is drawn, metres; negative: it hides it.
+/// Infinite without a plane.
+[[nodiscard]] float shownBy(const SceneGpu::View& view, const Target& target, std::uint32_t vertex);
+
 /// Where a vertex of the file is drawn in a part, in the target's local frame: where it was, or where it is,
 /// as far exaggerated as the view says.
 [[nodiscard]] glm::vec3 drawnPlace(const SceneGpu::View& view, const Target& target, std::uint32_t vertex);

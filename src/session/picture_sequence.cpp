@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "session/scene_section.h"
+
 namespace hitscope {
 
 namespace {
@@ -80,6 +82,7 @@ PictureSequence PictureSequence::turntable(SceneGpu& scene, const PictureRequest
 Result<PictureSequence> PictureSequence::replay(const Session& session, const PictureRequest& request) {
     auto parts = std::make_unique<Private>();
     parts->request = request;
+    parts->request.section = nullptr;
     parts->hits = enabledHits(session, copyScene(session, parts->session));
     parts->count = static_cast<int>(parts->hits.size()) + 1;
     Result<std::unique_ptr<SceneGpu>> scene = SceneGpu::create(parts->session);
@@ -96,8 +99,16 @@ int PictureSequence::count() const {
 }
 
 Result<Image> PictureSequence::next() {
-    PictureRequest request = d->request;
     const int index = d->drawn++;
+    if (index == 0 && !d->replayed && d->request.options.cut.on) {
+        // The same section in all of them.
+        if (Status current = d->scene->sync(); !current) {
+            return current.error();
+        }
+        d->request.section = sectionLines(d->scene->session(), d->request.options.cut,
+                                          d->request.options.beforeAfter.exaggeration);
+    }
+    PictureRequest request = d->request;
     if (!d->replayed) {
         request.camera.orbit(glm::two_pi<float>() * static_cast<float>(index) / static_cast<float>(d->count),
                              0.0f);

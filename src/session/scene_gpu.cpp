@@ -383,6 +383,10 @@ void SceneGpu::collectCosts() {
     d->meter.collect();
 }
 
+const Session& SceneGpu::session() const {
+    return d->session;
+}
+
 bool SceneGpu::isReadBackPending() const {
     return d->reapplication || (d->pipeline && d->pipeline->isReadBackPending()) ||
            d->second.isReadBackPending();
@@ -433,6 +437,7 @@ Status SceneGpu::Private::drawAll(Frame& frame, const View& view, unsigned frame
         }
     }
     frame.targets = items;
+    frame.section = nullptr;  // it is that of the active pipeline
     frame.left = frame.width;
     frame.width = view.width - frame.left;
     return renderer->draw(frame, second.pipeline(), framebuffer);
@@ -476,6 +481,8 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
     frame.marks = marks;
     frame.projectiles = projectiles;
     frame.ghost = view.ghost;
+    frame.section = view.section;
+    frame.showsCutPlane = view.showsCutPlane;
     if (session.selectedHit()) {
         const Hit& hit = session.history().hits()[*session.selectedHit()];
         if (const Target* target = session.target(hit.target)) {

@@ -39,6 +39,8 @@ public:
         Camera camera;
         DisplayOptions options;
         std::shared_ptr<const std::vector<glm::vec3>> ghost = nullptr;  ///< as in Frame
+        std::shared_ptr<const SectionLines> section = nullptr;          ///< likewise
+        bool showsCutPlane = false;                                     ///< likewise
         /// What a colour map of change takes its range and some values from; it follows the quantity shown.
         const ChangeValues* changeValues = nullptr;
         Comparison* comparison = nullptr;  ///< with a second pipeline; null: none
@@ -52,6 +54,7 @@ public:
                                       PickElements elements);
     /// Whether the session is behind what was drawn: another draw() or sync() brings it on.
     [[nodiscard]] bool isReadBackPending() const;
+    [[nodiscard]] const Session& session() const;
     /// Tells the session's FrameCosts what the GPU has taken so far; draw() does so for all but the latest
     /// frames.
     void collectCosts();

@@ -82,7 +82,8 @@ std::optional<VertexRef> nearestCorner(const Session& session, const Question& q
         const auto point = screen.project(drawnPlace(question.view, *target, vertex));
         const float distance =
             point ? glm::distance(point->at, question.at) : std::numeric_limits<float>::max();
-        if (distance < least) {
+        // Of a triangle that the cutting plane cuts, only what is left can be meant.
+        if (distance < least && shownBy(question.view, *target, vertex) >= 0.0f) {
             least = distance;
             nearest = VertexRef{target->id, vertex};
         }
@@ -137,6 +138,9 @@ public:
         if (!contains(pixel)) {
             return true;  // out of the picture
         }
+        if (at(pixel).isFilling()) {
+            return true;
+        }
         const float behind = point.depth - kOnSurface * point.pixelDepth;
         bool covered = false;
         for (int i = 0; i < 9; ++i) {
@@ -179,7 +183,8 @@ private:
                         static_cast<std::size_t>(pixel.x - m_area.x)];
     }
 
-    using Corners = std::array<glm::dvec3, 3>;  ///< x, y in pixels; depth, which is linear in them
+    /// x, y in pixels; depth and what tells whether it is cut away, which are linear in them.
+    using Corners = std::array<glm::dvec4, 3>;
     /// Nothing: it reaches behind the eye.
     [[nodiscard]] std::optional<Corners> cornersOf(const Target& target, std::uint32_t triangle) const {
         const RenderMesh& mesh = target.deformed.render();
@@ -191,7 +196,8 @@ private:
             if (!point) {
                 return std::nullopt;
             }
-            corners[corner] = glm::dvec3(point->at, point->depth);
+            const float shown = m_view.options.cut.on ? shownBy(m_view, target, vertex) / point->w : 1.0f;
+            corners[corner] = glm::dvec4(point->at, point->depth, shown);
         }
         return corners;
     }
@@ -201,7 +207,7 @@ private:
         return corners && std::abs(twiceArea((*corners)[0], (*corners)[1], (*corners)[2])) < kSmall;
     }
 
-    static double twiceArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    static double twiceArea(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c) {
         return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     }
 
@@ -219,11 +225,13 @@ private:
         if (std::abs(area) < kEdgeOn) {
             return {};
         }
-        const glm::dvec3 p(at, 0.0);
+        const glm::dvec4 p(at, 0.0, 0.0);
         const double u = twiceArea(b, c, p) / area;
         const double v = twiceArea(c, a, p) / area;
         const double w = 1.0 - u - v;
-        return {u >= 0.0 && v >= 0.0 && w >= 0.0, static_cast<float>(u * a.z + v * b.z + w * c.z)};
+        const bool isCutAway = u * a.w + v * b.w + w * c.w < 0.0;
+        return {u >= 0.0 && v >= 0.0 && w >= 0.0 && !isCutAway,
+                static_cast<float>(u * a.z + v * b.z + w * c.z)};
     }
 
     const Session& m_session;
@@ -262,7 +270,7 @@ void addWithin(Found& found, const Session& session, const PicturePart& part,
             const auto point = screen.project(drawnPlace(part.view, *target, vertex));
             if (point && point->at.x >= static_cast<float>(part.from) &&
                 point->at.x < static_cast<float>(part.to) && isWithin(outline, point->at) &&
-                target->deformed.isChanged(vertex) &&
+                target->deformed.isChanged(vertex) && shownBy(part.view, *target, vertex) >= 0.0f &&
                 !(seen != nullptr && seen->hides({target->id, vertex}, *point))) {
                 found[target->id].push_back(vertex);
             }

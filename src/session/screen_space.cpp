@@ -26,6 +26,7 @@ std::optional<ScreenSpace::Point> ScreenSpace::project(const glm::vec3& local) c
     const float pixel = 2.0f * clip.w / (m_projection[1][1] * m_size.y);
     return Point{{0.5f * (1.0f + normalized.x) * m_size.x, 0.5f * (1.0f - normalized.y) * m_size.y},
                  normalized.z,
+                 clip.w,
                  slope * pixel};
 }
 

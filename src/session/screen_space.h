@@ -18,8 +18,10 @@ public:
     ScreenSpace(const SceneGpu::View& view, const RigidTransform& transform);
 
     struct Point {
-        glm::vec2 at{0.0f};       ///< pixels
-        float depth = 0.0f;       ///< normalized device coordinates: -1 the near plane, 1 the far plane
+        glm::vec2 at{0.0f};  ///< pixels
+        float depth = 0.0f;  ///< normalized device coordinates: -1 the near plane, 1 the far plane
+        float w =
+            1.0f;  ///< of the point in clip space: what is linear in the world is, over w, in the picture
         float pixelDepth = 0.0f;  ///< the depth that a pixel's width makes there
     };
     /// Nothing behind the eye.

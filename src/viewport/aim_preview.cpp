@@ -34,6 +34,7 @@ AimPreview::AimPreview(Session& session, Viewport& viewport)
     viewport.installEventFilter(this);
     connect(&m_rest, &QTimer::timeout, this, &AimPreview::show);
     connect(&viewport.navigation(), &Navigation::cameraChanged, this, &AimPreview::wait);
+    connect(&viewport, &Viewport::optionsChanged, this, &AimPreview::wait);
     connect(&session, &Session::meshChanged, this, &AimPreview::wait);
     connect(&session, &Session::targetAdded, this, &AimPreview::wait);
     connect(&session, &Session::targetRemoved, this, &AimPreview::wait);

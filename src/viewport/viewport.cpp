@@ -130,6 +130,8 @@ SceneGpu::View Viewport::view() const {
     view.camera = camera();
     view.options = m_options;
     view.ghost = m_ghost;
+    view.section = m_section;
+    view.showsCutPlane = m_showsCutPlane;
     view.changeValues = m_changeValues;
     view.comparison = m_comparison;
     view.options.crosshair = m_options.crosshair || m_crosshairTimer.isActive();
@@ -228,6 +230,7 @@ void Viewport::setOptions(const DisplayOptions& options) {
     m_options = options;
     followViewSize();
     update();
+    Q_EMIT optionsChanged();
 }
 
 void Viewport::setDrawsContinuously(bool on) {
@@ -262,6 +265,20 @@ Ray Viewport::rayThrough(const QPointF& place) const {
 void Viewport::setGhost(std::shared_ptr<const std::vector<glm::vec3>> ghost) {
     if (ghost != m_ghost) {
         m_ghost = std::move(ghost);
+        update();
+    }
+}
+
+void Viewport::setSection(std::shared_ptr<const SectionLines> lines) {
+    if (lines != m_section) {
+        m_section = std::move(lines);
+        update();
+    }
+}
+
+void Viewport::setShowsCutPlane(bool on) {
+    if (on != m_showsCutPlane) {
+        m_showsCutPlane = on;
         update();
     }
 }

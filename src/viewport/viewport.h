@@ -28,7 +28,7 @@ class InspectTool;
 /// Drags, the wheel and the keys W A S D E Q move the camera (Navigation). A short stationary left click
 /// shoots; a second click on the same spot within kDoubleClickGrace recentres instead, and for that the shot
 /// waits so long: navigating never dents a mesh. Space shoots at the crosshair, repeatedly while held, Escape
-/// ends the selection.
+/// ends the selection. What the cutting plane hides is not in the way of clicks and shots from its side.
 class Viewport : public QOpenGLWidget {
     Q_OBJECT
 public:
@@ -56,6 +56,10 @@ public:
     [[nodiscard]] Ray launched(const Ray& ray) const;
     /// A surface to draw over the picture (SceneGpu::View); null: none.
     void setGhost(std::shared_ptr<const std::vector<glm::vec3>> ghost);
+    /// Lines where options().cut cuts the targets; null: none are drawn.
+    void setSection(std::shared_ptr<const SectionLines> lines);
+    /// Whether the cutting plane is drawn as a pane.
+    void setShowsCutPlane(bool on);
 
     /// Shoot or Inspect, and what Inspect does.
     [[nodiscard]] InspectTool& inspectTool() { return *m_inspect; }
@@ -96,6 +100,7 @@ Q_SIGNALS:
     /// The context goes, and with it all GL objects; it is current. The scene is built anew from the session
     /// when there is another.
     void aboutToReleaseGpu();
+    void optionsChanged();                      ///< options()
     void failed(const hitscope::Error& error);  ///< no picture can be drawn; emitted once for each reason
 
 protected:
@@ -126,7 +131,7 @@ private:
     void moveOn();        ///< after a frame: advances what moves by the time since the last
     void collectCosts();  ///< of the last frames, once no more follow
     [[nodiscard]] SceneGpu::View view() const;
-    /// What the ray meets first: for aiming and recentring.
+    /// What the ray meets first where targets are shown: for aiming and recentring.
     [[nodiscard]] std::optional<PhysicsWorld::RayHit> aimedAt(const Ray& ray) const;
     void shootAlong(const Ray& ray);
     void click(const QPointF& position);
@@ -144,6 +149,8 @@ private:
 
     DisplayOptions m_options;
     std::shared_ptr<const std::vector<glm::vec3>> m_ghost;
+    std::shared_ptr<const SectionLines> m_section;
+    bool m_showsCutPlane = false;
     const ChangeValues* m_changeValues = nullptr;
     Comparison* m_comparison = nullptr;
     ChangeOverlay m_changeOverlay;

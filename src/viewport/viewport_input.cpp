@@ -5,6 +5,7 @@
 #include <QNativeGestureEvent>
 #include <QWheelEvent>
 #include <algorithm>
+#include <limits>
 
 #include "viewport/aim.h"
 #include "viewport/viewport.h"
@@ -85,12 +86,18 @@ void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
 
 std::optional<PhysicsWorld::RayHit> Viewport::aimedAt(const Ray& ray) const {
     const float length = kAimLength * (camera().distance() + m_session.sceneBounds().diagonal());
-    return m_session.physics().castRay(ray.origin, ray.direction, length);
+    const std::optional<ShownRay> shown = shownPart(m_options.cut, ray, length);
+    return shown ? m_session.physics().castRay(shown->ray.origin, shown->ray.direction, shown->length)
+                 : std::nullopt;
 }
 
 Ray Viewport::launched(const Ray& ray) const {
     const auto met = aimedAt(ray);
     Ray shot = shotAlong(ray, camera(), met ? std::optional(met->point) : std::nullopt);
+    // What is cut away is not in its way.
+    if (const auto shown = shownPart(m_options.cut, shot, std::numeric_limits<float>::max())) {
+        shot = shown->ray;
+    }
     if (met && met->point != shot.origin) {
         shot.direction = launchDirection(shot.origin, met->point, m_session.projectileSettings().speed);
     }

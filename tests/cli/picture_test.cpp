@@ -39,6 +39,7 @@ class PictureTest : public QObject {
 private Q_SLOTS:
     void sizeAndBackground();
     void cameraTakesText();
+    void cutsTargetsOpen();
     void sequences();
     void wrongUsage_data();
     void wrongUsage();
@@ -73,6 +74,29 @@ void PictureTest::cameraTakesText() {
     QVERIFY(QImage(top).size() == QImage(side).size() && QImage(top) != QImage(side));
 }
 
+void PictureTest::cutsTargetsOpen() {
+    const auto covered = [this](const QString& name, const QStringList& cut) {
+        const QString file = path(name);
+        const Run run = runCli(words("picture --size 240x160 --transparent --no-floor") << cut << file);
+        int pixels = 0;
+        const QImage image(file);
+        for (int y = 0; run.status == 0 && y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                pixels += qAlpha(image.pixel(x, y)) > 0 ? 1 : 0;
+            }
+        }
+        return pixels;
+    };
+    const int whole = covered(QStringLiteral("whole.png"), {});
+    const int low = covered(QStringLiteral("low.png"), {QStringLiteral("--cut=x=-15")});
+    const int high = covered(QStringLiteral("high.png"), {QStringLiteral("--cut=-x=-15")});
+    QVERIFY2(low > 50 && low < whole / 2 && high > whole / 2 && high < whole,
+             qPrintable(QStringLiteral("%1, %2 of %3").arg(low).arg(high).arg(whole)));
+    const int slanted = covered(QStringLiteral("slanted.png"),
+                                {QStringLiteral("--cut=1,0,1=0"), QStringLiteral("--fill-cut")});
+    QVERIFY(slanted > whole / 4 && slanted < whole);
+}
+
 void PictureTest::sequences() {
     const QString turn = path(QStringLiteral("turn"));
     QCOMPARE(runCli(words("sequence --turntable 3 --size 96x64") << turn).status, 0);
@@ -95,6 +119,11 @@ void PictureTest::wrongUsage_data() {
     row("picture --size 12 a.png", "--size takes");
     row("picture --size 0x5 a.png", "--size takes");
     row("picture --size 5x5x5 a.png", "--size takes");
+    row("picture --cut a.png b.obj", "--cut takes");
+    row("picture --cut x a.png", "--cut takes");
+    row("picture --cut 0,0,0=1 a.png", "--cut takes");
+    row("picture --cut w=1 a.png", "--cut takes");
+    row("picture --cut x=1=2 a.png", "--cut takes");
     row("picture --theme pink a.png", "light, dark");
     row("picture --wireframe some a.png", "off, over, only");
     row("picture --pipeline magic a.png", "transform-feedback");

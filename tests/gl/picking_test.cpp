@@ -56,7 +56,7 @@ struct Met {
     double distance = std::numeric_limits<double>::infinity();
 };
 
-Met castRay(const Session& session, const Ray& ray, const Shown& shown = {}) {
+Met castRay(const Session& session, const Ray& ray, const Shown& shown = {}, const CuttingPlane& cut = {}) {
     Met nearest;
     for (const std::unique_ptr<Target>& target : session.targets()) {
         const glm::dquat back = glm::conjugate(glm::dquat(target->transform.rotation));
@@ -67,7 +67,8 @@ Met castRay(const Session& session, const Ray& ray, const Shown& shown = {}) {
             const auto met = meets(origin, direction, shown.placeOf(*target, mesh.triangles[i]),
                                    shown.placeOf(*target, mesh.triangles[i + 1]),
                                    shown.placeOf(*target, mesh.triangles[i + 2]));
-            if (met && *met < nearest.distance) {
+            if (met && *met < nearest.distance &&
+                !cut.hides(ray.origin + static_cast<float>(*met) * ray.direction)) {
                 nearest = {target.get(), i / 3, *met};
             }
         }
@@ -86,8 +87,10 @@ std::optional<VertexRef> cornerNearest(const SceneGpu::View& view, const Met& me
     float least = std::numeric_limits<float>::infinity();
     for (std::size_t corner = 0; corner < 3; ++corner) {
         const std::uint32_t vertex = mesh.triangles[3 * met.triangle + corner];
-        const auto point = screen.project(shown.placeOf(*met.target, vertex));
-        if (point && glm::distance(point->at, at) < least) {
+        const glm::vec3 place = shown.placeOf(*met.target, vertex);
+        const auto point = screen.project(place);
+        if (point && glm::distance(point->at, at) < least &&
+            !view.options.cut.hides(met.target->transform.toWorld(place))) {
             least = glm::distance(point->at, at);
             nearest = VertexRef{met.target->id, mesh.fileVertices[vertex]};
         }
@@ -178,6 +181,76 @@ private Q_SLOTS:
                      qPrintable(QStringLiteral("pixel %1, %2").arg(at.x).arg(at.y)));
         }
         QVERIFY2(onTargets > 40, qPrintable(QString::number(onTargets)));
+    }
+
+    void nothingThatIsCutAwayIsPicked_data() {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<int>("wireframe");
+        for (const PipelineTraits& traits : allPipelines()) {
+            const auto kind = static_cast<int>(traits.kind);
+            QTest::addRow("%s", std::string(traits.key).c_str()) << kind << 0;
+            QTest::addRow("%s, wireframe", std::string(traits.key).c_str()) << kind << 2;
+        }
+    }
+    void nothingThatIsCutAwayIsPicked() {
+        QFETCH(int, kind);
+        QFETCH(int, wireframe);
+        open(static_cast<PipelineKind>(kind));
+        SceneGpu::View view = viewOf(1.0f);
+        view.options.wireframe = static_cast<WireframeMode>(wireframe);
+        view.options.cut = cutOf();
+        std::mt19937 random(static_cast<unsigned>(kind) + 3u);
+        std::uniform_real_distribution<float> x(0.0f, static_cast<float>(view.width));
+        std::uniform_real_distribution<float> y(0.0f, static_cast<float>(view.height));
+        int onTargets = 0;
+        for (int i = 0; i < 150; ++i) {
+            const glm::vec2 at(x(random), y(random));
+            const auto picked = m_picker->pick(view, at);
+            QVERIFY(picked.ok());
+            if (const auto& vertex = picked.value()) {
+                ++onTargets;
+                const Target& target = *m_session->target(vertex->target);
+                QVERIFY(!view.options.cut.hides(
+                    target.transform.toWorld(target.deformed.positions()[vertex->vertex])));
+            }
+            QVERIFY2(wireframe != 0 || isSeenAt(view, at, picked.value()),
+                     qPrintable(QStringLiteral("pixel %1, %2").arg(at.x).arg(at.y)));
+        }
+        QVERIFY2(onTargets > 20, qPrintable(QString::number(onTargets)));
+    }
+
+    void outlinesHoldNothingThatIsCutAway() {
+        open(PipelineKind::TransformFeedback);
+        SceneGpu::View view = viewOf(1.0f);
+        view.camera.frame(m_session->sceneBounds(), 640.0f / 480.0f);
+        view.options.cut = cutOf();
+        const std::vector<glm::vec2> all{{0.0f, 0.0f}, {640.0f, 0.0f}, {640.0f, 480.0f}, {0.0f, 480.0f}};
+        const auto through = m_picker->changedWithin(view, all, Depth::Through);
+        const auto visible = m_picker->changedWithin(view, all, Depth::Visible);
+        QVERIFY(through.ok() && visible.ok());
+        std::size_t kept = 0;
+        std::size_t found = 0;
+        int seen = 0;
+        int wrong = 0;
+        for (const std::unique_ptr<Target>& target : m_session->targets()) {
+            const auto here = through.value().find(target->id);
+            found += here == through.value().end() ? 0 : here->second.size();
+            const auto shown = visible.value().find(target->id);
+            for (std::uint32_t vertex = 0; vertex < target->deformed.positions().size(); ++vertex) {
+                const glm::vec3 world = target->transform.toWorld(target->deformed.positions()[vertex]);
+                if (!target->deformed.isChanged(vertex) || view.options.cut.hides(world)) {
+                    continue;
+                }
+                ++kept;
+                const bool is = shown != visible.value().end() &&
+                                std::binary_search(shown->second.begin(), shown->second.end(), vertex);
+                seen += is ? 1 : 0;
+                wrong += is != isInView(view, {target->id, vertex}) ? 1 : 0;
+            }
+        }
+        QCOMPARE(found, kept);
+        QVERIFY(seen > 30);
+        QVERIFY2(wrong * 30 < seen, qPrintable(QStringLiteral("%1 of %2").arg(wrong).arg(seen)));
     }
 
     /// Half of the picture after the other, and all of it at once.
@@ -354,6 +427,15 @@ private:
         return view;
     }
 
+    /// Slantwise through all three targets, open towards the camera.
+    [[nodiscard]] static CuttingPlane cutOf() {
+        CuttingPlane cut;
+        cut.on = true;
+        cut.normal = glm::normalize(glm::vec3(0.3f, 0.2f, 1.0f));
+        cut.offset = 0.2f;
+        return cut;
+    }
+
     /// With the row's way to show changes.
     [[nodiscard]] SceneGpu::View changedView(Comparison& comparison) const {
         QFETCH(float, factor);
@@ -386,7 +468,7 @@ private:
         const glm::vec2 middle = glm::floor(at) + 0.5f;
         for (const glm::vec2& off : {glm::vec2(0.0f), glm::vec2(1.0f, 0.0f), glm::vec2(-1.0f, 0.0f),
                                      glm::vec2(0.0f, 1.0f), glm::vec2(0.0f, -1.0f)}) {
-            const Met met = castRay(*m_session, rayAt(view, middle + off / 128.0f), shown);
+            const Met met = castRay(*m_session, rayAt(view, middle + off / 128.0f), shown, view.options.cut);
             if (cornerNearest(view, met, at, shown) == picked) {
                 return true;
             }
@@ -399,7 +481,10 @@ private:
         const glm::vec3 world = target.transform.toWorld(target.deformed.positions()[vertex.vertex]);
         const glm::vec3 eye = view.camera.eye();
         const double distance = static_cast<double>(glm::distance(world, eye));
-        const Met met = castRay(*m_session, {eye, glm::normalize(world - eye)});
+        if (view.options.cut.hides(world)) {
+            return false;
+        }
+        const Met met = castRay(*m_session, {eye, glm::normalize(world - eye)}, {}, view.options.cut);
         return met.distance > distance * (1.0 - 2.0e-3);
     }
 

@@ -207,7 +207,7 @@ std::span<const Check> allChecks() {
     const auto modeWith = [](const DisplayOptions& options) {
         return [options](const BenchRoom& room, const Plan& plan) { return modeCost(room, plan, options); };
     };
-    static const std::array<Check, 16> kChecks{
+    static const std::array<Check, 17> kChecks{
         {{"size-transform-feedback", "a hit on 4,000,000 vertices / on 7,938, transform feedback", 2.0,
           growthOf("transform-feedback")},
          {"size-compute", "the same, compute", 2.0, growthOf("compute")},
@@ -232,6 +232,8 @@ std::span<const Check> allChecks() {
          {"mode-flat", "the same, flat shading and tinted back faces", 1.5,
           modeWith({.flat = true, .backFaces = true})},
          {"mode-needles", "the same, normals as needles", 1.5, modeWith({.needles = true})},
+         {"mode-cut", "the same, a cutting plane that hides nothing", 1.5,
+          modeWith({.cut = {.on = true, .offset = 1000.0f}})},
          {"mode-dots", "the same, vertices as dots", 1.5, modeWith({.dots = true})},
          {"mode-shadows", "the same, soft shadows", 1.5, modeWith({.shadows = true})}}};
     return kChecks;

@@ -22,13 +22,20 @@ namespace {
 constexpr int kFullRow = 6;
 constexpr int kHits = 100;
 
+CuttingPlane acrossX(float offset) {
+    CuttingPlane cut;
+    cut.on = true;
+    cut.offset = offset;
+    return cut;
+}
+
 struct Mode {
     const char* name;
     void (*set)(DisplayOptions& options);
     bool compares = false;  ///< needs a second pipeline
 };
 
-constexpr std::array<Mode, 16> kModes{{
+constexpr std::array<Mode, 18> kModes{{
     {"plain shading", [](DisplayOptions&) {}},
     {"wireframe over", [](DisplayOptions& o) { o.wireframe = WireframeMode::Over; }},
     {"wireframe only", [](DisplayOptions& o) { o.wireframe = WireframeMode::Only; }},
@@ -53,6 +60,12 @@ constexpr std::array<Mode, 16> kModes{{
     {"ghost, translucent", [](DisplayOptions& o) { o.beforeAfter.ghost = GhostMode::Translucent; }},
     {"wipe", [](DisplayOptions& o) { o.beforeAfter.wipe = true; }},
     {"exaggeration", [](DisplayOptions& o) { o.beforeAfter.exaggeration = 5.0f; }},
+    {"cutting plane through the third row", [](DisplayOptions& o) { o.cut = acrossX(7.5f); }},
+    {"cutting plane that hides nothing, filled",
+     [](DisplayOptions& o) {
+         o.cut = acrossX(1000.0f);
+         o.cut.fill = true;
+     }},
     {"two pipelines side by side", [](DisplayOptions& o) { o.sideBySide = true; }, true},
 }};
 

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cut_actions.h"
+
+#include <QAction>
+#include <QMenu>
+#include <utility>
+
+#include "models/focus_target.h"
+#include "panels/cutting_plane/cutting_plane_panel.h"
+#include "panels/icons/themed_icon.h"
+#include "session/target.h"
+#include "viewport/cut_handle.h"
+#include "viewport/viewport.h"
+
+namespace hitscope {
+
+CutActions::CutActions(Session& session, Viewport& viewport, QObject* parent)
+    : QObject(parent),
+      m_session(session),
+      m_viewport(viewport),
+      m_sections(session),
+      m_panel(new CuttingPlanePanel(session)),
+      m_handle(new CutHandle(viewport)),
+      m_on(new QAction(themedIcon(QStringLiteral("cut")), tr("&Cut"), this)) {
+    m_on->setShortcut(Qt::Key_K);
+    m_on->setCheckable(true);
+    m_on->setIconVisibleInMenu(false);  // it would hide the check mark
+    m_on->setToolTip(tr("Cutting plane: open the targets and see their section (K)"));
+    connect(m_on, &QAction::triggered, this, &CutActions::setOn);
+    connect(m_panel, &CuttingPlanePanel::edited, this, [this](const CuttingPlane& cut) {
+        if (cut.on != m_viewport.options().cut.on) {
+            setOn(cut.on);
+        } else {
+            m_isPlaced = true;
+            change([&cut](CuttingPlane& now) { now = cut; });
+        }
+    });
+    connect(m_panel, &CuttingPlanePanel::normalChosen, this,
+            [this](const glm::vec3& normal) { chooseNormal(normal, m_viewport.options().cut.flipped); });
+    connect(m_panel, &CuttingPlanePanel::fromViewWanted, this, &CutActions::cutFromView);
+    connect(m_panel, &CuttingPlanePanel::resetWanted, this, &CutActions::reset);
+    connect(m_panel, &CuttingPlanePanel::moving, this, [this](bool on) {
+        m_sliding = on;
+        showPane();
+    });
+    connect(m_handle, &CutHandle::dragged, this, [this](float offset) {
+        m_isPlaced = true;
+        change([offset](CuttingPlane& cut) { cut.offset = offset; });
+    });
+    connect(m_handle, &CutHandle::hovered, this, [this](bool over) {
+        m_handled = over;
+        showPane();
+    });
+    connect(&m_sections, &SceneSections::changed, this, [this] {
+        m_viewport.setSection(m_sections.section() ? m_sections.section()->lines : nullptr);
+        m_panel->setSection(m_sections.section());
+    });
+    // Exaggeration is changed elsewhere: lines follow it.
+    connect(&viewport, &Viewport::optionsChanged, this, [this] {
+        const DisplayOptions& options = m_viewport.options();
+        m_sections.setCut(options.cut, options.beforeAfter.exaggeration);
+    });
+    connect(&session, &Session::targetAdded, this, &CutActions::follow);
+    connect(&session, &Session::targetRemoved, this, &CutActions::follow);
+    connect(&session, &Session::targetChanged, this, &CutActions::follow);
+    connect(&session, &Session::sceneReplaced, this, &CutActions::followScene);
+    follow();
+}
+
+void CutActions::change(const std::function<void(CuttingPlane&)>& edit) {
+    DisplayOptions display = m_viewport.options();
+    edit(display.cut);
+    m_viewport.setOptions(display);
+    follow();
+}
+
+/// Through the middle of what somebody is likely to look at: of several targets the middle may be between
+/// them.
+float CutActions::middleAlong(const glm::vec3& normal) const {
+    const Target* target = focusTarget(m_session);
+    return offsetRange(target != nullptr ? target->worldBounds() : m_session.sceneBounds(), normal).middle();
+}
+
+void CutActions::setOn(bool on) {
+    change([this, on](CuttingPlane& cut) {
+        const OffsetRange range = offsetRange(m_session.sceneBounds(), cut.normal);
+        cut.on = on;
+        if (on && (!m_isPlaced || !range.contains(cut.offset))) {
+            cut.offset = middleAlong(cut.normal);
+        }
+    });
+    if (on && !std::exchange(m_wasOn, true)) {
+        Q_EMIT switchedOn();
+    }
+}
+
+void CutActions::chooseNormal(const glm::vec3& normal, bool flipped) {
+    m_isPlaced = true;
+    change([&](CuttingPlane& cut) {
+        cut.normal = normal;
+        cut.offset = middleAlong(normal);
+        cut.flipped = flipped;
+    });
+}
+
+/// What is nearer to the eye than the middle of the target is hidden.
+void CutActions::cutFromView() {
+    chooseNormal(-m_viewport.navigation().goal().forward(), false);
+    setOn(true);
+}
+
+void CutActions::reset() {
+    chooseNormal(CuttingPlane().normal, false);
+}
+
+void CutActions::followScene() {
+    m_isPlaced = false;
+    setOn(m_viewport.options().cut.on);
+}
+
+void CutActions::follow() {
+    const DisplayOptions& options = m_viewport.options();
+    const Bounds bounds = m_session.sceneBounds();
+    m_panel->setCut(options.cut, bounds);
+    m_handle->setBounds(bounds);
+    m_on->setChecked(options.cut.on);
+    for (const auto& [action, option] : m_toggles) {
+        action->setChecked(options.cut.*option);
+    }
+}
+
+void CutActions::showPane() {
+    m_viewport.setShowsCutPlane(m_handled || m_sliding);
+}
+
+QAction* CutActions::addToggle(QMenu& menu, const QString& text, bool CuttingPlane::*option) {
+    QAction* action = menu.addAction(text);
+    action->setCheckable(true);
+    connect(action, &QAction::triggered, this,
+            [this, option](bool on) { change([option, on](CuttingPlane& cut) { cut.*option = on; }); });
+    m_toggles.emplace_back(action, option);
+    return action;
+}
+
+void CutActions::fill(QMenu& menu) {
+    menu.addAction(m_on);
+    menu.addSeparator();
+    const std::pair<QString, glm::vec3> axes[] = {{tr("Across &X"), {1.0f, 0.0f, 0.0f}},
+                                                  {tr("Across &Y"), {0.0f, 1.0f, 0.0f}},
+                                                  {tr("Across &Z"), {0.0f, 0.0f, 1.0f}}};
+    for (const auto& [name, normal] : axes) {
+        connect(menu.addAction(name), &QAction::triggered, this, [this, along = normal] {
+            chooseNormal(along, m_viewport.options().cut.flipped);
+            setOn(true);
+        });
+    }
+    QAction* view = menu.addAction(tr("Across the &Line of Sight"));
+    view->setShortcut(tr("Shift+K"));
+    connect(view, &QAction::triggered, this, &CutActions::cutFromView);
+    menu.addSeparator();
+    addToggle(menu, tr("&Flip"), &CuttingPlane::flipped);
+    addToggle(menu, tr("F&ill the Cut"), &CuttingPlane::fill);
+    addToggle(menu, tr("Section Line of the &Original"), &CuttingPlane::originalLine);
+    addToggle(menu, tr("Section Line of the &Deformed"), &CuttingPlane::deformedLine);
+    follow();
+}
+
+}  // namespace hitscope

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QKeySequence>
+#include <QObject>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "session/scene_sections.h"
+
+class QAction;
+class QMenu;
+
+namespace hitscope {
+
+class CutHandle;
+class CuttingPlanePanel;
+class Viewport;
+
+/// Everything about the cutting plane: its section, the dock, the handle in the picture, the menu and its
+/// keys, held together with the viewport's options.
+class CutActions : public QObject {
+    Q_OBJECT
+public:
+    /// All outlive this, or are children of the same parent. The panel is for a dock.
+    CutActions(Session& session, Viewport& viewport, QObject* parent);
+
+    [[nodiscard]] CuttingPlanePanel* panel() { return m_panel; }
+    [[nodiscard]] QAction* toggle() { return m_on; }  ///< for a tool bar
+    void fill(QMenu& menu);                           ///< once
+    [[nodiscard]] const SceneSections& sections() const { return m_sections; }
+
+Q_SIGNALS:
+    void switchedOn();  ///< by somebody, for the first time
+
+private:
+    void change(const std::function<void(CuttingPlane&)>& edit);
+    [[nodiscard]] float middleAlong(const glm::vec3& normal) const;
+    void setOn(bool on);
+    void chooseNormal(const glm::vec3& normal, bool flipped);
+    void cutFromView();
+    void reset();
+    void follow();
+    void followScene();
+    void showPane();
+    QAction* addToggle(QMenu& menu, const QString& text, bool CuttingPlane::*option);
+
+    Session& m_session;
+    Viewport& m_viewport;
+    SceneSections m_sections;
+    CuttingPlanePanel* m_panel;
+    CutHandle* m_handle;
+    QAction* m_on;
+    std::vector<std::pair<QAction*, bool CuttingPlane::*>> m_toggles;
+    bool m_isPlaced = false;  ///< somebody has put the plane where it is, in this scene
+    bool m_wasOn = false;     ///< once
+    bool m_handled = false;   ///< the cursor is at the handle
+    bool m_sliding = false;   ///< the dock's slider is held
+};
+
+}  // namespace hitscope

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "models/section_report.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "models/quantity_text.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr double kMoved = 1.0e-6;  // metres, below which nothing counts as dented
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("hitscope::SectionReport", text);
+}
+
+std::size_t segmentsOf(const SectionCurve& curve) {
+    return curve.closed ? curve.points.size()
+                        : curve.points.size() - std::min<std::size_t>(curve.points.size(), 1);
+}
+
+double lengthOf(const std::vector<SectionCurve>& curves) {
+    double length = 0.0;
+    for (const SectionCurve& curve : curves) {
+        for (std::size_t i = 0; i < segmentsOf(curve); ++i) {
+            length += static_cast<double>(
+                glm::distance(curve.points[i], curve.points[(i + 1) % curve.points.size()]));
+        }
+    }
+    return length;
+}
+
+/// Where on the segment from a to b, [0, 1], the place nearest to `at` is.
+double alongOf(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& at) {
+    const glm::dvec2 way = b - a;
+    const double length2 = glm::dot(way, way);
+    return length2 > 0.0 ? std::clamp(glm::dot(at - a, way) / length2, 0.0, 1.0) : 0.0;
+}
+
+/// What has been found nearest so far.
+struct Nearest {
+    double distance = std::numeric_limits<double>::infinity();
+    std::optional<SectionReading> reading;
+};
+
+void readCurve(Nearest& best, const TargetSection& section, std::size_t curve, const SectionView& view,
+               const glm::dvec2& at) {
+    const std::vector<glm::vec3>& points = section.deformed[curve].points;
+    const std::vector<glm::vec3>& nearest = section.depths.nearest[curve];
+    for (std::size_t i = 0; i < segmentsOf(section.deformed[curve]); ++i) {
+        const std::size_t next = (i + 1) % points.size();
+        const glm::dvec2 a = view(points[i]);
+        const glm::dvec2 b = view(points[next]);
+        const double along = alongOf(a, b, at);
+        const double distance = glm::distance(glm::mix(a, b, along), at);
+        if (distance < best.distance) {
+            const auto part = static_cast<float>(along);
+            const double depth = glm::mix(static_cast<double>(section.depths.depths[curve][i]),
+                                          static_cast<double>(section.depths.depths[curve][next]), along);
+            best = {distance, SectionReading{section.target, glm::mix(points[i], points[next], part),
+                                             glm::mix(nearest[i], nearest[next], part), depth}};
+        }
+    }
+}
+
+QString coordinateText(const SectionView::Axis& axis, const QString& word, double value) {
+    const QString name = axis.name != 0 ? QString(QLatin1Char(axis.name)) : word;
+    return name + u' ' + QString::number(value, 'f', 3);
+}
+
+QByteArray quoted(const QString& text) {
+    QString safe = text;
+    return (u'"' + safe.replace(u'"', QStringLiteral("\"\"")) + u'"').toUtf8();
+}
+
+void addCsv(QByteArray& csv, const char* state, const TargetSection& section, const SectionView& view,
+            const std::vector<SectionCurve>& curves, const SectionDepths* depths) {
+    const auto number = [&csv](double value) { csv += ',' + QByteArray::number(value, 'g', 9); };
+    for (std::size_t line = 0; line < curves.size(); ++line) {
+        for (std::size_t i = 0; i < curves[line].points.size(); ++i) {
+            const glm::vec3& point = curves[line].points[i];
+            csv += QByteArray(state) + ',' + quoted(section.name) + ',' +
+                   QByteArray::number(static_cast<qulonglong>(line)) + (curves[line].closed ? ",1" : ",0");
+            for (int axis = 0; axis < 3; ++axis) {
+                number(static_cast<double>(point[axis]));
+            }
+            const glm::dvec2 flat = view(point);
+            number(flat.x);
+            number(flat.y);
+            csv += ',';
+            if (depths != nullptr) {
+                csv += QByteArray::number(static_cast<double>(depths->depths[line][i]), 'g', 9);
+            }
+            csv += '\n';
+        }
+    }
+}
+
+}  // namespace
+
+SectionScope sectionScope(const SceneSection& section, TargetId selected) {
+    const bool isCut =
+        std::any_of(section.targets.begin(), section.targets.end(),
+                    [selected](const TargetSection& target) { return target.target == selected; });
+    return {isCut ? selected : TargetId{}};
+}
+
+std::optional<SectionReading> readSection(const SceneSection& section, const SectionScope& scope,
+                                          const glm::dvec2& at) {
+    const SectionView view = sectionView(section.cut.openSide());
+    Nearest best;
+    for (const TargetSection& target : section.targets) {
+        for (std::size_t curve = 0; scope.holds(target) && curve < target.deformed.size(); ++curve) {
+            readCurve(best, target, curve, view, at);
+        }
+    }
+    return best.reading;
+}
+
+std::optional<SectionReading> deepestOf(const SceneSection& section, const SectionScope& scope) {
+    const TargetSection* deepest = nullptr;
+    for (const TargetSection& target : section.targets) {
+        const auto depth = static_cast<double>(target.depths.greatest);
+        if (scope.holds(target) && depth > kMoved &&
+            (deepest == nullptr || target.depths.greatest > deepest->depths.greatest)) {
+            deepest = &target;
+        }
+    }
+    if (deepest == nullptr) {
+        return std::nullopt;
+    }
+    const SectionDepths& depths = deepest->depths;
+    return SectionReading{deepest->target, deepest->deformed[depths.curve].points[depths.point],
+                          depths.nearest[depths.curve][depths.point], static_cast<double>(depths.greatest)};
+}
+
+QString placeText(const SectionView& view, const glm::vec3& place) {
+    const glm::dvec2 flat = view(place);
+    return coordinateText(view.right, tr("across"), flat.x) + QStringLiteral(", ") +
+           coordinateText(view.up, tr("up"), flat.y);
+}
+
+QString sectionText(const SceneSection& section, const SectionScope& scope) {
+    QStringList lines;
+    const auto add = [&lines](const QString& name, const QString& value, const QString& unit = {}) {
+        lines.append(name + u'\t' + value + u'\t' + unit);
+    };
+    const auto metres = [](double value) { return QString::number(value, 'g', 6); };
+    add(tr("Normal"), vectorText(section.cut.normal));
+    add(tr("Offset"), metres(static_cast<double>(section.cut.offset)), QStringLiteral("m"));
+    for (const TargetSection& target : section.targets) {
+        if (scope.holds(target)) {
+            add(tr("Target"), target.name);
+            add(tr("Length, original"), metres(lengthOf(target.original)), QStringLiteral("m"));
+            add(tr("Length, deformed"), metres(lengthOf(target.deformed)), QStringLiteral("m"));
+            add(tr("Greatest depth"), metres(static_cast<double>(target.depths.greatest)),
+                QStringLiteral("m"));
+        }
+    }
+    if (const auto deepest = deepestOf(section, scope)) {
+        add(tr("Deepest at"), vectorText(deepest->place), QStringLiteral("m"));
+    }
+    return lines.join(u'\n');
+}
+
+QByteArray sectionCsv(const SceneSection& section, const SectionScope& scope) {
+    QByteArray csv = "state,target,line,closed,x_m,y_m,z_m,right_m,up_m,depth_m\n";
+    const SectionView view = sectionView(section.cut.openSide());
+    for (const TargetSection& target : section.targets) {
+        if (scope.holds(target)) {
+            addCsv(csv, "original", target, view, target.original, nullptr);
+            addCsv(csv, "deformed", target, view, target.deformed, &target.depths);
+        }
+    }
+    return csv;
+}
+
+}  // namespace hitscope

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The cutting plane by hand: its key, its handle in the picture, its dock, its plot.
+#include <QCheckBox>
+#include <QClipboard>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QSlider>
+#include <QToolButton>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "app/app_settings.h"
+#include "app/cut_actions.h"
+#include "app/cut_settings.h"
+#include "mesh/primitives.h"
+#include "panels/cutting_plane/cutting_plane_panel.h"
+#include "panels/cutting_plane/section_plot.h"
+#include "session/target.h"
+#include "viewport/cut_handle.h"
+#include "viewport/inspect_tool.h"
+#include "widgets/window_support.h"
+
+using namespace hitscope;
+
+namespace {
+
+/// With buttons and modifiers as a person has them.
+void mouse(QWidget* widget, QEvent::Type type, const QPointF& global, bool held,
+           Qt::KeyboardModifiers keys = {}) {
+    QMouseEvent event(type, widget->mapFromGlobal(global), global,
+                      type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton,
+                      held ? Qt::LeftButton : Qt::NoButton, keys);
+    QCoreApplication::sendEvent(widget, &event);
+}
+
+}  // namespace
+
+class CutTest : public QObject {
+    Q_OBJECT
+public:
+    static void initMain() { MainWindow::setSurfaceFormat(); }
+
+private Q_SLOTS:
+    void init() {
+        m_window.reset();
+        m_session = std::make_unique<Session>();
+        m_session->loadMesh(makeHighPolySphere());
+        m_window = std::make_unique<MainWindow>(*m_session);
+        showReady(*m_window);
+        m_panel = m_window->findChild<CuttingPlanePanel*>();
+        m_actions = m_window->findChild<CutActions*>();
+        m_handle = m_window->viewport().findChild<CutHandle*>();
+        QVERIFY(m_panel != nullptr && m_actions != nullptr && m_handle != nullptr);
+    }
+    void cleanup() { m_window.reset(); }
+
+    void theKeySwitchesItOnInTheMiddle() {
+        QVERIFY(!m_handle->isVisible());
+        QVERIFY(!m_actions->sections().isBusy());
+        QTest::keyClick(&viewport(), Qt::Key_K);
+        QVERIFY(cut().on);
+        QVERIFY(m_panel->isVisible());  // its dock came up
+        QVERIFY(m_handle->isVisible());
+        QCOMPARE(cut().normal, glm::vec3(1.0f, 0.0f, 0.0f));
+        QVERIFY(std::abs(cut().offset - middle().x) < 1.0e-4f);
+        QVERIFY(child<QCheckBox>("on")->isChecked());
+        QTest::keyClick(&viewport(), Qt::Key_K, Qt::ShiftModifier);
+        QVERIFY(glm::distance(cut().normal, -viewport().camera().forward()) < 1.0e-5f);
+        QTest::keyClick(&viewport(), Qt::Key_K);
+        QVERIFY(!cut().on && !m_handle->isVisible());
+        QVERIFY(!m_actions->sections().section());
+    }
+
+    void theHandleIsDraggedAndShootsNothing() {
+        QTest::keyClick(&viewport(), Qt::Key_K);
+        const glm::vec3 eye = viewport().camera().eye();
+        const QPointF from = handleAt();
+        const float before = cut().offset;
+        // To where the plane's middle falls in the picture once it has moved by a metre.
+        const QPointF to = placeOf(middle() + glm::vec3(1.0f, 0.0f, 0.0f));
+        mouse(m_handle, QEvent::MouseButtonPress, from, true);
+        QVERIFY(m_handle->isDragging());
+        for (int step = 1; step <= 8; ++step) {
+            mouse(m_handle, QEvent::MouseMove, from + step / 8.0 * (to - from), true);
+        }
+        QVERIFY2(std::abs(cut().offset - before - 1.0f) < 0.05f,
+                 qPrintable(QString::number(static_cast<double>(cut().offset - before))));
+        // The handle is where the plane is.
+        QVERIFY(std::hypot((handleAt() - to).x(), (handleAt() - to).y()) < 3.0);
+        QVERIFY(std::abs(child<QDoubleSpinBox>("offset")->value() - static_cast<double>(cut().offset)) <
+                1.0e-3);
+        mouse(m_handle, QEvent::MouseButtonRelease, to, false);
+        QVERIFY(!m_handle->isDragging());
+        mouse(m_handle, QEvent::MouseMove, from, false);
+        QVERIFY(std::abs(cut().offset - before - 1.0f) < 0.05f);
+        QVERIFY(viewport().camera().eye() == eye);
+        QTest::qWait(2 * Viewport::kDoubleClickGrace);
+        QCOMPARE(m_session->physics().projectileCount(), std::size_t{0});
+    }
+
+    void dragsStayInTheSceneAndSnapAndAreTakenBack() {
+        QTest::keyClick(&viewport(), Qt::Key_K);
+        const QPointF from = handleAt();
+        const QPointF along = placeOf(middle() + glm::vec3(1.0f, 0.0f, 0.0f)) - from;
+        const OffsetRange range = offsetRange(m_session->sceneBounds(), cut().normal);
+        mouse(m_handle, QEvent::MouseButtonPress, from, true);
+        mouse(m_handle, QEvent::MouseMove, from + 3.9 * along, true);
+        QCOMPARE(cut().offset, range.high);
+        mouse(m_handle, QEvent::MouseMove, from + 0.333 * along, true, Qt::ControlModifier);
+        const float step = 0.1f;  // of 5 m in 60
+        QVERIFY(std::abs(cut().offset / step - std::round(cut().offset / step)) < 1.0e-3f);
+        QTest::keyClick(&viewport(), Qt::Key_Escape);
+        QVERIFY(!m_handle->isDragging());
+        QVERIFY(std::abs(cut().offset - range.middle()) < 1.0e-5f);
+    }
+
+    void alongTheSightUpIsAway() {
+        QTest::keyClick(&viewport(), Qt::Key_K, Qt::ShiftModifier);
+        const float before = cut().offset;
+        const QPointF from = handleAt();
+        mouse(m_handle, QEvent::MouseButtonPress, from, true);
+        mouse(m_handle, QEvent::MouseMove, from - QPointF(0.0, 30.0), true);
+        mouse(m_handle, QEvent::MouseButtonRelease, from - QPointF(0.0, 30.0), false);
+        QVERIFY(cut().offset < before - 0.05f);  // its normal points to the eye
+    }
+
+    void theDockSaysWhereItIs() {
+        showDock();
+        child<QCheckBox>("on")->click();
+        QVERIFY(cut().on);
+        child<QToolButton>("alongY")->click();
+        QCOMPARE(cut().normal, glm::vec3(0.0f, 1.0f, 0.0f));
+        QVERIFY(std::abs(cut().offset - middle().y) < 1.0e-4f);
+        QVERIFY(child<QToolButton>("alongY")->isChecked() && !child<QToolButton>("alongX")->isChecked());
+        child<QToolButton>("alongY")->click();
+        QVERIFY(child<QToolButton>("alongY")->isChecked());
+        child<QSlider>("offsetSlider")->setValue(0);
+        QVERIFY(std::abs(cut().offset - (middle().y - 2.5f)) < 1.0e-3f);
+        child<QDoubleSpinBox>("offset")->setValue(static_cast<double>(middle().y) + 1.25);
+        QCOMPARE(child<QSlider>("offsetSlider")->value(), 750);
+        child<QToolButton>("flip")->click();
+        QVERIFY(cut().flipped);
+        const glm::vec3 place = planeFrame(cut(), m_session->sceneBounds()).middle;
+        child<QDoubleSpinBox>("normalX")->setValue(1.0);
+        QVERIFY(glm::distance(cut().normal, glm::normalize(glm::vec3(1.0f, 1.0f, 0.0f))) < 1.0e-5f);
+        QVERIFY(std::abs(glm::dot(cut().normal, place) - cut().offset) < 1.0e-4f);
+        QCOMPARE(child<QDoubleSpinBox>("normalX")->value(), 1.0);  // as typed
+        child<QToolButton>("fromView")->click();
+        QVERIFY(glm::distance(cut().normal, -viewport().camera().forward()) < 1.0e-5f);
+        QVERIFY(std::abs(child<QDoubleSpinBox>("normalX")->value() - static_cast<double>(cut().normal.x)) <
+                1.0e-3);
+        child<QToolButton>("reset")->click();
+        QCOMPARE(cut().normal, glm::vec3(1.0f, 0.0f, 0.0f));
+        QVERIFY(!cut().flipped);
+    }
+
+    void theSectionFollowsShotsAndIsRead() {
+        showDock();
+        QTest::keyClick(&viewport(), Qt::Key_K);
+        QTRY_VERIFY_WITH_TIMEOUT(m_actions->sections().section() && !m_actions->sections().isBusy(),
+                                 kPatience);
+        QVERIFY(child<QLabel>("deepest")->text().contains(QStringLiteral("Nothing has moved")));
+        Hit hit;
+        hit.target = m_session->targets()[0]->id;
+        hit.point = {0.0f, 2.5f, 0.0f};
+        hit.direction = {0.0f, -1.0f, 0.0f};
+        QVERIFY(m_session->addHit(hit).ok());
+        QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("deepest")->text().contains(QStringLiteral("Greatest depth")),
+                                 kPatience);
+        QVERIFY(!m_actions->sections().isBusy());
+        auto* plot = child<SectionPlot>("plot");
+        QTest::qWait(50);  // it lays itself out
+        const auto deepest = deepestOf(*m_actions->sections().section(), {});
+        QVERIFY(deepest && std::abs(deepest->depth - 0.3) < 0.01);
+        const auto read = plot->readingAt(plot->pixelOf(deepest->place) + QPointF(0.0, 1.0));
+        QVERIFY(read && read->depth > 0.2);
+        QVERIFY(!plot->readingAt(plot->pixelOf(middle())));
+        // Both axes at one scale.
+        const QPointF a = plot->pixelOf(middle());
+        const QPointF b = plot->pixelOf(middle() + glm::vec3(0.0f, 0.0f, 2.0f));
+        const QPointF c = plot->pixelOf(middle() + glm::vec3(0.0f, 2.0f, 0.0f));
+        QVERIFY(std::abs(std::abs(b.x() - a.x()) - std::abs(c.y() - a.y())) <= 2.0);
+        QVERIFY(b.x() < a.x());  // z to the left: as seen from +x
+        child<QToolButton>("copy")->click();
+        QVERIFY(QGuiApplication::clipboard()->text().contains(QStringLiteral("Greatest depth\t0.")));
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("section.csv"));
+        QVERIFY(m_panel->saveCsv(path).ok());
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.readAll().count('\n') > 100);
+        QVERIFY(!m_panel->saveCsv(folder.filePath(QStringLiteral("none/section.csv"))).ok());
+    }
+
+    void whatIsCutAwayIsNotAimedAt() {
+        // The sphere's near half is hidden: what the cursor meets is the inside of the far half.
+        QTest::keyClick(&viewport(), Qt::Key_K, Qt::ShiftModifier);
+        const Ray ray = viewport().rayThrough({0.5, 0.5});
+        const Ray shot = viewport().launched(ray);
+        QVERIFY(std::abs(glm::dot(cut().kept(), glm::vec4(shot.origin, 1.0f))) < 1.0e-2f);
+        viewport().inspectTool().setTool(Tool::Inspect);
+        const auto vertex = viewport().vertexAt({viewport().width() / 2.0, viewport().height() / 2.0});
+        QVERIFY(vertex);
+        const Target& target = *m_session->targets()[0];
+        QVERIFY(!cut().hides(target.transform.toWorld(target.deformed.positions()[vertex->vertex])));
+        QTest::keyClick(&viewport(), Qt::Key_K);
+        const auto whole = viewport().vertexAt({viewport().width() / 2.0, viewport().height() / 2.0});
+        QVERIFY(whole && *whole != *vertex);
+    }
+
+    void picturesAreCutToo() {
+        const PictureRequest whole = viewport().pictureRequest();
+        QTest::keyClick(&viewport(), Qt::Key_K);
+        const PictureRequest opened = viewport().pictureRequest();
+        QVERIFY(opened.options.cut.on);
+        const auto a = viewport().drawPicture(whole);
+        const auto b = viewport().drawPicture(opened);
+        QVERIFY(a.ok() && b.ok());
+        QVERIFY(a.value().pixels != b.value().pixels);
+    }
+
+    void anotherSceneHasThePlaneInItsMiddle() {
+        QTest::keyClick(&viewport(), Qt::Key_K);
+        MeshData far = makeHighPolySphere();
+        for (glm::vec3& position : far.positions) {
+            position.x += 40.0f;
+        }
+        m_session->loadMesh(far);
+        QVERIFY(cut().on);
+        QVERIFY(std::abs(cut().offset - middle().x) < 1.0e-3f);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            m_actions->sections().section() && m_actions->sections().section()->targets.size() == 1,
+            kPatience);
+    }
+
+    void settingsAreRemembered() {
+        QTemporaryDir folder;
+        QSettings settings(folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat);
+        AppSettings values;
+        CuttingPlane& plane = values.display.cut;
+        plane.on = true;
+        plane.normal = glm::normalize(glm::vec3(1.0f, -2.0f, 0.5f));
+        plane.offset = 7.0f;
+        plane.flipped = plane.fill = true;
+        plane.originalLine = false;
+        saveAppSettings(settings, values);
+        const CuttingPlane read = loadAppSettings(settings).display.cut;
+        QVERIFY(!read.on);  // a scene starts whole
+        QVERIFY(glm::distance(read.normal, plane.normal) < 1.0e-6f);
+        QVERIFY(read.flipped && read.fill && !read.originalLine && read.deformedLine);
+        settings.setValue(QStringLiteral("cut/normal"),
+                          QStringList{QStringLiteral("9"), QStringLiteral("nan"), QStringLiteral("")});
+        QCOMPARE(loadAppSettings(settings).display.cut.normal, CuttingPlane().normal);
+    }
+
+private:
+    [[nodiscard]] Viewport& viewport() { return m_window->viewport(); }
+    [[nodiscard]] const CuttingPlane& cut() { return viewport().options().cut; }
+    [[nodiscard]] glm::vec3 middle() const { return m_session->sceneBounds().centre(); }
+    [[nodiscard]] QPointF handleAt() const {
+        return m_handle->mapToGlobal(QPointF(m_handle->rect().center()));
+    }
+    /// Global, of a place in the world.
+    [[nodiscard]] QPointF placeOf(const glm::vec3& world) {
+        const float aspect = viewport().navigation().aspect();
+        const glm::vec4 clip =
+            viewport().camera().projection(aspect) * viewport().camera().view() * glm::vec4(world, 1.0f);
+        return viewport().mapToGlobal(
+            QPointF(0.5 * (1.0 + static_cast<double>(clip.x / clip.w)) * viewport().width(),
+                    0.5 * (1.0 - static_cast<double>(clip.y / clip.w)) * viewport().height()));
+    }
+    void showDock() {
+        auto* dock = m_window->findChild<QDockWidget*>(QStringLiteral("cuttingPlane"));
+        dock->show();
+        dock->raise();
+        QTRY_VERIFY(m_panel->isVisible());
+    }
+    template <class Widget>
+    [[nodiscard]] Widget* child(const char* name) {
+        auto* found = m_panel->findChild<Widget*>(QString::fromLatin1(name));
+        Q_ASSERT(found != nullptr);
+        return found;
+    }
+
+    TestSettings m_settings;
+    std::unique_ptr<Session> m_session;
+    std::unique_ptr<MainWindow> m_window;
+    CuttingPlanePanel* m_panel = nullptr;
+    CutActions* m_actions = nullptr;
+    CutHandle* m_handle = nullptr;
+};
+
+QTEST_MAIN(CutTest)
+#include "cut_test.moc"
