@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/ghost_pass.h"
 
+#include "render/early_start.h"
 #include "render/line_pass.h"
 
 namespace hitscope::render {
@@ -19,11 +20,13 @@ Status drawTranslucent(const FrameContext& originals) {
     program.set("u_viewProjection", originals.viewProjection);
     program.set("u_eye", originals.eye);
     program.set("u_colour", originals.colours.accent);
+    EarlyStart earlyStart(originals);
     for (const DrawItem& item : originals.frame.targets) {
         program.set("u_model", item.model);
         glBindVertexArray(item.buffers->originalSurfaceArray());
         glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(item.buffers->triangleIndexCount()),
                        GL_UNSIGNED_INT, nullptr);
+        earlyStart.drawn(item.buffers->vertexCount());
     }
     return Done{};
 }

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/change_map.h"
+#include "render/early_start.h"
 
 namespace hitscope::render {
 namespace {
@@ -72,6 +73,7 @@ Status drawEdgesOf(const FrameContext& context, DeformationPipeline& pipeline, c
     const gl::Program* program = nullptr;
     const glm::vec4 selected(glm::mix(glm::vec3(style.colour), context.colours.accent, style.selectionTint),
                              style.colour.a);
+    EarlyStart earlyStart(context);
     for (const DrawItem& item : context.frame.targets) {
         const float pixels = nearestEdgePixels(context, item);
         if (pixels < style.leastPixels || (pixels >= kWideFrom) != wide) {
@@ -95,6 +97,7 @@ Status drawEdgesOf(const FrameContext& context, DeformationPipeline& pipeline, c
                                                         : item.buffers->edgeArray());
         glDrawElements(GL_LINES, static_cast<GLsizei>(item.buffers->edgeIndexCount()), GL_UNSIGNED_INT,
                        nullptr);
+        earlyStart.drawn(item.buffers->edgeIndexCount());
     }
     return Done{};
 }

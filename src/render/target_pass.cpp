@@ -6,6 +6,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "render/change_map.h"
+#include "render/early_start.h"
 #include "render/material_set.h"
 #include "render/shadow_map.h"
 
@@ -14,11 +15,6 @@ namespace {
 
 constexpr float kRimStrength = 0.75f;
 constexpr float kRingWidth = 1.8f;  // logical pixels
-
-/// A software renderer shades pixels on other processors than it transforms vertices, but starts only when
-/// told to, or at the frame's end: told after so many, it does both at once (llvmpipe, 25,000 vertices at
-/// 320x180: 8.7 ms a frame against 13.0, in turn).
-constexpr std::size_t kFlushVertices = 4096;
 
 const void* indexOffset(std::uint32_t first) {
     return reinterpret_cast<const void*>(std::size_t{first} * sizeof(std::uint32_t));
@@ -109,7 +105,7 @@ void prepareSurface(const gl::Program& program, const FrameContext& context, Def
 Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, const Parts& parts) {
     const gl::Defines defines = surfaceDefines(context, pipeline, parts);
     const gl::Program* program = nullptr;
-    std::size_t waiting = 0;
+    EarlyStart earlyStart(context);
     for (const DrawItem& item : context.frame.targets) {
         const MaterialSet& materials = materialsOf(item);
         bool prepared = false;
@@ -137,11 +133,7 @@ Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, con
             glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(range.count), GL_UNSIGNED_INT,
                            indexOffset(range.first));
         }
-        waiting += prepared ? item.buffers->vertexCount() : 0;
-        if (context.software && waiting > kFlushVertices) {
-            glFlush();
-            waiting = 0;
-        }
+        earlyStart.drawn(prepared ? item.buffers->vertexCount() : 0);
     }
     return Done{};
 }
@@ -173,12 +165,14 @@ Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeli
     program.use();
     program.set("u_viewProjection", viewProjection);
     setDrawnPlace(program, context.frame);
+    EarlyStart earlyStart(context);
     for (const DrawItem& item : context.frame.targets) {
         pipeline.prepareDraw(program, item.target);
         program.set("u_model", item.model);
         glBindVertexArray(surfaceArrayOf(item));
         glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(item.buffers->triangleIndexCount()),
                        GL_UNSIGNED_INT, nullptr);
+        earlyStart.drawn(item.buffers->vertexCount());
     }
     return Done{};
 }
