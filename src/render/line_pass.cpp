@@ -28,13 +28,6 @@ float pixelsAt(const FrameContext& context, float distance) {
     return context.pixelsAt(std::max(distance, 1.0e-3f)) / context.frame.pixelRatio;
 }
 
-/// Logical pixels of a usual edge, where the target is nearest to the eye.
-float nearestEdgePixels(const FrameContext& context, const DrawItem& item) {
-    const Bounds bounds = worldBounds(item);
-    const glm::vec3 nearest = glm::clamp(context.eye, bounds.min, bounds.max);
-    return item.buffers->usualEdge() * pixelsAt(context, glm::distance(context.eye, nearest));
-}
-
 float depthShift(const FrameContext& context) {
     return context.depthPerPixel * kLinesAhead;
 }
@@ -68,6 +61,18 @@ Result<const gl::Program*> edgeProgram(const FrameContext& context, const Deform
     return context.programs.get("wire.vert", "wire.frag", defines, wide ? "wire.geom" : "");
 }
 
+/// Returns how many indices it drew.
+std::size_t drawLines(const DrawItem& item, bool ghost) {
+    if (ghost && item.changedParts != nullptr) {
+        const ChangedParts::Runs& runs = item.changedParts->edges();
+        glMultiDrawElements(GL_LINES, runs.counts.data(), GL_UNSIGNED_INT, runs.starts.data(),
+                            static_cast<GLsizei>(runs.counts.size()));
+        return runs.indices;
+    }
+    glDrawElements(GL_LINES, static_cast<GLsizei>(item.buffers->edgeIndexCount()), GL_UNSIGNED_INT, nullptr);
+    return item.buffers->edgeIndexCount();
+}
+
 Status drawEdgesOf(const FrameContext& context, DeformationPipeline& pipeline, const EdgeStyle& style,
                    bool wide) {
     const gl::Program* program = nullptr;
@@ -76,7 +81,7 @@ Status drawEdgesOf(const FrameContext& context, DeformationPipeline& pipeline, c
     EarlyStart earlyStart(context);
     for (const DrawItem& item : context.frame.targets) {
         const float pixels = nearestEdgePixels(context, item);
-        if (pixels < style.leastPixels || (pixels >= kWideFrom) != wide) {
+        if (pixels < style.leastPixels || (pixels >= kWideFrom) != wide || !context.mayShow(item, pipeline)) {
             continue;
         }
         if (program == nullptr) {
@@ -95,9 +100,7 @@ Status drawEdgesOf(const FrameContext& context, DeformationPipeline& pipeline, c
         setEdgePixels(*program, context, item);
         glBindVertexArray(item.original && !style.ghost ? item.buffers->originalEdgeArray()
                                                         : item.buffers->edgeArray());
-        glDrawElements(GL_LINES, static_cast<GLsizei>(item.buffers->edgeIndexCount()), GL_UNSIGNED_INT,
-                       nullptr);
-        earlyStart.drawn(item.buffers->edgeIndexCount());
+        earlyStart.drawn(drawLines(item, style.ghost));
     }
     return Done{};
 }
@@ -136,6 +139,12 @@ void attachNeedles(const TargetBuffers& buffers, std::uint32_t step) {
 }
 
 }  // namespace
+
+float nearestEdgePixels(const FrameContext& context, const DrawItem& item) {
+    const Bounds bounds = worldBounds(item);
+    const glm::vec3 nearest = glm::clamp(context.eye, bounds.min, bounds.max);
+    return item.buffers->usualEdge() * pixelsAt(context, glm::distance(context.eye, nearest));
+}
 
 Status drawEdges(const FrameContext& context, DeformationPipeline& pipeline, const EdgeStyle& style) {
     if (Status status = drawEdgesOf(context, pipeline, style, false); !status) {

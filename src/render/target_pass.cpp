@@ -7,6 +7,7 @@
 
 #include "render/change_map.h"
 #include "render/early_start.h"
+#include "render/line_pass.h"
 #include "render/material_set.h"
 #include "render/shadow_map.h"
 
@@ -109,6 +110,9 @@ Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, con
     for (const DrawItem& item : context.frame.targets) {
         const MaterialSet& materials = materialsOf(item);
         bool prepared = false;
+        if (!context.mayShow(item, pipeline)) {
+            continue;
+        }
         for (const DrawRange& range : item.buffers->draws()) {
             const bool textured = !context.frame.change && context.frame.options.textures &&
                                   materials.isTextured(range.material);
@@ -155,7 +159,7 @@ Status drawTranslucentSurfaces(const FrameContext& context, DeformationPipeline&
 }
 
 Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline,
-                        const glm::mat4& viewProjection) {
+                        const glm::mat4& viewProjection, float leastEdge) {
     const auto found =
         context.programs.get("surface.vert", "depth.frag", targetDefines(context.frame, pipeline));
     if (!found) {
@@ -167,6 +171,9 @@ Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeli
     setDrawnPlace(program, context.frame);
     EarlyStart earlyStart(context);
     for (const DrawItem& item : context.frame.targets) {
+        if (!context.mayShow(item, pipeline) || nearestEdgePixels(context, item) < leastEdge) {
+            continue;
+        }
         pipeline.prepareDraw(program, item.target);
         program.set("u_model", item.model);
         glBindVertexArray(surfaceArrayOf(item));

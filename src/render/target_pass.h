@@ -9,8 +9,9 @@ namespace hitscope::render {
 [[nodiscard]] Status drawSurfaces(const FrameContext& context, DeformationPipeline& pipeline);
 /// The translucent parts. Blending is on, depth writes are off.
 [[nodiscard]] Status drawTranslucentSurfaces(const FrameContext& context, DeformationPipeline& pipeline);
-/// Only the depth of the surfaces: hides what a wireframe without surfaces would show through them.
+/// Only the depth of the surfaces: hides what a wireframe without surfaces would show through them. Targets
+/// whose edges are shorter than `leastEdge` (logical pixels) are left out.
 [[nodiscard]] Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline,
-                                      const glm::mat4& viewProjection);
+                                      const glm::mat4& viewProjection, float leastEdge = 0.0f);
 
 }  // namespace hitscope::render
