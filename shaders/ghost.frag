@@ -5,7 +5,7 @@
 in vec3 v_position;  // from the eye
 in vec3 v_normal;
 
-uniform vec3 u_colour;  // sRGB
+uniform vec4 u_colour;  // sRGB, opacity
 
 out vec4 o_colour;
 
@@ -13,5 +13,5 @@ void main()
 {
     float facing = abs(dot(normalize(v_normal), normalize(v_position)));
     float grazing = 1.0 - facing;
-    o_colour = vec4(u_colour, mix(0.22, 0.7, grazing * grazing));
+    o_colour = vec4(u_colour.rgb, u_colour.a * mix(0.22, 0.7, grazing * grazing));
 }

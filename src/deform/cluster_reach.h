@@ -25,6 +25,8 @@ public:
     explicit ClusterReach(std::span<const Cluster> clusters);
 
     [[nodiscard]] std::span<const Cluster> clusters() const { return m_clusters; }
+    /// A box that holds all vertices, as they are and were. Metres, local frame.
+    [[nodiscard]] Bounds bounds() const;
 
     // Clusters are lists of indices into clusters(), ascending; what is found is appended.
 

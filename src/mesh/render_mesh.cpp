@@ -155,7 +155,8 @@ void makeTriangles(const MeshData& mesh, RenderMesh& render) {
     }
 }
 
-/// Each edge is listed with its lower-numbered file vertex; sorting the short lists finds the doubles.
+/// Each edge is listed with the lower-numbered of its render vertices, and so in their order; sorting the
+/// short lists finds the doubles.
 void makeEdges(const MeshData& mesh, const VertexCorners& vertexCorners, RenderMesh& render) {
     std::vector<std::uint32_t> nextCorner(mesh.cornerVertices.size());
     std::vector<std::uint32_t> previousCorner(mesh.cornerVertices.size());
@@ -169,20 +170,25 @@ void makeEdges(const MeshData& mesh, const VertexCorners& vertexCorners, RenderM
         }
     }
     std::vector<std::uint32_t> neighbours;
-    for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    for (std::uint32_t r = 0; r < render.vertices.size(); ++r) {
+        const std::uint32_t v = render.fileVertices[r];
+        if (render.renderVerticesOf(v).front() != r) {
+            continue;
+        }
         neighbours.clear();
         for (const std::uint32_t corner : vertexCorners.of(v)) {
             for (const std::uint32_t other : {nextCorner[corner], previousCorner[corner]}) {
-                if (mesh.cornerVertices[other] > v) {
-                    neighbours.push_back(mesh.cornerVertices[other]);
+                const std::uint32_t neighbour = render.renderVerticesOf(mesh.cornerVertices[other]).front();
+                if (neighbour > r) {
+                    neighbours.push_back(neighbour);
                 }
             }
         }
         std::sort(neighbours.begin(), neighbours.end());
         neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
         for (const std::uint32_t neighbour : neighbours) {
-            render.edges.push_back(render.renderVerticesOf(v).front());
-            render.edges.push_back(render.renderVerticesOf(neighbour).front());
+            render.edges.push_back(r);
+            render.edges.push_back(neighbour);
         }
     }
 }

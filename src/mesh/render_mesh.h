@@ -42,13 +42,16 @@ struct RenderMesh {
     std::vector<glm::vec2> texcoords;                 ///< R entries (zero where the file has none)
     std::vector<std::uint32_t> fileVertices;          ///< R entries: index into MeshData::positions
     std::vector<std::uint32_t> cornerRenderVertices;  ///< one a corner of MeshData: its render vertex
-    std::vector<std::uint32_t>
-        triangles;  ///< 3 a triangle, render vertex indices, counter-clockwise as in the file
+    /// 3 a triangle, render vertex indices, counter-clockwise as in the file; each draw's by their lowest
+    /// one.
+    std::vector<std::uint32_t> triangles;
     std::vector<std::uint32_t> triangleFaces;  ///< 1 a triangle: index of its face in MeshData
-    std::vector<std::uint32_t> edges;          ///< 2 an edge, each edge of the file's polygons once
-    std::vector<DrawRange> draws;              ///< cover `triangles`, one a material
-    std::vector<Cluster> clusters;             ///< cover `vertices`, in order; all but the last are full
-    Bounds bounds;                             ///< of the original positions
+    /// 2 an edge, lower one first and in its order: each edge of the file's polygons once, between the first
+    /// render vertices of its ends.
+    std::vector<std::uint32_t> edges;
+    std::vector<DrawRange> draws;   ///< cover `triangles`, one a material
+    std::vector<Cluster> clusters;  ///< cover `vertices`, in order; all but the last are full
+    Bounds bounds;                  ///< of the original positions
 
     /// File vertex -> its render vertices: renderVerticesOf(v) lists them; empty for a vertex no face uses.
     std::vector<std::uint32_t> fileVertexStarts;  ///< V + 1 entries

@@ -311,6 +311,11 @@ bool UniformArrayPipeline::isReadBackPending() const {
                                               [](const auto& entry) { return !entry.second.unread.empty(); });
 }
 
+Bounds UniformArrayPipeline::bounds(TargetId target) const {
+    const auto found = m_targets.find(target);
+    return found == m_targets.end() ? Bounds() : found->second.reach.bounds();
+}
+
 gl::Defines UniformArrayPipeline::drawDefines() const {
     gl::Defines defines = hitArrayDefines(m_capacity);
     if (isCulled()) {

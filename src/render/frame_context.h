@@ -4,7 +4,10 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include <optional>
+
 #include "gl/objects.h"
+#include "render/drawn_bounds.h"
 #include "render/program_cache.h"
 #include "render/renderer.h"
 #include "render/theme.h"
@@ -33,6 +36,13 @@ struct FrameContext {
     /// Perspective: clip.z = A d + B and clip.w = d at a distance d, so depth is A + B / d; b B on top is as
     /// a distance of (1 - b) d. Orthographic: clip.z = -A d + B and clip.w = 1.
     float depthPerPixel = 0.0f;
+
+    std::optional<PictureWindow> window = {};  ///< nothing else of the picture can be drawn to
+
+    /// False: nothing of the target can be drawn within the window.
+    [[nodiscard]] bool mayShow(const DrawItem& item, const DeformationPipeline& pipeline) const {
+        return !window || render::mayShow(item, frame, pipeline, viewProjection, *window);
+    }
 
     /// How many pixels a metre takes at a distance (> 0) from the eye.
     [[nodiscard]] float pixelsAt(float distance) const {

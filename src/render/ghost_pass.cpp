@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/ghost_pass.h"
 
+#include <limits>
+
 #include "render/cut_away.h"
+#include "render/early_start.h"
 #include "render/line_pass.h"
 
 namespace hitscope::render {
@@ -9,8 +12,25 @@ namespace hitscope::render {
 namespace {
 
 constexpr float kWireOpacity = 0.55f;
+constexpr float kDenseOpacity = 0.6f;  // of wires that cannot be told apart, of that of a translucent surface
 
-Status drawTranslucent(const FrameContext& originals) {
+constexpr std::size_t kIndicesPerVertex = 6;  // of most surfaces
+
+/// Returns how many indices it drew.
+std::size_t drawChanged(const DrawItem& item) {
+    if (item.changedParts != nullptr) {
+        const ChangedParts::Runs& runs = item.changedParts->triangles();
+        glMultiDrawElements(GL_TRIANGLES, runs.counts.data(), GL_UNSIGNED_INT, runs.starts.data(),
+                            static_cast<GLsizei>(runs.counts.size()));
+        return runs.indices;
+    }
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(item.buffers->triangleIndexCount()), GL_UNSIGNED_INT,
+                   nullptr);
+    return item.buffers->triangleIndexCount();
+}
+
+/// Targets whose edges are shorter than `belowEdge` (logical pixels).
+Status drawTranslucent(const FrameContext& originals, float belowEdge, float opacity) {
     const auto found = originals.programs.get("surface.vert", "ghost.frag", cutDefines(originals.frame));
     if (!found) {
         return found.error();
@@ -19,14 +39,17 @@ Status drawTranslucent(const FrameContext& originals) {
     program.use();
     program.set("u_viewProjection", originals.viewProjection);
     program.set("u_eye", originals.eye);
-    program.set("u_colour", originals.colours.accent);
+    program.set("u_colour", glm::vec4(originals.colours.accent, opacity));
     setCut(program, originals.frame);
     const ClipByCut clip(originals.frame);
+    EarlyStart earlyStart(originals);
     for (const DrawItem& item : originals.frame.targets) {
+        if (nearestEdgePixels(originals, item) >= belowEdge) {
+            continue;
+        }
         program.set("u_model", item.model);
         glBindVertexArray(item.buffers->originalSurfaceArray());
-        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(item.buffers->triangleIndexCount()),
-                       GL_UNSIGNED_INT, nullptr);
+        earlyStart.drawn(drawChanged(item) / kIndicesPerVertex);
     }
     return Done{};
 }
@@ -45,10 +68,13 @@ OriginalFrame::OriginalFrame(const Frame& changed)
 
 Status drawGhosts(const FrameContext& originals, DeformationPipeline& pipeline, GhostMode mode) {
     if (mode == GhostMode::Translucent) {
-        return drawTranslucent(originals);
+        return drawTranslucent(originals, std::numeric_limits<float>::infinity(), 1.0f);
+    }
+    if (Status status = drawTranslucent(originals, kLeastEdge, kDenseOpacity); !status) {
+        return status;
     }
     return drawEdges(originals, pipeline,
-                     {glm::vec4(originals.colours.accent, kWireOpacity), 0.0f, 0.0f, true});
+                     {glm::vec4(originals.colours.accent, kWireOpacity), 0.0f, kLeastEdge, true});
 }
 
 }  // namespace hitscope::render

@@ -8,6 +8,7 @@
 
 #include "render/change_map.h"
 #include "render/cut_away.h"
+#include "render/early_start.h"
 
 namespace hitscope::render {
 namespace {
@@ -26,13 +27,6 @@ constexpr glm::vec2 kDotsApart(11.0f, 20.0f);  // logical pixels: dots start to 
 /// Logical pixels that a metre takes at this distance.
 float pixelsAt(const FrameContext& context, float distance) {
     return context.pixelsAt(std::max(distance, 1.0e-3f)) / context.frame.pixelRatio;
-}
-
-/// Logical pixels of a usual edge, where the target is nearest to the eye.
-float nearestEdgePixels(const FrameContext& context, const DrawItem& item) {
-    const Bounds bounds = worldBounds(item);
-    const glm::vec3 nearest = glm::clamp(context.eye, bounds.min, bounds.max);
-    return item.buffers->usualEdge() * pixelsAt(context, glm::distance(context.eye, nearest));
 }
 
 float depthShift(const FrameContext& context) {
@@ -82,15 +76,28 @@ Result<const gl::Program*> edgeProgram(const FrameContext& context, const Deform
     return context.programs.get("wire.vert", "wire.frag", defines, wide ? "wire.geom" : "");
 }
 
+/// Returns how many indices it drew.
+std::size_t drawLines(const DrawItem& item, bool ghost) {
+    if (ghost && item.changedParts != nullptr) {
+        const ChangedParts::Runs& runs = item.changedParts->edges();
+        glMultiDrawElements(GL_LINES, runs.counts.data(), GL_UNSIGNED_INT, runs.starts.data(),
+                            static_cast<GLsizei>(runs.counts.size()));
+        return runs.indices;
+    }
+    glDrawElements(GL_LINES, static_cast<GLsizei>(item.buffers->edgeIndexCount()), GL_UNSIGNED_INT, nullptr);
+    return item.buffers->edgeIndexCount();
+}
+
 Status drawEdgesOf(const FrameContext& context, DeformationPipeline& pipeline, const EdgeStyle& style,
                    bool wide) {
     const ClipByCut clip(context.frame);
     const gl::Program* program = nullptr;
     const glm::vec4 selected(glm::mix(glm::vec3(style.colour), context.colours.accent, style.selectionTint),
                              style.colour.a);
+    EarlyStart earlyStart(context);
     for (const DrawItem& item : context.frame.targets) {
         const float pixels = nearestEdgePixels(context, item);
-        if (pixels < style.leastPixels || (pixels >= kWideFrom) != wide) {
+        if (pixels < style.leastPixels || (pixels >= kWideFrom) != wide || !context.mayShow(item, pipeline)) {
             continue;
         }
         if (program == nullptr) {
@@ -109,8 +116,7 @@ Status drawEdgesOf(const FrameContext& context, DeformationPipeline& pipeline, c
         setEdgePixels(*program, context, item);
         glBindVertexArray(item.original && !style.ghost ? item.buffers->originalEdgeArray()
                                                         : item.buffers->edgeArray());
-        glDrawElements(GL_LINES, static_cast<GLsizei>(item.buffers->edgeIndexCount()), GL_UNSIGNED_INT,
-                       nullptr);
+        earlyStart.drawn(drawLines(item, style.ghost));
     }
     return Done{};
 }
@@ -149,6 +155,12 @@ void attachNeedles(const TargetBuffers& buffers, std::uint32_t step) {
 }
 
 }  // namespace
+
+float nearestEdgePixels(const FrameContext& context, const DrawItem& item) {
+    const Bounds bounds = worldBounds(item);
+    const glm::vec3 nearest = glm::clamp(context.eye, bounds.min, bounds.max);
+    return item.buffers->usualEdge() * pixelsAt(context, glm::distance(context.eye, nearest));
+}
 
 Status drawEdges(const FrameContext& context, DeformationPipeline& pipeline, const EdgeStyle& style) {
     if (Status status = drawEdgesOf(context, pipeline, style, false); !status) {

@@ -5,12 +5,18 @@
 
 namespace hitscope::render {
 
+/// Logical pixels: shorter edges only darken or fill a surface, and are not drawn as lines.
+inline constexpr float kLeastEdge = 1.5f;
+
 struct EdgeStyle {
     glm::vec4 colour{1.0f};      ///< sRGB, opacity
     float selectionTint = 0.0f;  ///< [0, 1]: how much of the accent colour a selected target's edges take on
     float leastPixels = 0.0f;    ///< shorter edges than these (logical pixels) are not worth drawing
     bool ghost = false;          ///< where the target was, and only edges that moved
 };
+
+/// Logical pixels of a usual edge of the target, where it is nearest to the eye.
+[[nodiscard]] float nearestEdgePixels(const FrameContext& context, const DrawItem& item);
 
 // Each expects blending on, depth test on and depth writes off.
 /// The edges of the file's polygons, as lines of constant width; short ones as plain lines of a pixel.

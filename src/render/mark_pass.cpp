@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 
 #include "render/change_map.h"
 #include "render/cut_away.h"
 #include "render/frame_context.h"
+#include "render/line_pass.h"
 
 namespace hitscope::render {
 namespace {
@@ -29,6 +31,19 @@ Style styleOf(MarkKind kind) {
 
 constexpr float kAhead = 4.0f;  // pixels' size at their distance: dots lie before the faces they stand on
 
+constexpr GLsizei kFewMarks = 1000;  // all drawn, however close they lie
+constexpr float kApart = 0.75f;      // of a mark's size: closer ones would hide each other
+
+/// So many that they touch where the target is nearest to the eye.
+GLsizei shownCount(const FrameContext& context, const VertexMarks& marks, const Style& style) {
+    const DrawItem item{.target = marks.target, .buffers = marks.buffers, .model = marks.model};
+    const float apart = nearestEdgePixels(context, item) / (kApart * style.size);
+    if (marks.count <= kFewMarks || apart >= 1.0f) {
+        return marks.count;
+    }
+    return std::max(kFewMarks, static_cast<GLsizei>(static_cast<float>(marks.count) * apart * apart));
+}
+
 void drawMarks(const FrameContext& context, DeformationPipeline& pipeline, const gl::Program& program,
                bool hidden) {
     for (const VertexMarks& marks : context.frame.marks) {
@@ -41,7 +56,7 @@ void drawMarks(const FrameContext& context, DeformationPipeline& pipeline, const
         program.set("u_opacity", hidden ? style.hidden : 1.0f);
         glBindVertexArray(marks.buffers->captureArray());
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, marks.indices);
-        glDrawElements(GL_POINTS, marks.count, GL_UNSIGNED_INT, nullptr);
+        glDrawElements(GL_POINTS, shownCount(context, marks, style), GL_UNSIGNED_INT, nullptr);
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
     }
 }

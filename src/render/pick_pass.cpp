@@ -6,6 +6,7 @@
 
 #include "render/change_map.h"
 #include "render/cut_away.h"
+#include "render/drawn_bounds.h"
 #include "render/gl_state.h"
 
 namespace hitscope {
@@ -25,6 +26,15 @@ std::vector<PickedElement> unpack(std::span<const Pixel> pixels) {
         return PickedElement{TargetId{pixel.target}, pixel.element};
     });
     return elements;
+}
+
+/// The area and two pixels around it, which is more than points and rounding can reach.
+render::PictureWindow windowOf(const PixelArea& area, const Frame& frame) {
+    constexpr float kMargin = 2.0f;
+    const glm::vec2 low(area.x, area.y);
+    const glm::vec2 size(area.width, area.height);
+    const glm::vec2 picture(frame.width, frame.height);
+    return {2.0f * (low - kMargin) / picture - 1.0f, 2.0f * (low + size + kMargin) / picture - 1.0f};
 }
 
 void prepareState() {
@@ -107,7 +117,8 @@ Status PickPass::draw(const Frame& frame, DeformationPipeline& pipeline, const P
     prepareState();
     program.use();
     const float aspect = static_cast<float>(frame.width) / static_cast<float>(frame.height);
-    program.set("u_viewProjection", frame.camera.projection(aspect) * frame.camera.view());
+    const glm::mat4 viewProjection = frame.camera.projection(aspect) * frame.camera.view();
+    program.set("u_viewProjection", viewProjection);
     render::setDrawnPlace(program, frame);
     if (filled) {
         program.set("u_eye", frame.camera.eye());
@@ -115,7 +126,11 @@ Status PickPass::draw(const Frame& frame, DeformationPipeline& pipeline, const P
     }
     const GLint target = program.location("u_target");
     const render::ClipByCut clip(frame);
+    const render::PictureWindow window = windowOf(area, frame);
     for (const DrawItem& item : frame.targets) {
+        if (!render::mayShow(item, frame, pipeline, viewProjection, window)) {
+            continue;
+        }
         pipeline.prepareDraw(program, item.target);
         program.set("u_model", item.model);
         glUniform1ui(target, item.target.value);

@@ -20,16 +20,13 @@
 #include "render/shadow_map.h"
 #include "render/target_pass.h"
 #include "render/trail_pass.h"
+#include "render/wire_pass.h"
 
 namespace hitscope {
 
 using namespace render;
 
 namespace {
-
-constexpr float kSelectedLines = 0.7f;  // of the accent colour, where lines are all there is to a target
-constexpr float kLeastEdge = 1.5f;      // logical pixels: lines closer than that would only darken a surface
-constexpr float kHiddenLines = 0.16f;   // opacity of lines behind a surface, of that of the others
 
 /// Programs that do not depend on a pipeline.
 constexpr std::array<std::pair<const char*, const char*>, 8> kPrograms{
@@ -41,6 +38,15 @@ constexpr std::array<std::pair<const char*, const char*>, 8> kPrograms{
      {"dent_ghost.vert", "dent_ghost.frag"},
      {"ring.vert", "ring.frag"},
      {"crosshair.vert", "crosshair.frag"}}};
+
+void startBlending(const Frame& frame) {
+    if (frame.options.transparent) {
+        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    } else {
+        // The picture stays opaque whatever is drawn over it: the window is put together with others.
+        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    }
+}
 
 void prepareFramebuffer(const Frame& frame, GLuint framebuffer) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
@@ -55,14 +61,11 @@ void prepareFramebuffer(const Frame& frame, GLuint framebuffer) {
     glDepthFunc(GL_LESS);
     glLineWidth(1.0f);
     glBlendEquation(GL_FUNC_ADD);
-    if (frame.options.transparent) {
-        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    if (frame.options.transparent || frame.options.wireframe == WireframeMode::Only) {
         glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
         glClear(GL_COLOR_BUFFER_BIT);
-    } else {
-        // The picture stays opaque whatever is drawn over it: the window is put together with others.
-        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     }
+    startBlending(frame);
     glClearDepth(1.0);
     glClear(GL_DEPTH_BUFFER_BIT);
 }
@@ -71,6 +74,16 @@ void startSolid() {
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
+}
+
+/// What was drawn so far says by its opacity how much of the background is to be seen.
+Status drawBackgroundBehind(const FrameContext& context) {
+    glDisable(GL_DEPTH_TEST);
+    glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+    Status status = drawBackground(context);
+    startBlending(context.frame);
+    glEnable(GL_DEPTH_TEST);
+    return status;
 }
 
 void startBlended() {
@@ -132,25 +145,17 @@ Status drawShaded(const FrameContext& context, DeformationPipeline& pipeline) {
 }
 
 Status drawWires(const FrameContext& context, DeformationPipeline& pipeline) {
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    if (Status status = drawSurfaceDepth(context, pipeline, context.viewProjection, DepthOf::Seen); !status) {
+    if (Status status = drawWireSurfaces(context, pipeline); !status) {
         return status;
     }
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     startBlended();
+    if (Status status = drawBackgroundBehind(context); !status) {
+        return status;
+    }
     if (Status status = drawFloorAndShades(context); !status) {
         return status;
     }
-    EdgeStyle style{context.colours.wireOnly, kSelectedLines, 0.0f};
-    if (Status status = drawEdges(context, pipeline, style); !status) {
-        return status;
-    }
-    style.colour.a *= kHiddenLines;
-    style.leastPixels = kLeastEdge;
-    glDepthFunc(GL_GEQUAL);
-    Status status = drawEdges(context, pipeline, style);
-    glDepthFunc(GL_LESS);
-    return status;
+    return drawWireLines(context, pipeline);
 }
 
 Status drawTargets(const FrameContext& context, DeformationPipeline& pipeline) {
@@ -200,8 +205,6 @@ Status Renderer::Private::drawGhosts(const Frame& frame, DeformationPipeline& pi
         return Done{};
     }
     OriginalFrame originals(frame);
-    std::erase_if(originals.items, [](const DrawItem& item) { return !item.changed; });
-    originals.frame.targets = originals.items;
     return render::drawGhosts(contextOf(originals.frame), pipeline, mode);
 }
 
@@ -221,8 +224,12 @@ Status Renderer::Private::drawWiped(const FrameContext& context, DeformationPipe
     const int line =
         static_cast<int>(std::lround(frame.options.beforeAfter.wipeAt * static_cast<float>(frame.width)));
     const OriginalFrame originals(frame);
+    const float split = 2.0f * static_cast<float>(line) / static_cast<float>(frame.width) - 1.0f;
     FrameContext before = contextOf(originals.frame);
     before.shadows = context.shadows;
+    before.window = PictureWindow{.high = glm::vec2(split, 1.0f)};
+    FrameContext after = context;
+    after.window = PictureWindow{.low = glm::vec2(split, -1.0f)};
     OriginalShape shape;
     glEnable(GL_SCISSOR_TEST);
     glScissor(frame.left, 0, line, frame.height);
@@ -230,7 +237,7 @@ Status Renderer::Private::drawWiped(const FrameContext& context, DeformationPipe
     if (status) {
         glScissor(frame.left + line, 0, frame.width - line, frame.height);
         startSolid();
-        status = drawScene(context, pipeline);
+        status = drawScene(after, pipeline);
     }
     glDisable(GL_SCISSOR_TEST);
     return status;
@@ -271,11 +278,6 @@ Status Renderer::draw(const Frame& frame, DeformationPipeline& pipeline, GLuint 
         context.shadows = &d->shadows;
     }
     prepareFramebuffer(frame, framebuffer);
-    if (frame.options.wireframe == WireframeMode::Only) {
-        if (Status status = drawBackground(context); !status) {
-            return status;
-        }
-    }
     startSolid();
     if (Status status = d->projectiles.draw(context); !status) {
         return status;

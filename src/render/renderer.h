@@ -15,6 +15,7 @@
 #include "pipeline/deformation_pipeline.h"
 #include "pipeline/target_buffers.h"
 #include "render/camera.h"
+#include "render/changed_parts.h"
 #include "render/display_options.h"
 #include "render/lights.h"
 #include "render/vertex_marks.h"
@@ -31,7 +32,8 @@ struct DrawItem {
     const MaterialSet* materials = nullptr;  ///< null: the default material
     glm::mat4 model{1.0f};                   ///< rigid
     bool selected = false;
-    bool changed = true;    ///< false: it is sure to be as it was
+    /// Where it is not as it was; null: anywhere.
+    const ChangedParts* changedParts = nullptr;
     bool original = false;  ///< drawn as it was, whatever the pipeline
 };
 

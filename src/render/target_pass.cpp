@@ -8,6 +8,8 @@
 
 #include "render/change_map.h"
 #include "render/cut_away.h"
+#include "render/early_start.h"
+#include "render/line_pass.h"
 #include "render/material_set.h"
 #include "render/shadow_map.h"
 
@@ -17,11 +19,6 @@ namespace {
 constexpr float kRimStrength = 0.75f;
 constexpr float kRingWidth = 1.8f;  // logical pixels
 constexpr float kHatch = 9.0f;      // logical pixels from one line to the next
-
-/// A software renderer shades pixels on other processors than it transforms vertices, but starts only when
-/// told to, or at the frame's end: told after so many, it does both at once (llvmpipe, 25,000 vertices at
-/// 320x180: 8.7 ms a frame against 13.0, in turn).
-constexpr std::size_t kFlushVertices = 4096;
 
 const void* indexOffset(std::uint32_t first) {
     return reinterpret_cast<const void*>(std::size_t{first} * sizeof(std::uint32_t));
@@ -119,10 +116,13 @@ Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, con
     const gl::Defines defines = surfaceDefines(context, pipeline, parts);
     const ClipByCut clip(context.frame);
     const gl::Program* program = nullptr;
-    std::size_t waiting = 0;
+    EarlyStart earlyStart(context);
     for (const DrawItem& item : context.frame.targets) {
         const MaterialSet& materials = materialsOf(item);
         bool prepared = false;
+        if (!context.mayShow(item, pipeline)) {
+            continue;
+        }
         for (const DrawRange& range : item.buffers->draws()) {
             const bool textured = !context.frame.change && context.frame.options.textures &&
                                   materials.isTextured(range.material);
@@ -147,11 +147,7 @@ Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, con
             glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(range.count), GL_UNSIGNED_INT,
                            indexOffset(range.first));
         }
-        waiting += prepared ? item.buffers->vertexCount() : 0;
-        if (context.software && waiting > kFlushVertices) {
-            glFlush();
-            waiting = 0;
-        }
+        earlyStart.drawn(prepared ? item.buffers->vertexCount() : 0);
     }
     return Done{};
 }
@@ -173,7 +169,7 @@ Status drawTranslucentSurfaces(const FrameContext& context, DeformationPipeline&
 }
 
 Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline,
-                        const glm::mat4& viewProjection, DepthOf what) {
+                        const glm::mat4& viewProjection, DepthOf what, float leastEdge) {
     const gl::Defines defines = what == DepthOf::Whole ? wholeTargetDefines(context.frame, pipeline)
                                                        : targetDefines(context.frame, pipeline);
     const auto found = context.programs.get("surface.vert", "depth.frag", defines);
@@ -188,12 +184,17 @@ Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeli
     program.use();
     program.set("u_viewProjection", viewProjection);
     setDrawnPlace(program, context.frame);
+    EarlyStart earlyStart(context);
     for (const DrawItem& item : context.frame.targets) {
+        if (!context.mayShow(item, pipeline) || nearestEdgePixels(context, item) < leastEdge) {
+            continue;
+        }
         pipeline.prepareDraw(program, item.target);
         program.set("u_model", item.model);
         glBindVertexArray(surfaceArrayOf(item));
         glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(item.buffers->triangleIndexCount()),
                        GL_UNSIGNED_INT, nullptr);
+        earlyStart.drawn(item.buffers->vertexCount());
     }
     return Done{};
 }

@@ -13,8 +13,9 @@ namespace hitscope::render {
 [[nodiscard]] Status drawTranslucentSurfaces(const FrameContext& context, DeformationPipeline& pipeline);
 /// Whether a cutting plane counts.
 enum class DepthOf : std::uint8_t { Seen, Whole };
-/// Only the depth of the surfaces: hides what a wireframe without surfaces would show through them.
+/// Only the depth of the surfaces: hides what a wireframe without surfaces would show through them. Targets
+/// whose edges are shorter than `leastEdge` (logical pixels) are left out.
 [[nodiscard]] Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline,
-                                      const glm::mat4& viewProjection, DepthOf what);
+                                      const glm::mat4& viewProjection, DepthOf what, float leastEdge = 0.0f);
 
 }  // namespace hitscope::render

@@ -17,7 +17,9 @@ struct VertexMarks {
     TargetId target;
     const TargetBuffers* buffers = nullptr;
     glm::mat4 model{1.0f};  ///< rigid
-    GLuint indices = 0;     ///< a buffer of render vertices, 32 bits each
+    /// A buffer of render vertices, 32 bits each. Where many fall on the same pixels only the first so many
+    /// are drawn: they are to be spread evenly over all.
+    GLuint indices = 0;
     GLsizei count = 0;
     MarkKind kind = MarkKind::Selected;
 };

@@ -58,6 +58,7 @@ struct SceneGpu::Private {
     struct GpuTarget {
         std::unique_ptr<TargetBuffers> buffers;
         std::shared_ptr<const MaterialSet> materials;
+        ChangedParts changed;
     };
 
     Session& session;
@@ -151,7 +152,11 @@ void SceneGpu::Private::followTargets() {
         if (targets.contains(target->id)) {
             continue;
         }
-        GpuTarget& made = targets[target->id];
+        GpuTarget& made =
+            targets
+                .try_emplace(target->id,
+                             GpuTarget{nullptr, nullptr, ChangedParts(target->deformed.sharedRender())})
+                .first->second;
         made.buffers = std::make_unique<TargetBuffers>(target->deformed.render());
         made.buffers->writeShadingNormals(0, target->trueNormals.normals());
         made.materials = materialsOf(target->deformed);
@@ -183,7 +188,7 @@ std::vector<DrawItem> SceneGpu::Private::drawItems() const {
             items.push_back({target->id, gpu->second.buffers.get(), materialsToDraw(*target),
                              modelMatrix(target->transform),
                              target->id == session.selectedTarget() && session.targets().size() > 1,
-                             !target->deformed.onceChanged().empty()});
+                             &gpu->second.changed});
         }
     }
     return items;
@@ -336,8 +341,9 @@ void SceneGpu::Private::readBack(Delivery delivery) {
     for (const Session::ChangedNormals& change : session.finishReadBack()) {
         const Target* target = session.target(change.target);
         if (target != nullptr) {
-            writeShadingNormals(*targets.at(change.target).buffers, change.renderVertices,
-                                target->trueNormals.normals());
+            GpuTarget& gpu = targets.at(change.target);
+            gpu.changed.note(change.renderVertices);
+            writeShadingNormals(*gpu.buffers, change.renderVertices, target->trueNormals.normals());
         }
     }
 }

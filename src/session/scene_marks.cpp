@@ -1,7 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/scene_marks.h"
 
+#include <algorithm>
+#include <bit>
+#include <utility>
+
 namespace hitscope {
+
+namespace {
+
+/// Any first part of them is spread over all as evenly as it can be: their numbers' bits, backwards, count
+/// up.
+std::vector<std::uint32_t> spread(std::vector<std::uint32_t> numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    const auto bits = static_cast<int>(std::bit_width(numbers.size()));
+    std::vector<std::uint32_t> result;
+    result.reserve(numbers.size());
+    for (std::size_t i = 0; i < std::size_t{1} << bits; ++i) {
+        std::size_t reversed = 0;
+        for (int bit = 0; bit < bits; ++bit) {
+            reversed |= (i >> bit & 1U) << (bits - 1 - bit);
+        }
+        if (reversed < numbers.size()) {
+            result.push_back(numbers[reversed]);
+        }
+    }
+    return result;
+}
+
+}  // namespace
 
 void SceneMarks::fill(Marks& marks, const Target* target, std::span<const std::uint32_t> fileVertices) {
     std::vector<std::uint32_t> indices;
@@ -14,6 +41,8 @@ void SceneMarks::fill(Marks& marks, const Target* target, std::span<const std::u
             }
         }
     }
+    // Neighbours in number are neighbours in space.
+    indices = spread(std::move(indices));
     if (!marks.indices) {
         marks.indices = gl::Buffer::make();
     }

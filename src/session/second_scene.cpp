@@ -9,7 +9,7 @@ namespace hitscope {
 
 void SecondScene::release() {
     m_pipeline.reset();
-    m_buffers.clear();
+    m_targets.clear();
     m_comparison = nullptr;
     m_tried.reset();
 }
@@ -34,19 +34,19 @@ bool SecondScene::followPipeline(Comparison& comparison, const gl::Defines& defo
 }
 
 void SecondScene::followTargets() {
-    for (auto it = m_buffers.begin(); it != m_buffers.end();) {
+    for (auto it = m_targets.begin(); it != m_targets.end();) {
         if (m_session.target(it->first) == nullptr) {
             m_pipeline->removeTarget(it->first);
-            it = m_buffers.erase(it);
+            it = m_targets.erase(it);
         } else {
             ++it;
         }
     }
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
-        std::unique_ptr<TargetBuffers>& buffers = m_buffers[target->id];
-        if (!buffers) {
-            buffers = std::make_unique<TargetBuffers>(target->deformed.render());
-            m_pipeline->addTarget(target->id, *buffers);
+        std::unique_ptr<GpuTarget>& made = m_targets[target->id];
+        if (!made) {
+            made = std::make_unique<GpuTarget>(*target);
+            m_pipeline->addTarget(target->id, made->buffers);
         }
     }
 }
@@ -62,8 +62,9 @@ void SecondScene::readBack(Comparison& comparison, Delivery delivery) {
         m_pipeline->pollReadBack(take);
     }
     for (const Session::ChangedNormals& change : comparison.finishReadBack()) {
-        writeShadingNormals(*m_buffers.at(change.target), change.renderVertices,
-                            comparison.normals(change.target));
+        GpuTarget& gpu = *m_targets.at(change.target);
+        gpu.changed.note(change.renderVertices);
+        writeShadingNormals(gpu.buffers, change.renderVertices, comparison.normals(change.target));
     }
 }
 
@@ -98,7 +99,9 @@ void SecondScene::follow(Comparison* comparison, const gl::Defines& deformDefine
 std::vector<DrawItem> SecondScene::itemsFor(std::span<const DrawItem> items) const {
     std::vector<DrawItem> own(items.begin(), items.end());
     for (DrawItem& item : own) {
-        item.buffers = m_buffers.at(item.target).get();
+        const GpuTarget& gpu = *m_targets.at(item.target);
+        item.buffers = &gpu.buffers;
+        item.changedParts = &gpu.changed;
     }
     return own;
 }

@@ -29,7 +29,7 @@ public:
     [[nodiscard]] DeformationPipeline& pipeline() { return *m_pipeline; }
     [[nodiscard]] bool isReadBackPending() const { return m_pipeline && m_pipeline->isReadBackPending(); }
     /// The target is one of the session's.
-    [[nodiscard]] TargetBuffers& buffersOf(TargetId target) { return *m_buffers.at(target); }
+    [[nodiscard]] TargetBuffers& buffersOf(TargetId target) { return m_targets.at(target)->buffers; }
     /// The same targets, as this has them.
     [[nodiscard]] std::vector<DrawItem> itemsFor(std::span<const DrawItem> items) const;
 
@@ -40,7 +40,13 @@ private:
     void readBack(Comparison& comparison, Delivery delivery);
 
     Session& m_session;
-    std::unordered_map<TargetId, std::unique_ptr<TargetBuffers>> m_buffers;
+    struct GpuTarget {
+        explicit GpuTarget(const Target& target)
+            : buffers(target.deformed.render()), changed(target.deformed.sharedRender()) {}
+        TargetBuffers buffers;
+        ChangedParts changed;
+    };
+    std::unordered_map<TargetId, std::unique_ptr<GpuTarget>> m_targets;
     std::unique_ptr<DeformationPipeline> m_pipeline;  // below the buffers it is given, so that it goes first
     const Comparison* m_comparison = nullptr;
     std::uint64_t m_revision = 0;

@@ -108,7 +108,8 @@ private Q_SLOTS:
         QFETCH(int, kind);
         constexpr float kFactor = 3.0f;
         Session session;
-        open(session, makeHighPolySphere(), static_cast<PipelineKind>(kind));
+        // Edges so long that they are drawn as wide lines, which are the same from either end.
+        open(session, makeUvSphere(32, 16, 2.5f), static_cast<PipelineKind>(kind));
         dent(session);
         const QImage plain = edges();
         m_view.options.beforeAfter.exaggeration = kFactor;

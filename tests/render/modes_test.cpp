@@ -3,6 +3,7 @@
 // HITSCOPE_WRITE_BASELINES=1 in the environment they are written anew.
 #include <QDir>
 #include <QTest>
+#include <algorithm>
 
 #include "mesh/primitives.h"
 #include "render_support.h"
@@ -19,6 +20,28 @@ constexpr int kHeight = 120;
 // levels, and so many of them are let through (of 19,200).
 constexpr int kLevels = 24;
 constexpr int kMostDifferent = 300;
+
+/// Without the faces that have a corner above `height` (metres, local).
+MeshData withoutTop(const MeshData& mesh, float height) {
+    MeshData open = mesh;
+    open.faceStarts = {0};
+    open.cornerVertices.clear();
+    open.cornerNormals.clear();
+    open.cornerTexcoords.clear();
+    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        const auto face = mesh.face(f);
+        if (std::any_of(face.begin(), face.end(),
+                        [&](std::uint32_t vertex) { return mesh.positions[vertex].y > height; })) {
+            continue;
+        }
+        for (std::uint32_t corner = mesh.faceStarts[f]; corner < mesh.faceStarts[f + 1]; ++corner) {
+            open.cornerVertices.push_back(mesh.cornerVertices[corner]);
+            open.cornerNormals.push_back(mesh.cornerNormals[corner]);
+        }
+        open.faceStarts.push_back(static_cast<std::uint32_t>(open.cornerVertices.size()));
+    }
+    return open;
+}
 
 }  // namespace
 
@@ -40,15 +63,25 @@ private Q_SLOTS:
 
 private:
     Frame frame(const DisplayOptions& options) const {
-        Frame made = frameOf(*m_scene, kWidth, kHeight);
+        Frame made = frameOf(options.backFaces ? *m_bowl : *m_scene, kWidth, kHeight);
         made.camera.zoom(options.dots ? 0.45f : 0.75f);
         made.options = options;
+        if (QLatin1String(QTest::currentDataTag()) == QLatin1String("only-dense")) {
+            made.pixelRatio = 30.0f;  // edges count as shorter than a pixel
+        }
+        if (options.backFaces) {
+            made.camera.orbit(0.0f, 0.4f);  // so that one looks into the bowl
+        }
         return made;
     }
 
     std::unique_ptr<gl::OffscreenContext> m_context;
     std::unique_ptr<Renderer> m_renderer;
+    /// What a frame with these options shows.
+    TestScene& sceneOf(const DisplayOptions& options) { return options.backFaces ? *m_bowl : *m_scene; }
+
     std::unique_ptr<TestScene> m_scene;
+    std::unique_ptr<TestScene> m_bowl;  ///< open at the top
     std::vector<Hit> m_hits = dents({1}, 12);
 };
 
@@ -61,7 +94,10 @@ void ModesTest::initTestCase() {
     QVERIFY2(renderer.ok(), renderer.ok() ? "" : renderer.error().message().c_str());
     m_renderer = std::move(renderer).value();
     m_scene = std::make_unique<TestScene>();
-    m_scene->add(*m_renderer, makeUvSphere(24, 16, 2.5f), glm::vec3(0.0f, 2.5f, 0.0f));
+    const glm::vec3 place(0.0f, 2.5f, 0.0f);
+    m_scene->add(*m_renderer, makeUvSphere(24, 16, 2.5f), place);
+    m_bowl = std::make_unique<TestScene>();
+    m_bowl->add(*m_renderer, withoutTop(makeUvSphere(24, 16, 2.5f), 1.0f), place);
 }
 
 void ModesTest::cleanup() {
@@ -71,6 +107,7 @@ void ModesTest::cleanup() {
 }
 
 void ModesTest::cleanupTestCase() {
+    m_bowl.reset();
     m_scene.reset();
     m_renderer.reset();
     m_context.reset();
@@ -88,7 +125,12 @@ void ModesTest::looksAsItDid_data() {
     row("plain-light", [](DisplayOptions& o) { o.theme = Theme::Light; });
     row("over", [](DisplayOptions& o) { o.wireframe = WireframeMode::Over; });
     row("only", [](DisplayOptions& o) { o.wireframe = WireframeMode::Only; });
+    row("only-dense", [](DisplayOptions& o) {
+        o.wireframe = WireframeMode::Only;
+        o.theme = Theme::Light;
+    });
     row("flat", [](DisplayOptions& o) { o.flat = true; });
+    row("back-faces", [](DisplayOptions& o) { o.backFaces = true; });
     row("needles", [](DisplayOptions& o) { o.needles = true; });
     row("dots", [](DisplayOptions& o) { o.dots = true; });
     row("shadows", [](DisplayOptions& o) { o.shadows = true; });
@@ -100,7 +142,7 @@ void ModesTest::looksAsItDid_data() {
 
 void ModesTest::looksAsItDid() {
     QFETCH(DisplayOptions, options);
-    const auto pipeline = m_scene->pipeline(PipelineKind::TransformFeedback, m_hits);
+    const auto pipeline = sceneOf(options).pipeline(PipelineKind::TransformFeedback, m_hits);
     const QImage shown = picture(*m_renderer, frame(options), *pipeline);
     const QString name = QString::fromLatin1(QTest::currentDataTag()) + QStringLiteral(".png");
     const QString path = QDir(QStringLiteral(HITSCOPE_BASELINES)).filePath(name);
@@ -124,9 +166,9 @@ void ModesTest::looksAsItDid() {
 
 void ModesTest::pipelinesAgree() {
     QFETCH(DisplayOptions, options);
-    const auto feedback = m_scene->pipeline(PipelineKind::TransformFeedback, m_hits);
+    const auto feedback = sceneOf(options).pipeline(PipelineKind::TransformFeedback, m_hits);
     const QImage first = picture(*m_renderer, frame(options), *feedback);
-    const auto uniforms = m_scene->pipeline(PipelineKind::UniformArray, m_hits);
+    const auto uniforms = sceneOf(options).pipeline(PipelineKind::UniformArray, m_hits);
     QCOMPARE(differing(first, picture(*m_renderer, frame(options), *uniforms)), 0);
 }
 

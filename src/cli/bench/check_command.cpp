@@ -30,8 +30,8 @@ QString measured(double ratio) {
 }
 
 void addResult(Report& report, const Check& check, const Result<double>& ratio) {
-    const QString name = QString::fromLatin1(check.name);
-    const QString about = QString::fromLatin1(check.about);
+    const QString name = QString::fromStdString(check.name);
+    const QString about = QString::fromStdString(check.about);
     const bool kept = ratio && ratio.value() <= check.atMost;
     const QString verdict = !ratio ? QStringLiteral("not measured")
                             : kept ? QStringLiteral("yes")
@@ -70,7 +70,7 @@ Result<bool> runChecks(const CheckOptions& options) {
          {}});
     bool allKept = true;
     for (const Check& check : allChecks()) {
-        if (!options.only.contains(QLatin1String(check.name))) {
+        if (!options.only.contains(QString::fromStdString(check.name))) {
             continue;
         }
         const Result<double> ratio = check.measure(*room.value(), options.common.plan);
@@ -92,7 +92,7 @@ Result<bool> runChecks(const CheckOptions& options) {
 int checkCommand(const QStringList& list) {
     QStringList names;
     for (const Check& check : allChecks()) {
-        names << QString::fromLatin1(check.name);
+        names << QString::fromStdString(check.name);
     }
     Arguments arguments(QStringLiteral("Measures the ratios that Hitscope promises, each in one run."));
     addMeasuringOptions(arguments);

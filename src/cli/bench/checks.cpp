@@ -2,13 +2,12 @@
 #include "cli/bench/checks.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include "cli/bench/arrival.h"
 #include "cli/bench/history.h"
 #include "cli/bench/hit_size.h"
-#include "cli/bench/mode_cost.h"
+#include "cli/bench/modes_scene.h"
 #include "cli/bench/paper_row.h"
 
 namespace hitscope::bench {
@@ -193,9 +192,7 @@ Result<double> arrivingHits(const BenchRoom& room, const Plan& plan) {
                      findFigure(figures.value(), PipelineKind::TransformFeedback, false)->frames);
 }
 
-}  // namespace
-
-std::span<const Check> allChecks() {
+std::vector<Check> makeChecks() {
     const auto growthOf = [](const char* key) {
         return [key](const BenchRoom& room, const Plan& plan) { return growth(key, room, plan); };
     };
@@ -204,10 +201,7 @@ std::span<const Check> allChecks() {
             return overPaperWay(vertices, room, plan);
         };
     };
-    const auto modeWith = [](const DisplayOptions& options) {
-        return [options](const BenchRoom& room, const Plan& plan) { return modeCost(room, plan, options); };
-    };
-    static const std::array<Check, 17> kChecks{
+    std::vector<Check> checks{
         {{"size-transform-feedback", "a hit on 4,000,000 vertices / on 7,938, transform feedback", 2.0,
           growthOf("transform-feedback")},
          {"size-compute", "the same, compute", 2.0, growthOf("compute")},
@@ -225,17 +219,23 @@ std::span<const Check> allChecks() {
           arrivingHits},
          {"thousand-hits",
           "a frame's 1,000 hits / a frame's one hit, transform feedback, the scene the window opens with",
-          50.0, thousandHits},
-         {"mode-wire-over", "a frame with the wireframe over / plain shading, 98,000 vertices", 1.5,
-          modeWith({.wireframe = WireframeMode::Over})},
-         {"mode-wire-only", "the same, wireframe only", 1.5, modeWith({.wireframe = WireframeMode::Only})},
-         {"mode-flat", "the same, flat shading and tinted back faces", 1.5,
-          modeWith({.flat = true, .backFaces = true})},
-         {"mode-needles", "the same, normals as needles", 1.5, modeWith({.needles = true})},
-         {"mode-cut", "the same, a cutting plane that hides nothing", 1.5,
-          modeWith({.cut = {.on = true, .offset = 1000.0f}})},
-         {"mode-dots", "the same, vertices as dots", 1.5, modeWith({.dots = true})},
-         {"mode-shadows", "the same, soft shadows", 1.5, modeWith({.shadows = true})}}};
+          50.0, thousandHits}}};
+    for (const ViewMode& mode : viewModes()) {
+        if (&mode != &plainModeOf(mode)) {
+            checks.push_back(
+                {"mode-" + std::string(mode.key),
+                 std::string("a frame in the mode / plain shading, 116,256 vertices: ") + mode.name,
+                 mode.atMost,
+                 [&mode](const BenchRoom& room, const Plan& plan) { return modeCost(room, plan, mode); }});
+        }
+    }
+    return checks;
+}
+
+}  // namespace
+
+std::span<const Check> allChecks() {
+    static const std::vector<Check> kChecks = makeChecks();
     return kChecks;
 }
 

@@ -4,6 +4,7 @@
 #include <QString>
 #include <functional>
 #include <span>
+#include <string>
 
 #include "cli/bench/bench_room.h"
 
@@ -11,8 +12,8 @@ namespace hitscope::bench {
 
 /// A promise about speed, as a ratio of times measured in one run.
 struct Check {
-    const char* name;   ///< "history"
-    const char* about;  ///< what over what
+    std::string name;   ///< "history"
+    std::string about;  ///< what over what
     double atMost;      ///< the ratio kept
     /// Measures it. The error says why it cannot be measured here.
     std::function<Result<double>(const BenchRoom&, const Plan&)> measure;

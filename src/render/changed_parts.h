@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "mesh/render_mesh.h"
+
+namespace hitscope {
+
+/// Where a target is not as it was: runs of its triangles and edges with all that have a vertex elsewhere
+/// than at its original, and a few beside them. What is drawn of the original over the deformed follows the
+/// dents, not the mesh.
+class ChangedParts {
+public:
+    explicit ChangedParts(std::shared_ptr<const RenderMesh> mesh);
+
+    /// These render vertices have moved, or share a face with one that has. Costs what they are.
+    void note(std::span<const std::uint32_t> renderVertices);
+
+    /// As glMultiDrawElements() takes them: how many indices, and the byte of the index buffer where they
+    /// start.
+    struct Runs {
+        std::vector<int> counts;
+        std::vector<const void*> starts;
+        std::size_t indices = 0;  ///< in all of them
+    };
+    // Cost what was noted since they were last asked for, and a little for all that ever was.
+    [[nodiscard]] const Runs& triangles() const;
+    [[nodiscard]] const Runs& edges() const;
+
+private:
+    struct Run {
+        std::uint32_t first;  ///< triangle or edge
+        std::uint32_t end;
+    };
+    /// What changed of the triangles and edges whose lowest vertex is in a block of neighbouring vertices.
+    struct Block {
+        bool isDirty = false;
+        std::vector<Run> triangles;
+        std::vector<Run> edges;
+    };
+    void mark(std::uint32_t vertex);
+    void collect() const;
+    [[nodiscard]] std::vector<Run> changedIn(std::span<const std::uint32_t> elements, std::size_t size,
+                                             Run among, std::uint32_t block) const;
+    [[nodiscard]] Runs joined(std::vector<Run> Block::*runs, std::size_t size) const;
+
+    std::shared_ptr<const RenderMesh> m_mesh;
+    std::vector<bool> m_vertices;  ///< that were noted
+    mutable std::vector<Block> m_blocks;
+    mutable std::vector<std::uint32_t> m_dirty;  ///< blocks
+    mutable Runs m_triangles;
+    mutable Runs m_edges;
+};
+
+}  // namespace hitscope
