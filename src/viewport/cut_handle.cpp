@@ -165,6 +165,7 @@ float CutHandle::moved(const Drag& drag, const QPointF& to) const {
 
 void CutHandle::mouseMoveEvent(QMouseEvent* event) {
     if (!m_drag) {
+        event->ignore();  // the camera's
         return;
     }
     const OffsetRange range = offsetRange(m_bounds, m_viewport.options().cut.normal);
@@ -180,8 +181,10 @@ void CutHandle::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void CutHandle::mouseReleaseEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton) {
+    if (m_drag && event->button() == Qt::LeftButton) {
         endDrag();
+    } else {
+        event->ignore();
     }
 }
 

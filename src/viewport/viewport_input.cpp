@@ -87,8 +87,15 @@ void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
 std::optional<PhysicsWorld::RayHit> Viewport::aimedAt(const Ray& ray) const {
     const float length = kAimLength * (camera().distance() + m_session.sceneBounds().diagonal());
     const std::optional<ShownRay> shown = shownPart(m_options.cut, ray, length);
-    return shown ? m_session.physics().castRay(shown->ray.origin, shown->ray.direction, shown->length)
-                 : std::nullopt;
+    if (shown) {
+        const auto met = m_session.physics().castRay(shown->ray.origin, shown->ray.direction, shown->length);
+        if (met || !m_options.cut.on) {
+            return met;
+        }
+    }
+    // The floor is whole.
+    const auto beyond = m_session.physics().castRay(ray.origin, ray.direction, length);
+    return beyond && !beyond->target ? beyond : std::nullopt;
 }
 
 Ray Viewport::launched(const Ray& ray) const {

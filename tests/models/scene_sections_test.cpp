@@ -11,6 +11,7 @@
 #include "mesh/primitives.h"
 #include "models/section_report.h"
 #include "session/primitive_target.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -245,5 +246,5 @@ private:
     std::unique_ptr<SceneSections> m_sections;
 };
 
-QTEST_GUILESS_MAIN(SceneSectionsTest)
+HITSCOPE_TEST(SceneSectionsTest, QCoreApplication)
 #include "scene_sections_test.moc"

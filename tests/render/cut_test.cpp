@@ -7,6 +7,7 @@
 #include "mesh/primitives.h"
 #include "render/pick_pass.h"
 #include "render_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -345,5 +346,5 @@ void CutTest::nothingStaysBehind() {
     QCOMPARE(differing(before, draw(frame(), *pipeline)), 0);
 }
 
-QTEST_GUILESS_MAIN(CutTest)
+HITSCOPE_TEST(CutTest, QCoreApplication)
 #include "cut_test.moc"

@@ -10,6 +10,7 @@
 #include "mesh/primitives.h"
 #include "mesh/render_mesh.h"
 #include "render/cutting_plane.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -209,5 +210,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SectionViewTest)
+HITSCOPE_TEST(SectionViewTest, QCoreApplication)
 #include "section_view_test.moc"

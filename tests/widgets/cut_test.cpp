@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cutting plane by hand: its key, its handle in the picture, its dock, its plot.
+#include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QDockWidget>
@@ -19,6 +20,7 @@
 #include "panels/cutting_plane/cutting_plane_panel.h"
 #include "panels/cutting_plane/section_plot.h"
 #include "session/target.h"
+#include "support/test_program.h"
 #include "viewport/cut_handle.h"
 #include "viewport/inspect_tool.h"
 #include "widgets/window_support.h"
@@ -293,5 +295,5 @@ private:
     CutHandle* m_handle = nullptr;
 };
 
-QTEST_MAIN(CutTest)
+HITSCOPE_TEST(CutTest, QApplication)
 #include "cut_test.moc"

@@ -66,6 +66,7 @@ CuttingPlanePanel::CuttingPlanePanel(const Session& session, QWidget* parent)
     m_ui->reset->setIcon(themedIcon(QStringLiteral("reset")));
     m_ui->csv->setIcon(themedIcon(QStringLiteral("export")));
     m_ui->deepest->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_ui->deepest->setMinimumHeight(2 * fontMetrics().lineSpacing());
     for (QDoubleSpinBox* box : {m_ui->normalX, m_ui->normalY, m_ui->normalZ}) {
         box->setRange(-1.0, 1.0);
         box->setDecimals(3);
