@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <span>
+#include <vector>
 
 #include "render/change_map.h"
 #include "render/material_set.h"
@@ -16,9 +18,11 @@ constexpr float kRimStrength = 0.75f;
 constexpr float kRingWidth = 1.8f;  // logical pixels
 
 /// A software renderer shades pixels on other processors than it transforms vertices, but starts only when
-/// told to, or at the frame's end: told after so many, it does both at once (llvmpipe, 25,000 vertices at
-/// 320x180: 8.7 ms a frame against 13.0, in turn).
-constexpr std::size_t kFlushVertices = 4096;
+/// told to, or at the frame's end, and shares the picture out among them by place. So surfaces are drawn in
+/// this many rounds with a part of every target in each: pixels are shaded while vertices are transformed,
+/// and all over the picture.
+constexpr std::uint32_t kIndicesARound = 24576;
+constexpr std::uint32_t kMostRounds = 8;
 
 const void* indexOffset(std::uint32_t first) {
     return reinterpret_cast<const void*>(std::size_t{first} * sizeof(std::uint32_t));
@@ -106,41 +110,74 @@ void prepareSurface(const gl::Program& program, const FrameContext& context, Def
     glBindVertexArray(surfaceArrayOf(item));
 }
 
-Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, const Parts& parts) {
-    const gl::Defines defines = surfaceDefines(context, pipeline, parts);
-    const gl::Program* program = nullptr;
-    std::size_t waiting = 0;
+struct Draw {
+    const DrawItem* item;
+    DrawRange range;
+};
+
+std::vector<Draw> drawsOf(const FrameContext& context, const Parts& parts) {
+    std::vector<Draw> draws;
     for (const DrawItem& item : context.frame.targets) {
         const MaterialSet& materials = materialsOf(item);
-        bool prepared = false;
         for (const DrawRange& range : item.buffers->draws()) {
             const bool textured = !context.frame.change && context.frame.options.textures &&
                                   materials.isTextured(range.material);
-            if (range.count == 0 || textured != parts.textured ||
-                materials.isTranslucent(range.material) != parts.translucent) {
+            if (range.count > 0 && textured == parts.textured &&
+                materials.isTranslucent(range.material) == parts.translucent) {
+                draws.push_back({&item, range});
+            }
+        }
+    }
+    return draws;
+}
+
+std::uint32_t roundsOf(std::span<const Draw> draws) {
+    std::uint64_t indices = 0;
+    for (const Draw& draw : draws) {
+        indices += draw.range.count;
+    }
+    return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(indices / kIndicesARound, 1, kMostRounds));
+}
+
+/// The triangles of a range that are drawn in one of so many rounds.
+DrawRange partOf(const DrawRange& range, std::uint32_t round, std::uint32_t rounds) {
+    const std::uint64_t triangles = range.count / 3;
+    const auto begin = static_cast<std::uint32_t>(3 * (triangles * round / rounds));
+    const auto end = static_cast<std::uint32_t>(3 * (triangles * (round + 1) / rounds));
+    return {range.first + begin, end - begin, range.material};
+}
+
+Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, const Parts& parts) {
+    const std::vector<Draw> draws = drawsOf(context, parts);
+    if (draws.empty()) {
+        return Done{};
+    }
+    const auto found =
+        context.programs.get("surface.vert", "surface.frag", surfaceDefines(context, pipeline, parts));
+    if (!found) {
+        return found.error();
+    }
+    const gl::Program& program = *found.value();
+    program.use();
+    setSurface(program, context);
+    const std::uint32_t rounds = context.software && !parts.translucent ? roundsOf(draws) : 1;
+    for (std::uint32_t round = 0; round < rounds; ++round) {
+        const DrawItem* prepared = nullptr;
+        for (const Draw& draw : draws) {
+            const DrawRange part = partOf(draw.range, round, rounds);
+            if (part.count == 0) {
                 continue;
             }
-            if (program == nullptr) {
-                const auto found = context.programs.get("surface.vert", "surface.frag", defines);
-                if (!found) {
-                    return found.error();
-                }
-                program = found.value();
-                program->use();
-                setSurface(*program, context);
+            if (prepared != draw.item) {
+                prepareSurface(program, context, pipeline, *draw.item);
+                prepared = draw.item;
             }
-            if (!prepared) {
-                prepareSurface(*program, context, pipeline, item);
-                prepared = true;
-            }
-            materials.apply(*program, range.material);
-            glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(range.count), GL_UNSIGNED_INT,
-                           indexOffset(range.first));
+            materialsOf(*draw.item).apply(program, part.material);
+            glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(part.count), GL_UNSIGNED_INT,
+                           indexOffset(part.first));
         }
-        waiting += prepared ? item.buffers->vertexCount() : 0;
-        if (context.software && waiting > kFlushVertices) {
+        if (rounds > 1) {
             glFlush();
-            waiting = 0;
         }
     }
     return Done{};

@@ -52,6 +52,7 @@ private Q_SLOTS:
     void normalsMatter();
     void themesDiffer();
     void floorIsOptional();
+    void fineMeshesAreDrawnWhole();
     void backFacesAreLit();
     void projectilesAreDrawn();
     void selectionAndHighlightAreSeen();
@@ -233,6 +234,20 @@ void RendererTest::floorIsOptional() {
     const QRect bottom(0, kHeight - 40, kWidth, 40);
     QVERIFY(differing(with.copy(bottom), without.copy(bottom)) > 1000);
     QCOMPARE(differing(with.copy(kMiddle), without.copy(kMiddle)), 0);
+}
+
+/// Software renderers draw those in several goes.
+void RendererTest::fineMeshesAreDrawnWhole() {
+    const auto pictureOf = [this](int segments) {
+        TestScene scene;
+        scene.add(*m_renderer, makeUvSphere(segments, segments / 2, 2.5f), {0.0f, 2.5f, 0.0f});
+        const auto pipeline = scene.pipeline(PipelineKind::TransformFeedback, {});
+        return picture(*m_renderer, frameOf(scene, 160, 120), *pipeline);
+    };
+    const QImage fine = pictureOf(512);
+    QVERIFY(!fine.isNull());
+    const int different = differing(fine, pictureOf(64), 24);
+    QVERIFY2(different < 10, qPrintable(QString::number(different)));
 }
 
 void RendererTest::backFacesAreLit() {

@@ -7,8 +7,8 @@
 #include "cli/bench/bench_options.h"
 #include "cli/bench/bench_room.h"
 #include "cli/bench/report_header.h"
-#include "cli/bench_gl/finish.h"
 #include "cli/command_line.h"
+#include "gl/context.h"
 #include "session/change_values.h"
 #include "session/comparison.h"
 #include "session/demo_shots.h"
@@ -98,7 +98,7 @@ public:
 
     Status draw() {
         Status status = m_gpu->draw(m_view, m_picture.framebuffer());
-        finishGpu();
+        gl::finish();
         return status;
     }
 
