@@ -40,16 +40,29 @@ public:
         : m_start(start), m_motion(motion), m_radius(radius) {
         const double length2 = glm::dot(motion, motion);
         m_perMotion = length2 > 0.0 ? 1.0 / length2 : 0.0;
+        m_length = std::sqrt(length2);
+        m_ahead = motion * (length2 > 0.0 ? 1.0 / m_length : 0.0);
         const glm::dvec3 farthest = glm::abs(start) + glm::abs(motion);
         m_slack = 1.0e-12 * (farthest.x + farthest.y + farthest.z) + 1.0e-9 * radius;
     }
 
+    /// By how near its nearest corner is ahead, and how far off the way all of it is: on a fine surface the
+    /// ball around a triangle is no small thing beside how little later the sphere comes to its neighbours.
     [[nodiscard]] bool mayMeet(const Triangle& triangle, double fraction) const {
         const glm::dvec3 centre = (triangle.a + triangle.b + triangle.c) / 3.0;
         const auto distance2 = [&centre](const glm::dvec3& p) { return glm::dot(p - centre, p - centre); };
-        return mayMeet(centre,
-                       std::max({distance2(triangle.a), distance2(triangle.b), distance2(triangle.c)}),
-                       fraction);
+        const auto ahead = [this](const glm::dvec3& p) { return glm::dot(p - m_start, m_ahead); };
+        const double around =
+            std::sqrt(std::max({distance2(triangle.a), distance2(triangle.b), distance2(triangle.c)}));
+        const glm::dvec3 from = centre - m_start;
+        const double off =
+            glm::length(from - m_ahead * glm::dot(from, m_ahead)) * (1.0 - 1.0e-9) - around - m_slack;
+        const double reach2 = m_radius * m_radius - (off > 0.0 ? off * off : 0.0);
+        if (reach2 < 0.0) {
+            return false;
+        }
+        const double first = std::min({ahead(triangle.a), ahead(triangle.b), ahead(triangle.c)});
+        return !(first > m_length * fraction + std::sqrt(reach2) + m_slack);
     }
     [[nodiscard]] bool mayMeet(const Bounds& box, double fraction) const {
         const glm::dvec3 low(box.min);
@@ -71,6 +84,8 @@ private:
     glm::dvec3 m_motion;
     double m_radius;
     double m_perMotion = 0.0;  ///< 1 / length squared
+    double m_length = 0.0;     ///< of the motion, metres
+    glm::dvec3 m_ahead;        ///< its direction; 0: none
     double m_slack = 0.0;      ///< metres
 };
 
