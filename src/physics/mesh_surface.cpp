@@ -12,6 +12,8 @@ namespace {
 
 /// How many regions around moved runs about take in a place of the surface.
 constexpr std::size_t kOverlap = 4;
+/// Vertices that a hull is shown one by one; a target that nothing knocks about has no use for the list.
+constexpr std::size_t kMostMoved = 16384;
 
 /// Ericson, Real-Time Collision Detection, 5.3.3: a segment against a box, by separating axes. Divides by
 /// nothing, and errs on the side of touching.
@@ -133,7 +135,10 @@ Bounds MeshSurface::moveRun(std::uint32_t first, std::span<const DynamicVertex> 
             m_changed += (position != original[first + i] ? 1u : 0u);
             m_changed -= (vertex != original[first + i] ? 1u : 0u);
             vertex = position;
-            m_movedTo.add(position);
+            m_movedMany = m_movedMany || m_moved.size() == kMostMoved;
+            if (!m_movedMany) {
+                m_moved.push_back(first + static_cast<std::uint32_t>(i));
+            }
         }
     }
     return moved;
@@ -144,16 +149,19 @@ void MeshSurface::reset() {
         m_vertices = m_original->vertices();
         m_tree = m_original->tree();
         m_changed = 0;
-        m_movedTo = m_original->bounds();
+        m_movedMany = true;
     }
 }
 
 void MeshSurface::update(Outermost& hull) {
-    const Bounds movedTo = std::exchange(m_movedTo, {});
-    if (isDented()) {
-        hull.follow(m_tree, m_vertices, *m_original->corners(), movedTo);
-    } else {
+    const std::vector<std::uint32_t> moved = std::exchange(m_moved, {});
+    const bool movedMany = std::exchange(m_movedMany, false);
+    if (!isDented()) {
         hull = *m_original->hull();
+    } else if (movedMany) {
+        hull = Outermost(m_tree, m_vertices, *m_original->corners());
+    } else {
+        hull.follow(m_tree, m_vertices, *m_original->corners(), moved);
     }
 }
 

@@ -55,8 +55,9 @@ private:
     std::shared_ptr<const CollisionMesh> m_original;
     std::vector<glm::vec3> m_vertices;
     TriangleTree m_tree;
-    Bounds m_movedTo;           ///< of what moved since the hull was last brought up to date
-    std::size_t m_changed = 0;  ///< vertices that are not at their original place
+    std::vector<std::uint32_t> m_moved;  ///< since the hull was last brought up to date; may repeat
+    bool m_movedMany = false;            ///< too many for a list
+    std::size_t m_changed = 0;           ///< vertices that are not at their original place
 };
 
 }  // namespace hitscope::physics

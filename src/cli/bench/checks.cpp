@@ -10,6 +10,7 @@
 #include "cli/bench/hit_size.h"
 #include "cli/bench/mode_cost.h"
 #include "cli/bench/paper_row.h"
+#include "cli/bench/physics_cost.h"
 
 namespace hitscope::bench {
 
@@ -193,6 +194,26 @@ Result<double> arrivingHits(const BenchRoom& room, const Plan& plan) {
                      findFigure(figures.value(), PipelineKind::TransformFeedback, false)->frames);
 }
 
+/// Of a collider's time a hit, the same number of vertices affected.
+std::function<Result<double>(const BenchRoom&, const Plan&)> colliderGrowth(Samples PhysicsFigure::*samples) {
+    return [samples](const BenchRoom& room, const Plan& plan) -> Result<double> {
+        const Result<std::vector<PhysicsFigure>> figures =
+            measureColliders(room, {physicsSphere(8000), physicsSphere(2000000)}, plan);
+        if (!figures) {
+            return figures.error();
+        }
+        return timeRatio(figures.value()[1].*samples, figures.value()[0].*samples);
+    };
+}
+
+Result<double> projectiles(const BenchRoom& room, const Plan& plan) {
+    const Result<std::vector<Samples>> frames = measureProjectileDrawing(room, plan);
+    if (!frames) {
+        return frames.error();
+    }
+    return timeRatio(frames.value()[1], frames.value()[0]);
+}
+
 }  // namespace
 
 std::span<const Check> allChecks() {
@@ -207,7 +228,7 @@ std::span<const Check> allChecks() {
     const auto modeWith = [](const DisplayOptions& options) {
         return [options](const BenchRoom& room, const Plan& plan) { return modeCost(room, plan, options); };
     };
-    static const std::array<Check, 16> kChecks{
+    static const std::array<Check, 19> kChecks{
         {{"size-transform-feedback", "a hit on 4,000,000 vertices / on 7,938, transform feedback", 2.0,
           growthOf("transform-feedback")},
          {"size-compute", "the same, compute", 2.0, growthOf("compute")},
@@ -226,6 +247,11 @@ std::span<const Check> allChecks() {
          {"thousand-hits",
           "a frame's 1,000 hits / a frame's one hit, transform feedback, the scene the window opens with",
           50.0, thousandHits},
+         {"collider-update", "a collider taking on a hit, 2,000,000 triangles / 8,000", 3.0,
+          colliderGrowth(&PhysicsFigure::dented)},
+         {"hull-update", "the same, a dynamic target's with its hull", 3.0,
+          colliderGrowth(&PhysicsFigure::dentedMoving)},
+         {"projectiles", "a frame with 2,000 projectiles and their trails / with none", 2.0, projectiles},
          {"mode-wire-over", "a frame with the wireframe over / plain shading, 98,000 vertices", 1.5,
           modeWith({.wireframe = WireframeMode::Over})},
          {"mode-wire-only", "the same, wireframe only", 1.5, modeWith({.wireframe = WireframeMode::Only})},
