@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-foreach(test colliders dynamic time bounds)
+foreach(test colliders dynamic hull time bounds)
   hitscope_test(physics_${test} LABEL unit LINK hitscope_physics
     SOURCES ${CMAKE_CURRENT_LIST_DIR}/physics_${test}_test.cpp)
 endforeach()
