@@ -2,6 +2,7 @@
 #include "render/target_pass.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <span>
@@ -113,6 +114,7 @@ void prepareSurface(const gl::Program& program, const FrameContext& context, Def
 struct Draw {
     const DrawItem* item;
     DrawRange range;
+    std::array<std::uint32_t, kMostRounds> parts{};  ///< the order in which they are drawn
 };
 
 std::vector<Draw> drawsOf(const FrameContext& context, const Parts& parts) {
@@ -124,7 +126,7 @@ std::vector<Draw> drawsOf(const FrameContext& context, const Parts& parts) {
                                   materials.isTextured(range.material);
             if (range.count > 0 && textured == parts.textured &&
                 materials.isTranslucent(range.material) == parts.translucent) {
-                draws.push_back({&item, range});
+                draws.push_back({&item, range, {}});
             }
         }
     }
@@ -147,8 +149,23 @@ DrawRange partOf(const DrawRange& range, std::uint32_t round, std::uint32_t roun
     return {range.first + begin, end - begin, range.material};
 }
 
+/// What is nearer first: the pixels of what lies behind are then not shaded. By the clusters in the middle of
+/// each part, since triangles come in the order of their vertices.
+void sortParts(Draw& draw, std::uint32_t rounds, const glm::vec3& forward) {
+    const std::span<const Cluster> clusters = draw.item->buffers->clusters();
+    std::array<float, kMostRounds> depths{};
+    for (std::uint32_t part = 0; part < rounds; ++part) {
+        const std::size_t middle = clusters.size() * (2 * std::size_t{part} + 1) / (2 * std::size_t{rounds});
+        const glm::vec4 centre(clusters[middle].bounds.centre(), 1.0f);
+        depths[part] = glm::dot(glm::vec3(draw.item->model * centre), forward);
+        draw.parts[part] = part;
+    }
+    std::stable_sort(draw.parts.begin(), draw.parts.begin() + rounds,
+                     [&depths](std::uint32_t a, std::uint32_t b) { return depths[a] < depths[b]; });
+}
+
 Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, const Parts& parts) {
-    const std::vector<Draw> draws = drawsOf(context, parts);
+    std::vector<Draw> draws = drawsOf(context, parts);
     if (draws.empty()) {
         return Done{};
     }
@@ -161,10 +178,13 @@ Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, con
     program.use();
     setSurface(program, context);
     const std::uint32_t rounds = context.software && !parts.translucent ? roundsOf(draws) : 1;
+    for (Draw& draw : draws) {
+        sortParts(draw, rounds, context.forward);
+    }
     for (std::uint32_t round = 0; round < rounds; ++round) {
         const DrawItem* prepared = nullptr;
         for (const Draw& draw : draws) {
-            const DrawRange part = partOf(draw.range, round, rounds);
+            const DrawRange part = partOf(draw.range, draw.parts[round], rounds);
             if (part.count == 0) {
                 continue;
             }
