@@ -53,6 +53,7 @@ private Q_SLOTS:
     void themesDiffer();
     void floorIsOptional();
     void fineMeshesAreDrawnWhole();
+    void alikePointLightsShineAsOthersDo();
     void backFacesAreLit();
     void projectilesAreDrawn();
     void selectionAndHighlightAreSeen();
@@ -248,6 +249,16 @@ void RendererTest::fineMeshesAreDrawnWhole() {
     QVERIFY(!fine.isNull());
     const int different = differing(fine, pictureOf(64), 24);
     QVERIFY2(different < 10, qPrintable(QString::number(different)));
+}
+
+/// They have a program of their own.
+void RendererTest::alikePointLightsShineAsOthersDo() {
+    const QImage alike = draw(m_frame);
+    LightTerms& terms = m_frame.lights.points[2].terms;
+    terms.ambient = std::nextafter(terms.ambient, 1.0f);
+    QCOMPARE(differing(alike, draw(m_frame), 1), 0);
+    terms.diffuse *= 4.0f;
+    QVERIFY(differing(alike, draw(m_frame), 8) > 100);
 }
 
 void RendererTest::backFacesAreLit() {
