@@ -45,10 +45,10 @@ void main()
     v_pointAmbient = vec4(0.0);
     for (int i = 0; i < HITSCOPE_POINTS; ++i) {
         // A light without a diffuse term has a floor's ambient term all the same.
-        float diffuse = max(u_pointStrengths[i].y, 1.0e-6);
-        v_pointPlace[i] = vec4(u_pointPosition[i], u_pointAttenuation[i].x);
-        v_pointColour[i] = vec4(u_pointColour[i] * u_diffuse * diffuse, u_pointAttenuation[i].y);
-        v_pointAmbient[i] = u_pointStrengths[i].x / diffuse;
+        float diffuse = max(u_pointStrengths[POINT_TERM(i)].y, 1.0e-6);
+        v_pointPlace[i] = vec4(u_pointPosition[i], u_pointAttenuation[POINT_TERM(i)].x);
+        v_pointColour[i] = vec4(u_pointColour[i] * u_diffuse * diffuse, u_pointAttenuation[POINT_TERM(i)].y);
+        v_pointAmbient[i] = u_pointStrengths[POINT_TERM(i)].x / diffuse;
     }
 #endif
 #ifdef HITSCOPE_SPOT

@@ -4,6 +4,7 @@
 //
 // HITSCOPE_DIRECTIONAL   defined: the directional light is on
 // HITSCOPE_POINTS        defined: the number of point lights that are on
+// HITSCOPE_POINTS_ALIKE  defined: these differ in place and colour only
 // HITSCOPE_SPOT          defined: the spotlight is on; 1: at the eye, 2: at a place of its own
 // HITSCOPE_MATTE         defined: the surface has no specular colour, so none is worked out
 //
@@ -31,10 +32,17 @@ uniform vec3 u_directionalStrengths;
 #endif
 
 #ifdef HITSCOPE_POINTS
+#ifdef HITSCOPE_POINTS_ALIKE
+#define POINT_TERMS 1
+#define POINT_TERM(i) 0
+#else
+#define POINT_TERMS HITSCOPE_POINTS
+#define POINT_TERM(i) i
+#endif
 uniform vec3 u_pointPosition[HITSCOPE_POINTS];
-uniform vec2 u_pointAttenuation[HITSCOPE_POINTS];  // linear, quadratic
+uniform vec2 u_pointAttenuation[POINT_TERMS];  // linear, quadratic
 uniform vec3 u_pointColour[HITSCOPE_POINTS];
-uniform vec3 u_pointStrengths[HITSCOPE_POINTS];
+uniform vec3 u_pointStrengths[POINT_TERMS];
 #endif
 
 #ifdef HITSCOPE_SPOT
@@ -85,8 +93,8 @@ vec3 phong(Surface s)
         vec3 way = u_pointPosition[i] - s.position;
         float squared = max(dot(way, way), 1.0e-12);
         float perDistance = inversesqrt(squared);
-        vec3 colour = u_pointColour[i] * attenuation(u_pointAttenuation[i], squared * perDistance);
-        addLight(arrived, colour, u_pointStrengths[i], s, mirrored, way * perDistance, 1.0);
+        vec3 colour = u_pointColour[i] * attenuation(u_pointAttenuation[POINT_TERM(i)], squared * perDistance);
+        addLight(arrived, colour, u_pointStrengths[POINT_TERM(i)], s, mirrored, way * perDistance, 1.0);
     }
 #endif
 #ifdef HITSCOPE_SPOT

@@ -47,20 +47,16 @@ std::vector<Contact> contactsOf(const MeshSurface& surface, const glm::dvec3& ce
         }
     };
     surface.visitNear(glm::vec3(centre), static_cast<float>(reach), visit);
-    std::sort(near.begin(), near.end(), [](const Contact& a, const Contact& b) {
+    const auto isNearer = [](const Contact& a, const Contact& b) {
         return a.distance != b.distance ? a.distance < b.distance : a.triangle < b.triangle;
-    });
+    };
     std::vector<Contact> kept;
-    for (const Contact& contact : near) {
-        const bool isNew = std::none_of(kept.begin(), kept.end(), [&](const Contact& other) {
-            return glm::dot(other.normal, contact.normal) > kSameSide;
+    while (!near.empty() && kept.size() < kMostContacts) {
+        const Contact nearest = *std::min_element(near.begin(), near.end(), isNearer);
+        kept.push_back(nearest);
+        std::erase_if(near, [&nearest](const Contact& contact) {
+            return glm::dot(contact.normal, nearest.normal) > kSameSide;
         });
-        if (isNew) {
-            kept.push_back(contact);
-        }
-        if (kept.size() == kMostContacts) {
-            break;
-        }
     }
     return kept;
 }

@@ -12,6 +12,19 @@ namespace {
 
 /// How many regions around moved runs about take in a place of the surface.
 constexpr std::size_t kOverlap = 4;
+/// Vertices that a hull is shown one by one; a target that nothing knocks about has no use for the list.
+constexpr std::size_t kMostMoved = 16384;
+
+/// Makes one region of two that are next to each other: the tree is gone through once for both.
+bool joins(Bounds& region, const Bounds& other) {
+    Bounds both = region;
+    both.add(other);
+    if (both.diagonal() > region.diagonal() + other.diagonal()) {
+        return false;
+    }
+    region = both;
+    return true;
+}
 
 /// Ericson, Real-Time Collision Detection, 5.3.3: a segment against a box, by separating axes. Divides by
 /// nothing, and errs on the side of touching.
@@ -40,16 +53,29 @@ public:
         : m_start(start), m_motion(motion), m_radius(radius) {
         const double length2 = glm::dot(motion, motion);
         m_perMotion = length2 > 0.0 ? 1.0 / length2 : 0.0;
+        m_length = std::sqrt(length2);
+        m_ahead = motion * (length2 > 0.0 ? 1.0 / m_length : 0.0);
         const glm::dvec3 farthest = glm::abs(start) + glm::abs(motion);
         m_slack = 1.0e-12 * (farthest.x + farthest.y + farthest.z) + 1.0e-9 * radius;
     }
 
+    /// By how near its nearest corner is ahead, and how far off the way all of it is: on a fine surface the
+    /// ball around a triangle is no small thing beside how little later the sphere comes to its neighbours.
     [[nodiscard]] bool mayMeet(const Triangle& triangle, double fraction) const {
         const glm::dvec3 centre = (triangle.a + triangle.b + triangle.c) / 3.0;
         const auto distance2 = [&centre](const glm::dvec3& p) { return glm::dot(p - centre, p - centre); };
-        return mayMeet(centre,
-                       std::max({distance2(triangle.a), distance2(triangle.b), distance2(triangle.c)}),
-                       fraction);
+        const auto ahead = [this](const glm::dvec3& p) { return glm::dot(p - m_start, m_ahead); };
+        const double around =
+            std::sqrt(std::max({distance2(triangle.a), distance2(triangle.b), distance2(triangle.c)}));
+        const glm::dvec3 from = centre - m_start;
+        const double off =
+            glm::length(from - m_ahead * glm::dot(from, m_ahead)) * (1.0 - 1.0e-9) - around - m_slack;
+        const double reach2 = m_radius * m_radius - (off > 0.0 ? off * off : 0.0);
+        if (reach2 < 0.0) {
+            return false;
+        }
+        const double first = std::min({ahead(triangle.a), ahead(triangle.b), ahead(triangle.c)});
+        return !(first > m_length * fraction + std::sqrt(reach2) + m_slack);
     }
     [[nodiscard]] bool mayMeet(const Bounds& box, double fraction) const {
         const glm::dvec3 low(box.min);
@@ -71,13 +97,18 @@ private:
     glm::dvec3 m_motion;
     double m_radius;
     double m_perMotion = 0.0;  ///< 1 / length squared
+    double m_length = 0.0;     ///< of the motion, metres
+    glm::dvec3 m_ahead;        ///< its direction; 0: none
     double m_slack = 0.0;      ///< metres
 };
 
 }  // namespace
 
 MeshSurface::MeshSurface(std::shared_ptr<const CollisionMesh> original)
-    : m_original(std::move(original)), m_vertices(m_original->vertices()), m_tree(m_original->tree()) {}
+    : m_original(std::move(original)),
+      m_vertices(m_original->vertices()),
+      m_tree(m_original->tree()),
+      m_isAway(m_vertices.size(), 0) {}
 
 void MeshSurface::update(std::uint32_t first, std::span<const DynamicVertex> vertices) {
     if (first > m_vertices.size() || vertices.size() > m_vertices.size() - first) {
@@ -89,7 +120,7 @@ void MeshSurface::update(std::uint32_t first, std::span<const DynamicVertex> ver
     for (std::size_t i = 0; i < vertices.size(); i += kClusterVertices) {
         const std::size_t count = std::min<std::size_t>(kClusterVertices, vertices.size() - i);
         const Bounds moved = moveRun(first + static_cast<std::uint32_t>(i), vertices.subspan(i, count));
-        if (!moved.empty()) {
+        if (!moved.empty() && (regions.empty() || !joins(regions.back(), moved))) {
             regions.push_back(moved);
         }
     }
@@ -102,7 +133,7 @@ void MeshSurface::update(std::uint32_t first, std::span<const DynamicVertex> ver
         regions.assign(1, all);
     }
     for (const Bounds& region : regions) {
-        m_tree.refit(m_vertices, *m_original->corners(), region);
+        m_tree.refit(m_vertices, region);
     }
 }
 
@@ -115,10 +146,16 @@ Bounds MeshSurface::moveRun(std::uint32_t first, std::span<const DynamicVertex> 
         const glm::vec3& position = vertices[i].position;
         if (vertex != position) {
             moved.add(vertex);
-            m_changed += (position != original[first + i] ? 1u : 0u);
-            m_changed -= (vertex != original[first + i] ? 1u : 0u);
+            // What moves for the first time leaves its place: on a fine mesh a look at it is a cache miss.
+            const bool isAway = m_isAway[first + i] == 0 || position != original[first + i];
+            m_away += isAway ? 1u : 0u;
+            m_away -= m_isAway[first + i];
+            m_isAway[first + i] = isAway ? 1 : 0;
             vertex = position;
-            m_movedTo.add(position);
+            m_movedMany = m_movedMany || m_moved.size() == kMostMoved;
+            if (!m_movedMany) {
+                m_moved.push_back(first + static_cast<std::uint32_t>(i));
+            }
         }
     }
     return moved;
@@ -128,17 +165,21 @@ void MeshSurface::reset() {
     if (isDented()) {
         m_vertices = m_original->vertices();
         m_tree = m_original->tree();
-        m_changed = 0;
-        m_movedTo = m_original->bounds();
+        m_isAway.assign(m_vertices.size(), 0);
+        m_away = 0;
+        m_movedMany = true;
     }
 }
 
 void MeshSurface::update(Outermost& hull) {
-    const Bounds movedTo = std::exchange(m_movedTo, {});
-    if (isDented()) {
-        hull.follow(m_tree, m_vertices, *m_original->corners(), movedTo);
-    } else {
+    const std::vector<std::uint32_t> moved = std::exchange(m_moved, {});
+    const bool movedMany = std::exchange(m_movedMany, false);
+    if (!isDented()) {
         hull = *m_original->hull();
+    } else if (movedMany) {
+        hull = Outermost(m_tree, m_vertices, *m_original->corners());
+    } else {
+        hull.follow(m_tree, m_vertices, *m_original->corners(), moved);
     }
 }
 

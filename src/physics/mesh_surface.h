@@ -30,8 +30,8 @@ public:
     /// Vertices [first, first + vertices.size()) are now there; out of range: ignored. Costs by the triangles
     /// around those that moved.
     void update(std::uint32_t first, std::span<const DynamicVertex> vertices);
-    void reset();                                                  ///< to the original
-    [[nodiscard]] bool isDented() const { return m_changed > 0; }  ///< a vertex is not where it was
+    void reset();                                               ///< to the original
+    [[nodiscard]] bool isDented() const { return m_away > 0; }  ///< a vertex is not where it was
     [[nodiscard]] Bounds bounds() const { return m_tree.bounds(); }
     [[nodiscard]] const CollisionMesh& original() const { return *m_original; }
 
@@ -55,8 +55,10 @@ private:
     std::shared_ptr<const CollisionMesh> m_original;
     std::vector<glm::vec3> m_vertices;
     TriangleTree m_tree;
-    Bounds m_movedTo;           ///< of what moved since the hull was last brought up to date
-    std::size_t m_changed = 0;  ///< vertices that are not at their original place
+    std::vector<std::uint32_t> m_moved;  ///< since the hull was last brought up to date; may repeat
+    bool m_movedMany = false;            ///< too many for a list
+    std::vector<std::uint8_t> m_isAway;  ///< 1 a vertex: it is not at its original place
+    std::size_t m_away = 0;              ///< vertices that are not
 };
 
 }  // namespace hitscope::physics

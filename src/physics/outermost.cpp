@@ -62,13 +62,18 @@ void Outermost::extend(Support& support, const TriangleTree& tree, std::span<con
 }
 
 void Outermost::follow(const TriangleTree& tree, std::span<const glm::vec3> vertices,
-                       std::span<const std::uint32_t> corners, const Bounds& movedTo) {
+                       std::span<const std::uint32_t> corners, std::span<const std::uint32_t> moved) {
     for (Support& support : m_supports) {
         const float before = support.along;
         support.point = vertices[support.vertex];
         support.along = glm::dot(support.point, support.direction);
-        const bool sank = support.along < before;
-        if (sank || (!movedTo.empty() && reach(movedTo, support.direction) > support.along)) {
+        for (const std::uint32_t vertex : moved) {
+            const float along = glm::dot(vertices[vertex], support.direction);
+            if (along > support.along) {
+                support = {support.direction, vertices[vertex], along, vertex};
+            }
+        }
+        if (support.along < before) {
             extend(support, tree, vertices, corners);
         }
     }

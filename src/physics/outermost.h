@@ -11,17 +11,17 @@
 namespace hitscope::physics {
 
 /// The outermost vertices of a surface in some dozens of directions: a hull that is good enough to tumble on.
-/// The tree's boxes lead to them, so that a fine mesh is not gone through, and where the surface changes only
-/// the directions that it may matter to are looked into again.
+/// The tree's boxes lead to them, so that a fine mesh is not gone through.
 class Outermost {
 public:
     /// `tree` is that of the triangles `corners` (3 each) at `vertices`, metres.
     Outermost(const TriangleTree& tree, std::span<const glm::vec3> vertices,
               std::span<const std::uint32_t> corners);
 
-    /// The same surface after vertices moved, which are now within `movedTo`.
+    /// The same surface after these vertices moved. Costs by them; only where one that was outermost sank the
+    /// tree is searched.
     void follow(const TriangleTree& tree, std::span<const glm::vec3> vertices,
-                std::span<const std::uint32_t> corners, const Bounds& movedTo);
+                std::span<const std::uint32_t> corners, std::span<const std::uint32_t> moved);
     [[nodiscard]] std::vector<glm::vec3> points() const;  ///< each once
 
 private:

@@ -46,12 +46,17 @@ TriangleTree::TriangleTree(std::span<const glm::vec3> vertices, std::span<const 
     m_nodes.shrink_to_fit();
     auto order = std::make_shared<std::vector<std::uint32_t>>();
     order->reserve(items.size());
+    auto ordered = std::make_shared<std::vector<std::uint32_t>>();
+    ordered->reserve(3 * items.size());
     for (const Item& item : items) {
         order->push_back(item.triangle);
+        const auto corner = corners.begin() + 3 * static_cast<std::ptrdiff_t>(item.triangle);
+        ordered->insert(ordered->end(), corner, corner + 3);
     }
     m_order = std::move(order);
+    m_corners = std::move(ordered);
     constexpr float kEverywhere = std::numeric_limits<float>::infinity();
-    refit(vertices, corners, {glm::vec3(-kEverywhere), glm::vec3(kEverywhere)});
+    refit(vertices, {glm::vec3(-kEverywhere), glm::vec3(kEverywhere)});
 }
 
 std::uint32_t TriangleTree::build(std::span<Item> items, std::uint32_t begin) {
@@ -84,30 +89,27 @@ std::uint32_t TriangleTree::build(std::span<Item> items, std::uint32_t begin) {
     return index;
 }
 
-void TriangleTree::refit(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> corners,
-                         const Bounds& region) {
+void TriangleTree::refit(std::span<const glm::vec3> vertices, const Bounds& region) {
     if (!empty()) {
-        refitNode(0, vertices, corners, region);
+        refitNode(0, vertices, region);
     }
 }
 
-void TriangleTree::refitNode(std::uint32_t index, std::span<const glm::vec3> vertices,
-                             std::span<const std::uint32_t> corners, const Bounds& region) {
+void TriangleTree::refitNode(std::uint32_t index, std::span<const glm::vec3> vertices, const Bounds& region) {
     Node& node = m_nodes[index];
     if (!overlap(node.bounds, region)) {
         return;
     }
     Bounds bounds;
     if (node.count > 0) {
-        for (std::uint32_t i = 0; i < node.count; ++i) {
-            const std::uint32_t* c = &corners[std::size_t{3} * (*m_order)[node.first + i]];
-            for (int k = 0; k < 3; ++k) {
-                bounds.add(vertices[c[k]]);
-            }
+        const auto corners =
+            std::span(*m_corners).subspan(std::size_t{3} * node.first, std::size_t{3} * node.count);
+        for (const std::uint32_t corner : corners) {
+            bounds.add(vertices[corner]);
         }
     } else {
-        refitNode(index + 1, vertices, corners, region);
-        refitNode(node.first, vertices, corners, region);
+        refitNode(index + 1, vertices, region);
+        refitNode(node.first, vertices, region);
         bounds = m_nodes[index + 1].bounds;
         bounds.add(m_nodes[node.first].bounds);
     }

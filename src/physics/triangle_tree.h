@@ -34,8 +34,7 @@ public:
 
     /// Vertices moved which were all within `region` before: corrects the boxes above them. Costs by the
     /// triangles around the region and the tree's depth.
-    void refit(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> corners,
-               const Bounds& region);
+    void refit(std::span<const glm::vec3> vertices, const Bounds& region);
 
     /// Calls `visit(triangle)` for the triangles of every leaf whose box, and all boxes above it, `accept`s,
     /// those nearer along `direction` first (roughly); zero: in the tree's order.
@@ -45,11 +44,13 @@ public:
 private:
     struct Item;
     std::uint32_t build(std::span<Item> items, std::uint32_t begin);
-    void refitNode(std::uint32_t node, std::span<const glm::vec3> vertices,
-                   std::span<const std::uint32_t> corners, const Bounds& region);
+    void refitNode(std::uint32_t node, std::span<const glm::vec3> vertices, const Bounds& region);
 
     std::vector<Node> m_nodes;
     std::shared_ptr<const std::vector<std::uint32_t>> m_order;  ///< the leaves' triangles
+    /// Their corners, 3 each, in that order: where a fine mesh's are looked up one by one, each is a cache
+    /// miss.
+    std::shared_ptr<const std::vector<std::uint32_t>> m_corners;
 };
 
 template <class Accept, class Visit>

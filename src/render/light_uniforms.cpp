@@ -61,6 +61,17 @@ void setSpot(const gl::Program& program, const FrameContext& context, const Spot
     program.set("u_spotStrengths", strengths(light.terms));
 }
 
+/// Those that are on differ in place and colour at most.
+bool areAlike(const std::array<PointLight, 4>& lights) {
+    const auto isOn = [](const PointLight& light) { return light.on; };
+    const auto first = std::find_if(lights.begin(), lights.end(), isOn);
+    return std::all_of(lights.begin(), lights.end(), [&](const PointLight& light) {
+        return !light.on || (strengths(light.terms) == strengths(first->terms) &&
+                             attenuated(light.attenuation, glm::vec3(0.0f)).factors ==
+                                 attenuated(first->attenuation, glm::vec3(0.0f)).factors);
+    });
+}
+
 }  // namespace
 
 gl::Defines lightDefines(const Lights& lights) {
@@ -72,6 +83,9 @@ gl::Defines lightDefines(const Lights& lights) {
                                       [](const PointLight& light) { return light.on; });
     if (points > 0) {
         defines.emplace_back("HITSCOPE_POINTS", std::to_string(points));
+        if (points > 1 && areAlike(lights.points)) {
+            defines.emplace_back("HITSCOPE_POINTS_ALIKE", "1");
+        }
     }
     if (lights.spot.on) {
         defines.emplace_back("HITSCOPE_SPOT", lights.spot.atEye ? "1" : "2");

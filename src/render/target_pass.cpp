@@ -2,9 +2,12 @@
 #include "render/target_pass.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "render/change_map.h"
 #include "render/cut_away.h"
@@ -19,6 +22,13 @@ namespace {
 constexpr float kRimStrength = 0.75f;
 constexpr float kRingWidth = 1.8f;  // logical pixels
 constexpr float kHatch = 9.0f;      // logical pixels from one line to the next
+
+/// A software renderer shades pixels on other processors than it transforms vertices, but starts only when
+/// told to, or at the frame's end, and shares the picture out among them by place. So surfaces are drawn in
+/// this many rounds with a part of every target in each: pixels are shaded while vertices are transformed,
+/// and all over the picture.
+constexpr std::uint32_t kIndicesARound = 24576;
+constexpr std::uint32_t kMostRounds = 8;
 
 const void* indexOffset(std::uint32_t first) {
     return reinterpret_cast<const void*>(std::size_t{first} * sizeof(std::uint32_t));
@@ -112,42 +122,99 @@ void prepareSurface(const gl::Program& program, const FrameContext& context, Def
     glBindVertexArray(surfaceArrayOf(item));
 }
 
-Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, const Parts& parts) {
-    const gl::Defines defines = surfaceDefines(context, pipeline, parts);
-    const ClipByCut clip(context.frame);
-    const gl::Program* program = nullptr;
-    EarlyStart earlyStart(context);
+struct Draw {
+    const DrawItem* item;
+    DrawRange range;
+    std::array<std::uint32_t, kMostRounds> parts{};  ///< the order in which they are drawn
+};
+
+std::vector<Draw> drawsOf(const FrameContext& context, const DeformationPipeline& pipeline,
+                          const Parts& parts) {
+    std::vector<Draw> draws;
     for (const DrawItem& item : context.frame.targets) {
-        const MaterialSet& materials = materialsOf(item);
-        bool prepared = false;
         if (!context.mayShow(item, pipeline)) {
             continue;
         }
+        const MaterialSet& materials = materialsOf(item);
         for (const DrawRange& range : item.buffers->draws()) {
             const bool textured = !context.frame.change && context.frame.options.textures &&
                                   materials.isTextured(range.material);
-            if (range.count == 0 || textured != parts.textured ||
-                materials.isTranslucent(range.material) != parts.translucent) {
+            if (range.count > 0 && textured == parts.textured &&
+                materials.isTranslucent(range.material) == parts.translucent) {
+                draws.push_back({&item, range, {}});
+            }
+        }
+    }
+    return draws;
+}
+
+std::uint32_t roundsOf(std::span<const Draw> draws) {
+    std::uint64_t indices = 0;
+    for (const Draw& draw : draws) {
+        indices += draw.range.count;
+    }
+    return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(indices / kIndicesARound, 1, kMostRounds));
+}
+
+/// The triangles of a range that are drawn in one of so many rounds.
+DrawRange partOf(const DrawRange& range, std::uint32_t round, std::uint32_t rounds) {
+    const std::uint64_t triangles = range.count / 3;
+    const auto begin = static_cast<std::uint32_t>(3 * (triangles * round / rounds));
+    const auto end = static_cast<std::uint32_t>(3 * (triangles * (round + 1) / rounds));
+    return {range.first + begin, end - begin, range.material};
+}
+
+/// What is nearer first: the pixels of what lies behind are then not shaded. By the clusters in the middle of
+/// each part, since triangles come in the order of their vertices.
+void sortParts(Draw& draw, std::uint32_t rounds, const glm::vec3& forward) {
+    const std::span<const Cluster> clusters = draw.item->buffers->clusters();
+    std::array<float, kMostRounds> depths{};
+    for (std::uint32_t part = 0; part < rounds; ++part) {
+        const std::size_t middle = clusters.size() * (2 * std::size_t{part} + 1) / (2 * std::size_t{rounds});
+        const glm::vec4 centre(clusters[middle].bounds.centre(), 1.0f);
+        depths[part] = glm::dot(glm::vec3(draw.item->model * centre), forward);
+        draw.parts[part] = part;
+    }
+    std::stable_sort(draw.parts.begin(), draw.parts.begin() + rounds,
+                     [&depths](std::uint32_t a, std::uint32_t b) { return depths[a] < depths[b]; });
+}
+
+Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, const Parts& parts) {
+    std::vector<Draw> draws = drawsOf(context, pipeline, parts);
+    if (draws.empty()) {
+        return Done{};
+    }
+    const auto found =
+        context.programs.get("surface.vert", "surface.frag", surfaceDefines(context, pipeline, parts));
+    if (!found) {
+        return found.error();
+    }
+    const ClipByCut clip(context.frame);
+    const gl::Program& program = *found.value();
+    program.use();
+    setSurface(program, context);
+    const std::uint32_t rounds = context.software && !parts.translucent ? roundsOf(draws) : 1;
+    for (Draw& draw : draws) {
+        sortParts(draw, rounds, context.forward);
+    }
+    for (std::uint32_t round = 0; round < rounds; ++round) {
+        const DrawItem* prepared = nullptr;
+        for (const Draw& draw : draws) {
+            const DrawRange part = partOf(draw.range, draw.parts[round], rounds);
+            if (part.count == 0) {
                 continue;
             }
-            if (program == nullptr) {
-                const auto found = context.programs.get("surface.vert", "surface.frag", defines);
-                if (!found) {
-                    return found.error();
-                }
-                program = found.value();
-                program->use();
-                setSurface(*program, context);
+            if (prepared != draw.item) {
+                prepareSurface(program, context, pipeline, *draw.item);
+                prepared = draw.item;
             }
-            if (!prepared) {
-                prepareSurface(*program, context, pipeline, item);
-                prepared = true;
-            }
-            materials.apply(*program, range.material);
-            glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(range.count), GL_UNSIGNED_INT,
-                           indexOffset(range.first));
+            materialsOf(*draw.item).apply(program, part.material);
+            glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(part.count), GL_UNSIGNED_INT,
+                           indexOffset(part.first));
         }
-        earlyStart.drawn(prepared ? item.buffers->vertexCount() : 0);
+        if (rounds > 1) {
+            glFlush();
+        }
     }
     return Done{};
 }

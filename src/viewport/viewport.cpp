@@ -10,6 +10,7 @@
 #include "gl/context.h"
 #include "gl/swap_interval.h"
 #include "session/frame_costs.h"
+#include "session/paced_advance.h"
 #include "viewport/inspect_tool.h"
 #include "viewport/surface_format.h"
 #include "viewport/view_label.h"
@@ -206,7 +207,7 @@ void Viewport::moveOn() {
                           : 0.0;
     m_clock.start();
     if (m_session.isMoving()) {
-        m_session.advance(passed);
+        advanceWithin(m_session, passed);
     }
     m_navigation.advance(passed);
     m_frameFollows = true;

@@ -128,6 +128,20 @@ private Q_SLOTS:
         QVERIFY(run.out.contains(QStringLiteral("Time a hit over that on")));
     }
 
+    void physicsMeasuresStepsCollidersAndFrames() {
+        const Run run = runBench(QStringLiteral("physics --quick --triangles 8000,30000 --json"));
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        const QJsonArray records = recordsOf(run.out);
+        QCOMPARE(records.size(), 10);
+        QCOMPARE(text(records[0], "measured"), QStringLiteral("step in flight"));
+        QCOMPARE(text(records[7], "measured"), QStringLiteral("collider and hull"));
+        QVERIFY(number(records[7], "triangles") > 25000.0);
+        for (const QJsonValue& record : records) {
+            QVERIFY(number(record, "seconds_median") > 0.0);
+            QVERIFY(number(record, "seconds_most") >= number(record, "seconds_median"));
+        }
+    }
+
     void checkMeasuresOne() {
         const Run run = runBench(QStringLiteral("check --quick --only paper-way-8k --json"));
         QVERIFY2(run.status == 0, qPrintable(run.err));
@@ -141,7 +155,7 @@ private Q_SLOTS:
     void wrongUsageIsToldApart_data() {
         QTest::addColumn<QString>("arguments");
         QTest::addColumn<QString>("piece");
-        QTest::addRow("nothing") << QString() << QStringLiteral("paper, frame, modes, hit or check");
+        QTest::addRow("nothing") << QString() << QStringLiteral("paper, frame, modes, hit, physics or check");
         QTest::addRow("unknown") << QStringLiteral("speed") << QStringLiteral("\"speed\"");
         QTest::addRow("size") << QStringLiteral("paper --size big") << QStringLiteral("--size");
         QTest::addRow("row") << QStringLiteral("paper --rows 10") << QStringLiteral("--rows");
@@ -169,7 +183,7 @@ private Q_SLOTS:
     }
 
     void helpIsGiven() {
-        for (const char* what : {"", "paper ", "frame ", "hit ", "check "}) {
+        for (const char* what : {"", "paper ", "frame ", "hit ", "physics ", "check "}) {
             const Run run = runBench(QLatin1String(what) + QStringLiteral("--help"));
             QCOMPARE(run.status, 0);
             QVERIFY(!run.out.isEmpty());

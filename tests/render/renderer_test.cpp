@@ -53,6 +53,8 @@ private Q_SLOTS:
     void normalsMatter();
     void themesDiffer();
     void floorIsOptional();
+    void fineMeshesAreDrawnWhole();
+    void alikePointLightsShineAsOthersDo();
     void backFacesAreLit();
     void projectilesAreDrawn();
     void selectionAndHighlightAreSeen();
@@ -234,6 +236,30 @@ void RendererTest::floorIsOptional() {
     const QRect bottom(0, kHeight - 40, kWidth, 40);
     QVERIFY(differing(with.copy(bottom), without.copy(bottom)) > 1000);
     QCOMPARE(differing(with.copy(kMiddle), without.copy(kMiddle)), 0);
+}
+
+/// Software renderers draw those in several goes.
+void RendererTest::fineMeshesAreDrawnWhole() {
+    const auto pictureOf = [this](int segments) {
+        TestScene scene;
+        scene.add(*m_renderer, makeUvSphere(segments, segments / 2, 2.5f), {0.0f, 2.5f, 0.0f});
+        const auto pipeline = scene.pipeline(PipelineKind::TransformFeedback, {});
+        return picture(*m_renderer, frameOf(scene, 160, 120), *pipeline);
+    };
+    const QImage fine = pictureOf(512);
+    QVERIFY(!fine.isNull());
+    const int different = differing(fine, pictureOf(64), 24);
+    QVERIFY2(different < 10, qPrintable(QString::number(different)));
+}
+
+/// They have a program of their own.
+void RendererTest::alikePointLightsShineAsOthersDo() {
+    const QImage alike = draw(m_frame);
+    LightTerms& terms = m_frame.lights.points[2].terms;
+    terms.ambient = std::nextafter(terms.ambient, 1.0f);
+    QCOMPARE(differing(alike, draw(m_frame), 1), 0);
+    terms.diffuse *= 4.0f;
+    QVERIFY(differing(alike, draw(m_frame), 8) > 100);
 }
 
 void RendererTest::backFacesAreLit() {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QSignalSpy>
 #include <QTest>
+#include <cmath>
 #include <map>
 
 #include "deform/reference.h"
 #include "mesh/primitives.h"
 #include "physics_dents.h"
+#include "session/paced_advance.h"
 #include "session/session.h"
 #include "support/test_program.h"
 
@@ -263,6 +265,25 @@ private Q_SLOTS:
         session.restartReadBack();
         QVERIFY(session.hitscan({{9, 0, 1}, {-1, 0, 0}}));
         QVERIFY(std::abs(session.history().hits().back().point.x - 2.5f) < 0.01f);
+    }
+
+    void slowStepsSlowTheSceneNotTheFrame() {
+        Session session;
+        session.loadTeapot();
+        session.shoot({{0, 50, 9}, {0, 0, 1}});
+        const auto stepsOf = [&session](double seconds, double perLook) {
+            double now = 0.0;
+            const double before = session.physics().time();
+            advanceWithin(session, seconds, 0.016, [&] { return now += perLook; });
+            return std::lround((session.physics().time() - before) / PhysicsWorld::kStep);
+        };
+        QCOMPARE(stepsOf(4 * PhysicsWorld::kStep, 0.0), 4L);
+        QCOMPARE(stepsOf(0.25, 0.0), 60L);
+        QCOMPARE(stepsOf(0.25, 0.006), 3L);  // at 6, 12 and 18 ms
+        QCOMPARE(stepsOf(0.25, 1.0), 1L);
+        QCOMPARE(stepsOf(PhysicsWorld::kStep, 0.0), 1L);  // nothing to catch up with
+        session.setTimeScale(0.1);
+        QCOMPARE(stepsOf(20 * PhysicsWorld::kStep, 0.0), 2L);
     }
 
     void saysWhyATargetCannotBeHit() {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "cli/bench/random_hits.h"
-#include "cli/bench_gl/finish.h"
+#include "gl/context.h"
 #include "session/scene_gpu.h"
 #include "session/session.h"
 
@@ -25,7 +25,7 @@ struct Arrival {
 
     Status settle() {
         Status status = gpu->sync();
-        finishGpu();
+        gl::finish();
         return status;
     }
 
@@ -38,7 +38,7 @@ struct Arrival {
             return status;
         }
         Status status = gpu->draw(view, picture->framebuffer());
-        finishGpu();
+        gl::finish();
         return status;
     }
 

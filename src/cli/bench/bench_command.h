@@ -13,6 +13,7 @@ int paperCommand(const QStringList& arguments);
 int frameCommand(const QStringList& arguments);
 int modesCommand(const QStringList& arguments);
 int hitCommand(const QStringList& arguments);
+int physicsCommand(const QStringList& arguments);
 int checkCommand(const QStringList& arguments);
 
 }  // namespace hitscope::bench

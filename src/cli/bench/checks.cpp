@@ -9,6 +9,7 @@
 #include "cli/bench/hit_size.h"
 #include "cli/bench/modes_scene.h"
 #include "cli/bench/paper_row.h"
+#include "cli/bench/physics_cost.h"
 
 namespace hitscope::bench {
 
@@ -192,6 +193,26 @@ Result<double> arrivingHits(const BenchRoom& room, const Plan& plan) {
                      findFigure(figures.value(), PipelineKind::TransformFeedback, false)->frames);
 }
 
+/// Of a collider's time a hit, the same number of vertices affected.
+std::function<Result<double>(const BenchRoom&, const Plan&)> colliderGrowth(Samples PhysicsFigure::*samples) {
+    return [samples](const BenchRoom& room, const Plan& plan) -> Result<double> {
+        const Result<std::vector<PhysicsFigure>> figures =
+            measureColliders(room, {physicsSphere(8000), physicsSphere(2000000)}, plan);
+        if (!figures) {
+            return figures.error();
+        }
+        return timeRatio(figures.value()[1].*samples, figures.value()[0].*samples);
+    };
+}
+
+Result<double> projectiles(const BenchRoom& room, const Plan& plan) {
+    const Result<std::vector<Samples>> frames = measureProjectileDrawing(room, plan);
+    if (!frames) {
+        return frames.error();
+    }
+    return timeRatio(frames.value()[1], frames.value()[0]);
+}
+
 std::vector<Check> makeChecks() {
     const auto growthOf = [](const char* key) {
         return [key](const BenchRoom& room, const Plan& plan) { return growth(key, room, plan); };
@@ -219,7 +240,12 @@ std::vector<Check> makeChecks() {
           arrivingHits},
          {"thousand-hits",
           "a frame's 1,000 hits / a frame's one hit, transform feedback, the scene the window opens with",
-          50.0, thousandHits}}};
+          50.0, thousandHits},
+         {"collider-update", "a collider taking on a hit, 2,000,000 triangles / 8,000", 3.0,
+          colliderGrowth(&PhysicsFigure::dented)},
+         {"hull-update", "the same, a dynamic target's with its hull", 3.0,
+          colliderGrowth(&PhysicsFigure::dentedMoving)},
+         {"projectiles", "a frame with 2,000 projectiles and their trails / with none", 2.0, projectiles}}};
     for (const ViewMode& mode : viewModes()) {
         if (&mode != &plainModeOf(mode)) {
             checks.push_back(

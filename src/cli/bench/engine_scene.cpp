@@ -5,7 +5,7 @@
 
 #include "cli/bench/scene.h"
 #include "cli/bench/texture.h"
-#include "cli/bench_gl/finish.h"
+#include "gl/context.h"
 
 namespace hitscope::bench {
 
@@ -57,7 +57,7 @@ public:
                 m_copies[target.value - 1].write(first, vertices, m_moved);
             });
         Status status = m_renderer.draw(m_frame, *m_pipeline, m_picture.framebuffer());
-        finishGpu();
+        gl::finish();
         return status;
     }
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "cli/bench/sphere.h"
-#include "cli/bench_gl/finish.h"
 #include "cli/bench_gl/paper_feedback.h"
+#include "gl/context.h"
 
 namespace hitscope::bench {
 
@@ -41,7 +41,7 @@ struct Entrant {
     void restore() const {
         pipeline->reset({});
         readBack();
-        finishGpu();
+        gl::finish();
     }
 };
 
@@ -166,7 +166,7 @@ Variant HitSizeBench::Private::pipelineVariant(Entrant& entrant, int hitsAFrame,
                 entry->pollReadBack();
             }
         }
-        finishGpu();
+        gl::finish();
         return Done{};
     };
     return variant;
@@ -180,7 +180,7 @@ Variant HitSizeBench::Private::paperVariant() {
     variant.units = hits;
     variant.prepare = [this, run]() -> Status {
         paper->restore(mesh.vertices);
-        finishGpu();
+        gl::finish();
         run->hits = run->random.next(static_cast<std::size_t>(run->frames));
         return Done{};
     };
@@ -188,7 +188,7 @@ Variant HitSizeBench::Private::paperVariant() {
         for (const Hit& hit : run->hits) {
             paper->apply(hit);
         }
-        finishGpu();
+        gl::finish();
         return Done{};
     };
     return variant;

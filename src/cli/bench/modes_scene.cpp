@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "cli/bench/random_hits.h"
-#include "cli/bench_gl/finish.h"
 #include "deform/dent_preview.h"
+#include "gl/context.h"
 
 namespace hitscope::bench {
 
@@ -125,10 +125,10 @@ Status ModesScene::draw() {
     if (status && m_mode->extra == ViewMode::Extra::Picking) {
         status = m_picker->request(
             m_view, {0.5f * static_cast<float>(m_view.width), 0.5f * static_cast<float>(m_view.height)});
-        finishGpu();
+        gl::finish();
         static_cast<void>(m_picker->arrived());
     }
-    finishGpu();
+    gl::finish();
     return status;
 }
 

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "cli/bench/scene.h"
-#include "cli/bench_gl/finish.h"
+#include "gl/context.h"
 #include "session/scene_gpu.h"
 
 namespace hitscope::bench {
@@ -37,7 +37,7 @@ public:
 
     Status draw() override {
         Status status = m_gpu->draw(m_view, m_picture.framebuffer());
-        finishGpu();
+        gl::finish();
         return status;
     }
 

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What two thousand projectiles cost, and colliders that follow the dents.
+#include <QTextStream>
+
+#include "cli/bench/bench_command.h"
+#include "cli/bench/bench_options.h"
+#include "cli/bench/physics_cost.h"
+#include "cli/bench/report_header.h"
+#include "cli/command_line.h"
+
+namespace hitscope::bench {
+
+namespace {
+
+constexpr int kLeastTriangles = 100;
+constexpr int kMostTriangles = 20000000;
+constexpr double kBytesPerTriangle = 400.0;  // of a mesh and the three colliders that are measured
+
+struct PhysicsOptions {
+    CommonOptions common;
+    std::vector<int> triangles;
+};
+
+QString medianAndMost(const Samples& samples) {
+    return QStringLiteral("%1 (%2)").arg(shortTime(samples.median()), shortTime(samples.most()));
+}
+
+void addSteps(Report& report, const std::vector<PhysicsFigure>& figures) {
+    Table table;
+    table.title =
+        QStringLiteral("A physics step with %1 projectiles, median and longest").arg(grouped(kProjectiles));
+    table.columns = {QStringLiteral("triangles"), QStringLiteral("in flight"),
+                     QStringLiteral("all striking")};
+    for (const PhysicsFigure& figure : figures) {
+        table.rows.push_back(
+            {grouped(figure.triangles), medianAndMost(figure.flying), medianAndMost(figure.striking)});
+    }
+    table.notes << QStringLiteral("all striking: each of them meets the target in that one step.");
+    report.tables.push_back(table);
+}
+
+void addColliders(Report& report, const std::vector<PhysicsFigure>& figures) {
+    Table table;
+    table.title =
+        QStringLiteral("A collider taking on a hit that reaches about %1 vertices").arg(kDentVertices);
+    table.columns = {QStringLiteral("triangles"), QStringLiteral("static"), QStringLiteral("over the first"),
+                     QStringLiteral("dynamic"), QStringLiteral("over the first")};
+    for (const PhysicsFigure& figure : figures) {
+        const auto over = [](const Samples& a, const Samples& b) {
+            return QStringLiteral("x%1").arg(timeRatio(a, b), 0, 'f', 2);
+        };
+        table.rows.push_back({grouped(figure.triangles), shortTime(figure.dented.median()),
+                              over(figure.dented, figures.front().dented),
+                              shortTime(figure.dentedMoving.median()),
+                              over(figure.dentedMoving, figures.front().dentedMoving)});
+    }
+    table.notes << QStringLiteral("dynamic: with its hull, and the step in which the hull follows.");
+    report.tables.push_back(table);
+}
+
+void addDrawing(Report& report, const std::vector<Samples>& frames) {
+    Table table;
+    table.title = QStringLiteral("A frame of the scene the window opens with");
+    table.columns = {QStringLiteral("projectiles"), QStringLiteral("frame"), QStringLiteral("over none")};
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        table.rows.push_back(
+            {i == 0 ? QStringLiteral("none") : grouped(kProjectiles) + QStringLiteral(", with trails"),
+             shortTime(frames[i].median()),
+             QStringLiteral("x%1").arg(timeRatio(frames[i], frames[0]), 0, 'f', 2)});
+    }
+    report.tables.push_back(table);
+}
+
+void addRecords(Report& report, const std::vector<PhysicsFigure>& figures,
+                const std::vector<Samples>& frames) {
+    report.fields = {QStringLiteral("triangles"), QStringLiteral("measured"), QStringLiteral("samples"),
+                     QStringLiteral("seconds_median"), QStringLiteral("seconds_most")};
+    const auto add = [&report](const QJsonValue& triangles, const char* measured, const Samples& samples) {
+        report.records.push_back({{QStringLiteral("triangles"), triangles},
+                                  {QStringLiteral("measured"), QLatin1String(measured)},
+                                  {QStringLiteral("samples"), static_cast<qint64>(samples.size())},
+                                  {QStringLiteral("seconds_median"), samples.median()},
+                                  {QStringLiteral("seconds_most"), samples.most()}});
+    };
+    for (const PhysicsFigure& figure : figures) {
+        const auto triangles = static_cast<qint64>(figure.triangles);
+        add(triangles, "step in flight", figure.flying);
+        add(triangles, "step all striking", figure.striking);
+        add(triangles, "collider", figure.dented);
+        add(triangles, "collider and hull", figure.dentedMoving);
+    }
+    add({}, "frame without projectiles", frames[0]);
+    add({}, "frame with projectiles", frames[1]);
+}
+
+Status runPhysics(const PhysicsOptions& options) {
+    if (Status status = checkDestinations(options.common.destinations); !status) {
+        return status;
+    }
+    Result<std::unique_ptr<BenchRoom>> room = BenchRoom::open(options.common.width, options.common.height);
+    if (!room) {
+        return room.error();
+    }
+    double bytes = 0.0;
+    for (const int triangles : options.triangles) {
+        bytes += kBytesPerTriangle * triangles;
+    }
+    if (const QString why = whyItDoesNotFit(bytes); !why.isEmpty()) {
+        return Error{"This is left out: " + why.toStdString() + ".", "", "Ask for fewer --triangles."};
+    }
+    std::vector<PreparedMesh> meshes;
+    for (const int triangles : options.triangles) {
+        room.value()->say(QStringLiteral("making a sphere of %1 triangles")
+                              .arg(grouped(static_cast<qulonglong>(triangles))));
+        meshes.push_back(physicsSphere(triangles));
+    }
+    const Result<std::vector<PhysicsFigure>> figures =
+        measurePhysics(*room.value(), meshes, options.common.plan);
+    if (!figures) {
+        return figures.error();
+    }
+    const Result<std::vector<Samples>> frames = measureProjectileDrawing(*room.value(), options.common.plan);
+    if (!frames) {
+        return frames.error();
+    }
+    Report report;
+    report.benchmark = QStringLiteral("physics");
+    report.header = reportHeader(*room.value(), options.common.width, options.common.height);
+    addSteps(report, figures.value());
+    addColliders(report, figures.value());
+    addDrawing(report, frames.value());
+    addRecords(report, figures.value(), frames.value());
+    return writeReport(report, options.common.destinations);
+}
+
+}  // namespace
+
+int physicsCommand(const QStringList& list) {
+    Arguments arguments(QStringLiteral(
+        "Measures physics steps and frames with 2,000 projectiles, and colliders that follow the dents."));
+    addMeasuringOptions(arguments);
+    arguments.addOption(QStringLiteral("triangles"), QStringLiteral("Of the targets."),
+                        QStringLiteral("list"), QStringLiteral("8000,2000000"));
+    parseBenchArguments(arguments, list);
+    if (arguments.error().isEmpty() && arguments.wantsHelp()) {
+        QTextStream(stdout) << arguments.help();
+        return 0;
+    }
+    PhysicsOptions options;
+    options.common = takeMeasuringOptions(arguments);
+    options.triangles = arguments.wholeNumbers(QStringLiteral("triangles"), kLeastTriangles, kMostTriangles);
+    if (!arguments.error().isEmpty()) {
+        return cli::wrongUsage(arguments.error());
+    }
+    return cli::finish(runPhysics(options));
+}
+
+}  // namespace hitscope::bench

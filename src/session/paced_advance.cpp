@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/paced_advance.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "session/session.h"
+
+namespace hitscope {
+
+double paceClock() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+void advanceWithin(Session& session, double seconds, double most, const PaceClock& clock) {
+    const double aStep = session.physics().step() / session.physics().timeScale();
+    const double begin = clock();
+    double left = seconds;
+    do {
+        session.advance(std::min(left, aStep));
+        left -= aStep;
+    } while (left > 0.0 && clock() - begin < most);
+}
+
+}  // namespace hitscope

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+namespace hitscope {
+
+class Session;
+
+/// Seconds of the calling thread that a frame's physics may take before the frame comes first.
+inline constexpr double kMostPhysics = 0.016;
+
+/// Seconds on a clock that does not go back.
+using PaceClock = std::function<double()>;
+[[nodiscard]] double paceClock();
+
+/// session.advance(seconds), but no step is begun once `most` seconds have gone by: the rest of the time is
+/// dropped, so that the scene slows down and not the window, and the next frame has nothing to catch up with.
+/// One step is always taken that is due. Hits depend on the steps alone, so they are the same.
+void advanceWithin(Session& session, double seconds, double most = kMostPhysics,
+                   const PaceClock& clock = paceClock);
+
+}  // namespace hitscope
