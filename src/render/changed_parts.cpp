@@ -9,7 +9,7 @@ namespace hitscope {
 namespace {
 
 constexpr std::uint32_t kBlock = 64;  // vertices
-constexpr std::uint32_t kGap = 6;    // triangles or edges: so many cost less than another run
+constexpr std::uint32_t kGap = 6;     // triangles or edges: so many cost less than another run
 
 /// The first of elements [first, end), sorted by their lowest index, whose lowest index is at least `vertex`.
 std::uint32_t firstFrom(std::span<const std::uint32_t> indices, std::size_t size, std::uint32_t first,

@@ -9,6 +9,7 @@
 #include "mesh/primitives.h"
 #include "mesh/teapot.h"
 #include "mesh/true_normals.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -107,5 +108,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(ChangedPartsTest)
+HITSCOPE_TEST(ChangedPartsTest, QCoreApplication)
 #include "changed_parts_test.moc"

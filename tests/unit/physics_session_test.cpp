@@ -7,6 +7,7 @@
 #include "mesh/primitives.h"
 #include "physics_dents.h"
 #include "session/session.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -278,5 +279,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(PhysicsSessionTest)
+HITSCOPE_TEST(PhysicsSessionTest, QCoreApplication)
 #include "physics_session_test.moc"
