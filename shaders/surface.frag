@@ -2,6 +2,8 @@
 #version 330 core
 // HITSCOPE_TEXTURED      defined: the diffuse colour comes from a texture too, and where that is transparent there is
 //                        no surface. A program of its own, because a shader that may discard is run on hidden pixels.
+// HITSCOPE_NORMAL_MAP    defined: a tangent-space normal map turns the normal
+// HITSCOPE_TEXCOORDS     defined where one of these two is
 // HITSCOPE_TRANSLUCENT   defined: there is an opacity
 // HITSCOPE_FLAT          defined: one normal a triangle
 // HITSCOPE_BACK_FACES    defined: they are tinted
@@ -21,7 +23,7 @@
 
 in vec3 v_position;  // from the eye
 in vec3 v_normal;
-#ifdef HITSCOPE_TEXTURED
+#ifdef HITSCOPE_TEXCOORDS
 in vec2 v_texcoord;
 #endif
 #ifdef HITSCOPE_SHADOWS
@@ -86,6 +88,10 @@ vec3 filling()
 }
 #endif
 
+#ifdef HITSCOPE_NORMAL_MAP
+#include "normal_map.glsl"
+#endif
+
 #ifdef HITSCOPE_MARKS
 // Where the highlighted hit's sphere cuts the surface: its max_distance, seen on the mesh.
 float ring()
@@ -138,6 +144,9 @@ void main()
     Surface surface;
     surface.position = v_position;
     surface.normal = facingNormal();
+#ifdef HITSCOPE_NORMAL_MAP
+    surface.normal = mappedNormal(surface.normal);
+#endif
     surface.diffuse = albedo;
     surface.specular = u_specular;
     surface.shininess = u_shininess;

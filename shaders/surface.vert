@@ -23,7 +23,7 @@ uniform float u_shadowTexel;  // metres
 
 out vec3 v_position;  // from the eye
 out vec3 v_normal;
-#ifdef HITSCOPE_TEXTURED
+#ifdef HITSCOPE_TEXCOORDS
 out vec2 v_texcoord;
 #endif
 
@@ -51,7 +51,7 @@ void main()
 #else
     v_normal = mat3(u_model) * a_shadingNormal;
 #endif
-#ifdef HITSCOPE_TEXTURED
+#ifdef HITSCOPE_TEXCOORDS
     v_texcoord = a_texcoord;
 #endif
 #ifdef HITSCOPE_SHADOWS

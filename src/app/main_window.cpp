@@ -126,9 +126,13 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     connect(m_viewport, &Viewport::rendererKnown, this,
             [this] { m_status->setRenderer(m_viewport->rendererName()); });
     connect(m_viewport, &Viewport::failed, this, [this](const Error& error) { showError(this, error); });
-    connect(&m_frameRateTimer, &QTimer::timeout, this,
-            [this] { m_status->setFrameRate(m_frameRate->summary().framesPerSecond); });
-    m_frameRateTimer.start(kFrameRateInterval);
+    connect(&m_frameRateTimer, &QTimer::timeout, this, &MainWindow::followFrameRate);
+    m_frameRateTimer.setInterval(kFrameRateInterval);
+    connect(&session.frameCosts(), &FrameCosts::frameEnded, this, [this] {
+        if (!m_frameRateTimer.isActive()) {
+            m_frameRateTimer.start();
+        }
+    });
 
     followScene();
     followDisplay();
@@ -137,6 +141,14 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     restoreWindow();
     statusBar()->showMessage(tr("Click shoots, drag orbits, wheel zooms. F1 lists all keys."), kHintStays);
     m_viewport->setFocus();
+}
+
+void MainWindow::followFrameRate() {
+    const double rate = m_frameRate->summary().framesPerSecond;
+    m_status->setFrameRate(rate);
+    if (rate <= 0.0) {
+        m_frameRateTimer.stop();  // until the next frame
+    }
 }
 
 MainWindow::~MainWindow() {

@@ -129,6 +129,7 @@ private:
     void followDisplay();
     void followLights();
     void followViewportTheme();
+    void followFrameRate();
     void saveSettings();
 
     Session& m_session;

@@ -26,7 +26,8 @@ public:
           m_folder(std::move(folder)),
           m_baseName(std::move(baseName)) {}
 
-    Result<std::string> place(const Material& material);
+    /// The texture of that name, or else that image; both may be none.
+    Result<std::string> place(const std::string& texture, int image);
 
 private:
     Result<std::string> placeFile(const std::string& name, const QString& source);
@@ -87,15 +88,12 @@ Result<std::string> TexturePlacer::placeImage(int image) {
     return placed;
 }
 
-Result<std::string> TexturePlacer::place(const Material& material) {
-    const QString source = findSource(QString::fromStdString(material.diffuseTexture));
+Result<std::string> TexturePlacer::place(const std::string& texture, int image) {
+    const QString source = findSource(QString::fromStdString(texture));
     if (!source.isEmpty()) {
-        return placeFile(material.diffuseTexture, source);
+        return placeFile(texture, source);
     }
-    if (material.diffuseImage >= 0) {
-        return placeImage(material.diffuseImage);
-    }
-    return material.diffuseTexture;
+    return image >= 0 ? placeImage(image) : Result<std::string>(texture);
 }
 
 }  // namespace
@@ -123,18 +121,22 @@ QString freePath(const QString& folder, const QString& name, const QByteArray& c
     return path;
 }
 
-Result<std::vector<std::string>> placeTextures(const MeshData& mesh, const QString& sourceFolder,
-                                               const QString& folder, const QString& baseName) {
+Result<std::vector<PlacedTextures>> placeTextures(const MeshData& mesh, const QString& sourceFolder,
+                                                  const QString& folder, const QString& baseName) {
     TexturePlacer placer(mesh, sourceFolder, folder, baseName);
-    std::vector<std::string> names;
+    std::vector<PlacedTextures> placed;
     for (const Material& material : mesh.materials) {
-        Result<std::string> name = placer.place(material);
-        if (!name) {
-            return name.error();
+        Result<std::string> diffuse = placer.place(material.diffuseTexture, material.diffuseImage);
+        if (!diffuse) {
+            return diffuse.error();
         }
-        names.push_back(std::move(name.value()));
+        Result<std::string> normals = placer.place(material.normalMap.texture, material.normalMap.image);
+        if (!normals) {
+            return normals.error();
+        }
+        placed.push_back({std::move(diffuse.value()), std::move(normals.value())});
     }
-    return names;
+    return placed;
 }
 
 }  // namespace hitscope

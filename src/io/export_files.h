@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/result.h"
+#include "io/format_mtl.h"
 #include "mesh/mesh_data.h"
 
 namespace hitscope {
@@ -20,9 +21,10 @@ namespace hitscope {
 
 /// Sees to it that the textures of the mesh's materials lie in `folder` or below: copies them from
 /// `sourceFolder`, and writes those that have no file as PNG (named after `baseName`). Gives for each
-/// material the name to refer to; textures that cannot be found keep theirs.
-[[nodiscard]] Result<std::vector<std::string>> placeTextures(const MeshData& mesh,
-                                                             const QString& sourceFolder,
-                                                             const QString& folder, const QString& baseName);
+/// material the names to refer to; textures that cannot be found keep theirs.
+[[nodiscard]] Result<std::vector<PlacedTextures>> placeTextures(const MeshData& mesh,
+                                                                const QString& sourceFolder,
+                                                                const QString& folder,
+                                                                const QString& baseName);
 
 }  // namespace hitscope

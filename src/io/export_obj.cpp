@@ -36,7 +36,7 @@ Result<Library> prepareMaterials(const ObjExport& what, const QFileInfo& obj) {
     if (what.mesh->materials.empty()) {
         return Library();
     }
-    const Result<std::vector<std::string>> textures =
+    const Result<std::vector<PlacedTextures>> textures =
         placeTextures(*what.mesh, what.sourceFolder, obj.absolutePath(), obj.completeBaseName());
     if (!textures) {
         return textures.error();

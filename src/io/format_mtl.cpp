@@ -16,9 +16,22 @@ void appendColour(std::string& text, const char* key, const glm::vec3& colour) {
     text += '\n';
 }
 
+void appendNormalMap(std::string& text, const NormalMap& map, const std::string& name) {
+    if (name.empty()) {
+        return;
+    }
+    text += map.kind == NormalMap::Kind::Bump ? "map_Bump " : "norm ";
+    if (map.strength != 1.0f) {
+        text += "-bm ";
+        appendNumber(text, map.strength);
+        text += ' ';
+    }
+    text += name + '\n';
+}
+
 }  // namespace
 
-std::string formatMtl(const MeshData& mesh, const std::vector<std::string>& textures) {
+std::string formatMtl(const MeshData& mesh, const std::vector<PlacedTextures>& textures) {
     std::string text = "# Written by Hitscope " HITSCOPE_VERSION "\n";
     const std::vector<std::string> names = materialNames(mesh);
     for (std::size_t m = 0; m < mesh.materials.size(); ++m) {
@@ -32,9 +45,10 @@ std::string formatMtl(const MeshData& mesh, const std::vector<std::string>& text
         text += "\nd ";
         appendNumber(text, material.opacity);
         text += "\nillum 2\n";
-        if (const std::string texture = nameOnLine(textures[m]); !texture.empty()) {
+        if (const std::string texture = nameOnLine(textures[m].diffuse); !texture.empty()) {
             text += "map_Kd " + texture + '\n';
         }
+        appendNormalMap(text, material.normalMap, nameOnLine(textures[m].normals));
     }
     return text;
 }

@@ -8,8 +8,13 @@
 
 namespace hitscope {
 
-/// The MTL text of a mesh's materials, under the names that formatObj() uses. textures: for each material the
-/// name to write on its map_Kd line, or empty for none.
-[[nodiscard]] std::string formatMtl(const MeshData& mesh, const std::vector<std::string>& textures);
+/// Names of a material's pictures; empty: none.
+struct PlacedTextures {
+    std::string diffuse;  ///< on the map_Kd line
+    std::string normals;  ///< on the norm or map_Bump line
+};
+
+/// The MTL text of a mesh's materials, under the names that formatObj() uses. textures: one a material.
+[[nodiscard]] std::string formatMtl(const MeshData& mesh, const std::vector<PlacedTextures>& textures);
 
 }  // namespace hitscope

@@ -19,7 +19,7 @@ template <class T>
 constexpr bool kIsPlain = std::is_standard_layout_v<T>&& std::is_trivially_destructible_v<T>;
 
 constexpr char kMagic[8] = {'H', 'S', 'M', 'E', 'S', 'H', '\r', '\n'};
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 
 /// Lists the parts of a mesh in the order of the stream; `stream` writes or reads each.
 template <class Stream, class Mesh>
@@ -52,6 +52,10 @@ void visitMesh(Stream& stream, Mesh& mesh) {
         stream.plain(material.opacity);
         stream.text(material.diffuseTexture);
         stream.plain(material.diffuseImage);
+        stream.plain(material.normalMap.kind);
+        stream.text(material.normalMap.texture);
+        stream.plain(material.normalMap.strength);
+        stream.plain(material.normalMap.image);
     });
     stream.list(mesh.images, [&](auto& image) {
         stream.plain(image.width);

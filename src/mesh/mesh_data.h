@@ -15,6 +15,16 @@
 
 namespace hitscope {
 
+/// A tangent-space normal map: red along the texture's u, green along its v (upwards), blue outwards.
+struct NormalMap {
+    /// What the file calls it; a bump map counts as one, unless it holds heights.
+    enum class Kind : std::uint8_t { Normals, Bump };
+    Kind kind = Kind::Normals;
+    std::string texture;    ///< path as the file names it; empty: none, or it is in the file
+    float strength = 1.0f;  ///< what scales red and green
+    int image = -1;         ///< index into MeshData::images; -1: none, or it could not be read
+};
+
 /// Surface description in Phong's terms (paper, section 2.5), as OBJ's MTL has it.
 struct Material {
     std::string name;
@@ -25,6 +35,7 @@ struct Material {
     float opacity = 1.0f;        ///< [0, 1]
     std::string diffuseTexture;  ///< path as the file names it (relative to the file's folder); empty: none
     int diffuseImage = -1;       ///< index into MeshData::images; -1: none, or it could not be read
+    NormalMap normalMap;
 };
 
 /// A named run of faces, from OBJ's o and g lines or the node of another format.

@@ -156,9 +156,15 @@ Status checkMaterials(const MeshData& mesh) {
         }
     }
     for (std::size_t m = 0; m < mesh.materials.size(); ++m) {
-        const int image = mesh.materials[m].diffuseImage;
-        if (image < -1 || (image >= 0 && static_cast<std::size_t>(image) >= mesh.images.size())) {
-            return Error{"It refers to a texture that the mesh does not have.", nth("material", m), kBroken};
+        for (const int image : {mesh.materials[m].diffuseImage, mesh.materials[m].normalMap.image}) {
+            if (image < -1 || (image >= 0 && static_cast<std::size_t>(image) >= mesh.images.size())) {
+                return Error{"It refers to a texture that the mesh does not have.", nth("material", m),
+                             kBroken};
+            }
+        }
+        const NormalMap& map = mesh.materials[m].normalMap;
+        if (map.kind > NormalMap::Kind::Bump || !std::isfinite(map.strength)) {
+            return Error{"Its normal map is of no known kind.", nth("material", m), kBroken};
         }
     }
     for (std::size_t i = 0; i < mesh.images.size(); ++i) {

@@ -62,8 +62,10 @@ void setLights(const gl::Program& program, const FrameContext& context);
 [[nodiscard]] Status drawBackground(const FrameContext& context);
 [[nodiscard]] Status drawFloor(const FrameContext& context);
 [[nodiscard]] Status drawContactShades(const FrameContext& context);
-/// Dots on vertices; dimmed where a surface hides them.
-[[nodiscard]] Status drawVertexMarks(const FrameContext& context, DeformationPipeline& pipeline);
+enum class MarkPlaces { Drawn, Original };
+/// Dots on vertices, where they are drawn or where they were; dimmed where a surface hides them.
+[[nodiscard]] Status drawVertexMarks(const FrameContext& context, DeformationPipeline& pipeline,
+                                     MarkPlaces places = MarkPlaces::Drawn);
 [[nodiscard]] Status drawHighlightedHit(const FrameContext& context);
 [[nodiscard]] Status drawCrosshair(const FrameContext& context);
 

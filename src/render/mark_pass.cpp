@@ -63,11 +63,15 @@ void drawMarks(const FrameContext& context, DeformationPipeline& pipeline, const
 
 }  // namespace
 
-Status drawVertexMarks(const FrameContext& context, DeformationPipeline& pipeline) {
+Status drawVertexMarks(const FrameContext& context, DeformationPipeline& pipeline, MarkPlaces places) {
     if (context.frame.marks.empty()) {
         return Done{};
     }
-    const auto found = context.programs.get("mark.vert", "mark.frag", targetDefines(context.frame, pipeline));
+    gl::Defines defines = targetDefines(context.frame, pipeline);
+    if (places == MarkPlaces::Original) {
+        defines.emplace_back("HITSCOPE_GHOST", "1");
+    }
+    const auto found = context.programs.get("mark.vert", "mark.frag", defines);
     if (!found) {
         return found.error();
     }

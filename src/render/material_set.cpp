@@ -90,7 +90,7 @@ private:
     GLint m_texture = 0;
 };
 
-gl::Texture upload(const Image& original) {
+gl::Texture upload(const Image& original, GLint format) {
     GLint most = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
     Image smaller;
@@ -101,7 +101,7 @@ gl::Texture upload(const Image& original) {
     }
     gl::Texture texture = gl::Texture::make();
     glBindTexture(GL_TEXTURE_2D, texture.id());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, image->width, image->height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+    glTexImage2D(GL_TEXTURE_2D, 0, format, image->width, image->height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                  image->pixels.data());
     glGenerateMipmap(GL_TEXTURE_2D);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
@@ -116,18 +116,19 @@ gl::Texture upload(const Image& original) {
 
 MaterialSet::MaterialSet(const MeshData& mesh) : m_materials(mesh.materials) {
     m_textures.resize(mesh.images.size());
+    m_normalMaps.resize(mesh.images.size());
     const PlainUnpacking plain;
+    const auto take = [&mesh](int& index, std::vector<gl::Texture>& textures, GLint format) {
+        const auto image = static_cast<std::size_t>(std::max(index, 0));
+        if (index < 0 || image >= mesh.images.size() || !isUsable(mesh.images[image])) {
+            index = -1;
+        } else if (!textures[image]) {
+            textures[image] = upload(mesh.images[image], format);
+        }
+    };
     for (Material& material : m_materials) {
-        const bool known = material.diffuseImage >= 0 &&
-                           static_cast<std::size_t>(material.diffuseImage) < mesh.images.size();
-        if (!known || !isUsable(mesh.images[static_cast<std::size_t>(material.diffuseImage)])) {
-            material.diffuseImage = -1;
-            continue;
-        }
-        const auto image = static_cast<std::size_t>(material.diffuseImage);
-        if (!m_textures[image]) {
-            m_textures[image] = upload(mesh.images[image]);
-        }
+        take(material.diffuseImage, m_textures, GL_SRGB8_ALPHA8);
+        take(material.normalMap.image, m_normalMaps, GL_RGBA8);
     }
 }
 
@@ -139,7 +140,7 @@ MaterialSet::MaterialSet(const Image& texture) : m_covers(true) {
     if (isUsable(texture)) {
         const PlainUnpacking plain;
         material.diffuseImage = 0;
-        m_textures.push_back(upload(texture));
+        m_textures.push_back(upload(texture, GL_SRGB8_ALPHA8));
     }
     m_materials.push_back(std::move(material));
 }
@@ -160,6 +161,10 @@ bool MaterialSet::isTextured(std::uint32_t material) const {
     return at(material).diffuseImage >= 0;
 }
 
+bool MaterialSet::hasNormalMap(std::uint32_t material) const {
+    return at(material).normalMap.image >= 0;
+}
+
 void MaterialSet::apply(const gl::Program& program, std::uint32_t material) const {
     const Material& surface = at(material);
     program.set("u_diffuse", surface.diffuse);
@@ -170,6 +175,14 @@ void MaterialSet::apply(const gl::Program& program, std::uint32_t material) cons
     if (surface.diffuseImage >= 0) {
         program.set("u_texture", 0);
         glBindTexture(GL_TEXTURE_2D, m_textures[static_cast<std::size_t>(surface.diffuseImage)].id());
+    }
+    if (const NormalMap& map = surface.normalMap; map.image >= 0) {
+        program.set("u_normalMap", kNormalMapUnit);
+        program.set("u_normalStrength", map.strength);
+        glActiveTexture(GL_TEXTURE0 + kNormalMapUnit);
+        glBindSampler(kNormalMapUnit, 0);
+        glBindTexture(GL_TEXTURE_2D, m_normalMaps[static_cast<std::size_t>(map.image)].id());
+        glActiveTexture(GL_TEXTURE0);
     }
 }
 

@@ -15,26 +15,32 @@ class MaterialSet {
 public:
     /// Without materials: every index gives the default one.
     MaterialSet() = default;
-    /// Uploads the textures that materials refer to, as sRGB with mipmaps; larger ones than the driver has
-    /// are halved until they fit.
+    /// Uploads the textures that materials refer to, as sRGB (normal maps as they are) with mipmaps; larger
+    /// ones than the driver has are halved until they fit.
     explicit MaterialSet(const MeshData& mesh);
 
     /// `texture` on everything, whatever the index.
     explicit MaterialSet(const Image& texture);
 
-    /// Sets the uniforms of surface.frag and, where the material has one, binds its texture to unit 0; the
-    /// program is in use. kNoIndex and indices out of range are the default material.
+    /// Sets the uniforms of surface.frag and, where the material has them, binds its texture to unit 0 and
+    /// its normal map to kNormalMapUnit; the program is in use. kNoIndex and indices out of range are the
+    /// default material.
     void apply(const gl::Program& program, std::uint32_t material) const;
     [[nodiscard]] bool isTextured(std::uint32_t material) const;
+    [[nodiscard]] bool hasNormalMap(std::uint32_t material) const;
     /// Whether what lies behind is to be seen.
     [[nodiscard]] bool isTranslucent(std::uint32_t material) const;
+
+    static constexpr int kNormalMapUnit = 3;
 
 private:
     [[nodiscard]] const Material& at(std::uint32_t material) const;
 
     std::vector<Material> m_materials;
-    bool m_covers = false;                ///< the first one, whatever the index
-    std::vector<gl::Texture> m_textures;  ///< one an image; without name where it is not used
+    bool m_covers = false;  ///< the first one, whatever the index
+    // One an image; without name where it is not used so.
+    std::vector<gl::Texture> m_textures;
+    std::vector<gl::Texture> m_normalMaps;
 };
 
 }  // namespace hitscope

@@ -70,6 +70,29 @@ void prepareFramebuffer(const Frame& frame, GLuint framebuffer) {
     glClear(GL_DEPTH_BUFFER_BIT);
 }
 
+/// Pixels from the picture's left side.
+int wipeLine(const Frame& frame) {
+    return static_cast<int>(std::lround(frame.options.beforeAfter.wipeAt * static_cast<float>(frame.width)));
+}
+
+/// Marks are on what they mark: left of a wipe's line on the originals.
+Status drawMarks(const FrameContext& context, DeformationPipeline& pipeline) {
+    const Frame& frame = context.frame;
+    if (!frame.options.beforeAfter.wipe) {
+        return drawVertexMarks(context, pipeline);
+    }
+    const int line = wipeLine(frame);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(frame.left, 0, line, frame.height);
+    Status status = drawVertexMarks(context, pipeline, MarkPlaces::Original);
+    if (status) {
+        glScissor(frame.left + line, 0, frame.width - line, frame.height);
+        status = drawVertexMarks(context, pipeline);
+    }
+    glDisable(GL_SCISSOR_TEST);
+    return status;
+}
+
 void startSolid() {
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
@@ -221,8 +244,7 @@ Status Renderer::Private::drawScene(const FrameContext& context, DeformationPipe
 /// The originals left of the line, what has become of them right of it.
 Status Renderer::Private::drawWiped(const FrameContext& context, DeformationPipeline& pipeline) {
     const Frame& frame = context.frame;
-    const int line =
-        static_cast<int>(std::lround(frame.options.beforeAfter.wipeAt * static_cast<float>(frame.width)));
+    const int line = wipeLine(frame);
     const OriginalFrame originals(frame);
     const float split = 2.0f * static_cast<float>(line) / static_cast<float>(frame.width) - 1.0f;
     FrameContext before = contextOf(originals.frame);
@@ -291,7 +313,7 @@ Status Renderer::draw(const Frame& frame, DeformationPipeline& pipeline, GLuint 
     if (status = d->sections.draw(context); !status) {
         return status;
     }
-    if (status = drawVertexMarks(context, pipeline); !status) {
+    if (status = drawMarks(context, pipeline); !status) {
         return status;
     }
     if (status = d->trails.draw(context); !status) {

@@ -52,7 +52,18 @@ bool hasMarks(const Frame& frame) {
 struct Parts {
     bool translucent = false;
     bool textured = false;
+    bool normalMapped = false;
+
+    bool operator==(const Parts&) const = default;
 };
+
+/// What a program for this material has to have.
+Parts partsOf(const Frame& frame, const MaterialSet& materials, std::uint32_t material) {
+    const bool pictures = !frame.change && frame.options.textures;
+    return {.translucent = materials.isTranslucent(material),
+            .textured = pictures && materials.isTextured(material),
+            .normalMapped = pictures && !frame.options.flat && materials.hasNormalMap(material)};
+}
 
 /// A program has what a frame needs and no more: see lighting.glsl.
 gl::Defines surfaceDefines(const FrameContext& context, const DeformationPipeline& pipeline,
@@ -70,7 +81,9 @@ gl::Defines surfaceDefines(const FrameContext& context, const DeformationPipelin
         defines.insert(defines.end(), shadows.begin(), shadows.end());
     }
     const std::pair<const char*, bool> parted[] = {
+        {"HITSCOPE_TEXCOORDS", parts.textured || parts.normalMapped},
         {"HITSCOPE_TEXTURED", parts.textured},
+        {"HITSCOPE_NORMAL_MAP", parts.normalMapped},
         {"HITSCOPE_TRANSLUCENT", parts.translucent},
         {"HITSCOPE_FLAT", frame.options.flat},
         {"HITSCOPE_BACK_FACES", frame.options.backFaces && !frame.change},
@@ -137,10 +150,7 @@ std::vector<Draw> drawsOf(const FrameContext& context, const DeformationPipeline
         }
         const MaterialSet& materials = materialsOf(item);
         for (const DrawRange& range : item.buffers->draws()) {
-            const bool textured = !context.frame.change && context.frame.options.textures &&
-                                  materials.isTextured(range.material);
-            if (range.count > 0 && textured == parts.textured &&
-                materials.isTranslucent(range.material) == parts.translucent) {
+            if (range.count > 0 && partsOf(context.frame, materials, range.material) == parts) {
                 draws.push_back({&item, range, {}});
             }
         }
@@ -219,20 +229,26 @@ Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, con
     return Done{};
 }
 
+Status drawAllParts(const FrameContext& context, DeformationPipeline& pipeline, bool translucent) {
+    for (const bool textured : {false, true}) {
+        for (const bool normalMapped : {false, true}) {
+            if (Status status = drawParts(context, pipeline, {translucent, textured, normalMapped});
+                !status) {
+                return status;
+            }
+        }
+    }
+    return Done{};
+}
+
 }  // namespace
 
 Status drawSurfaces(const FrameContext& context, DeformationPipeline& pipeline) {
-    if (Status status = drawParts(context, pipeline, {.translucent = false, .textured = false}); !status) {
-        return status;
-    }
-    return drawParts(context, pipeline, {.translucent = false, .textured = true});
+    return drawAllParts(context, pipeline, false);
 }
 
 Status drawTranslucentSurfaces(const FrameContext& context, DeformationPipeline& pipeline) {
-    if (Status status = drawParts(context, pipeline, {.translucent = true, .textured = false}); !status) {
-        return status;
-    }
-    return drawParts(context, pipeline, {.translucent = true, .textured = true});
+    return drawAllParts(context, pipeline, true);
 }
 
 Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline,

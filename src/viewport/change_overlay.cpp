@@ -143,7 +143,13 @@ void ChangeOverlay::paintLegend(QPainter& painter, const QSizeF& size, const Leg
         }
     }
     const QSizeF plate = m_bar.deviceIndependentSize();
-    painter.drawImage(QPointF(kEdge, std::round(size.height() - plate.height() - kEdge)), m_bar);
+    // Beside the picture's side; of two pictures, between them, so that it covers as little of one as of the
+    // other.
+    const double notes = 2.0 * (QFontMetricsF(painter.font()).height() + kPadding) + kPadding;
+    const QPointF at = legend.between ? QPointF(size.width() / 2 - plate.width() / 2,
+                                                size.height() - plate.height() - kEdge - notes)
+                                      : QPointF(kEdge, size.height() - plate.height() - kEdge);
+    painter.drawImage(QPointF(std::round(at.x()), std::round(at.y())), m_bar);
 }
 
 namespace {
@@ -164,7 +170,11 @@ void paintComparison(QPainter& painter, const SceneGpu::View& view, const QSizeF
     const double high = QFontMetricsF(painter.font()).height() + kPadding;
     const BeforeAfterOptions& beforeAfter = view.options.beforeAfter;
     const QString a = nameOf('A', comparison.first());
-    const QString b = nameOf('B', *comparison.other());
+    QString b = nameOf('B', *comparison.other());
+    const ChangeMapOptions& change = view.options.change;
+    if (view.options.sideBySide && change.on && change.quantity == ChangeQuantity::EdgeStretch) {
+        b += words(QT_TRANSLATE_NOOP("hitscope::ChangeOverlay", ", coloured as A"));
+    }
     const double top = kEdge + (beforeAfter.wipe ? high + kPadding / 2 : 0.0);
     if (view.options.sideBySide) {
         const double middle = std::floor(size.width() / 2);
@@ -216,7 +226,9 @@ void ChangeOverlay::paint(QPainter& painter, const SceneGpu::View& view) {
     if (view.options.change.on) {
         const ShownChange change =
             shownChange(view.options.change, view.changeValues ? view.changeValues->summary() : Summary());
-        paintLegend(painter, size, {titleOf(change), change, view.options.theme, view.pixelRatio});
+        paintLegend(painter, size,
+                    {titleOf(change), change, view.options.theme, view.pixelRatio,
+                     isComparing(view) && view.options.sideBySide});
     }
     if (beforeAfter.wipe) {
         const bool two = isComparing(view) && view.options.sideBySide;

@@ -26,6 +26,7 @@ private:
         ShownChange change;
         Theme theme = Theme::Dark;
         float pixelRatio = 1.0f;
+        bool between = false;  ///< two pictures
         bool operator==(const Legend& other) const;
     };
     void paintLegend(QPainter& painter, const QSizeF& size, const Legend& legend);

@@ -72,6 +72,7 @@ private Q_SLOTS:
     void keepsFileNormalsButForTheirLength();
     void makesNamesUsable();
     void copiesTextures();
+    void keepsNormalMaps();
     void overwritesNothingElse();
     void leavesTexturesOfTheOwnFolderAlone();
     void writesEmbeddedPictures();
@@ -233,6 +234,31 @@ void ExportTest::copiesTextures() {
     QCOMPARE(again.mesh.materials[0].diffuseTexture, std::string("wood.png"));
     QCOMPARE(again.mesh.images.size(), std::size_t(1));
     QCOMPARE(again.mesh.materials[2].diffuseTexture, std::string("lost.png"));  // a name is better than none
+}
+
+void ExportTest::keepsNormalMaps() {
+    writeFile(in("source"), QStringLiteral("n.png"), smallPng().toStdString());
+    writeFile(in("source"), QStringLiteral("n.mtl"),
+              "newmtl a\nmap_Bump -bm 0.25 n.png\nnewmtl b\nnorm n.png\nnewmtl c\nnorm lost.png\n");
+    const QString path =
+        writeFile(in("source"), QStringLiteral("n.obj"),
+                  "mtllib n.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nusemtl b\nf 3 2 1\n"
+                  "usemtl c\nf 2 3 1\n");
+    const ImportedMesh original = read(path);
+    ObjExport what = exportOf(original.mesh, original.mesh.positions);
+    what.sourceFolder = in("source");
+    QVERIFY(exportObj(what, in("target/n.obj")).ok());
+    QCOMPARE(readFile(in("target/n.png")), smallPng().toStdString());
+    const ImportedMesh again = read(in("target/n.obj"));
+    QCOMPARE(again.mesh.materials.size(), original.mesh.materials.size());
+    for (std::size_t m = 0; m < again.mesh.materials.size(); ++m) {
+        const NormalMap& before = original.mesh.materials[m].normalMap;
+        const NormalMap& after = again.mesh.materials[m].normalMap;
+        QVERIFY(after.kind == before.kind);
+        QCOMPARE(after.texture, before.texture);
+        QCOMPARE(after.strength, before.strength);
+        QCOMPARE(after.image, before.image);
+    }
 }
 
 void ExportTest::overwritesNothingElse() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDir>
 #include <QFile>
+#include <QImage>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -31,6 +32,7 @@ private Q_SLOTS:
     void findsLibraries();
     void notesMissingLibraryAndMaterials();
     void decodesTextures();
+    void readsNormalMaps();
     void keepsToTheFolder_data();
     void keepsToTheFolder();
     void notesBrokenPictures();
@@ -139,6 +141,42 @@ void MaterialsTest::decodesTextures() {
     QCOMPARE(imported.mesh.images[0].width, 2);
     QCOMPARE(imported.mesh.images[0].pixels, (std::vector<std::uint8_t>{255, 0, 0, 255, 0, 255, 0, 128}));
     QVERIFY(validate(imported.mesh).ok());
+}
+
+void MaterialsTest::readsNormalMaps() {
+    const std::vector<Material> materials = parseMtl(
+        "newmtl a\nmap_Bump -bm 0.5 my bumps.png\nnewmtl b\nbump old.png\n"
+        "newmtl c\nbump heights.png\nnorm normals.png\nnewmtl d\nKd 1 1 1\n");
+    QCOMPARE(materials[0].normalMap.texture, std::string("my bumps.png"));
+    QCOMPARE(materials[0].normalMap.strength, 0.5f);
+    QVERIFY(materials[0].normalMap.kind == NormalMap::Kind::Bump);
+    QCOMPARE(materials[1].normalMap.texture, std::string("old.png"));
+    QCOMPARE(materials[2].normalMap.texture, std::string("normals.png"));
+    QVERIFY(materials[2].normalMap.kind == NormalMap::Kind::Normals);
+    QVERIFY(materials[3].normalMap.texture.empty());
+
+    writeFile(m_folder, QStringLiteral("w.png"), smallPng().toStdString());
+    QImage heights(2, 2, QImage::Format_RGB32);
+    heights.fill(QColor(90, 90, 90));
+    QVERIFY(heights.save(m_folder + QStringLiteral("/grey.png")));
+    const auto readWith = [this](const std::string& statements) {
+        writeFile(m_folder, QStringLiteral("a.mtl"), "newmtl wood\n" + statements + "newmtl tin\nKd 0 0 0\n");
+        return read(QStringLiteral("a.mtl"));
+    };
+    const ImportedMesh good = readWith("map_Kd w.png\nnorm w.png\n");
+    QCOMPARE(good.notes, QStringList());
+    QCOMPARE(good.mesh.images.size(), std::size_t(1));
+    QCOMPARE(good.mesh.materials[0].normalMap.image, 0);
+    QVERIFY(validate(good.mesh).ok());
+    const ImportedMesh missing = readWith("norm gone.png\n");
+    QCOMPARE(missing.mesh.materials[0].normalMap.image, -1);
+    QCOMPARE(missing.notes,
+             QStringList{QStringLiteral(
+                 "The normal map \"gone.png\" is not shown: it is not in the mesh's folder.")});
+    const ImportedMesh grey = readWith("map_Bump grey.png\n");
+    QCOMPARE(grey.mesh.materials[0].normalMap.image, -1);
+    QCOMPARE(grey.notes.size(), 1);
+    QVERIFY2(grey.notes[0].contains(QStringLiteral("heights")), qPrintable(grey.notes[0]));
 }
 
 void MaterialsTest::keepsToTheFolder_data() {

@@ -28,7 +28,10 @@ bool sameMaterials(const MeshData& a, const MeshData& b) {
                           return x.name == y.name && x.ambient == y.ambient && x.diffuse == y.diffuse &&
                                  x.specular == y.specular && x.shininess == y.shininess &&
                                  x.opacity == y.opacity && x.diffuseTexture == y.diffuseTexture &&
-                                 x.diffuseImage == y.diffuseImage;
+                                 x.diffuseImage == y.diffuseImage && x.normalMap.kind == y.normalMap.kind &&
+                                 x.normalMap.texture == y.normalMap.texture &&
+                                 x.normalMap.strength == y.normalMap.strength &&
+                                 x.normalMap.image == y.normalMap.image;
                       });
 }
 

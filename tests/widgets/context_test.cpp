@@ -3,6 +3,7 @@
 // values of QT_SCALE_FACTOR too.
 #include <QApplication>
 #include <QDockWidget>
+#include <QEvent>
 #include <QImage>
 #include <QMainWindow>
 #include <QOpenGLContext>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "mesh/primitives.h"
+#include "panels/frame_rate/frame_graph.h"
 #include "support/test_program.h"
 #include "widgets/window_support.h"
 
@@ -51,6 +53,32 @@ bool sameBits(const std::vector<std::vector<DynamicVertex>>& a,
 
 }  // namespace
 
+namespace {
+
+/// Counts what widgets of the whole program paint, from its making on.
+class PaintCounter : public QObject {
+public:
+    PaintCounter() { qApp->installEventFilter(this); }
+    [[nodiscard]] qsizetype count() const { return m_count; }
+    [[nodiscard]] const QString& last() const { return m_last; }  ///< who painted last
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::Paint && watched->isWidgetType()) {
+            ++m_count;
+            m_last =
+                QLatin1String(watched->metaObject()->className()) + QLatin1Char(' ') + watched->objectName();
+        }
+        return QObject::eventFilter(watched, event);
+    }
+
+private:
+    qsizetype m_count = 0;
+    QString m_last;
+};
+
+}  // namespace
+
 class ContextTest : public QObject {
     Q_OBJECT
 public:
@@ -65,6 +93,7 @@ private Q_SLOTS:
     void pixelsAndRaysAgree_data();
     void pixelsAndRaysAgree();
     void idleDrawsNothing();
+    void idleWindowPaintsNothing();
 
 private:
     void hitIt();
@@ -171,6 +200,10 @@ void ContextTest::windowTricksLoseNothing() {
     m_window->showNormal();
     QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), kPatience));
     back();
+    m_window->showFullScreen();
+    QTRY_VERIFY_WITH_TIMEOUT(viewport.size() != size, kPatience);
+    m_window->showNormal();
+    back();
     m_window->hide();
     m_window->show();
     QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), kPatience));
@@ -253,6 +286,32 @@ void ContextTest::idleDrawsNothing() {
                              kPatience);
     QTest::qWait(1500);
     QCOMPARE(frames.size(), last);
+}
+
+/// Nor is anything else in the window: panels, graphs, read-outs.
+void ContextTest::idleWindowPaintsNothing() {
+    // So much time in sight that a graph that went on as long as something moves in it would do so for
+    // minutes.
+    auto* plot = m_window->findChild<QWidget*>(QStringLiteral("framesPage"))
+                     ->findChild<QWidget*>(QStringLiteral("plot"));
+    for (int i = 0; i < 12; ++i) {
+        QTest::keyClick(plot, Qt::Key_Minus);
+    }
+    Viewport& viewport = m_window->viewport();
+    viewport.setFocus();
+    const QSignalSpy changed(m_session.get(), &Session::verticesMoved);
+    viewport.shootAtCrosshair();
+    QTRY_VERIFY_WITH_TIMEOUT(!changed.isEmpty(), kPatience);
+    PaintCounter paints;
+    qsizetype last = -1;
+    QTRY_VERIFY_WITH_TIMEOUT((last == paints.count()) || ((last = paints.count()), QTest::qWait(2500), false),
+                             2 * kPatience);
+    QTest::qWait(2500);
+    QVERIFY2(paints.count() == last, qPrintable(paints.last()));
+    // The next frame wakes it again.
+    const QSignalSpy drawn(m_window->findChild<FrameGraph*>(), &FrameGraph::drawn);
+    viewport.update();
+    QTRY_VERIFY_WITH_TIMEOUT(!drawn.isEmpty(), kPatience);
 }
 
 HITSCOPE_TEST(ContextTest, QApplication)

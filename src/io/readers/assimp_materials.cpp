@@ -35,6 +35,16 @@ std::string texturePath(const aiMaterial& from) {
     return {};
 }
 
+std::string normalMapPath(const aiMaterial& from) {
+    aiString path;
+    for (const aiTextureType type : {aiTextureType_NORMALS, aiTextureType_NORMAL_CAMERA}) {
+        if (from.GetTexture(type, 0, &path) == aiReturn_SUCCESS) {
+            return path.C_Str();
+        }
+    }
+    return {};
+}
+
 Material convertMaterial(const aiMaterial& from) {
     Material material;
     aiString name;
@@ -53,6 +63,7 @@ Material convertMaterial(const aiMaterial& from) {
         material.opacity = value;
     }
     material.diffuseTexture = texturePath(from);
+    material.normalMap.texture = normalMapPath(from);
     return material;
 }
 
@@ -78,31 +89,36 @@ std::optional<Image> convertTexture(const aiTexture& texture, QString& why) {
     return image;
 }
 
-/// Embedded pictures have no file: their material keeps no path, only the image.
-void takeEmbedded(const aiScene& scene, ImportedMesh& imported) {
-    std::unordered_map<const aiTexture*, int> known;
-    for (Material& material : imported.mesh.materials) {
-        const aiTexture* const texture = material.diffuseTexture.empty()
-                                             ? nullptr
-                                             : scene.GetEmbeddedTexture(material.diffuseTexture.c_str());
+/// Embedded pictures have no file: who refers to one keeps no path, only the image.
+class EmbeddedPictures {
+public:
+    EmbeddedPictures(const aiScene& scene, ImportedMesh& imported) : m_scene(scene), m_imported(imported) {}
+
+    void take(const Material& material, const char* what, std::string& path, int& image) {
+        const aiTexture* const texture = path.empty() ? nullptr : m_scene.GetEmbeddedTexture(path.c_str());
         if (!texture || !texture->pcData) {
-            continue;
+            return;
         }
-        const auto [at, isNew] = known.try_emplace(texture, -1);
+        const auto [at, isNew] = m_known.try_emplace(texture, -1);
         if (isNew) {
             QString why;
-            if (std::optional<Image> image = convertTexture(*texture, why)) {
-                at->second = static_cast<int>(imported.mesh.images.size());
-                imported.mesh.images.push_back(std::move(*image));
+            if (std::optional<Image> converted = convertTexture(*texture, why)) {
+                at->second = static_cast<int>(m_imported.mesh.images.size());
+                m_imported.mesh.images.push_back(std::move(*converted));
             } else {
-                imported.notes += QStringLiteral("The texture of the material \"%1\" is not shown: %2.")
-                                      .arg(QString::fromStdString(material.name), why);
+                m_imported.notes += QStringLiteral("The %1 of the material \"%2\" is not shown: %3.")
+                                        .arg(QLatin1String(what), QString::fromStdString(material.name), why);
             }
         }
-        material.diffuseImage = at->second;
-        material.diffuseTexture.clear();
+        image = at->second;
+        path.clear();
     }
-}
+
+private:
+    const aiScene& m_scene;
+    ImportedMesh& m_imported;
+    std::unordered_map<const aiTexture*, int> m_known;
+};
 
 }  // namespace
 
@@ -110,7 +126,11 @@ void convertMaterials(const aiScene& scene, ImportedMesh& imported) {
     for (unsigned m = 0; m < scene.mNumMaterials; ++m) {
         imported.mesh.materials.push_back(convertMaterial(*scene.mMaterials[m]));
     }
-    takeEmbedded(scene, imported);
+    EmbeddedPictures pictures(scene, imported);
+    for (Material& material : imported.mesh.materials) {
+        pictures.take(material, "texture", material.diffuseTexture, material.diffuseImage);
+        pictures.take(material, "normal map", material.normalMap.texture, material.normalMap.image);
+    }
 }
 
 }  // namespace hitscope

@@ -48,6 +48,17 @@ glm::vec3 colour(const tinyobj::real_t* c, bool given, const glm::vec3& otherwis
     return result;
 }
 
+/// `norm` before `map_Bump`: who writes both means the second for programs that know no other.
+NormalMap normalMapOf(const tinyobj::material_t& from) {
+    NormalMap map;
+    const bool isBump = from.normal_texname.empty();
+    map.kind = isBump ? NormalMap::Kind::Bump : NormalMap::Kind::Normals;
+    map.texture = isBump ? from.bump_texname : from.normal_texname;
+    const float strength = isBump ? from.bump_texopt.bump_multiplier : 1.0f;
+    map.strength = std::isfinite(strength) ? strength : 1.0f;
+    return map;
+}
+
 Material convert(const tinyobj::material_t& from, const Given& given) {
     Material material;
     material.name = from.name;
@@ -57,6 +68,7 @@ Material convert(const tinyobj::material_t& from, const Given& given) {
     material.shininess = std::isfinite(from.shininess) && from.shininess > 0.0f ? from.shininess : 1.0f;
     material.opacity = std::isfinite(from.dissolve) ? std::clamp(from.dissolve, 0.0f, 1.0f) : 1.0f;
     material.diffuseTexture = from.diffuse_texname;
+    material.normalMap = normalMapOf(from);
     return material;
 }
 

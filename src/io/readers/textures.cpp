@@ -86,33 +86,72 @@ std::optional<Image> decodeImage(const QByteArray& bytes, QString& why) {
     return toImage(decoded);
 }
 
-void readTextures(ImportedMesh& imported, const QString& folder) {
-    MeshData& mesh = imported.mesh;
-    std::unordered_map<std::string, int> known;
-    std::size_t pixelBytes = 0;
-    for (Material& material : mesh.materials) {
-        if (material.diffuseTexture.empty() || material.diffuseImage >= 0) {
-            continue;
-        }
-        const auto [at, isNew] = known.try_emplace(material.diffuseTexture, -1);
+namespace {
+
+/// Reads each file once, whoever refers to it.
+class TextureReader {
+public:
+    TextureReader(ImportedMesh& imported, const QString& folder) : m_imported(imported), m_folder(folder) {}
+
+    /// Index of the image, or -1. `what`: "texture", as the note calls one that is not shown.
+    int read(const std::string& texture, const QString& what) {
+        const auto [at, isNew] = m_known.try_emplace(texture, -1);
         if (isNew) {
-            const QString name = QString::fromStdString(material.diffuseTexture);
-            const QString path = findTexture(folder, name);
+            const QString name = QString::fromStdString(texture);
+            const QString path = findTexture(m_folder, name);
             QString why = QStringLiteral("it is not in the mesh's folder");
             std::optional<Image> image = path.isEmpty() ? std::nullopt : readPicture(path, why);
-            if (image && pixelBytes + image->pixels.size() > kMaxAllPixelBytes) {
+            if (image && m_pixelBytes + image->pixels.size() > kMaxAllPixelBytes) {
                 why = QStringLiteral("the mesh's textures take more than a gigabyte together");
                 image.reset();
             }
             if (image) {
-                pixelBytes += image->pixels.size();
-                at->second = static_cast<int>(mesh.images.size());
-                mesh.images.push_back(std::move(*image));
+                m_pixelBytes += image->pixels.size();
+                at->second = static_cast<int>(m_imported.mesh.images.size());
+                m_imported.mesh.images.push_back(std::move(*image));
             } else {
-                imported.notes += QStringLiteral("The texture \"%1\" is not shown: %2.").arg(name, why);
+                m_imported.notes += QStringLiteral("The %1 \"%2\" is not shown: %3.").arg(what, name, why);
             }
         }
-        material.diffuseImage = at->second;
+        return at->second;
+    }
+
+private:
+    ImportedMesh& m_imported;
+    const QString& m_folder;
+    std::unordered_map<std::string, int> m_known;
+    std::size_t m_pixelBytes = 0;
+};
+
+/// Heights are grey; normals are bluish.
+bool isGrey(const Image& image) {
+    for (std::size_t i = 0; i + 3 < image.pixels.size(); i += 4) {
+        if (image.pixels[i] != image.pixels[i + 1] || image.pixels[i] != image.pixels[i + 2]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+void readTextures(ImportedMesh& imported, const QString& folder) {
+    TextureReader reader(imported, folder);
+    for (Material& material : imported.mesh.materials) {
+        if (!material.diffuseTexture.empty() && material.diffuseImage < 0) {
+            material.diffuseImage = reader.read(material.diffuseTexture, QStringLiteral("texture"));
+        }
+        NormalMap& map = material.normalMap;
+        if (map.texture.empty() || map.image >= 0) {
+            continue;
+        }
+        map.image = reader.read(map.texture, QStringLiteral("normal map"));
+        if (map.image >= 0 && isGrey(imported.mesh.images[static_cast<std::size_t>(map.image)])) {
+            map.image = -1;
+            imported.notes +=
+                QStringLiteral("The bump map \"%1\" is not shown: it holds heights, not normals.")
+                    .arg(QString::fromStdString(map.texture));
+        }
     }
 }
 

@@ -15,7 +15,8 @@ namespace hitscope {
 
 namespace {
 
-constexpr double kGap = 0.5;  // seconds without a frame that break the line
+constexpr double kScrollsOn = 1.0;  // seconds after the last frame
+constexpr double kGap = 0.5;        // seconds without a frame that break the line
 constexpr double kMilliseconds = 1000.0;
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<double, 2> kTargets = {60.0, 30.0};  // frames a second
@@ -198,10 +199,22 @@ void FrameGraph::redraw() {
     refresh();
 }
 
+/// The right edge, seconds by FrameCosts::now().
+double FrameGraph::present() const {
+    if (m_paused) {
+        return m_pausedAt;
+    }
+    const double last = frameCount() > 0 ? frame(frameCount() - 1).end : 0.0;
+    return std::min(m_costs.now(), last + kScrollsOn);
+}
+
+bool FrameGraph::isMoving() const {
+    // And a little longer, so that the last picture is that of where it comes to rest.
+    return !m_paused && frameCount() > 0 && m_costs.now() < frame(frameCount() - 1).end + kScrollsOn + 0.5;
+}
+
 void FrameGraph::refresh() {
-    const bool moves =
-        !m_paused && frameCount() > 0 && frame(frameCount() - 1).end > present() - m_seconds - 1.0;
-    if (!m_plot.isVisible() || !(m_isDue || moves)) {
+    if (!m_plot.isVisible() || !(m_isDue || isMoving())) {
         return;
     }
     m_isDue = false;

@@ -36,7 +36,9 @@ public:
     /// Frames up to now are no longer shown.
     void clear();
 
-    void refresh();                                             ///< draws, if there is anything new
+    void refresh();  ///< draws, if there is anything new
+    /// Whether it scrolls on: a second after the last frame it stands still until the next one.
+    [[nodiscard]] bool isMoving() const;
     [[nodiscard]] double seconds() const { return m_seconds; }  ///< in sight
     [[nodiscard]] const std::optional<FrameCost>& hovered() const { return m_hovered; }
     /// All that are shown or can be gone back to, oldest first.
@@ -67,7 +69,7 @@ private:
     void hover(const QPointF& position);
     void endHover();
     void redraw();
-    [[nodiscard]] double present() const { return m_paused ? m_pausedAt : m_costs.now(); }
+    [[nodiscard]] double present() const;
     [[nodiscard]] std::size_t frameCount() const;
     [[nodiscard]] const FrameCost& frame(std::size_t index) const;
     [[nodiscard]] std::size_t firstFrameEndingAfter(double time) const;

@@ -75,6 +75,9 @@ FrameRatePanel::FrameRatePanel(Session& session, QAction& continuous, QWidget* p
     connect(&session.frameCosts(), &FrameCosts::frameEnded, this, [this] {
         const FrameCost& frame = m_session.frameCosts().frames().back();
         m_frames.add(frame.end, frame.total);
+        if (isVisible() && !m_timer.isActive()) {
+            m_timer.start();
+        }
     });
 }
 
@@ -262,6 +265,9 @@ void FrameRatePanel::refresh() {
         }
     }
     m_costView->refresh();
+    if (!m_graph->isMoving() && summary().framesPerSecond <= 0.0) {
+        m_timer.stop();  // nothing more to show until the next frame
+    }
 }
 
 void FrameRatePanel::showReadOuts() {
