@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "gl/picking_support.h"
+#include "gl/render_target.h"
+#include "session/comparison.h"
+#include "session/scene_section.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -88,6 +91,46 @@ private Q_SLOTS:
         QCOMPARE(found, kept);
         QVERIFY(seen > 30);
         QVERIFY2(wrong * 30 < seen, qPrintable(QStringLiteral("%1 of %2").arg(wrong).arg(seen)));
+    }
+
+    void bothOfTwoPicturesAreCut() {
+        open(PipelineKind::UniformArrayCulled);
+        Comparison comparison(*m_session);
+        comparison.setOther(PipelineKind::Reference);
+        SceneGpu::View view = viewOf(1.0f);
+        view.comparison = &comparison;
+        view.options.sideBySide = true;
+        view.options.beforeAfter.wipe = true;
+        view.options.beforeAfter.ghost = GhostMode::Wire;
+        view.options.shadows = true;
+        view.section = sectionLines(*m_session, cutOf(), 1.0f);
+        view.showsCutPlane = true;
+        const gl::RenderTarget target(view.width, view.height, 4);
+        const auto drawn = [&] {
+            for (int frames = 0; frames < 3; ++frames) {  // the second pipeline's come with the first
+                if (!m_gpu->draw(view, target.framebuffer())) {
+                    return Image();
+                }
+            }
+            return target.read();
+        };
+        const Image whole = drawn();
+        view.options.cut = cutOf();
+        const Image opened = drawn();
+        const int half = view.width / 2;
+        int differ[2] = {};
+        QCOMPARE(opened.pixels.size(), whole.pixels.size());
+        for (std::size_t i = 0; i < whole.pixels.size(); i += 4) {
+            const int column = static_cast<int>(i / 4) % view.width;
+            differ[column / half] += whole.pixels[i] != opened.pixels[i] ? 1 : 0;
+        }
+        QVERIFY2(differ[0] > 2000 && differ[1] > 2000,
+                 qPrintable(QStringLiteral("%1, %2").arg(differ[0]).arg(differ[1])));
+        for (float x = 5.5f; x < 640.0f; x += 31.0f) {
+            const auto picked = m_picker->pick(view, {x, 240.5f});
+            QVERIFY(picked.ok());
+            QVERIFY(isSeenAt(view, {x, 240.5f}, picked.value()));
+        }
     }
 
 private:
