@@ -7,6 +7,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "support/test_program.h"
+
 namespace {
 
 struct Run {
@@ -189,5 +191,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(BenchTest)
+HITSCOPE_TEST(BenchTest, QCoreApplication)
 #include "bench_test.moc"

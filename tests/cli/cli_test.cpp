@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "io/import.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -197,5 +198,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(CliTest)
+HITSCOPE_TEST(CliTest, QCoreApplication)
 #include "cli_test.moc"

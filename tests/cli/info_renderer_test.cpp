@@ -3,6 +3,8 @@
 #include <QProcess>
 #include <QtTest>
 
+#include "support/test_program.h"
+
 namespace {
 
 struct Run {
@@ -66,5 +68,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(InfoRendererTest)
+HITSCOPE_TEST(InfoRendererTest, QCoreApplication)
 #include "info_renderer_test.moc"

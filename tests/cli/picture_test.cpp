@@ -6,6 +6,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "support/test_program.h"
+
 namespace {
 
 struct Run {
@@ -126,5 +128,5 @@ void PictureTest::errorsSayWhatToDo() {
     QVERIFY2(run.err.contains(QStringLiteral("folder.png")), qPrintable(run.err));
 }
 
-QTEST_GUILESS_MAIN(PictureTest)
+HITSCOPE_TEST(PictureTest, QCoreApplication)
 #include "picture_test.moc"

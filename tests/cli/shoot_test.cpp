@@ -4,6 +4,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "support/test_program.h"
+
 namespace {
 
 struct Run {
@@ -61,5 +63,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(ShootTest)
+HITSCOPE_TEST(ShootTest, QCoreApplication)
 #include "shoot_test.moc"

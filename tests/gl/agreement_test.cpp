@@ -8,6 +8,7 @@
 #include "mesh/primitives.h"
 #include "mesh/teapot.h"
 #include "support/gl_fixture.h"
+#include "support/test_program.h"
 
 namespace hitscope {
 
@@ -83,5 +84,5 @@ private:
 
 }  // namespace hitscope
 
-QTEST_GUILESS_MAIN(hitscope::AgreementTest)
+HITSCOPE_TEST(hitscope::AgreementTest, QCoreApplication)
 #include "agreement_test.moc"

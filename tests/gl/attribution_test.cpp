@@ -8,6 +8,7 @@
 #include "gl/context.h"
 #include "session/demo_shots.h"
 #include "session/scene_gpu.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -72,5 +73,5 @@ private:
     std::unique_ptr<gl::OffscreenContext> m_context;
 };
 
-QTEST_GUILESS_MAIN(AttributionTest)
+HITSCOPE_TEST(AttributionTest, QCoreApplication)
 #include "attribution_test.moc"

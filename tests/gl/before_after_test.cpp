@@ -8,6 +8,7 @@
 #include "session/demo_shots.h"
 #include "session/scene_gpu.h"
 #include "support/gl_fixture.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -182,5 +183,5 @@ private:
     SceneGpu::View m_view;
 };
 
-QTEST_GUILESS_MAIN(BeforeAfterTest)
+HITSCOPE_TEST(BeforeAfterTest, QCoreApplication)
 #include "before_after_test.moc"

@@ -15,6 +15,7 @@
 #include "session/hit_effects.h"
 #include "session/scene_gpu.h"
 #include "support/gl_fixture.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -252,5 +253,5 @@ private:
     std::unique_ptr<SceneGpu> m_gpu;
 };
 
-QTEST_GUILESS_MAIN(ChangeMapTest)
+HITSCOPE_TEST(ChangeMapTest, QCoreApplication)
 #include "change_map_test.moc"

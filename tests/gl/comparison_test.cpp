@@ -12,6 +12,7 @@
 #include "session/demo_shots.h"
 #include "session/scene_gpu.h"
 #include "support/gl_fixture.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -171,5 +172,5 @@ private:
     SceneGpu::View m_view;
 };
 
-QTEST_GUILESS_MAIN(ComparisonTest)
+HITSCOPE_TEST(ComparisonTest, QCoreApplication)
 #include "comparison_test.moc"

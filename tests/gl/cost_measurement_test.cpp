@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "session/frame_costs.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -82,5 +83,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(CostMeasurementTest)
+HITSCOPE_TEST(CostMeasurementTest, QCoreApplication)
 #include "cost_measurement_test.moc"

@@ -11,6 +11,7 @@
 #include "pipeline/capture_pass.h"
 #include "pipeline/hit_arrays.h"
 #include "support/gl_fixture.h"
+#include "support/test_program.h"
 
 namespace hitscope {
 
@@ -202,5 +203,5 @@ private:
 
 }  // namespace hitscope
 
-QTEST_GUILESS_MAIN(hitscope::DeformShaderTest)
+HITSCOPE_TEST(hitscope::DeformShaderTest, QCoreApplication)
 #include "deform_shader_test.moc"

@@ -8,6 +8,7 @@
 #include "gl/context.h"
 #include "gl/render_target.h"
 #include "session/scene_gpu.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -122,5 +123,5 @@ private:
     std::unique_ptr<gl::OffscreenContext> m_context;
 };
 
-QTEST_GUILESS_MAIN(DeterminismTest)
+HITSCOPE_TEST(DeterminismTest, QCoreApplication)
 #include "determinism_test.moc"

@@ -8,6 +8,7 @@
 
 #include "gl/objects.h"
 #include "support/gl_fixture.h"
+#include "support/test_program.h"
 
 namespace hitscope {
 
@@ -132,5 +133,5 @@ private:
 
 }  // namespace hitscope
 
-QTEST_GUILESS_MAIN(hitscope::ExactnessTest)
+HITSCOPE_TEST(hitscope::ExactnessTest, QCoreApplication)
 #include "exactness_test.moc"

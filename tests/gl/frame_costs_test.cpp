@@ -8,6 +8,7 @@
 #include "gl/render_target.h"
 #include "session/scene_gpu.h"
 #include "support/gl_fixture.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -119,5 +120,5 @@ private:
     std::unique_ptr<gl::RenderTarget> m_picture;
 };
 
-QTEST_GUILESS_MAIN(FrameCostsTest)
+HITSCOPE_TEST(FrameCostsTest, QCoreApplication)
 #include "frame_costs_test.moc"

@@ -6,6 +6,7 @@
 
 #include "gl/pipeline_support.h"
 #include "support/gl_fixture.h"
+#include "support/test_program.h"
 
 namespace hitscope {
 
@@ -217,5 +218,5 @@ private:
 
 }  // namespace hitscope
 
-QTEST_GUILESS_MAIN(hitscope::HistoryEditsTest)
+HITSCOPE_TEST(hitscope::HistoryEditsTest, QCoreApplication)
 #include "history_edits_test.moc"

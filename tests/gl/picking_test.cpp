@@ -14,6 +14,7 @@
 #include "session/primitive_target.h"
 #include "session/scene_picker.h"
 #include "session/screen_space.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using Depth = ScenePicker::Depth;
@@ -408,5 +409,5 @@ private:
     std::unique_ptr<ScenePicker> m_picker;
 };
 
-QTEST_GUILESS_MAIN(PickingTest)
+HITSCOPE_TEST(PickingTest, QCoreApplication)
 #include "picking_test.moc"

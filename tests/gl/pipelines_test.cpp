@@ -7,6 +7,7 @@
 
 #include "gl/pipeline_support.h"
 #include "support/gl_fixture.h"
+#include "support/test_program.h"
 
 namespace hitscope {
 
@@ -318,5 +319,5 @@ private:
 
 }  // namespace hitscope
 
-QTEST_GUILESS_MAIN(hitscope::PipelinesTest)
+HITSCOPE_TEST(hitscope::PipelinesTest, QCoreApplication)
 #include "pipelines_test.moc"

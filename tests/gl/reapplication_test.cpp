@@ -12,6 +12,7 @@
 #include "gl/render_target.h"
 #include "mesh/primitives.h"
 #include "session/scene_gpu.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -188,5 +189,5 @@ private:
     std::optional<gl::RenderTarget> m_target;
 };
 
-QTEST_GUILESS_MAIN(ReapplicationTest)
+HITSCOPE_TEST(ReapplicationTest, QCoreApplication)
 #include "reapplication_test.moc"

@@ -9,6 +9,7 @@
 #include "mesh/panel_texture.h"
 #include "session/primitive_target.h"
 #include "session/scene_gpu.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -114,5 +115,5 @@ private:
     std::unique_ptr<gl::OffscreenContext> m_context;
 };
 
-QTEST_GUILESS_MAIN(SceneDrawTest)
+HITSCOPE_TEST(SceneDrawTest, QCoreApplication)
 #include "scene_draw_test.moc"

@@ -13,6 +13,7 @@
 #include "mesh/primitives.h"
 #include "session/demo_shots.h"
 #include "session/export_target.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -226,5 +227,5 @@ private:
     std::unique_ptr<gl::OffscreenContext> m_context;
 };
 
-QTEST_GUILESS_MAIN(SceneGpuTest)
+HITSCOPE_TEST(SceneGpuTest, QCoreApplication)
 #include "scene_gpu_test.moc"

@@ -8,6 +8,7 @@
 #include "gl/render_target.h"
 #include "gl/shader_source.h"
 #include "support/gl_fixture.h"
+#include "support/test_program.h"
 
 namespace hitscope {
 namespace {
@@ -205,5 +206,5 @@ private:
 
 }  // namespace hitscope
 
-QTEST_GUILESS_MAIN(hitscope::ShadersTest)
+HITSCOPE_TEST(hitscope::ShadersTest, QCoreApplication)
 #include "shaders_test.moc"

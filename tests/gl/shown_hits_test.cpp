@@ -10,6 +10,7 @@
 #include "gl/context.h"
 #include "session/demo_shots.h"
 #include "session/scene_gpu.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -138,5 +139,5 @@ private:
     std::unique_ptr<gl::OffscreenContext> m_context;
 };
 
-QTEST_GUILESS_MAIN(ShownHitsTest)
+HITSCOPE_TEST(ShownHitsTest, QCoreApplication)
 #include "shown_hits_test.moc"

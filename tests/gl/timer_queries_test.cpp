@@ -6,6 +6,7 @@
 
 #include "gl/render_target.h"
 #include "support/gl_fixture.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -94,5 +95,5 @@ private:
     test::GlFixture m_gl;
 };
 
-QTEST_GUILESS_MAIN(TimerQueriesTest)
+HITSCOPE_TEST(TimerQueriesTest, QCoreApplication)
 #include "timer_queries_test.moc"

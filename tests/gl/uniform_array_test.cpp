@@ -5,6 +5,7 @@
 #include "gl/pipeline_support.h"
 #include "pipeline/hit_arrays.h"
 #include "support/gl_fixture.h"
+#include "support/test_program.h"
 
 namespace hitscope {
 
@@ -224,5 +225,5 @@ private:
 
 }  // namespace hitscope
 
-QTEST_GUILESS_MAIN(hitscope::UniformArrayTest)
+HITSCOPE_TEST(hitscope::UniformArrayTest, QCoreApplication)
 #include "uniform_array_test.moc"

@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "models/read_back_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -155,5 +156,5 @@ private:
     std::unique_ptr<QAbstractItemModelTester> m_tester;
 };
 
-QTEST_GUILESS_MAIN(AttributionModelTest)
+HITSCOPE_TEST(AttributionModelTest, QCoreApplication)
 #include "attribution_model_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "models/constants_presets.h"
+#include "support/test_program.h"
 
 #include <QSettings>
 #include <QTemporaryDir>
@@ -65,5 +66,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(ConstantsPresetsTest)
+HITSCOPE_TEST(ConstantsPresetsTest, QCoreApplication)
 #include "constants_presets_test.moc"

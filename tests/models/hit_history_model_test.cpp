@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "models/hit_history_model.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -321,5 +322,5 @@ void HitHistoryModelTest::survivesAnythingWhileHitsStreamIn() {
     }
 }
 
-QTEST_GUILESS_MAIN(HitHistoryModelTest)
+HITSCOPE_TEST(HitHistoryModelTest, QCoreApplication)
 #include "hit_history_model_test.moc"

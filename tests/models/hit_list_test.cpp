@@ -10,6 +10,7 @@
 #include <random>
 
 #include "session/hit_effects.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -254,5 +255,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(HitListTest)
+HITSCOPE_TEST(HitListTest, QCoreApplication)
 #include "hit_list_test.moc"

@@ -13,6 +13,7 @@
 #include "models/mesh_health_model.h"
 #include "models/mesh_statistics_model.h"
 #include "models/statistics_report.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -309,5 +310,5 @@ void MeshStatisticsModelTest::listsHarmedFacesAndTheirHits() {
     QTRY_COMPARE(health.rowCount(), 0);
 }
 
-QTEST_GUILESS_MAIN(MeshStatisticsModelTest)
+HITSCOPE_TEST(MeshStatisticsModelTest, QCoreApplication)
 #include "mesh_statistics_model_test.moc"

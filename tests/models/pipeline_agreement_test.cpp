@@ -9,6 +9,7 @@
 
 #include "deform/reference.h"
 #include "mesh/primitives.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -129,5 +130,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(PipelineAgreementTest)
+HITSCOPE_TEST(PipelineAgreementTest, QCoreApplication)
 #include "pipeline_agreement_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "models/rotation_angles.h"
+#include "support/test_program.h"
 
 #include <QtTest>
 #include <cmath>
@@ -52,5 +53,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(RotationAnglesTest)
+HITSCOPE_TEST(RotationAnglesTest, QCoreApplication)
 #include "rotation_angles_test.moc"

@@ -8,6 +8,7 @@
 #include <array>
 
 #include "session/primitive_target.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -120,5 +121,5 @@ private:
     std::unique_ptr<QAbstractItemModelTester> m_tester;
 };
 
-QTEST_GUILESS_MAIN(SceneModelTest)
+HITSCOPE_TEST(SceneModelTest, QCoreApplication)
 #include "scene_model_test.moc"

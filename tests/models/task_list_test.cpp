@@ -7,6 +7,7 @@
 
 #include "session/history_copy.h"
 #include "session/history_edits.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -91,5 +92,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TaskListTest)
+HITSCOPE_TEST(TaskListTest, QCoreApplication)
 #include "task_list_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "models/undo_text.h"
+#include "support/test_program.h"
 
 #include <QtTest>
 
@@ -36,5 +37,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(UndoTextTest)
+HITSCOPE_TEST(UndoTextTest, QCoreApplication)
 #include "undo_text_test.moc"

@@ -14,6 +14,7 @@
 #include "models/read_back_support.h"
 #include "session/primitive_target.h"
 #include "session/vertex_selection.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -317,5 +318,5 @@ private:
     std::unique_ptr<QAbstractItemModelTester> m_tester;
 };
 
-QTEST_GUILESS_MAIN(VertexChangesModelTest)
+HITSCOPE_TEST(VertexChangesModelTest, QCoreApplication)
 #include "vertex_changes_model_test.moc"

@@ -7,6 +7,7 @@
 
 #include "mesh/primitives.h"
 #include "render_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -262,5 +263,5 @@ void LightsTest::floorFollowsTheEquations() {
     QVERIFY2(compared > 10, qPrintable(QString::number(compared)));
 }
 
-QTEST_GUILESS_MAIN(LightsTest)
+HITSCOPE_TEST(LightsTest, QCoreApplication)
 #include "lights_test.moc"

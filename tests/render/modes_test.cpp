@@ -6,6 +6,7 @@
 
 #include "mesh/primitives.h"
 #include "render_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -206,5 +207,5 @@ void ModesTest::shadowsFollow() {
     QVERIFY(differing(without, picture(*m_renderer, shadowed, *pipeline), kLevels) < 100);
 }
 
-QTEST_GUILESS_MAIN(ModesTest)
+HITSCOPE_TEST(ModesTest, QCoreApplication)
 #include "modes_test.moc"

@@ -10,6 +10,7 @@
 
 #include "mesh/primitives.h"
 #include "render_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -426,5 +427,5 @@ void RendererTest::stateIsGivenBack() {
                         [](std::uint8_t value) { return value > 40 && value < 255; }));
 }
 
-QTEST_GUILESS_MAIN(RendererTest)
+HITSCOPE_TEST(RendererTest, QCoreApplication)
 #include "renderer_test.moc"

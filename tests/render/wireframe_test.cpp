@@ -5,6 +5,7 @@
 
 #include "mesh/primitives.h"
 #include "render_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -119,5 +120,5 @@ void WireframeTest::hiddenEdgesAreHidden() {
     QVERIFY(differing(only.copy(inside), background.copy(inside), 60) <= 4);
 }
 
-QTEST_GUILESS_MAIN(WireframeTest)
+HITSCOPE_TEST(WireframeTest, QCoreApplication)
 #include "wireframe_test.moc"

@@ -8,7 +8,7 @@
 
 namespace hitscope::test {
 
-/// The offscreen context of a test class. Link hitscope_gl and add support/gl_fixture.cpp to the sources:
+/// The offscreen context of a test class.:
 ///
 ///     void initTestCase() { m_gl.open(); }
 ///     void cleanup() { QCOMPARE(m_gl.errors(), QStringList()); }

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "cli/bench/arguments.h"
+#include "support/test_program.h"
 
 using namespace hitscope::bench;
 
@@ -106,5 +107,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(BenchArgumentsTest)
+HITSCOPE_TEST(BenchArgumentsTest, QCoreApplication)
 #include "bench_arguments_test.moc"

@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "cli/bench/harness.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::bench;
@@ -143,5 +144,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(BenchHarnessTest)
+HITSCOPE_TEST(BenchHarnessTest, QCoreApplication)
 #include "bench_harness_test.moc"

@@ -10,6 +10,7 @@
 #include "cli/bench/sphere.h"
 #include "cli/bench/texture.h"
 #include "mesh/panel_texture.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::bench;
@@ -132,5 +133,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(BenchReportTest)
+HITSCOPE_TEST(BenchReportTest, QCoreApplication)
 #include "bench_report_test.moc"

@@ -10,6 +10,7 @@
 #include "physics_support.h"
 #include "render/camera_text.h"
 #include "render/lights.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -381,5 +382,5 @@ void CameraTest::defaultLightsFollowTheScene() {
     }
 }
 
-QTEST_APPLESS_MAIN(CameraTest)
+HITSCOPE_TEST(CameraTest, QCoreApplication)
 #include "camera_test.moc"

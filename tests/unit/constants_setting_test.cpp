@@ -10,6 +10,7 @@
 #include "deform/reference.h"
 #include "mesh/primitives.h"
 #include "session/session.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -118,5 +119,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(ConstantsSettingTest)
+HITSCOPE_TEST(ConstantsSettingTest, QCoreApplication)
 #include "constants_setting_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/cost_curves.h"
+#include "support/test_program.h"
 
 #include <QtTest>
 
@@ -78,5 +79,5 @@ void CostCurvesTest::oneSlowFrameIsNoCrossover() {
     QCOMPARE(crossover(a, b, CostOf::Frame).value_or(0.0), 15.0);
 }
 
-QTEST_APPLESS_MAIN(CostCurvesTest)
+HITSCOPE_TEST(CostCurvesTest, QCoreApplication)
 #include "cost_curves_test.moc"

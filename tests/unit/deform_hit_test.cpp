@@ -7,6 +7,7 @@
 #include "deform/hit.h"
 #include "deform/hit_history.h"
 #include "deform_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -239,5 +240,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(HitTest)
+HITSCOPE_TEST(HitTest, QCoreApplication)
 #include "deform_hit_test.moc"

@@ -4,6 +4,7 @@
 
 #include "deform/deformed_mesh.h"
 #include "mesh/primitives.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -107,5 +108,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(DeformedMeshTest)
+HITSCOPE_TEST(DeformedMeshTest, QCoreApplication)
 #include "deform_mesh_test.moc"

@@ -8,6 +8,7 @@
 #include "deform_support.h"
 #include "mesh/primitives.h"
 #include "mesh/teapot.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -266,5 +267,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(ReachTest)
+HITSCOPE_TEST(ReachTest, QCoreApplication)
 #include "deform_reach_test.moc"

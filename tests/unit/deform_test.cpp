@@ -9,6 +9,7 @@
 #include <random>
 
 #include "deform_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -204,5 +205,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(DeformTest)
+HITSCOPE_TEST(DeformTest, QCoreApplication)
 #include "deform_test.moc"

@@ -10,6 +10,7 @@
 #include "deform/reference.h"
 #include "mesh/primitives.h"
 #include "session/session.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -116,5 +117,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(DentPreviewTest)
+HITSCOPE_TEST(DentPreviewTest, QCoreApplication)
 #include "dent_preview_test.moc"

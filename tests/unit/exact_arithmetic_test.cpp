@@ -9,6 +9,8 @@
 #include <limits>
 #include <random>
 
+#include "support/test_program.h"
+
 namespace {
 
 float stepped(float x, int units) {
@@ -192,5 +194,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(ExactArithmeticTest)
+HITSCOPE_TEST(ExactArithmeticTest, QCoreApplication)
 #include "exact_arithmetic_test.moc"

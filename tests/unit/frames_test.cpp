@@ -8,6 +8,7 @@
 #include "core/ring.h"
 #include "session/frame_costs.h"
 #include "session/session.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -178,5 +179,5 @@ void FramesTest::costsStayWithTheirHits() {
     QVERIFY(!costs.hitCost(0));
 }
 
-QTEST_GUILESS_MAIN(FramesTest)
+HITSCOPE_TEST(FramesTest, QCoreApplication)
 #include "frames_test.moc"

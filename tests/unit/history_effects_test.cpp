@@ -8,6 +8,7 @@
 
 #include "deform/reference.h"
 #include "mesh/primitives.h"
+#include "support/test_program.h"
 #include "unit/deform_support.h"
 
 using namespace hitscope;
@@ -224,5 +225,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(HistoryEffectsTest)
+HITSCOPE_TEST(HistoryEffectsTest, QCoreApplication)
 #include "history_effects_test.moc"

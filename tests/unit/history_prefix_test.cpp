@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The first hits of a history that is changed in every way, followed by edits.
 #include "deform/history_prefix.h"
+#include "support/test_program.h"
 
 #include <QTest>
 #include <random>
@@ -53,5 +54,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(HistoryPrefixTest)
+HITSCOPE_TEST(HistoryPrefixTest, QCoreApplication)
 #include "history_prefix_test.moc"

@@ -2,6 +2,7 @@
 // What a session's hits did, worked out beside it: the same as working it out at once, whatever happens
 // between.
 #include "session/hit_effects.h"
+#include "support/test_program.h"
 
 #include <QSignalSpy>
 #include <QThreadPool>
@@ -204,5 +205,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(HitEffectsTest)
+HITSCOPE_TEST(HitEffectsTest, QCoreApplication)
 #include "hit_effects_test.moc"

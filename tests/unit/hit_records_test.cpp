@@ -8,6 +8,7 @@
 #include <random>
 
 #include "session/hit_files.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -233,5 +234,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(HitRecordsTest)
+HITSCOPE_TEST(HitRecordsTest, QCoreApplication)
 #include "hit_records_test.moc"

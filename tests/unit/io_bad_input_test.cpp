@@ -9,6 +9,7 @@
 
 #include "io/import.h"
 #include "io_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -174,5 +175,5 @@ void BadInputTest::tooMuchMemory() {
              qPrintable(messageOf(result)));
 }
 
-QTEST_GUILESS_MAIN(BadInputTest)
+HITSCOPE_TEST(BadInputTest, QCoreApplication)
 #include "io_bad_input_test.moc"

@@ -11,6 +11,7 @@
 #include "io/readers/obj_reader.h"
 #include "io/readers/read_mesh.h"
 #include "io_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -293,5 +294,5 @@ void ExportTest::saysWhyItCannotWrite() {
     QVERIFY(!QFile::exists(in("target/b.obj")));
 }
 
-QTEST_GUILESS_MAIN(ExportTest)
+HITSCOPE_TEST(ExportTest, QCoreApplication)
 #include "io_export_test.moc"

@@ -6,6 +6,7 @@
 
 #include "io/import.h"
 #include "io_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -245,5 +246,5 @@ void FormatsTest::listsFormats() {
     }
 }
 
-QTEST_GUILESS_MAIN(FormatsTest)
+HITSCOPE_TEST(FormatsTest, QCoreApplication)
 #include "io_formats_test.moc"

@@ -8,6 +8,7 @@
 #include "io/readers/obj_reader.h"
 #include "io/readers/textures.h"
 #include "io_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -182,5 +183,5 @@ void MaterialsTest::notesBrokenPictures() {
     }
 }
 
-QTEST_GUILESS_MAIN(MaterialsTest)
+HITSCOPE_TEST(MaterialsTest, QCoreApplication)
 #include "io_materials_test.moc"

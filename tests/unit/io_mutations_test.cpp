@@ -8,6 +8,7 @@
 #include "io/readers/ply_reader.h"
 #include "io/readers/stl_reader.h"
 #include "io_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -122,5 +123,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(MutationsTest)
+HITSCOPE_TEST(MutationsTest, QCoreApplication)
 #include "io_mutations_test.moc"

@@ -4,6 +4,7 @@
 
 #include "io/readers/obj_reader.h"
 #include "io_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -220,5 +221,5 @@ void ObjTest::refuses() {
     QVERIFY2(messageOf(result).contains(message), qPrintable(messageOf(result)));
 }
 
-QTEST_APPLESS_MAIN(ObjTest)
+HITSCOPE_TEST(ObjTest, QCoreApplication)
 #include "io_obj_test.moc"

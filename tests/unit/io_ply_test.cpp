@@ -4,6 +4,7 @@
 
 #include "io/readers/ply_reader.h"
 #include "io_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -213,5 +214,5 @@ void PlyTest::refusesEveryTruncation() {
     }
 }
 
-QTEST_APPLESS_MAIN(PlyTest)
+HITSCOPE_TEST(PlyTest, QCoreApplication)
 #include "io_ply_test.moc"

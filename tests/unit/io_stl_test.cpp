@@ -4,6 +4,7 @@
 
 #include "io/readers/stl_reader.h"
 #include "io_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -128,5 +129,5 @@ void StlTest::refusesEveryTruncation() {
     }
 }
 
-QTEST_APPLESS_MAIN(StlTest)
+HITSCOPE_TEST(StlTest, QCoreApplication)
 #include "io_stl_test.moc"

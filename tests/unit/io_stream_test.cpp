@@ -7,6 +7,7 @@
 #include "io/mesh_stream.h"
 #include "io/worker_protocol.h"
 #include "io_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -135,5 +136,5 @@ void StreamTest::protocolGarbage() {
     QCOMPARE(std::get<WorkerProgress>(parseWorkerLine("progress 7 x")).fraction, 1.0);
 }
 
-QTEST_GUILESS_MAIN(StreamTest)
+HITSCOPE_TEST(StreamTest, QCoreApplication)
 #include "io_stream_test.moc"

@@ -9,6 +9,7 @@
 #include "io/import.h"
 #include "io/mesh_stream.h"
 #include "io_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -190,5 +191,5 @@ void WorkerTest::emitsOnce() {
     QCOMPARE(ends, 1);
 }
 
-QTEST_GUILESS_MAIN(WorkerTest)
+HITSCOPE_TEST(WorkerTest, QCoreApplication)
 #include "io_worker_test.moc"

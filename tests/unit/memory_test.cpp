@@ -6,6 +6,8 @@
 #include <memory>
 #include <vector>
 
+#include "support/test_program.h"
+
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
@@ -34,5 +36,5 @@ void MemoryTest::freedBlocksStayWithTheLibrary() {
 #endif
 }
 
-QTEST_APPLESS_MAIN(MemoryTest)
+HITSCOPE_TEST(MemoryTest, QCoreApplication)
 #include "memory_test.moc"

@@ -5,6 +5,7 @@
 #include "core/frame_times.h"
 #include "core/parameter.h"
 #include "core/result.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -103,5 +104,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(CoreTest)
+HITSCOPE_TEST(CoreTest, QCoreApplication)
 #include "mesh_core_test.moc"

@@ -6,6 +6,7 @@
 #include "mesh/mesh_data.h"
 #include "mesh/primitives.h"
 #include "mesh_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -145,5 +146,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(MeshDataTest)
+HITSCOPE_TEST(MeshDataTest, QCoreApplication)
 #include "mesh_data_test.moc"

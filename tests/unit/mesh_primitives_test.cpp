@@ -6,6 +6,7 @@
 
 #include "mesh/primitives.h"
 #include "mesh/topology.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -140,5 +141,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(PrimitivesTest)
+HITSCOPE_TEST(PrimitivesTest, QCoreApplication)
 #include "mesh_primitives_test.moc"

@@ -14,6 +14,7 @@
 #include "mesh/teapot.h"
 #include "mesh/topology.h"
 #include "mesh_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using hitscope::test::meshOf;
@@ -290,5 +291,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(RenderMeshTest)
+HITSCOPE_TEST(RenderMeshTest, QCoreApplication)
 #include "mesh_render_test.moc"

@@ -7,6 +7,7 @@
 #include "mesh/teapot.h"
 #include "mesh/topology.h"
 #include "mesh/triangulate.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -133,5 +134,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TeapotTest)
+HITSCOPE_TEST(TeapotTest, QCoreApplication)
 #include "mesh_teapot_test.moc"

@@ -8,6 +8,7 @@
 #include "mesh/primitives.h"
 #include "mesh/topology.h"
 #include "mesh_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using hitscope::test::meshOf;
@@ -212,5 +213,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TopologyTest)
+HITSCOPE_TEST(TopologyTest, QCoreApplication)
 #include "mesh_topology_test.moc"

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "mesh/triangulate.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -185,5 +186,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TriangulateTest)
+HITSCOPE_TEST(TriangulateTest, QCoreApplication)
 #include "mesh_triangulate_test.moc"

@@ -11,6 +11,7 @@
 #include "mesh/triangulate.h"
 #include "mesh/true_normals.h"
 #include "mesh_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -207,5 +208,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TrueNormalsTest)
+HITSCOPE_TEST(TrueNormalsTest, QCoreApplication)
 #include "mesh_true_normals_test.moc"

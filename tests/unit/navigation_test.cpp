@@ -2,6 +2,7 @@
 // The hand on the camera, without a window: presets, orbit modes, glides, trackpads.
 #include "viewport/navigation.h"
 
+#include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "support/test_program.h"
 #include "viewport/aim.h"
 
 using namespace hitscope;
@@ -295,5 +297,5 @@ void NavigationTest::shotsStartNearWhatTheyMeet() {
     QVERIFY(std::abs(glm::dot(past.origin - camera().eye(), camera().forward())) < 1.0e-3f);
 }
 
-QTEST_MAIN(NavigationTest)
+HITSCOPE_TEST(NavigationTest, QApplication)
 #include "navigation_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/panel_texture.h"
+#include "support/test_program.h"
 
 #include <QtTest>
 #include <cstdlib>
@@ -73,5 +74,5 @@ private Q_SLOTS:
     void smallestIsAPictureToo() { QCOMPARE(makePanelTexture(4).pixels.size(), std::size_t{64}); }
 };
 
-QTEST_APPLESS_MAIN(PanelTextureTest)
+HITSCOPE_TEST(PanelTextureTest, QCoreApplication)
 #include "panel_texture_test.moc"

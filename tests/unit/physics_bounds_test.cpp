@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "physics_dents.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -245,5 +246,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(PhysicsBoundsTest)
+HITSCOPE_TEST(PhysicsBoundsTest, QCoreApplication)
 #include "physics_bounds_test.moc"

@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "physics_dents.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -246,5 +247,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(PhysicsCollidersTest)
+HITSCOPE_TEST(PhysicsCollidersTest, QCoreApplication)
 #include "physics_colliders_test.moc"

@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "physics_dents.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -243,5 +244,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(PhysicsDynamicTest)
+HITSCOPE_TEST(PhysicsDynamicTest, QCoreApplication)
 #include "physics_dynamic_test.moc"

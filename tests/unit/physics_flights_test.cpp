@@ -5,6 +5,7 @@
 
 #include "physics/physics_world.h"
 #include "physics_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -197,5 +198,5 @@ void PhysicsFlightsTest::sameCallsGiveTheSameImpacts() {
     }
 }
 
-QTEST_APPLESS_MAIN(PhysicsFlightsTest)
+HITSCOPE_TEST(PhysicsFlightsTest, QCoreApplication)
 #include "physics_flights_test.moc"

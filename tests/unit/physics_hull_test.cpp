@@ -5,6 +5,7 @@
 
 #include "physics/mesh_surface.h"
 #include "physics_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -103,5 +104,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(PhysicsHullTest)
+HITSCOPE_TEST(PhysicsHullTest, QCoreApplication)
 #include "physics_hull_test.moc"

@@ -9,6 +9,7 @@
 #include "physics_dents.h"
 #include "session/paced_advance.h"
 #include "session/session.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -299,5 +300,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(PhysicsSessionTest)
+HITSCOPE_TEST(PhysicsSessionTest, QCoreApplication)
 #include "physics_session_test.moc"

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "physics_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -307,5 +308,5 @@ void PhysicsTest::castsRays() {
     QVERIFY(!world.castRay({0, 0, 0}, {0, 1, 0}, 1000));
 }
 
-QTEST_APPLESS_MAIN(PhysicsTest)
+HITSCOPE_TEST(PhysicsTest, QCoreApplication)
 #include "physics_test.moc"

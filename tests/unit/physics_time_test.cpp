@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "physics_support.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -166,5 +167,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(PhysicsTimeTest)
+HITSCOPE_TEST(PhysicsTimeTest, QCoreApplication)
 #include "physics_time_test.moc"

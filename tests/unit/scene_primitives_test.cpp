@@ -10,6 +10,7 @@
 #include "mesh/grid_primitives.h"
 #include "mesh/topology.h"
 #include "session/primitive_target.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -152,5 +153,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(ScenePrimitivesTest)
+HITSCOPE_TEST(ScenePrimitivesTest, QCoreApplication)
 #include "scene_primitives_test.moc"

@@ -10,6 +10,7 @@
 #include "mesh/dent.h"
 #include "mesh/grid_primitives.h"
 #include "mesh/primitives.h"
+#include "support/test_program.h"
 #include "unit/mesh_support.h"
 
 using namespace hitscope;
@@ -218,5 +219,5 @@ void SectionTest::theProfileOfADent() {
     }
 }
 
-QTEST_APPLESS_MAIN(SectionTest)
+HITSCOPE_TEST(SectionTest, QCoreApplication)
 #include "section_test.moc"

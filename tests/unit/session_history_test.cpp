@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "session/session.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -241,5 +242,5 @@ private:
     std::unique_ptr<Session> m_session;
 };
 
-QTEST_GUILESS_MAIN(SessionHistoryTest)
+HITSCOPE_TEST(SessionHistoryTest, QCoreApplication)
 #include "session_history_test.moc"

@@ -8,6 +8,7 @@
 
 #include "mesh/primitives.h"
 #include "session/session.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -306,5 +307,5 @@ private:
     std::unique_ptr<Session> m_session;
 };
 
-QTEST_APPLESS_MAIN(SessionTargetsTest)
+HITSCOPE_TEST(SessionTargetsTest, QCoreApplication)
 #include "session_targets_test.moc"

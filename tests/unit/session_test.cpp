@@ -6,6 +6,7 @@
 
 #include "mesh/primitives.h"
 #include "session/demo_shots.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -142,5 +143,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SessionTest)
+HITSCOPE_TEST(SessionTest, QCoreApplication)
 #include "session_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/session_undo.h"
+#include "support/test_program.h"
 
 #include <QtTest>
 
@@ -166,5 +167,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(SessionUndoTest)
+HITSCOPE_TEST(SessionUndoTest, QCoreApplication)
 #include "session_undo_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/shot_script_file.h"
+#include "support/test_program.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -102,5 +103,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(ShotScriptFileTest)
+HITSCOPE_TEST(ShotScriptFileTest, QCoreApplication)
 #include "shot_script_file_test.moc"

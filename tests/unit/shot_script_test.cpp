@@ -9,6 +9,7 @@
 
 #include "mesh/primitives.h"
 #include "session/session.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -233,5 +234,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(ShotScriptTest)
+HITSCOPE_TEST(ShotScriptTest, QCoreApplication)
 #include "shot_script_test.moc"

@@ -10,6 +10,7 @@
 #include "mesh/face_measure.h"
 #include "mesh/primitives.h"
 #include "solids.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -334,5 +335,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(SurfaceMeasuresTest)
+HITSCOPE_TEST(SurfaceMeasuresTest, QCoreApplication)
 #include "surface_measures_test.moc"

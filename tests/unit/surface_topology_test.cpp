@@ -9,6 +9,7 @@
 #include "mesh/teapot.h"
 #include "mesh/topology.h"
 #include "solids.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::test;
@@ -205,5 +206,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(SurfaceTopologyTest)
+HITSCOPE_TEST(SurfaceTopologyTest, QCoreApplication)
 #include "surface_topology_test.moc"

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "session/session.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using Combine = VertexSelection::Combine;
@@ -106,5 +107,5 @@ private:
     TargetId m_second;
 };
 
-QTEST_GUILESS_MAIN(VertexSelectionTest)
+HITSCOPE_TEST(VertexSelectionTest, QCoreApplication)
 #include "vertex_selection_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The camera by mouse, keys and menus of the whole window.
 #include <QAction>
+#include <QApplication>
 #include <QClipboard>
 #include <QDockWidget>
 #include <QGuiApplication>
@@ -14,6 +15,7 @@
 #include "app/keys_overlay.h"
 #include "mesh/primitives.h"
 #include "render/camera_text.h"
+#include "support/test_program.h"
 #include "viewport/view_label.h"
 #include "widgets/window_support.h"
 
@@ -283,5 +285,5 @@ void CameraWindowTest::viewportOnlyAndBack() {
     QVERIFY(m_window->menuBar()->isVisible());
 }
 
-QTEST_MAIN(CameraWindowTest)
+HITSCOPE_TEST(CameraWindowTest, QApplication)
 #include "camera_test.moc"

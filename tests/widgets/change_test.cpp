@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The dock "Change", its keys, its handles, and the wipe's line, by hand.
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
@@ -13,6 +14,7 @@
 #include "panels/change/change_panel.h"
 #include "panels/histogram/histogram_plot.h"
 #include "session/demo_shots.h"
+#include "support/test_program.h"
 #include "widgets/window_support.h"
 
 using namespace hitscope;
@@ -187,5 +189,5 @@ private:
     ChangePanel* m_panel = nullptr;
 };
 
-QTEST_MAIN(ChangeTest)
+HITSCOPE_TEST(ChangeTest, QApplication)
 #include "change_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The picture outlives its OpenGL context, and what is under the cursor is so at any scale: run with other
 // values of QT_SCALE_FACTOR too.
+#include <QApplication>
 #include <QDockWidget>
 #include <QImage>
 #include <QMainWindow>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "mesh/primitives.h"
+#include "support/test_program.h"
 #include "widgets/window_support.h"
 
 using namespace hitscope;
@@ -253,5 +255,5 @@ void ContextTest::idleDrawsNothing() {
     QCOMPARE(frames.size(), last);
 }
 
-QTEST_MAIN(ContextTest)
+HITSCOPE_TEST(ContextTest, QApplication)
 #include "context_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The dent measurement panel on a session whose vertices are moved by hand.
+#include <QApplication>
 #include <QClipboard>
 #include <QFile>
 #include <QGuiApplication>
@@ -12,6 +13,7 @@
 #include "deform/reference.h"
 #include "mesh/grid_primitives.h"
 #include "panels/dent_measurement/dent_measurement_panel.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -120,5 +122,5 @@ private:
     std::unique_ptr<DentMeasurementPanel> m_panel;
 };
 
-QTEST_MAIN(DentMeasurementTest)
+HITSCOPE_TEST(DentMeasurementTest, QApplication)
 #include "dent_measurement_test.moc"

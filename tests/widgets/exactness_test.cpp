@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window says whether what it shows is the reference's in every bit.
 #include <QAction>
+#include <QApplication>
 #include <QLabel>
 #include <QMessageBox>
 #include <QSignalSpy>
 #include <QStatusBar>
 
+#include "support/test_program.h"
 #include "widgets/window_support.h"
 
 using namespace hitscope;
@@ -69,5 +71,5 @@ void ExactnessTest::theAboutBoxSaysIt() {
     QVERIFY(box->informativeText().contains(QStringLiteral("12 of 4,096 vertices differ, by up to 0.1 m")));
 }
 
-QTEST_MAIN(ExactnessTest)
+HITSCOPE_TEST(ExactnessTest, QApplication)
 #include "exactness_test.moc"

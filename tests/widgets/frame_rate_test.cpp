@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The frame rate panel, on frames that are made up, driven by the mouse.
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QFile>
 #include <QGuiApplication>
@@ -17,6 +18,7 @@
 #include "panels/frame_rate/frame_rate_panel.h"
 #include "panels/icons/themed_icon.h"
 #include "session/session.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -282,5 +284,5 @@ void FrameRateTest::measuresOnRequest() {
     QTRY_COMPARE_WITH_TIMEOUT(measure->text(), QStringLiteral("Measure now"), kPatience);
 }
 
-QTEST_MAIN(FrameRateTest)
+HITSCOPE_TEST(FrameRateTest, QApplication)
 #include "frame_rate_test.moc"

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The histogram widget and its handles, by mouse.
+#include <QApplication>
 #include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTest>
 #include <cmath>
 
 #include "panels/histogram/histogram_plot.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -107,5 +109,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(HistogramTest)
+HITSCOPE_TEST(HistogramTest, QApplication)
 #include "histogram_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The hit history's panel under real mouse and keys.
 #include <QAction>
+#include <QApplication>
 #include <QLabel>
 #include <QMenu>
 #include <QScrollBar>
@@ -14,6 +15,7 @@
 
 #include "panels/hit_history/capacity_meter.h"
 #include "panels/hit_history/hit_history_panel.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -316,5 +318,5 @@ void HitHistoryTest::manyRowsAreHandledAtOnce() {
     QCOMPARE(m_session->history().size(), std::size_t{20'006});
 }
 
-QTEST_MAIN(HitHistoryTest)
+HITSCOPE_TEST(HitHistoryTest, QApplication)
 #include "hit_history_test.moc"

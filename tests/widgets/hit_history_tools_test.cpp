@@ -2,6 +2,7 @@
 // Filtering, sorting, scrubbing and editing in the hit history's panel, by mouse and keys; and what the
 // window does with it.
 #include <QAction>
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -23,6 +24,7 @@
 #include "panels/hit_history/hit_history_panel.h"
 #include "panels/hit_history/time_scrubber.h"
 #include "session/vertex_selection.h"
+#include "support/test_program.h"
 #include "widgets/window_support.h"
 
 using namespace hitscope;
@@ -408,5 +410,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(HitHistoryToolsTest)
+HITSCOPE_TEST(HitHistoryToolsTest, QApplication)
 #include "hit_history_tools_test.moc"

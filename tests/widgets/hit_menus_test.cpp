@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window's menus say and do about hits, pipelines and the normals of an export.
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QFileDialog>
 #include <QLabel>
@@ -13,6 +14,7 @@
 
 #include "app/notice_bar.h"
 #include "mesh/primitives.h"
+#include "support/test_program.h"
 #include "widgets/window_support.h"
 
 using namespace hitscope;
@@ -230,5 +232,5 @@ void HitMenusTest::exportOffersEitherNormals() {
     QCOMPARE(preselected, paper);  // as chosen the last time
 }
 
-QTEST_MAIN(HitMenusTest)
+HITSCOPE_TEST(HitMenusTest, QApplication)
 #include "hit_menus_test.moc"

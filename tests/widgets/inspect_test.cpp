@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pointing at vertices in the window, and the vertex changes dock, with real mouse and keys.
+#include <QApplication>
 #include <QClipboard>
 #include <QDockWidget>
 #include <QGuiApplication>
@@ -12,6 +13,7 @@
 #include "models/vertex_changes_model.h"
 #include "session/screen_space.h"
 #include "session/vertex_selection.h"
+#include "support/test_program.h"
 #include "viewport/inspect_tool.h"
 #include "widgets/window_support.h"
 
@@ -243,5 +245,5 @@ private:
     std::unique_ptr<MainWindow> m_window;
 };
 
-QTEST_MAIN(InspectTest)
+HITSCOPE_TEST(InspectTest, QApplication)
 #include "inspect_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole window, used as a person uses it.
 #include <QAction>
+#include <QApplication>
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QFileInfo>
@@ -14,6 +15,7 @@
 
 #include "io/import.h"
 #include "mesh/primitives.h"
+#include "support/test_program.h"
 #include "widgets/window_support.h"
 
 using namespace hitscope;
@@ -316,5 +318,5 @@ void MainWindowTest::savesThePicture() {
     QVERIFY(picture.pixel(picture.width() / 2, picture.height() / 2) != picture.pixel(2, 2));
 }
 
-QTEST_MAIN(MainWindowTest)
+HITSCOPE_TEST(MainWindowTest, QApplication)
 #include "main_window_test.moc"

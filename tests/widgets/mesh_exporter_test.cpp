@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Exports beside the window: what is written, and what is not when they are given up.
+#include <QApplication>
 #include <QFile>
 #include <QSignalSpy>
 #include <QStatusBar>
@@ -9,6 +10,7 @@
 #include "app/mesh_exporter.h"
 #include "mesh/primitives.h"
 #include "session/task_list.h"
+#include "support/test_program.h"
 #include "window_support.h"
 
 using namespace hitscope;
@@ -127,5 +129,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(MeshExporterTest)
+HITSCOPE_TEST(MeshExporterTest, QApplication)
 #include "mesh_exporter_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The docks' panels on a session, without a window around them.
+#include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
@@ -20,6 +21,7 @@
 #include "panels/icons/themed_icon.h"
 #include "panels/lights/lights_panel.h"
 #include "panels/mesh_statistics/mesh_statistics_panel.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -196,5 +198,5 @@ void PanelsTest::iconsAreDrawnInThePalette() {
     QGuiApplication::setPalette(before);
 }
 
-QTEST_MAIN(PanelsTest)
+HITSCOPE_TEST(PanelsTest, QApplication)
 #include "panels_test.moc"

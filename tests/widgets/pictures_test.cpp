@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures and sequences as files, from the window.
+#include <QApplication>
 #include <QDir>
 #include <QImage>
 #include <QMessageBox>
@@ -12,6 +13,7 @@
 #include "app/picture_actions.h"
 #include "app/picture_dialog.h"
 #include "mesh/primitives.h"
+#include "support/test_program.h"
 #include "widgets/window_support.h"
 
 using namespace hitscope;
@@ -190,5 +192,5 @@ void PicturesTest::dialogRemembers() {
     QVERIFY(dialog.isTransparent());
 }
 
-QTEST_MAIN(PicturesTest)
+HITSCOPE_TEST(PicturesTest, QApplication)
 #include "pictures_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/projectile_dialog.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -9,6 +10,7 @@
 #include <QTest>
 
 #include "app/app_settings.h"
+#include "support/test_program.h"
 #include "window_support.h"
 
 using namespace hitscope;
@@ -99,5 +101,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(ProjectileDialogTest)
+HITSCOPE_TEST(ProjectileDialogTest, QApplication)
 #include "projectile_dialog_test.moc"

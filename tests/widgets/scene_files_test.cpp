@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Several files and scenes of ours brought in through the real window, and its Scene dock.
+#include <QApplication>
 #include <QDockWidget>
 #include <QMenuBar>
 #include <QSignalSpy>
@@ -11,6 +12,7 @@
 #include "app/scene_files.h"
 #include "mesh/primitives.h"
 #include "panels/scene/scene_panel.h"
+#include "support/test_program.h"
 #include "window_support.h"
 
 using namespace hitscope;
@@ -172,5 +174,5 @@ void SceneFilesTest::deleteInTheViewportRemovesTheTarget() {
     QCOMPARE(session.targets().size(), std::size_t{16});
 }
 
-QTEST_MAIN(SceneFilesTest)
+HITSCOPE_TEST(SceneFilesTest, QApplication)
 #include "scene_files_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The Scene panel under real mouse and keys.
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -18,6 +19,7 @@
 
 #include "mesh/primitives.h"
 #include "panels/scene/scene_panel.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 
@@ -288,5 +290,5 @@ void ScenePanelTest::whatCannotBeHitHasAWarning() {
     QVERIFY(with != without);
 }
 
-QTEST_MAIN(ScenePanelTest)
+HITSCOPE_TEST(ScenePanelTest, QApplication)
 #include "scene_panel_test.moc"

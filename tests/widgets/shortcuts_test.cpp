@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "app/main_window.h"
+#include "support/test_program.h"
 #include "window_support.h"
 
 using namespace hitscope;
@@ -40,5 +41,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(ShortcutsTest)
+HITSCOPE_TEST(ShortcutsTest, QApplication)
 #include "shortcuts_test.moc"

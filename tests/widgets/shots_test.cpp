@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAction>
+#include <QApplication>
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -9,6 +10,7 @@
 
 #include "app/shot_series_dialog.h"
 #include "mesh/primitives.h"
+#include "support/test_program.h"
 #include "viewport/aim_preview.h"
 #include "window_support.h"
 
@@ -163,5 +165,5 @@ void ShotsTest::targetIsMadeDynamicAndBack() {
     QVERIFY(target.physics.isDynamic && dynamic->isChecked());
 }
 
-QTEST_MAIN(ShotsTest)
+HITSCOPE_TEST(ShotsTest, QApplication)
 #include "shots_test.moc"

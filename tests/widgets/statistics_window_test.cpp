@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Mesh statistics, pipeline agreement and tasks in the window, by mouse.
+#include <QApplication>
 #include <QClipboard>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
@@ -19,6 +20,7 @@
 #include "panels/histogram/histogram_plot.h"
 #include "session/task_list.h"
 #include "session/vertex_selection.h"
+#include "support/test_program.h"
 #include "window_support.h"
 
 using namespace hitscope;
@@ -174,5 +176,5 @@ private:
     TestSettings m_settings;
 };
 
-QTEST_MAIN(StatisticsWindowTest)
+HITSCOPE_TEST(StatisticsWindowTest, QApplication)
 #include "statistics_window_test.moc"

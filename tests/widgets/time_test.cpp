@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAction>
+#include <QApplication>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <cmath>
 
+#include "support/test_program.h"
 #include "window_support.h"
 
 using namespace hitscope;
@@ -100,5 +102,5 @@ void TimeTest::whatIsSetIsRemembered() {
     QCOMPARE(m_session->coverTexture()->width, 1024);
 }
 
-QTEST_MAIN(TimeTest)
+HITSCOPE_TEST(TimeTest, QApplication)
 #include "time_test.moc"

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Mouse and keys in the viewport.
+#include <QApplication>
 #include <QSignalSpy>
 #include <QWheelEvent>
 #include <cmath>
 
 #include "mesh/primitives.h"
+#include "support/test_program.h"
 #include "viewport/aim.h"
 #include "widgets/window_support.h"
 
@@ -227,5 +229,5 @@ void ViewportTest::idleDrawsNothing() {
     viewport.setDrawsContinuously(false);
 }
 
-QTEST_MAIN(ViewportTest)
+HITSCOPE_TEST(ViewportTest, QApplication)
 #include "viewport_test.moc"

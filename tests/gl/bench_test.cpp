@@ -9,6 +9,7 @@
 #include "deform/deform.h"
 #include "deform/reference.h"
 #include "support/gl_fixture.h"
+#include "support/test_program.h"
 
 using namespace hitscope;
 using namespace hitscope::bench;
@@ -105,5 +106,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(BenchGlTest)
-#include "bench_gl_test.moc"
+HITSCOPE_TEST(BenchGlTest, QCoreApplication)
+#include "bench_test.moc"
