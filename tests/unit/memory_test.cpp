@@ -7,6 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include "support/test_program.h"
+
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
