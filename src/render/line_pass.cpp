@@ -76,6 +76,13 @@ Result<const gl::Program*> edgeProgram(const FrameContext& context, const Deform
     return context.programs.get("wire.vert", "wire.frag", defines, wide ? "wire.geom" : "");
 }
 
+/// Lines are dear enough for a look at what cannot be seen; a little beyond the edges for their width.
+bool isInPicture(const FrameContext& context, const DeformationPipeline& pipeline, const DrawItem& item) {
+    constexpr glm::vec2 kReach(1.05f);
+    return mayShow(item, context.frame, pipeline, context.viewProjection,
+                   context.window.value_or(PictureWindow{-kReach, kReach}));
+}
+
 /// Returns how many indices it drew.
 std::size_t drawLines(const DrawItem& item, bool ghost) {
     if (ghost && item.changedParts != nullptr) {
@@ -97,7 +104,8 @@ Status drawEdgesOf(const FrameContext& context, DeformationPipeline& pipeline, c
     EarlyStart earlyStart(context);
     for (const DrawItem& item : context.frame.targets) {
         const float pixels = nearestEdgePixels(context, item);
-        if (pixels < style.leastPixels || (pixels >= kWideFrom) != wide || !context.mayShow(item, pipeline)) {
+        if (pixels < style.leastPixels || (pixels >= kWideFrom) != wide ||
+            !isInPicture(context, pipeline, item)) {
             continue;
         }
         if (program == nullptr) {

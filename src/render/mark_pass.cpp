@@ -31,8 +31,8 @@ Style styleOf(MarkKind kind) {
 
 constexpr float kAhead = 4.0f;  // pixels' size at their distance: dots lie before the faces they stand on
 
-constexpr GLsizei kFewMarks = 1000;  // all drawn, however close they lie
-constexpr float kApart = 0.75f;      // of a mark's size: closer ones would hide each other
+constexpr GLsizei kFewMarks = 300;  // all drawn, however close they lie
+constexpr float kApart = 1.0f;      // of a mark's size: closer ones would hide each other
 
 /// So many that they touch where the target is nearest to the eye.
 GLsizei shownCount(const FrameContext& context, const VertexMarks& marks, const Style& style) {
