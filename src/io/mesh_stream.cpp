@@ -19,7 +19,6 @@ template <class T>
 constexpr bool kIsPlain = std::is_standard_layout_v<T>&& std::is_trivially_destructible_v<T>;
 
 constexpr char kMagic[8] = {'H', 'S', 'M', 'E', 'S', 'H', '\r', '\n'};
-constexpr std::uint32_t kVersion = 2;
 
 /// Lists the parts of a mesh in the order of the stream; `stream` writes or reads each.
 template <class Stream, class Mesh>
@@ -192,7 +191,7 @@ Status writeMeshStream(const MeshData& mesh, const QString& path) {
     Writer writer(file);
     if (file.open(QIODevice::WriteOnly | QIODevice::Unbuffered)) {
         writer.bytes(kMagic, sizeof kMagic);
-        writer.plain(kVersion);
+        writer.plain(kMeshStreamVersion);
         visitMesh(writer, mesh);
         if (writer.good()) {
             return Done{};
@@ -214,7 +213,7 @@ Result<MeshData> readMeshStream(const QString& path, const ProgressSink& progres
         std::uint32_t version = 0;
         reader.bytes(magic, sizeof magic);
         reader.plain(version);
-        if (std::memcmp(magic, kMagic, sizeof kMagic) != 0 || version != kVersion) {
+        if (std::memcmp(magic, kMagic, sizeof kMagic) != 0 || version != kMeshStreamVersion) {
             throw BadStream("it is of another version of Hitscope");
         }
         MeshData mesh;

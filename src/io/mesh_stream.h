@@ -3,11 +3,15 @@
 
 #include <QString>
 #include <atomic>
+#include <cstdint>
 
 #include "core/result.h"
 #include "io/imported_mesh.h"
 
 namespace hitscope {
+
+/// Another one with every change of what is written.
+inline constexpr std::uint32_t kMeshStreamVersion = 2;
 
 /// Writes a mesh in Hitscope's own short-lived form, which carries it from the import worker to the program.
 [[nodiscard]] Status writeMeshStream(const MeshData& mesh, const QString& path);

@@ -66,8 +66,8 @@ bool WorkerTest::workerIsGone() const {
 void WorkerTest::endsBadly_data() {
     QTest::addColumn<QByteArray>("script");
     QTest::addColumn<QString>("message");
-    const auto row = [](const char* title, const char* script, const char* message) {
-        QTest::newRow(title) << QByteArray(script) << message;
+    const auto row = [](const char* title, const QByteArray& script, const char* message) {
+        QTest::newRow(title) << script << message;
     };
     row("segmentation fault", "kill -SEGV $$", "The file makes the reader crash; it is probably damaged.");
     row("abort", "kill -ABRT $$", "The file makes the reader crash");
@@ -80,7 +80,9 @@ void WorkerTest::endsBadly_data() {
         "a.obj, line 3: It hurts. Rest.");
     row("an error, then a crash", "echo 'error [\"It hurts.\"]'; kill -SEGV $$", "It hurts.");
     row("garbage in the answer", "echo garbage > \"$2\"", "The import worker's answer cannot be used");
-    row("huge lengths", "printf 'HSMESH\\r\\n\\1\\0\\0\\0\\377\\377\\377\\377\\377\\377\\377\\177' > \"$2\"",
+    const QByteArray version = QByteArray::number(kMeshStreamVersion, 8);
+    row("huge lengths",
+        "printf 'HSMESH\\r\\n\\" + version + "\\0\\0\\0\\377\\377\\377\\377\\377\\377\\377\\177' > \"$2\"",
         "an array is longer than the rest of it");
     row("garbage on its output", "head -c 300000 /dev/zero; kill -SEGV $$",
         "The file makes the reader crash");
