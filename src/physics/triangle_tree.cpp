@@ -9,6 +9,7 @@ namespace hitscope::physics {
 namespace {
 
 constexpr std::size_t kLeafTriangles = 4;
+constexpr std::size_t kLeavesAhead = 4;  // whose corners are asked for before they are looked at
 
 bool isFinite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -90,30 +91,55 @@ std::uint32_t TriangleTree::build(std::span<Item> items, std::uint32_t begin) {
 }
 
 void TriangleTree::refit(std::span<const glm::vec3> vertices, const Bounds& region) {
-    if (!empty()) {
-        refitNode(0, vertices, region);
+    findOverlapping(region);
+    const auto cornersOf = [this](const Node& leaf) {
+        return std::span(*m_corners).subspan(std::size_t{3} * leaf.first, std::size_t{3} * leaf.count);
+    };
+    // Children were found after their parents, so they come first here.
+    for (std::size_t i = m_found.size(); i-- > 0;) {
+        if (i >= kLeavesAhead && m_nodes[m_found[i - kLeavesAhead]].count > 0) {
+            for (const std::uint32_t corner : cornersOf(m_nodes[m_found[i - kLeavesAhead]])) {
+                __builtin_prefetch(&vertices[corner]);
+            }
+        }
+        Node& node = m_nodes[m_found[i]];
+        Bounds bounds;
+        if (node.count > 0) {
+            for (const std::uint32_t corner : cornersOf(node)) {
+                bounds.add(vertices[corner]);
+            }
+        } else {
+            bounds = m_nodes[m_found[i] + 1].bounds;
+            bounds.add(m_nodes[node.first].bounds);
+        }
+        node.bounds = bounds;
     }
 }
 
-void TriangleTree::refitNode(std::uint32_t index, std::span<const glm::vec3> vertices, const Bounds& region) {
-    Node& node = m_nodes[index];
-    if (!overlap(node.bounds, region)) {
-        return;
+/// On a fine mesh every look is a cache miss; told beforehand what comes, the memory works on several at
+/// once.
+void TriangleTree::findOverlapping(const Bounds& region) {
+    m_found.clear();
+    std::uint32_t waiting[64];  // the median splits keep the tree within 32 levels
+    int count = 0;
+    if (!empty()) {
+        waiting[count++] = 0;
     }
-    Bounds bounds;
-    if (node.count > 0) {
-        const auto corners =
-            std::span(*m_corners).subspan(std::size_t{3} * node.first, std::size_t{3} * node.count);
-        for (const std::uint32_t corner : corners) {
-            bounds.add(vertices[corner]);
+    while (count > 0) {
+        const std::uint32_t index = waiting[--count];
+        const Node& node = m_nodes[index];
+        if (!overlap(node.bounds, region)) {
+            continue;
         }
-    } else {
-        refitNode(index + 1, vertices, region);
-        refitNode(node.first, vertices, region);
-        bounds = m_nodes[index + 1].bounds;
-        bounds.add(m_nodes[node.first].bounds);
+        m_found.push_back(index);
+        if (node.count > 0) {
+            __builtin_prefetch(&(*m_corners)[std::size_t{3} * node.first]);
+        } else {
+            __builtin_prefetch(&m_nodes[node.first]);
+            waiting[count++] = node.first;
+            waiting[count++] = index + 1;
+        }
     }
-    node.bounds = bounds;
 }
 
 }  // namespace hitscope::physics

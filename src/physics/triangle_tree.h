@@ -44,13 +44,14 @@ public:
 private:
     struct Item;
     std::uint32_t build(std::span<Item> items, std::uint32_t begin);
-    void refitNode(std::uint32_t node, std::span<const glm::vec3> vertices, const Bounds& region);
+    void findOverlapping(const Bounds& region);
 
     std::vector<Node> m_nodes;
     std::shared_ptr<const std::vector<std::uint32_t>> m_order;  ///< the leaves' triangles
     /// Their corners, 3 each, in that order: where a fine mesh's are looked up one by one, each is a cache
     /// miss.
     std::shared_ptr<const std::vector<std::uint32_t>> m_corners;
+    std::vector<std::uint32_t> m_found;  ///< by refit(): nodes, parents before their children
 };
 
 template <class Accept, class Visit>
