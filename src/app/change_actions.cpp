@@ -96,7 +96,6 @@ void ChangeActions::follow() {
     m_isolines->setChecked(display.change.isolines);
     m_wipe->setChecked(display.beforeAfter.wipe);
     m_sideBySide->setChecked(display.sideBySide);
-    m_sideBySide->setEnabled(m_comparison.other().has_value());
     m_exaggerate->setChecked(display.beforeAfter.exaggeration != 1.0f);
     m_quantities[static_cast<std::size_t>(display.change.quantity)]->setChecked(true);
     m_ghosts[static_cast<std::size_t>(display.beforeAfter.ghost)]->setChecked(true);
@@ -128,8 +127,13 @@ void ChangeActions::fill(QMenu& menu) {
     });
     menu.addSeparator();
     fillPipelines(*menu.addMenu(tr("&Compare with Pipeline")));
-    m_sideBySide = addToggle(menu, tr("&Side by Side"), tr("Shift+B"),
-                             [](DisplayOptions& display, bool on) { display.sideBySide = on; });
+    m_sideBySide =
+        addToggle(menu, tr("&Side by Side"), tr("Shift+B"), [this](DisplayOptions& display, bool on) {
+            if (on && !m_comparison.other()) {
+                m_comparison.setOther(usualOther());
+            }
+            display.sideBySide = on;
+        });
     follow();
 }
 
@@ -150,6 +154,14 @@ void ChangeActions::followComparison() {
 void ChangeActions::chooseOther(std::optional<PipelineKind> other) {
     m_comparison.setOther(other);
     change([&other](DisplayOptions& display) { display.sideBySide = display.sideBySide && other; });
+}
+
+/// The paper's two beside each other, where the driver has them.
+PipelineKind ChangeActions::usualOther() const {
+    const PipelineKind other = m_session.pipeline() == PipelineKind::TransformFeedback
+                                   ? PipelineKind::UniformArray
+                                   : PipelineKind::TransformFeedback;
+    return m_session.whyUnavailable(other).isEmpty() ? other : PipelineKind::Reference;
 }
 
 void ChangeActions::fillPipelines(QMenu& menu) {

@@ -12,6 +12,7 @@ namespace {
 
 /// How many regions around moved runs about take in a place of the surface.
 constexpr std::size_t kOverlap = 4;
+constexpr std::size_t kACacheLine = 5;  // positions
 /// Vertices that a hull is shown one by one; a target that nothing knocks about has no use for the list.
 constexpr std::size_t kMostMoved = 16384;
 
@@ -141,6 +142,11 @@ void MeshSurface::update(std::uint32_t first, std::span<const DynamicVertex> ver
 Bounds MeshSurface::moveRun(std::uint32_t first, std::span<const DynamicVertex> vertices) {
     const std::vector<glm::vec3>& original = m_original->vertices();
     Bounds moved;
+    // On a fine mesh each is a cache miss; asked for together, the memory works on them at once.
+    for (std::size_t i = 0; i < vertices.size(); i += kACacheLine) {
+        __builtin_prefetch(&m_vertices[first + i], 1);
+        __builtin_prefetch(&original[first + i]);
+    }
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         glm::vec3& vertex = m_vertices[first + i];
         const glm::vec3& position = vertices[i].position;

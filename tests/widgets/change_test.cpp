@@ -150,6 +150,18 @@ private Q_SLOTS:
         QVERIFY(m_window->viewport().isValid());
     }
 
+    void aKeyPutsThePapersPipelinesSideBySide() {
+        Viewport& viewport = m_window->viewport();
+        showDock();
+        QCOMPARE(child<QComboBox>("other")->currentIndex(), 0);
+        QTest::keyClick(&viewport, Qt::Key_B, Qt::ShiftModifier);
+        QVERIFY(viewport.options().sideBySide);
+        QCOMPARE(child<QComboBox>("other")->currentText(), QStringLiteral("Uniform array"));
+        QVERIFY(child<QCheckBox>("sideBySide")->isChecked());
+        QTest::keyClick(&viewport, Qt::Key_B, Qt::ShiftModifier);
+        QVERIFY(!viewport.options().sideBySide);
+    }
+
     void settingsAreRemembered() {
         DisplayOptions display;
         display.change.on = true;
