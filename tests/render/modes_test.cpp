@@ -66,6 +66,11 @@ private:
         Frame made = frameOf(options.backFaces ? *m_bowl : *m_scene, kWidth, kHeight);
         made.camera.zoom(options.dots ? 0.45f : 0.75f);
         made.options = options;
+        if (options.change.on) {
+            const ChangeMapOptions& map = options.change;
+            made.change = ShownChange{map.quantity, map.style().map, map.style().fixed,
+                                      map.isolines ? 0.1f * map.style().fixed.high : 0.0f};
+        }
         if (QLatin1String(QTest::currentDataTag()) == QLatin1String("only-dense")) {
             made.pixelRatio = 30.0f;  // edges count as shorter than a pixel
         }
@@ -133,6 +138,30 @@ void ModesTest::looksAsItDid_data() {
     row("back-faces", [](DisplayOptions& o) { o.backFaces = true; });
     row("needles", [](DisplayOptions& o) { o.needles = true; });
     row("dots", [](DisplayOptions& o) { o.dots = true; });
+    row("map-displacement", [](DisplayOptions& o) { o.change.on = true; });
+    row("map-isolines", [](DisplayOptions& o) {
+        o.change.on = true;
+        o.change.isolines = true;
+        o.change.style().map = ColourMap::Cividis;
+    });
+    row("map-signed", [](DisplayOptions& o) {
+        o.change.on = true;
+        o.change.quantity = ChangeQuantity::AlongNormal;
+        o.theme = Theme::Light;
+    });
+    row("ghost-wire", [](DisplayOptions& o) { o.beforeAfter.ghost = GhostMode::Wire; });
+    row("ghost-translucent", [](DisplayOptions& o) { o.beforeAfter.ghost = GhostMode::Translucent; });
+    row("wipe", [](DisplayOptions& o) {
+        o.beforeAfter.wipe = true;
+        o.beforeAfter.exaggeration = 12.0f;  // dents that are seen in so small a picture
+    });
+    row("exaggerated", [](DisplayOptions& o) { o.beforeAfter.exaggeration = 12.0f; });
+    row("cut", [](DisplayOptions& o) { o.cut.on = true; });
+    row("cut-filled", [](DisplayOptions& o) {
+        o.cut.on = true;
+        o.cut.fill = true;
+        o.theme = Theme::Light;
+    });
     row("shadows", [](DisplayOptions& o) { o.shadows = true; });
     row("shadows-light", [](DisplayOptions& o) {
         o.shadows = true;
@@ -160,6 +189,7 @@ void ModesTest::looksAsItDid() {
     if (name != QStringLiteral("plain.png")) {
         Frame plain = frame(options);
         plain.options = DisplayOptions{.normals = NormalMode::Paper};
+        plain.change = std::nullopt;
         QVERIFY(differing(shown, picture(*m_renderer, plain, *pipeline), kLevels) > 200);
     }
 }
