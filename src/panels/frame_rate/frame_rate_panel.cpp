@@ -100,7 +100,6 @@ void FrameRatePanel::makeReadOuts() {
     m_readOuts.low = add("low", tr("1 % low"), tr("Frames a second over the slowest hundredth") + last, rate);
     m_readOuts.percentile99 = add("percentile99", tr("99 %"), tr("99 % took that long or less,") + last);
     m_readOuts.worst = add("worst", tr("Worst"), tr("Longest") + last);
-    layout->addWidget(makeQuantity());
 }
 
 void FrameRatePanel::makeLegend() {
@@ -135,6 +134,7 @@ void FrameRatePanel::makeLegend() {
                 [this, i](bool shown) { m_graph->setCurveShown(static_cast<FrameGraph::Curve>(i), shown); });
         m_legend[i] = button;
     }
+    layout->addWidget(makeQuantity());
     colourLegend();
 }
 
