@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "render/change_map.h"
 #include "render/cut_away.h"
@@ -17,6 +18,7 @@ constexpr float kLineWidth = 1.2f;    // logical pixels
 constexpr float kNeedleWidth = 1.2f;  // logical pixels
 constexpr float kLinesAhead = 2.0f;   // pixels' size at their distance: lines lie before the faces they bound
 constexpr float kWideFrom = 6.0f;     // logical pixels of an edge, below which a width cannot be seen
+constexpr float kSmallPixels = 1.5f;  // to a logical one
 constexpr float kNeedlesApart = 12.0f;                                // logical pixels
 constexpr float kNeedleLength = 0.8f;                                 // of the way from one to the next
 constexpr std::uint32_t kMostNeedles = 20000;                         // of a target
@@ -95,6 +97,12 @@ std::size_t drawLines(const DrawItem& item, bool ghost) {
     return item.buffers->edgeIndexCount();
 }
 
+/// Logical pixels of edges that are drawn as wide lines, and longer ones.
+float wideFrom(const FrameContext& context, const EdgeStyle& style) {
+    return style.faint && context.frame.pixelRatio < kSmallPixels ? std::numeric_limits<float>::infinity()
+                                                                  : kWideFrom;
+}
+
 Status drawEdgesOf(const FrameContext& context, DeformationPipeline& pipeline, const EdgeStyle& style,
                    bool wide) {
     const ClipByCut clip(context.frame);
@@ -104,7 +112,7 @@ Status drawEdgesOf(const FrameContext& context, DeformationPipeline& pipeline, c
     EarlyStart earlyStart(context);
     for (const DrawItem& item : context.frame.targets) {
         const float pixels = nearestEdgePixels(context, item);
-        if (pixels < style.leastPixels || (pixels >= kWideFrom) != wide ||
+        if (pixels < style.leastPixels || (pixels >= wideFrom(context, style)) != wide ||
             !isInPicture(context, pipeline, item)) {
             continue;
         }

@@ -13,6 +13,7 @@ struct EdgeStyle {
     float selectionTint = 0.0f;  ///< [0, 1]: how much of the accent colour a selected target's edges take on
     float leastPixels = 0.0f;    ///< shorter edges than these (logical pixels) are not worth drawing
     bool ghost = false;          ///< where the target was, and only edges that moved
+    bool faint = false;          ///< hardly seen: lines of a pixel do, unless pixels are small
 };
 
 /// Logical pixels of a usual edge of the target, where it is nearest to the eye.

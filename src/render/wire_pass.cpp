@@ -78,6 +78,7 @@ Status drawWireLines(const FrameContext& context, DeformationPipeline& pipeline)
     }
     style.colour.a *= kHiddenLines;
     style.leastPixels = kLeastHiddenEdge;
+    style.faint = true;
     glDepthFunc(GL_GEQUAL);
     Status status = drawEdges(context, pipeline, style);
     glDepthFunc(GL_LESS);

