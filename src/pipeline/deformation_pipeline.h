@@ -56,8 +56,8 @@ public:
     /// Whether pollReadBack() still has something to deliver.
     [[nodiscard]] virtual bool isReadBackPending() const = 0;
 
-    /// A box that holds the vertices of `target` as they will be drawn, in its local frame, metres; empty: not
-    /// known. It follows the hits at once, with no look at the GPU.
+    /// A box that holds the vertices of `target` as they will be drawn, in its local frame, metres; empty:
+    /// not known. It follows the hits at once, with no look at the GPU.
     [[nodiscard]] virtual Bounds bounds(TargetId target) const = 0;
 
     /// Definitions for the programs that draw targets; they include hits.glsl, which loops where these say
