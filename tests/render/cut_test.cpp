@@ -7,6 +7,7 @@
 #include "mesh/primitives.h"
 #include "render/pick_pass.h"
 #include "render_support.h"
+#include "support/gl_fixture.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -81,17 +82,16 @@ private:
         return kSide / 2 + static_cast<int>(std::lround(x * kSide / shown.camera.heightAt(1.0f)));
     }
 
-    std::unique_ptr<gl::OffscreenContext> m_context;
+    GlFixture m_gl;
     std::unique_ptr<Renderer> m_renderer;
     std::unique_ptr<TestScene> m_scene;
     std::vector<Hit> m_hits = dents({1}, 8);
 };
 
 void CutTest::initTestCase() {
-    auto context = gl::OffscreenContext::create();
-    QVERIFY2(context.ok(), context.ok() ? "" : context.error().message().c_str());
-    m_context = std::move(context).value();
-    gl::collectDebugMessages();
+    if (!m_gl.open()) {
+        return;
+    }
     auto renderer = Renderer::create();
     QVERIFY2(renderer.ok(), renderer.ok() ? "" : renderer.error().message().c_str());
     m_renderer = std::move(renderer).value();
@@ -100,15 +100,12 @@ void CutTest::initTestCase() {
 }
 
 void CutTest::cleanup() {
-    for (const std::string& error : gl::takeErrors()) {
-        QFAIL(error.c_str());
-    }
+    QCOMPARE(m_gl.errors(), QStringList());
 }
 
 void CutTest::cleanupTestCase() {
     m_scene.reset();
     m_renderer.reset();
-    m_context.reset();
 }
 
 void CutTest::offIsAsBefore() {

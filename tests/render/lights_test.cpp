@@ -7,6 +7,7 @@
 
 #include "mesh/primitives.h"
 #include "render_support.h"
+#include "support/gl_fixture.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -130,30 +131,22 @@ class LightsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void initTestCase() {
-        auto context = gl::OffscreenContext::create();
-        QVERIFY2(context.ok(), context.ok() ? "" : context.error().message().c_str());
-        m_context = std::move(context).value();
-        gl::collectDebugMessages();
+        if (!m_gl.open()) {
+            return;
+        }
         auto renderer = Renderer::create();
         QVERIFY2(renderer.ok(), renderer.ok() ? "" : renderer.error().message().c_str());
         m_renderer = std::move(renderer).value();
     }
-    void cleanup() {
-        for (const std::string& error : gl::takeErrors()) {
-            QFAIL(error.c_str());
-        }
-    }
-    void cleanupTestCase() {
-        m_renderer.reset();
-        m_context.reset();
-    }
+    void cleanup() { QCOMPARE(m_gl.errors(), QStringList()); }
+    void cleanupTestCase() { m_renderer.reset(); }
     void pixelsFollowTheEquations_data();
     void pixelsFollowTheEquations();
     void floorFollowsTheEquations_data();
     void floorFollowsTheEquations();
 
 private:
-    std::unique_ptr<gl::OffscreenContext> m_context;
+    GlFixture m_gl;
     std::unique_ptr<Renderer> m_renderer;
 };
 

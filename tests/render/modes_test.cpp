@@ -7,6 +7,7 @@
 
 #include "mesh/primitives.h"
 #include "render_support.h"
+#include "support/gl_fixture.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -80,7 +81,7 @@ private:
         return made;
     }
 
-    std::unique_ptr<gl::OffscreenContext> m_context;
+    GlFixture m_gl;
     std::unique_ptr<Renderer> m_renderer;
     /// What a frame with these options shows.
     TestScene& sceneOf(const DisplayOptions& options) { return options.backFaces ? *m_bowl : *m_scene; }
@@ -91,10 +92,9 @@ private:
 };
 
 void ModesTest::initTestCase() {
-    auto context = gl::OffscreenContext::create();
-    QVERIFY2(context.ok(), context.ok() ? "" : context.error().message().c_str());
-    m_context = std::move(context).value();
-    gl::collectDebugMessages();
+    if (!m_gl.open()) {
+        return;
+    }
     auto renderer = Renderer::create();
     QVERIFY2(renderer.ok(), renderer.ok() ? "" : renderer.error().message().c_str());
     m_renderer = std::move(renderer).value();
@@ -106,16 +106,13 @@ void ModesTest::initTestCase() {
 }
 
 void ModesTest::cleanup() {
-    for (const std::string& error : gl::takeErrors()) {
-        QFAIL(error.c_str());
-    }
+    QCOMPARE(m_gl.errors(), QStringList());
 }
 
 void ModesTest::cleanupTestCase() {
     m_bowl.reset();
     m_scene.reset();
     m_renderer.reset();
-    m_context.reset();
 }
 
 void ModesTest::looksAsItDid_data() {

@@ -6,6 +6,7 @@
 
 #include "mesh/primitives.h"
 #include "render_support.h"
+#include "support/gl_fixture.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -54,10 +55,7 @@ class NormalMapTest : public QObject {
 private Q_SLOTS:
     void initTestCase();
     void cleanup();
-    void cleanupTestCase() {
-        m_renderer.reset();
-        m_context.reset();
-    }
+    void cleanupTestCase() { m_renderer.reset(); }
     void leansNormals_data();
     void leansNormals();
     void followsDents();
@@ -77,24 +75,21 @@ private:
         return picture(*m_renderer, frame, *pipeline);
     }
 
-    std::unique_ptr<gl::OffscreenContext> m_context;
+    GlFixture m_gl;
     std::unique_ptr<Renderer> m_renderer;
 };
 
 void NormalMapTest::initTestCase() {
-    auto context = gl::OffscreenContext::create();
-    QVERIFY2(context.ok(), context.ok() ? "" : context.error().message().c_str());
-    m_context = std::move(context).value();
-    gl::collectDebugMessages();
+    if (!m_gl.open()) {
+        return;
+    }
     auto renderer = Renderer::create();
     QVERIFY2(renderer.ok(), renderer.ok() ? "" : renderer.error().message().c_str());
     m_renderer = std::move(renderer).value();
 }
 
 void NormalMapTest::cleanup() {
-    for (const std::string& error : gl::takeErrors()) {
-        QFAIL(error.c_str());
-    }
+    QCOMPARE(m_gl.errors(), QStringList());
 }
 
 void NormalMapTest::leansNormals_data() {

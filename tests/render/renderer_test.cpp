@@ -10,6 +10,7 @@
 
 #include "mesh/primitives.h"
 #include "render_support.h"
+#include "support/gl_fixture.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -70,7 +71,7 @@ private:
         m_pipeline = m_scene->pipeline(kind, hits);
     }
 
-    std::unique_ptr<gl::OffscreenContext> m_context;
+    GlFixture m_gl;
     std::unique_ptr<Renderer> m_renderer;
     std::unique_ptr<TestScene> m_scene;
     std::unique_ptr<DeformationPipeline> m_pipeline;
@@ -78,10 +79,9 @@ private:
 };
 
 void RendererTest::initTestCase() {
-    auto context = gl::OffscreenContext::create();
-    QVERIFY2(context.ok(), context.ok() ? "" : context.error().message().c_str());
-    m_context = std::move(context).value();
-    gl::collectDebugMessages();
+    if (!m_gl.open()) {
+        return;
+    }
     auto renderer = Renderer::create();
     QVERIFY2(renderer.ok(), renderer.ok() ? "" : renderer.error().message().c_str());
     m_renderer = std::move(renderer).value();
@@ -95,16 +95,13 @@ void RendererTest::init() {
 }
 
 void RendererTest::cleanup() {
-    for (const std::string& error : gl::takeErrors()) {
-        QFAIL(error.c_str());
-    }
+    QCOMPARE(m_gl.errors(), QStringList());
     m_pipeline.reset();
     m_scene.reset();
 }
 
 void RendererTest::cleanupTestCase() {
     m_renderer.reset();
-    m_context.reset();
 }
 
 void RendererTest::showsTheTarget() {

@@ -5,6 +5,7 @@
 
 #include "mesh/primitives.h"
 #include "render_support.h"
+#include "support/gl_fixture.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -37,33 +38,29 @@ private:
         return frame;
     }
 
-    std::unique_ptr<gl::OffscreenContext> m_context;
+    GlFixture m_gl;
     std::unique_ptr<Renderer> m_renderer;
     std::unique_ptr<TestScene> m_scene;
     std::unique_ptr<DeformationPipeline> m_pipeline;
 };
 
 void WireframeTest::initTestCase() {
-    auto context = gl::OffscreenContext::create();
-    QVERIFY2(context.ok(), context.ok() ? "" : context.error().message().c_str());
-    m_context = std::move(context).value();
-    gl::collectDebugMessages();
+    if (!m_gl.open()) {
+        return;
+    }
     auto renderer = Renderer::create();
     QVERIFY2(renderer.ok(), renderer.ok() ? "" : renderer.error().message().c_str());
     m_renderer = std::move(renderer).value();
 }
 
 void WireframeTest::cleanup() {
-    for (const std::string& error : gl::takeErrors()) {
-        QFAIL(error.c_str());
-    }
+    QCOMPARE(m_gl.errors(), QStringList());
 }
 
 void WireframeTest::cleanupTestCase() {
     m_pipeline.reset();
     m_scene.reset();
     m_renderer.reset();
-    m_context.reset();
 }
 
 void WireframeTest::modesDiffer() {
