@@ -227,6 +227,8 @@ void PipelineAgreement::gather() {
 
 void PipelineAgreement::start() {
     m_isGathering = false;
+    // What m_sync() brought is in this comparison: it is no reason for another beside it.
+    m_timer.stop();
     m_hasChanged = false;
     auto job = std::make_shared<Job>();
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
