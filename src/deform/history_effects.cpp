@@ -13,7 +13,6 @@ void HistoryEffects::followShapes(const Shapes& shapes) {
             m_shapes[id] = shape;
         } else {
             m_shapes.erase(id);
-            m_targets.erase(id);
         }
     }
 }
@@ -33,6 +32,9 @@ HistoryEffects::Changes HistoryEffects::follow(std::span<const HistoryEdit> edit
     Changes changes;
     ChangedHits changed;
     for (const auto& [target, made] : work) {
+        if (shapes.contains(target) && m_targets.erase(target) > 0) {
+            changes.counts.push_back({target, true, {}, {}});
+        }
         follow(target, made, stop, changed, changes);
     }
     if (!stop) {

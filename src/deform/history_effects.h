@@ -12,6 +12,7 @@ namespace hitscope {
 class HistoryEffects {
 public:
     /// The shapes of the targets; a hit on a target without one does nothing. Null: there is no such target.
+    /// A target whose shape is given, be it the same as before, is a new one: its counts are told from zero.
     using Shapes = std::map<TargetId, std::shared_ptr<const RenderMesh>>;
 
     struct Changes {

@@ -4,6 +4,7 @@
 #include "session/hit_effects.h"
 #include "support/test_program.h"
 
+#include <QSemaphore>
 #include <QSignalSpy>
 #include <QThreadPool>
 #include <QtTest>
@@ -146,6 +147,36 @@ private Q_SLOTS:
         session.undo();
         session.removeHits(std::vector<std::size_t>{0, 21, 22, 30});
         compare(effects, session);
+    }
+
+    /// Of a target that went and came back the thread, asked late, sees that nothing has changed. Its counts
+    /// went all the same.
+    void targetThatComesBackMeanwhile() {
+        Session session;
+        session.loadPaperRow(kDefaultPaperRow);
+        HitEffects effects(session);
+        const std::array<TargetId, 1> id{session.targets().front()->id};
+        std::mt19937 random(7);
+        for (int i = 0; i < 20; ++i) {
+            Hit hit = randomHit(session, random);
+            hit.target = id.front();
+            QVERIFY(session.addHit(hit).ok());
+        }
+        compare(effects, session);
+        QVERIFY(!effects.counts(id.front()).empty());
+        QThreadPool* pool = QThreadPool::globalInstance();
+        const int threads = pool->maxThreadCount();
+        QSemaphore mayGoOn;
+        for (int i = 0; i < threads; ++i) {
+            pool->start([&mayGoOn] { mayGoOn.acquire(); });
+        }
+        session.removeTargets(id);
+        const bool went = effects.counts(id.front()).empty();
+        session.undo();
+        mayGoOn.release(threads);
+        QVERIFY(went);
+        compare(effects, session);
+        QVERIFY(!effects.counts(id.front()).empty());
     }
 
     void findsTheVerticesOfAHit() {
