@@ -14,6 +14,7 @@ layout(location = 1) in vec3 a_normal;
 uniform mat4 u_model;
 uniform mat4 u_viewProjection;
 uniform float u_depthShift;  // what moves clip.z by a fraction of the distance: lines lie before their faces
+uniform vec3 u_fade;         // pixels of edges from which on lines fade in, pixels of those in full, the least opacity
 uniform float u_edgePixels;  // length of a usual edge in pixels, one metre from the eye
 
 out float v_density;
@@ -28,7 +29,7 @@ void main()
     cutAway(world);
     vec4 clip = u_viewProjection * world;
     // Edges a pixel or two long would fill the surface with one colour; they fade instead.
-    v_density = mix(0.15, 1.0, smoothstep(0.5, 9.0, u_edgePixels / max(clip.w, 1.0e-6)));
+    v_density = mix(u_fade.z, 1.0, smoothstep(u_fade.x, u_fade.y, u_edgePixels / max(clip.w, 1.0e-6)));
 #ifdef HITSCOPE_CUT_FILLED
     v_density *= seenFromOutside(world.xyz, mat3(u_model) * normal);
 #endif

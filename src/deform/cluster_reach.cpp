@@ -149,12 +149,6 @@ void ClusterReach::grow(std::uint32_t cluster, const Hit& hit) {
     enlarge(m_now, leaf, grownBy(m_now[leaf], hit));
 }
 
-Bounds ClusterReach::bounds() const {
-    Bounds all = m_now[1];
-    all.add(m_ever[1]);
-    return all;
-}
-
 void ClusterReach::advance(const Hit& hit, std::vector<std::uint32_t>& reached) {
     const std::size_t before = reached.size();
     find(m_now, hit, reached);

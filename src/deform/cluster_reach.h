@@ -26,7 +26,9 @@ public:
 
     [[nodiscard]] std::span<const Cluster> clusters() const { return m_clusters; }
     /// A box that holds all vertices, as they are and were. Metres, local frame.
-    [[nodiscard]] Bounds bounds() const;
+    [[nodiscard]] Bounds bounds() const { return nodeBounds(1); }
+    /// Likewise, of one cluster.
+    [[nodiscard]] Bounds bounds(std::size_t cluster) const { return nodeBounds(m_leaves + cluster); }
 
     // Clusters are lists of indices into clusters(), ascending; what is found is appended.
 
@@ -58,6 +60,11 @@ public:
 private:
     using Tree =
         std::vector<Bounds>;  ///< node i has children 2 i and 2 i + 1; the root is 1; leaves at the end
+    [[nodiscard]] Bounds nodeBounds(std::size_t node) const {
+        Bounds all = m_now[node];
+        all.add(m_ever[node]);
+        return all;
+    }
     void find(const Tree& tree, const Hit& hit, std::vector<std::uint32_t>& found) const;
     void grow(std::uint32_t cluster, const Hit& hit);
     void replace(std::uint32_t cluster, const Bounds& box);

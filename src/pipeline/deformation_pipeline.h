@@ -9,6 +9,7 @@
 
 #include "core/ids.h"
 #include "core/result.h"
+#include "deform/cluster_reach.h"
 #include "deform/hit_history.h"
 #include "gl/program.h"
 #include "mesh/render_mesh.h"
@@ -56,9 +57,9 @@ public:
     /// Whether pollReadBack() still has something to deliver.
     [[nodiscard]] virtual bool isReadBackPending() const = 0;
 
-    /// A box that holds the vertices of `target` as they will be drawn, in its local frame, metres; empty:
-    /// not known. It follows the hits at once, with no look at the GPU.
-    [[nodiscard]] virtual Bounds bounds(TargetId target) const = 0;
+    /// Where the vertices of `target` may be drawn; null: not known. It follows the hits at once, with no
+    /// look at the GPU, and is good until the pipeline's next change.
+    [[nodiscard]] virtual const ClusterReach* reach(TargetId target) const = 0;
 
     /// Definitions for the programs that draw targets; they include hits.glsl, which loops where these say
     /// so.

@@ -208,9 +208,9 @@ bool KeptVerticesPipeline::isReadBackPending() const {
                                               [](const auto& entry) { return !entry.second.unread.empty(); });
 }
 
-Bounds KeptVerticesPipeline::bounds(TargetId target) const {
+const ClusterReach* KeptVerticesPipeline::reach(TargetId target) const {
     const auto found = m_targets.find(target);
-    return found == m_targets.end() ? Bounds() : found->second.reach.bounds();
+    return found == m_targets.end() ? nullptr : &found->second.reach;
 }
 
 }  // namespace hitscope

@@ -27,7 +27,7 @@ public:
     void readBack(const ReadBackSink& sink) override;
     void pollReadBack(const ReadBackSink& sink) override;
     [[nodiscard]] bool isReadBackPending() const override;
-    [[nodiscard]] Bounds bounds(TargetId target) const override;
+    [[nodiscard]] const ClusterReach* reach(TargetId target) const override;
     // The dynamic buffer holds the deformed vertices: there is nothing to tell a program.
     [[nodiscard]] gl::Defines drawDefines() const override { return {}; }
     void prepareDraw(const gl::Program& /*program*/, TargetId /*target*/) override {}

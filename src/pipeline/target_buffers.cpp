@@ -92,6 +92,7 @@ TargetBuffers::TargetBuffers(const RenderMesh& mesh)
       m_edgeIndexCount(static_cast<std::uint32_t>(mesh.edges.size())),
       m_draws(mesh.draws),
       m_clusters(mesh.clusters),
+      m_clusterEdges(mesh),
       m_bounds(mesh.bounds),
       m_usualEdge(usualEdgeOf(mesh)),
       m_dynamic(makeBuffer(std::span<const DynamicVertex>(mesh.vertices), GL_DYNAMIC_COPY)),

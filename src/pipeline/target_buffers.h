@@ -8,6 +8,7 @@
 
 #include "deform/vertex_range.h"
 #include "gl/objects.h"
+#include "mesh/cluster_edges.h"
 #include "mesh/render_mesh.h"
 
 namespace hitscope {
@@ -51,6 +52,7 @@ public:
     [[nodiscard]] std::uint32_t edgeIndexCount() const { return m_edgeIndexCount; }
     [[nodiscard]] std::span<const DrawRange> draws() const { return m_draws; }
     [[nodiscard]] std::span<const Cluster> clusters() const { return m_clusters; }
+    [[nodiscard]] const ClusterEdges& clusterEdges() const { return m_clusterEdges; }
     [[nodiscard]] const Bounds& originalBounds() const { return m_bounds; }
     /// About the length of an edge of the original, in metres.
     [[nodiscard]] float usualEdge() const { return m_usualEdge; }
@@ -76,6 +78,7 @@ private:
     std::uint32_t m_edgeIndexCount = 0;
     std::vector<DrawRange> m_draws;
     std::vector<Cluster> m_clusters;
+    ClusterEdges m_clusterEdges;
     Bounds m_bounds;
     float m_usualEdge = 0.0f;
     gl::Buffer m_dynamic;

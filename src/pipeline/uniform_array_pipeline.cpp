@@ -311,9 +311,9 @@ bool UniformArrayPipeline::isReadBackPending() const {
                                               [](const auto& entry) { return !entry.second.unread.empty(); });
 }
 
-Bounds UniformArrayPipeline::bounds(TargetId target) const {
+const ClusterReach* UniformArrayPipeline::reach(TargetId target) const {
     const auto found = m_targets.find(target);
-    return found == m_targets.end() ? Bounds() : found->second.reach.bounds();
+    return found == m_targets.end() ? nullptr : &found->second.reach;
 }
 
 gl::Defines UniformArrayPipeline::drawDefines() const {

@@ -32,7 +32,7 @@ public:
     void readBack(const ReadBackSink& sink) override;
     void pollReadBack(const ReadBackSink& sink) override;
     [[nodiscard]] bool isReadBackPending() const override;
-    [[nodiscard]] Bounds bounds(TargetId target) const override;
+    [[nodiscard]] const ClusterReach* reach(TargetId target) const override;
     [[nodiscard]] gl::Defines drawDefines() const override;
     void prepareDraw(const gl::Program& program, TargetId target) override;
 

@@ -72,23 +72,19 @@ std::vector<ChangedParts::Run> ChangedParts::changedIn(std::span<const std::uint
     return runs;
 }
 
-ChangedParts::Runs ChangedParts::joined(std::vector<Run> Block::*runs, std::size_t size) const {
+IndexRuns ChangedParts::joined(std::vector<Run> Block::*runs, std::size_t size) const {
     std::vector<Run> all;
     for (const Block& block : m_blocks) {
         all.insert(all.end(), (block.*runs).begin(), (block.*runs).end());
     }
     std::sort(all.begin(), all.end(), [](const Run& a, const Run& b) { return a.first < b.first; });
-    Runs result;
+    IndexRuns result;
     for (std::size_t i = 0; i < all.size();) {
         Run run = all[i++];
         for (; i < all.size() && all[i].first <= run.end + kGap; ++i) {
             run.end = all[i].end;
         }
-        const std::size_t count = (run.end - run.first) * size;
-        result.counts.push_back(static_cast<int>(count));
-        // NOLINTNEXTLINE(performance-no-int-to-ptr): GL's way to say it
-        result.starts.push_back(reinterpret_cast<const void*>(run.first * size * sizeof(std::uint32_t)));
-        result.indices += count;
+        result.add(run.first * size, (run.end - run.first) * size);
     }
     return result;
 }
@@ -113,12 +109,12 @@ void ChangedParts::collect() const {
     m_edges = joined(&Block::edges, 2);
 }
 
-const ChangedParts::Runs& ChangedParts::triangles() const {
+const IndexRuns& ChangedParts::triangles() const {
     collect();
     return m_triangles;
 }
 
-const ChangedParts::Runs& ChangedParts::edges() const {
+const IndexRuns& ChangedParts::edges() const {
     collect();
     return m_edges;
 }

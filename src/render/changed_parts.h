@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/render_mesh.h"
+#include "render/index_runs.h"
 
 namespace hitscope {
 
@@ -20,16 +21,9 @@ public:
     /// These render vertices have moved, or share a face with one that has. Costs what they are.
     void note(std::span<const std::uint32_t> renderVertices);
 
-    /// As glMultiDrawElements() takes them: how many indices, and the byte of the index buffer where they
-    /// start.
-    struct Runs {
-        std::vector<int> counts;
-        std::vector<const void*> starts;
-        std::size_t indices = 0;  ///< in all of them
-    };
     // Cost what was noted since they were last asked for, and a little for all that ever was.
-    [[nodiscard]] const Runs& triangles() const;
-    [[nodiscard]] const Runs& edges() const;
+    [[nodiscard]] const IndexRuns& triangles() const;
+    [[nodiscard]] const IndexRuns& edges() const;
 
 private:
     struct Run {
@@ -46,14 +40,14 @@ private:
     void collect() const;
     [[nodiscard]] std::vector<Run> changedIn(std::span<const std::uint32_t> elements, std::size_t size,
                                              Run among, std::uint32_t block) const;
-    [[nodiscard]] Runs joined(std::vector<Run> Block::*runs, std::size_t size) const;
+    [[nodiscard]] IndexRuns joined(std::vector<Run> Block::*runs, std::size_t size) const;
 
     std::shared_ptr<const RenderMesh> m_mesh;
     std::vector<bool> m_vertices;  ///< that were noted
     mutable std::vector<Block> m_blocks;
     mutable std::vector<std::uint32_t> m_dirty;  ///< blocks
-    mutable Runs m_triangles;
-    mutable Runs m_edges;
+    mutable IndexRuns m_triangles;
+    mutable IndexRuns m_edges;
 };
 
 }  // namespace hitscope

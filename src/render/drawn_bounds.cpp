@@ -1,41 +1,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/drawn_bounds.h"
 
-#include <array>
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 namespace hitscope::render {
 
 namespace {
 
-/// Local frame; empty: not known.
-Bounds boundsOf(const DrawItem& item, const Frame& frame, const DeformationPipeline& pipeline) {
-    if (item.original) {
-        return item.buffers->originalBounds();
-    }
-    return frame.options.beforeAfter.exaggeration == 1.0f ? pipeline.bounds(item.target) : Bounds();
+/// Null: where the pipeline draws it is not known.
+const ClusterReach* reachOf(const DrawItem& item, const Frame& frame, const DeformationPipeline& pipeline) {
+    return frame.options.beforeAfter.exaggeration == 1.0f ? pipeline.reach(item.target) : nullptr;
+}
+
+/// How far the corner of the box that has its highest x, y and z where `high` says so lies over the plane, in
+/// the plane's own measure.
+float heightOver(const glm::vec4& plane, const Bounds& box, const glm::bvec3& high) {
+    return glm::dot(glm::vec3(plane), glm::mix(box.min, box.max, high)) + plane.w;
 }
 
 }  // namespace
 
+WindowPlanes::WindowPlanes(const glm::mat4& toClip, const PictureWindow& window) {
+    const glm::mat4 rows = glm::transpose(toClip);
+    m_planes = {rows[0] - window.low.x * rows[3], window.high.x * rows[3] - rows[0],
+                rows[1] - window.low.y * rows[3], window.high.y * rows[3] - rows[1], rows[2] + rows[3]};
+}
+
+bool WindowPlanes::mayShow(const Bounds& box) const {
+    return !box.empty() && std::all_of(m_planes.begin(), m_planes.end(), [&box](const glm::vec4& plane) {
+        return heightOver(plane, box, glm::greaterThan(glm::vec3(plane), glm::vec3(0.0f))) >= 0.0f;
+    });
+}
+
+bool WindowPlanes::holds(const Bounds& box) const {
+    return !box.empty() && std::all_of(m_planes.begin(), m_planes.end(), [&box](const glm::vec4& plane) {
+        return heightOver(plane, box, glm::lessThan(glm::vec3(plane), glm::vec3(0.0f))) >= 0.0f;
+    });
+}
+
+std::optional<ClusterBoxes> clusterBoxesOf(const DrawItem& item, const Frame& frame,
+                                           const DeformationPipeline& pipeline) {
+    if (item.original) {
+        return ClusterBoxes(item.buffers->clusters());
+    }
+    const ClusterReach* reach = reachOf(item, frame, pipeline);
+    return reach != nullptr ? std::optional(ClusterBoxes(*reach)) : std::nullopt;
+}
+
+std::optional<Bounds> drawnBounds(const DrawItem& item, const Frame& frame,
+                                  const DeformationPipeline& pipeline) {
+    if (item.original) {
+        return item.buffers->originalBounds();
+    }
+    const ClusterReach* reach = reachOf(item, frame, pipeline);
+    return reach != nullptr ? std::optional(reach->bounds()) : std::nullopt;
+}
+
 bool mayShow(const DrawItem& item, const Frame& frame, const DeformationPipeline& pipeline,
              const glm::mat4& viewProjection, const PictureWindow& window) {
-    const Bounds bounds = boundsOf(item, frame, pipeline);
-    if (bounds.empty()) {
-        return true;
-    }
-    // Outside of one of the window's sides with all eight corners: then with all in between.
-    const glm::mat4 toClip = viewProjection * item.model;
-    std::array<bool, 4> outside{true, true, true, true};
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::vec4 at = toClip * glm::vec4((corner & 1) != 0 ? bounds.max.x : bounds.min.x,
-                                                (corner & 2) != 0 ? bounds.max.y : bounds.min.y,
-                                                (corner & 4) != 0 ? bounds.max.z : bounds.min.z, 1.0f);
-        outside[0] = outside[0] && at.x < window.low.x * at.w;
-        outside[1] = outside[1] && at.x > window.high.x * at.w;
-        outside[2] = outside[2] && at.y < window.low.y * at.w;
-        outside[3] = outside[3] && at.y > window.high.y * at.w;
-    }
-    return !outside[0] && !outside[1] && !outside[2] && !outside[3];
+    const std::optional<Bounds> bounds = drawnBounds(item, frame, pipeline);
+    return !bounds || WindowPlanes(viewProjection * item.model, window).mayShow(*bounds);
 }
 
 }  // namespace hitscope::render

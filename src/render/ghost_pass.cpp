@@ -19,7 +19,7 @@ constexpr std::size_t kIndicesPerVertex = 6;  // of most surfaces
 /// Returns how many indices it drew.
 std::size_t drawChanged(const DrawItem& item) {
     if (item.changedParts != nullptr) {
-        const ChangedParts::Runs& runs = item.changedParts->triangles();
+        const IndexRuns& runs = item.changedParts->triangles();
         glMultiDrawElements(GL_TRIANGLES, runs.counts.data(), GL_UNSIGNED_INT, runs.starts.data(),
                             static_cast<GLsizei>(runs.counts.size()));
         return runs.indices;
@@ -74,7 +74,9 @@ Status drawGhosts(const FrameContext& originals, DeformationPipeline& pipeline, 
         return status;
     }
     return drawEdges(originals, pipeline,
-                     {glm::vec4(originals.colours.accent, kWireOpacity), 0.0f, kLeastEdge, true});
+                     {.colour = glm::vec4(originals.colours.accent, kWireOpacity),
+                      .leastPixels = kLeastEdge,
+                      .ghost = true});
 }
 
 }  // namespace hitscope::render

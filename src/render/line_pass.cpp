@@ -10,6 +10,7 @@
 #include "render/change_map.h"
 #include "render/cut_away.h"
 #include "render/early_start.h"
+#include "render/visible_edges.h"
 
 namespace hitscope::render {
 namespace {
@@ -78,20 +79,32 @@ Result<const gl::Program*> edgeProgram(const FrameContext& context, const Deform
     return context.programs.get("wire.vert", "wire.frag", defines, wide ? "wire.geom" : "");
 }
 
-/// Lines are dear enough for a look at what cannot be seen; a little beyond the edges for their width.
-bool isInPicture(const FrameContext& context, const DeformationPipeline& pipeline, const DrawItem& item) {
+/// A little beyond the picture's edges for the lines' width.
+PictureWindow linesWindow(const FrameContext& context) {
     constexpr glm::vec2 kReach(1.05f);
-    return mayShow(item, context.frame, pipeline, context.viewProjection,
-                   context.window.value_or(PictureWindow{-kReach, kReach}));
+    return context.window.value_or(PictureWindow{-kReach, kReach});
 }
 
-/// Returns how many indices it drew.
-std::size_t drawLines(const DrawItem& item, bool ghost) {
+/// Lines are dear enough for a look at what cannot be seen.
+bool isInPicture(const FrameContext& context, const DeformationPipeline& pipeline, const DrawItem& item) {
+    return mayShow(item, context.frame, pipeline, context.viewProjection, linesWindow(context));
+}
+
+std::size_t drawRuns(const IndexRuns& runs) {
+    glMultiDrawElements(GL_LINES, runs.counts.data(), GL_UNSIGNED_INT, runs.starts.data(),
+                        static_cast<GLsizei>(runs.counts.size()));
+    return runs.indices;
+}
+
+/// Returns how many indices it drew. From close by, much of a target lies beside the picture.
+std::size_t drawLines(const FrameContext& context, const DeformationPipeline& pipeline, const DrawItem& item,
+                      bool ghost) {
     if (ghost && item.changedParts != nullptr) {
-        const ChangedParts::Runs& runs = item.changedParts->edges();
-        glMultiDrawElements(GL_LINES, runs.counts.data(), GL_UNSIGNED_INT, runs.starts.data(),
-                            static_cast<GLsizei>(runs.counts.size()));
-        return runs.indices;
+        return drawRuns(item.changedParts->edges());
+    }
+    if (const auto runs =
+            visibleEdges(item, context.frame, pipeline, context.viewProjection, linesWindow(context))) {
+        return drawRuns(*runs);
     }
     glDrawElements(GL_LINES, static_cast<GLsizei>(item.buffers->edgeIndexCount()), GL_UNSIGNED_INT, nullptr);
     return item.buffers->edgeIndexCount();
@@ -125,6 +138,7 @@ Status drawEdgesOf(const FrameContext& context, DeformationPipeline& pipeline, c
             program->use();
             setPlace(*program, context);
             setWideLine(*program, context, kLineWidth);
+            program->set("u_fade", glm::vec3(style.fade.from, style.fade.to, style.fade.least));
         }
         pipeline.prepareDraw(*program, item.target);
         program->set("u_model", item.model);
@@ -132,7 +146,7 @@ Status drawEdgesOf(const FrameContext& context, DeformationPipeline& pipeline, c
         setEdgePixels(*program, context, item);
         glBindVertexArray(item.original && !style.ghost ? item.buffers->originalEdgeArray()
                                                         : item.buffers->edgeArray());
-        earlyStart.drawn(drawLines(item, style.ghost));
+        earlyStart.drawn(drawLines(context, pipeline, item, style.ghost));
     }
     return Done{};
 }

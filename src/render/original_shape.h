@@ -17,7 +17,7 @@ public:
     void readBack(const ReadBackSink&) override {}
     void pollReadBack(const ReadBackSink&) override {}
     [[nodiscard]] bool isReadBackPending() const override { return false; }
-    [[nodiscard]] Bounds bounds(TargetId) const override { return {}; }
+    [[nodiscard]] const ClusterReach* reach(TargetId) const override { return nullptr; }
     [[nodiscard]] gl::Defines drawDefines() const override { return {}; }
     void prepareDraw(const gl::Program&, TargetId) override {}
 

@@ -163,7 +163,9 @@ Status drawShaded(const FrameContext& context, DeformationPipeline& pipeline) {
         return status;
     }
     return context.frame.options.wireframe == WireframeMode::Over
-               ? drawEdges(context, pipeline, {context.colours.wire, 0.0f, kLeastEdge})
+               ? drawEdges(
+                     context, pipeline,
+                     {.colour = context.colours.wire, .leastPixels = kLeastEdge, .fade = kFadeOverSurface})
                : Status(Done{});
 }
 

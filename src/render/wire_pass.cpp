@@ -72,7 +72,8 @@ Status drawWireSurfaces(const FrameContext& context, DeformationPipeline& pipeli
 }
 
 Status drawWireLines(const FrameContext& context, DeformationPipeline& pipeline) {
-    EdgeStyle style{context.colours.wireOnly, kSelectedLines, kLeastEdge};
+    EdgeStyle style{
+        .colour = context.colours.wireOnly, .selectionTint = kSelectedLines, .leastPixels = kLeastEdge};
     if (Status status = drawEdges(context, pipeline, style); !status) {
         return status;
     }

@@ -27,7 +27,7 @@ MeshData mixedMaterials() {
 }
 
 /// Which triangles (size 3) or edges (size 2) runs hold; empty: they overlap or leave the buffer.
-std::vector<bool> heldBy(const ChangedParts::Runs& runs, std::size_t size, std::size_t indices) {
+std::vector<bool> heldBy(const IndexRuns& runs, std::size_t size, std::size_t indices) {
     std::vector<bool> held(indices / size, false);
     std::size_t sum = 0;
     for (std::size_t run = 0; run < runs.counts.size(); ++run) {
@@ -88,7 +88,7 @@ private Q_SLOTS:
 private:
     static void check(const RenderMesh& render, const std::vector<bool>& moved, const ChangedParts& parts) {
         const auto compare = [&](const std::vector<std::uint32_t>& indices, std::size_t size,
-                                 const ChangedParts::Runs& runs) {
+                                 const IndexRuns& runs) {
             const std::vector<bool> held = heldBy(runs, size, indices.size());
             QCOMPARE(held.size(), indices.size() / size);
             std::size_t needed = 0;

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace hitscope {
+
+/// Runs of an index buffer (32 bits an index), as glMultiDrawElements() takes them.
+struct IndexRuns {
+    std::vector<int> counts;          ///< indices
+    std::vector<const void*> starts;  ///< the byte of the buffer
+    std::size_t indices = 0;          ///< in all of them
+
+    void add(std::size_t first, std::size_t count) {
+        counts.push_back(static_cast<int>(count));
+        // NOLINTNEXTLINE(performance-no-int-to-ptr): GL's way to say it
+        starts.push_back(reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
+        indices += count;
+    }
+};
+
+}  // namespace hitscope

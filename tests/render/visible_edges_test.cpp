@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Edges beside the picture are passed over: fewer are drawn, and the picture stays the same.
+#include "render/visible_edges.h"
+
+#include <QTest>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "mesh/primitives.h"
+#include "render/original_shape.h"
+#include "render_support.h"
+#include "support/gl_fixture.h"
+#include "support/test_program.h"
+
+using namespace hitscope;
+using namespace hitscope::test;
+
+namespace {
+
+/// The same pipeline, but it keeps to itself where it draws.
+class Secretive final : public DeformationPipeline {
+public:
+    explicit Secretive(DeformationPipeline& pipeline) : m_pipeline(pipeline) {}
+    [[nodiscard]] const PipelineTraits& traits() const override { return m_pipeline.traits(); }
+    [[nodiscard]] CapacityReport capacity() const override { return m_pipeline.capacity(); }
+    void addTarget(TargetId target, TargetBuffers& buffers) override {
+        m_pipeline.addTarget(target, buffers);
+    }
+    void removeTarget(TargetId target) override { m_pipeline.removeTarget(target); }
+    void readBack(const ReadBackSink& sink) override { m_pipeline.readBack(sink); }
+    void pollReadBack(const ReadBackSink& sink) override { m_pipeline.pollReadBack(sink); }
+    [[nodiscard]] bool isReadBackPending() const override { return m_pipeline.isReadBackPending(); }
+    [[nodiscard]] const ClusterReach* reach(TargetId) const override { return nullptr; }
+    [[nodiscard]] gl::Defines drawDefines() const override { return m_pipeline.drawDefines(); }
+    void prepareDraw(const gl::Program& program, TargetId target) override {
+        m_pipeline.prepareDraw(program, target);
+    }
+
+private:
+    void startOver(std::span<const Hit>) override {}
+    void follow(const HistoryEdit&) override {}
+
+    DeformationPipeline& m_pipeline;
+};
+
+constexpr float kRadius = 2.5f;
+
+/// Dents that push vertices far from where their clusters were: up to a metre each, all in one place.
+std::vector<Hit> deepDents() {
+    std::vector<Hit> hits = dents({1}, 6);
+    for (Hit& hit : hits) {
+        hit.constants.maxDistance = 1.0f;
+        hit.constants.maxMagnitude = 1.0f;
+        hit.constants.power = 0.4f;
+    }
+    hits.insert(hits.end(), 3, hits.front());
+    return hits;
+}
+
+/// A fence: quads of a hundred metres' height, a tenth wide.
+MeshData fence() {
+    constexpr std::uint32_t kColumns = 200;
+    MeshData mesh;
+    for (std::uint32_t column = 0; column <= kColumns; ++column) {
+        const float x = 0.1f * (static_cast<float>(column) - 0.5f * kColumns);
+        mesh.positions.insert(mesh.positions.end(), {{x, -50.0f, 0.0f}, {x, 50.0f, 0.0f}});
+    }
+    mesh.faceStarts = {0};
+    for (std::uint32_t column = 0; column < kColumns; ++column) {
+        const std::uint32_t low = 2 * column;
+        mesh.cornerVertices.insert(mesh.cornerVertices.end(), {low, low + 2, low + 3, low + 1});
+        mesh.faceStarts.push_back(static_cast<std::uint32_t>(mesh.cornerVertices.size()));
+    }
+    return mesh;
+}
+
+}  // namespace
+
+class VisibleEdgesTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase();
+    void cleanup() { QCOMPARE(m_gl.errors(), QStringList()); }
+    void cleanupTestCase();
+    void theSamePicture_data();
+    void theSamePicture();
+    void edgesThatCrossThePicture();
+    void originalsToo();
+    void nothingBehindTheEye();
+    void notKnownWhereExaggerated();
+
+private:
+    Frame near(int step) const {
+        Frame frame = frameOf(*m_scene, 240, 160);
+        const float turn = 0.5f + 0.35f * static_cast<float>(step);
+        const glm::vec3 side(std::sin(turn), 0.3f, std::cos(turn));
+        frame.camera.setPivot(kRadius * glm::normalize(side), turn, 0.2f, 0.5f);
+        return frame;
+    }
+    [[nodiscard]] std::size_t indicesOf(const Frame& frame, const DeformationPipeline& pipeline) const {
+        const float aspect = static_cast<float>(frame.width) / static_cast<float>(frame.height);
+        const auto runs = render::visibleEdges(frame.targets[0], frame, pipeline,
+                                               frame.camera.projection(aspect) * frame.camera.view(), {});
+        return runs ? runs->indices : m_scene->items()[0].buffers->edgeIndexCount() + 1;
+    }
+
+    GlFixture m_gl;
+    std::unique_ptr<Renderer> m_renderer;
+    std::unique_ptr<TestScene> m_scene;
+};
+
+void VisibleEdgesTest::initTestCase() {
+    if (!m_gl.open()) {
+        return;
+    }
+    auto renderer = Renderer::create();
+    QVERIFY2(renderer.ok(), renderer.ok() ? "" : renderer.error().message().c_str());
+    m_renderer = std::move(renderer).value();
+    m_scene = std::make_unique<TestScene>();
+    m_scene->add(*m_renderer, makeUvSphere(160, 100, kRadius), glm::vec3(0));
+}
+
+void VisibleEdgesTest::cleanupTestCase() {
+    m_scene.reset();
+    m_renderer.reset();
+}
+
+void VisibleEdgesTest::theSamePicture_data() {
+    QTest::addColumn<PipelineKind>("kind");
+    QTest::addColumn<WireframeMode>("mode");
+    for (const PipelineKind kind : {PipelineKind::TransformFeedback, PipelineKind::UniformArray}) {
+        const char* name = kind == PipelineKind::UniformArray ? "uniform array" : "feedback";
+        QTest::addRow("%s, over", name) << kind << WireframeMode::Over;
+        QTest::addRow("%s, only", name) << kind << WireframeMode::Only;
+    }
+}
+
+void VisibleEdgesTest::theSamePicture() {
+    QFETCH(PipelineKind, kind);
+    QFETCH(WireframeMode, mode);
+    const auto pipeline = m_scene->pipeline(kind, deepDents());
+    Secretive secretive(*pipeline);
+    const std::size_t all = m_scene->items()[0].buffers->edgeIndexCount();
+    for (int step = 0; step < 6; ++step) {
+        Frame frame = near(step);
+        frame.options.wireframe = mode;
+        const QImage shown = picture(*m_renderer, frame, *pipeline);
+        QCOMPARE(differing(shown, picture(*m_renderer, frame, secretive)), 0);
+        const std::size_t drawn = indicesOf(frame, *pipeline);
+        QVERIFY2(drawn > 100 && drawn < 3 * all / 4, qPrintable(QString::number(drawn)));
+    }
+}
+
+void VisibleEdgesTest::edgesThatCrossThePicture() {
+    // Both of their ends lie beside it.
+    TestScene scene;
+    scene.add(*m_renderer, fence(), glm::vec3(0));
+    const auto pipeline = scene.pipeline(PipelineKind::TransformFeedback, {});
+    Secretive secretive(*pipeline);
+    Frame frame = frameOf(scene, 240, 160);
+    frame.camera.setPivot(glm::vec3(0), 0.0f, 0.0f, 2.0f);
+    frame.options.wireframe = WireframeMode::Only;
+    const QImage shown = picture(*m_renderer, frame, *pipeline);
+    QCOMPARE(differing(shown, picture(*m_renderer, frame, secretive)), 0);
+    frame.targets = {};
+    QVERIFY(differing(shown, picture(*m_renderer, frame, *pipeline)) > 1000);
+}
+
+void VisibleEdgesTest::originalsToo() {
+    const auto pipeline = m_scene->pipeline(PipelineKind::TransformFeedback, deepDents());
+    std::vector<DrawItem> items(m_scene->items().begin(), m_scene->items().end());
+    items[0].original = true;
+    Frame frame = near(0);
+    frame.targets = items;
+    const render::OriginalShape shape;
+    const std::size_t drawn = indicesOf(frame, shape);
+    QVERIFY2(drawn > 100 && drawn < items[0].buffers->edgeIndexCount() / 4 * 3,
+             qPrintable(QString::number(drawn)));
+}
+
+void VisibleEdgesTest::nothingBehindTheEye() {
+    const auto pipeline = m_scene->pipeline(PipelineKind::TransformFeedback, {});
+    Frame frame = near(0);
+    frame.camera.setPivot(glm::vec3(0.0f, 0.0f, -20.0f), 0.0f, 0.0f, 1.0f);
+    QVERIFY(frame.camera.forward().z < -0.9f);
+    QCOMPARE(indicesOf(frame, *pipeline), std::size_t{0});
+}
+
+void VisibleEdgesTest::notKnownWhereExaggerated() {
+    const auto pipeline = m_scene->pipeline(PipelineKind::TransformFeedback, deepDents());
+    Frame frame = near(0);
+    frame.options.beforeAfter.exaggeration = 5.0f;
+    QVERIFY(indicesOf(frame, *pipeline) > m_scene->items()[0].buffers->edgeIndexCount());
+}
+
+HITSCOPE_TEST(VisibleEdgesTest, QCoreApplication)
+#include "visible_edges_test.moc"
