@@ -174,6 +174,7 @@ private Q_SLOTS:
         const bool went = effects.counts(id.front()).empty();
         session.undo();
         mayGoOn.release(threads);
+        pool->waitForDone();
         QVERIFY(went);
         compare(effects, session);
         QVERIFY(!effects.counts(id.front()).empty());
