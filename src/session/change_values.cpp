@@ -42,13 +42,20 @@ struct ChangeValues::TargetValues {
     bool neighboursWanted = false;
 };
 
-ChangeValues::ChangeValues(Session& session, QObject* parent) : QObject(parent), m_session(session) {
+ChangeValues::ChangeValues(Session& session, QObject* parent)
+    : ChangeValues(
+          session, [](const Target& target) { return Shape{&target.deformed, &target.trueNormals}; },
+          parent) {
+    connect(&session, &Session::shadingChanged, this, &ChangeValues::touch);
+}
+
+ChangeValues::ChangeValues(Session& session, Shapes shapes, QObject* parent)
+    : QObject(parent), m_session(session), m_shapes(std::move(shapes)) {
     m_timer.setSingleShot(true);
     m_timer.setInterval(0);
     m_histogramTimer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &ChangeValues::work);
     connect(&m_histogramTimer, &QTimer::timeout, this, &ChangeValues::workOnHistogram);
-    connect(&session, &Session::shadingChanged, this, &ChangeValues::touch);
     connect(&session, &Session::targetRemoved, this, [this](TargetId id) {
         const auto known = m_targets.find(id);
         if (known != m_targets.end()) {
@@ -84,7 +91,8 @@ void ChangeValues::restart() {
     m_targets.clear();
     m_waiting = 0;
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
-        if (m_quantity && !target->deformed.onceChanged().empty()) {
+        if (const auto shape = m_shapes(*target);
+            m_quantity && shape && !shape->deformed->onceChanged().empty()) {
             start(*target);
         }
     }
@@ -100,7 +108,9 @@ void ChangeValues::start(const Target& target) {
     if (!values) {
         values = std::make_unique<TargetValues>(target);
     }
-    const std::span<const std::uint32_t> changed = target.deformed.onceChanged();
+    const std::optional<Shape> shape = m_shapes(target);
+    const std::span<const std::uint32_t> changed =
+        shape ? shape->deformed->onceChanged() : std::span<const std::uint32_t>();
     const bool alone = *m_quantity != ChangeQuantity::EdgeStretch &&
                        *m_quantity != ChangeQuantity::TrueNormalError &&
                        *m_quantity != ChangeQuantity::Difference;
@@ -148,8 +158,9 @@ void ChangeValues::mark(TargetValues& values, std::size_t cluster) {
     }
 }
 
-double ChangeValues::valueOf(const TargetValues& values, std::uint32_t renderVertex) const {
-    const DeformedMesh& mesh = values.target->deformed;
+double ChangeValues::valueOf(const TargetValues& values, const Shape& shape,
+                             std::uint32_t renderVertex) const {
+    const DeformedMesh& mesh = *shape.deformed;
     const std::uint32_t fileVertex = mesh.render().fileVertices[renderVertex];
     switch (*m_quantity) {
         case ChangeQuantity::HitCount: {
@@ -171,21 +182,22 @@ double ChangeValues::valueOf(const TargetValues& values, std::uint32_t renderVer
         }
         default:
             return changeOf(*m_quantity, mesh.render().vertices[renderVertex], mesh.vertices()[renderVertex],
-                            values.target->trueNormals.normals()[renderVertex]);
+                            shape.normals->normals()[renderVertex]);
     }
 }
 
 void ChangeValues::measure(TargetValues& values, std::size_t cluster) {
-    const DeformedMesh& mesh = values.target->deformed;
-    const Cluster& run = mesh.render().clusters[cluster];
+    const RenderMesh& render = values.target->deformed.render();
+    const Cluster& run = render.clusters[cluster];
+    const std::optional<Shape> shape = m_shapes(*values.target);
     Summary summary;
     for (std::uint32_t vertex = run.first; vertex < run.first + run.count; ++vertex) {
-        const double value = valueOf(values, vertex);
+        const double value = shape ? valueOf(values, *shape, vertex) : 0.0;
         values.values[vertex] = static_cast<float>(value);
-        const std::uint32_t fileVertex = mesh.render().fileVertices[vertex];
+        const std::uint32_t fileVertex = render.fileVertices[vertex];
         // A file vertex that is drawn with several normals counts once.
-        if ((value != 0.0 || mesh.isChanged(fileVertex)) &&
-            mesh.render().renderVerticesOf(fileVertex).front() == vertex) {
+        if ((value != 0.0 || (shape && shape->deformed->isChanged(fileVertex))) &&
+            render.renderVerticesOf(fileVertex).front() == vertex) {
             summary.add(value);
         }
     }

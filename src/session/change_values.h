@@ -27,8 +27,17 @@ namespace hitscope {
 class ChangeValues : public QObject {
     Q_OBJECT
 public:
-    /// `session` outlives this.
+    /// Of the session's targets as it has read them back. `session` outlives this.
     explicit ChangeValues(Session& session, QObject* parent = nullptr);
+    /// A target as somebody else has it, with the same render mesh.
+    struct Shape {
+        const DeformedMesh* deformed = nullptr;
+        const TrueNormals* normals = nullptr;
+    };
+    /// Nothing: it is as it was.
+    using Shapes = std::function<std::optional<Shape>(const Target& target)>;
+    /// Of those shapes; what changes is to be told by touch().
+    ChangeValues(Session& session, Shapes shapes, QObject* parent = nullptr);
     ~ChangeValues() override;
 
     /// Nothing: rests, has no values and costs nothing.
@@ -77,12 +86,14 @@ private:
     bool workOn(TargetValues& values, const QElapsedTimer& clock, bool toTheEnd);
     void takeNeighbours(TargetId id, const std::shared_ptr<const RenderMesh>& of, EdgeNeighbours neighbours);
     void measure(TargetValues& values, std::size_t cluster);
-    [[nodiscard]] double valueOf(const TargetValues& values, std::uint32_t renderVertex) const;
+    [[nodiscard]] double valueOf(const TargetValues& values, const Shape& shape,
+                                 std::uint32_t renderVertex) const;
     void announce();
     void startHistogram();
     void workOnHistogram();
 
     Session& m_session;
+    Shapes m_shapes;
     std::optional<ChangeQuantity> m_quantity;
     HitCounts m_hitCounts;
     OtherVertices m_otherVertices;

@@ -6,9 +6,14 @@
 namespace hitscope {
 
 Comparison::Comparison(Session& session, QObject* parent)
-    : QObject(parent), m_session(session), m_difference(session) {
+    : QObject(parent),
+      m_session(session),
+      m_difference(session),
+      m_values(session, [this](const Target& target) { return shapeOf(target); }) {
     m_difference.setOtherVertices([this](TargetId target) { return vertices(target); });
     connect(this, &Comparison::verticesChanged, &m_difference, &ChangeValues::touch);
+    connect(this, &Comparison::verticesChanged, &m_values, &ChangeValues::touch);
+    connect(&m_values, &ChangeValues::valuesChanged, this, &Comparison::valuesChanged);
     connect(&session, &Session::targetRemoved, this, [this](TargetId target) { m_shapes.erase(target); });
     connect(&session, &Session::sceneReplaced, this, [this] { m_shapes.clear(); });
 }
@@ -49,6 +54,19 @@ std::span<const DynamicVertex> Comparison::vertices(TargetId target) const {
     const Target* original = m_other ? m_session.target(target) : nullptr;
     return original != nullptr ? std::span<const DynamicVertex>(original->deformed.render().vertices)
                                : std::span<const DynamicVertex>();
+}
+
+std::optional<ChangeValues::Shape> Comparison::shapeOf(const Target& target) const {
+    const auto known = m_shapes.find(target.id);
+    return known == m_shapes.end()
+               ? std::nullopt
+               : std::optional(ChangeValues::Shape{&known->second->deformed, &known->second->trueNormals});
+}
+
+/// Numbers of hits are those of the history, and a difference is one from either side.
+void Comparison::setShownQuantity(std::optional<ChangeQuantity> quantity) {
+    const bool isOwn = m_other && quantity == ChangeQuantity::EdgeStretch;
+    m_values.setQuantity(isOwn ? quantity : std::nullopt);
 }
 
 std::span<const glm::vec3> Comparison::normals(TargetId target) const {

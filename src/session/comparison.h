@@ -36,10 +36,15 @@ public:
     [[nodiscard]] const Report& report() const { return m_report; }
     /// Render vertices of B; empty: none have come.
     [[nodiscard]] std::span<const DynamicVertex> vertices(TargetId target) const;
+    /// What colour maps show of B where its vertices alone do not tell; null: what they show of A holds for
+    /// both.
+    [[nodiscard]] const ChangeValues* values() const { return m_values.quantity() ? &m_values : nullptr; }
     /// Why there is no B, in words for people; empty: there is.
     [[nodiscard]] const QString& failure() const { return m_failure; }
 
     // For SceneGpu.
+    /// What is shown of B by colours; nothing: none, and no cost.
+    void setShownQuantity(std::optional<ChangeQuantity> quantity);
     void restart();  ///< B is at the originals
     void take(TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices);
     /// As Session::finishReadBack().
@@ -51,6 +56,7 @@ public:
 Q_SIGNALS:
     void otherChanged();
     void reportChanged();
+    void valuesChanged();  ///< those of values()
     void verticesChanged(hitscope::TargetId target, const std::vector<std::uint32_t>& renderVertices);
 
 private:
@@ -63,10 +69,13 @@ private:
         std::vector<std::uint32_t> moved;  ///< file vertices, since finishReadBack()
     };
 
+    [[nodiscard]] std::optional<ChangeValues::Shape> shapeOf(const Target& target) const;
+
     Session& m_session;
     std::optional<PipelineKind> m_other;
     std::map<TargetId, std::unique_ptr<Shape>> m_shapes;
     ChangeValues m_difference;
+    ChangeValues m_values;
     Report m_report;
     QString m_failure;
 };

@@ -165,8 +165,14 @@ Status SceneGpu::drawElements(const View& view, PickPass& pass, const PixelArea&
     return pass.draw(frame, shape, area, elements);
 }
 
-void SceneGpu::Private::followComparison(Comparison* comparison) {
+void SceneGpu::Private::followComparison(const View& view) {
+    Comparison* comparison = view.comparison;
     second.follow(comparison, deformDefines, SecondScene::Delivery::WhatHasArrived);
+    if (comparison != nullptr) {
+        comparison->setShownQuantity(isSideBySide(view) && view.options.change.on
+                                         ? std::optional(view.options.change.quantity)
+                                         : std::nullopt);
+    }
     if (second.isReady() && !second.isReadBackPending() && !pipeline->isReadBackPending()) {
         comparison->settle(second.pipeline().capacity().dropped.size());
     }
@@ -182,12 +188,15 @@ Status SceneGpu::Private::drawAll(Frame& frame, const View& view, unsigned frame
     }
     const std::vector<DrawItem> items = second.itemsFor(frame.targets);
     if (frame.change) {
-        secondUpload.follow(view.changeValues);
+        const ChangeValues* own = view.comparison->values();
+        secondUpload.follow(own != nullptr ? own : view.changeValues);
         for (const DrawItem& item : items) {
             secondUpload.upload(item.target, second.buffersOf(item.target));
         }
     }
+    const std::vector<VertexMarks> secondMarks = marks.on(items);
     frame.targets = items;
+    frame.marks = secondMarks;
     frame.section = nullptr;  // it is that of the active pipeline
     frame.left = frame.width;
     frame.width = view.width - frame.left;
@@ -200,7 +209,7 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
         d->meter.end();
         return status;
     }
-    d->followComparison(view.comparison);
+    d->followComparison(view);
     const Session& session = d->session;
     const std::vector<DrawItem> items = d->drawItems();
     std::vector<ProjectileItem> projectiles;

@@ -66,7 +66,7 @@ struct SceneGpu::Private {
     void readBack(Delivery delivery);
     Status follow(Delivery delivery);
     std::shared_ptr<const MaterialSet> materialsOf(const DeformedMesh& mesh);
-    void followComparison(Comparison* comparison);
+    void followComparison(const View& view);
     [[nodiscard]] bool isSideBySide(const View& view) const {
         return second.isReady() && view.options.sideBySide;
     }

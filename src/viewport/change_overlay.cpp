@@ -170,11 +170,7 @@ void paintComparison(QPainter& painter, const SceneGpu::View& view, const QSizeF
     const double high = QFontMetricsF(painter.font()).height() + kPadding;
     const BeforeAfterOptions& beforeAfter = view.options.beforeAfter;
     const QString a = nameOf('A', comparison.first());
-    QString b = nameOf('B', *comparison.other());
-    const ChangeMapOptions& change = view.options.change;
-    if (view.options.sideBySide && change.on && change.quantity == ChangeQuantity::EdgeStretch) {
-        b += words(QT_TRANSLATE_NOOP("hitscope::ChangeOverlay", ", coloured as A"));
-    }
+    const QString b = nameOf('B', *comparison.other());
     const double top = kEdge + (beforeAfter.wipe ? high + kPadding / 2 : 0.0);
     if (view.options.sideBySide) {
         const double middle = std::floor(size.width() / 2);

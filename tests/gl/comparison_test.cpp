@@ -11,6 +11,8 @@
 #include "session/comparison_text.h"
 #include "session/demo_shots.h"
 #include "session/scene_gpu.h"
+#include "session/vertex_selection.h"
+#include "support/baseline.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
@@ -80,22 +82,125 @@ private Q_SLOTS:
         QVERIFY(std::abs(comparison.report().rootMeanSquare - std::sqrt((0.0625 + 0.25) / 2)) < 1e-6);
     }
 
+    void sideBySideAreTheSamePicture_data() {
+        QTest::addColumn<DisplayOptions>("options");
+        QTest::addColumn<bool>("selects");
+        DisplayOptions options;
+        QTest::newRow("plain") << options << false;
+        QTest::newRow("vertices selected") << options << true;
+        options.change.on = true;
+        options.change.quantity = ChangeQuantity::EdgeStretch;
+        QTest::newRow("edge stretch") << options << false;
+        options.change.quantity = ChangeQuantity::TrueNormalError;
+        QTest::newRow("true-normal error") << options << false;
+    }
     void sideBySideAreTheSamePicture() {
+        QFETCH(DisplayOptions, options);
+        QFETCH(bool, selects);
         Session session;
         Comparison comparison(session);
         open(session, comparison);
+        ChangeValues values(session);
+        values.setQuantity(options.change.on ? std::optional(options.change.quantity) : std::nullopt);
+        m_view.changeValues = &values;
         shootAll(session, demoShots(session, 20, 3));
+        if (selects) {
+            const Target& target = *session.targets()[0];
+            QVERIFY(settled());
+            const auto changed = target.deformed.onceChanged();
+            session.selection().select(target.id, {changed.begin(), changed.end()},
+                                       VertexSelection::Combine::Add);
+        }
+        m_view.options = options;
         m_view.options.sideBySide = true;
+        QVERIFY(settled());
+        values.finish();
         const QImage alone = picture();
         comparison.setOther(PipelineKind::UniformArray);
         QVERIFY(settled());
+        QTRY_VERIFY(hasValues(comparison));
         const QImage both = picture();
         const QImage left = both.copy(0, 0, kWidth / 2, kHeight);
-        QCOMPARE(left, both.copy(kWidth / 2, 0, kWidth / 2, kHeight));
+        // A pixel's place in the framebuffer counts in the last bit of what is interpolated.
+        QCOMPARE(test::differing(left, both.copy(kWidth / 2, 0, kWidth / 2, kHeight), 1), 0);
         QVERIFY(left != alone.copy(0, 0, kWidth / 2, kHeight));
+        QCOMPARE(comparison.values() != nullptr,
+                 options.change.on && options.change.quantity == ChangeQuantity::EdgeStretch);
         comparison.setOther(std::nullopt);
         QVERIFY(settled());
         QCOMPARE(picture(), alone);
+    }
+
+    /// B's colours are those of its own shape.
+    void stretchIsOfEachItsOwn() {
+        Session session;
+        Comparison comparison(session);
+        open(session, comparison);
+        ChangeValues values(session);
+        values.setQuantity(ChangeQuantity::EdgeStretch);
+        m_view.changeValues = &values;
+        m_view.options.sideBySide = true;
+        m_view.options.change.on = true;
+        m_view.options.change.quantity = ChangeQuantity::EdgeStretch;
+        comparison.setOther(PipelineKind::Reference);
+        QVERIFY(settled());
+        const QImage alike = picture();
+        const TargetId target = session.targets()[0]->id;
+        std::vector<DynamicVertex> wrong(comparison.vertices(target).begin(),
+                                         comparison.vertices(target).end());
+        for (DynamicVertex& vertex : wrong) {
+            vertex.position *= 1.5f;
+        }
+        comparison.take(target, 0, wrong);
+        comparison.finishReadBack();
+        QVERIFY(comparison.values() != nullptr);
+        QTRY_VERIFY(hasValues(comparison));
+        QVERIFY(std::abs(comparison.values()->summary().high - 50.0) < 0.1);
+        QCOMPARE(values.summary().count, std::size_t{0});
+        const QImage apart = picture();
+        QCOMPARE(apart.copy(0, 0, kWidth / 2, kHeight), alike.copy(0, 0, kWidth / 2, kHeight));
+        QVERIFY(apart.copy(kWidth / 2, 0, kWidth / 2, kHeight) !=
+                alike.copy(kWidth / 2, 0, kWidth / 2, kHeight));
+        m_view.options.sideBySide = false;
+        QVERIFY(settled());
+        QVERIFY(comparison.values() == nullptr);
+    }
+
+    /// An array of uniforms that has dropped its first hits, beside a pipeline that keeps all.
+    void looksAsItDid() {
+        Session session;
+        Comparison comparison(session);
+        open(session, comparison);
+        shootAll(session, demoShots(session, 660, 7));
+        QVERIFY(session.history().size() > 620);
+        ChangeValues values(session);
+        values.setOtherVertices([&](TargetId target) { return comparison.vertices(target); });
+        m_view.changeValues = &values;
+        m_view.options.sideBySide = true;
+        comparison.setOther(PipelineKind::UniformArray);
+        QVERIFY(settled());
+        const QString apart = test::differenceFromBaseline(picture(), QStringLiteral("side-by-side"));
+        QVERIFY2(apart.isEmpty(), qPrintable(apart));
+        m_view.options.sideBySide = false;
+        m_view.options.change.on = true;
+        m_view.options.change.quantity = ChangeQuantity::Difference;
+        m_view.camera.frame(session.sceneBounds(), 1.0f * kWidth / kHeight);
+        values.setQuantity(ChangeQuantity::Difference);
+        values.finish();
+        QVERIFY(values.summary().high > 0.01);
+        const QString map = test::differenceFromBaseline(picture(), QStringLiteral("difference"));
+        QVERIFY2(map.isEmpty(), qPrintable(map));
+        // And as a selection in its place.
+        m_view.options.change.on = false;
+        m_view.changeValues = nullptr;
+        comparison.setOther(std::nullopt);
+        const Target& target = *session.targets()[0];
+        const std::span<const std::uint32_t> changed = target.deformed.onceChanged();
+        session.selection().select(target.id, {changed.begin(), changed.begin() + 200},
+                                   VertexSelection::Combine::Add);
+        session.selection().setPicked(VertexRef{target.id, changed[0]});
+        const QString dots = test::differenceFromBaseline(picture(), QStringLiteral("selection"));
+        QVERIFY2(dots.isEmpty(), qPrintable(dots));
     }
 
     void followsTargetsThatComeAndGo() {
@@ -141,7 +246,11 @@ private:
         return QImage(image.pixels.data(), image.width, image.height, QImage::Format_RGBA8888).copy();
     }
 
-    /// Draws until everything has come back.
+    static bool hasValues(const Comparison& comparison) {
+        const ChangeValues* values = comparison.values();
+        return values == nullptr || values->isComplete();
+    }
+
     /// The report follows in slices of the event loop's time.
     bool reports(const Comparison& comparison, std::size_t vertices) {
         QElapsedTimer waited;
@@ -155,6 +264,7 @@ private:
         return comparison.report().vertices == vertices;
     }
 
+    /// Draws until everything has come back.
     bool settled() {
         for (int frame = 0; frame < 200; ++frame) {
             if (picture().isNull()) {

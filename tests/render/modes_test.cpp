@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every way to draw the targets, against pictures that were looked at: tests/render/baselines. With
-// HITSCOPE_WRITE_BASELINES=1 in the environment they are written anew.
-#include <QDir>
+// Every way to draw the targets, against pictures that were looked at.
 #include <QTest>
 #include <algorithm>
 
 #include "mesh/primitives.h"
 #include "render_support.h"
+#include "support/baseline.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
@@ -17,10 +16,6 @@ namespace {
 
 constexpr int kWidth = 160;
 constexpr int kHeight = 120;
-// Renderers differ along outlines and lines, by where samples lie: a pixel counts as different beyond so many
-// levels, and so many of them are let through (of 19,200).
-constexpr int kLevels = 24;
-constexpr int kMostDifferent = 300;
 
 /// Without the faces that have a corner above `height` (metres, local).
 MeshData withoutTop(const MeshData& mesh, float height) {
@@ -170,24 +165,14 @@ void ModesTest::looksAsItDid() {
     QFETCH(DisplayOptions, options);
     const auto pipeline = sceneOf(options).pipeline(PipelineKind::TransformFeedback, m_hits);
     const QImage shown = picture(*m_renderer, frame(options), *pipeline);
-    const QString name = QString::fromLatin1(QTest::currentDataTag()) + QStringLiteral(".png");
-    const QString path = QDir(QStringLiteral(HITSCOPE_BASELINES)).filePath(name);
-    if (qEnvironmentVariableIsSet("HITSCOPE_WRITE_BASELINES")) {
-        QVERIFY(shown.convertToFormat(QImage::Format_RGB888).save(path));
-    }
-    const QImage baseline(path);
-    QCOMPARE(baseline.size(), shown.size());
-    const int different = differing(shown, baseline, kLevels);
-    if (different > kMostDifferent) {
-        const QString saved = QDir::temp().filePath(QStringLiteral("hitscope-") + name);
-        shown.save(saved);
-        QFAIL(qPrintable(QStringLiteral("%1 pixels differ; see %2").arg(different).arg(saved)));
-    }
-    if (name != QStringLiteral("plain.png")) {
+    const QString name = QString::fromLatin1(QTest::currentDataTag());
+    const QString difference = differenceFromBaseline(shown, name);
+    QVERIFY2(difference.isEmpty(), qPrintable(difference));
+    if (name != QStringLiteral("plain")) {
         Frame plain = frame(options);
         plain.options = DisplayOptions{.normals = NormalMode::Paper};
         plain.change = std::nullopt;
-        QVERIFY(differing(shown, picture(*m_renderer, plain, *pipeline), kLevels) > 200);
+        QVERIFY(differing(shown, picture(*m_renderer, plain, *pipeline), kDifferentLevels) > 200);
     }
 }
 
@@ -237,7 +222,7 @@ void ModesTest::linesPassTheEye() {
     inside.camera.setPivot(glm::vec3(0.0f, 2.5f, -1.0f), 0.0f, 0.1f, 0.9f);
     const QImage shown = picture(*m_renderer, inside, *pipeline);
     inside.targets = {};
-    const int lines = differing(shown, picture(*m_renderer, inside, *pipeline), kLevels);
+    const int lines = differing(shown, picture(*m_renderer, inside, *pipeline), kDifferentLevels);
     QVERIFY2(lines > 300 && lines < kWidth * kHeight / 2, qPrintable(QString::number(lines)));
 }
 
@@ -259,7 +244,7 @@ void ModesTest::shadowsFollow() {
     QCOMPARE(differing(before, picture(*m_renderer, shadowed, *pipeline)), 0);
     // Another light, another shadow; and none without the light.
     shadowed.lights.directional.direction.x *= -1.0f;
-    QVERIFY(differing(before, picture(*m_renderer, shadowed, *pipeline), kLevels) > 500);
+    QVERIFY(differing(before, picture(*m_renderer, shadowed, *pipeline), kDifferentLevels) > 500);
     shadowed.lights.directional.on = false;
     Frame plain = shadowed;
     plain.options.shadows = false;
@@ -273,7 +258,7 @@ void ModesTest::shadowsFollow() {
     shadowed.camera.orbit(0.0f, 0.6f);
     const QImage without = picture(*m_renderer, shadowed, *pipeline);
     shadowed.options.shadows = false;
-    QVERIFY(differing(without, picture(*m_renderer, shadowed, *pipeline), kLevels) < 100);
+    QVERIFY(differing(without, picture(*m_renderer, shadowed, *pipeline), kDifferentLevels) < 100);
 }
 
 HITSCOPE_TEST(ModesTest, QCoreApplication)

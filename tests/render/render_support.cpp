@@ -124,19 +124,4 @@ QImage picture(Renderer& renderer, const Frame& frame, DeformationPipeline& pipe
     return QImage(image.pixels.data(), image.width, image.height, QImage::Format_RGBA8888).copy();
 }
 
-int levels(QRgb a, QRgb b) {
-    return std::max(
-        {std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b))});
-}
-
-int differing(const QImage& a, const QImage& b, int tolerance) {
-    int count = 0;
-    for (int y = 0; y < a.height(); ++y) {
-        for (int x = 0; x < a.width(); ++x) {
-            count += levels(a.pixel(x, y), b.pixel(x, y)) > tolerance ? 1 : 0;
-        }
-    }
-    return count;
-}
-
 }  // namespace hitscope::test

@@ -58,9 +58,5 @@ void addPaperScene(TestScene& scene, Renderer& renderer);
 [[nodiscard]] QImage picture(Renderer& renderer, const Frame& frame, DeformationPipeline& pipeline,
                              int samples = 4);
 
-/// The largest difference of a channel, [0, 255].
-[[nodiscard]] int levels(QRgb a, QRgb b);
-/// Pixels of two pictures of the same size that differ by more than `tolerance` levels in some channel.
-[[nodiscard]] int differing(const QImage& a, const QImage& b, int tolerance = 0);
 
 }  // namespace hitscope::test

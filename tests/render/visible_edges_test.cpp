@@ -9,6 +9,7 @@
 #include "mesh/primitives.h"
 #include "render/original_shape.h"
 #include "render_support.h"
+#include "support/baseline.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDir>
+#include <QImage>
+#include <QString>
+#include <algorithm>
+#include <cstdlib>
+
+namespace hitscope::test {
+
+/// The largest difference of a channel, [0, 255].
+[[nodiscard]] inline int levels(QRgb a, QRgb b) {
+    return std::max(
+        {std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b))});
+}
+
+/// Pixels of two pictures of the same size that differ by more than `tolerance` levels in some channel.
+[[nodiscard]] inline int differing(const QImage& a, const QImage& b, int tolerance = 0) {
+    int count = 0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            count += levels(a.pixel(x, y), b.pixel(x, y)) > tolerance ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+// Renderers differ along outlines and lines, by where samples lie: a pixel counts as different beyond so many
+// levels, and a small part of them is let through.
+inline constexpr int kDifferentLevels = 24;
+inline constexpr double kMostDifferent = 0.016;  // of a picture's pixels
+
+/// Holds a picture against the one that was looked at: tests/render/baselines. With
+/// HITSCOPE_WRITE_BASELINES=1 in the environment that is written anew. Empty: they look alike; else what is
+/// different.
+[[nodiscard]] inline QString differenceFromBaseline(const QImage& shown, const QString& name) {
+    const QString file = name + QStringLiteral(".png");
+    const QString path = QDir(QStringLiteral(HITSCOPE_BASELINES)).filePath(file);
+    if (qEnvironmentVariableIsSet("HITSCOPE_WRITE_BASELINES") &&
+        !shown.convertToFormat(QImage::Format_RGB888).save(path)) {
+        return QStringLiteral("cannot write %1").arg(path);
+    }
+    const QImage baseline(path);
+    if (baseline.size() != shown.size()) {
+        return QStringLiteral("no picture of this size in %1").arg(path);
+    }
+    const int different = differing(shown, baseline, kDifferentLevels);
+    if (different <= kMostDifferent * shown.width() * shown.height()) {
+        return {};
+    }
+    const QString saved = QDir::temp().filePath(QStringLiteral("hitscope-") + file);
+    shown.save(saved);
+    return QStringLiteral("%1 pixels differ; see %2").arg(different).arg(saved);
+}
+
+}  // namespace hitscope::test
