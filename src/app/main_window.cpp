@@ -266,7 +266,9 @@ QDockWidget* MainWindow::makeVertexChangesDock() {
 
 void MainWindow::restoreWindow() {
     // On a small screen no part of it is out of sight at first.
-    resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
+    // The desktop's frame comes on top, and is not known before it does.
+    const int frame = style()->pixelMetric(QStyle::PM_TitleBarHeight);
+    resize(QSize(1440, 900).boundedTo(screen()->availableSize() - QSize(0, frame)));
     m_firstLayout = saveState(kLayoutVersion);
     const QSettings settings;
     m_frameRate->restoreState(settings.value(QStringLiteral("window/frameRate")).toByteArray());
