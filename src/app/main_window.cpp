@@ -56,6 +56,7 @@ namespace {
 constexpr int kFrameRateInterval = 500;  // milliseconds between read-outs in the status bar
 constexpr int kHintStays = 20'000;       // milliseconds
 constexpr int kMessageStays = 8'000;     // milliseconds
+constexpr int kLowScreen = 800;          // pixels
 constexpr int kLayoutVersion = 4;        // docks that are gone or new make an old layout useless
 
 }  // namespace
@@ -216,15 +217,24 @@ void MainWindow::makeDocks() {
     frameRate->raise();
     tabifyDockWidget(statistics, scene);
     tabifyDockWidget(scene, change);
-    statistics->raise();
     tabifyDockWidget(history, vertices);
     tabifyDockWidget(vertices, dent);
     tabifyDockWidget(dent, cut);
     history->raise();
+    const bool isLow = screen()->availableSize().height() < kLowScreen;
+    if (isLow) {
+        // Two below one another would both have too little room; so many names are read along the side.
+        tabifyDockWidget(change, constants);
+        setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East);
+    }
     tabifyDockWidget(constants, lights);
     constants->raise();
-    resizeDocks({statistics, constants}, {350, 350}, Qt::Horizontal);
-    resizeDocks({statistics, constants}, {360, 230}, Qt::Vertical);
+    statistics->raise();
+    const int width = isLow ? 380 : 350;
+    resizeDocks({statistics, constants}, {width, width}, Qt::Horizontal);
+    if (!isLow) {
+        resizeDocks({statistics, constants}, {360, 230}, Qt::Vertical);
+    }
     resizeDocks({history, frameRate}, {235, 235}, Qt::Vertical);
     resizeDocks({history, frameRate}, {620, 380}, Qt::Horizontal);
 }
