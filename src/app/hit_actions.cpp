@@ -2,21 +2,19 @@
 #include "app/hit_actions.h"
 
 #include <QAction>
-#include <QCoreApplication>
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
-#include <QPointer>
 #include <QSaveFile>
 #include <QSettings>
 #include <QStandardPaths>
-#include <QThreadPool>
 #include <memory>
 #include <utility>
 
 #include "models/quantity_text.h"
 #include "panels/hit_history/hit_history_panel.h"
+#include "session/beside.h"
 #include "session/hit_files.h"
 
 namespace hitscope {
@@ -101,20 +99,19 @@ void HitActions::follow() {
 void HitActions::run(const std::function<std::function<void()>()>& work) {
     m_isBusy = true;
     follow();
-    QThreadPool::globalInstance()->start([self = QPointer<HitActions>(this), work] {
-        std::function<void()> then = work();
-        // By way of the application: the window may go while it is being told.
-        QMetaObject::invokeMethod(
-            QCoreApplication::instance(),
-            [self, then] {
-                if (HitActions* actions = self.data(); actions != nullptr) {
-                    actions->m_isBusy = false;
-                    actions->follow();
-                    then();
-                }
-            },
-            Qt::QueuedConnection);
-    });
+    auto then = std::make_shared<std::function<void()>>();
+    workBeside(
+        this, [work, then] { *then = work(); },
+        [then](HitActions& self, bool done) {
+            self.m_isBusy = false;
+            self.follow();
+            if (done) {
+                (*then)();
+            } else {
+                Q_EMIT self.failed(
+                    {"There is not enough memory for so many hits.", {}, "Close other programs."});
+            }
+        });
 }
 
 void HitActions::exportTo(const QString& path) {

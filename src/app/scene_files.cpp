@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene_files.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
-#include <QPointer>
-#include <QThreadPool>
 #include <iterator>
-#include <new>
 #include <optional>
 #include <utility>
 
+#include "session/beside.h"
 #include "session/task_list.h"
 
 namespace hitscope {
@@ -171,18 +168,9 @@ void SceneFiles::leaveOut(const Error& error) {
 
 /// Adds what `make` makes to the work's scene and calls `then`, unless the work was given up.
 void SceneFiles::runElsewhere(const std::function<ScenePlan()>& make, const std::function<void()>& then) {
-    QThreadPool::globalInstance()->start([self = QPointer(this), work = m_work, make, then] {
-        try {
-            work->made = make();
-        } catch (const std::bad_alloc&) {
-            work->made.reset();
-        }
-        QMetaObject::invokeMethod(QCoreApplication::instance(), [self, work, then] {
-            if (self) {
-                self->takeMade(work, then);
-            }
-        });
-    });
+    workBeside(
+        this, [work = m_work, make] { work->made = make(); },
+        [work = m_work, then](SceneFiles& self, bool) { self.takeMade(work, then); });
 }
 
 void SceneFiles::takeMade(const std::shared_ptr<Work>& work, const std::function<void()>& then) {

@@ -3,15 +3,12 @@
 
 #include <QAction>
 #include <QActionGroup>
-#include <QCoreApplication>
 #include <QMenu>
-#include <QPointer>
-#include <QThreadPool>
 #include <algorithm>
 #include <memory>
-#include <new>
 
 #include "mesh/panel_texture.h"
+#include "session/beside.h"
 
 namespace hitscope {
 
@@ -49,23 +46,18 @@ void TextureChooser::choose(int size) {
         m_session.setCoverTexture(nullptr);
         return;
     }
-    QThreadPool::globalInstance()->start([self = QPointer(this), size] {
-        std::shared_ptr<const Image> image;
-        try {
-            image = std::make_shared<const Image>(makePanelTexture(size));
-        } catch (const std::bad_alloc&) {
-            image.reset();  // the targets stay as they are
-        }
-        QMetaObject::invokeMethod(QCoreApplication::instance(), [self, size, image] {
-            if (self) {
-                self->take(size, image);
+    auto image = std::make_shared<Image>();
+    workBeside(
+        this, [image, size] { *image = makePanelTexture(size); },
+        [image, size](TextureChooser& self, bool done) {
+            if (done) {  // else the targets stay as they are
+                self.take(size, image);
             }
         });
-    });
 }
 
 void TextureChooser::take(int size, const std::shared_ptr<const Image>& image) {
-    if (image && size == m_chosen) {
+    if (size == m_chosen) {
         m_session.setCoverTexture(image);
     }
 }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "models/hit_list.h"
+#include "session/beside.h"
 
-#include <QCoreApplication>
-#include <QPointer>
-#include <QThreadPool>
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -298,19 +296,9 @@ void HitList::list() {
     }
     m_isSorting = true;
     auto keys = std::make_shared<std::vector<Key>>(keysOf(rows));
-    QThreadPool::globalInstance()->start([list = QPointer<HitList>(this), keys, order = m_order,
-                                          number = m_sortNumber, app = QCoreApplication::instance()] {
-        sortKeys(*keys, order);
-        // By way of the application: this list may go while it is being told.
-        QMetaObject::invokeMethod(
-            app,
-            [list, keys, number] {
-                if (HitList* self = list.data(); self != nullptr) {
-                    self->takeSorted(*keys, number);
-                }
-            },
-            Qt::QueuedConnection);
-    });
+    workBeside(
+        this, [keys, order = m_order] { sortKeys(*keys, order); },
+        [keys, number = m_sortNumber](HitList& self, bool) { self.takeSorted(*keys, number); });
 }
 
 void HitList::takeSorted(const std::vector<Key>& keys, std::uint64_t number) {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/change_values.h"
+#include "session/beside.h"
 
-#include <QCoreApplication>
-#include <QPointer>
-#include <QThreadPool>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -44,7 +42,10 @@ struct ChangeValues::TargetValues {
 
 ChangeValues::ChangeValues(Session& session, QObject* parent)
     : ChangeValues(
-          session, [](const Target& target) { return Shape{&target.deformed, &target.trueNormals}; },
+          session,
+          [](const Target& target) {
+              return Shape{&target.deformed, &target.trueNormals};
+          },
           parent) {
     connect(&session, &Session::shadingChanged, this, &ChangeValues::touch);
 }
@@ -221,14 +222,11 @@ bool ChangeValues::workOn(TargetValues& values, const QElapsedTimer& clock, bool
         if (mesh.positions().size() <= kLargeMesh || toTheEnd) {
             values.neighbours = EdgeNeighbours(mesh.render());
         } else if (!std::exchange(values.neighboursWanted, true)) {
-            QThreadPool::globalInstance()->start(
-                [self = QPointer(this), id = values.target->id, render = mesh.sharedRender()] {
-                    auto found = std::make_shared<EdgeNeighbours>(*render);
-                    QMetaObject::invokeMethod(QCoreApplication::instance(), [self, id, render, found] {
-                        if (self) {
-                            self->takeNeighbours(id, render, std::move(*found));
-                        }
-                    });
+            auto found = std::make_shared<EdgeNeighbours>();
+            workBeside(
+                this, [render = mesh.sharedRender(), found] { *found = EdgeNeighbours(*render); },
+                [id = values.target->id, render = mesh.sharedRender(), found](ChangeValues& self, bool) {
+                    self.takeNeighbours(id, render, std::move(*found));
                 });
         }
         if (values.neighbours.empty()) {

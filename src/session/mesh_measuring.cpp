@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/mesh_measuring.h"
 
-#include <QCoreApplication>
-#include <QPointer>
-#include <QThreadPool>
 #include <algorithm>
-#include <new>
 #include <utility>
 
+#include "session/beside.h"
 #include "session/task_list.h"
 
 namespace hitscope {
@@ -35,7 +32,6 @@ struct MeshMeasuring::Job {
     std::shared_ptr<HistoryCopy> history;
     std::stop_source source;
     std::shared_ptr<const MeshMeasurement> made;  ///< null: it was stopped, or there was no memory
-    bool outOfMemory = false;
 
     void run() {
         const std::stop_token stop = source.get_token();
@@ -170,11 +166,7 @@ void MeshMeasuring::gather() {
             measured = std::make_shared<MeasuredTarget>(id, target->deformed.sharedOriginal());
             m_moved.noteChanged(*target);
         }
-        std::vector<MovedVertex>& gathered = m_gathered[id];
-        const std::size_t before = gathered.size();
-        m_moved.take(*target, room, gathered);
-        room -= gathered.size() - before;
-        isAll = isAll && !m_moved.isAny(id);
+        isAll = m_moved.take(*target, room, m_gathered[id]) && isAll;
     }
     if (isAll) {
         start();
@@ -201,21 +193,11 @@ void MeshMeasuring::start() {
     m_job = job;
     m_sinceStart.start();
     m_longJob.start();
-    QThreadPool::globalInstance()->start([self = QPointer(this), job] {
-        try {
-            job->run();
-        } catch (const std::bad_alloc&) {
-            job->outOfMemory = true;
-        }
-        QMetaObject::invokeMethod(QCoreApplication::instance(), [self, job] {
-            if (self) {
-                self->take(*job);
-            }
-        });
-    });
+    workBeside(
+        this, [job] { job->run(); }, [job](MeshMeasuring& self, bool done) { self.take(*job, done); });
 }
 
-void MeshMeasuring::take(const Job& job) {
+void MeshMeasuring::take(const Job& job, bool done) {
     if (m_job.get() != &job) {
         return;  // given up
     }
@@ -223,7 +205,7 @@ void MeshMeasuring::take(const Job& job) {
     m_longJob.stop();
     m_progress.reset();
     m_interval = std::max(kInterval, 4 * m_sinceStart.elapsed());
-    if (job.outOfMemory) {
+    if (!done) {
         m_measured.clear();  // the numbers stay unknown; everything else goes on
         m_history.startOver();
         return;

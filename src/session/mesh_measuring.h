@@ -51,7 +51,7 @@ private:
     void schedule();
     void gather();
     void start();
-    void take(const Job& job);
+    void take(const Job& job, bool done);
     void stop();
 
     Session& m_session;

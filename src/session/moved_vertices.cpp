@@ -22,24 +22,21 @@ void MovedVertices::noteChanged(const Target& target) {
     note(target, target.deformed.everChanged());
 }
 
-bool MovedVertices::isAny(TargetId target) const {
-    const auto noted = m_noted.find(target);
-    return noted != m_noted.end() && !noted->second.vertices.empty();
-}
-
-void MovedVertices::take(const Target& target, std::size_t most, std::vector<MovedVertex>& taken) {
+bool MovedVertices::take(const Target& target, std::size_t& room, std::vector<MovedVertex>& taken) {
     const auto found = m_noted.find(target.id);
     if (found == m_noted.end()) {
-        return;
+        return true;
     }
     Noted& noted = found->second;
-    const std::size_t left = noted.vertices.size() - std::min(most, noted.vertices.size());
+    const std::size_t left = noted.vertices.size() - std::min(room, noted.vertices.size());
     for (std::size_t i = left; i < noted.vertices.size(); ++i) {
         const std::uint32_t vertex = noted.vertices[i];
         noted.isNoted[vertex] = false;
         taken.push_back({vertex, target.deformed.positions()[vertex]});
     }
+    room -= noted.vertices.size() - left;
     noted.vertices.resize(left);
+    return left == 0;
 }
 
 }  // namespace hitscope

@@ -22,9 +22,9 @@ public:
     void noteChanged(const Target& target);
     void forget(TargetId target) { m_noted.erase(target); }
     void clear() { m_noted.clear(); }
-    [[nodiscard]] bool isAny(TargetId target) const;
-    /// Where they are now, at most `most` of them; appended to `taken`.
-    void take(const Target& target, std::size_t most, std::vector<MovedVertex>& taken);
+    /// Where they are now, appended to `taken`; at most `room` of them, which is then so much less. Whether
+    /// these were all.
+    [[nodiscard]] bool take(const Target& target, std::size_t& room, std::vector<MovedVertex>& taken);
 
 private:
     struct Noted {

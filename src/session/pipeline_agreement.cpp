@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/pipeline_agreement.h"
 
-#include <QCoreApplication>
-#include <QPointer>
-#include <QThreadPool>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <new>
 #include <stop_token>
 #include <utility>
 
 #include "deform/reference.h"
+#include "session/beside.h"
 
 namespace hitscope {
 
@@ -94,7 +91,6 @@ struct PipelineAgreement::Job {
     std::vector<std::size_t> dropped;  ///< rows of the history, ascending
     std::stop_source source;
     AgreementReport report;
-    bool isDone = false;
 
     void run() {
         history->apply(update);
@@ -116,7 +112,6 @@ struct PipelineAgreement::Job {
         report.dropped = dropped.size();
         const double vertices = static_cast<double>(std::max<std::size_t>(report.vertices, 1));
         report.rootMeanSquare = std::sqrt(report.rootMeanSquare / vertices);
-        isDone = true;
     }
 };
 
@@ -212,11 +207,7 @@ void PipelineAgreement::gather() {
             copy = std::make_shared<Copy>(*target);
             m_moved.noteChanged(*target);
         }
-        std::vector<MovedVertex>& gathered = m_gathered[target->id];
-        const std::size_t before = gathered.size();
-        m_moved.take(*target, room, gathered);
-        room -= gathered.size() - before;
-        isAll = isAll && !m_moved.isAny(target->id);
+        isAll = m_moved.take(*target, room, m_gathered[target->id]) && isAll;
     }
     if (isAll) {
         start();
@@ -240,33 +231,23 @@ void PipelineAgreement::start() {
     job->report.pipeline = m_session.pipeline();
     m_job = job;
     m_sinceStart.start();
-    QThreadPool::globalInstance()->start([self = QPointer(this), job] {
-        try {
-            job->run();
-        } catch (const std::bad_alloc&) {
-            job->isDone = false;
-        }
-        QMetaObject::invokeMethod(QCoreApplication::instance(), [self, job] {
-            if (self) {
-                self->take(*job);
-            }
-        });
-    });
+    workBeside(
+        this, [job] { job->run(); }, [job](PipelineAgreement& self, bool done) { self.take(*job, done); });
 }
 
-void PipelineAgreement::take(const Job& job) {
+void PipelineAgreement::take(const Job& job, bool done) {
     if (m_job.get() != &job) {
         return;  // given up
     }
     m_job.reset();
     m_interval = std::max(kInterval, 4 * m_sinceStart.elapsed());
-    if (job.isDone) {
+    if (done) {
         m_report = job.report;
     } else {
         m_copies.clear();  // there was no memory
         m_history.startOver();
     }
-    if (m_hasChanged && job.isDone) {
+    if (m_hasChanged && done) {
         noteChange();
     }
     Q_EMIT reported();

@@ -59,7 +59,7 @@ private:
     void noteChange();
     void gather();
     void start();
-    void take(const Job& job);
+    void take(const Job& job, bool done);
     void stop();
 
     Session& m_session;

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/scene_sections.h"
 
-#include <QCoreApplication>
-#include <QPointer>
-#include <QThreadPool>
-#include <new>
 #include <stop_token>
 #include <utility>
 
+#include "session/beside.h"
 #include "session/target.h"
 
 namespace hitscope {
@@ -42,7 +39,6 @@ struct SceneSections::Job {
     float exaggeration = 1.0f;
     std::stop_source source;
     std::shared_ptr<const SceneSection> made;  ///< null: it was stopped, or there was no memory
-    bool outOfMemory = false;
 
     void run() {
         auto section = std::make_shared<SceneSection>();
@@ -162,11 +158,7 @@ void SceneSections::gather() {
         }
         copy.transform = target->transform;
         copy.visible = target->visible;
-        std::vector<MovedVertex>& gathered = m_gathered[target->id];
-        const std::size_t before = gathered.size();
-        m_moved.take(*target, room, gathered);
-        room -= gathered.size() - before;
-        isAll = isAll && !m_moved.isAny(target->id);
+        isAll = m_moved.take(*target, room, m_gathered[target->id]) && isAll;
     }
     if (isAll) {
         start();
@@ -186,26 +178,16 @@ void SceneSections::start() {
                               std::exchange(m_gathered[target->id], {}), copy.transform, copy.visible});
     }
     m_job = job;
-    QThreadPool::globalInstance()->start([self = QPointer(this), job] {
-        try {
-            job->run();
-        } catch (const std::bad_alloc&) {
-            job->outOfMemory = true;
-        }
-        QMetaObject::invokeMethod(QCoreApplication::instance(), [self, job] {
-            if (self) {
-                self->take(*job);
-            }
-        });
-    });
+    workBeside(
+        this, [job] { job->run(); }, [job](SceneSections& self, bool done) { self.take(*job, done); });
 }
 
-void SceneSections::take(const Job& job) {
+void SceneSections::take(const Job& job, bool done) {
     if (m_job.get() != &job) {
         return;  // given up
     }
     m_job.reset();
-    if (job.outOfMemory) {
+    if (!done) {
         m_copies.clear();  // there is no section; everything else goes on
         m_moved.clear();
         m_due = false;

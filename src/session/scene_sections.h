@@ -45,7 +45,7 @@ private:
     void request();
     void gather();
     void start();
-    void take(const Job& job);
+    void take(const Job& job, bool done);
 
     Session& m_session;
     CuttingPlane m_cut;
