@@ -3,36 +3,19 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "cli/run_cli.h"
 #include "support/test_program.h"
+
+using namespace hitscope::test;
 
 namespace {
 
-struct Run {
-    int status = -1;
-    QString out;
-    QString err;
-};
-
-Run runBench(const QString& arguments) {
-    QProcess process;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.remove(QStringLiteral("DISPLAY"));
-    environment.remove(QStringLiteral("WAYLAND_DISPLAY"));
-    process.setProcessEnvironment(environment);
-    process.start(
-        qEnvironmentVariable("HITSCOPE_CLI"),
-        QStringList{QStringLiteral("bench")} + arguments.split(QLatin1Char(' '), Qt::SkipEmptyParts));
-    Run run;
-    if (process.waitForFinished(100000) && process.exitStatus() == QProcess::NormalExit) {
-        run.status = process.exitCode();
-    }
-    run.out = QString::fromUtf8(process.readAllStandardOutput());
-    run.err = QString::fromUtf8(process.readAllStandardError());
-    return run;
+CliRun runBench(const QString& arguments) {
+    return runCli(QStringList{QStringLiteral("bench")} +
+                  arguments.split(QLatin1Char(' '), Qt::SkipEmptyParts));
 }
 
 QJsonArray recordsOf(const QString& json) {
@@ -54,7 +37,7 @@ class BenchTest : public QObject {
 
 private Q_SLOTS:
     void paperGivesFramesOfEveryPipeline() {
-        const Run run =
+        const CliRun run =
             runBench(QStringLiteral("paper --quick --rows 6 --size 64x36 --json "
                                     "--pipelines uniform-array,transform-feedback"));
         QVERIFY2(run.status == 0, qPrintable(run.err));
@@ -86,7 +69,7 @@ private Q_SLOTS:
     void paperPutsTexturesOn() {
         const QTemporaryDir folder;
         const QString csv = folder.filePath(QStringLiteral("r.csv"));
-        const Run run =
+        const CliRun run =
             runBench(QStringLiteral("paper --quick --rows 6 --size 64x36 --textures none,1k --hit-every 0 "
                                     "--pipelines transform-feedback --csv ") +
                      csv);
@@ -107,7 +90,7 @@ private Q_SLOTS:
     }
 
     void frameComparesHistories() {
-        const Run run =
+        const CliRun run =
             runBench(QStringLiteral("frame --quick --gentle --size 64x36 --vertices 500 --hits 0,700 --json "
                                     "--pipelines uniform-array,transform-feedback"));
         QVERIFY2(run.status == 0, qPrintable(run.err));
@@ -120,7 +103,7 @@ private Q_SLOTS:
     }
 
     void hitComparesSizes() {
-        const Run run = runBench(QStringLiteral(
+        const CliRun run = runBench(QStringLiteral(
             "hit --quick --vertices 1K,7938 --hits-a-frame 1,10 --pipelines transform-feedback"));
         QVERIFY2(run.status == 0, qPrintable(run.err));
         QVERIFY(run.out.contains(QStringLiteral("The paper's own way")));
@@ -129,7 +112,7 @@ private Q_SLOTS:
     }
 
     void physicsMeasuresStepsCollidersAndFrames() {
-        const Run run = runBench(QStringLiteral("physics --quick --triangles 8000,30000 --json"));
+        const CliRun run = runBench(QStringLiteral("physics --quick --triangles 8000,30000 --json"));
         QVERIFY2(run.status == 0, qPrintable(run.err));
         const QJsonArray records = recordsOf(run.out);
         QCOMPARE(records.size(), 10);
@@ -143,7 +126,7 @@ private Q_SLOTS:
     }
 
     void checkMeasuresOne() {
-        const Run run = runBench(QStringLiteral("check --quick --only paper-way-8k --json"));
+        const CliRun run = runBench(QStringLiteral("check --quick --only paper-way-8k --json"));
         QVERIFY2(run.status == 0, qPrintable(run.err));
         const QJsonArray records = recordsOf(run.out);
         QCOMPARE(records.size(), 1);
@@ -169,14 +152,14 @@ private Q_SLOTS:
     void wrongUsageIsToldApart() {
         QFETCH(QString, arguments);
         QFETCH(QString, piece);
-        const Run run = runBench(arguments);
+        const CliRun run = runBench(arguments);
         QCOMPARE(run.status, 2);
         QVERIFY(run.out.isEmpty());
         QVERIFY2(run.err.contains(piece), qPrintable(run.err));
     }
 
     void fileThatCannotBeWrittenFailsAtOnce() {
-        const Run run = runBench(QStringLiteral("paper --json /nowhere/at/all.json"));
+        const CliRun run = runBench(QStringLiteral("paper --json /nowhere/at/all.json"));
         QCOMPARE(run.status, 1);
         QVERIFY2(run.err.contains(QStringLiteral("/nowhere/at/all.json")), qPrintable(run.err));
         QVERIFY(run.out.isEmpty());
@@ -184,7 +167,7 @@ private Q_SLOTS:
 
     void helpIsGiven() {
         for (const char* what : {"", "paper ", "frame ", "hit ", "physics ", "check "}) {
-            const Run run = runBench(QLatin1String(what) + QStringLiteral("--help"));
+            const CliRun run = runBench(QLatin1String(what) + QStringLiteral("--help"));
             QCOMPARE(run.status, 0);
             QVERIFY(!run.out.isEmpty());
         }

@@ -1,39 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // hitscope-cli as a person runs it: arguments in, text, files and exit status out.
 #include <QImage>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "cli/run_cli.h"
 #include "io/import.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
+using namespace hitscope::test;
 
 namespace {
-
-struct Run {
-    int status = -1;
-    QString out;
-    QString err;
-};
-
-Run runCli(const QStringList& arguments) {
-    QProcess process;
-    // Headless means headless: neither X nor Wayland can be reached.
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.remove(QStringLiteral("DISPLAY"));
-    environment.remove(QStringLiteral("WAYLAND_DISPLAY"));
-    process.setProcessEnvironment(environment);
-    process.start(qEnvironmentVariable("HITSCOPE_CLI"), arguments);
-    Run run;
-    if (process.waitForFinished(100000) && process.exitStatus() == QProcess::NormalExit) {
-        run.status = process.exitCode();
-    }
-    run.out = QString::fromUtf8(process.readAllStandardOutput());
-    run.err = QString::fromUtf8(process.readAllStandardError());
-    return run;
-}
 
 QString writeFile(const QTemporaryDir& folder, const QString& name, const QByteArray& bytes) {
     QFile file(folder.filePath(name));
@@ -66,7 +44,7 @@ private Q_SLOTS:
     void demoWritesPicturesAndMesh() {
         const QTemporaryDir folder;
         const QString out = folder.filePath(QStringLiteral("new/folder"));
-        const Run run = runCli({QStringLiteral("demo"), QStringLiteral("--out"), out});
+        const CliRun run = runCli({QStringLiteral("demo"), QStringLiteral("--out"), out});
         QVERIFY2(run.status == 0, qPrintable(run.err));
         QVERIFY(run.err.isEmpty());
         for (const char* name : {"before.png", "after.png", "wireframe.png"}) {
@@ -90,7 +68,7 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const auto exported = [&folder](const QString& pipeline, const QString& normals) {
             const QString out = folder.filePath(pipeline + normals);
-            const Run run =
+            const CliRun run =
                 runCli({QStringLiteral("demo"), QStringLiteral("--out"), out, QStringLiteral("--shots"),
                         QStringLiteral("20"), QStringLiteral("--pipeline"), pipeline,
                         QStringLiteral("--normals"), normals});
@@ -110,7 +88,7 @@ private Q_SLOTS:
         const QString mesh =
             writeFile(folder, QStringLiteral("tent.obj"),
                       "v -2 0 0\nv 2 0 0\nv 0 3 0\nv 0 1 3\nf 1 2 3\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
-        const Run run = runCli({QStringLiteral("demo"), QStringLiteral("--out"), folder.path(), mesh});
+        const CliRun run = runCli({QStringLiteral("demo"), QStringLiteral("--out"), folder.path(), mesh});
         QVERIFY2(run.status == 0, qPrintable(run.err));
         QVERIFY(run.out.contains(QStringLiteral("tent")));
     }
@@ -120,7 +98,7 @@ private Q_SLOTS:
         const QString mesh =
             writeFile(folder, QStringLiteral("tetra.obj"),
                       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 9 9 9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
-        const Run run = runCli({QStringLiteral("info"), mesh});
+        const CliRun run = runCli({QStringLiteral("info"), mesh});
         QVERIFY2(run.status == 0, qPrintable(run.err));
         const auto value = [&run](const QString& name) {
             const QRegularExpression row(QStringLiteral("^ *%1  +(.*)$").arg(name),
@@ -154,7 +132,7 @@ private Q_SLOTS:
         for (const QStringList& arguments :
              {QStringList{QStringLiteral("info"), mesh},
               QStringList{QStringLiteral("demo"), QStringLiteral("--out"), folder.path(), mesh}}) {
-            const Run run = runCli(arguments);
+            const CliRun run = runCli(arguments);
             QCOMPARE(run.status, 1);
             QCOMPARE(run.err.count(QLatin1Char('\n')), 1);
             QVERIFY2(run.err.contains(name), qPrintable(run.err));
@@ -163,7 +141,7 @@ private Q_SLOTS:
     }
 
     void missingFileIsNamed() {
-        const Run run = runCli({QStringLiteral("info"), QStringLiteral("/nowhere/mesh.obj")});
+        const CliRun run = runCli({QStringLiteral("info"), QStringLiteral("/nowhere/mesh.obj")});
         QCOMPARE(run.status, 1);
         QVERIFY2(run.err.contains(QStringLiteral("/nowhere/mesh.obj")), qPrintable(run.err));
     }
@@ -183,7 +161,7 @@ private Q_SLOTS:
     }
     void wrongUsageIsToldApart() {
         QFETCH(QStringList, arguments);
-        const Run run = runCli(arguments);
+        const CliRun run = runCli(arguments);
         QCOMPARE(run.status, 2);
         QVERIFY(run.err.contains(QStringLiteral("--help")));
     }
@@ -191,7 +169,7 @@ private Q_SLOTS:
     void folderThatCannotBeMade() {
         const QTemporaryDir folder;
         const QString blocked = writeFile(folder, QStringLiteral("file"), "x");
-        const Run run =
+        const CliRun run =
             runCli({QStringLiteral("demo"), QStringLiteral("--out"), blocked + QStringLiteral("/in")});
         QCOMPARE(run.status, 1);
         QVERIFY(run.err.contains(blocked));

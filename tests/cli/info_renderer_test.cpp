@@ -1,32 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `hitscope-cli info --renderer` as a person runs it, with no display.
-#include <QProcess>
 #include <QtTest>
 
+#include "cli/run_cli.h"
 #include "support/test_program.h"
+
+using namespace hitscope::test;
 
 namespace {
 
-struct Run {
-    int status = -1;
-    QString out;
-    QString err;
-};
-
-Run runInfo(const QStringList& arguments) {
-    QProcess process;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.remove(QStringLiteral("DISPLAY"));
-    environment.remove(QStringLiteral("WAYLAND_DISPLAY"));
-    process.setProcessEnvironment(environment);
-    process.start(qEnvironmentVariable("HITSCOPE_CLI"), QStringList{QStringLiteral("info")} + arguments);
-    Run run;
-    if (process.waitForFinished(100000) && process.exitStatus() == QProcess::NormalExit) {
-        run.status = process.exitCode();
-    }
-    run.out = QString::fromUtf8(process.readAllStandardOutput());
-    run.err = QString::fromUtf8(process.readAllStandardError());
-    return run;
+CliRun runInfo(const QStringList& arguments) {
+    return runCli(QStringList{QStringLiteral("info")} + arguments);
 }
 
 }  // namespace
@@ -36,7 +20,7 @@ class InfoRendererTest : public QObject {
 
 private Q_SLOTS:
     void saysWhatDrawsAndHowExactly() {
-        const Run run = runInfo({QStringLiteral("--renderer")});
+        const CliRun run = runInfo({QStringLiteral("--renderer")});
         QVERIFY2(run.status == 0, qPrintable(run.err));
         QVERIFY2(run.err.isEmpty(), qPrintable(run.err));
         const auto value = [&run](const QString& name) {
@@ -55,13 +39,13 @@ private Q_SLOTS:
     }
 
     void helpNamesIt() {
-        const Run run = runInfo({QStringLiteral("--help")});
+        const CliRun run = runInfo({QStringLiteral("--help")});
         QCOMPARE(run.status, 0);
         QVERIFY(run.out.contains(QStringLiteral("--renderer")));
     }
 
     void standsAlone() {
-        const Run run = runInfo({QStringLiteral("--renderer"), QStringLiteral("mesh.obj")});
+        const CliRun run = runInfo({QStringLiteral("--renderer"), QStringLiteral("mesh.obj")});
         QCOMPARE(run.status, 2);
         QVERIFY(run.out.isEmpty());
         QVERIFY(run.err.contains(QStringLiteral("--renderer alone")));

@@ -2,31 +2,15 @@
 // hitscope-cli picture and sequence as a person runs them.
 #include <QDir>
 #include <QImage>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "cli/run_cli.h"
 #include "support/test_program.h"
 
+using namespace hitscope::test;
+
 namespace {
-
-struct Run {
-    int status = -1;
-    QString err;
-};
-
-Run runCli(const QStringList& arguments) {
-    QProcess process;
-    // Headless means headless: neither X nor Wayland can be reached.
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.remove(QStringLiteral("DISPLAY"));
-    environment.remove(QStringLiteral("WAYLAND_DISPLAY"));
-    process.setProcessEnvironment(environment);
-    process.start(qEnvironmentVariable("HITSCOPE_CLI"), arguments);
-    constexpr int kPatience = 100'000;  // milliseconds
-    const bool ended = process.waitForFinished(kPatience) && process.exitStatus() == QProcess::NormalExit;
-    return {ended ? process.exitCode() : -1, QString::fromUtf8(process.readAllStandardError())};
-}
 
 QStringList words(const char* line) {
     return QString::fromUtf8(line).split(u' ', Qt::SkipEmptyParts);
@@ -52,7 +36,7 @@ private:
 
 void PictureTest::sizeAndBackground() {
     const QString file = path(QStringLiteral("a.png"));
-    const Run run = runCli(words("picture --size 321x123 --transparent --no-floor --shots 3") << file);
+    const CliRun run = runCli(words("picture --size 321x123 --transparent --no-floor --shots 3") << file);
     QVERIFY2(run.status == 0, qPrintable(run.err));
     const QImage image(file);
     QCOMPARE(image.size(), QSize(321, 123));
@@ -77,7 +61,7 @@ void PictureTest::cameraTakesText() {
 void PictureTest::cutsTargetsOpen() {
     const auto covered = [this](const QString& name, const QStringList& cut) {
         const QString file = path(name);
-        const Run run = runCli(words("picture --size 240x160 --transparent --no-floor") << cut << file);
+        const CliRun run = runCli(words("picture --size 240x160 --transparent --no-floor") << cut << file);
         int pixels = 0;
         const QImage image(file);
         for (int y = 0; run.status == 0 && y < image.height(); ++y) {
@@ -138,13 +122,13 @@ void PictureTest::wrongUsage_data() {
 void PictureTest::wrongUsage() {
     QFETCH(QString, line);
     QFETCH(QString, says);
-    const Run run = runCli(line.split(u' '));
+    const CliRun run = runCli(line.split(u' '));
     QCOMPARE(run.status, 2);
     QVERIFY2(run.err.contains(says), qPrintable(run.err));
 }
 
 void PictureTest::errorsSayWhatToDo() {
-    Run run = runCli(words("picture --size 900000x10") << path(QStringLiteral("huge.png")));
+    CliRun run = runCli(words("picture --size 900000x10") << path(QStringLiteral("huge.png")));
     QCOMPARE(run.status, 1);
     QVERIFY2(run.err.contains(QStringLiteral("900000 x 10")) && run.err.contains(QStringLiteral("smaller")),
              qPrintable(run.err));

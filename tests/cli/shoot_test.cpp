@@ -1,37 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `hitscope-cli shoot` as a person runs it, with no display.
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "cli/run_cli.h"
 #include "support/test_program.h"
+
+using namespace hitscope::test;
 
 namespace {
 
-struct Run {
-    int status = -1;
-    QString out;
-    QString err;
+CliRun shoot(const QStringList& arguments) {
+    return runCli(QStringList{QStringLiteral("shoot")} + arguments);
+}
 
-    [[nodiscard]] QString fingerprint() const {
-        return QRegularExpression(QStringLiteral("fingerprint ([0-9a-f]{16})")).match(out).captured(1);
-    }
-};
-
-Run shoot(const QStringList& arguments) {
-    QProcess process;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.remove(QStringLiteral("DISPLAY"));
-    environment.remove(QStringLiteral("WAYLAND_DISPLAY"));
-    process.setProcessEnvironment(environment);
-    process.start(qEnvironmentVariable("HITSCOPE_CLI"), QStringList{QStringLiteral("shoot")} + arguments);
-    Run run;
-    if (process.waitForFinished(100000) && process.exitStatus() == QProcess::NormalExit) {
-        run.status = process.exitCode();
-    }
-    run.out = QString::fromUtf8(process.readAllStandardOutput());
-    run.err = QString::fromUtf8(process.readAllStandardError());
-    return run;
+QString fingerprintOf(const CliRun& run) {
+    return QRegularExpression(QStringLiteral("fingerprint ([0-9a-f]{16})")).match(run.out).captured(1);
 }
 
 }  // namespace
@@ -43,21 +27,21 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const QString script = folder.filePath(QStringLiteral("shots.json"));
         const QStringList burst{"--burst", "60", "--cone", "12", "--seed", "3", "--every", "0.02"};
-        const Run first = shoot(burst + QStringList{"--save", script});
+        const CliRun first = shoot(burst + QStringList{"--save", script});
         QVERIFY2(first.status == 0, qPrintable(first.err));
         QVERIFY2(first.out.startsWith(QStringLiteral("60 shots, ")), qPrintable(first.out));
-        QVERIFY(!first.fingerprint().isEmpty());
+        QVERIFY(!fingerprintOf(first).isEmpty());
         QCOMPARE(shoot(burst).out, first.out);
         QCOMPARE(shoot({"--script", script}).out, first.out);
-        const Run other = shoot({"--burst", "60", "--cone", "12", "--seed", "4", "--every", "0.02"});
-        QVERIFY(other.fingerprint() != first.fingerprint());
+        const CliRun other = shoot({"--burst", "60", "--cone", "12", "--seed", "4", "--every", "0.02"});
+        QVERIFY(fingerprintOf(other) != fingerprintOf(first));
     }
 
     void wrongUsageIsSaid() {
         QCOMPARE(shoot({"--burst", "0"}).status, 2);
         QCOMPARE(shoot({"--cone", "400"}).status, 2);
         QCOMPARE(shoot({"--script", "a", "--burst", "3"}).status, 2);
-        const Run missing = shoot({"--script", "/nowhere/shots.json"});
+        const CliRun missing = shoot({"--script", "/nowhere/shots.json"});
         QCOMPARE(missing.status, 1);
         QVERIFY(missing.err.contains(QStringLiteral("/nowhere/shots.json")));
     }

@@ -5,9 +5,9 @@
 #include <random>
 
 #include "deform/hit_history.h"
-#include "gl/context.h"
 #include "gl/render_target.h"
 #include "session/scene_gpu.h"
+#include "support/gl_fixture.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -89,13 +89,8 @@ class DeterminismTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void initTestCase() {
-        Result<std::unique_ptr<gl::OffscreenContext>> made = gl::OffscreenContext::create();
-        QVERIFY2(made.ok(), made.ok() ? "" : made.error().message().c_str());
-        m_context = std::move(made).value();
-        gl::collectDebugMessages();
-    }
-    void cleanupTestCase() { m_context.reset(); }
+    void initTestCase() { m_gl.open(); }
+    void cleanup() { QCOMPARE(m_gl.errors(), QStringList()); }
 
     void theSameShotsMakeTheSameHitsHoweverFramesFall() {
         const std::array<FrameLength, 3> frames{
@@ -120,7 +115,7 @@ private Q_SLOTS:
     }
 
 private:
-    std::unique_ptr<gl::OffscreenContext> m_context;
+    test::GlFixture m_gl;
 };
 
 HITSCOPE_TEST(DeterminismTest, QCoreApplication)

@@ -4,6 +4,7 @@
 #include <QTest>
 #include <random>
 
+#include "gl/pipeline_rows.h"
 #include "gl/pipeline_support.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
@@ -81,7 +82,7 @@ private Q_SLOTS:
     void initTestCase() { m_gl.open(); }
     void cleanup() { QCOMPARE(m_gl.errors(), QStringList()); }
 
-    void everyEditEqualsAFreshStart_data() { addKinds(); }
+    void everyEditEqualsAFreshStart_data() { addPipelines(); }
     void everyEditEqualsAFreshStart() {
         QFETCH(const int, kind);
         TestScene scene = makeScene({QStringLiteral("LP sphere"), QStringLiteral("HP cube")});
@@ -104,7 +105,7 @@ private Q_SLOTS:
     }
 
     // As the window reads: never waiting, and what comes is some frames old while more is changed.
-    void whatArrivesLateIsRightInTheEnd_data() { addKinds(); }
+    void whatArrivesLateIsRightInTheEnd_data() { addPipelines(); }
     void whatArrivesLateIsRightInTheEnd() {
         QFETCH(const int, kind);
         TestScene scene = makeScene({QStringLiteral("HP sphere"), QStringLiteral("LP cube")});
@@ -129,7 +130,7 @@ private Q_SLOTS:
     }
 
     // Undone one after the other, and made again, with far more hits than are kept for undoing.
-    void undoAllTheWayAndBack_data() { addKinds(); }
+    void undoAllTheWayAndBack_data() { addPipelines(); }
     void undoAllTheWayAndBack() {
         QFETCH(const int, kind);
         TestScene scene = makeScene({QStringLiteral("HP sphere")});
@@ -184,7 +185,7 @@ private Q_SLOTS:
         }
     }
 
-    void targetsThatComeLateGetTheirHits_data() { addKinds(); }
+    void targetsThatComeLateGetTheirHits_data() { addPipelines(); }
     void targetsThatComeLateGetTheirHits() {
         QFETCH(const int, kind);
         TestScene scene = makeScene({QStringLiteral("LP cube"), QStringLiteral("LP sphere")});
@@ -201,12 +202,6 @@ private Q_SLOTS:
     }
 
 private:
-    static void addKinds() {
-        QTest::addColumn<int>("kind");
-        for (const PipelineTraits& traits : allPipelines()) {
-            QTest::newRow(traits.key.data()) << static_cast<int>(traits.kind);
-        }
-    }
     static std::vector<Hit> enabled(const HitHistory& history) {
         std::vector<Hit> hits(history.hits().begin(), history.hits().end());
         std::erase_if(hits, [](const Hit& hit) { return !hit.enabled; });

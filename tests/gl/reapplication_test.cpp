@@ -8,10 +8,10 @@
 #include <glm/geometric.hpp>
 
 #include "deform/reference.h"
-#include "gl/context.h"
 #include "gl/render_target.h"
 #include "mesh/primitives.h"
 #include "session/scene_gpu.h"
+#include "support/gl_fixture.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -50,21 +50,14 @@ class ReapplicationTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void initTestCase() {
-        Result<std::unique_ptr<gl::OffscreenContext>> made = gl::OffscreenContext::create();
-        QVERIFY2(made.ok(), made.ok() ? "" : made.error().message().c_str());
-        m_context = std::move(made).value();
-        gl::collectDebugMessages();
+        if (!m_gl.open()) {
+            return;
+        }
         m_target.emplace(64, 48);
         QVERIFY(m_target->isComplete());
     }
-    void cleanup() {
-        const std::vector<std::string> errors = gl::takeErrors();
-        QVERIFY2(errors.empty(), errors.empty() ? "" : errors.front().c_str());
-    }
-    void cleanupTestCase() {
-        m_target.reset();
-        m_context.reset();
-    }
+    void cleanup() { QCOMPARE(m_gl.errors(), QStringList()); }
+    void cleanupTestCase() { m_target.reset(); }
 
     void aSwitchOfPipelinesKeepsThePictureUntilItIsDone() {
         Session session;
@@ -185,7 +178,7 @@ private:
         std::unique_ptr<SceneGpu> gpu;
     };
 
-    std::unique_ptr<gl::OffscreenContext> m_context;
+    test::GlFixture m_gl;
     std::optional<gl::RenderTarget> m_target;
 };
 

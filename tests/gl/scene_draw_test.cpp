@@ -4,11 +4,11 @@
 #include <array>
 #include <cstdlib>
 
-#include "gl/context.h"
 #include "gl/render_target.h"
 #include "mesh/panel_texture.h"
 #include "session/primitive_target.h"
 #include "session/scene_gpu.h"
+#include "support/gl_fixture.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -40,17 +40,8 @@ class SceneDrawTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void initTestCase() {
-        Result<std::unique_ptr<gl::OffscreenContext>> made = gl::OffscreenContext::create();
-        QVERIFY2(made.ok(), made.ok() ? "" : made.error().message().c_str());
-        m_context = std::move(made).value();
-        gl::collectDebugMessages();
-    }
-    void cleanup() {
-        const std::vector<std::string> errors = gl::takeErrors();
-        QVERIFY2(errors.empty(), errors.empty() ? "" : errors.front().c_str());
-    }
-    void cleanupTestCase() { m_context.reset(); }
+    void initTestCase() { m_gl.open(); }
+    void cleanup() { QCOMPARE(m_gl.errors(), QStringList()); }
 
     void hiddenTargetsAreNotDrawn() {
         Session session;
@@ -112,7 +103,7 @@ private:
         return drawn.ok() ? into.read() : Image{};
     }
 
-    std::unique_ptr<gl::OffscreenContext> m_context;
+    test::GlFixture m_gl;
 };
 
 HITSCOPE_TEST(SceneDrawTest, QCoreApplication)

@@ -8,11 +8,12 @@
 #include <glm/geometric.hpp>
 
 #include "deform/reference.h"
-#include "gl/context.h"
+#include "gl/pipeline_rows.h"
 #include "io/import.h"
 #include "mesh/primitives.h"
 #include "session/demo_shots.h"
 #include "session/export_target.h"
+#include "support/gl_fixture.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -47,24 +48,10 @@ class SceneGpuTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void initTestCase() {
-        Result<std::unique_ptr<gl::OffscreenContext>> made = gl::OffscreenContext::create();
-        QVERIFY2(made.ok(), made.ok() ? "" : made.error().message().c_str());
-        m_context = std::move(made).value();
-        gl::collectDebugMessages();
-    }
-    void cleanup() {
-        const std::vector<std::string> errors = gl::takeErrors();
-        QVERIFY2(errors.empty(), errors.empty() ? "" : errors.front().c_str());
-    }
-    void cleanupTestCase() { m_context.reset(); }
+    void initTestCase() { m_gl.open(); }
+    void cleanup() { QCOMPARE(m_gl.errors(), QStringList()); }
 
-    void followsEveryChangeOfTheHistory_data() {
-        QTest::addColumn<int>("kind");
-        for (const PipelineTraits& traits : allPipelines()) {
-            QTest::addRow("%s", std::string(traits.key).c_str()) << static_cast<int>(traits.kind);
-        }
-    }
+    void followsEveryChangeOfTheHistory_data() { test::addPipelines(); }
     void followsEveryChangeOfTheHistory() {
         QFETCH(int, kind);
         Session session;
@@ -224,7 +211,7 @@ private Q_SLOTS:
     }
 
 private:
-    std::unique_ptr<gl::OffscreenContext> m_context;
+    test::GlFixture m_gl;
 };
 
 HITSCOPE_TEST(SceneGpuTest, QCoreApplication)

@@ -7,9 +7,10 @@
 #include <limits>
 
 #include "deform/reference.h"
-#include "gl/context.h"
+#include "gl/pipeline_rows.h"
 #include "session/demo_shots.h"
 #include "session/scene_gpu.h"
+#include "support/gl_fixture.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -42,24 +43,10 @@ private:
     }
 
 private Q_SLOTS:
-    void initTestCase() {
-        Result<std::unique_ptr<gl::OffscreenContext>> made = gl::OffscreenContext::create();
-        QVERIFY2(made.ok(), made.ok() ? "" : made.error().message().c_str());
-        m_context = std::move(made).value();
-        gl::collectDebugMessages();
-    }
-    void cleanup() {
-        const std::vector<std::string> errors = gl::takeErrors();
-        QVERIFY2(errors.empty(), errors.empty() ? "" : errors.front().c_str());
-    }
-    void cleanupTestCase() { m_context.reset(); }
+    void initTestCase() { m_gl.open(); }
+    void cleanup() { QCOMPARE(m_gl.errors(), QStringList()); }
 
-    void backAndForth_data() {
-        QTest::addColumn<int>("kind");
-        for (const PipelineTraits& traits : allPipelines()) {
-            QTest::addRow("%s", std::string(traits.key).c_str()) << static_cast<int>(traits.kind);
-        }
-    }
+    void backAndForth_data() { test::addPipelines(); }
     void backAndForth() {
         QFETCH(int, kind);
         Session session;
@@ -136,7 +123,7 @@ private Q_SLOTS:
     }
 
 private:
-    std::unique_ptr<gl::OffscreenContext> m_context;
+    test::GlFixture m_gl;
 };
 
 HITSCOPE_TEST(ShownHitsTest, QCoreApplication)
