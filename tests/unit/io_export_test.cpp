@@ -239,12 +239,13 @@ void ExportTest::copiesTextures() {
 void ExportTest::keepsNormalMaps() {
     writeFile(in("source"), QStringLiteral("n.png"), smallPng().toStdString());
     writeFile(in("source"), QStringLiteral("n.mtl"),
-              "newmtl a\nmap_Bump -bm 0.25 n.png\nnewmtl b\nnorm n.png\nnewmtl c\nnorm lost.png\n");
+              "newmtl a\nmap_Bump -bm 0.25 n.png\nnewmtl b\nnorm -bm 2 n.png\nnewmtl c\nnorm lost.png\n");
     const QString path =
         writeFile(in("source"), QStringLiteral("n.obj"),
                   "mtllib n.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nusemtl b\nf 3 2 1\n"
                   "usemtl c\nf 2 3 1\n");
     const ImportedMesh original = read(path);
+    QCOMPARE(original.mesh.materials[1].normalMap.strength, 2.0f);
     ObjExport what = exportOf(original.mesh, original.mesh.positions);
     what.sourceFolder = in("source");
     QVERIFY(exportObj(what, in("target/n.obj")).ok());

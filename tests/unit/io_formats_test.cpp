@@ -96,6 +96,8 @@ private Q_SLOTS:
     void gltf_data();
     void gltf();
     void externalFilesOfGltf();
+    void normalMapOfGltf();
+    void normalMapOfFbx();
     void dae();
     void fbx();
     void threeDs();
@@ -201,6 +203,43 @@ void FormatsTest::externalFilesOfGltf() {
     writeFile(m_folder.path(), QStringLiteral("inner/numbers.bin"), numbers.bytes);
     const QString insidePath = writeFile(m_folder.path(), QStringLiteral("inner/inside.gltf"), inside);
     QCOMPARE(imported(insidePath).mesh.faceCount(), std::size_t(4));
+}
+
+void FormatsTest::normalMapOfGltf() {
+    writeFile(m_folder.path(), QStringLiteral("bumps.png"), smallPng().toStdString());
+    std::string text = readFile(data("two_quads.gltf"));
+    const auto put = [&text](std::string_view before, std::string_view added) {
+        text.insert(text.find(before) + before.size(), added);
+    };
+    put("\"name\": \"paint\",", "\"normalTexture\": {\"index\": 1, \"scale\": 0.5},");
+    put("\"textures\": [", "{\"source\": 0}, {\"source\": 1}, ");
+    text.insert(text.find(']', text.find("\"images\": [")), ", {\"uri\": \"bumps.png\"}");
+    const MeshData mesh = imported(writeFile(m_folder.path(), QStringLiteral("bumps.gltf"), text)).mesh;
+    const NormalMap& map = mesh.materials.at(mesh.faceMaterials.at(0)).normalMap;
+    QCOMPARE(map.kind, NormalMap::Kind::Normals);
+    QCOMPARE(map.texture, std::string("bumps.png"));
+    QCOMPARE(map.strength, 0.5f);
+    QCOMPARE(mesh.images.at(static_cast<std::size_t>(map.image)).width, 2);
+    QVERIFY(map.image != mesh.materials.at(mesh.faceMaterials.at(0)).diffuseImage);
+}
+
+void FormatsTest::normalMapOfFbx() {
+    writeFile(m_folder.path(), QStringLiteral("bumps.png"), smallPng().toStdString());
+    std::string text = readFile(data("quad.fbx"));
+    text.insert(text.rfind("}", text.find("Connections:")), R"(	Texture: 4000, "Texture::bumps", "" {
+		Type: "TextureVideoClip"
+		Version: 202
+		TextureName: "Texture::bumps"
+		FileName: "bumps.png"
+		RelativeFilename: "bumps.png"
+	}
+)");
+    text.insert(text.rfind("}"), "	C: \"OP\",4000,3000, \"NormalMap\"\n");
+    const MeshData mesh = imported(writeFile(m_folder.path(), QStringLiteral("bumps.fbx"), text)).mesh;
+    const NormalMap& map = mesh.materials.at(mesh.faceMaterials.at(0)).normalMap;
+    QCOMPARE(map.texture, std::string("bumps.png"));
+    QCOMPARE(map.strength, 1.0f);
+    QCOMPARE(mesh.images.at(static_cast<std::size_t>(map.image)).width, 2);
 }
 
 void FormatsTest::dae() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/readers/assimp_materials.h"
 
+#include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
 #include <assimp/scene.h>
 
@@ -35,14 +36,21 @@ std::string texturePath(const aiMaterial& from) {
     return {};
 }
 
-std::string normalMapPath(const aiMaterial& from) {
+NormalMap normalMapOf(const aiMaterial& from) {
+    NormalMap map;
     aiString path;
     for (const aiTextureType type : {aiTextureType_NORMALS, aiTextureType_NORMAL_CAMERA}) {
         if (from.GetTexture(type, 0, &path) == aiReturn_SUCCESS) {
-            return path.C_Str();
+            map.texture = path.C_Str();
+            float scale = 1.0f;  // glTF's
+            if (from.Get(AI_MATKEY_GLTF_TEXTURE_SCALE(type, 0), scale) == aiReturn_SUCCESS &&
+                std::isfinite(scale)) {
+                map.strength = scale;
+            }
+            break;
         }
     }
-    return {};
+    return map;
 }
 
 Material convertMaterial(const aiMaterial& from) {
@@ -63,7 +71,7 @@ Material convertMaterial(const aiMaterial& from) {
         material.opacity = value;
     }
     material.diffuseTexture = texturePath(from);
-    material.normalMap.texture = normalMapPath(from);
+    material.normalMap = normalMapOf(from);
     return material;
 }
 

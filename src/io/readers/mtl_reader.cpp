@@ -54,7 +54,7 @@ NormalMap normalMapOf(const tinyobj::material_t& from) {
     const bool isBump = from.normal_texname.empty();
     map.kind = isBump ? NormalMap::Kind::Bump : NormalMap::Kind::Normals;
     map.texture = isBump ? from.bump_texname : from.normal_texname;
-    const float strength = isBump ? from.bump_texopt.bump_multiplier : 1.0f;
+    const float strength = (isBump ? from.bump_texopt : from.normal_texopt).bump_multiplier;
     map.strength = std::isfinite(strength) ? strength : 1.0f;
     return map;
 }
