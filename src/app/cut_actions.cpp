@@ -3,22 +3,40 @@
 
 #include <QAction>
 #include <QMenu>
+#include <algorithm>
 #include <utility>
 
 #include "models/focus_target.h"
 #include "panels/cutting_plane/cutting_plane_panel.h"
 #include "panels/icons/themed_icon.h"
+#include "session/comparison.h"
 #include "session/target.h"
 #include "viewport/cut_handle.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
 
-CutActions::CutActions(Session& session, Viewport& viewport, QObject* parent)
+namespace {
+
+/// A vertex that is drawn with several normals counts once or more.
+std::vector<std::uint32_t> fileVerticesOf(const RenderMesh& mesh,
+                                          const std::vector<std::uint32_t>& renderVertices) {
+    std::vector<std::uint32_t> vertices(renderVertices.size());
+    std::transform(renderVertices.begin(), renderVertices.end(), vertices.begin(),
+                   [&mesh](std::uint32_t vertex) { return mesh.fileVertices[vertex]; });
+    return vertices;
+}
+
+}  // namespace
+
+CutActions::CutActions(Session& session, Comparison& comparison, Viewport& viewport, QObject* parent)
     : QObject(parent),
       m_session(session),
+      m_comparison(comparison),
       m_viewport(viewport),
       m_sections(session),
+      m_otherSections(session,
+                      [&comparison](const Target& target) { return comparison.deformed(target.id); }),
       m_panel(new CuttingPlanePanel(session)),
       m_handle(new CutHandle(viewport)),
       m_on(new QAction(themedIcon(QStringLiteral("cut")), tr("&Cut"), this)) {
@@ -56,15 +74,34 @@ CutActions::CutActions(Session& session, Viewport& viewport, QObject* parent)
         m_panel->setSection(m_sections.section());
     });
     // Exaggeration is changed elsewhere: lines follow it.
-    connect(&viewport, &Viewport::optionsChanged, this, [this] {
-        const DisplayOptions& options = m_viewport.options();
-        m_sections.setCut(options.cut, options.beforeAfter.exaggeration);
-    });
+    connect(&viewport, &Viewport::optionsChanged, this, &CutActions::cutTargets);
+    followComparison();
     connect(&session, &Session::targetAdded, this, &CutActions::follow);
     connect(&session, &Session::targetRemoved, this, &CutActions::follow);
     connect(&session, &Session::targetChanged, this, &CutActions::follow);
     connect(&session, &Session::sceneReplaced, this, &CutActions::followScene);
     follow();
+}
+
+void CutActions::followComparison() {
+    connect(&m_otherSections, &SceneSections::changed, this, [this] {
+        m_viewport.setOtherSection(m_otherSections.section() ? m_otherSections.section()->lines : nullptr);
+    });
+    connect(&m_comparison, &Comparison::otherChanged, this, &CutActions::cutTargets);
+    connect(&m_comparison, &Comparison::verticesChanged, this,
+            [this](TargetId id, const std::vector<std::uint32_t>& renderVertices) {
+                if (const Target* target = m_session.target(id)) {
+                    m_otherSections.note(id, fileVerticesOf(target->deformed.render(), renderVertices));
+                }
+            });
+}
+
+void CutActions::cutTargets() {
+    const DisplayOptions& options = m_viewport.options();
+    m_sections.setCut(options.cut, options.beforeAfter.exaggeration);
+    CuttingPlane other = options.cut;
+    other.on = other.on && options.sideBySide && m_comparison.other();
+    m_otherSections.setCut(other, options.beforeAfter.exaggeration);
 }
 
 void CutActions::change(const std::function<void(CuttingPlane&)>& edit) {

@@ -14,6 +14,7 @@ class QMenu;
 
 namespace hitscope {
 
+class Comparison;
 class CutHandle;
 class CuttingPlanePanel;
 class Viewport;
@@ -24,7 +25,7 @@ class CutActions : public QObject {
     Q_OBJECT
 public:
     /// All outlive this, or are children of the same parent. The panel is for a dock.
-    CutActions(Session& session, Viewport& viewport, QObject* parent);
+    CutActions(Session& session, Comparison& comparison, Viewport& viewport, QObject* parent);
 
     [[nodiscard]] CuttingPlanePanel* panel() { return m_panel; }
     [[nodiscard]] QAction* toggle() { return m_on; }  ///< for a tool bar
@@ -43,12 +44,16 @@ private:
     void reset();
     void follow();
     void followScene();
+    void followComparison();
+    void cutTargets();
     void showPane();
     QAction* addToggle(QMenu& menu, const QString& text, bool CuttingPlane::*option);
 
     Session& m_session;
+    Comparison& m_comparison;
     Viewport& m_viewport;
     SceneSections m_sections;
+    SceneSections m_otherSections;  ///< as the second pipeline has the targets, where it is shown too
     CuttingPlanePanel* m_panel;
     CutHandle* m_handle;
     QAction* m_on;

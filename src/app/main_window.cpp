@@ -93,7 +93,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     applyTheme(m_settings.theme);
     m_viewport->setOptions(m_settings.display);
     m_change = new ChangeActions(session, m_hitEffects, *m_viewport, this);
-    m_cut = new CutActions(session, *m_viewport, this);
+    m_cut = new CutActions(session, m_change->comparison(), *m_viewport, this);
     setCentralWidget(m_viewport);
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);

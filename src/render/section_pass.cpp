@@ -45,32 +45,48 @@ float dashLength(const FrameContext& context, const glm::vec3& middle) {
 
 }  // namespace
 
-SectionPass::SectionPass() : m_vertices(gl::Buffer::make()), m_array(gl::VertexArray::make()) {
-    glBindVertexArray(m_array.id());
-    glBindBuffer(GL_ARRAY_BUFFER, m_vertices.id());
-    glEnableVertexAttribArray(kPlace);
-    glVertexAttribPointer(kPlace, 4, GL_FLOAT, GL_FALSE, sizeof(glm::vec4), nullptr);
+SectionPass::SectionPass() {
+    for (Uploaded& section : m_uploaded) {
+        section.vertices = gl::Buffer::make();
+        section.array = gl::VertexArray::make();
+        glBindVertexArray(section.array.id());
+        glBindBuffer(GL_ARRAY_BUFFER, section.vertices.id());
+        glEnableVertexAttribArray(kPlace);
+        glVertexAttribPointer(kPlace, 4, GL_FLOAT, GL_FALSE, sizeof(glm::vec4), nullptr);
+    }
     glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
-void SectionPass::upload(const SectionLines& lines) {
+void SectionPass::upload(Uploaded& to, const std::shared_ptr<const SectionLines>& lines) const {
     std::vector<glm::vec4> places;
-    addSegments(places, lines.original);
-    m_original = static_cast<GLsizei>(places.size());
-    addSegments(places, lines.deformed);
-    m_deformed = static_cast<GLsizei>(places.size()) - m_original;
+    addSegments(places, lines->original);
+    to.original = static_cast<GLsizei>(places.size());
+    addSegments(places, lines->deformed);
+    to.deformed = static_cast<GLsizei>(places.size()) - to.original;
     Bounds bounds;
     for (const glm::vec4& place : places) {
         bounds.add(glm::vec3(place));
     }
-    m_middle = bounds.centre();
-    glBindBuffer(GL_ARRAY_BUFFER, m_vertices.id());
+    to.middle = bounds.centre();
+    glBindBuffer(GL_ARRAY_BUFFER, to.vertices.id());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(places.size() * sizeof(glm::vec4)), places.data(),
                  GL_DYNAMIC_DRAW);
+    to.lines = lines;
 }
 
-void SectionPass::drawLines(const FrameContext& context, const gl::Program& program, bool hidden) const {
+const SectionPass::Uploaded& SectionPass::uploaded(const std::shared_ptr<const SectionLines>& lines) {
+    if (m_uploaded[m_latest].lines != lines) {
+        m_latest = 1 - m_latest;
+        if (m_uploaded[m_latest].lines != lines) {
+            upload(m_uploaded[m_latest], lines);
+        }
+    }
+    return m_uploaded[m_latest];
+}
+
+void SectionPass::drawLines(const FrameContext& context, const gl::Program& program, const Uploaded& section,
+                            bool hidden) const {
     const CuttingPlane& cut = context.frame.options.cut;
     const float ratio = context.frame.pixelRatio;
     const float opacity = hidden ? kHidden : 1.0f;
@@ -82,12 +98,13 @@ void SectionPass::drawLines(const FrameContext& context, const gl::Program& prog
         glDrawArrays(GL_LINES, first, count);
     };
     // The deformed one lies over the other where nothing has moved.
-    if (cut.originalLine && m_original > 0) {
-        draw(0, m_original, glm::vec4(glm::vec3(context.colours.wireOnly), opacity), kOriginalWidth,
-             dashLength(context, m_middle));
+    if (cut.originalLine && section.original > 0) {
+        draw(0, section.original, glm::vec4(glm::vec3(context.colours.wireOnly), opacity), kOriginalWidth,
+             dashLength(context, section.middle));
     }
-    if (cut.deformedLine && m_deformed > 0) {
-        draw(m_original, m_deformed, glm::vec4(context.colours.accent, opacity), kDeformedWidth, 0.0f);
+    if (cut.deformedLine && section.deformed > 0) {
+        draw(section.original, section.deformed, glm::vec4(context.colours.accent, opacity), kDeformedWidth,
+             0.0f);
     }
 }
 
@@ -100,10 +117,7 @@ Status SectionPass::draw(const FrameContext& context) {
     if (!found) {
         return found.error();
     }
-    if (frame.section != m_uploaded) {
-        upload(*frame.section);
-        m_uploaded = frame.section;
-    }
+    const Uploaded& section = uploaded(frame.section);
     const gl::Program& program = *found.value();
     program.use();
     program.set("u_viewProjection", context.viewProjection);
@@ -111,11 +125,11 @@ Status SectionPass::draw(const FrameContext& context) {
     program.set("u_halfSize", 0.5f * glm::vec2(frame.width, frame.height));
     program.set("u_edge", kEdge * frame.pixelRatio);
     program.set("u_edgeColour", frame.options.theme == Theme::Dark ? glm::vec3(0.0f) : glm::vec3(1.0f));
-    glBindVertexArray(m_array.id());
+    glBindVertexArray(section.array.id());
     glDepthFunc(GL_GREATER);
-    drawLines(context, program, true);
+    drawLines(context, program, section, true);
     glDepthFunc(GL_LEQUAL);
-    drawLines(context, program, false);
+    drawLines(context, program, section, false);
     glDepthFunc(GL_LESS);
     return Done{};
 }

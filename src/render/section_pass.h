@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "gl/objects.h"
@@ -17,15 +18,21 @@ public:
     [[nodiscard]] Status draw(const FrameContext& context);
 
 private:
-    void upload(const SectionLines& lines);
-    void drawLines(const FrameContext& context, const gl::Program& program, bool hidden) const;
+    struct Uploaded {
+        gl::Buffer vertices;
+        gl::VertexArray array;
+        GLsizei original = 0;  ///< vertices, the first ones
+        GLsizei deformed = 0;  ///< after them
+        glm::vec3 middle{0.0f};
+        std::shared_ptr<const SectionLines> lines;
+    };
+    void upload(Uploaded& to, const std::shared_ptr<const SectionLines>& lines) const;
+    [[nodiscard]] const Uploaded& uploaded(const std::shared_ptr<const SectionLines>& lines);
+    void drawLines(const FrameContext& context, const gl::Program& program, const Uploaded& section,
+                   bool hidden) const;
 
-    gl::Buffer m_vertices;
-    gl::VertexArray m_array;
-    GLsizei m_original = 0;  ///< vertices, the first ones
-    GLsizei m_deformed = 0;  ///< after them
-    glm::vec3 m_middle{0.0f};
-    std::shared_ptr<const SectionLines> m_uploaded;
+    std::array<Uploaded, 2> m_uploaded;  ///< two pictures side by side have one each
+    std::size_t m_latest = 0;            ///< the one drawn last
 };
 
 /// The pane that stands for the plane, about the frame's targets.

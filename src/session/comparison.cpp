@@ -56,6 +56,11 @@ std::span<const DynamicVertex> Comparison::vertices(TargetId target) const {
                                : std::span<const DynamicVertex>();
 }
 
+const DeformedMesh* Comparison::deformed(TargetId target) const {
+    const auto known = m_shapes.find(target);
+    return known == m_shapes.end() ? nullptr : &known->second->deformed;
+}
+
 std::optional<ChangeValues::Shape> Comparison::shapeOf(const Target& target) const {
     const auto known = m_shapes.find(target.id);
     return known == m_shapes.end()

@@ -39,6 +39,8 @@ public:
     /// What colour maps show of B where its vertices alone do not tell; null: what they show of A holds for
     /// both.
     [[nodiscard]] const ChangeValues* values() const { return m_values.quantity() ? &m_values : nullptr; }
+    /// A target as B has it; null: it is as it was.
+    [[nodiscard]] const DeformedMesh* deformed(TargetId target) const;
     /// Why there is no B, in words for people; empty: there is.
     [[nodiscard]] const QString& failure() const { return m_failure; }
 

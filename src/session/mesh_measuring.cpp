@@ -164,9 +164,9 @@ void MeshMeasuring::gather() {
         std::shared_ptr<MeasuredTarget>& measured = m_measured[id];
         if (!measured) {
             measured = std::make_shared<MeasuredTarget>(id, target->deformed.sharedOriginal());
-            m_moved.noteChanged(*target);
+            m_moved.note(*target, target->deformed.everChanged());
         }
-        isAll = m_moved.take(*target, room, m_gathered[id]) && isAll;
+        isAll = m_moved.take(id, target->deformed.positions(), room, m_gathered[id]) && isAll;
     }
     if (isAll) {
         start();

@@ -18,12 +18,9 @@ void MovedVertices::note(const Target& target, std::span<const std::uint32_t> fi
     }
 }
 
-void MovedVertices::noteChanged(const Target& target) {
-    note(target, target.deformed.everChanged());
-}
-
-bool MovedVertices::take(const Target& target, std::size_t& room, std::vector<MovedVertex>& taken) {
-    const auto found = m_noted.find(target.id);
+bool MovedVertices::take(TargetId target, std::span<const glm::vec3> positions, std::size_t& room,
+                         std::vector<MovedVertex>& taken) {
+    const auto found = m_noted.find(target);
     if (found == m_noted.end()) {
         return true;
     }
@@ -32,7 +29,7 @@ bool MovedVertices::take(const Target& target, std::size_t& room, std::vector<Mo
     for (std::size_t i = left; i < noted.vertices.size(); ++i) {
         const std::uint32_t vertex = noted.vertices[i];
         noted.isNoted[vertex] = false;
-        taken.push_back({vertex, target.deformed.positions()[vertex]});
+        taken.push_back({vertex, positions[vertex]});
     }
     room -= noted.vertices.size() - left;
     noted.vertices.resize(left);

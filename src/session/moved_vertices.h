@@ -18,13 +18,12 @@ struct Target;
 class MovedVertices {
 public:
     void note(const Target& target, std::span<const std::uint32_t> fileVertices);
-    /// All that are not at their original: for a copy that starts there.
-    void noteChanged(const Target& target);
     void forget(TargetId target) { m_noted.erase(target); }
     void clear() { m_noted.clear(); }
-    /// Where they are now, appended to `taken`; at most `room` of them, which is then so much less. Whether
-    /// these were all.
-    [[nodiscard]] bool take(const Target& target, std::size_t& room, std::vector<MovedVertex>& taken);
+    /// Where they are by `positions` (one a file vertex), appended to `taken`; at most `room` of them, which
+    /// is then so much less. Whether these were all.
+    [[nodiscard]] bool take(TargetId target, std::span<const glm::vec3> positions, std::size_t& room,
+                            std::vector<MovedVertex>& taken);
 
 private:
     struct Noted {

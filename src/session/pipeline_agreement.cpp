@@ -205,9 +205,9 @@ void PipelineAgreement::gather() {
         std::shared_ptr<Copy>& copy = m_copies[target->id];
         if (!copy) {
             copy = std::make_shared<Copy>(*target);
-            m_moved.noteChanged(*target);
+            m_moved.note(*target, target->deformed.everChanged());
         }
-        isAll = m_moved.take(*target, room, m_gathered[target->id]) && isAll;
+        isAll = m_moved.take(target->id, target->deformed.positions(), room, m_gathered[target->id]) && isAll;
     }
     if (isAll) {
         start();

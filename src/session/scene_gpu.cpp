@@ -197,7 +197,7 @@ Status SceneGpu::Private::drawAll(Frame& frame, const View& view, unsigned frame
     const std::vector<VertexMarks> secondMarks = marks.on(items);
     frame.targets = items;
     frame.marks = secondMarks;
-    frame.section = nullptr;  // it is that of the active pipeline
+    frame.section = view.otherSection;
     frame.left = frame.width;
     frame.width = view.width - frame.left;
     return renderer->draw(frame, second.pipeline(), framebuffer);

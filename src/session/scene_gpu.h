@@ -40,6 +40,7 @@ public:
         DisplayOptions options;
         std::shared_ptr<const std::vector<glm::vec3>> ghost = nullptr;  ///< as in Frame
         std::shared_ptr<const SectionLines> section = nullptr;          ///< likewise
+        std::shared_ptr<const SectionLines> otherSection = nullptr;     ///< of the second of two pipelines
         bool showsCutPlane = false;                                     ///< likewise
         /// What a colour map of change takes its range and some values from; it follows the quantity shown.
         const ChangeValues* changeValues = nullptr;

@@ -65,14 +65,20 @@ struct SceneSections::Job {
     }
 };
 
-SceneSections::SceneSections(Session& session, QObject* parent) : QObject(parent), m_session(session) {
+SceneSections::SceneSections(Session& session, QObject* parent)
+    : SceneSections(
+          session, [](const Target& target) { return &target.deformed; }, parent) {
+    connect(&session, &Session::verticesMoved, this, &SceneSections::note);
+}
+
+SceneSections::SceneSections(Session& session, Shapes shapes, QObject* parent)
+    : QObject(parent), m_session(session), m_shapes(std::move(shapes)) {
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &SceneSections::gather);
     connect(&session, &Session::sceneReplaced, this, &SceneSections::forget);
     connect(&session, &Session::targetRemoved, this, &SceneSections::forget);
     connect(&session, &Session::targetAdded, this, &SceneSections::request);
     connect(&session, &Session::targetChanged, this, &SceneSections::request);
-    connect(&session, &Session::verticesMoved, this, &SceneSections::note);
     connect(&session, &Session::pictureChanged, this, &SceneSections::followPlaces);
 }
 
@@ -151,14 +157,19 @@ void SceneSections::gather() {
     std::size_t room = kMostAtOnce;
     bool isAll = true;
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
+        const DeformedMesh* shape = m_shapes(*target);
+        const std::span<const glm::vec3> positions =
+            shape != nullptr ? shape->positions() : target->deformed.original().positions;
         Copy& copy = m_copies[target->id];
         if (!copy.target) {
             copy.target = std::make_shared<SectionedTarget>(target->deformed.sharedRender());
-            m_moved.noteChanged(*target);
+            if (shape != nullptr) {
+                m_moved.note(*target, shape->everChanged());
+            }
         }
         copy.transform = target->transform;
         copy.visible = target->visible;
-        isAll = m_moved.take(*target, room, m_gathered[target->id]) && isAll;
+        isAll = m_moved.take(target->id, positions, room, m_gathered[target->id]) && isAll;
     }
     if (isAll) {
         start();

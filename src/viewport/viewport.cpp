@@ -132,6 +132,7 @@ SceneGpu::View Viewport::view() const {
     view.options = m_options;
     view.ghost = m_ghost;
     view.section = m_section;
+    view.otherSection = m_otherSection;
     view.showsCutPlane = m_showsCutPlane;
     view.changeValues = m_changeValues;
     view.comparison = m_comparison;
@@ -273,6 +274,13 @@ void Viewport::setGhost(std::shared_ptr<const std::vector<glm::vec3>> ghost) {
 void Viewport::setSection(std::shared_ptr<const SectionLines> lines) {
     if (lines != m_section) {
         m_section = std::move(lines);
+        update();
+    }
+}
+
+void Viewport::setOtherSection(std::shared_ptr<const SectionLines> lines) {
+    if (lines != m_otherSection) {
+        m_otherSection = std::move(lines);
         update();
     }
 }

@@ -56,8 +56,9 @@ public:
     [[nodiscard]] Ray launched(const Ray& ray) const;
     /// A surface to draw over the picture (SceneGpu::View); null: none.
     void setGhost(std::shared_ptr<const std::vector<glm::vec3>> ghost);
-    /// Lines where options().cut cuts the targets; null: none are drawn.
+    /// Lines where options().cut cuts the targets, and of the second of two pipelines; null: none are drawn.
     void setSection(std::shared_ptr<const SectionLines> lines);
+    void setOtherSection(std::shared_ptr<const SectionLines> lines);
     /// Whether the cutting plane is drawn as a pane.
     void setShowsCutPlane(bool on);
 
@@ -150,6 +151,7 @@ private:
     DisplayOptions m_options;
     std::shared_ptr<const std::vector<glm::vec3>> m_ghost;
     std::shared_ptr<const SectionLines> m_section;
+    std::shared_ptr<const SectionLines> m_otherSection;
     bool m_showsCutPlane = false;
     const ChangeValues* m_changeValues = nullptr;
     Comparison* m_comparison = nullptr;

@@ -104,6 +104,32 @@ private Q_SLOTS:
         QCOMPARE(changed.count(), 1);
     }
 
+    void ofWhatSomebodyElseHas() {
+        DeformedMesh other(target().deformed.sharedOriginal(), target().deformed.sharedRender());
+        std::vector<DynamicVertex> vertices = target().deformed.render().vertices;
+        for (DynamicVertex& vertex : vertices) {
+            vertex.position *= 1.25f;
+        }
+        std::vector<std::uint32_t> moved;
+        other.write(0, vertices, moved);
+        bool isThere = true;
+        SceneSections sections(
+            *m_session, [&](const Target&) -> const DeformedMesh* { return isThere ? &other : nullptr; });
+        sections.setCut(across({1.0f, 0.0f, 0.0f}, target().transform.position.x), 1.0f);
+        QTRY_VERIFY_WITH_TIMEOUT(isSettled(sections), kPatience);
+        const SectionCurve& deformed = sections.section()->targets.at(0).deformed.at(0);
+        for (const glm::vec3& point : deformed.points) {
+            const float away = glm::distance(point, target().transform.position);
+            QVERIFY(std::abs(away - 1.25f * kRadius) < 0.01f);
+        }
+        // It is as it was again.
+        isThere = false;
+        sections.note(target().id, moved);
+        QTRY_VERIFY_WITH_TIMEOUT(isSettled(sections), kPatience);
+        const TargetSection& again = sections.section()->targets.at(0);
+        QVERIFY(isSame(again.original, again.deformed));
+    }
+
     void followsHitsUndoAndThePlane() {
         cut(across({0.0f, 0.0f, 1.0f}, target().transform.position.z));
         for (int i = 0; i < 6; ++i) {

@@ -20,6 +20,7 @@
 #include "panels/cutting_plane/cutting_plane_panel.h"
 #include "panels/cutting_plane/section_plot.h"
 #include "session/target.h"
+#include "support/baseline.h"
 #include "support/test_program.h"
 #include "viewport/cut_handle.h"
 #include "viewport/inspect_tool.h"
@@ -117,6 +118,30 @@ private Q_SLOTS:
         QTest::keyClick(&viewport(), Qt::Key_Escape);
         QVERIFY(!m_handle->isDragging());
         QVERIFY(std::abs(cut().offset - range.middle()) < 1.0e-5f);
+    }
+
+    void bothOfTwoPicturesHaveLines() {
+        QTest::keyClick(&viewport(), Qt::Key_K);
+        QTest::keyClick(&viewport(), Qt::Key_B, Qt::ShiftModifier);
+        QVERIFY(viewport().options().sideBySide);
+        viewport().setShowsCutPlane(false);
+        const int half = viewport().width() / 2;
+        const auto right = [&] {
+            return viewport().grabFramebuffer().copy(half, 0, half, viewport().height());
+        };
+        DisplayOptions options = viewport().options();
+        options.cut.originalLine = false;
+        options.cut.deformedLine = false;
+        const DisplayOptions lines = viewport().options();
+        QTRY_VERIFY_WITH_TIMEOUT(m_actions->sections().section() != nullptr, kPatience);
+        viewport().setOptions(options);
+        QVERIFY(viewport().syncNow().ok());
+        const QImage without = right();
+        viewport().setOptions(lines);
+        QTRY_VERIFY_WITH_TIMEOUT(test::differing(without, right(), 40) > 100, kPatience);
+        // And with the comparison they go.
+        QTest::keyClick(&viewport(), Qt::Key_B, Qt::ShiftModifier);
+        QVERIFY(!viewport().options().sideBySide);
     }
 
     void alongTheSightUpIsAway() {
