@@ -10,6 +10,7 @@
 #include <QScrollArea>
 #include <QSettings>
 #include <QStatusBar>
+#include <QStyle>
 #include <QSurfaceFormat>
 #include <algorithm>
 

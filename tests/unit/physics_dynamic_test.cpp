@@ -177,7 +177,6 @@ private Q_SLOTS:
         world.setFloor(-0.5f);
         const auto surface = dented.mesh().prepared();
         place(world, kTarget, {}, BoxCollider{glm::vec3(0.5f), surface}, knockable(20));
-        glm::vec3 bottom(0.5f, 0, 0);
         Random random(5);
         int hits = 0;
         for (int i = 0; i < 30; ++i) {

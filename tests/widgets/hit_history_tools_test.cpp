@@ -198,7 +198,7 @@ private Q_SLOTS:
     void editing() {
         const Hit before = m_session->history().hits()[5];
         QTest::mouseClick(m_table->viewport(), Qt::LeftButton, {}, cell(5, 2).center());
-        QTimer::singleShot(0, this, [this] {
+        QTimer::singleShot(0, this, [] {
             HitEditor* editor = nullptr;
             QTRY_VERIFY((editor = qobject_cast<HitEditor*>(QApplication::activeModalWidget())) != nullptr);
             const auto field = [editor](const char* name) {
