@@ -159,7 +159,8 @@ void SceneFiles::leaveOut(const Error& error) {
     if (!work) {
         return;
     }
-    const Error kept = error;  // it may live in what is destroyed below
+    // It may live in what is destroyed below.
+    const Error kept = error;  // NOLINT(performance-unnecessary-copy-initialization)
     work->import.reset();
     work->firstError = work->firstError.value_or(kept);
     work->notes << tr("Left out: %1").arg(QString::fromStdString(kept.message()));
@@ -216,7 +217,8 @@ void SceneFiles::deliver() {
 }
 
 void SceneFiles::fail(const Error& error) {
-    const Error kept = error;  // it may live in what end() destroys
+    // It may live in what end() destroys.
+    const Error kept = error;  // NOLINT(performance-unnecessary-copy-initialization)
     end();
     Q_EMIT failed(kept);
 }

@@ -240,6 +240,7 @@ std::vector<HitList::Key> HitList::keysOf(const std::vector<std::uint32_t>& rows
         names[target->id] = target->name;
     }
     std::vector<std::pair<QString, TargetId>> byName;
+    byName.reserve(names.size());
     for (const auto& [id, name] : names) {
         byName.emplace_back(name, id);
     }

@@ -10,6 +10,11 @@ namespace hitscope {
 namespace {
 
 constexpr int kSignificantDigits = 5;
+// So that a column of a panel holds a number: nine characters and a sign.
+constexpr int kMostDecimals = 7;
+constexpr int kExponentDecimals = 2;
+constexpr int kLeastMagnitude = -4;
+constexpr int kMostMagnitude = 8;
 
 /// The C locale, which bare machines have, leaves group separators out; long vertex counts need them.
 QLocale groupingLocale() {
@@ -25,14 +30,15 @@ QString countText(std::size_t count) {
 }
 
 QString quantityText(double value) {
+    const QLocale locale = groupingLocale();
     if (value == 0.0 || !std::isfinite(value)) {
-        return groupingLocale().toString(value, 'g', kSignificantDigits);
+        return locale.toString(value, 'g', kSignificantDigits);
     }
     const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value))));
-    if (magnitude < -6 || magnitude > 12) {
-        return groupingLocale().toString(value, 'g', kSignificantDigits);
+    if (magnitude < kLeastMagnitude || magnitude > kMostMagnitude) {
+        return locale.toString(value, 'e', kExponentDecimals);
     }
-    return groupingLocale().toString(value, 'f', std::clamp(kSignificantDigits - 1 - magnitude, 0, 9));
+    return locale.toString(value, 'f', std::clamp(kSignificantDigits - 1 - magnitude, 0, kMostDecimals));
 }
 
 QString vectorText(const glm::vec3& vector) {

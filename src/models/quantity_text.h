@@ -9,8 +9,8 @@ namespace hitscope {
 /// "7,938", grouped as the locale does.
 [[nodiscard]] QString countText(std::size_t count);
 
-/// A measured number with five significant digits and no exponent where that stays readable: "12.566",
-/// "0.30000".
+/// A measured number with five significant digits where nine characters hold them: "12.566", "0.30000",
+/// "0.0010543", "0.0001054", "1.05e-05".
 [[nodiscard]] QString quantityText(double value);
 
 /// Three coordinates with three decimals: "1.250, -0.300, 0.000".

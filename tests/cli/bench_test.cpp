@@ -51,7 +51,7 @@ private Q_SLOTS:
         QVERIFY(header[QStringLiteral("note")].toString().contains(QStringLiteral("of this renderer")));
         const QJsonArray records = recordsOf(run.out);
         QCOMPARE(records.size(), 3);  // transform feedback with hits arriving and without
-        for (const QJsonValue& record : records) {
+        for (const auto& record : records) {
             QCOMPARE(number(record, "row"), 6.0);
             QCOMPARE(number(record, "lp_spheres"), 10.0);
             QCOMPARE(number(record, "hits_present"), 600.0);
@@ -119,7 +119,7 @@ private Q_SLOTS:
         QCOMPARE(text(records[0], "measured"), QStringLiteral("step in flight"));
         QCOMPARE(text(records[7], "measured"), QStringLiteral("collider and hull"));
         QVERIFY(number(records[7], "triangles") > 25000.0);
-        for (const QJsonValue& record : records) {
+        for (const auto& record : records) {
             QVERIFY(number(record, "seconds_median") > 0.0);
             QVERIFY(number(record, "seconds_most") >= number(record, "seconds_median"));
         }

@@ -268,7 +268,11 @@ void CutTest::picksWhatIsSeen() {
         int found = 0;
         for (int y = 0; drawn && y < kSide; ++y) {
             for (int x = from; x < to; ++x) {
-                found += picked[static_cast<std::size_t>(y * kSide + x)].target ? 1 : 0;
+                found +=
+                    picked[std::size_t{kSide} * static_cast<std::size_t>(y) + static_cast<std::size_t>(x)]
+                            .target
+                        ? 1
+                        : 0;
             }
         }
         return found;

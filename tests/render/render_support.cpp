@@ -73,9 +73,10 @@ void addPaperScene(TestScene& scene, Renderer& renderer) {
     const MeshData meshes[] = {makeHighPolySphere(), makeHighPolyCube(), makeLowPolySphere(),
                                makeLowPolyCube()};
     for (int i = 0; i < 16; ++i) {
+        const int row = i / 4;
         const glm::vec3 position(15.0f * (static_cast<float>(i % 4) - 1.5f), 2.5f,
-                                 15.0f * (static_cast<float>(i / 4) - 1.5f));
-        scene.add(renderer, meshes[(i + i / 4) % 4], position);
+                                 15.0f * (static_cast<float>(row) - 1.5f));
+        scene.add(renderer, meshes[(i + row) % 4], position);
     }
 }
 

@@ -175,7 +175,7 @@ void VisibleEdgesTest::originalsToo() {
     frame.targets = items;
     const render::OriginalShape shape;
     const std::size_t drawn = indicesOf(frame, shape);
-    QVERIFY2(drawn > 100 && drawn < items[0].buffers->edgeIndexCount() / 4 * 3,
+    QVERIFY2(drawn > 100 && drawn < std::size_t{3} * items[0].buffers->edgeIndexCount() / 4,
              qPrintable(QString::number(drawn)));
 }
 

@@ -34,8 +34,9 @@ private Q_SLOTS:
             next = run.end;
             std::set<std::uint32_t> ends;
             for (std::uint32_t edge = run.first; edge < run.end; ++edge) {
-                QCOMPARE(clusterOf(render, render.edges[2 * edge]), cluster);
-                ends.insert(static_cast<std::uint32_t>(clusterOf(render, render.edges[2 * edge + 1])));
+                QCOMPARE(clusterOf(render, render.edges[2 * std::size_t{edge}]), cluster);
+                ends.insert(
+                    static_cast<std::uint32_t>(clusterOf(render, render.edges[2 * std::size_t{edge} + 1])));
             }
             ends.erase(static_cast<std::uint32_t>(cluster));
             const std::span<const std::uint32_t> found = edges.endsOf(cluster);

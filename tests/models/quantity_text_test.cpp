@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "models/quantity_text.h"
+
+#include <QLocale>
+#include <QTest>
+#include <limits>
+
+#include "support/test_program.h"
+
+using namespace hitscope;
+
+class QuantityTextTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+    void fitsAColumn_data() {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<QString>("text");
+        const auto row = [](double value, const char* text) {
+            QTest::newRow(text) << value << QString::fromLatin1(text);
+        };
+        row(0.0, "0");
+        row(12.5663706, "12.566");
+        row(0.3, "0.30000");
+        row(-0.00105432, "-0.0010543");
+        row(0.000105432, "0.0001054");
+        row(-0.0000105432, "-1.05e-05");
+        row(2.6028e-8, "2.60e-08");
+        row(125.0, "125.00");
+        row(61196.0, "61,196");
+        row(1234567.8, "1,234,568");
+        row(1.0e12, "1.00e+12");
+        row(std::numeric_limits<double>::infinity(), "inf");
+    }
+    void fitsAColumn() {
+        QFETCH(double, value);
+        QFETCH(QString, text);
+        QCOMPARE(quantityText(value), text);
+        QVERIFY(text.size() <= 10);
+    }
+};
+
+HITSCOPE_TEST(QuantityTextTest, QCoreApplication)
+#include "quantity_text_test.moc"
