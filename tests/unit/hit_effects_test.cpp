@@ -8,6 +8,7 @@
 #include <QSignalSpy>
 #include <QThreadPool>
 #include <QtTest>
+#include <algorithm>
 #include <random>
 
 using namespace hitscope;
@@ -216,10 +217,8 @@ private Q_SLOTS:
         std::mt19937 random(11);
         for (int i = 0; i < 20; ++i) {
             HitEffects effects(session);
-            std::vector<Hit> hits;
-            for (int k = 0; k < 500; ++k) {
-                hits.push_back(randomHit(session, random));
-            }
+            std::vector<Hit> hits(500);
+            std::generate(hits.begin(), hits.end(), [&] { return randomHit(session, random); });
             QVERIFY(session.addHits(hits).ok());
             if (i % 2 == 0) {
                 session.loadPaperRow(kDefaultPaperRow);

@@ -226,7 +226,7 @@ void FormatsTest::normalMapOfGltf() {
 void FormatsTest::normalMapOfFbx() {
     writeFile(m_folder.path(), QStringLiteral("bumps.png"), smallPng().toStdString());
     std::string text = readFile(data("quad.fbx"));
-    text.insert(text.rfind("}", text.find("Connections:")), R"(	Texture: 4000, "Texture::bumps", "" {
+    text.insert(text.rfind('}', text.find("Connections:")), R"(	Texture: 4000, "Texture::bumps", "" {
 		Type: "TextureVideoClip"
 		Version: 202
 		TextureName: "Texture::bumps"
@@ -234,7 +234,7 @@ void FormatsTest::normalMapOfFbx() {
 		RelativeFilename: "bumps.png"
 	}
 )");
-    text.insert(text.rfind("}"), "	C: \"OP\",4000,3000, \"NormalMap\"\n");
+    text.insert(text.rfind('}'), "	C: \"OP\",4000,3000, \"NormalMap\"\n");
     const MeshData mesh = imported(writeFile(m_folder.path(), QStringLiteral("bumps.fbx"), text)).mesh;
     const NormalMap& map = mesh.materials.at(mesh.faceMaterials.at(0)).normalMap;
     QCOMPARE(map.texture, std::string("bumps.png"));

@@ -53,7 +53,8 @@ struct Triangles {
 /// Advances in frames of 1/60 s and collects the impacts.
 inline std::vector<Impact> run(PhysicsWorld& world, double seconds) {
     std::vector<Impact> all;
-    for (double t = 0; t < seconds; t += 1.0 / 60.0) {
+    const auto frames = static_cast<int>(std::ceil(60.0 * seconds));
+    for (int frame = 0; frame < frames; ++frame) {
         const auto impacts = world.advance(1.0 / 60.0);
         all.insert(all.end(), impacts.begin(), impacts.end());
     }
