@@ -71,12 +71,13 @@ void ViewportTest::drag(Qt::MouseButton button, Qt::KeyboardModifiers keys, cons
 
 void ViewportTest::clickShootsWhereItPoints() {
     const Viewport& viewport = m_window->viewport();
+    const Camera& camera = viewport.camera();
+    // Before: the dent would be in its way.
+    const auto aimed = m_session->physics().castRay(camera.eye(), camera.forward(), 100.0f);
+    QVERIFY(aimed.has_value());
     QTest::mouseClick(&m_window->viewport(), Qt::LeftButton, {}, centre());
     QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{1}, kPatience);
     const Hit& hit = m_session->history().hits().front();
-    const Camera& camera = viewport.camera();
-    const auto aimed = m_session->physics().castRay(camera.eye(), camera.forward(), 100.0f);
-    QVERIFY(aimed.has_value());
     QVERIFY(near(hit.point, aimed->point, 0.1f));
     QVERIFY(glm::dot(hit.direction, camera.forward()) > 0.97f);
 }
