@@ -6,6 +6,7 @@
 #include <string>
 
 #include "gl/render_target.h"
+#include "session/change_values.h"
 #include "session/scene_section.h"
 
 namespace hitscope {
@@ -58,6 +59,9 @@ Result<Image> drawPicture(SceneGpu& scene, const PictureRequest& request) {
     if (Status current = scene.sync(); !current) {
         return current.error();
     }
+    if (request.changeValues != nullptr) {
+        request.changeValues->finish();
+    }
     const bool smooth = std::int64_t{request.width} * request.height <= kMostSmoothPixels;
     const gl::RenderTarget target(request.width, request.height, smooth ? kSamples : 1);
     if (!target.isComplete()) {
@@ -74,6 +78,9 @@ Result<Image> drawPicture(SceneGpu& scene, const PictureRequest& request) {
     view.section = request.section ? request.section
                                    : sectionLines(scene.session(), request.options.cut,
                                                   request.options.beforeAfter.exaggeration);
+    view.otherSection = request.otherSection;
+    view.changeValues = request.changeValues;
+    view.comparison = request.comparison;
     if (Status drawn = scene.draw(view, target.framebuffer()); !drawn) {
         return drawn.error();
     }

@@ -14,6 +14,10 @@ struct PictureRequest {
     Camera camera;
     DisplayOptions options;  ///< transparent: what nothing covers is so in the picture
     std::shared_ptr<const SectionLines> section = nullptr;  ///< where options.cut cuts; null: worked out
+    // As in SceneGpu::View; what the values wait with is done first.
+    ChangeValues* changeValues = nullptr;
+    Comparison* comparison = nullptr;
+    std::shared_ptr<const SectionLines> otherSection = nullptr;
 };
 
 /// Pixels of a picture's height that count as one screen full: lines are as wide on a larger one as if the

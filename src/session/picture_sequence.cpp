@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "session/change_values.h"
+#include "session/hit_effects.h"
 #include "session/scene_section.h"
 
 namespace hitscope {
@@ -62,9 +64,44 @@ struct PictureSequence::Private {
     // A replay's own.
     Session session;
     std::vector<Hit> hits;
+    std::unique_ptr<ChangeValues> values;
+    std::unique_ptr<HitEffects> effects;  // null: nobody asks for numbers of hits
     std::unique_ptr<SceneGpu> replayed;
     SceneGpu* scene = nullptr;
+
+    void ownChange();
+    [[nodiscard]] Status add(const Hit& hit);
 };
+
+/// Colours by what the replay's own vertices do.
+void PictureSequence::Private::ownChange() {
+    request.comparison = nullptr;
+    request.otherSection = nullptr;
+    request.options.sideBySide = false;
+    const ChangeValues* shown = std::exchange(request.changeValues, nullptr);
+    ChangeMapOptions& change = request.options.change;
+    if (!change.on) {
+        return;
+    }
+    change.style().fixed = shownRange(change, shown != nullptr ? shown->summary() : Summary());
+    change.style().automatic = false;
+    values = std::make_unique<ChangeValues>(session);
+    if (change.quantity == ChangeQuantity::HitCount) {
+        effects = std::make_unique<HitEffects>(session);
+        values->setHitCounts([this](TargetId target) { return effects->counts(target); });
+    }
+    values->setQuantity(change.quantity);
+    request.changeValues = values.get();
+}
+
+Status PictureSequence::Private::add(const Hit& hit) {
+    Status added = session.addHit(hit);
+    if (added && effects) {
+        effects->finish();
+        values->touchAll(hit.target);
+    }
+    return added;
+}
 
 PictureSequence::PictureSequence(std::unique_ptr<Private> parts) : d(std::move(parts)) {}
 PictureSequence::PictureSequence(PictureSequence&&) noexcept = default;
@@ -85,6 +122,7 @@ Result<PictureSequence> PictureSequence::replay(const Session& session, const Pi
     parts->request.section = nullptr;
     parts->hits = enabledHits(session, copyScene(session, parts->session));
     parts->count = static_cast<int>(parts->hits.size()) + 1;
+    parts->ownChange();
     Result<std::unique_ptr<SceneGpu>> scene = SceneGpu::create(parts->session);
     if (!scene) {
         return scene.error();
@@ -113,7 +151,7 @@ Result<Image> PictureSequence::next() {
         request.camera.orbit(glm::two_pi<float>() * static_cast<float>(index) / static_cast<float>(d->count),
                              0.0f);
     } else if (index > 0) {
-        if (Status added = d->session.addHit(d->hits[static_cast<std::size_t>(index) - 1]); !added) {
+        if (Status added = d->add(d->hits[static_cast<std::size_t>(index) - 1]); !added) {
             return added.error();
         }
     }

@@ -16,7 +16,8 @@ public:
     /// last would be it again. `scene` outlives the sequence.
     [[nodiscard]] static PictureSequence turntable(SceneGpu& scene, const PictureRequest& request, int count);
     /// The targets as they were, then one enabled hit more in each picture. Works on a scene of its own,
-    /// which shares the meshes: the session is left alone.
+    /// which shares the meshes: the session is left alone. Colours are over one range in all pictures, that
+    /// of the request's values; there is no second pipeline.
     [[nodiscard]] static Result<PictureSequence> replay(const Session& session,
                                                         const PictureRequest& request);
 

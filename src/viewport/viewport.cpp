@@ -169,7 +169,7 @@ void Viewport::paintOverlay() {
     }
 }
 
-void Viewport::setChangeValues(const ChangeValues* values, Comparison* comparison) {
+void Viewport::setChangeValues(ChangeValues* values, Comparison* comparison) {
     m_changeValues = values;
     m_comparison = comparison;
     update();
@@ -330,7 +330,13 @@ Status Viewport::syncNow() {
 
 PictureRequest Viewport::pictureRequest() const {
     const SceneGpu::View shown = view();
-    return {shown.width, shown.height, m_navigation.goal(), m_options};
+    return {.width = shown.width,
+            .height = shown.height,
+            .camera = m_navigation.goal(),
+            .options = m_options,
+            .changeValues = m_changeValues,
+            .comparison = m_comparison,
+            .otherSection = m_otherSection};
 }
 
 Result<Image> Viewport::drawPicture(const PictureRequest& request) {

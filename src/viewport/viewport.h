@@ -40,7 +40,7 @@ public:
     void setOptions(const DisplayOptions& options);
     /// What colour maps of change take their range from, and the second pipeline; null: none. They outlive
     /// the viewport or another call.
-    void setChangeValues(const ChangeValues* values, Comparison* comparison);
+    void setChangeValues(ChangeValues* values, Comparison* comparison);
     [[nodiscard]] bool drawsContinuously() const { return m_continuous; }
     /// A frame after the other even if nothing moves, as many as there can be: for measuring.
     void setDrawsContinuously(bool on);
@@ -153,7 +153,7 @@ private:
     std::shared_ptr<const SectionLines> m_section;
     std::shared_ptr<const SectionLines> m_otherSection;
     bool m_showsCutPlane = false;
-    const ChangeValues* m_changeValues = nullptr;
+    ChangeValues* m_changeValues = nullptr;
     Comparison* m_comparison = nullptr;
     ChangeOverlay m_changeOverlay;
     Navigation m_navigation;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures and sequences as files, from the window.
 #include <QApplication>
+#include <QComboBox>
 #include <QDir>
 #include <QImage>
 #include <QMessageBox>
@@ -13,6 +14,9 @@
 #include "app/picture_actions.h"
 #include "app/picture_dialog.h"
 #include "mesh/primitives.h"
+#include "panels/change/change_panel.h"
+#include "session/change_values.h"
+#include "support/baseline.h"
 #include "support/test_program.h"
 #include "widgets/window_support.h"
 
@@ -32,6 +36,10 @@ private Q_SLOTS:
     void folderThatIsNotThere();
     void turntableGoesOnceAround();
     void replayShowsHitsOneByOne();
+    void replayIsColoured_data();
+    void replayIsColoured();
+    void coloursAreThoseShown();
+    void twoPipelinesAreInOnePicture();
     void sequenceCanBeCancelled();
     void dialogRemembers();
 
@@ -43,6 +51,18 @@ private:
         return QDir(m_folder->path()).entryList({QStringLiteral("*.png")}, QDir::Files, QDir::Name);
     }
     void addHits();
+    void colourBy(ChangeQuantity quantity) {
+        auto* panel = m_window->findChild<ChangePanel*>();
+        auto* box = panel->findChild<QComboBox*>(QStringLiteral("quantity"));
+        QTest::keyClick(&m_window->viewport(), Qt::Key_V);
+        Q_EMIT box->activated(static_cast<int>(quantity));
+        QVERIFY(m_window->viewport().options().change.on);
+        QCOMPARE(m_window->viewport().options().change.quantity, quantity);
+    }
+    [[nodiscard]] QImage saved(const PictureRequest& request) {
+        const QString file = path(QStringLiteral("saved.png"));
+        return pictures().save(request, file).ok() ? QImage(file) : QImage();
+    }
 
     std::unique_ptr<TestSettings> m_settings;
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -156,8 +176,53 @@ void PicturesTest::replayShowsHitsOneByOne() {
     QVERIFY(QImage(path(files()[1])) != QImage(path(files()[2])));
     QCOMPARE(m_session->history().revision(), revision);  // the session was left alone
     // The last one is what the viewport shows.
-    QVERIFY(pictures().save(request(160, 120), path(QStringLiteral("zz.png"))).ok());
-    QVERIFY(QImage(path(files()[2])) == QImage(path(QStringLiteral("zz.png"))));
+    QCOMPARE(saved(request(160, 120)), QImage(path(QStringLiteral("replay-0003.png"))));
+}
+
+void PicturesTest::replayIsColoured_data() {
+    QTest::addColumn<ChangeQuantity>("quantity");
+    QTest::newRow("displacement") << ChangeQuantity::Displacement;
+    QTest::newRow("edge stretch") << ChangeQuantity::EdgeStretch;
+    QTest::newRow("hits") << ChangeQuantity::HitCount;
+}
+
+void PicturesTest::replayIsColoured() {
+    QFETCH(ChangeQuantity, quantity);
+    colourBy(quantity);
+    addHits();
+    QVERIFY(m_window->viewport().syncNow().ok());
+    const ChangeValues& values = *request(1, 1).changeValues;
+    QTRY_VERIFY_WITH_TIMEOUT(values.isComplete() && values.summary().high > 0.0, kPatience);
+    const QSignalSpy ended(&pictures().sequences(), &SequenceWriter::ended);
+    pictures().writeSequence({request(160, 120), 0, m_folder->path(), QStringLiteral("replay")});
+    QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, kPatience);
+    // Over the range that was shown when it began, and so in the end as it is shown.
+    QCOMPARE(saved(request(160, 120)), QImage(path(QStringLiteral("replay-0004.png"))));
+    QVERIFY(QImage(path(QStringLiteral("replay-0004.png"))) !=
+            QImage(path(QStringLiteral("replay-0003.png"))));
+}
+
+void PicturesTest::coloursAreThoseShown() {
+    addHits();
+    colourBy(ChangeQuantity::Displacement);
+    PictureRequest map = request(160, 120);
+    QuantityStyle& style = map.options.change.style();
+    QVERIFY(style.automatic);
+    const QImage automatic = saved(map);
+    style.automatic = false;
+    QVERIFY(saved(map) != automatic);
+    style.fixed = shownRange(m_window->viewport().options().change, map.changeValues->summary());
+    QCOMPARE(saved(map), automatic);
+}
+
+void PicturesTest::twoPipelinesAreInOnePicture() {
+    addHits();
+    const QImage one = saved(request(320, 120));
+    QTest::keyClick(&m_window->viewport(), Qt::Key_B, Qt::ShiftModifier);
+    QVERIFY(m_window->viewport().options().sideBySide);
+    const QImage two = saved(request(320, 120));
+    QVERIFY(two != one);
+    QCOMPARE(test::differing(two.copy(0, 0, 160, 120), two.copy(160, 0, 160, 120), 1), 0);
 }
 
 void PicturesTest::sequenceCanBeCancelled() {
