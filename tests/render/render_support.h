@@ -58,5 +58,4 @@ void addPaperScene(TestScene& scene, Renderer& renderer);
 [[nodiscard]] QImage picture(Renderer& renderer, const Frame& frame, DeformationPipeline& pipeline,
                              int samples = 4);
 
-
 }  // namespace hitscope::test
