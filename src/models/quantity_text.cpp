@@ -10,8 +10,8 @@ namespace hitscope {
 namespace {
 
 constexpr int kSignificantDigits = 5;
-// So that a column of a panel holds a number: nine characters and a sign.
-constexpr int kMostDecimals = 7;
+// So that a column of a panel holds a number: nine characters, the sign among them.
+constexpr int kMostDecimals = 6;
 constexpr int kExponentDecimals = 2;
 constexpr int kLeastMagnitude = -4;
 constexpr int kMostMagnitude = 8;

@@ -10,7 +10,7 @@ namespace hitscope {
 [[nodiscard]] QString countText(std::size_t count);
 
 /// A measured number with five significant digits where nine characters hold them: "12.566", "0.30000",
-/// "0.0010543", "0.0001054", "1.05e-05".
+/// "0.001054", "0.000105", "1.05e-05".
 [[nodiscard]] QString quantityText(double value);
 
 /// Three coordinates with three decimals: "1.250, -0.300, 0.000".
