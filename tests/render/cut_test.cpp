@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mesh/primitives.h"
+#include "open_renderer.h"
 #include "render/pick_pass.h"
 #include "render_support.h"
 #include "support/baseline.h"
@@ -90,12 +91,10 @@ private:
 };
 
 void CutTest::initTestCase() {
-    if (!m_gl.open()) {
+    m_renderer = openRenderer(m_gl);
+    if (!m_renderer) {
         return;
     }
-    auto renderer = Renderer::create();
-    QVERIFY2(renderer.ok(), renderer.ok() ? "" : renderer.error().message().c_str());
-    m_renderer = std::move(renderer).value();
     m_scene = std::make_unique<TestScene>();
     m_scene->add(*m_renderer, makeUvSphere(48, 32, kRadius), glm::vec3(0.0f));
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "mesh/primitives.h"
+#include "open_renderer.h"
 #include "render_support.h"
 #include "support/baseline.h"
 #include "support/gl_fixture.h"
@@ -87,12 +88,10 @@ private:
 };
 
 void ModesTest::initTestCase() {
-    if (!m_gl.open()) {
+    m_renderer = openRenderer(m_gl);
+    if (!m_renderer) {
         return;
     }
-    auto renderer = Renderer::create();
-    QVERIFY2(renderer.ok(), renderer.ok() ? "" : renderer.error().message().c_str());
-    m_renderer = std::move(renderer).value();
     m_scene = std::make_unique<TestScene>();
     const glm::vec3 place(0.0f, 2.5f, 0.0f);
     m_scene->add(*m_renderer, makeUvSphere(24, 16, 2.5f), place);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "mesh/primitives.h"
+#include "open_renderer.h"
 #include "render_support.h"
 #include "support/baseline.h"
 #include "support/gl_fixture.h"
@@ -81,12 +82,7 @@ private:
 };
 
 void NormalMapTest::initTestCase() {
-    if (!m_gl.open()) {
-        return;
-    }
-    auto renderer = Renderer::create();
-    QVERIFY2(renderer.ok(), renderer.ok() ? "" : renderer.error().message().c_str());
-    m_renderer = std::move(renderer).value();
+    m_renderer = openRenderer(m_gl);
 }
 
 void NormalMapTest::cleanup() {

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "mesh/primitives.h"
+#include "open_renderer.h"
 #include "render/original_shape.h"
 #include "render_support.h"
 #include "support/baseline.h"
@@ -111,12 +112,10 @@ private:
 };
 
 void VisibleEdgesTest::initTestCase() {
-    if (!m_gl.open()) {
+    m_renderer = openRenderer(m_gl);
+    if (!m_renderer) {
         return;
     }
-    auto renderer = Renderer::create();
-    QVERIFY2(renderer.ok(), renderer.ok() ? "" : renderer.error().message().c_str());
-    m_renderer = std::move(renderer).value();
     m_scene = std::make_unique<TestScene>();
     m_scene->add(*m_renderer, makeUvSphere(160, 100, kRadius), glm::vec3(0));
 }
