@@ -195,6 +195,7 @@ QByteArray HitMenusTest::chooseInDialog(MainWindow& window,
     QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
     // It is written beside the window, and is there once it is whole.
     [&path] { QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), kPatience); }();
+    makeActive(window);
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }

@@ -29,12 +29,18 @@ private:
     QTemporaryDir m_folder;
 };
 
+/// Waits until the window takes keys. There is no window manager on the tests' display, so after a dialog nothing
+/// is active: Qt notices some 400 ms later, and a shortcut pressed then is lost.
+inline void makeActive(QWidget& window) {
+    window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&window, kPatience));
+}
+
 /// Shows the window at a size that leaves the viewport room, and waits until it can take clicks.
 inline void showReady(MainWindow& window) {
     window.resize(1280, 800);
     window.show();
-    window.activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(&window, kPatience));
+    makeActive(window);
     window.viewport().setFocus();
     QTRY_VERIFY_WITH_TIMEOUT(!window.viewport().rendererName().isEmpty(), kPatience);
 }
