@@ -13,10 +13,6 @@ namespace hitscope {
 
 namespace {
 
-QString text(std::string_view words) {
-    return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
-}
-
 /// An enum kept as a number; `count` values.
 template <class Enum>
 Enum readEnum(const QSettings& settings, const QString& key, int count, Enum fallback) {
@@ -59,7 +55,7 @@ void loadProjectile(const QSettings& settings, Session& session) {
     const auto& parameters = projectileParameters();
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         auto value = static_cast<float>(parameterValue(projectile, i));
-        readNumber(settings, QStringLiteral("projectile/") + text(parameters[i].key),
+        readNumber(settings, QStringLiteral("projectile/") + QString::fromUtf8(parameters[i].key),
                    static_cast<float>(parameters[i].minimum), static_cast<float>(parameters[i].maximum),
                    value);
         setParameterValue(projectile, i, static_cast<double>(value));
@@ -102,7 +98,8 @@ AppSettings loadAppSettings(const QSettings& settings) {
     loadCutSettings(settings, display.cut);
     for (const ShadingSwitch& shading : shadingSwitches()) {
         display.*shading.option =
-            settings.value(QStringLiteral("display/") + text(shading.key), shading.first).toBool();
+            settings.value(QStringLiteral("display/") + QString::fromUtf8(shading.key), shading.first)
+                .toBool();
     }
     if (settings.contains(QStringLiteral("exportNormals"))) {
         values.exportNormals = readEnum(settings, QStringLiteral("exportNormals"), 2, NormalMode::True);
@@ -135,7 +132,8 @@ void saveAppSettings(QSettings& settings, const AppSettings& values) {
     saveChangeSettings(settings, display);
     saveCutSettings(settings, display.cut);
     for (const ShadingSwitch& shading : shadingSwitches()) {
-        settings.setValue(QStringLiteral("display/") + text(shading.key), display.*shading.option);
+        settings.setValue(QStringLiteral("display/") + QString::fromUtf8(shading.key),
+                          display.*shading.option);
     }
     if (values.exportNormals) {
         settings.setValue(QStringLiteral("exportNormals"), static_cast<int>(*values.exportNormals));
@@ -151,7 +149,7 @@ void saveAppSettings(QSettings& settings, const AppSettings& values) {
 void loadSessionSettings(const QSettings& settings, Session& session) {
     const QString pipeline = settings.value(QStringLiteral("pipeline")).toString();
     for (const PipelineTraits& traits : allPipelines()) {
-        if (text(traits.key) == pipeline) {
+        if (QString::fromUtf8(traits.key) == pipeline) {
             session.setPipeline(traits.kind);
         }
     }
@@ -162,7 +160,8 @@ void loadSessionSettings(const QSettings& settings, Session& session) {
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         bool isNumber = false;
         const double value =
-            settings.value(QStringLiteral("constants/") + text(parameters[i].key)).toDouble(&isNumber);
+            settings.value(QStringLiteral("constants/") + QString::fromUtf8(parameters[i].key))
+                .toDouble(&isNumber);
         if (isNumber && parameters[i].accepts(value)) {
             setParameterValue(constants, i, value);
         }
@@ -177,20 +176,20 @@ void loadSessionSettings(const QSettings& settings, Session& session) {
 void saveSessionSettings(QSettings& settings, const Session& session) {
     for (const PipelineTraits& traits : allPipelines()) {
         if (traits.kind == session.pipeline()) {
-            settings.setValue(QStringLiteral("pipeline"), text(traits.key));
+            settings.setValue(QStringLiteral("pipeline"), QString::fromUtf8(traits.key));
         }
     }
     saveLights(settings, session);
     const auto& parameters = deformationParameters();
     for (std::size_t i = 0; i < parameters.size(); ++i) {
-        settings.setValue(QStringLiteral("constants/") + text(parameters[i].key),
+        settings.setValue(QStringLiteral("constants/") + QString::fromUtf8(parameters[i].key),
                           QString::number(parameterValue(session.constants(), i), 'g', 9));
     }
     settings.setValue(QStringLiteral("constants/relative"), session.constantsSetting().relative);
     const ProjectileSettings& projectile = session.projectileSettings();
     const auto& shot = projectileParameters();
     for (std::size_t i = 0; i < shot.size(); ++i) {
-        settings.setValue(QStringLiteral("projectile/") + text(shot[i].key),
+        settings.setValue(QStringLiteral("projectile/") + QString::fromUtf8(shot[i].key),
                           QString::number(parameterValue(projectile, i), 'g', 9));
     }
     settings.setValue(QStringLiteral("projectile/bouncesCount"), projectile.bouncesCount);

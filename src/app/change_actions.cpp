@@ -178,8 +178,7 @@ void ChangeActions::fillPipelines(QMenu& menu) {
         };
         add(tr("&Off"), std::nullopt);
         for (const PipelineTraits& traits : allPipelines()) {
-            add(QString::fromUtf8(traits.name.data(), static_cast<qsizetype>(traits.name.size())),
-                traits.kind)
+            add(QString::fromUtf8(traits.name), traits.kind)
                 ->setEnabled(m_session.whyUnavailable(traits.kind).isEmpty());
         }
     });
@@ -188,16 +187,13 @@ void ChangeActions::fillPipelines(QMenu& menu) {
 void ChangeActions::fillQuantities(QMenu& menu) {
     menu.setToolTipsVisible(true);
     auto* group = new QActionGroup(this);
-    const auto text = [](std::string_view words) {
-        return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
-    };
     for (const ChangeTraits& traits : allChangeQuantities()) {
-        QAction* action = addToggle(menu, text(traits.name), {},
+        QAction* action = addToggle(menu, QString::fromUtf8(traits.name), {},
                                     [quantity = traits.quantity](DisplayOptions& display, bool) {
                                         display.change.quantity = quantity;
                                         display.change.on = true;
                                     });
-        action->setToolTip(text(traits.description));
+        action->setToolTip(QString::fromUtf8(traits.description));
         group->addAction(action);
         m_quantities.push_back(action);
     }

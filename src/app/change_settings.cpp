@@ -10,9 +10,7 @@ namespace hitscope {
 namespace {
 
 QString keyOf(const ChangeTraits& traits, const char* what) {
-    return QStringLiteral("change/%1/%2")
-        .arg(QString::fromUtf8(traits.key.data(), static_cast<qsizetype>(traits.key.size())),
-             QLatin1String(what));
+    return QStringLiteral("change/%1/%2").arg(QString::fromUtf8(traits.key), QLatin1String(what));
 }
 
 int number(const QSettings& settings, const QString& key, int count, int fallback) {
@@ -42,7 +40,7 @@ void loadChangeSettings(const QSettings& settings, DisplayOptions& display) {
     map.isolines = settings.value(QStringLiteral("change/isolines"), map.isolines).toBool();
     const QString quantity = settings.value(QStringLiteral("change/quantity")).toString();
     for (const ChangeTraits& traits : allChangeQuantities()) {
-        if (quantity == QString::fromUtf8(traits.key.data(), static_cast<qsizetype>(traits.key.size()))) {
+        if (quantity == QString::fromUtf8(traits.key)) {
             map.quantity = traits.quantity;
         }
         loadStyle(settings, traits, map.styles[static_cast<std::size_t>(traits.quantity)]);
@@ -59,9 +57,7 @@ void saveChangeSettings(QSettings& settings, const DisplayOptions& display) {
     for (const ChangeTraits& traits : allChangeQuantities()) {
         const QuantityStyle& style = map.styles[static_cast<std::size_t>(traits.quantity)];
         if (traits.quantity == map.quantity) {
-            settings.setValue(
-                QStringLiteral("change/quantity"),
-                QString::fromUtf8(traits.key.data(), static_cast<qsizetype>(traits.key.size())));
+            settings.setValue(QStringLiteral("change/quantity"), QString::fromUtf8(traits.key));
         }
         settings.setValue(keyOf(traits, "map"), static_cast<int>(style.map));
         settings.setValue(keyOf(traits, "automatic"), style.automatic);

@@ -56,7 +56,6 @@ namespace {
 
 constexpr int kFrameRateInterval = 500;  // milliseconds between read-outs in the status bar
 constexpr int kHintStays = 20'000;       // milliseconds
-constexpr int kMessageStays = 8'000;     // milliseconds
 constexpr int kLowScreen = 800;          // pixels
 constexpr int kLayoutVersion = 4;        // docks that are gone or new make an old layout useless
 

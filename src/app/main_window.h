@@ -73,6 +73,8 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
+    static constexpr int kMessageStays = 8000;  // milliseconds in the status bar
+
     // Parts
     void makeDocks();
     QDockWidget* makeSceneDock();

@@ -29,7 +29,6 @@ namespace {
 
 constexpr float kSmallestExtent = 0.5f;  // metres; projectiles are 0.2 m across
 constexpr float kLargestExtent = 200.0f;
-constexpr int kMessageStays = 8'000;  // milliseconds
 
 QString allMeshesFilter() {
     QStringList patterns;

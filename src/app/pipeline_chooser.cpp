@@ -13,10 +13,6 @@ namespace {
 
 constexpr PipelineKind kFallback = PipelineKind::TransformFeedback;  // what OpenGL 3.3 has everywhere
 
-QString text(std::string_view words) {
-    return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
-}
-
 }  // namespace
 
 PipelineChooser::PipelineChooser(Session& session, QObject* parent)
@@ -29,7 +25,7 @@ PipelineChooser::PipelineChooser(Session& session, QObject* parent)
 void PipelineChooser::fill(QMenu& menu) {
     menu.setToolTipsVisible(true);
     for (const PipelineTraits& traits : allPipelines()) {
-        QAction* action = menu.addAction(text(traits.name));
+        QAction* action = menu.addAction(QString::fromUtf8(traits.name));
         action->setCheckable(true);
         action->setData(static_cast<int>(traits.kind));
         m_actions->addAction(action);
@@ -43,7 +39,7 @@ QComboBox* PipelineChooser::makeBox(QWidget* parent) {
     m_box = new QComboBox(parent);
     m_box->setObjectName(QStringLiteral("pipeline"));
     for (const PipelineTraits& traits : allPipelines()) {
-        m_box->addItem(text(traits.name), static_cast<int>(traits.kind));
+        m_box->addItem(QString::fromUtf8(traits.name), static_cast<int>(traits.kind));
     }
     connect(m_box, &QComboBox::activated, this, [this](int index) {
         m_session.setPipeline(static_cast<PipelineKind>(m_box->itemData(index).toInt()));
@@ -60,8 +56,9 @@ QString PipelineChooser::toolTip(const PipelineTraits& traits) const {
     };
     const QString reason = m_session.whyUnavailable(traits.kind);
     return (reason.isEmpty() ? QString() : paragraph(tr("Not available here: %1").arg(reason))) +
-           paragraph(text(traits.description)) +
-           paragraph(tr("Needs %1. Keeps %2.").arg(text(traits.needs), text(traits.keeps)));
+           paragraph(QString::fromUtf8(traits.description)) +
+           paragraph(tr("Needs %1. Keeps %2.")
+                         .arg(QString::fromUtf8(traits.needs), QString::fromUtf8(traits.keeps)));
 }
 
 void PipelineChooser::follow() {
@@ -91,8 +88,9 @@ void PipelineChooser::leaveUnavailable() {
         return;
     }
     m_session.setPipeline(kFallback);
-    Q_EMIT fellBack(tr("The pipeline “%1” cannot run here: %2\nUsing “%3” instead.")
-                        .arg(text(traits.name), reason, text(pipelineTraits(kFallback).name)));
+    Q_EMIT fellBack(
+        tr("The pipeline “%1” cannot run here: %2\nUsing “%3” instead.")
+            .arg(QString::fromUtf8(traits.name), reason, QString::fromUtf8(pipelineTraits(kFallback).name)));
 }
 
 }  // namespace hitscope

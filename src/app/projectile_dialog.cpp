@@ -9,18 +9,14 @@ namespace hitscope {
 
 namespace {
 
-QString text(std::string_view view) {
-    return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
-}
-
 void describe(QDoubleSpinBox& box, const ParameterDescriptor& parameter) {
     box.setDecimals(parameter.decimals);
     box.setRange(parameter.minimum, parameter.maximum);
     box.setSingleStep(parameter.step);
-    box.setToolTip(text(parameter.description));
+    box.setToolTip(QString::fromUtf8(parameter.description));
     box.setKeyboardTracking(false);
     if (!parameter.unit.empty()) {
-        box.setSuffix(QStringLiteral(" ") + text(parameter.unit));
+        box.setSuffix(QStringLiteral(" ") + QString::fromUtf8(parameter.unit));
     }
 }
 

@@ -17,7 +17,7 @@ namespace hitscope {
 namespace {
 
 constexpr int kProgressDelay = 500;  // milliseconds
-constexpr int kPercent = 100;
+constexpr int kDone = 100;  // per cent
 
 }  // namespace
 
@@ -99,8 +99,8 @@ void StatusLine::showTask() {
     }
     const std::size_t others = m_session.tasks().size() - 1;
     m_doing->setText(others == 0 ? task->what : tr("%1 (%2 more)").arg(task->what).arg(others));
-    m_fraction->setMaximum(task->fraction < 0.0 ? 0 : kPercent);
-    m_fraction->setValue(task->fraction < 0.0 ? 0 : static_cast<int>(std::lround(task->fraction * kPercent)));
+    m_fraction->setMaximum(task->fraction < 0.0 ? 0 : kDone);
+    m_fraction->setValue(task->fraction < 0.0 ? 0 : static_cast<int>(std::lround(task->fraction * kDone)));
     m_cancel->setVisible(static_cast<bool>(task->cancel));
     m_cancel->setToolTip(task->cancelHelp);
 }
@@ -174,8 +174,7 @@ void StatusLine::showHits() {
 void StatusLine::showPipeline() {
     for (const PipelineTraits& traits : allPipelines()) {
         if (traits.kind == m_session.pipeline()) {
-            m_pipeline->setText(
-                QString::fromUtf8(traits.name.data(), static_cast<qsizetype>(traits.name.size())));
+            m_pipeline->setText(QString::fromUtf8(traits.name));
         }
     }
 }

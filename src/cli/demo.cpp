@@ -150,8 +150,7 @@ QString agreementText(const Agreement& agreement, const Session& session) {
 Result<QStringList> comparePipelines(Demo& demo, const Session& session) {
     QStringList lines;
     for (const PipelineTraits& traits : allPipelines()) {
-        const QString name =
-            QString::fromUtf8(traits.name.data(), static_cast<qsizetype>(traits.name.size()));
+        const QString name = QString::fromUtf8(traits.name);
         const QString unavailable = session.whyUnavailable(traits.kind);
         if (!unavailable.isEmpty()) {
             lines << QStringLiteral("%1: not here. %2").arg(name, unavailable);

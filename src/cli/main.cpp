@@ -19,7 +19,7 @@ using hitscope::cli::wrongUsage;
 QStringList pipelineKeys() {
     QStringList keys;
     for (const hitscope::PipelineTraits& traits : hitscope::allPipelines()) {
-        keys << QString::fromUtf8(traits.key.data(), static_cast<qsizetype>(traits.key.size()));
+        keys << QString::fromUtf8(traits.key);
     }
     return keys;
 }

@@ -31,7 +31,7 @@ Error wrong(const QCommandLineOption& option, const QString& takes) {
 QStringList pipelineKeys() {
     QStringList keys;
     for (const PipelineTraits& traits : allPipelines()) {
-        keys << QString::fromUtf8(traits.key.data(), static_cast<qsizetype>(traits.key.size()));
+        keys << QString::fromUtf8(traits.key);
     }
     return keys;
 }

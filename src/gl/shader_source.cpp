@@ -25,8 +25,7 @@ constexpr std::string_view kDefaultVersion = "#version 330 core";
 
 std::optional<std::string> embeddedFile(std::string_view name) {
     initShaderResource();
-    QFile file(QStringLiteral(":/shaders/") +
-               QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
+    QFile file(QStringLiteral(":/shaders/") + QString::fromUtf8(name));
     if (!file.open(QIODevice::ReadOnly)) {
         return std::nullopt;
     }

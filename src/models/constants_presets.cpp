@@ -18,8 +18,7 @@ ConstantsPreset ours(const char* name, const DeformationConstants& constants) {
 }
 
 QString key(std::size_t parameter) {
-    const std::string_view name = deformationParameters()[parameter].key;
-    return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+    return QString::fromUtf8(deformationParameters()[parameter].key);
 }
 
 }  // namespace

@@ -3,12 +3,14 @@
 
 #include <initializer_list>
 
+#include "models/quantity_text.h"
+
 namespace hitscope {
 
 namespace {
 
 QByteArray milliseconds(std::optional<double> seconds) {
-    return seconds ? QByteArray::number(*seconds * 1000.0, 'g', 9) : QByteArray();
+    return seconds ? QByteArray::number(*seconds * kMilliseconds, 'g', 9) : QByteArray();
 }
 
 QByteArray keyOf(PipelineKind pipeline) {

@@ -78,8 +78,6 @@ bool isCount(int column) {
            column == HitHistoryModel::TriangleColumn;
 }
 
-constexpr double kMilliseconds = 1000.0;  // in a second
-
 }  // namespace
 
 HitHistoryModel::HitHistoryModel(Session& session, HitEffects* effects, QObject* parent)
@@ -229,8 +227,7 @@ QString HitHistoryModel::text(const Hit& hit, std::size_t row, int column) const
     }
     if (column == PipelineColumn) {
         const std::optional<PipelineKind> kind = pipelineOf(hit);
-        const std::string_view name = kind ? pipelineTraits(*kind).name : std::string_view();
-        return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+        return QString::fromUtf8(kind ? pipelineTraits(*kind).name : std::string_view());
     }
     const std::optional<double> value = number(hit, row, column);
     if (!value) {
@@ -280,8 +277,7 @@ QString HitHistoryModel::toolTip(const Hit& hit, std::size_t row) const {
         const QString why = report.perTarget
                                 ? tr("Dropped: the pipeline “%1” keeps the last %2 hits on each target.")
                                 : tr("Dropped: the pipeline “%1” keeps the last %2 hits of the scene.");
-        tip.prepend(why.arg(QString::fromUtf8(pipeline.data(), static_cast<qsizetype>(pipeline.size())),
-                            countText(report.capacity.value_or(report.used))) +
+        tip.prepend(why.arg(QString::fromUtf8(pipeline), countText(report.capacity.value_or(report.used))) +
                     u'\n');
     }
     return tip;

@@ -211,8 +211,7 @@ std::vector<std::uint32_t> HitList::accepted(std::uint32_t first, std::uint32_t 
         }
     }
     const auto isIn = [this](std::string_view name) {
-        return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()))
-            .contains(m_filter.text, Qt::CaseInsensitive);
+        return QString::fromUtf8(name).contains(m_filter.text, Qt::CaseInsensitive);
     };
     std::set<std::uint8_t> pipelines;
     for (const PipelineTraits& traits : allPipelines()) {

@@ -6,6 +6,8 @@
 
 namespace hitscope {
 
+inline constexpr double kMilliseconds = 1000.0;  ///< in a second: what is shown counts in them
+
 /// "7,938", grouped as the locale does.
 [[nodiscard]] QString countText(std::size_t count);
 

@@ -6,6 +6,8 @@
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
 
+#include "physics/contact_creation.h"
+
 namespace hitscope::physics {
 namespace {
 
@@ -64,18 +66,10 @@ private:
     btPersistentManifold* m_manifold = nullptr;  ///< null: they do not touch
 };
 
-struct Create : btCollisionAlgorithmCreateFunc {
-    btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
-                                                   const btCollisionObjectWrapper* a,
-                                                   const btCollisionObjectWrapper* b) override {
-        void* place = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(BallBall));
-        return new (place) BallBall(info, a, b);
-    }
-};
-
 }  // namespace
 
-BallContacts::BallContacts(btCollisionDispatcher& dispatcher) : m_create(std::make_unique<Create>()) {
+BallContacts::BallContacts(btCollisionDispatcher& dispatcher)
+    : m_create(std::make_unique<ContactCreation<BallBall>>()) {
     dispatcher.registerCollisionCreateFunc(SPHERE_SHAPE_PROXYTYPE, SPHERE_SHAPE_PROXYTYPE, m_create.get());
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "physics/bullet_conversions.h"
+#include "physics/contact_creation.h"
 #include "physics/mesh_shape.h"
 
 namespace hitscope::physics {
@@ -158,20 +159,11 @@ private:
     btCollisionAlgorithm* m_algorithm;
 };
 
-template <class Algorithm>
-struct Create : btCollisionAlgorithmCreateFunc {
-    btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
-                                                   const btCollisionObjectWrapper* a,
-                                                   const btCollisionObjectWrapper* b) override {
-        void* place = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(Algorithm));
-        return new (place) Algorithm(info, a, b);
-    }
-};
-
 }  // namespace
 
 MeshContacts::MeshContacts(btCollisionDispatcher& dispatcher)
-    : m_sphere(std::make_unique<Create<SphereMesh>>()), m_hull(std::make_unique<Create<HullContacts>>()) {
+    : m_sphere(std::make_unique<ContactCreation<SphereMesh>>()),
+      m_hull(std::make_unique<ContactCreation<HullContacts>>()) {
     constexpr int kMesh = CUSTOM_CONCAVE_SHAPE_TYPE;
     dispatcher.registerCollisionCreateFunc(SPHERE_SHAPE_PROXYTYPE, kMesh, m_sphere.get());
     dispatcher.registerCollisionCreateFunc(kMesh, SPHERE_SHAPE_PROXYTYPE, m_sphere.get());

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pipeline/keep_capture_state.h"
+#include "pipeline/vertex_bytes.h"
 
 namespace hitscope {
 namespace {
@@ -48,8 +49,7 @@ void CapturePass::reserveScratch(std::size_t vertices) {
     m_scratchVertices = std::max({vertices, 2 * m_scratchVertices, kLeastScratchVertices});
     m_scratchVertices = std::min(m_scratchVertices, kMostScratchVertices);
     glBindBuffer(GL_COPY_WRITE_BUFFER, m_scratch.id());
-    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(m_scratchVertices * sizeof(DynamicVertex)),
-                 nullptr, GL_STREAM_COPY);
+    glBufferData(GL_COPY_WRITE_BUFFER, vertexBytes(m_scratchVertices), nullptr, GL_STREAM_COPY);
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
 }
 

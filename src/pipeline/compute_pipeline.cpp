@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "pipeline/vertex_bytes.h"
+
 namespace hitscope {
 
 namespace {
@@ -94,9 +96,8 @@ void ComputePipeline::deform(TargetId /*target*/, TargetBuffers& buffers, const 
 void ComputePipeline::dispatch(const TargetBuffers& buffers, std::span<const ClusterHits> clusters) {
     const std::size_t first = clusters.front().firstVertex / kStep * kStep;
     const std::size_t end = clusters.back().firstVertex + clusters.back().vertexCount;
-    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, Vertices, buffers.dynamicBuffer(),
-                      static_cast<GLintptr>(first * sizeof(DynamicVertex)),
-                      static_cast<GLsizeiptr>((end - first) * sizeof(DynamicVertex)));
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, Vertices, buffers.dynamicBuffer(), vertexBytes(first),
+                      vertexBytes(end - first));
     m_program.set("u_firstVertex", static_cast<int>(first));
     m_program.set("u_clusterBase", static_cast<int>(m_clusters.write(clusters.data(), clusters.size())));
     glDispatchCompute(static_cast<GLuint>(clusters.size()), 1, 1);

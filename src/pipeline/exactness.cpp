@@ -19,7 +19,7 @@
 namespace hitscope {
 namespace {
 
-constexpr std::size_t kHits = 32;
+constexpr std::size_t kTestHits = 32;
 constexpr std::size_t kVerticesPerHit = 256;
 constexpr float kExtent = 2.5f;  // metres, as the paper's targets
 
@@ -34,7 +34,7 @@ class CaseMaker {
 public:
     [[nodiscard]] Cases make() {
         Cases cases;
-        for (std::size_t i = 0; i < kHits; ++i) {
+        for (std::size_t i = 0; i < kTestHits; ++i) {
             cases.hits.push_back(hit(i));
             for (std::size_t j = 0; j < kVerticesPerHit; ++j) {
                 cases.vertices.push_back(vertex(cases.hits.back(), j));
@@ -47,8 +47,8 @@ private:
     /// [0, 1)
     float uniform() {
         constexpr unsigned kUnusedBits = 8;
-        constexpr float kStep = 0x1p-24f;
-        return static_cast<float>(m_random() >> kUnusedBits) * kStep;
+        constexpr float kUnit = 0x1p-24f;
+        return static_cast<float>(m_random() >> kUnusedBits) * kUnit;
     }
 
     glm::vec3 direction() {

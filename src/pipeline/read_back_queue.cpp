@@ -5,6 +5,8 @@
 #include <bit>
 #include <utility>
 
+#include "pipeline/vertex_bytes.h"
+
 namespace hitscope {
 
 namespace {
@@ -13,10 +15,6 @@ constexpr std::size_t kLeastBytes = std::size_t{64} << 10;
 constexpr std::size_t kSpares = 32;  // a scene's targets, or as many frames
 constexpr std::size_t kMostSpareBytes = std::size_t{8} << 20;
 constexpr GLuint64 kOneSecond = 1'000'000'000;
-
-constexpr std::size_t bytesOf(std::size_t vertices) {
-    return vertices * sizeof(DynamicVertex);
-}
 
 }  // namespace
 
@@ -48,8 +46,8 @@ void ReadBackQueue::copyAside(const Part& part, GLintptr& offset) {
     glBindBuffer(GL_COPY_READ_BUFFER, part.buffer);
     GLintptr packed = 0;
     for (const VertexRange& range : part.ranges) {
-        const auto bytes = static_cast<GLsizeiptr>(bytesOf(range.count));
-        const auto place = part.packed ? packed : static_cast<GLintptr>(bytesOf(range.first));
+        const GLsizeiptr bytes = vertexBytes(range.count);
+        const auto place = part.packed ? packed : vertexBytes(range.first);
         glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, place, offset, bytes);
         packed += bytes;
         offset += bytes;
@@ -64,7 +62,7 @@ void ReadBackQueue::request(std::vector<Part> parts) {
     if (vertices == 0) {
         return;
     }
-    Request made = makeRequest(bytesOf(vertices));
+    Request made = makeRequest(static_cast<std::size_t>(vertexBytes(vertices)));
     glBindBuffer(GL_COPY_WRITE_BUFFER, made.staging.id());
     GLintptr offset = 0;
     for (const Part& part : parts) {
@@ -104,8 +102,8 @@ void ReadBackQueue::takeFirst(const Take& take) {
         vertices += vertexCount(part.ranges);
     }
     glBindBuffer(GL_COPY_READ_BUFFER, request.staging.id());
-    const auto* mapped = static_cast<const DynamicVertex*>(glMapBufferRange(
-        GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(bytesOf(vertices)), GL_MAP_READ_BIT));
+    const auto* mapped = static_cast<const DynamicVertex*>(
+        glMapBufferRange(GL_COPY_READ_BUFFER, 0, vertexBytes(vertices), GL_MAP_READ_BIT));
     m_arrived.clear();
     if (mapped != nullptr) {
         m_arrived.assign(mapped, mapped + vertices);

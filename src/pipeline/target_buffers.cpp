@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 
+#include "pipeline/vertex_bytes.h"
+
 namespace hitscope {
 namespace {
 
@@ -138,15 +140,15 @@ TargetBuffers::TargetBuffers(const RenderMesh& mesh)
 
 void TargetBuffers::read(const VertexRange& range, std::span<DynamicVertex> vertices) const {
     glBindBuffer(GL_COPY_READ_BUFFER, m_dynamic.id());
-    glGetBufferSubData(GL_COPY_READ_BUFFER, static_cast<GLintptr>(range.first * sizeof(DynamicVertex)),
+    glGetBufferSubData(GL_COPY_READ_BUFFER, vertexBytes(range.first),
                        static_cast<GLsizeiptr>(vertices.size_bytes()), vertices.data());
     glBindBuffer(GL_COPY_READ_BUFFER, 0);
 }
 
 void TargetBuffers::write(std::uint32_t first, std::span<const DynamicVertex> vertices) {
     glBindBuffer(GL_COPY_WRITE_BUFFER, m_dynamic.id());
-    glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(first * sizeof(DynamicVertex)),
-                    static_cast<GLsizeiptr>(vertices.size_bytes()), vertices.data());
+    glBufferSubData(GL_COPY_WRITE_BUFFER, vertexBytes(first), static_cast<GLsizeiptr>(vertices.size_bytes()),
+                    vertices.data());
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
 }
 
@@ -159,9 +161,9 @@ void TargetBuffers::restoreOriginal(std::span<const VertexRange> ranges) {
     glBindBuffer(GL_COPY_READ_BUFFER, m_original.id());
     glBindBuffer(GL_COPY_WRITE_BUFFER, m_dynamic.id());
     for (const VertexRange& range : ranges) {
-        const auto offset = static_cast<GLintptr>(range.first * sizeof(DynamicVertex));
+        const GLintptr offset = vertexBytes(range.first);
         glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, offset, offset,
-                            static_cast<GLsizeiptr>(range.count * sizeof(DynamicVertex)));
+                            vertexBytes(range.count));
     }
     glBindBuffer(GL_COPY_READ_BUFFER, 0);
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "pipeline/vertex_bytes.h"
+
 namespace hitscope {
 
 namespace {
@@ -34,9 +36,9 @@ void copyBack(GLuint scratch, GLuint dynamic, std::span<const VertexRange> range
     glBindBuffer(GL_COPY_WRITE_BUFFER, dynamic);
     GLintptr captured = 0;
     for (const VertexRange& range : ranges) {
-        const auto bytes = static_cast<GLsizeiptr>(range.count * sizeof(DynamicVertex));
-        glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, captured,
-                            static_cast<GLintptr>(range.first * sizeof(DynamicVertex)), bytes);
+        const GLsizeiptr bytes = vertexBytes(range.count);
+        glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, captured, vertexBytes(range.first),
+                            bytes);
         captured += bytes;
     }
     glBindBuffer(GL_COPY_READ_BUFFER, 0);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mesh/render_mesh.h"
+#include "pipeline/vertex_bytes.h"
 
 namespace hitscope {
 
@@ -12,10 +13,6 @@ namespace {
 
 constexpr std::uint64_t kRingBytes = std::uint64_t{8} << 20;  // about 800 of the paper's hits
 constexpr std::uint64_t kMostEntryBytes = kRingBytes / 4;
-
-GLintptr bytesOf(std::uint64_t vertices) {
-    return static_cast<GLintptr>(vertices * sizeof(DynamicVertex));
-}
 
 }  // namespace
 
@@ -35,7 +32,7 @@ void UndoRing::reserve() {
 
 void UndoRing::save(TargetId target, GLuint buffer, std::size_t firstHit, std::vector<VertexRange> ranges) {
     std::deque<Entry>& entries = m_entries[target];
-    const auto bytes = static_cast<std::uint64_t>(bytesOf(vertexCount(ranges)));
+    const auto bytes = static_cast<std::uint64_t>(vertexBytes(vertexCount(ranges)));
     if (bytes > kMostEntryBytes) {
         entries.clear();  // without this one, older ones lead nowhere
         return;
@@ -47,9 +44,9 @@ void UndoRing::save(TargetId target, GLuint buffer, std::size_t firstHit, std::v
     glBindBuffer(GL_COPY_READ_BUFFER, buffer);
     auto offset = static_cast<GLintptr>(m_end % kRingBytes);
     for (const VertexRange& range : ranges) {
-        glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, bytesOf(range.first), offset,
-                            bytesOf(range.count));
-        offset += bytesOf(range.count);
+        glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, vertexBytes(range.first), offset,
+                            vertexBytes(range.count));
+        offset += vertexBytes(range.count);
     }
     glBindBuffer(GL_COPY_READ_BUFFER, 0);
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
@@ -82,9 +79,9 @@ std::vector<VertexRange> UndoRing::goBack(TargetId target, GLuint buffer, std::s
         const Entry& entry = entries.back();
         auto offset = static_cast<GLintptr>(entry.start % kRingBytes);
         for (const VertexRange& range : entry.ranges) {
-            glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, offset, bytesOf(range.first),
-                                bytesOf(range.count));
-            offset += bytesOf(range.count);
+            glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, offset, vertexBytes(range.first),
+                                vertexBytes(range.count));
+            offset += vertexBytes(range.count);
         }
         written.insert(written.end(), entry.ranges.begin(), entry.ranges.end());
         entries.pop_back();

@@ -54,13 +54,13 @@ ScenePlan planWall() {
 }
 
 ScenePlan planTwoMillion() {
-    constexpr float kRadius = 1.9f;                                     // metres, to the middle of the tube
-    constexpr float kTube = 0.6f;                                       // metres
-    TargetPlan torus = planMesh(makeTorus(1600, 625, kRadius, kTube));  // two triangles a quad
+    constexpr float kRadius = 1.9f;      // metres, to the middle of the tube
+    constexpr float kTubeRadius = 0.6f;  // metres
+    TargetPlan torus = planMesh(makeTorus(1600, 625, kRadius, kTubeRadius));  // two triangles a quad
     torus.name = translated(QT_TRANSLATE_NOOP("hitscope::SampleScene", "Fine torus"));
     // Upright, so that shots go through its hole.
     torus.transform.rotation = glm::angleAxis(0.5f * std::numbers::pi_v<float>, glm::vec3(1, 0, 0));
-    torus.transform.position.y = kRadius + kTube;
+    torus.transform.position.y = kRadius + kTubeRadius;
     return {{}, {std::move(torus)}, 0.0f};
 }
 

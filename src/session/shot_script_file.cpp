@@ -25,10 +25,6 @@ constexpr double kLongest = 86400.0;               // seconds
 constexpr std::array<std::string_view, 5> kProjectileKeys{"speed", "radius", "mass", "lifetime",
                                                           "most_alive"};
 
-QString keyText(std::string_view key) {
-    return QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size()));
-}
-
 /// `where`: the member; `what`: "has to be ...".
 Error wrong(const QString& where, const QString& what) {
     return Error{QStringLiteral("It %1.").arg(what).toStdString(), where.toStdString(),
@@ -111,19 +107,19 @@ Result<ProjectileSettings> projectileOf(const QJsonValue& value) {
     const QString bounces = QStringLiteral("bounces_count");
     QStringList known{bounces};
     for (const std::string_view key : kProjectileKeys) {
-        known << keyText(key);
+        known << QString::fromUtf8(key);
     }
     if (Status status = onlyMembers(object, known, where); !status) {
         return status.error();
     }
     const auto& parameters = projectileParameters();
     for (std::size_t i = 0; i < parameters.size(); ++i) {
-        const QJsonValue number = object[keyText(parameters[i].key)];
+        const QJsonValue number = object[QString::fromUtf8(parameters[i].key)];
         if (number.isUndefined()) {
             continue;
         }
         if (!number.isDouble() || !parameters[i].accepts(number.toDouble())) {
-            return wrong(where + u'.' + keyText(parameters[i].key),
+            return wrong(where + u'.' + QString::fromUtf8(parameters[i].key),
                          QStringLiteral("has to be a number from %1 to %2")
                              .arg(parameters[i].minimum)
                              .arg(parameters[i].maximum));
@@ -167,7 +163,7 @@ QByteArray formatShotScript(const ShotScript& script) {
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         if (std::find(kProjectileKeys.begin(), kProjectileKeys.end(), parameters[i].key) !=
             kProjectileKeys.end()) {
-            projectile[keyText(parameters[i].key)] = parameterValue(script.projectile, i);
+            projectile[QString::fromUtf8(parameters[i].key)] = parameterValue(script.projectile, i);
         }
     }
     projectile[QStringLiteral("bounces_count")] = script.projectile.bouncesCount;

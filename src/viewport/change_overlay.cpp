@@ -81,8 +81,8 @@ std::vector<Label> labelsOf(const ShownChange& change, double textHeight) {
 
 QString titleOf(const ShownChange& change) {
     const ChangeTraits& traits = changeTraits(change.quantity);
-    const QString name = QString::fromUtf8(traits.name.data(), static_cast<qsizetype>(traits.name.size()));
-    const QString unit = QString::fromUtf8(traits.unit.data(), static_cast<qsizetype>(traits.unit.size()));
+    const QString name = QString::fromUtf8(traits.name);
+    const QString unit = QString::fromUtf8(traits.unit);
     return unit.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, unit);
 }
 
@@ -160,9 +160,7 @@ bool isComparing(const SceneGpu::View& view) {
 
 QString nameOf(char letter, PipelineKind kind) {
     const std::string_view name = pipelineTraits(kind).name;
-    return QStringLiteral("%1: %2")
-        .arg(QLatin1Char(letter))
-        .arg(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
+    return QStringLiteral("%1: %2").arg(QLatin1Char(letter)).arg(QString::fromUtf8(name));
 }
 
 void paintComparison(QPainter& painter, const SceneGpu::View& view, const QSizeF& size, const Ink& ink) {

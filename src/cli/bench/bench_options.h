@@ -34,12 +34,10 @@ void addCommonOptions(Arguments& arguments, bool withPicture);
 void parseBenchArguments(Arguments& arguments, const QStringList& list);
 
 [[nodiscard]] inline QString pipelineName(PipelineKind kind) {
-    const std::string_view name = pipelineTraits(kind).name;
-    return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+    return QString::fromUtf8(pipelineTraits(kind).name);
 }
 [[nodiscard]] inline QString pipelineKey(PipelineKind kind) {
-    const std::string_view key = pipelineTraits(kind).key;
-    return QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size()));
+    return QString::fromUtf8(pipelineTraits(kind).key);
 }
 
 }  // namespace hitscope::bench

@@ -10,7 +10,7 @@ namespace hitscope::bench {
 
 namespace {
 
-constexpr int kStepsOfFlight = 40;  // trails are at their full length
+constexpr int kStepsToFullTrails = 40;
 
 /// The scene the window opens with, standing still.
 class FlightScene {
@@ -56,7 +56,7 @@ private:
             origin.y = bounds.max.y + 1.0f;
             m_session.shoot({origin, {0.0f, 1.0f, 0.0f}});
         }
-        m_session.advance(kStepsOfFlight * PhysicsWorld::kStep);
+        m_session.advance(kStepsToFullTrails * PhysicsWorld::kStep);
     }
 
     const BenchRoom& m_room;
