@@ -11,7 +11,8 @@ target_compile_options(hitscope_options INTERFACE
   -Wformat=2 -Wnull-dereference -Wno-sign-conversion
   # GCC 12 sees overlaps and overflows in every "literal" + std::string (its bug 105651), and no longer knows a system's header
   # that was precompiled.
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds>
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds
+    -Wno-subobject-linkage>  # of files compiled as one
   $<$<BOOL:${HITSCOPE_WERROR}>:-Werror>)
 target_compile_definitions(hitscope_options INTERFACE
   GLM_FORCE_CTOR_INIT GLM_ENABLE_EXPERIMENTAL QT_NO_KEYWORDS QT_NO_CAST_FROM_BYTEARRAY
@@ -22,15 +23,20 @@ if(HITSCOPE_SANITIZE)
   target_link_options(hitscope_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# hitscope_library(NAME SOURCES ... [LINK PUBLIC-libraries ...] [PRIVATE_LINK ...] [PRECOMPILED std|qt|widgets])
+# hitscope_library(NAME SOURCES ... [LINK PUBLIC-libraries ...] [PRIVATE_LINK ...] [PRECOMPILED std|qt|widgets] [UNITY])
 # One folder under src/ is one static library hitscope_NAME. What it may include is what it links: that is the rule of
-# the house, so think before adding to LINK. PRECOMPILED: cmake/precompiled_headers.cmake, std if not said.
+# the house, so think before adding to LINK. PRECOMPILED: cmake/precompiled_headers.cmake, std if not said. UNITY: for folders
+# whose headers cost more than their code; eight files are compiled as one, so names of their own must differ (not in the dev
+# preset).
 function(hitscope_library name)
-  cmake_parse_arguments(arg "" "PRECOMPILED" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  cmake_parse_arguments(arg "UNITY" "PRECOMPILED" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   add_library(hitscope_${name} STATIC ${arg_SOURCES})
   target_link_libraries(hitscope_${name} PUBLIC hitscope_options ${arg_LINK} PRIVATE ${arg_PRIVATE_LINK})
   if(NOT arg_PRECOMPILED)
     set(arg_PRECOMPILED std)
   endif()
   target_precompile_headers(hitscope_${name} REUSE_FROM hitscope_precompiled_${arg_PRECOMPILED})
+  if(arg_UNITY AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
+    set_target_properties(hitscope_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
 endfunction()

@@ -5,6 +5,7 @@
 #   std      the standard library and GLM
 #   qt       std and Qt Core
 #   widgets  qt and Qt Widgets, without anything that declares OpenGL functions (libepoxy declares its own)
+#   tests    qt and Qt Test; window_tests: with what Qt Test has for widgets
 set(HITSCOPE_PRECOMPILED_std
   <algorithm> <array> <bit> <cmath> <cstdint> <cstring> <functional> <limits> <map> <memory> <mutex> <numeric> <optional>
   <random> <set> <span> <string> <string_view> <thread> <unordered_map> <utility> <variant> <vector>
@@ -16,6 +17,8 @@ set(HITSCOPE_PRECOMPILED_qt ${HITSCOPE_PRECOMPILED_std}
 set(HITSCOPE_PRECOMPILED_widgets ${HITSCOPE_PRECOMPILED_qt}
   <QAction> <QApplication> <QBoxLayout> <QComboBox> <QDialog> <QDockWidget> <QDoubleSpinBox> <QHeaderView> <QLabel>
   <QMainWindow> <QMenu> <QMouseEvent> <QPainter> <QPushButton> <QStyledItemDelegate> <QTableView> <QToolButton> <QWidget>)
+set(HITSCOPE_PRECOMPILED_tests ${HITSCOPE_PRECOMPILED_qt} <QSignalSpy> <QTemporaryDir> <QTest>)
+set(HITSCOPE_PRECOMPILED_window_tests ${HITSCOPE_PRECOMPILED_tests})
 
 file(WRITE ${CMAKE_BINARY_DIR}/precompiled/empty.cpp.new "")
 file(COPY_FILE ${CMAKE_BINARY_DIR}/precompiled/empty.cpp.new ${CMAKE_BINARY_DIR}/precompiled/empty.cpp ONLY_IF_DIFFERENT)
@@ -27,3 +30,15 @@ endfunction()
 hitscope_precompile_set(std glm::glm)
 hitscope_precompile_set(qt glm::glm Qt6::Core)
 hitscope_precompile_set(widgets glm::glm Qt6::Widgets)
+if(BUILD_TESTING)
+  # Tests are built more often than they are run, so -O1. Qt tells each of its own folders, for QTEST_MAIN alone; what is
+  # precompiled must be the same for all.
+  add_library(hitscope_test_options INTERFACE)
+  target_compile_options(hitscope_test_options INTERFACE
+    $<$<CONFIG:Release>:-O1> -UQT_TESTCASE_BUILDDIR -UQT_TESTCASE_SOURCEDIR)
+  hitscope_precompile_set(tests glm::glm Qt6::Gui Qt6::Test)
+  hitscope_precompile_set(window_tests glm::glm Qt6::Widgets Qt6::Test)
+  foreach(set tests window_tests)
+    target_link_libraries(hitscope_precompiled_${set} PRIVATE hitscope_test_options)
+  endforeach()
+endif()

@@ -2,7 +2,7 @@
 // hitscope-cli as a person runs it: arguments in, text, files and exit status out.
 #include <QImage>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "cli/run_cli.h"
 #include "io/import.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `hitscope-cli info --renderer` as a person runs it, with no display.
-#include <QtTest>
+#include <QTest>
 
 #include "cli/run_cli.h"
 #include "support/test_program.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `hitscope-cli shoot` as a person runs it, with no display.
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "cli/run_cli.h"
 #include "support/test_program.h"

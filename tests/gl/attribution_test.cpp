@@ -2,7 +2,7 @@
 // What attribution adds up to, against what every pipeline's buffers hold.
 #include "deform/attribution.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cstring>
 
 #include "gl/pipeline_rows.h"

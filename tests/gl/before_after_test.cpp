@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The original beside what became of it: wipe, ghosts, exaggeration.
-#include <QtTest>
+#include <QTest>
 #include <glm/geometric.hpp>
 
 #include "gl/render_target.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The hits that benchmarks make, and the paper's own way against the reference.
-#include <QtTest>
+#include <QTest>
 #include <glm/geometric.hpp>
 
 #include "cli/bench/random_hits.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Colour maps of change: pixels at known vertices against values worked out here, and the range that follows
 // them.
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>

@@ -3,7 +3,7 @@
 #include "session/comparison.h"
 
 #include <QElapsedTimer>
-#include <QtTest>
+#include <QTest>
 #include <array>
 
 #include "gl/render_target.h"

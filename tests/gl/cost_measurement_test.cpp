@@ -3,7 +3,7 @@
 #include "session/cost_measurement.h"
 
 #include <QSignalSpy>
-#include <QtTest>
+#include <QTest>
 
 #include "session/frame_costs.h"
 #include "support/test_program.h"

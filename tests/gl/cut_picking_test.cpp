@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pixels of targets that a cutting plane opens, held against rays cast by the CPU.
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <random>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The same shots at the same steps make the same hits, however frames fall between the steps: colliders
 // follow dents that come back from the GPU whenever frames let them.
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 #include "deform/hit_history.h"

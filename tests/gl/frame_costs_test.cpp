@@ -2,7 +2,7 @@
 // What SceneGpu reports about the frames it draws and the hits it applies.
 #include "session/frame_costs.h"
 
-#include <QtTest>
+#include <QTest>
 #include <memory>
 
 #include "gl/render_target.h"

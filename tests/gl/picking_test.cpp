@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What pixels are said to show, held against rays cast by the CPU.
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>

@@ -17,8 +17,7 @@ namespace {
 
 void addPipelineRows(const QString& suffix = {}) {
     for (const PipelineTraits& traits : allPipelines()) {
-        const QString name =
-            QString::fromUtf8(traits.name.data(), static_cast<qsizetype>(traits.name.size()));
+        const QString name = QString::fromUtf8(traits.name);
         QTest::newRow(qPrintable(name + suffix)) << static_cast<int>(traits.kind);
     }
 }

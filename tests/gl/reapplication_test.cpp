@@ -3,7 +3,7 @@
 // equals the reference; giving up leaves everything as it was.
 #include "session/reapplication.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <glm/geometric.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of the session's targets is in the picture: hidden ones are not, and a cover is on those it can be on.
-#include <QtTest>
+#include <QTest>
 #include <array>
 #include <cstdlib>
 

@@ -3,7 +3,7 @@
 #include "session/scene_gpu.h"
 
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <array>
 #include <glm/geometric.hpp>
 

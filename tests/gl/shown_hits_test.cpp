@@ -2,7 +2,7 @@
 // Going back and forth through the history: every pipeline shows what the first hits alone make of the
 // targets, in every bit, and all of it again in the end.
 #include <QSignalSpy>
-#include <QtTest>
+#include <QTest>
 #include <array>
 #include <limits>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/timer_queries.h"
 
-#include <QtTest>
+#include <QTest>
 #include <vector>
 
 #include "gl/render_target.h"

@@ -2,7 +2,7 @@
 #include "models/rotation_angles.h"
 #include "support/test_program.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 
 using namespace hitscope;

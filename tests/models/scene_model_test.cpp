@@ -4,7 +4,7 @@
 #include <QAbstractItemModelTester>
 #include <QPersistentModelIndex>
 #include <QSignalSpy>
-#include <QtTest>
+#include <QTest>
 #include <array>
 
 #include "session/primitive_target.h"

@@ -2,7 +2,7 @@
 #include "models/undo_text.h"
 #include "support/test_program.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace hitscope;
 

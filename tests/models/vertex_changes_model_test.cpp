@@ -5,7 +5,7 @@
 #include <QPersistentModelIndex>
 #include <QSignalSpy>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <array>
 #include <numeric>
 #include <set>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The benchmarks' harness on a clock of its own: order, warm-up, budget, figures.
-#include <QtTest>
+#include <QTest>
 
 #include "cli/bench/harness.h"
 #include "support/test_program.h"

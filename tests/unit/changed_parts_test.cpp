@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/changed_parts.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <random>

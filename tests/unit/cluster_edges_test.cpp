@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/cluster_edges.h"
 
-#include <QtTest>
+#include <QTest>
 #include <set>
 
 #include "mesh/primitives.h"

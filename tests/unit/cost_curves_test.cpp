@@ -2,7 +2,7 @@
 #include "session/cost_curves.h"
 #include "support/test_program.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace hitscope;
 

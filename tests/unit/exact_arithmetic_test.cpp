@@ -2,7 +2,7 @@
 // exactDivide() and exactSqrt() of shaders/deform.glsl, modelled with std::fma on a processor whose own
 // division and root are off by some units in the last place, as graphics processors' are: the result must be
 // the correctly rounded one all the same.
-#include <QtTest>
+#include <QTest>
 #include <bit>
 #include <cmath>
 #include <cstdint>

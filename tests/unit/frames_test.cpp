@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What frames and hits cost, without a GPU: the statistics, the ring, and costs that stay with their hits.
 #include <QSignalSpy>
-#include <QtTest>
+#include <QTest>
 #include <vector>
 
 #include "core/frame_times.h"

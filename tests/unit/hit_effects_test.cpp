@@ -6,8 +6,8 @@
 
 #include <QSemaphore>
 #include <QSignalSpy>
+#include <QTest>
 #include <QThreadPool>
-#include <QtTest>
 #include <algorithm>
 #include <random>
 

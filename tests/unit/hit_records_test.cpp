@@ -2,7 +2,7 @@
 // Hits as CSV and JSON: every bit comes back, and what is wrong is said with its line.
 #include "io/hit_records.h"
 
-#include <QtTest>
+#include <QTest>
 #include <bit>
 #include <cmath>
 #include <random>

@@ -2,7 +2,7 @@
 #include "mesh/panel_texture.h"
 #include "support/test_program.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cstdlib>
 #include <functional>
 

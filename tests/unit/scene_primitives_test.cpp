@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Primitives of any fineness, as meshes and as targets.
-#include <QtTest>
+#include <QTest>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -2,7 +2,7 @@
 // Sections and dents against closed forms.
 #include "mesh/section.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>

@@ -2,7 +2,7 @@
 // How a section is laid out, how deep it lies, and where a plane is, against closed forms.
 #include "mesh/section_view.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <random>

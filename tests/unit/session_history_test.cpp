@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Changing the session's history, and who is told what of it.
 #include <QSignalSpy>
-#include <QtTest>
+#include <QTest>
 #include <array>
 #include <numeric>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Targets added, changed and removed one by one, and undone.
 #include <QSignalSpy>
-#include <QtTest>
+#include <QTest>
 #include <array>
 #include <glm/gtc/quaternion.hpp>
 #include <limits>

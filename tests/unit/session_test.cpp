@@ -2,7 +2,7 @@
 #include "session/session.h"
 
 #include <QSignalSpy>
-#include <QtTest>
+#include <QTest>
 
 #include "mesh/primitives.h"
 #include "session/demo_shots.h"

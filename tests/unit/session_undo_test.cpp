@@ -2,7 +2,7 @@
 #include "session/session_undo.h"
 #include "support/test_program.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace hitscope;
 

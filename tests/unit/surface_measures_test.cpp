@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/surface_measurer.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/surface_topology.h"
 
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 #include "mesh/connectivity.h"

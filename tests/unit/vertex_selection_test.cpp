@@ -2,7 +2,7 @@
 #include "session/vertex_selection.h"
 
 #include <QSignalSpy>
-#include <QtTest>
+#include <QTest>
 #include <array>
 
 #include "session/session.h"

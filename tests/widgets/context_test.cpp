@@ -137,7 +137,7 @@ void ContextTest::hitIt() {
 void ContextTest::anotherContextShowsTheSame_data() {
     QTest::addColumn<QString>("pipeline");
     for (const PipelineTraits& traits : allPipelines()) {
-        const auto name = QString::fromUtf8(traits.key.data(), static_cast<qsizetype>(traits.key.size()));
+        const auto name = QString::fromUtf8(traits.key);
         QTest::newRow(qPrintable(name)) << name;
     }
 }
@@ -145,7 +145,7 @@ void ContextTest::anotherContextShowsTheSame_data() {
 void ContextTest::anotherContextShowsTheSame() {
     QFETCH(QString, pipeline);
     for (const PipelineTraits& traits : allPipelines()) {
-        if (pipeline == QString::fromUtf8(traits.key.data(), static_cast<qsizetype>(traits.key.size()))) {
+        if (pipeline == QString::fromUtf8(traits.key)) {
             m_session->setPipeline(traits.kind);
         }
     }

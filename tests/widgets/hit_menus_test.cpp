@@ -148,7 +148,7 @@ void HitMenusTest::unavailablePipelinesAreGrey() {
     QVERIFY(items->item(row)->toolTip().contains(reason) && entry->toolTip().contains(reason));
     const PipelineTraits& traits = pipelineTraits(PipelineKind::UniformArray);
     for (const std::string_view words : {traits.description, traits.needs, traits.keeps}) {
-        const QString text = QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
+        const QString text = QString::fromUtf8(words);
         QVERIFY2(items->item(row)->toolTip().contains(text.toHtmlEscaped()), qPrintable(text));
     }
     m_session->setUnavailablePipelines({});

@@ -29,8 +29,8 @@ private:
     QTemporaryDir m_folder;
 };
 
-/// Waits until the window takes keys. There is no window manager on the tests' display, so after a dialog nothing
-/// is active: Qt notices some 400 ms later, and a shortcut pressed then is lost.
+/// Waits until the window takes keys. There is no window manager on the tests' display, so after a dialog
+/// nothing is active: Qt notices some 400 ms later, and a shortcut pressed then is lost.
 inline void makeActive(QWidget& window) {
     window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&window, kPatience));

@@ -18,10 +18,6 @@ constexpr float kSliderScale = 10.0f;    // steps of the exaggeration's slider i
 constexpr float kWipeScale = 1000.0f;    // steps of the wipe's slider across the picture
 constexpr double kLargestValue = 1.0e6;  // that can be typed in
 
-QString text(std::string_view words) {
-    return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
-}
-
 QColor colourAt(ColourMap map, double at) {
     const auto entry = static_cast<std::size_t>(std::lround(std::clamp(at, 0.0, 1.0) * 255.0));
     const auto& colour = colourTable(map)[entry];
@@ -41,8 +37,9 @@ QIcon iconOf(ColourMap map, const QSize& size) {
 
 /// "Displacement (m)".
 QString titleOf(const ChangeTraits& traits) {
-    return traits.unit.empty() ? text(traits.name)
-                               : QStringLiteral("%1 (%2)").arg(text(traits.name), text(traits.unit));
+    return traits.unit.empty() ? QString::fromUtf8(traits.name)
+                               : QStringLiteral("%1 (%2)").arg(QString::fromUtf8(traits.name),
+                                                               QString::fromUtf8(traits.unit));
 }
 
 }  // namespace
@@ -72,8 +69,9 @@ ChangePanel::~ChangePanel() = default;
 
 void ChangePanel::fillBoxes() {
     for (const ChangeTraits& traits : allChangeQuantities()) {
-        m_ui->quantity->addItem(text(traits.name));
-        m_ui->quantity->setItemData(m_ui->quantity->count() - 1, text(traits.description), Qt::ToolTipRole);
+        m_ui->quantity->addItem(QString::fromUtf8(traits.name));
+        m_ui->quantity->setItemData(m_ui->quantity->count() - 1, QString::fromUtf8(traits.description),
+                                    Qt::ToolTipRole);
     }
     const QSize icon = m_ui->map->iconSize();
     m_ui->map->addItem(iconOf(ColourMap::Viridis, icon), tr("Viridis"));
@@ -186,7 +184,7 @@ void ChangePanel::listPipelines() {
     m_ui->other->addItem(tr("Off"));
     for (const PipelineTraits& traits : allPipelines()) {
         if (m_session.whyUnavailable(traits.kind).isEmpty()) {
-            m_ui->other->addItem(text(traits.name), static_cast<int>(traits.kind));
+            m_ui->other->addItem(QString::fromUtf8(traits.name), static_cast<int>(traits.kind));
         }
         if (m_comparison.other() == traits.kind) {
             m_ui->other->setCurrentIndex(m_ui->other->count() - 1);
@@ -236,7 +234,7 @@ void ChangePanel::showNumbers() {
         m_ui->numbers->setText(tr("No vertex has changed"));
         return;
     }
-    const QString unit = text(changeTraits(m_map.quantity).unit);
+    const QString unit = QString::fromUtf8(changeTraits(m_map.quantity).unit);
     const double mean = summary.sum / static_cast<double>(summary.count);
     m_ui->numbers->setText(tr("%1 vertices: %2 to %3, mean %4 %5")
                                .arg(countText(summary.count), QString::number(summary.low, 'g', 4),

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/cutting_plane/section_plot.h"
 
-#include <qcustomplot.h>
-
 #include <QEvent>
 #include <QToolTip>
 #include <QVBoxLayout>
@@ -11,6 +9,7 @@
 #include <limits>
 
 #include "models/quantity_text.h"
+#include "panels/plot/custom_plot.h"
 #include "panels/plot/plot_theme.h"
 #include "render/theme.h"
 

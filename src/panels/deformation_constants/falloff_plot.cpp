@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/deformation_constants/falloff_plot.h"
 
-#include <qcustomplot.h>
-
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
+#include "panels/plot/custom_plot.h"
 #include "panels/plot/plot_theme.h"
 
 namespace hitscope {

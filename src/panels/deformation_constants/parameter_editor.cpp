@@ -17,10 +17,6 @@ namespace {
 
 constexpr int kSliderSteps = 1000;
 
-QString text(std::string_view words) {
-    return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
-}
-
 /// Ranges span several powers of ten, and the useful values sit near the lower end; the slider's travel is
 /// spread so that the default value is in its middle.
 double exponentOf(const ParameterDescriptor& parameter) {
@@ -38,7 +34,7 @@ ParameterEditor::ParameterEditor(const ParameterDescriptor& parameter, QGridLayo
       m_slider(new QSlider(Qt::Horizontal, parent)),
       m_spinBox(new QDoubleSpinBox(parent)),
       m_reset(new QToolButton(parent)) {
-    auto* label = new QLabel(text(parameter.label), parent);
+    auto* label = new QLabel(QString::fromUtf8(parameter.label), parent);
     label->setBuddy(m_spinBox);
     m_slider->setRange(0, kSliderSteps);
     m_slider->setMinimumWidth(60);
@@ -47,14 +43,15 @@ ParameterEditor::ParameterEditor(const ParameterDescriptor& parameter, QGridLayo
     m_spinBox->setSingleStep(parameter.step);
     m_spinBox->setKeyboardTracking(false);
     if (!parameter.unit.empty()) {
-        m_spinBox->setSuffix(u' ' + text(parameter.unit));
+        m_spinBox->setSuffix(u' ' + QString::fromUtf8(parameter.unit));
     }
-    m_spinBox->setObjectName(text(parameter.key));
+    m_spinBox->setObjectName(QString::fromUtf8(parameter.key));
     m_reset->setIcon(themedIcon(QStringLiteral("reset")));
     m_reset->setAutoRaise(true);
-    m_reset->setToolTip(tr("Back to %1 %2").arg(parameter.defaultValue).arg(text(parameter.unit)));
+    m_reset->setToolTip(
+        tr("Back to %1 %2").arg(parameter.defaultValue).arg(QString::fromUtf8(parameter.unit)));
     const QString range = tr("%1\nFrom %2 to %3.")
-                              .arg(text(parameter.description))
+                              .arg(QString::fromUtf8(parameter.description))
                               .arg(parameter.minimum)
                               .arg(parameter.maximum);
     for (QWidget* widget :

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/frame_rate/cost_view.h"
 
-#include <qcustomplot.h>
-
 #include <algorithm>
 
+#include "models/quantity_text.h"
 #include "panels/frame_rate/pipeline_colour.h"
+#include "panels/plot/custom_plot.h"
 #include "panels/plot/plot_theme.h"
 #include "session/frame_costs.h"
 #include "ui_cost_view.h"
@@ -14,12 +14,10 @@ namespace hitscope {
 
 namespace {
 
-constexpr double kMilliseconds = 1000.0;
 constexpr std::uint64_t kGpuIsLate = 12;  // frames: what the GPU has not told by then it never will
 
 QString nameOf(PipelineKind pipeline) {
-    const std::string_view name = pipelineTraits(pipeline).name;
-    return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+    return QString::fromUtf8(pipelineTraits(pipeline).name);
 }
 
 }  // namespace

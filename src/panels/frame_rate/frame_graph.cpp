@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/frame_rate/frame_graph.h"
 
-#include <qcustomplot.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
+#include "models/quantity_text.h"
 #include "panels/frame_rate/pipeline_colour.h"
+#include "panels/plot/custom_plot.h"
 #include "panels/plot/plot_theme.h"
 
 namespace hitscope {
@@ -17,7 +17,6 @@ namespace {
 
 constexpr double kScrollsOn = 1.0;  // seconds after the last frame
 constexpr double kGap = 0.5;        // seconds without a frame that break the line
-constexpr double kMilliseconds = 1000.0;
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<double, 2> kTargets = {60.0, 30.0};  // frames a second
 
@@ -304,9 +303,7 @@ QString FrameGraph::describe(const FrameCost& cost) const {
         tr("Physics %1").arg(ms(cost.physics)),
         tr("Deformation: CPU %1, GPU %2").arg(ms(cost.deformation), orUnknown(cost.gpuDeformation)),
         tr("Read-back and normals %1").arg(ms(cost.readBack)),
-        tr("%1, hits so far: %2")
-            .arg(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())))
-            .arg(cost.history)};
+        tr("%1, hits so far: %2").arg(QString::fromUtf8(name)).arg(cost.history)};
     if (cost.hits > 0) {
         lines.append(tr("Hits that arrived: %1").arg(cost.hits));
     }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The hand on the frame graph: zoom, pan, reading a frame.
-#include <qcustomplot.h>
 
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
 #include "panels/frame_rate/frame_graph.h"
+#include "panels/plot/custom_plot.h"
 
 namespace hitscope {
 

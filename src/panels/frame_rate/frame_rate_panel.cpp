@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "models/costs_csv.h"
+#include "models/quantity_text.h"
 #include "panels/frame_rate/cost_view.h"
 #include "panels/frame_rate/flow_layout.h"
 #include "panels/icons/themed_icon.h"
@@ -24,7 +25,6 @@ namespace {
 
 constexpr int kRefreshInterval = 100;  // milliseconds
 constexpr int kLegendPadding = 21;     // pixels: swatch, gaps and frame
-constexpr double kMilliseconds = 1000.0;
 
 QString milliseconds(double seconds) {
     return FrameRatePanel::tr("%1 ms").arg(seconds * kMilliseconds, 0, 'f', seconds < 0.0995 ? 1 : 0);

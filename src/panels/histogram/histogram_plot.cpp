@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/histogram/histogram_plot.h"
 
-#include <qcustomplot.h>
-
 #include <QEvent>
 #include <QMouseEvent>
 #include <QVBoxLayout>
@@ -10,13 +8,14 @@
 #include <cmath>
 #include <utility>
 
+#include "panels/plot/custom_plot.h"
 #include "panels/plot/plot_theme.h"
 
 namespace hitscope {
 
 namespace {
 
-constexpr double kMargin = 0.03;      // of the span, to either side, so that handles at the ends can be held
+constexpr double kSideMargin = 0.03;  // of the span, to either side, so that handles at the ends can be held
 constexpr double kLeastWidth = 1e-3;  // of the span: handles do not meet
 constexpr int kColourStops = 16;
 
@@ -96,7 +95,7 @@ void HistogramPlot::fitAxes() {
         low = std::min(low, m_range->low);
         high = std::max(high, m_range->high);
     }
-    const double margin = std::max((high - low) * kMargin, 1e-12);
+    const double margin = std::max((high - low) * kSideMargin, 1e-12);
     m_plot->xAxis->setRange(low - margin, high + margin);
     const auto most = std::max_element(m_histogram.counts.begin(), m_histogram.counts.end());
     m_plot->yAxis->setRange(0.0, most == m_histogram.counts.end() || *most == 0 ? 1.0 : *most * 1.08);

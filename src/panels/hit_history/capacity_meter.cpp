@@ -18,7 +18,7 @@ constexpr int kPadding = 24;  // pixels beside the text
 /// "Uniform array" in the middle of a sentence.
 QString nameInside(PipelineKind kind) {
     const std::string_view name = pipelineTraits(kind).name;
-    QString text = QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+    QString text = QString::fromUtf8(name);
     text[0] = text[0].toLower();
     return text;
 }

@@ -20,12 +20,9 @@ QLocale numbers() {
 }
 
 QString described(const ParameterDescriptor& parameter) {
-    const auto text = [](std::string_view words) {
-        return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
-    };
     return HitEditor::tr("%1\nFrom %2 to %3 %4")
-        .arg(text(parameter.description), quantityText(parameter.minimum), quantityText(parameter.maximum),
-             text(parameter.unit));
+        .arg(QString::fromUtf8(parameter.description), quantityText(parameter.minimum),
+             quantityText(parameter.maximum), QString::fromUtf8(parameter.unit));
 }
 
 }  // namespace

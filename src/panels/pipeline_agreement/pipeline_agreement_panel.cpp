@@ -32,8 +32,7 @@ QString PipelineAgreementPanel::verdict() const {
     const std::string_view name = pipelineTraits(report->pipeline).name;
     QString text = report->different == 0 ? tr("%1: all %2 vertices equal the reference to the last bit.")
                                           : tr("%1: of %2 vertices, some differ from the reference.");
-    text = text.arg(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())),
-                    countText(report->vertices));
+    text = text.arg(QString::fromUtf8(name), countText(report->vertices));
     if (report->dropped > 0) {
         text +=
             u' ' + tr("Without the %1 hits that the pipeline has dropped.").arg(countText(report->dropped));

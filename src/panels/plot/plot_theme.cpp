@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/plot/plot_theme.h"
 
-#include <qcustomplot.h>
+#include "panels/plot/custom_plot.h"
 
 namespace hitscope {
 

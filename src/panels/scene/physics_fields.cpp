@@ -12,10 +12,6 @@ namespace {
 
 constexpr int kNarrowest = 64;  // pixels; what the range would want is far wider
 
-QString text(std::string_view words) {
-    return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
-}
-
 }  // namespace
 
 PhysicsFields::PhysicsFields(Session& session, QCheckBox& dynamic, const Boxes& boxes, QLabel& trouble,
@@ -28,7 +24,7 @@ PhysicsFields::PhysicsFields(Session& session, QCheckBox& dynamic, const Boxes& 
         box.setDecimals(parameter.decimals);
         box.setSingleStep(parameter.step);
         box.setRange(parameter.minimum, parameter.maximum);
-        box.setToolTip(text(parameter.description));
+        box.setToolTip(QString::fromUtf8(parameter.description));
         box.setMinimumWidth(kNarrowest);
         box.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         connect(&box, &QDoubleSpinBox::valueChanged, this, &PhysicsFields::apply);
