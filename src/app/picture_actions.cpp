@@ -107,6 +107,7 @@ PictureRequest PictureActions::requestOf(const PictureDialog& dialog) const {
     request.height = dialog.pictureSize().height();
     request.options.transparent = dialog.isTransparent();
     request.options.floor = dialog.hasFloor();
+    request.labels = dialog.hasLabels();
     return request;
 }
 

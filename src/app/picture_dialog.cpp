@@ -48,6 +48,11 @@ PictureDialog::PictureDialog(Kind kind, const QSize& shown, std::size_t hits, QW
     m_floor->setChecked(true);
     form->addRow({}, m_transparent);
     form->addRow({}, m_floor);
+    m_labels = new QCheckBox(tr("Colour &bar and labels"), this);
+    m_labels->setObjectName(QStringLiteral("labels"));
+    m_labels->setToolTip(tr("What the viewport writes over the picture where it shows change"));
+    m_labels->setChecked(true);
+    form->addRow({}, m_labels);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     buttons->addButton(one ? tr("&Save As…") : tr("Choose &Folder…"), QDialogButtonBox::AcceptRole);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -134,6 +139,10 @@ bool PictureDialog::hasFloor() const {
     return m_floor->isChecked();
 }
 
+bool PictureDialog::hasLabels() const {
+    return m_labels->isChecked();
+}
+
 int PictureDialog::turntable() const {
     return m_turntable == nullptr || m_replay->isChecked() ? 0 : m_turntable->value();
 }
@@ -146,6 +155,7 @@ void PictureDialog::load(const QSettings& settings) {
     }
     m_transparent->setChecked(settings.value(QStringLiteral("picture/transparent"), false).toBool());
     m_floor->setChecked(settings.value(QStringLiteral("picture/floor"), true).toBool());
+    m_labels->setChecked(settings.value(QStringLiteral("picture/labels"), true).toBool());
     if (m_turntable != nullptr) {
         m_turntable->setValue(settings.value(QStringLiteral("picture/turntable"), kUsualPictures).toInt());
     }
@@ -160,6 +170,7 @@ void PictureDialog::save(QSettings& settings) const {
     }
     settings.setValue(QStringLiteral("picture/transparent"), isTransparent());
     settings.setValue(QStringLiteral("picture/floor"), hasFloor());
+    settings.setValue(QStringLiteral("picture/labels"), hasLabels());
     if (m_turntable != nullptr) {
         settings.setValue(QStringLiteral("picture/turntable"), m_turntable->value());
     }

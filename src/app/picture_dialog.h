@@ -23,7 +23,8 @@ public:
     [[nodiscard]] QSize pictureSize() const;  ///< pixels
     [[nodiscard]] bool isTransparent() const;
     [[nodiscard]] bool hasFloor() const;
-    [[nodiscard]] int turntable() const;  ///< pictures; 0: a replay
+    [[nodiscard]] bool hasLabels() const;  ///< the colour bar and the notes
+    [[nodiscard]] int turntable() const;   ///< pictures; 0: a replay
 
     void load(const QSettings& settings);
     void save(QSettings& settings) const;
@@ -40,6 +41,7 @@ private:
     QSpinBox* m_height = nullptr;
     QCheckBox* m_transparent = nullptr;
     QCheckBox* m_floor = nullptr;
+    QCheckBox* m_labels = nullptr;
     QRadioButton* m_replay = nullptr;
     QSpinBox* m_turntable = nullptr;
 };

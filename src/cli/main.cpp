@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCommandLineParser>
 #include <QCoreApplication>
+#include <QGuiApplication>
 #include <QTextStream>
 #include <limits>
+#include <memory>
+#include <string_view>
 
 #include "cli/bench/bench_command.h"
 #include "cli/command_line.h"
@@ -126,11 +129,31 @@ int printUsage() {
     return 0;
 }
 
+/// Pictures may have text in them, for which Qt wants fonts, and for these a platform: one without windows.
+std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv) {
+    const std::string_view command = argc > 1 ? argv[1] : "";
+    if (command != "picture" && command != "sequence") {
+        return std::make_unique<QCoreApplication>(argc, argv);
+    }
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    // Qt warns where there is no XDG_RUNTIME_DIR, as on servers, though nothing here needs one.
+    static QtMessageHandler usual = nullptr;
+    usual =
+        qInstallMessageHandler([](QtMsgType type, const QMessageLogContext& context, const QString& text) {
+            if (type != QtWarningMsg) {
+                usual(type, context, text);
+            }
+        });
+    auto application = std::make_unique<QGuiApplication>(argc, argv);
+    qInstallMessageHandler(usual);
+    return application;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     hitscope::keepFreedMemory();
-    const QCoreApplication app(argc, argv);
+    const std::unique_ptr<QCoreApplication> app = makeApplication(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("hitscope-cli"));
     QCoreApplication::setApplicationVersion(QStringLiteral(HITSCOPE_VERSION));
 

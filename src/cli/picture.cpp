@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDir>
+#include <QFontDatabase>
 #include <QTextStream>
 #include <memory>
 #include <utility>
@@ -11,7 +12,9 @@
 #include "gl/context.h"
 #include "io/save_image.h"
 #include "render/camera_text.h"
+#include "session/change_values.h"
 #include "session/demo_shots.h"
+#include "session/hit_effects.h"
 #include "session/picture_sequence.h"
 
 namespace hitscope::cli {
@@ -24,9 +27,29 @@ constexpr int kMostTurntablePictures = 100'000;
 struct Studio {
     std::unique_ptr<gl::OffscreenContext> context;
     Session session;
+    std::unique_ptr<HitEffects> effects;  // null: nobody asks for numbers of hits
+    std::unique_ptr<ChangeValues> changeValues;
     std::unique_ptr<SceneGpu> scene;  // below the session and the context, so that it goes first
     PictureRequest request;
 };
+
+/// What the surfaces are coloured by, of the hits that there are.
+Status measureChange(Studio& studio, ChangeQuantity quantity) {
+    if (Status current = studio.scene->sync(); !current) {
+        return current;
+    }
+    studio.changeValues = std::make_unique<ChangeValues>(studio.session);
+    if (quantity == ChangeQuantity::HitCount) {
+        studio.effects = std::make_unique<HitEffects>(studio.session);
+        studio.effects->finish();
+        studio.changeValues->setHitCounts(
+            [&effects = *studio.effects](TargetId target) { return effects.counts(target); });
+    }
+    studio.changeValues->setQuantity(quantity);
+    studio.changeValues->finish();
+    studio.request.changeValues = studio.changeValues.get();
+    return Done{};
+}
 
 Status open(Studio& studio, const PictureArguments& arguments) {
     Result<std::unique_ptr<gl::OffscreenContext>> context = gl::OffscreenContext::create();
@@ -56,6 +79,15 @@ Status open(Studio& studio, const PictureArguments& arguments) {
     request.width = arguments.width;
     request.height = arguments.height;
     request.options = arguments.options;
+    if (arguments.options.change.on) {
+        if (Status measured = measureChange(studio, arguments.options.change.quantity); !measured) {
+            return measured;
+        }
+        request.labels = arguments.labels && !QFontDatabase::families().isEmpty();
+        if (arguments.labels && !request.labels) {
+            notes << "No fonts are installed here, so there is no colour bar in the picture.\n";
+        }
+    }
     const Bounds bounds = studio.session.sceneBounds();
     request.camera.setSceneRadius(bounds.empty() ? 1.0f : bounds.diagonal());
     if (arguments.camera.isEmpty()) {

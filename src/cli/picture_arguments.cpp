@@ -58,6 +58,17 @@ const QStringList& normalModes() {
     return words;
 }
 
+/// By ChangeQuantity; but for the difference to a second pipeline, which is its last.
+QStringList changeKeys() {
+    QStringList keys;
+    for (const ChangeTraits& traits : allChangeQuantities()) {
+        if (traits.quantity != ChangeQuantity::Difference) {
+            keys << QString::fromUtf8(traits.key);
+        }
+    }
+    return keys;
+}
+
 QString oneOf(const QStringList& words) {
     return QStringLiteral("one of ") + words.join(QStringLiteral(", "));
 }
@@ -89,12 +100,15 @@ PictureOptions::PictureOptions(QCommandLineParser& parser)
       m_wireframe(
           option("wireframe", QStringLiteral("Edges: off, over the surface, or only."), "mode", "off")),
       m_normals(option("normals", QStringLiteral("Shading: true or paper."), "kind", "true")),
+      m_change(
+          option("change", QStringLiteral("Colour by change: ") + oneOf(changeKeys()) + u'.', "quantity")),
+      m_noLabels(option("no-labels", QStringLiteral("No colour bar in the picture."))),
       m_pipeline(option("pipeline", QStringLiteral("Who applies the hits: ") + oneOf(pipelineKeys()) + u'.',
                         "name", "transform-feedback")),
       m_shots(option("shots", QStringLiteral("Shoot so often first, 0 to 100000."), "number", "0")),
       m_seed(option("seed", QStringLiteral("Another seed gives other shots."), "number", "1")) {
     parser.addOptions({m_size, m_camera, m_transparent, m_cut, m_fillCut, m_noFloor, m_theme, m_wireframe,
-                       m_normals, m_pipeline, m_shots, m_seed});
+                       m_normals, m_change, m_noLabels, m_pipeline, m_shots, m_seed});
 }
 
 Result<PictureArguments> PictureOptions::read(const QCommandLineParser& parser) const {
@@ -127,6 +141,15 @@ Result<PictureArguments> PictureOptions::read(const QCommandLineParser& parser) 
     arguments.pipeline = allPipelines()[static_cast<std::size_t>(pipeline)].kind;
     arguments.options.transparent = parser.isSet(m_transparent);
     arguments.options.floor = !parser.isSet(m_noFloor);
+    arguments.labels = !parser.isSet(m_noLabels);
+    if (parser.isSet(m_change)) {
+        const qsizetype change = wordOf(parser, m_change, changeKeys());
+        if (change < 0) {
+            return wrong(m_change, oneOf(changeKeys()));
+        }
+        arguments.options.change.on = true;
+        arguments.options.change.quantity = allChangeQuantities()[static_cast<std::size_t>(change)].quantity;
+    }
     if (parser.isSet(m_cut)) {
         const std::optional<CuttingPlane> cut = parseCut(parser.value(m_cut));
         if (!cut) {

@@ -21,7 +21,8 @@ struct PictureArguments {
     int width = 1280;  ///< pixels
     int height = 720;  ///< pixels
     DisplayOptions options;
-    QString camera;  ///< as parseCamera() takes it; empty: all in the picture
+    bool labels = true;  ///< the colour bar, where change is shown
+    QString camera;      ///< as parseCamera() takes it; empty: all in the picture
 };
 
 /// The options of the command line for them.
@@ -41,6 +42,8 @@ private:
     QCommandLineOption m_theme;
     QCommandLineOption m_wireframe;
     QCommandLineOption m_normals;
+    QCommandLineOption m_change;
+    QCommandLineOption m_noLabels;
     QCommandLineOption m_pipeline;
     QCommandLineOption m_shots;
     QCommandLineOption m_seed;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/picture.h"
 
+#include <QImage>
+#include <QPainter>
 #include <algorithm>
 #include <cstdint>
 #include <string>
 
 #include "gl/render_target.h"
+#include "session/change_overlay.h"
 #include "session/change_values.h"
 #include "session/scene_section.h"
 
@@ -50,6 +53,14 @@ void makeStraight(Image& image) {
     }
 }
 
+void writeLabels(Image& image, const SceneGpu::View& view) {
+    QImage pixels(image.pixels.data(), image.width, image.height, 4 * qsizetype{image.width},
+                  QImage::Format_RGBA8888);
+    pixels.setDevicePixelRatio(static_cast<double>(view.pixelRatio));
+    QPainter painter(&pixels);
+    ChangeOverlay().paint(painter, view);
+}
+
 }  // namespace
 
 Result<Image> drawPicture(SceneGpu& scene, const PictureRequest& request) {
@@ -87,6 +98,9 @@ Result<Image> drawPicture(SceneGpu& scene, const PictureRequest& request) {
     Image image = target.read();
     if (request.options.transparent) {
         makeStraight(image);
+    }
+    if (request.labels && ChangeOverlay::isNeeded(view)) {
+        writeLabels(image, view);
     }
     return image;
 }

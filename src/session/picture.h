@@ -18,6 +18,8 @@ struct PictureRequest {
     ChangeValues* changeValues = nullptr;
     Comparison* comparison = nullptr;
     std::shared_ptr<const SectionLines> otherSection = nullptr;
+    /// The colour bar and the notes are written over it, as over the viewport (ChangeOverlay).
+    bool labels = false;
 };
 
 /// Pixels of a picture's height that count as one screen full: lines are as wide on a larger one as if the

@@ -336,7 +336,8 @@ PictureRequest Viewport::pictureRequest() const {
             .options = m_options,
             .changeValues = m_changeValues,
             .comparison = m_comparison,
-            .otherSection = m_otherSection};
+            .otherSection = m_otherSection,
+            .labels = true};
 }
 
 Result<Image> Viewport::drawPicture(const PictureRequest& request) {

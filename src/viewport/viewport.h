@@ -9,10 +9,10 @@
 #include <memory>
 #include <optional>
 
+#include "session/change_overlay.h"
 #include "session/picture.h"
 #include "session/scene_gpu.h"
 #include "session/scene_picker.h"
-#include "viewport/change_overlay.h"
 #include "viewport/navigation.h"
 
 namespace hitscope {

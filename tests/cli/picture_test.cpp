@@ -24,6 +24,7 @@ private Q_SLOTS:
     void sizeAndBackground();
     void cameraTakesText();
     void cutsTargetsOpen();
+    void changeHasAColourBar();
     void sequences();
     void wrongUsage_data();
     void wrongUsage();
@@ -81,6 +82,35 @@ void PictureTest::cutsTargetsOpen() {
     QVERIFY(slanted > whole / 4 && slanted < whole);
 }
 
+void PictureTest::changeHasAColourBar() {
+    const auto draw = [this](const char* line) {
+        const QString file = path(QStringLiteral("change.png"));
+        const CliRun run = runCli(words("picture --shots 5") + words(line) << file);
+        return run.status == 0 ? QImage(file) : QImage();
+    };
+    const QImage plain = draw("--size 640x360");
+    const QImage bare = draw("--size 640x360 --change displacement --no-labels");
+    const QImage labelled = draw("--size 640x360 --change displacement");
+    QVERIFY(!plain.isNull() && !bare.isNull() && !labelled.isNull());
+    QVERIFY(bare != plain);
+    // It is in the lower left corner, and nowhere else.
+    constexpr int kWidth = 220;
+    const QRect rest(kWidth, 0, 640 - kWidth, 360);
+    QCOMPARE(labelled.copy(rest), bare.copy(rest));
+    int brightest = 0;  // of viridis, its yellow end
+    for (int y = 0; y < 360; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            const QColor colour = labelled.pixelColor(x, y);
+            brightest += colour.red() > 240 && colour.green() > 220 && colour.blue() < 60 ? 1 : 0;
+        }
+    }
+    QVERIFY(brightest >= 10);
+    // Where there is no room there is none.
+    QCOMPARE(draw("--size 64x48 --change displacement"),
+             draw("--size 64x48 --change displacement --no-labels"));
+    QVERIFY(draw("--size 640x360 --change hits") != bare);
+}
+
 void PictureTest::sequences() {
     const QString turn = path(QStringLiteral("turn"));
     QCOMPARE(runCli(words("sequence --turntable 3 --size 96x64") << turn).status, 0);
@@ -112,6 +142,8 @@ void PictureTest::wrongUsage_data() {
     row("picture --wireframe some a.png", "off, over, only");
     row("picture --pipeline magic a.png", "transform-feedback");
     row("picture --shots -1 a.png", "--shots takes");
+    row("picture --change colour a.png", "displacement");
+    row("picture --change difference a.png", "--change takes");
     row("picture --fast a.png", "fast");
     row("sequence out", "--turntable or --replay");
     row("sequence --turntable 3 --replay out", "--turntable or --replay");

@@ -39,6 +39,7 @@ private Q_SLOTS:
     void replayIsColoured_data();
     void replayIsColoured();
     void coloursAreThoseShown();
+    void labelsAreThoseOfTheViewport();
     void twoPipelinesAreInOnePicture();
     void sequenceCanBeCancelled();
     void dialogRemembers();
@@ -215,12 +216,29 @@ void PicturesTest::coloursAreThoseShown() {
     QCOMPARE(saved(map), automatic);
 }
 
+void PicturesTest::labelsAreThoseOfTheViewport() {
+    addHits();
+    colourBy(ChangeQuantity::Displacement);
+    const QSize size = m_window->viewport().size();
+    PictureRequest shown = request(size.width(), size.height());
+    QVERIFY(shown.labels);
+    const QImage picture = saved(shown);
+    const QImage viewport = m_window->viewport().grabFramebuffer();
+    const QRect corner(0, size.height() - 250, 120, 250);
+    const int most = corner.width() * corner.height() / 100;  // smoothed edges
+    QVERIFY(test::differing(picture.copy(corner), viewport.copy(corner), 8) < most);
+    shown.labels = false;
+    QVERIFY(test::differing(saved(shown).copy(corner), viewport.copy(corner), 8) > 10 * most);
+}
+
 void PicturesTest::twoPipelinesAreInOnePicture() {
     addHits();
     const QImage one = saved(request(320, 120));
     QTest::keyClick(&m_window->viewport(), Qt::Key_B, Qt::ShiftModifier);
     QVERIFY(m_window->viewport().options().sideBySide);
-    const QImage two = saved(request(320, 120));
+    PictureRequest both = request(320, 120);
+    both.labels = false;
+    const QImage two = saved(both);
     QVERIFY(two != one);
     QCOMPARE(test::differing(two.copy(0, 0, 160, 120), two.copy(160, 0, 160, 120), 1), 0);
 }

@@ -16,7 +16,7 @@ namespace hitscope {
 class ChangeOverlay {
 public:
     /// Over a picture of `view`, whose upper left corner is the painter's origin; the painter's units are
-    /// logical pixels.
+    /// logical pixels. Needs a QGuiApplication, as it writes.
     [[nodiscard]] static bool isNeeded(const SceneGpu::View& view);
     void paint(QPainter& painter, const SceneGpu::View& view);
 
@@ -26,7 +26,8 @@ private:
         ShownChange change;
         Theme theme = Theme::Dark;
         float pixelRatio = 1.0f;
-        bool between = false;  ///< two pictures
+        bool between = false;    ///< two pictures
+        double barHeight = 0.0;  ///< logical pixels
         bool operator==(const Legend& other) const;
     };
     void paintLegend(QPainter& painter, const QSizeF& size, const Legend& legend);

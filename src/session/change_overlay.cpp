@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewport/change_overlay.h"
+#include "session/change_overlay.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -19,7 +19,8 @@ namespace {
 constexpr double kEdge = 12.0;    // logical pixels from the picture's edges
 constexpr double kPadding = 8.0;  // within a plate
 constexpr double kBarWidth = 14.0;
-constexpr double kBarHeight = 190.0;
+constexpr double kMostBarHeight = 190.0;
+constexpr double kLeastBarHeight = 48.0;  // a picture that has no room for it goes without
 constexpr double kTick = 4.0;
 constexpr int kTicks = 6;  // at most, between the ends
 
@@ -53,13 +54,23 @@ void paintNote(QPainter& painter, const QString& note, double centre, double top
     painter.drawText(rect, Qt::AlignCenter, note);
 }
 
+/// What a plate with the bar is higher than the bar, in lines of text that high.
+double aroundBar(double textHeight) {
+    return 2.2 * textHeight + 2 * kPadding;
+}
+
+/// What is written below, between two pictures.
+double notesBelow(double textHeight) {
+    return 2.0 * (textHeight + kPadding) + kPadding;
+}
+
 struct Label {
     double value;
     QString text;
 };
 
 /// The ends, and round numbers between them that keep their distance.
-std::vector<Label> labelsOf(const ShownChange& change, double textHeight) {
+std::vector<Label> labelsOf(const ShownChange& change, double barHeight, double textHeight) {
     const double low = static_cast<double>(change.range.low);
     const double high = static_cast<double>(change.range.high);
     const bool counts = change.quantity == ChangeQuantity::HitCount;
@@ -69,7 +80,7 @@ std::vector<Label> labelsOf(const ShownChange& change, double textHeight) {
         return Label{value, QString::number(value, 'f', counts ? 0 : std::min(decimals + 1, 6))};
     };
     std::vector<Label> labels{end(low), end(high)};
-    const double apart = textHeight / kBarHeight * (high - low);
+    const double apart = textHeight / barHeight * (high - low);
     for (double k = std::ceil(low / step); k * step <= high; ++k) {
         const double value = k == 0.0 ? 0.0 : k * step;
         if (value - low > apart && high - value > apart) {
@@ -101,7 +112,7 @@ void paintBar(QPainter& painter, const QRectF& bar, ColourMap map) {
 bool ChangeOverlay::Legend::operator==(const Legend& other) const {
     return title == other.title && change.range == other.change.range && change.map == other.change.map &&
            change.quantity == other.change.quantity && change.isolineStep == other.change.isolineStep &&
-           theme == other.theme && pixelRatio == other.pixelRatio;
+           theme == other.theme && pixelRatio == other.pixelRatio && barHeight == other.barHeight;
 }
 
 void ChangeOverlay::paintLegend(QPainter& painter, const QSizeF& size, const Legend& legend) {
@@ -110,7 +121,7 @@ void ChangeOverlay::paintLegend(QPainter& painter, const QSizeF& size, const Leg
         const Ink ink = inkOf(legend.theme);
         const QFontMetricsF metrics(painter.font());
         const double high = metrics.height();
-        const std::vector<Label> labels = labelsOf(legend.change, 1.15 * high);
+        const std::vector<Label> labels = labelsOf(legend.change, legend.barHeight, 1.15 * high);
         double widest = 0.0;
         for (const Label& label : labels) {
             widest = std::max(widest, metrics.horizontalAdvance(label.text));
@@ -118,7 +129,7 @@ void ChangeOverlay::paintLegend(QPainter& painter, const QSizeF& size, const Leg
         const double width =
             std::max(metrics.horizontalAdvance(legend.title), kBarWidth + 2 * kTick + widest + kTick) +
             2 * kPadding;
-        const QSizeF plate(std::ceil(width), std::ceil(kBarHeight + 2.2 * high + 2 * kPadding));
+        const QSizeF plate(std::ceil(width), std::ceil(legend.barHeight + aroundBar(high)));
         const double ratio = static_cast<double>(legend.pixelRatio);
         m_bar = QImage((plate * ratio).toSize(), QImage::Format_ARGB32_Premultiplied);
         m_bar.setDevicePixelRatio(ratio);
@@ -130,7 +141,7 @@ void ChangeOverlay::paintLegend(QPainter& painter, const QSizeF& size, const Leg
         drawing.setPen(ink.text);
         drawing.drawText(QRectF(kPadding, kPadding, width, high), Qt::AlignLeft | Qt::AlignVCenter,
                          legend.title);
-        const QRectF bar(kPadding, kPadding + 1.7 * high, kBarWidth, kBarHeight);
+        const QRectF bar(kPadding, kPadding + 1.7 * high, kBarWidth, legend.barHeight);
         paintBar(drawing, bar, legend.change.map);
         const double low = static_cast<double>(legend.change.range.low);
         const double span = static_cast<double>(legend.change.range.high) - low;
@@ -143,9 +154,12 @@ void ChangeOverlay::paintLegend(QPainter& painter, const QSizeF& size, const Leg
         }
     }
     const QSizeF plate = m_bar.deviceIndependentSize();
+    if (plate.width() > size.width() / 2) {
+        return;  // it would hide what it explains
+    }
     // Beside the picture's side; of two pictures, between them, so that it covers as little of one as of the
     // other.
-    const double notes = 2.0 * (QFontMetricsF(painter.font()).height() + kPadding) + kPadding;
+    const double notes = notesBelow(QFontMetricsF(painter.font()).height());
     const QPointF at = legend.between ? QPointF(size.width() / 2 - plate.width() / 2,
                                                 size.height() - plate.height() - kEdge - notes)
                                       : QPointF(kEdge, size.height() - plate.height() - kEdge);
@@ -220,9 +234,14 @@ void ChangeOverlay::paint(QPainter& painter, const SceneGpu::View& view) {
     if (view.options.change.on) {
         const ShownChange change =
             shownChange(view.options.change, view.changeValues ? view.changeValues->summary() : Summary());
-        paintLegend(painter, size,
-                    {titleOf(change), change, view.options.theme, view.pixelRatio,
-                     isComparing(view) && view.options.sideBySide});
+        const bool between = isComparing(view) && view.options.sideBySide;
+        const double high = QFontMetricsF(painter.font()).height();
+        const double room = size.height() - 2 * kEdge - aroundBar(high) - (between ? notesBelow(high) : 0.0);
+        if (room >= kLeastBarHeight) {
+            paintLegend(painter, size,
+                        {titleOf(change), change, view.options.theme, view.pixelRatio, between,
+                         std::min(room, kMostBarHeight)});
+        }
     }
     if (beforeAfter.wipe) {
         const bool two = isComparing(view) && view.options.sideBySide;
