@@ -230,7 +230,7 @@ void MainWindow::makeDocks() {
     tabifyDockWidget(constants, lights);
     constants->raise();
     statistics->raise();
-    const int width = isLow ? 380 : 350;
+    const int width = isLow ? 408 : 378;
     resizeDocks({statistics, constants}, {width, width}, Qt::Horizontal);
     if (!isLow) {
         resizeDocks({statistics, constants}, {360, 230}, Qt::Vertical);

@@ -271,15 +271,21 @@ bool mayBeMissing(const Row& row) {
     return key == "volume" || key == "genus" || key.starts_with("centre_of_mass");
 }
 
-/// A change in fewer digits: it is read against the numbers beside it.
+/// A change in fewer digits, as it is read against the numbers beside it: eight characters with its sign,
+/// which is what the column holds.
 QString changeText(double value) {
     constexpr int kDigits = 3;
+    constexpr int kMostDecimals = 5;
+    constexpr int kLeastMagnitude = -4;
+    constexpr int kMostMagnitude = 6;
     const double size = std::abs(value);
-    return size != 0.0 && size < 1000.0 && size > 1.0e-5
-               ? QString::number(
-                     value, 'f',
-                     std::clamp(kDigits - 1 - static_cast<int>(std::floor(std::log10(size))), 0, 7))
-               : QString::number(value, 'g', kDigits);
+    const int magnitude =
+        size > 0.0 && std::isfinite(size) ? static_cast<int>(std::floor(std::log10(size))) : 0;
+    if (magnitude < kLeastMagnitude || magnitude > kMostMagnitude) {
+        return QString::number(value, 'e', 1);
+    }
+    return size > 0.0 ? QString::number(value, 'f', std::clamp(kDigits - 1 - magnitude, 0, kMostDecimals))
+                      : QStringLiteral("0");
 }
 
 QString numberText(const Row& row, double value) {

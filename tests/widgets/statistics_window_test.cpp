@@ -84,6 +84,36 @@ private Q_SLOTS:
         QVERIFY(others->isExpanded(others->model()->index(1, 0)));
     }
 
+    void nothingIsCutShort() {
+        Scene scene;
+        for (const float x : {-0.013f, 0.37f, 1.1f}) {
+            Hit hit;
+            hit.target = scene.session.targets().front()->id;
+            hit.point = {x, 0.4f * x, 2.5f};
+            hit.direction = {0.3f, -0.1f, -0.95f};
+            QVERIFY(scene.session.addHit(hit).ok());
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(scene.number("changed_vertices").toInt() > 100, kPatience);
+        const auto* numbers = scene.find<QTreeView>("numbers");
+        const QAbstractItemModel& model = *numbers->model();
+        const int margins = 2 * (numbers->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1);
+        int texts = 0;
+        for (int section = 0; section < model.rowCount(); ++section) {
+            const QModelIndex parent = model.index(section, 0);
+            for (int row = 0; row < model.rowCount(parent); ++row) {
+                for (int column = 0; column < model.columnCount(parent); ++column) {
+                    const QModelIndex cell = model.index(row, column, parent);
+                    const QString text = cell.data().toString();
+                    const int indent = column == 0 ? 2 * numbers->indentation() : 0;
+                    const int room = numbers->columnWidth(column) - indent - margins;
+                    QVERIFY2(numbers->fontMetrics().horizontalAdvance(text) <= room, qPrintable(text));
+                    texts += text.isEmpty() ? 0 : 1;
+                }
+            }
+        }
+        QVERIFY(texts > 100);
+    }
+
     void copiesAsMarkdown() {
         Scene scene;
         QTRY_COMPARE_WITH_TIMEOUT(scene.number("displacement_max"), QStringLiteral("0.30000"), kPatience);
