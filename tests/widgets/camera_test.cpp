@@ -47,7 +47,7 @@ QString allText(const QWidget& widget) {
 
 }  // namespace
 
-class CameraWindowTest : public QObject {
+class CameraWindowTest : public QObject, protected WindowFixture {
     Q_OBJECT
 public:
     static void initMain() { MainWindow::setSurfaceFormat(); }
@@ -68,34 +68,18 @@ private Q_SLOTS:
     void viewportOnlyAndBack();
 
 private:
-    void makeWindow();
     void settle() { QTRY_VERIFY_WITH_TIMEOUT(!navigation().isMoving(), kPatience); }
     [[nodiscard]] Navigation& navigation() { return m_window->viewport().navigation(); }
     [[nodiscard]] const Camera& camera() { return m_window->viewport().camera(); }
     [[nodiscard]] QPoint centre() const { return m_window->viewport().rect().center(); }
-
-    std::unique_ptr<TestSettings> m_settings;
-    std::unique_ptr<Session> m_session;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 void CameraWindowTest::init() {
-    m_settings = std::make_unique<TestSettings>();
     makeWindow();
 }
 
-void CameraWindowTest::makeWindow() {
-    m_window.reset();
-    m_session = std::make_unique<Session>();
-    m_session->loadMesh(makeHighPolySphere(2.5f));
-    m_window = std::make_unique<MainWindow>(*m_session);
-    showReady(*m_window);
-}
-
 void CameraWindowTest::cleanup() {
-    m_window.reset();
-    m_session.reset();
-    m_settings.reset();
+    dropWindow();
 }
 
 void CameraWindowTest::padKeysTurnToTheAxes() {

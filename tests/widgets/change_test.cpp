@@ -30,21 +30,18 @@ void mouse(QWidget* widget, QEvent::Type type, const QPointF& at, bool held) {
 
 }  // namespace
 
-class ChangeTest : public QObject {
+class ChangeTest : public QObject, protected WindowFixture {
     Q_OBJECT
 public:
     static void initMain() { MainWindow::setSurfaceFormat(); }
 
 private Q_SLOTS:
     void init() {
-        m_window.reset();
-        m_session = std::make_unique<Session>();
-        m_session->loadMesh(makeHighPolySphere());
-        m_window = std::make_unique<MainWindow>(*m_session);
-        showReady(*m_window);
+        makeWindow();
         m_panel = m_window->findChild<ChangePanel*>();
         QVERIFY(m_panel != nullptr);
     }
+    void cleanup() { dropWindow(); }
 
     void keysSwitchWhatIsShown() {
         Viewport& viewport = m_window->viewport();
@@ -195,9 +192,6 @@ private:
         QTRY_VERIFY_WITH_TIMEOUT(m_panel->isVisible(), kPatience);
     }
 
-    TestSettings m_settings;
-    std::unique_ptr<Session> m_session;
-    std::unique_ptr<MainWindow> m_window;
     ChangePanel* m_panel = nullptr;
 };
 

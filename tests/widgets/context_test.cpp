@@ -81,7 +81,7 @@ private:
 
 }  // namespace
 
-class ContextTest : public QObject {
+class ContextTest : public QObject, protected WindowFixture {
     Q_OBJECT
 public:
     static void initMain() { MainWindow::setSurfaceFormat(); }
@@ -100,24 +100,14 @@ private Q_SLOTS:
 private:
     void hitIt();
     [[nodiscard]] QImage shown() { return m_window->viewport().grabFramebuffer(); }
-
-    std::unique_ptr<TestSettings> m_settings;
-    std::unique_ptr<Session> m_session;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 void ContextTest::init() {
-    m_settings = std::make_unique<TestSettings>();
-    m_session = std::make_unique<Session>();
-    m_session->loadMesh(makeHighPolySphere(2.5f));
-    m_window = std::make_unique<MainWindow>(*m_session);
-    showReady(*m_window);
+    makeWindow();
 }
 
 void ContextTest::cleanup() {
-    m_window.reset();
-    m_session.reset();
-    m_settings.reset();
+    dropWindow();
 }
 
 void ContextTest::hitIt() {

@@ -41,24 +41,20 @@ void mouse(QWidget* widget, QEvent::Type type, const QPointF& global, bool held,
 
 }  // namespace
 
-class CutTest : public QObject {
+class CutTest : public QObject, protected WindowFixture {
     Q_OBJECT
 public:
     static void initMain() { MainWindow::setSurfaceFormat(); }
 
 private Q_SLOTS:
     void init() {
-        m_window.reset();
-        m_session = std::make_unique<Session>();
-        m_session->loadMesh(makeHighPolySphere());
-        m_window = std::make_unique<MainWindow>(*m_session);
-        showReady(*m_window);
+        makeWindow();
         m_panel = m_window->findChild<CuttingPlanePanel*>();
         m_actions = m_window->findChild<CutActions*>();
         m_handle = m_window->viewport().findChild<CutHandle*>();
         QVERIFY(m_panel != nullptr && m_actions != nullptr && m_handle != nullptr);
     }
-    void cleanup() { m_window.reset(); }
+    void cleanup() { dropWindow(); }
 
     void theKeySwitchesItOnInTheMiddle() {
         QVERIFY(!m_handle->isVisible());
@@ -312,9 +308,6 @@ private:
         return found;
     }
 
-    TestSettings m_settings;
-    std::unique_ptr<Session> m_session;
-    std::unique_ptr<MainWindow> m_window;
     CuttingPlanePanel* m_panel = nullptr;
     CutActions* m_actions = nullptr;
     CutHandle* m_handle = nullptr;

@@ -19,23 +19,20 @@
 
 using namespace hitscope;
 
-class InspectTest : public QObject {
+class InspectTest : public QObject, protected WindowFixture {
     Q_OBJECT
 public:
     static void initMain() { MainWindow::setSurfaceFormat(); }
 
 private Q_SLOTS:
     void init() {
-        m_window.reset();
-        m_session = std::make_unique<Session>();
-        m_session->loadMesh(makeHighPolySphere(2.5f));
-        m_window = std::make_unique<MainWindow>(*m_session);
-        showReady(*m_window);
+        makeWindow();
         QVERIFY(m_session->hitscan(ray(centre())));
         QVERIFY(m_session->hitscan(ray(centre() + QPoint(60, 10))));
         QVERIFY(viewport().syncNow().ok());
         QVERIFY(target().deformed.statistics().changedVertices > 20);
     }
+    void cleanup() { dropWindow(); }
 
     void altClickPicksAndShootsNothing() {
         const std::size_t hits = m_session->history().size();
@@ -239,10 +236,6 @@ private:
         QCoreApplication::processEvents();
         return *dock->findChild<QTableView*>(QStringLiteral("table"));
     }
-
-    TestSettings m_settings;
-    std::unique_ptr<Session> m_session;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 HITSCOPE_TEST(InspectTest, QApplication)

@@ -22,7 +22,7 @@
 
 using namespace hitscope;
 
-class PicturesTest : public QObject {
+class PicturesTest : public QObject, protected WindowFixture {
     Q_OBJECT
 public:
     static void initMain() { MainWindow::setSurfaceFormat(); }
@@ -65,26 +65,17 @@ private:
         return pictures().save(request, file).ok() ? QImage(file) : QImage();
     }
 
-    std::unique_ptr<TestSettings> m_settings;
     std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<Session> m_session;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 void PicturesTest::init() {
-    m_settings = std::make_unique<TestSettings>();
     m_folder = std::make_unique<QTemporaryDir>();
-    m_session = std::make_unique<Session>();
-    m_session->loadMesh(makeHighPolySphere(2.5f));
-    m_window = std::make_unique<MainWindow>(*m_session);
-    showReady(*m_window);
+    makeWindow();
 }
 
 void PicturesTest::cleanup() {
-    m_window.reset();
-    m_session.reset();
+    dropWindow();
     m_folder.reset();
-    m_settings.reset();
 }
 
 PictureRequest PicturesTest::request(int width, int height) {

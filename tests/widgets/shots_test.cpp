@@ -17,13 +17,14 @@
 using namespace hitscope;
 
 /// The aim preview, the dialog for bursts and sequences, and a target's physics, by mouse and keys.
-class ShotsTest : public QObject {
+class ShotsTest : public QObject, protected WindowFixture {
     Q_OBJECT
 public:
     static void initMain() { MainWindow::setSurfaceFormat(); }
 
 private Q_SLOTS:
     void init();
+    void cleanup() { dropWindow(); }
     void restingCursorForetells();
     void previewCanBeTurnedOff();
     void burstFromTheDialog();
@@ -34,18 +35,10 @@ private:
     [[nodiscard]] QLabel& label() const { return *m_window->findChild<QLabel*>("aimPreview"); }
     void moveTo(const QPoint& at);
     ShotSeriesDialog* openDialog(const QString& menuText);
-
-    TestSettings m_settings;
-    std::unique_ptr<Session> m_session;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 void ShotsTest::init() {
-    m_window.reset();
-    m_session = std::make_unique<Session>();
-    m_session->loadMesh(makeHighPolySphere(2.5f));
-    m_window = std::make_unique<MainWindow>(*m_session);
-    showReady(*m_window);
+    makeWindow();
 }
 
 void ShotsTest::moveTo(const QPoint& at) {

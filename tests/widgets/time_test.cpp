@@ -11,13 +11,14 @@
 using namespace hitscope;
 
 /// Pause, single step, slow motion and time scale, by key and in the tool bar; the badge says so.
-class TimeTest : public QObject {
+class TimeTest : public QObject, protected WindowFixture {
     Q_OBJECT
 public:
     static void initMain() { MainWindow::setSurfaceFormat(); }
 
 private Q_SLOTS:
     void init();
+    void cleanup() { dropWindow(); }
     void pauseKeyStopsAFlight();
     void stepKeyMakesOneStepAndPauses();
     void slowMotionAndScale();
@@ -26,18 +27,10 @@ private Q_SLOTS:
 private:
     [[nodiscard]] QLabel& badge() const { return *m_window->findChild<QLabel*>("timeBadge"); }
     [[nodiscard]] double time() const { return m_session->physics().time(); }
-
-    TestSettings m_settings;
-    std::unique_ptr<Session> m_session;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 void TimeTest::init() {
-    m_window.reset();
-    m_session = std::make_unique<Session>();
-    m_session->loadPaperRow(kDefaultPaperRow);
-    m_window = std::make_unique<MainWindow>(*m_session);
-    showReady(*m_window);
+    makeWindow([](Session& session) { session.loadPaperRow(kDefaultPaperRow); });
 }
 
 void TimeTest::pauseKeyStopsAFlight() {

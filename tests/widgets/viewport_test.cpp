@@ -20,13 +20,14 @@ bool near(const glm::vec3& a, const glm::vec3& b, float distance = 1.0e-3f) {
 
 }  // namespace
 
-class ViewportTest : public QObject {
+class ViewportTest : public QObject, protected WindowFixture {
     Q_OBJECT
 public:
     static void initMain() { MainWindow::setSurfaceFormat(); }
 
 private Q_SLOTS:
     void init();
+    void cleanup() { dropWindow(); }
     void clickShootsWhereItPoints();
     void aimAllowsForTheFall();
     void dragOrbitsAndShootsNothing();
@@ -44,18 +45,10 @@ private:
     [[nodiscard]] QPoint centre() const { return m_window->viewport().rect().center(); }
     void drag(Qt::MouseButton button, Qt::KeyboardModifiers keys, const QPoint& by);
     [[nodiscard]] std::size_t flying() const { return m_session->physics().projectileCount(); }
-
-    TestSettings m_settings;
-    std::unique_ptr<Session> m_session;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 void ViewportTest::init() {
-    m_window.reset();
-    m_session = std::make_unique<Session>();
-    m_session->loadMesh(makeHighPolySphere(2.5f));
-    m_window = std::make_unique<MainWindow>(*m_session);
-    showReady(*m_window);
+    makeWindow();
 }
 
 void ViewportTest::drag(Qt::MouseButton button, Qt::KeyboardModifiers keys, const QPoint& by) {

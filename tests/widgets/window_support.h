@@ -5,9 +5,12 @@
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
+#include <functional>
+#include <memory>
 
 #include "app/main_window.h"
 #include "io/export_obj.h"
+#include "mesh/primitives.h"
 #include "session/session.h"
 #include "viewport/viewport.h"
 
@@ -44,6 +47,33 @@ inline void showReady(MainWindow& window) {
     window.viewport().setFocus();
     QTRY_VERIFY_WITH_TIMEOUT(!window.viewport().rendererName().isEmpty(), kPatience);
 }
+
+/// For classes of tests that want a window for each test, with a session and settings of its own.
+class WindowFixture {
+protected:
+    /// In init(), or again, with the settings as they have become. `load` gives the session its scene.
+    void makeWindow(const std::function<void(Session&)>& load = loadSphere) {
+        m_window.reset();
+        if (!m_settings) {
+            m_settings = std::make_unique<TestSettings>();
+        }
+        m_session = std::make_unique<Session>();
+        load(*m_session);
+        m_window = std::make_unique<MainWindow>(*m_session);
+        showReady(*m_window);
+    }
+    /// In cleanup().
+    void dropWindow() {
+        m_window.reset();
+        m_session.reset();
+        m_settings.reset();
+    }
+    static void loadSphere(Session& session) { session.loadMesh(makeHighPolySphere(2.5f)); }
+
+    std::unique_ptr<TestSettings> m_settings;
+    std::unique_ptr<Session> m_session;
+    std::unique_ptr<MainWindow> m_window;
+};
 
 inline void writeObj(const MeshData& mesh, const QString& path) {
     ObjExport what;
