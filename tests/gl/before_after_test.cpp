@@ -7,6 +7,7 @@
 #include "mesh/primitives.h"
 #include "session/demo_shots.h"
 #include "session/scene_gpu.h"
+#include "support/baseline.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
@@ -16,21 +17,6 @@ namespace {
 
 constexpr int kWidth = 200;
 constexpr int kHeight = 150;
-
-int differing(const QImage& a, const QImage& b, int tolerance = 0) {
-    int count = 0;
-    for (int y = 0; y < a.height(); ++y) {
-        for (int x = 0; x < a.width(); ++x) {
-            const QColor p = a.pixelColor(x, y);
-            const QColor q = b.pixelColor(x, y);
-            count += std::abs(p.red() - q.red()) > tolerance || std::abs(p.green() - q.green()) > tolerance ||
-                             std::abs(p.blue() - q.blue()) > tolerance
-                         ? 1
-                         : 0;
-        }
-    }
-    return count;
-}
 
 }  // namespace
 
@@ -62,7 +48,7 @@ private Q_SLOTS:
         const QImage before = picture();
         dent(session);
         const QImage after = picture();
-        QVERIFY(differing(before, after, 4) > 100);
+        QVERIFY(test::differing(before, after, 4) > 100);
         for (const float at : {0.0f, 0.3f, 0.5f, 1.0f}) {
             m_view.options.beforeAfter.wipe = true;
             m_view.options.beforeAfter.wipeAt = at;
@@ -90,7 +76,7 @@ private Q_SLOTS:
         const QImage ghost = picture();
         m_view.options.beforeAfter.ghost = GhostMode::Off;
         const QImage after = picture();
-        const int seen = differing(ghost, after, 4);
+        const int seen = test::differing(ghost, after, 4);
         QVERIFY2(seen > 50 && seen < kWidth * kHeight / 4, qPrintable(QString::number(seen)));
         session.clearHits();
         m_view.options.beforeAfter.ghost = static_cast<GhostMode>(mode);
@@ -116,7 +102,7 @@ private Q_SLOTS:
         m_view.options.beforeAfter.exaggeration = kFactor;
         const QImage exaggerated = edges();
         constexpr int kLine = 40;  // a usual edge's length, by which lines fade, is not quite the same
-        const int moved = differing(plain, exaggerated, kLine);
+        const int moved = test::differing(plain, exaggerated, kLine);
         QVERIFY(moved > 50);
         MeshData mesh = session.targets()[0]->deformed.original();
         for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
@@ -129,7 +115,7 @@ private Q_SLOTS:
         Session moving;
         open(moving, std::move(plan), PipelineKind::TransformFeedback);
         m_view.camera = camera;
-        const int different = differing(edges(), exaggerated, kLine);
+        const int different = test::differing(edges(), exaggerated, kLine);
         QVERIFY2(different < moved / 10, qPrintable(QStringLiteral("%1 of %2").arg(different).arg(moved)));
     }
 
