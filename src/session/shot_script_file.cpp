@@ -18,7 +18,7 @@ namespace hitscope {
 namespace {
 
 constexpr int kVersion = 1;
-constexpr qint64 kLargestFile = 64 * 1024 * 1024;  // bytes
+constexpr qint64 kLargestFile = qint64{64} << 20;  // bytes
 constexpr double kFarthest = 1.0e7;                // metres: beyond that nothing is simulated
 constexpr double kLongest = 86400.0;               // seconds
 // Of projectileParameters(): how the session shoots by hand, and how it makes hits, is not the script's.

@@ -132,7 +132,7 @@ private Q_SLOTS:
         // Each picture has its own line.
         Viewport& viewport = m_window->viewport();
         child<QCheckBox>("wipe")->click();
-        const double half = viewport.width() / 2;
+        const double half = viewport.width() / 2.0;
         const double y = viewport.height() / 2.0;
         mouse(&viewport, QEvent::MouseButtonPress, {1.5 * half, y}, true);
         mouse(&viewport, QEvent::MouseMove, {1.25 * half, y}, true);

@@ -300,7 +300,7 @@ void ContextTest::idleWindowPaintsNothing() {
     QElapsedTimer patience;
     patience.start();
     qsizetype last = -1;
-    while (last != paints.count() && patience.elapsed() < 2 * kPatience) {
+    while (last != paints.count() && patience.elapsed() < qint64{2} * kPatience) {
         last = paints.count();
         QTest::qWait(2500);
     }

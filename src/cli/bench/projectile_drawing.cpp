@@ -50,8 +50,9 @@ private:
         const Bounds bounds = m_session.sceneBounds();
         constexpr int kRow = 50;
         for (int i = 0; i < kProjectiles; ++i) {
+            const int row = i / kRow;
             const glm::vec3 share(static_cast<float>(i % kRow) / kRow, 0.0f,
-                                  static_cast<float>(i / kRow) * kRow / kProjectiles);
+                                  static_cast<float>(row) * kRow / kProjectiles);
             glm::vec3 origin = bounds.min + share * bounds.size();
             origin.y = bounds.max.y + 1.0f;
             m_session.shoot({origin, {0.0f, 1.0f, 0.0f}});

@@ -146,6 +146,7 @@ const CostCurves& CostView::shown() const {
 
 std::vector<NamedCurve> CostView::curves() const {
     std::vector<NamedCurve> curves;
+    curves.reserve(std::size(kPipelines));
     for (const PipelineKind pipeline : kPipelines) {
         curves.push_back({pipeline, shown().points(pipeline)});
     }

@@ -6,7 +6,7 @@
 namespace hitscope {
 
 void applyPlotTheme(QCustomPlot& plot, const QWidget& owner) {
-    const QPalette palette = owner.palette();
+    const QPalette& palette = owner.palette();
     const QColor ink = palette.color(QPalette::WindowText);
     QColor faint = ink;
     faint.setAlphaF(0.15f);
