@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMenu>
 #include <QProgressDialog>
 #include <QSettings>
@@ -32,6 +33,13 @@ QString pictureFolder() {
 
 void rememberFolder(const QString& folder) {
     QSettings().setValue(folderKey(), folder);
+}
+
+/// The name first: of a long path the status bar shows the beginning.
+QString savedText(const QString& path) {
+    const QFileInfo file(path);
+    return PictureActions::tr("Saved %1 in %2")
+        .arg(file.fileName(), QDir::toNativeSeparators(file.absolutePath()));
 }
 
 QAction* addAction(QMenu& menu, const QString& text, const QKeySequence& key) {
@@ -97,7 +105,7 @@ void PictureActions::saveAtOnce() {
     if (Status saved = save(path); !saved) {
         Q_EMIT failed(saved.error());
     } else {
-        Q_EMIT said(tr("Saved %1").arg(QDir::toNativeSeparators(path)));
+        Q_EMIT said(savedText(path));
     }
 }
 
@@ -133,7 +141,7 @@ void PictureActions::choosePicture() {
     if (Status saved = save(requestOf(dialog), path); !saved) {
         Q_EMIT failed(saved.error());
     } else {
-        Q_EMIT said(tr("Saved %1").arg(QDir::toNativeSeparators(path)));
+        Q_EMIT said(savedText(path));
     }
 }
 

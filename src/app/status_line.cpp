@@ -17,7 +17,7 @@ namespace hitscope {
 namespace {
 
 constexpr int kProgressDelay = 500;  // milliseconds
-constexpr int kDone = 100;  // per cent
+constexpr int kDone = 100;           // per cent
 
 }  // namespace
 
