@@ -21,6 +21,7 @@
 #include "io/import.h"
 #include "models/focus_target.h"
 #include "session/export_target.h"
+#include "session/shown_number.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -136,9 +137,10 @@ void MainWindow::saidOpened(const QStringList& paths, const QStringList& notes) 
         const QString text = relative
                                  ? tr("This mesh is %1 m across; a projectile is %2 m.")
                                  : tr("This mesh is %1 m across; hits reach %2 m around where they land.");
-        lines.prepend(
-            text.arg(static_cast<double>(extent), 0, 'g', 3).arg(static_cast<double>(reach), 0, 'g', 3));
-        m_notice->say(lines.join(u'\n'), tr("Scale to %1 m").arg(static_cast<double>(kUsualExtent)),
+        lines.prepend(text.arg(shownNumber(static_cast<double>(extent), 'g', 3),
+                               shownNumber(static_cast<double>(reach), 'g', 3)));
+        m_notice->say(lines.join(u'\n'),
+                      tr("Scale to %1 m").arg(shownNumber(static_cast<double>(kUsualExtent))),
                       [this] { placeMesh(kUsualExtent); });
     } else if (!lines.isEmpty()) {
         m_notice->say(lines.join(u'\n'));

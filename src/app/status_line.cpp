@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "models/quantity_text.h"
+#include "session/shown_number.h"
 #include "session/task_list.h"
 
 namespace hitscope {
@@ -124,7 +125,8 @@ void StatusLine::showRenderer() {
 }
 
 void StatusLine::setFrameRate(double framesPerSecond) {
-    m_frameRate->setText(framesPerSecond > 0.0 ? tr("%1 FPS").arg(framesPerSecond, 0, 'f', 0) : tr("idle"));
+    m_frameRate->setText(framesPerSecond > 0.0 ? tr("%1 FPS").arg(shownNumber(framesPerSecond, 'f', 0))
+                                               : tr("idle"));
 }
 
 void StatusLine::showScene() {

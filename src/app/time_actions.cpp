@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "panels/icons/themed_icon.h"
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -33,7 +34,8 @@ TimeActions::TimeActions(Session& session, QObject* parent)
       m_session(session),
       m_pause(makeAction(tr("P&ause"), Qt::Key_P, QStringLiteral("pause"))),
       m_step(makeAction(tr("Single S&tep"), Qt::Key_Period, QStringLiteral("step"))),
-      m_slow(makeAction(tr("Slow &Motion (0.1×)"), Qt::Key_Comma, QStringLiteral("slow"))),
+      m_slow(makeAction(tr("Slow &Motion (%1×)").arg(shownNumber(kSlowMotion)), Qt::Key_Comma,
+                        QStringLiteral("slow"))),
       m_steps(new QActionGroup(this)) {
     m_pause->setCheckable(true);
     m_slow->setCheckable(true);

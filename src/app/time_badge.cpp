@@ -5,6 +5,7 @@
 #include <QStringList>
 
 #include "models/quantity_text.h"
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -18,7 +19,7 @@ QString timeText(const PhysicsWorld& physics) {
     if (scale == 1.0) {
         return {};
     }
-    const QString factor = QString::number(scale, 'g', 3);
+    const QString factor = shownNumber(scale, 'g', 3);
     return scale < 1.0 ? TimeBadge::tr("Slow motion %1×").arg(factor)
                        : TimeBadge::tr("Fast motion %1×").arg(factor);
 }

@@ -5,6 +5,7 @@
 
 #include "models/quantity_text.h"
 #include "models/vertex_facts.h"
+#include "session/shown_number.h"
 #include "session/vertex_selection.h"
 #include "viewport/inspect_tool.h"
 #include "viewport/viewport.h"
@@ -53,11 +54,11 @@ QString VertexLabel::describe(const Target& target, std::uint32_t vertex) {
     } else {
         text += row(tr("Position"), tr("%1 m, not moved").arg(vectorText(facts.original)));
     }
-    text += row(tr("Normal"), facts.turned == 0.0
-                                  ? vectorText(facts.normal)
-                                  : tr("%1, turned by %2°")
-                                        .arg(vectorText(facts.normal),
-                                             QString::number(glm::degrees(facts.turned), 'f', 1)));
+    text += row(tr("Normal"),
+                facts.turned == 0.0
+                    ? vectorText(facts.normal)
+                    : tr("%1, turned by %2°")
+                          .arg(vectorText(facts.normal), shownNumber(glm::degrees(facts.turned), 'f', 1)));
     return text + QStringLiteral("</table>");
 }
 

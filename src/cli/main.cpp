@@ -2,6 +2,7 @@
 #include <QCommandLineParser>
 #include <QCoreApplication>
 #include <QGuiApplication>
+#include <QLocale>
 #include <QTextStream>
 #include <limits>
 #include <memory>
@@ -154,6 +155,7 @@ std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv) {
 int main(int argc, char** argv) {
     hitscope::keepFreedMemory();
     const std::unique_ptr<QCoreApplication> app = makeApplication(argc, argv);
+    QLocale::setDefault(QLocale::c());  // scripts read what it writes, pictures among it
     QCoreApplication::setApplicationName(QStringLiteral("hitscope-cli"));
     QCoreApplication::setApplicationVersion(QStringLiteral(HITSCOPE_VERSION));
 

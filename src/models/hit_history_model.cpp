@@ -10,6 +10,7 @@
 #include "models/quantity_text.h"
 #include "session/frame_costs.h"
 #include "session/hit_files.h"
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -237,11 +238,11 @@ QString HitHistoryModel::text(const Hit& hit, std::size_t row, int column) const
         case TimeColumn:
         case SpeedColumn:
         case ImpulseColumn:
-            return QString::number(*value, 'f', 2);
+            return shownNumber(*value, 'f', 2);
         case GreatestColumn:
         case CpuCostColumn:
         case GpuCostColumn:
-            return QString::number(*value, 'f', 3);
+            return shownNumber(*value, 'f', 3);
         case MaxDistanceColumn:
         case PowerColumn:
         case MaxMagnitudeColumn:

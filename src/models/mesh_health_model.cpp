@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "models/quantity_text.h"
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -87,9 +88,9 @@ QString MeshHealthModel::text(const HarmRow& row, int column) const {
                    : row.harm.kind == FaceHarm::Kind::Degenerated ? tr("degenerated")
                                                                   : tr("stretched");
         case StretchColumn:
-            return std::isfinite(row.harm.stretch)
-                       ? QStringLiteral("%1 ×").arg(static_cast<double>(row.harm.stretch), 0, 'f', 2)
-                       : QStringLiteral("∞");
+            return std::isfinite(row.harm.stretch) ? QStringLiteral("%1 ×").arg(shownNumber(
+                                                         static_cast<double>(row.harm.stretch), 'f', 2))
+                                                   : QStringLiteral("∞");
         case HitColumn:
             return row.hit ? countText(*row.hit + 1) : QStringLiteral("–");
         default:
@@ -110,7 +111,7 @@ QString MeshHealthModel::toolTip(const HarmRow& row) const {
         case FaceHarm::Kind::Stretched:
             return tr("%1: one of its edges is %2 times as long as in the original.")
                 .arg(face)
-                .arg(static_cast<double>(row.harm.stretch), 0, 'f', 2);
+                .arg(shownNumber(static_cast<double>(row.harm.stretch), 'f', 2));
     }
     return face;
 }

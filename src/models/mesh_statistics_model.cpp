@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 
 #include "models/focus_target.h"
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -200,7 +201,7 @@ QString MeshStatisticsModel::cellToolTip(const StatisticsRow& row, int column) c
         if (!reason.isEmpty()) {
             text += u'\n' + reason;
         } else if (value && row.kind == StatisticsRow::Kind::Quantity) {
-            text += u'\n' + QString::number(*value, 'g', 15) + u' ' + QString::fromUtf8(row.unit);
+            text += u'\n' + shownNumber(*value, 'g', 15) + u' ' + QString::fromUtf8(row.unit);
         }
     }
     // Rich text is broken into lines.

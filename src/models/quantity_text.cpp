@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "models/quantity_text.h"
 
-#include <QLocale>
 #include <algorithm>
 #include <cmath>
+
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -16,37 +17,34 @@ constexpr int kExponentDecimals = 2;
 constexpr int kLeastMagnitude = -4;
 constexpr int kMostMagnitude = 8;
 
-/// The C locale, which bare machines have, leaves group separators out; long vertex counts need them.
-QLocale groupingLocale() {
-    QLocale locale;
-    locale.setNumberOptions(locale.numberOptions() & ~QLocale::OmitGroupSeparator);
-    return locale;
+QString joined(const glm::vec3& vector, const QString& separator, QString (*text)(double)) {
+    return text(static_cast<double>(vector.x)) + separator + text(static_cast<double>(vector.y)) + separator +
+           text(static_cast<double>(vector.z));
 }
 
 }  // namespace
 
 QString countText(std::size_t count) {
-    return groupingLocale().toString(static_cast<qulonglong>(count));
+    return shownCount(count);
 }
 
 QString quantityText(double value) {
-    const QLocale locale = groupingLocale();
     if (value == 0.0 || !std::isfinite(value)) {
-        return locale.toString(value, 'g', kSignificantDigits);
+        return shownNumber(value, 'g', kSignificantDigits);
     }
     const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value))));
     if (magnitude < kLeastMagnitude || magnitude > kMostMagnitude) {
-        return locale.toString(value, 'e', kExponentDecimals);
+        return shownNumber(value, 'e', kExponentDecimals);
     }
-    return locale.toString(value, 'f', std::clamp(kSignificantDigits - 1 - magnitude, 0, kMostDecimals));
+    return shownNumber(value, 'f', std::clamp(kSignificantDigits - 1 - magnitude, 0, kMostDecimals));
 }
 
 QString vectorText(const glm::vec3& vector) {
-    const QLocale locale = groupingLocale();
-    const auto number = [&locale](float value) {
-        return locale.toString(static_cast<double>(value), 'f', 3);
-    };
-    return QStringLiteral("%1, %2, %3").arg(number(vector.x), number(vector.y), number(vector.z));
+    return joined(vector, numberSeparator(), [](double value) { return shownNumber(value, 'f', 3); });
+}
+
+QString copiedVectorText(const glm::vec3& vector) {
+    return joined(vector, QStringLiteral(", "), [](double value) { return QString::number(value, 'f', 3); });
 }
 
 }  // namespace hitscope

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "models/quantity_text.h"
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -71,7 +72,7 @@ void readCurve(Nearest& best, const TargetSection& section, std::size_t curve, c
 
 QString coordinateText(const SectionView::Axis& axis, const QString& word, double value) {
     const QString name = axis.name != 0 ? QString(QLatin1Char(axis.name)) : word;
-    return name + u' ' + QString::number(value, 'f', 3);
+    return name + u' ' + shownNumber(value, 'f', 3);
 }
 
 QByteArray quoted(const QString& text) {
@@ -142,7 +143,7 @@ std::optional<SectionReading> deepestOf(const SceneSection& section, const Secti
 
 QString placeText(const SectionView& view, const glm::vec3& place) {
     const glm::dvec2 flat = view(place);
-    return coordinateText(view.right, tr("across"), flat.x) + QStringLiteral(", ") +
+    return coordinateText(view.right, tr("across"), flat.x) + numberSeparator() +
            coordinateText(view.up, tr("up"), flat.y);
 }
 
@@ -152,7 +153,7 @@ QString sectionText(const SceneSection& section, const SectionScope& scope) {
         lines.append(name + u'\t' + value + u'\t' + unit);
     };
     const auto metres = [](double value) { return QString::number(value, 'g', 6); };
-    add(tr("Normal"), vectorText(section.cut.normal));
+    add(tr("Normal"), copiedVectorText(section.cut.normal));
     add(tr("Offset"), metres(static_cast<double>(section.cut.offset)), QStringLiteral("m"));
     for (const TargetSection& target : section.targets) {
         if (scope.holds(target)) {
@@ -164,7 +165,7 @@ QString sectionText(const SceneSection& section, const SectionScope& scope) {
         }
     }
     if (const auto deepest = deepestOf(section, scope)) {
-        add(tr("Deepest at"), vectorText(deepest->place), QStringLiteral("m"));
+        add(tr("Deepest at"), copiedVectorText(deepest->place), QStringLiteral("m"));
     }
     return lines.join(u'\n');
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "models/quantity_text.h"
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -282,9 +283,9 @@ QString changeText(double value) {
     const int magnitude =
         size > 0.0 && std::isfinite(size) ? static_cast<int>(std::floor(std::log10(size))) : 0;
     if (magnitude < kLeastMagnitude || magnitude > kMostMagnitude) {
-        return QString::number(value, 'e', 1);
+        return shownNumber(value, 'e', 1);
     }
-    return size > 0.0 ? QString::number(value, 'f', std::clamp(kDigits - 1 - magnitude, 0, kMostDecimals))
+    return size > 0.0 ? shownNumber(value, 'f', std::clamp(kDigits - 1 - magnitude, 0, kMostDecimals))
                       : QStringLiteral("0");
 }
 
@@ -294,7 +295,7 @@ QString numberText(const Row& row, double value) {
             return (value < 0.0 ? QStringLiteral("-") : QString()) +
                    countText(static_cast<std::size_t>(std::abs(value)));
         case Row::Kind::Percent:
-            return QString::number(value, 'f', 2);
+            return shownNumber(value, 'f', 2);
         case Row::Kind::YesNo:
             return value != 0.0 ? tr("yes") : tr("no");
         case Row::Kind::Quantity:

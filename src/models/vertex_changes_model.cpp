@@ -7,6 +7,7 @@
 
 #include "models/focus_target.h"
 #include "models/quantity_text.h"
+#include "session/shown_number.h"
 #include "session/vertex_selection.h"
 
 namespace hitscope {
@@ -338,7 +339,7 @@ QString VertexChangesModel::text(std::uint32_t vertex, int column) const {
         case LengthColumn:
             return quantityText(facts.length);
         case TurnedColumn:
-            return QString::number(glm::degrees(facts.turned), 'f', 1);
+            return shownNumber(glm::degrees(facts.turned), 'f', 1);
         case HitsColumn:
             return countText(hitsOf(vertex));
         default:

@@ -11,6 +11,7 @@
 #include "session/change_values.h"
 #include "session/comparison.h"
 #include "session/comparison_text.h"
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -77,14 +78,14 @@ std::vector<Label> labelsOf(const ShownChange& change, double barHeight, double 
     const double step = std::max(niceStep(low, high, kTicks), counts ? 1.0 : 0.0);
     const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 6);
     const auto end = [&](double value) {
-        return Label{value, QString::number(value, 'f', counts ? 0 : std::min(decimals + 1, 6))};
+        return Label{value, shownNumber(value, 'f', counts ? 0 : std::min(decimals + 1, 6))};
     };
     std::vector<Label> labels{end(low), end(high)};
     const double apart = textHeight / barHeight * (high - low);
     for (double k = std::ceil(low / step); k * step <= high; ++k) {
         const double value = k == 0.0 ? 0.0 : k * step;
         if (value - low > apart && high - value > apart) {
-            labels.push_back({value, QString::number(value, 'f', decimals)});
+            labels.push_back({value, shownNumber(value, 'f', decimals)});
         }
     }
     return labels;
@@ -256,7 +257,7 @@ void ChangeOverlay::paint(QPainter& painter, const SceneGpu::View& view) {
     }
     if (beforeAfter.exaggeration != 1.0f) {
         const QString note = words(QT_TRANSLATE_NOOP("hitscope::ChangeOverlay", "Displacement drawn x%1"))
-                                 .arg(static_cast<double>(beforeAfter.exaggeration), 0, 'g', 3);
+                                 .arg(shownNumber(static_cast<double>(beforeAfter.exaggeration), 'g', 3));
         const QFontMetricsF metrics(painter.font());
         paintNote(painter, note, size.width() / 2, size.height() - kEdge - metrics.height() - kPadding, ink);
     }

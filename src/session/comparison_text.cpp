@@ -2,7 +2,8 @@
 #include "session/comparison_text.h"
 
 #include <QCoreApplication>
-#include <QLocale>
+
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -20,15 +21,14 @@ QString comparisonText(const Comparison& comparison) {
     QString text = report.largest == 0.0
                        ? tr(QT_TRANSLATE_NOOP("hitscope::Comparison",
                                               "A and B agree: largest difference 0 m, RMS 0 m, %1 vertices"))
-                             .arg(QLocale().toString(static_cast<qulonglong>(report.vertices)))
+                             .arg(shownCount(report.vertices))
                        : tr(QT_TRANSLATE_NOOP("hitscope::Comparison",
                                               "A and B differ: by %1 m at most, RMS %2 m, %3 vertices"))
-                             .arg(QString::number(report.largest, 'g', 4),
-                                  QString::number(report.rootMeanSquare, 'g', 4),
-                                  QLocale().toString(static_cast<qulonglong>(report.vertices)));
+                             .arg(shownNumber(report.largest, 'g', 4),
+                                  shownNumber(report.rootMeanSquare, 'g', 4), shownCount(report.vertices));
     if (report.droppedHits > 0) {
         text += tr(QT_TRANSLATE_NOOP("hitscope::Comparison", "; B has dropped %1 hits"))
-                    .arg(QLocale().toString(static_cast<qulonglong>(report.droppedHits)));
+                    .arg(shownCount(report.droppedHits));
     }
     return text;
 }

@@ -3,12 +3,12 @@
 
 #include <QEvent>
 #include <QLabel>
-#include <QLocale>
 #include <QMouseEvent>
 #include <algorithm>
 #include <memory>
 
 #include "deform/dent_preview.h"
+#include "session/shown_number.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -117,11 +117,10 @@ void AimPreview::show() {
         ghost->push_back(target->transform.toWorld(corner));
     }
     m_viewport.setGhost(std::move(ghost));
-    const QLocale locale;
-    const auto count = static_cast<qulonglong>(preview.affectedVertices);
-    const QString depth = locale.toString(static_cast<double>(preview.depth), 'f', 3);
+    const std::size_t count = preview.affectedVertices;
+    const QString depth = shownNumber(static_cast<double>(preview.depth), 'f', 3);
     showText(count == 1 ? tr("1 vertex, %1 m deep").arg(depth)
-                        : tr("%1 vertices, %2 m deep").arg(locale.toString(count), depth));
+                        : tr("%1 vertices, %2 m deep").arg(shownCount(count), depth));
 }
 
 void AimPreview::showText(const QString& text) {

@@ -25,6 +25,7 @@ private Q_SLOTS:
     void cameraTakesText();
     void cutsTargetsOpen();
     void changeHasAColourBar();
+    void changeHasPointsInEveryLocale();
     void sequences();
     void wrongUsage_data();
     void wrongUsage();
@@ -109,6 +110,18 @@ void PictureTest::changeHasAColourBar() {
     QCOMPARE(draw("--size 64x48 --change displacement"),
              draw("--size 64x48 --change displacement --no-labels"));
     QVERIFY(draw("--size 640x360 --change hits") != bare);
+}
+
+void PictureTest::changeHasPointsInEveryLocale() {
+    const auto draw = [this](const QString& locale) {
+        const QString file = path(QStringLiteral("locale.png"));
+        const CliRun run = runCli(words("picture --shots 5 --size 640x360 --change displacement") << file,
+                                  {{QStringLiteral("LC_ALL"), locale}});
+        return run.status == 0 ? QImage(file) : QImage();
+    };
+    const QImage plain = draw(QStringLiteral("C"));
+    QVERIFY(!plain.isNull());
+    QCOMPARE(draw(QStringLiteral("de_DE.UTF-8")), plain);
 }
 
 void PictureTest::sequences() {

@@ -3,6 +3,8 @@
 
 #include <QProcess>
 #include <QStringList>
+#include <utility>
+#include <vector>
 
 namespace hitscope::test {
 
@@ -12,13 +14,17 @@ struct CliRun {
     QString err;
 };
 
-/// hitscope-cli as a person runs it where there is no display at all.
-inline CliRun runCli(const QStringList& arguments) {
+/// hitscope-cli as a person runs it where there is no display at all. `more`: {variable, value} pairs.
+inline CliRun runCli(const QStringList& arguments,
+                     const std::vector<std::pair<QString, QString>>& more = {}) {
     constexpr int kPatience = 100'000;  // milliseconds
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.remove(QStringLiteral("DISPLAY"));
     environment.remove(QStringLiteral("WAYLAND_DISPLAY"));
+    for (const auto& [variable, value] : more) {
+        environment.insert(variable, value);
+    }
     process.setProcessEnvironment(environment);
     process.start(qEnvironmentVariable("HITSCOPE_CLI"), arguments);
     CliRun run;

@@ -8,6 +8,7 @@
 
 #include "models/quantity_text.h"
 #include "session/comparison_text.h"
+#include "session/shown_number.h"
 #include "ui_change.h"
 
 namespace hitscope {
@@ -237,11 +238,10 @@ void ChangePanel::showNumbers() {
     const QString unit = QString::fromUtf8(changeTraits(m_map.quantity).unit);
     const double mean = summary.sum / static_cast<double>(summary.count);
     m_ui->numbers->setText(tr("%1 vertices: %2 to %3, mean %4 %5")
-                               .arg(countText(summary.count), QString::number(summary.low, 'g', 4),
-                                    QString::number(summary.high, 'g', 4), QString::number(mean, 'g', 4),
-                                    unit));
+                               .arg(countText(summary.count), shownNumber(summary.low, 'g', 4),
+                                    shownNumber(summary.high, 'g', 4), shownNumber(mean, 'g', 4), unit));
     m_ui->numbers->setToolTip(
-        tr("Root mean square: %1 %2").arg(summary.rootMeanSquare(), 0, 'g', 5).arg(unit));
+        tr("Root mean square: %1 %2").arg(shownNumber(summary.rootMeanSquare(), 'g', 5), unit));
 }
 
 void ChangePanel::showHistogram() {

@@ -9,6 +9,7 @@
 
 #include "models/focus_target.h"
 #include "panels/deformation_constants/parameter_editor.h"
+#include "session/shown_number.h"
 #include "ui_deformation_constants.h"
 
 namespace hitscope {
@@ -20,13 +21,13 @@ enum Size { Relative, InMetres };  // rows of the form's combo box
 /// "12.0 mm", "5.00 m": three digits, in the unit that keeps them readable.
 QString lengthText(double metres) {
     if (metres >= 1000.0) {
-        return DeformationConstantsPanel::tr("%1 km").arg(metres / 1000.0, 0, 'g', 3);
+        return DeformationConstantsPanel::tr("%1 km").arg(shownNumber(metres / 1000.0, 'g', 3));
     }
     if (metres >= 1.0 || metres == 0.0) {
-        return DeformationConstantsPanel::tr("%1 m").arg(metres, 0, 'g', 3);
+        return DeformationConstantsPanel::tr("%1 m").arg(shownNumber(metres, 'g', 3));
     }
-    return metres >= 1.0e-3 ? DeformationConstantsPanel::tr("%1 mm").arg(metres * 1.0e3, 0, 'g', 3)
-                            : DeformationConstantsPanel::tr("%1 µm").arg(metres * 1.0e6, 0, 'g', 3);
+    return metres >= 1.0e-3 ? DeformationConstantsPanel::tr("%1 mm").arg(shownNumber(metres * 1.0e3, 'g', 3))
+                            : DeformationConstantsPanel::tr("%1 µm").arg(shownNumber(metres * 1.0e6, 'g', 3));
 }
 
 }  // namespace
@@ -116,7 +117,7 @@ void DeformationConstantsPanel::showInForce() {
         m_ui->inForce->setText(
             tr("In force on %1 (%2): max distance %3, power %4 m², max magnitude %5.")
                 .arg(target->name, lengthText(target->extent()), lengthText(constants.maxDistance))
-                .arg(constants.power, 0, 'g', 3)
+                .arg(shownNumber(constants.power, 'g', 3))
                 .arg(lengthText(constants.maxMagnitude)));
     }
 }

@@ -7,6 +7,7 @@
 
 #include "panels/plot/custom_plot.h"
 #include "panels/plot/plot_theme.h"
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -87,14 +88,14 @@ void FalloffPlot::changeEvent(QEvent* event) {
 
 void FalloffPlot::placeCorner(double distance, double magnitude) {
     m_plot->graph(Corner)->setData({distance}, {magnitude}, true);
-    m_cornerText->setText(tr("cap up to %1 m").arg(distance, 0, 'g', 3));
+    m_cornerText->setText(tr("cap up to %1 m").arg(shownNumber(distance, 'g', 3)));
     m_cornerText->position->setCoords(distance, magnitude);
 }
 
 void FalloffPlot::placeStep(double rim, double step, double above) {
     m_step->start->setCoords(rim, step);
     m_step->end->setCoords(rim, 0.0);
-    m_stepText->setText(tr("step of %1 m").arg(step, 0, 'g', 3));
+    m_stepText->setText(tr("step of %1 m").arg(shownNumber(step, 'g', 3)));
     m_stepText->position->setCoords(rim * kBeyondRim, above);
 }
 

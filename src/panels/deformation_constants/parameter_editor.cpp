@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "panels/icons/themed_icon.h"
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -49,11 +50,10 @@ ParameterEditor::ParameterEditor(const ParameterDescriptor& parameter, QGridLayo
     m_reset->setIcon(themedIcon(QStringLiteral("reset")));
     m_reset->setAutoRaise(true);
     m_reset->setToolTip(
-        tr("Back to %1 %2").arg(parameter.defaultValue).arg(QString::fromUtf8(parameter.unit)));
+        tr("Back to %1 %2").arg(shownNumber(parameter.defaultValue), QString::fromUtf8(parameter.unit)));
     const QString range = tr("%1\nFrom %2 to %3.")
-                              .arg(QString::fromUtf8(parameter.description))
-                              .arg(parameter.minimum)
-                              .arg(parameter.maximum);
+                              .arg(QString::fromUtf8(parameter.description), shownNumber(parameter.minimum),
+                                   shownNumber(parameter.maximum));
     for (QWidget* widget :
          {static_cast<QWidget*>(label), static_cast<QWidget*>(m_slider), static_cast<QWidget*>(m_spinBox)}) {
         widget->setToolTip(range);

@@ -8,6 +8,7 @@
 #include "panels/plot/custom_plot.h"
 #include "panels/plot/plot_theme.h"
 #include "session/frame_costs.h"
+#include "session/shown_number.h"
 #include "ui_cost_view.h"
 
 namespace hitscope {
@@ -205,7 +206,7 @@ QString CostView::inWords() const {
         return source + u' ' + tr("No crossover yet.");
     }
     const auto from = [](std::optional<double> hits) {
-        return hits ? tr("from %1 hits").arg(*hits, 0, 'f', 0) : tr("nowhere yet");
+        return hits ? tr("from %1 hits").arg(shownNumber(*hits, 'f', 0)) : tr("nowhere yet");
     };
     return source + u' ' +
            tr("Crossover, where uniform arrays cost more: %1 in a frame, %2 in a frame that takes a hit.")

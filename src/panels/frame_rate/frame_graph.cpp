@@ -10,6 +10,7 @@
 #include "panels/frame_rate/pipeline_colour.h"
 #include "panels/plot/custom_plot.h"
 #include "panels/plot/plot_theme.h"
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -85,7 +86,7 @@ void FrameGraph::makeTargetLines() {
         auto* line = new QCPItemStraightLine(&m_plot);
         m_targetLines.push_back(line);
         auto* text = new QCPItemText(&m_plot);
-        text->setText(QString::number(target));
+        text->setText(shownNumber(target));
         text->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
         text->position->setTypeY(QCPItemPosition::ptPlotCoords);
         text->setPositionAlignment(Qt::AlignRight | Qt::AlignBottom);
@@ -294,7 +295,9 @@ void FrameGraph::fitRange(double highest) {
 }
 
 QString FrameGraph::describe(const FrameCost& cost) const {
-    const auto ms = [](double seconds) { return tr("%1 ms").arg(seconds * kMilliseconds, 0, 'f', 2); };
+    const auto ms = [](double seconds) {
+        return tr("%1 ms").arg(shownNumber(seconds * kMilliseconds, 'f', 2));
+    };
     const auto orUnknown = [&ms](std::optional<double> seconds) { return seconds ? ms(*seconds) : tr("–"); };
     const std::string_view name = pipelineTraits(cost.pipeline).name;
     QStringList lines{

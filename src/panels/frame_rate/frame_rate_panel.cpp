@@ -17,6 +17,7 @@
 #include "panels/frame_rate/flow_layout.h"
 #include "panels/icons/themed_icon.h"
 #include "session/session.h"
+#include "session/shown_number.h"
 #include "ui_frame_rate.h"
 
 namespace hitscope {
@@ -27,7 +28,8 @@ constexpr int kRefreshInterval = 100;  // milliseconds
 constexpr int kLegendPadding = 21;     // pixels: swatch, gaps and frame
 
 QString milliseconds(double seconds) {
-    return FrameRatePanel::tr("%1 ms").arg(seconds * kMilliseconds, 0, 'f', seconds < 0.0995 ? 1 : 0);
+    return FrameRatePanel::tr("%1 ms").arg(
+        shownNumber(seconds * kMilliseconds, 'f', seconds < 0.0995 ? 1 : 0));
 }
 
 /// `widest`: what it usually shows, so that it does not move its neighbours.
@@ -276,7 +278,7 @@ void FrameRatePanel::showReadOuts() {
     const auto show = [any](QLabel& label, const QString& text) {
         label.setText(any ? text : QStringLiteral("–"));
     };
-    const auto rate = [](double value) { return QString::number(value, 'f', value < 99.5 ? 1 : 0); };
+    const auto rate = [](double value) { return shownNumber(value, 'f', value < 99.5 ? 1 : 0); };
     m_readOuts.framesPerSecond->setText(summary.framesPerSecond > 0.0 ? rate(summary.framesPerSecond)
                                                                       : tr("idle"));
     show(*m_readOuts.mean, milliseconds(summary.meanCost));

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <cstddef>
+
+namespace hitscope {
+
+/// Numbers as people read them in the window: in the locale of the system, like those in its spin boxes.
+/// Files, copied tables and the command line have decimal points everywhere and use none of these.
+
+/// `format` and `precision` as in QLocale::toString(): shownNumber(0.25, 'f', 1) is "0.3", or "0,3".
+[[nodiscard]] QString shownNumber(double value, char format = 'g', int precision = 6);
+
+/// "7,938", grouped as the locale does.
+[[nodiscard]] QString shownCount(std::size_t count);
+
+/// Between numbers in a row: ", ", or "; " where a comma stands for the decimal point.
+[[nodiscard]] QString numberSeparator();
+
+}  // namespace hitscope
