@@ -17,6 +17,8 @@ constexpr float kNearOfDistance = 0.01f;     // of the distance to the pivot
 constexpr float kLeastNearOfFar =
     1.0f / 2.0e4f;                     // 24 bits of depth still part 1/300 of the distance at the end
 constexpr float kFloorOfScene = 2.5f;  // how far the floor goes on, in scene radii or distances
+constexpr float kNearest = 1.0e-3f;    // of the distance to the pivot, in scene radii
+constexpr float kFarthest = 10.0f;     // likewise
 constexpr float kMargin = 1.08f;       // around what is framed
 
 }  // namespace
@@ -122,9 +124,21 @@ void Camera::pan(const glm::vec2& delta) {
 }
 
 void Camera::zoom(float factor) {
-    const float nearest = 1.0e-3f * m_sceneRadius;
-    const float farthest = 10.0f * m_sceneRadius;
-    m_distance = std::clamp(m_distance * factor, nearest, farthest);
+    m_distance = std::clamp(m_distance * factor, kNearest * m_sceneRadius, kFarthest * m_sceneRadius);
+}
+
+void Camera::zoomAbout(const glm::vec3& point, float factor) {
+    const float depth = glm::dot(point - eye(), forward());
+    if (!isOrthographic() && depth > 0.0f) {
+        m_pivot = eye() + forward() * depth;  // which changes nothing of the picture
+        m_distance = depth;
+    }
+    // Beyond a limit already, it goes no further, and does not jump back either.
+    const float before = m_distance;
+    const float nearest = std::min(kNearest * m_sceneRadius, before);
+    const float farthest = std::max(kFarthest * m_sceneRadius, before);
+    m_distance = std::clamp(before * factor, nearest, farthest);
+    m_pivot = point + (m_pivot - point) * (m_distance / before);
 }
 
 void Camera::fly(const glm::vec3& step) {

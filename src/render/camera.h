@@ -59,7 +59,10 @@ public:
     /// Moves the pivot so that what is under the cursor follows it; delta in fractions of the picture's
     /// height.
     void pan(const glm::vec2& delta);
-    void zoom(float factor);                         ///< distance *= factor, within sensible limits
+    void zoom(float factor);  ///< distance *= factor, within sensible limits
+    /// Likewise, about another point than the pivot: it stays where it is in the picture. The pivot comes to
+    /// be as far from the eye as the point.
+    void zoomAbout(const glm::vec3& point, float factor);
     void fly(const glm::vec3& step);                 ///< right, up, forward, in metres
     void recentre(const glm::vec3& point);           ///< pivot there, keeping eye direction and distance
     void frame(const Bounds& bounds, float aspect);  ///< all of the box in the picture

@@ -15,8 +15,8 @@ constexpr float kStride = 0.15f;     // camera distances
 
 }  // namespace
 
-Navigation::Navigation(SurfaceAt surfaceAt, QObject* parent)
-    : QObject(parent), m_surfaceAt(std::move(surfaceAt)) {}
+Navigation::Navigation(SurfaceAt surfaceAt, SceneNow scene, QObject* parent)
+    : QObject(parent), m_surfaceAt(std::move(surfaceAt)), m_scene(std::move(scene)) {}
 
 void Navigation::setSceneRadius(float radius) {
     m_camera.setSceneRadius(radius);
@@ -62,7 +62,7 @@ void Navigation::takeHold() {
 void Navigation::orbit(float yaw, float pitch) {
     switch (m_orbitMode) {
         case OrbitMode::Point:
-            m_camera.orbitAbout(m_orbitPoint.value_or(m_camera.pivot()), yaw, pitch);
+            m_camera.orbitAbout(m_anchor.value_or(m_camera.pivot()), yaw, pitch);
             break;
         case OrbitMode::Turntable:
             m_camera.orbit(yaw, pitch);

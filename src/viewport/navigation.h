@@ -12,6 +12,7 @@
 #include "viewport/camera_glide.h"
 #include "viewport/fly_keys.h"
 #include "viewport/navigation_preset.h"
+#include "viewport/scene_in_sight.h"
 #include "viewport/standard_view.h"
 
 class QKeyEvent;
@@ -24,14 +25,21 @@ namespace hitscope {
 /// The hand on the camera: mouse, wheel, trackpad and keys become camera motion. Draws nothing and knows no
 /// scene; what a click does is the viewport's business, which asks hasDragged() whether a press has become a
 /// drag. What sets the camera somewhere else glides there, and any event of the hand stops it.
+///
+/// Mouse, wheel and trackpad never lose the scene: a motion after which none of it would be in the picture
+/// ends where the last of it would go. Zooming never takes the eye below the floor from above it, nor past
+/// what it zooms at. Looking around and flying are free.
 class Navigation : public QObject {
     Q_OBJECT
 public:
-    /// The surface point (metres, world) under a place of the view (logical pixels); nothing if there is
-    /// none.
+    /// The point (metres, world) of a target's surface under a place of the view (logical pixels); nothing if
+    /// there is none.
     using SurfaceAt = std::function<std::optional<glm::vec3>(const QPointF&)>;
 
-    explicit Navigation(SurfaceAt surfaceAt, QObject* parent = nullptr);
+    /// The scene as it is now.
+    using SceneNow = std::function<SceneInSight()>;
+
+    explicit Navigation(SurfaceAt surfaceAt, SceneNow scene = {}, QObject* parent = nullptr);
 
     [[nodiscard]] const Camera& camera() const { return m_camera; }
     /// Where the camera is or will be once it has arrived.
@@ -40,6 +48,8 @@ public:
     void setViewSize(const QSizeF& size) { m_size = size; }  ///< logical pixels
     [[nodiscard]] float aspect() const;
     [[nodiscard]] Ray rayAt(const QPointF& position) const;  ///< logical pixels
+    /// Whether enough of some target to be seen is in the picture; true of an empty scene.
+    [[nodiscard]] bool isSceneInSight() const;
 
     [[nodiscard]] NavigationPreset preset() const { return m_preset; }
     void setPreset(NavigationPreset preset);
@@ -79,11 +89,19 @@ Q_SIGNALS:
 private:
     void moveBy(CameraMotion motion, const QPointF& delta);
     void orbit(float yaw, float pitch);
+    void zoom(float factor, const glm::vec3& about);
+    /// Where a drag that begins there turns, and what the wheel zooms at.
+    [[nodiscard]] glm::vec3 anchorAt(const QPointF& position) const;
+    [[nodiscard]] glm::vec3 zoomAnchorAt(const QPointF& position) const;
+    [[nodiscard]] SceneInSight scene() const { return m_scene ? m_scene() : SceneInSight{}; }
+    /// Moves the camera as far as the scene stays in sight.
+    void moveInSight(const std::function<void(float part)>& move);
     void fly(const glm::vec3& step);
-    void turnWheel(float notches, bool fieldOfView);
+    void turnWheel(float notches, const QPointF& at, bool fieldOfView);
     void takeHold();  ///< the hand moves the camera from where it is
 
     SurfaceAt m_surfaceAt;
+    SceneNow m_scene;
     Camera m_camera;
     CameraGlide m_glide;
     bool m_glides = true;
@@ -94,7 +112,7 @@ private:
     bool m_dragged = false;
     QPointF m_pressedAt;
     QPointF m_draggedTo;
-    std::optional<glm::vec3> m_orbitPoint;  ///< of the drag under way
+    std::optional<glm::vec3> m_anchor;  ///< of the drag under way
     FlyKeys m_flyKeys;
     bool m_flyFast = false;
 };

@@ -38,12 +38,16 @@ void Navigation::press(const QMouseEvent& event) {
     m_pressedAt = event.position();
     m_draggedTo = m_pressedAt;
     m_motion = motionOf(m_preset, event.button(), event.modifiers());
-    // Only a press that could be a click waits to see whether it is one.
-    const bool mayClick = event.button() == Qt::LeftButton && !event.modifiers().testFlag(Qt::ShiftModifier);
+    // Only a press that could be a click waits to see whether it is one; a right click opens a menu.
+    const bool mayClick =
+        (event.button() == Qt::LeftButton && !event.modifiers().testFlag(Qt::ShiftModifier)) ||
+        event.button() == Qt::RightButton;
     m_dragged = !mayClick;
-    m_orbitPoint.reset();
+    m_anchor.reset();
     if (m_motion == CameraMotion::Orbit && m_orbitMode == OrbitMode::Point) {
-        m_orbitPoint = m_surfaceAt(m_pressedAt);
+        m_anchor = anchorAt(m_pressedAt);
+    } else if (m_motion == CameraMotion::Zoom) {
+        m_anchor = zoomAnchorAt(m_pressedAt);
     }
 }
 
@@ -62,7 +66,7 @@ void Navigation::move(const QMouseEvent& event) {
 void Navigation::release(const QMouseEvent& event) {
     if (event.buttons() == Qt::NoButton) {
         m_motion = CameraMotion::None;
-        m_orbitPoint.reset();
+        m_anchor.reset();
     }
 }
 
@@ -74,22 +78,29 @@ void Navigation::moveBy(CameraMotion motion, const QPointF& delta) {
         // Looking around, what is under the cursor stays there; orbiting, a drag over the whole height turns
         // by half a circle.
         const float turn = m_orbitMode == OrbitMode::Fly ? m_camera.fieldOfView() : glm::pi<float>();
-        orbit(-x * turn, y * turn);
+        if (m_orbitMode == OrbitMode::Fly) {
+            orbit(-x * turn, y * turn);
+        } else {
+            moveInSight([&](float part) { orbit(-x * turn * part, y * turn * part); });
+        }
     } else if (motion == CameraMotion::Pan) {
-        m_camera.pan({x, -y});
+        // One after the other: it slides along where it cannot go on.
+        moveInSight([&](float part) { m_camera.pan({x * part, 0.0f}); });
+        moveInSight([&](float part) { m_camera.pan({0.0f, -y * part}); });
     } else {
-        m_camera.zoom(std::pow(kZoomPerNotch, -y * kNotchesPerHeight));
+        zoom(std::pow(kZoomPerNotch, -y * kNotchesPerHeight), m_anchor.value_or(m_camera.pivot()));
     }
     Q_EMIT cameraChanged();
 }
 
-void Navigation::turnWheel(float notches, bool fieldOfView) {
+void Navigation::turnWheel(float notches, const QPointF& at, bool fieldOfView) {
     // An orthographic view has none to change.
     if (fieldOfView && !m_camera.isOrthographic()) {
-        m_camera.setFieldOfView(m_camera.fieldOfView() - kRadiansPerNotch * notches);
+        const float before = m_camera.fieldOfView();
+        moveInSight([&](float part) { m_camera.setFieldOfView(before - kRadiansPerNotch * notches * part); });
         Q_EMIT fieldOfViewChanged();
     } else {
-        m_camera.zoom(std::pow(kZoomPerNotch, notches));
+        zoom(std::pow(kZoomPerNotch, notches), zoomAnchorAt(at));
     }
     Q_EMIT cameraChanged();
 }
@@ -101,8 +112,10 @@ void Navigation::wheel(const QWheelEvent& event) {
         if (moved.isNull()) {
             moved = QPointF(event.angleDelta()) * (kPixelsPerNotch / kNotch);
         }
-        m_orbitPoint.reset();
-        moveBy(trackpadMotion(event.modifiers()), moved);
+        const CameraMotion motion = trackpadMotion(event.modifiers());
+        m_anchor = motion == CameraMotion::Zoom ? zoomAnchorAt(event.position()) : anchorAt(event.position());
+        moveBy(motion, moved);
+        m_anchor.reset();
         return;
     }
     double notches = event.angleDelta().y() / kNotch;
@@ -110,7 +123,8 @@ void Navigation::wheel(const QWheelEvent& event) {
         notches = event.pixelDelta().y() / kPixelsPerNotch;
     }
     if (notches != 0.0) {
-        turnWheel(static_cast<float>(notches), event.modifiers().testFlag(Qt::ShiftModifier));
+        turnWheel(static_cast<float>(notches), event.position(),
+                  event.modifiers().testFlag(Qt::ShiftModifier));
     }
 }
 
@@ -118,11 +132,13 @@ bool Navigation::gesture(const QNativeGestureEvent& event) {
     if (event.gestureType() == Qt::ZoomNativeGesture) {
         takeHold();
         const double scale = 1.0 + std::clamp(event.value(), -kPinchLimit, 1.0 / kPinchLimit);
-        m_camera.zoom(static_cast<float>(1.0 / scale));
+        zoom(static_cast<float>(1.0 / scale), zoomAnchorAt(event.position()));
     } else if (event.gestureType() == Qt::RotateNativeGesture) {
         takeHold();
-        m_orbitPoint.reset();
-        orbit(static_cast<float>(qDegreesToRadians(event.value())), 0.0f);
+        m_anchor = anchorAt(event.position());
+        const auto turn = static_cast<float>(qDegreesToRadians(event.value()));
+        moveInSight([&](float part) { orbit(turn * part, 0.0f); });
+        m_anchor.reset();
     } else {
         return false;
     }

@@ -69,6 +69,9 @@ void ViewLabel::follow() {
         said += tr(", %1° field of view")
                     .arg(qRound(qRadiansToDegrees(static_cast<double>(m_navigation.camera().fieldOfView()))));
     }
+    if (!m_navigation.isSceneInSight()) {
+        said += tr(". The scene is out of view: Home frames it");
+    }
     if (said != text()) {
         setText(said);
         adjustSize();

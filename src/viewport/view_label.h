@@ -9,7 +9,8 @@
 namespace hitscope {
 
 /// Says in a corner of a view how the camera looks: projection, and the name of a view along an axis; for a
-/// moment after it was changed by hand also the field of view.
+/// moment after it was changed by hand also the field of view; and how to get the scene back once it is out
+/// of the picture.
 class ViewLabel : public QLabel {
     Q_OBJECT
 public:

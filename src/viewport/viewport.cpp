@@ -30,10 +30,12 @@ Viewport::Viewport(Session& session, QWidget* parent)
     : QOpenGLWidget(parent),
       m_session(session),
       m_inspect(new InspectTool(*this, session.selection())),
-      m_navigation([this](const QPointF& position) {
-          const auto met = aimedAt(m_navigation.rayAt(position));
-          return met ? std::optional(met->point) : std::nullopt;
-      }) {
+      m_navigation(
+          [this](const QPointF& position) {
+              const auto met = aimedAt(m_navigation.rayAt(position));
+              return met && met->target ? std::optional(met->point) : std::nullopt;
+          },
+          [this] { return sceneInSight(); }) {
     setFormat(viewportFormat());
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(240, 180);
@@ -249,6 +251,23 @@ void Viewport::followScene() {
 
 void Viewport::followSize() {
     m_navigation.setSceneRadius(std::max(m_session.sceneBounds().diagonal(), 1.0e-3f));
+}
+
+SceneInSight Viewport::sceneInSight() const {
+    SceneInSight scene;
+    for (const std::unique_ptr<Target>& target : m_session.targets()) {
+        if (!target->visible) {
+            continue;
+        }
+        if (target->id == m_session.selectedTarget()) {
+            scene.selected = scene.targets.size();
+        }
+        scene.targets.push_back(target->worldBounds());
+    }
+    if (m_options.floor) {
+        scene.floor = m_session.floorHeight();
+    }
+    return scene;
 }
 
 void Viewport::frameAll(Navigation::Arrival arrival) {

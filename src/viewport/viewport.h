@@ -126,6 +126,7 @@ private:
     void followViewSize();
     void followScene();
     void followSize();
+    [[nodiscard]] SceneInSight sceneInSight() const;
     [[nodiscard]] bool wantsFrames() const;
     void catchUp();
     void followRefresh();

@@ -198,7 +198,7 @@ void NavigationTest::twoFingersOrbitPanAndZoom() {
     QVERIFY(camera().pivot() != before.pivot() && camera().forward() == before.forward());
     before = camera();
     turn({0, 10}, {}, Qt::ControlModifier, Qt::ScrollUpdate);
-    QVERIFY(camera().distance() != before.distance() && camera().pivot() == before.pivot());
+    QVERIFY(camera().distance() != before.distance() && near(camera().pivot(), before.pivot()));
 }
 
 void NavigationTest::pinchZooms() {

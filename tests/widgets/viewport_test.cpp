@@ -31,6 +31,7 @@ private Q_SLOTS:
     void clickShootsWhereItPoints();
     void aimAllowsForTheFall();
     void dragOrbitsAndShootsNothing();
+    void draggingFromTheFloorOrbitsTheTarget();
     void rightAndShiftDragPan();
     void wheelZooms();
     void doubleClickRecentresAndShootsNothing();
@@ -102,6 +103,32 @@ void ViewportTest::dragOrbitsAndShootsNothing() {
     QCOMPARE(flying(), std::size_t{0});
 }
 
+void ViewportTest::draggingFromTheFloorOrbitsTheTarget() {
+    Viewport& viewport = m_window->viewport();
+    const glm::vec3 centre = m_session->sceneBounds().centre();
+    const auto placeOf = [&viewport](const glm::vec3& point) {
+        const Camera& camera = viewport.camera();
+        const glm::vec3 away = point - camera.eye();
+        return glm::vec2(glm::dot(away, camera.right()), glm::dot(away, camera.up())) /
+               glm::dot(away, camera.forward());
+    };
+    const QPoint floor(viewport.width() - 30, viewport.height() - 10);
+    const auto met = m_session->physics().castRay(viewport.camera().eye(),
+                                                  viewport.navigation().rayAt(floor).direction, 1000.0f);
+    QVERIFY(met && !met->target);
+    const Camera before = viewport.camera();
+    const glm::vec2 place = placeOf(centre);
+    QTest::mousePress(&viewport, Qt::LeftButton, {}, floor);
+    for (const QPoint& by : {QPoint(-60, -10), QPoint(-200, -20), QPoint(-400, -40)}) {
+        const QPointF at = floor + by;
+        QMouseEvent move(QEvent::MouseMove, at, viewport.mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&viewport, &move);
+        QVERIFY(glm::length(placeOf(centre) - place) < 1.0e-3f);
+    }
+    QTest::mouseRelease(&viewport, Qt::LeftButton, {}, floor - QPoint(400, 40));
+    QVERIFY(glm::dot(viewport.camera().forward(), before.forward()) < 0.9f);
+}
+
 void ViewportTest::rightAndShiftDragPan() {
     for (const auto& [button, keys] : {std::pair(Qt::RightButton, Qt::KeyboardModifiers()),
                                        std::pair(Qt::LeftButton, Qt::KeyboardModifiers(Qt::ShiftModifier))}) {
@@ -120,6 +147,7 @@ void ViewportTest::rightAndShiftDragPan() {
 void ViewportTest::wheelZooms() {
     Viewport& viewport = m_window->viewport();
     const float before = viewport.camera().distance();
+    const glm::vec3 eye = viewport.camera().eye();
     const auto turn = [&](int amount) {
         QWheelEvent event(centre(), viewport.mapToGlobal(centre()), {}, {0, amount}, Qt::NoButton, {},
                           Qt::NoScrollPhase, false);
@@ -129,7 +157,7 @@ void ViewportTest::wheelZooms() {
     const float nearer = viewport.camera().distance();
     QVERIFY(nearer < before);
     turn(-120);
-    QVERIFY(std::abs(viewport.camera().distance() - before) < 1.0e-3f);
+    QVERIFY(near(viewport.camera().eye(), eye));
 }
 
 void ViewportTest::doubleClickRecentresAndShootsNothing() {
