@@ -81,10 +81,9 @@ void CameraActions::fill(QMenu& menu) {
     fillViews(camera);
     fillFly(*camera.addMenu(tr("Fl&y")));
     camera.addSeparator();
-    QMenu& about = *camera.addMenu(tr("Dragging T&urns"));
+    QMenu& about = *camera.addMenu(tr("Orbit Aro&und"));
     auto* abouts = new QActionGroup(this);
-    const QString modes[] = {tr("About the &Point under the Cursor"), tr("About the Picture's &Middle"),
-                             tr("The &View, about the Eye")};
+    const QString modes[] = {tr("&Point Under the Cursor"), tr("View &Centre"), tr("&Eye (Look Around)")};
     for (int mode = 0; mode < kOrbitModes; ++mode) {
         m_orbitModes[mode] = addAction(about, modes[mode], {}, this, [this, mode] {
             m_navigation.setOrbitMode(static_cast<OrbitMode>(mode));
@@ -146,7 +145,7 @@ void CameraActions::fillBookmarks(QMenu& menu) {
             leaveOutOfKeys(*m_recall[index]);
         } else {
             listKeysAs(*storing, tr("Ctrl+1 … 9"), tr("Store the camera as a bookmark"));
-            listKeysAs(*m_recall[index], tr("1 … 9"), tr("Back to a bookmark"));
+            listKeysAs(*m_recall[index], tr("1 … 9"), tr("Go to a bookmark"));
         }
     }
 }
@@ -154,7 +153,7 @@ void CameraActions::fillBookmarks(QMenu& menu) {
 void CameraActions::fillEdit(QMenu& menu) {
     addAction(menu, tr("Copy Ca&mera"), {QKeySequence(tr("Ctrl+Shift+C"))}, this, [this] {
         QGuiApplication::clipboard()->setText(textOf(m_navigation.goal()));
-        Q_EMIT said(tr("The camera is on the clipboard, as text."));
+        Q_EMIT said(tr("Camera copied to the clipboard as text."));
     });
     addAction(menu, tr("Paste Camer&a"), {QKeySequence(tr("Ctrl+Shift+V"))}, this, [this] {
         if (Status pasted = paste(QGuiApplication::clipboard()->text()); !pasted) {
@@ -175,12 +174,12 @@ Status CameraActions::paste(const QString& text) {
 void CameraActions::store(int index) {
     m_bookmarks[index] = textOf(m_navigation.goal());
     followBookmarks();
-    Q_EMIT said(tr("Bookmark %1 stored; the key %1 brings the camera back here.").arg(index + 1));
+    Q_EMIT said(tr("Bookmark %1 stored. Press %1 to return to it.").arg(index + 1));
 }
 
 void CameraActions::recall(int index) {
     if (m_bookmarks[index].isEmpty()) {
-        Q_EMIT said(tr("Bookmark %1 is empty; Ctrl+%1 stores the camera there.").arg(index + 1));
+        Q_EMIT said(tr("Bookmark %1 is empty. Ctrl+%1 stores the camera there.").arg(index + 1));
     } else if (Status pasted = paste(m_bookmarks[index]); !pasted) {
         Q_EMIT failed(pasted.error());
     }

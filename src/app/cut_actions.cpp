@@ -182,16 +182,16 @@ QAction* CutActions::addToggle(QMenu& menu, const QString& text, bool CuttingPla
 void CutActions::fill(QMenu& menu) {
     menu.addAction(m_on);
     menu.addSeparator();
-    const std::pair<QString, glm::vec3> axes[] = {{tr("Across &X"), {1.0f, 0.0f, 0.0f}},
-                                                  {tr("Across &Y"), {0.0f, 1.0f, 0.0f}},
-                                                  {tr("Across &Z"), {0.0f, 0.0f, 1.0f}}};
+    const std::pair<QString, glm::vec3> axes[] = {{tr("Perpendicular to &X"), {1.0f, 0.0f, 0.0f}},
+                                                  {tr("Perpendicular to &Y"), {0.0f, 1.0f, 0.0f}},
+                                                  {tr("Perpendicular to &Z"), {0.0f, 0.0f, 1.0f}}};
     for (const auto& [name, normal] : axes) {
         connect(menu.addAction(name), &QAction::triggered, this, [this, along = normal] {
             chooseNormal(along, m_viewport.options().cut.flipped);
             setOn(true);
         });
     }
-    QAction* view = menu.addAction(tr("Across the &Line of Sight"));
+    QAction* view = menu.addAction(tr("Perpendicular to the &Line of Sight"));
     view->setShortcut(tr("Shift+K"));
     connect(view, &QAction::triggered, this, &CutActions::cutFromView);
     menu.addSeparator();

@@ -43,7 +43,7 @@ InspectActions::InspectActions(Session& session, Viewport& viewport, QObject* pa
     m_hidden = new QAction(tr("Select &Hidden Vertices Too"), this);
     m_hidden->setCheckable(true);
     m_all = new QAction(tr("Select &All Changed Vertices"), this);
-    m_none = new QAction(tr("Select &No Vertex"), this);
+    m_none = new QAction(tr("&Clear Vertex Selection"), this);
     load(QSettings());
 
     connect(m_shoot, &QAction::triggered, this, [this] { m_tool.setTool(Tool::Shoot); });

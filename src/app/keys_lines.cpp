@@ -107,7 +107,7 @@ QString orbitMeaning(OrbitMode mode) {
         case OrbitMode::Point:
             return tr("Orbit about the point under the cursor");
         case OrbitMode::Turntable:
-            return tr("Orbit about the picture's middle");
+            return tr("Orbit about the view centre");
         case OrbitMode::Fly:
             break;
     }
@@ -125,7 +125,8 @@ QString motionMeaning(CameraMotion motion, OrbitMode mode) {
 KeysSection mouseKeys(NavigationPreset preset, OrbitMode mode) {
     KeysSection section{tr("Mouse"), {}};
     section.lines.push_back({tr("Click"), tr("Shoot at the point under the cursor")});
-    section.lines.push_back({tr("Ctrl+click"), tr("Select the target there; beside all of them: none")});
+    section.lines.push_back(
+        {tr("Ctrl+click"), tr("Select the target there; elsewhere: clear the selection")});
     section.lines.push_back({tr("Double-click"), tr("Look at that point from now on")});
     for (const DragBinding& binding : dragBindings(preset)) {
         section.lines.push_back({dragName(binding), motionMeaning(binding.motion, mode)});
@@ -141,7 +142,7 @@ KeysSection heldKeys() {
             {{tr("Space"), tr("Shoot at the crosshair; hold to repeat")},
              {tr("W A S D"), tr("Fly; Shift: faster")},
              {tr("E Q"), tr("Fly up and down")},
-             {tr("Esc"), tr("Select nothing")}}};
+             {tr("Esc"), tr("Clear the selection")}}};
 }
 
 std::vector<KeysSection> actionKeys(const QMainWindow& window) {

@@ -85,9 +85,9 @@ void MainWindow::connectFiles() {
     });
     connect(m_exporter, &MeshExporter::failed, this, [this](const Error& error) { showError(this, error); });
     connect(m_exporter, &MeshExporter::cancelled, this,
-            [this] { statusBar()->showMessage(tr("Cancelled; the file is as it was."), kMessageStays); });
+            [this] { statusBar()->showMessage(tr("Cancelled. The file is unchanged."), kMessageStays); });
     connect(m_files, &SceneFiles::cancelled, this,
-            [this] { statusBar()->showMessage(tr("Cancelled; the scene is as it was."), kMessageStays); });
+            [this] { statusBar()->showMessage(tr("Cancelled. The scene is unchanged."), kMessageStays); });
 }
 
 void MainWindow::openFiles(const QStringList& paths) {
@@ -178,7 +178,7 @@ void MainWindow::chooseExport() {
     const NormalMode shown = m_viewport->options().normals;
     QString filter = filters[static_cast<int>(m_settings.exportNormals.value_or(shown))];
     const QString path = QFileDialog::getSaveFileName(
-        this, tr("Export “%1” as it is now").arg(target->name),
+        this, tr("Export deformed mesh “%1”").arg(target->name),
         suggestedPath(folderOr(m_settings.folder), name, QStringLiteral("_deformed.obj")),
         filters.join(QStringLiteral(";;")), &filter);
     if (path.isEmpty()) {

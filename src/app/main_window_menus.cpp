@@ -142,7 +142,7 @@ void MainWindow::makeDisplayActions(QMenu& menu) {
     });
     QMenu& normals = *menu.addMenu(tr("&Normals"));
     auto* group = new QActionGroup(this);
-    const QString names[] = {tr("&True: of the Dented Surface"), tr("&Paper's: Equation 2")};
+    const QString names[] = {tr("&True (of the Dented Surface)"), tr("&Paper (Equation 2)")};
     for (int mode = 0; mode < 2; ++mode) {
         m_normals[mode] = addChoice(normals, *group, names[mode], false, [this, mode] {
             changeDisplay(
@@ -192,14 +192,13 @@ void MainWindow::makeViewMenu() {
                              [this](bool on) { m_viewport->setDrawsContinuously(on); });
     m_continuous->setIcon(themedIcon(QStringLiteral("continuous")));
     m_continuous->setIconVisibleInMenu(false);  // it would hide the check mark
-    m_continuous->setToolTip(
-        tr("Draw frame after frame even if nothing moves: for measuring the frame rate"));
+    m_continuous->setToolTip(tr("Draw frames even when nothing changes, to measure the frame rate"));
 }
 
 void MainWindow::makeThemeMenus(QMenu& menu) {
     QMenu& window = *menu.addMenu(tr("&Theme"));
     auto* themes = new QActionGroup(this);
-    const std::pair<QString, ThemeChoice> choices[] = {{tr("As the &Desktop"), ThemeChoice::System},
+    const std::pair<QString, ThemeChoice> choices[] = {{tr("Follow &Desktop"), ThemeChoice::System},
                                                        {tr("&Light"), ThemeChoice::Light},
                                                        {tr("&Dark"), ThemeChoice::Dark}};
     for (const auto& [name, choice] : choices) {
@@ -209,7 +208,7 @@ void MainWindow::makeThemeMenus(QMenu& menu) {
     QMenu& viewport = *menu.addMenu(tr("Viewport &Background"));
     auto* backgrounds = new QActionGroup(this);
     const std::pair<QString, std::optional<Theme>> shades[] = {
-        {tr("As the &Window"), std::nullopt}, {tr("&Light"), Theme::Light}, {tr("&Dark"), Theme::Dark}};
+        {tr("Follow &Window"), std::nullopt}, {tr("&Light"), Theme::Light}, {tr("&Dark"), Theme::Dark}};
     for (const auto& [name, shade] : shades) {
         addChoice(viewport, *backgrounds, name, m_settings.viewportTheme == shade, [this, shade = shade] {
             m_settings.viewportTheme = shade;

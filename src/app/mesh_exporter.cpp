@@ -28,7 +28,7 @@ void MeshExporter::start(TargetExport what, const QString& name, const QString& 
                 it->isCancelled = true;
             }
         },
-        tr("Stop exporting; the file stays as it was"));
+        tr("Cancel the export; the file stays unchanged"));
     m_jobs.push_back(job);
     m_writer.start([this, job] { write(job); });
 }

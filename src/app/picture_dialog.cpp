@@ -66,7 +66,7 @@ QWidget* PictureDialog::makeSize() {
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
     m_preset = new QComboBox(row);
-    m_preset->addItem(tr("As the viewport"), m_shown);
+    m_preset->addItem(tr("Same as the viewport"), m_shown);
     for (const QSize& size : kPresets) {
         m_preset->addItem(tr("%1 × %2").arg(size.width()).arg(size.height()), size);
     }

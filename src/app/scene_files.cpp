@@ -50,7 +50,7 @@ SceneFiles::SceneFiles(Session& session, QObject* parent) : QObject(parent), m_s
                 cancel();
                 Q_EMIT cancelled();
             },
-            tr("Stop opening; the scene stays as it is"));
+            tr("Cancel opening; the scene stays unchanged"));
     });
     connect(this, &SceneFiles::progressed, this, &SceneFiles::say);
     connect(this, &SceneFiles::ended, this, [this] { m_progress.reset(); });
@@ -86,7 +86,7 @@ void SceneFiles::make(const QString& name, Into into, const std::function<SceneP
     work->name = name;
     m_work = std::move(work);
     Q_EMIT started(name);
-    Q_EMIT progressed(-1.0, tr("Making"));
+    Q_EMIT progressed(-1.0, tr("Creating"));
     runElsewhere(make, [this] { deliver(); });
 }
 

@@ -47,7 +47,7 @@ Status SequenceWriter::start(const Plan& plan) {
         m_count = m_sequence->count();
         m_task = std::make_unique<TaskProgress>(
             m_viewport.session().tasks(), tr("Drawing pictures"), [this] { cancel(); },
-            tr("Stop drawing; pictures already written stay"));
+            tr("Cancel; pictures already written are kept"));
         QTimer::singleShot(0, this, &SequenceWriter::step);
     }
     return made;

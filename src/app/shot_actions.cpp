@@ -54,14 +54,14 @@ void ShotActions::fill(QMenu& menu) {
     menu.addAction(tr("B&urst…"), tr("Ctrl+B"), this, [this] { showSeries(ShotSeries::Pattern::Burst); });
     menu.addAction(tr("Se&quence…"), this, [this] { showSeries(ShotSeries::Pattern::Line); });
     menu.addAction(tr("&Run Shot Script…"), this, &ShotActions::runScript);
-    m_stop = menu.addAction(tr("St&op Shots to Come"), &m_session, &Session::cancelScheduled);
+    m_stop = menu.addAction(tr("&Cancel Pending Shots"), &m_session, &Session::cancelScheduled);
     m_stop->setObjectName(QStringLiteral("stopShots"));
     menu.addSeparator();
     QAction* preview = menu.addAction(tr("Aim Pre&view"));
     preview->setObjectName(QStringLiteral("aimPreviewOn"));
     preview->setCheckable(true);
     preview->setChecked(m_aimPreview->isEnabled());
-    preview->setToolTip(tr("While the cursor rests on a target: the dent that a click would make"));
+    preview->setToolTip(tr("While the cursor rests on a target, show the dent that a click would make"));
     connect(preview, &QAction::triggered, this, [this](bool on) {
         m_aimPreview->setEnabled(on);
         QSettings().setValue(kPreviewKey, on);

@@ -114,7 +114,7 @@ void StatusLine::setRenderer(const QString& name) {
 void StatusLine::showRenderer() {
     const std::optional<Exactness>& exactness = m_session.exactness();
     QString text = m_rendererName;
-    QString toolTip = tr("What draws");
+    QString toolTip = tr("Graphics driver");
     if (exactness) {
         text += exactness->exact ? tr(", bit-exact") : tr(", not bit-exact");
         toolTip += QStringLiteral("\n") + QString::fromStdString(describe(*exactness));
@@ -154,7 +154,7 @@ void StatusLine::showHits() {
     QString text = hits == 1 ? tr("1 hit") : tr("%1 hits").arg(countText(hits));
     const CapacityReport& report = m_session.capacity();
     if (report.capacity) {
-        text = report.perTarget ? tr("%1, %2 a target at most").arg(text, countText(*report.capacity))
+        text = report.perTarget ? tr("%1, max %2 on a target").arg(text, countText(*report.capacity))
                                 : tr("%1 of %2").arg(text, countText(*report.capacity));
     }
     if (m_session.disabledHits() > 0) {

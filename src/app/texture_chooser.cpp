@@ -24,7 +24,7 @@ void TextureChooser::fill(QMenu& menu) {
         action->setChecked(size == m_chosen);
         action->setData(size);
         if (size > 0) {
-            action->setToolTip(tr("%1 x %1 pixels, on all targets that have texture coordinates").arg(size));
+            action->setToolTip(tr("%1 × %1 pixels, on all targets that have texture coordinates").arg(size));
         }
         m_actions->addAction(action);
         connect(action, &QAction::triggered, this, [this, size] { choose(size); });

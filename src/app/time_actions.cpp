@@ -39,7 +39,7 @@ TimeActions::TimeActions(Session& session, QObject* parent)
       m_steps(new QActionGroup(this)) {
     m_pause->setCheckable(true);
     m_slow->setCheckable(true);
-    m_pause->setToolTip(withKey(tr("Pause: time stands still"), *m_pause));
+    m_pause->setToolTip(withKey(tr("Pause the simulation"), *m_pause));
     m_step->setToolTip(withKey(tr("One physics step, then pause"), *m_step));
     m_slow->setToolTip(withKey(tr("Slow motion: a tenth of real time"), *m_slow));
     connect(m_pause, &QAction::triggered, &session, &Session::setPaused);
@@ -92,7 +92,7 @@ void TimeActions::fill(QToolBar& bar) {
     m_scale->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     m_scale->setSuffix(tr("×"));
     m_scale->setKeyboardTracking(false);
-    m_scale->setToolTip(tr("Time scale: how fast simulated time goes beside real time"));
+    m_scale->setToolTip(tr("Time scale: simulated time over real time"));
     connect(m_scale, &QDoubleSpinBox::valueChanged, &m_session, &Session::setTimeScale);
     connect(m_scale->findChild<QLineEdit*>(), &QLineEdit::returnPressed, this, &TimeActions::numberTyped);
     bar.addWidget(m_scale);

@@ -46,7 +46,7 @@ void TimeBadge::follow() {
         parts << time;
     }
     if (const std::size_t toCome = m_session.shotsToCome(); toCome > 0) {
-        parts << (toCome == 1 ? tr("1 shot to come") : tr("%1 shots to come").arg(countText(toCome)));
+        parts << (toCome == 1 ? tr("1 pending shot") : tr("%1 pending shots").arg(countText(toCome)));
     }
     setText(parts.join(QStringLiteral(" · ")));
     setVisible(!parts.isEmpty());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hits as JSON: {"hits": [{"target": "HP sphere 1", "point_x_m": 0.5, ...}, ...]}.
+// Hits as JSON: {"hits": [{"target": "High-poly sphere 1", "point_x_m": 0.5, ...}, ...]}.
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>

@@ -62,7 +62,7 @@ inline constexpr std::uint32_t kNoIndex = 0xffffffffu;
 ///
 /// Index arrays are either empty (the mesh has none of that) or exactly as long as said here.
 struct MeshData {
-    std::string name;  ///< for people: the file's base name, or "LP sphere 3"
+    std::string name;  ///< for people: the file's base name, or "Low-poly sphere 3"
 
     std::vector<glm::vec3> positions;  ///< metres, local frame; V entries, vertices no face uses included
     std::vector<glm::dvec3> filePositions;  ///< empty or V entries: the file's own numbers, before placement

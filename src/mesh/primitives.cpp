@@ -222,26 +222,26 @@ MeshData splitIntoQuadsOnSphere(const MeshData& sphere, float radius) {
 
 MeshData makeLowPolyCube(float halfExtent) {
     MeshData mesh = makeCube(8, halfExtent);
-    mesh.name = "LP cube";
+    mesh.name = "Low-poly cube";
     return mesh;
 }
 
 MeshData makeHighPolyCube(float halfExtent) {
     MeshData mesh = makeCube(32, halfExtent);
-    mesh.name = "HP cube";
+    mesh.name = "High-poly cube";
     return mesh;
 }
 
 MeshData makeLowPolySphere(float radius) {
     MeshData mesh = makeUvSphere(20, 20, radius);
-    mesh.name = "LP sphere";
+    mesh.name = "Low-poly sphere";
     return mesh;
 }
 
 MeshData makeHighPolySphere(float radius) {
     MeshData mesh =
         splitIntoQuadsOnSphere(splitIntoQuadsOnSphere(makeUvSphere(32, 16, radius), radius), radius);
-    mesh.name = "HP sphere";
+    mesh.name = "High-poly sphere";
     return mesh;
 }
 

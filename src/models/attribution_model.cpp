@@ -112,13 +112,13 @@ QString AttributionModel::summary() const {
         return {};
     }
     if (contributions().empty() && isBuffers()) {
-        return tr("No hit has reached it.");
+        return tr("No hit has moved this vertex.");
     }
     const glm::vec3 sum = position() - target->deformed.original().positions[m_vertex->vertex];
     const QString moved =
         tr("Sum: %1 m (%2).").arg(quantityText(static_cast<double>(glm::length(sum))), vectorText(sum));
     if (isBuffers()) {
-        return moved + u' ' + tr("The buffer holds the same, to the last bit.");
+        return moved + u' ' + tr("The buffer holds the same: bit-exact.");
     }
     const glm::vec3 off = target->deformed.positions()[m_vertex->vertex] - position();
     return moved + u' ' +
@@ -189,8 +189,8 @@ QVariant AttributionModel::headerData(int section, Qt::Orientation orientation, 
     if (orientation != Qt::Horizontal || section < 0 || section >= ColumnCount) {
         return {};
     }
-    const QString titles[ColumnCount] = {tr("Hit"), tr("Distance (m)"), tr("Magnitude (m)"),
-                                         tr("Cap"), tr("Moved by (m)"), tr("Then at (m)")};
+    const QString titles[ColumnCount] = {tr("Hit"), tr("Distance (m)"),     tr("Magnitude (m)"),
+                                         tr("Cap"), tr("Displacement (m)"), tr("Position after (m)")};
     const QString explanations[ColumnCount] = {
         tr("The hit's number in the hit history"),
         tr("r: from the hit's point to where the vertex was just before"),

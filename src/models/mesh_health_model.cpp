@@ -105,9 +105,9 @@ QString MeshHealthModel::toolTip(const HarmRow& row) const {
             .arg(countText(std::size_t{row.harm.face} + 1), target != nullptr ? target->name : QString());
     switch (row.harm.kind) {
         case FaceHarm::Kind::Flipped:
-            return tr("%1: it looks the other way than in the original.").arg(face);
+            return tr("%1: its orientation is reversed.").arg(face);
         case FaceHarm::Kind::Degenerated:
-            return tr("%1: it has lost its area.").arg(face);
+            return tr("%1: its area is zero.").arg(face);
         case FaceHarm::Kind::Stretched:
             return tr("%1: one of its edges is %2 times as long as in the original.")
                 .arg(face)

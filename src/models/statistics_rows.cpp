@@ -254,14 +254,14 @@ Reason reasonFor(const Row& row, const SurfaceStatistics& topology) {
                     .arg(countText(topology.nonManifoldEdges), countText(topology.nonManifoldVertices))};
     }
     if (isGenus) {
-        return {tr("one-sided"), tr("Not defined: the surface has only one side.")};
+        return {tr("one-sided"), tr("Not defined: the surface is not orientable.")};
     }
     if (topology.boundaryEdges > 0) {
         return {tr("open"), tr("Not watertight: %1 boundary edges.").arg(countText(topology.boundaryEdges))};
     }
     if (topology.opposedEdges > 0) {
-        return {tr("turned faces"), tr("The faces do not all look the same way: %1 edges between faces that "
-                                       "look to different sides.")
+        return {tr("inconsistent"), tr("The orientation of the faces is inconsistent: %1 edges join faces "
+                                       "of opposite orientation.")
                                         .arg(countText(topology.opposedEdges))};
     }
     return {QStringLiteral("–"), tr("The volume is zero.")};

@@ -30,7 +30,7 @@ Result<RigidTransform> usablePlace(const RigidTransform& transform) {
 
 Status checkDynamic(const CollisionShape& shape, const TargetPhysics& physics) {
     if (physics.isDynamic && !(shape.bounds().diagonal() <= kLargestDynamic)) {
-        return Error{"The target is too large to be knocked about: more than 100 km across.", "",
+        return Error{"The target is too large to be dynamic: more than 100 km across.", "",
                      "Leave it static, or scale it down."};
     }
     return Done{};

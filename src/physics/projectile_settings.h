@@ -34,7 +34,7 @@ void setParameterValue(ProjectileSettings& settings, std::size_t index, double v
 /// the default.
 [[nodiscard]] ProjectileSettings clamped(const ProjectileSettings& settings);
 
-/// Whether a target stays where it was put, as in the paper, or is knocked about.
+/// Whether a target stays where it was put, as in the paper, or is dynamic: moves when hit.
 struct TargetPhysics {
     bool isDynamic = false;
     float mass = 100.0f;       ///< kilograms; of a dynamic target

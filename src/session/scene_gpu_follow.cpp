@@ -70,7 +70,7 @@ Status SceneGpu::Private::followReapplication(Delivery delivery) {
         };
         reapplication =
             std::make_unique<Reapplication>(session, std::move(made).value(), cancel,
-                                            isSwitch ? SceneGpuText::tr("Go back to the pipeline before")
+                                            isSwitch ? SceneGpuText::tr("Return to the previous pipeline")
                                                      : SceneGpuText::tr("Undo the change"));
     }
     if (!reapplication) {

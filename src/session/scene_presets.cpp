@@ -39,12 +39,14 @@ QString PaperRow::label() const {
             parts << counted(count, count == 1 ? one : many);
         }
     };
-    add(lowPolyCubes, QT_TRANSLATE_NOOP("PaperRow", "LP cube"), QT_TRANSLATE_NOOP("PaperRow", "LP cubes"));
-    add(highPolyCubes, QT_TRANSLATE_NOOP("PaperRow", "HP cube"), QT_TRANSLATE_NOOP("PaperRow", "HP cubes"));
-    add(lowPolySpheres, QT_TRANSLATE_NOOP("PaperRow", "LP sphere"),
-        QT_TRANSLATE_NOOP("PaperRow", "LP spheres"));
-    add(highPolySpheres, QT_TRANSLATE_NOOP("PaperRow", "HP sphere"),
-        QT_TRANSLATE_NOOP("PaperRow", "HP spheres"));
+    add(lowPolyCubes, QT_TRANSLATE_NOOP("PaperRow", "low-poly cube"),
+        QT_TRANSLATE_NOOP("PaperRow", "low-poly cubes"));
+    add(highPolyCubes, QT_TRANSLATE_NOOP("PaperRow", "high-poly cube"),
+        QT_TRANSLATE_NOOP("PaperRow", "high-poly cubes"));
+    add(lowPolySpheres, QT_TRANSLATE_NOOP("PaperRow", "low-poly sphere"),
+        QT_TRANSLATE_NOOP("PaperRow", "low-poly spheres"));
+    add(highPolySpheres, QT_TRANSLATE_NOOP("PaperRow", "high-poly sphere"),
+        QT_TRANSLATE_NOOP("PaperRow", "high-poly spheres"));
     return parts.join(QStringLiteral(", "));
 }
 
@@ -76,10 +78,10 @@ std::vector<TargetPlan> planPaperRow(const PaperRow& row) {
     };
     const Collider box = BoxCollider{glm::vec3(kHalfExtent)};
     const Collider sphere = SphereCollider{kHalfExtent};
-    add(row.lowPolyCubes, QStringLiteral("LP cube"), makeLowPolyCube, box);
-    add(row.highPolyCubes, QStringLiteral("HP cube"), makeHighPolyCube, box);
-    add(row.lowPolySpheres, QStringLiteral("LP sphere"), makeLowPolySphere, sphere);
-    add(row.highPolySpheres, QStringLiteral("HP sphere"), makeHighPolySphere, sphere);
+    add(row.lowPolyCubes, QStringLiteral("Low-poly cube"), makeLowPolyCube, box);
+    add(row.highPolyCubes, QStringLiteral("High-poly cube"), makeHighPolyCube, box);
+    add(row.lowPolySpheres, QStringLiteral("Low-poly sphere"), makeLowPolySphere, sphere);
+    add(row.highPolySpheres, QStringLiteral("High-poly sphere"), makeHighPolySphere, sphere);
     return plans;
 }
 

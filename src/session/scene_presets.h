@@ -18,7 +18,8 @@ struct PaperRow {
     [[nodiscard]] int targets() const {
         return lowPolyCubes + highPolyCubes + lowPolySpheres + highPolySpheres;
     }
-    /// "3 LP cubes, 3 HP cubes, 5 LP spheres, 5 HP spheres", without what there is none of.
+    /// "3 low-poly cubes, 3 high-poly cubes, 5 low-poly spheres, 5 high-poly spheres", without what there is
+    /// none of.
     [[nodiscard]] QString label() const;
 };
 
@@ -28,7 +29,7 @@ struct PaperRow {
 inline constexpr int kDefaultPaperRow = 1;
 
 /// The targets of a row on the paper's grid: 4 x 4, 15 m apart, each of half extent (or radius) 2.5 m,
-/// standing on y = 0; LP cubes first, then HP cubes, LP spheres, HP spheres.
+/// standing on y = 0; low-poly cubes first, then high-poly cubes, low-poly spheres, high-poly spheres.
 [[nodiscard]] std::vector<TargetPlan> planPaperRow(const PaperRow& row);
 
 }  // namespace hitscope

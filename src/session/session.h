@@ -163,7 +163,7 @@ public:
     /// Time goes on and something moves with it: projectiles, dynamic targets.
     [[nodiscard]] bool isMoving() const;
     [[nodiscard]] const PhysicsWorld& physics() const { return m_physics; }
-    /// One step to undo. Refused for a target too large to be knocked about.
+    /// One step to undo. Refused for a target too large to be dynamic.
     [[nodiscard]] Status setTargetPhysics(TargetId id, const TargetPhysics& physics);
     /// Why shots pass a target, in words for the interface; empty: they do not.
     [[nodiscard]] QString whyNotHittable(TargetId id) const;

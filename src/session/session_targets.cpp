@@ -16,7 +16,7 @@ bool isFinite(const RigidTransform& transform) {
     return std::isfinite(p.x + p.y + p.z) && std::isfinite(r.x + r.y + r.z + r.w);
 }
 
-/// "HP sphere 3" without its number.
+/// "High-poly sphere 3" without its number.
 QString stem(const QString& name) {
     const qsizetype space = name.lastIndexOf(u' ');
     bool isNumber = false;

@@ -40,8 +40,8 @@ private Q_SLOTS:
 
     void tenThousandHits_data() {
         QTest::addColumn<QString>("mesh");
-        for (const char* name :
-             {"LP cube", "HP cube", "LP sphere", "HP sphere", "teapot", "1,000,000 vertices"}) {
+        for (const char* name : {"Low-poly cube", "High-poly cube", "Low-poly sphere", "High-poly sphere",
+                                 "teapot", "1,000,000 vertices"}) {
             QTest::newRow(name) << QString::fromUtf8(name);
         }
     }

@@ -85,7 +85,7 @@ private Q_SLOTS:
     void everyEditEqualsAFreshStart_data() { addPipelines(); }
     void everyEditEqualsAFreshStart() {
         QFETCH(const int, kind);
-        TestScene scene = makeScene({QStringLiteral("LP sphere"), QStringLiteral("HP cube")});
+        TestScene scene = makeScene({QStringLiteral("Low-poly sphere"), QStringLiteral("High-poly cube")});
         const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
         QVERIFY(pipeline);
         HitHistory history;
@@ -108,7 +108,7 @@ private Q_SLOTS:
     void whatArrivesLateIsRightInTheEnd_data() { addPipelines(); }
     void whatArrivesLateIsRightInTheEnd() {
         QFETCH(const int, kind);
-        TestScene scene = makeScene({QStringLiteral("HP sphere"), QStringLiteral("LP cube")});
+        TestScene scene = makeScene({QStringLiteral("High-poly sphere"), QStringLiteral("Low-poly cube")});
         const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
         QVERIFY(pipeline);
         HitHistory history;
@@ -133,7 +133,7 @@ private Q_SLOTS:
     void undoAllTheWayAndBack_data() { addPipelines(); }
     void undoAllTheWayAndBack() {
         QFETCH(const int, kind);
-        TestScene scene = makeScene({QStringLiteral("HP sphere")});
+        TestScene scene = makeScene({QStringLiteral("High-poly sphere")});
         const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
         QVERIFY(pipeline);
         const std::vector<Hit> hits = randomHits(scene, 79, 500);
@@ -166,7 +166,7 @@ private Q_SLOTS:
     }
     void removingOneOfManyIsLocal() {
         QFETCH(const int, kind);
-        TestScene scene = makeScene({QStringLiteral("HP sphere")});
+        TestScene scene = makeScene({QStringLiteral("High-poly sphere")});
         const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
         QVERIFY(pipeline);
         HitHistory history;
@@ -188,7 +188,7 @@ private Q_SLOTS:
     void targetsThatComeLateGetTheirHits_data() { addPipelines(); }
     void targetsThatComeLateGetTheirHits() {
         QFETCH(const int, kind);
-        TestScene scene = makeScene({QStringLiteral("LP cube"), QStringLiteral("LP sphere")});
+        TestScene scene = makeScene({QStringLiteral("Low-poly cube"), QStringLiteral("Low-poly sphere")});
         Result<std::unique_ptr<DeformationPipeline>> pipeline = makePipeline(static_cast<PipelineKind>(kind));
         QVERIFY(pipeline.ok());
         const std::vector<Hit> hits = randomHits(scene, 89, 60);

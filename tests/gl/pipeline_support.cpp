@@ -24,13 +24,13 @@ glm::vec3 randomDirection(std::mt19937& random) {
 }
 
 MeshData meshNamed(const QString& name) {
-    if (name == QStringLiteral("HP sphere")) {
+    if (name == QStringLiteral("High-poly sphere")) {
         return makeHighPolySphere();
     }
-    if (name == QStringLiteral("HP cube")) {
+    if (name == QStringLiteral("High-poly cube")) {
         return makeHighPolyCube();
     }
-    if (name == QStringLiteral("LP sphere")) {
+    if (name == QStringLiteral("Low-poly sphere")) {
         return makeLowPolySphere();
     }
     return makeLowPolyCube();

@@ -25,7 +25,7 @@ struct TestTarget {
 };
 using TestScene = std::vector<TestTarget>;
 
-/// The paper's meshes by name, "HP sphere" ..., as targets 1, 2, ...
+/// The paper's meshes by name, "High-poly sphere" ..., as targets 1, 2, ...
 [[nodiscard]] TestScene makeScene(const QStringList& meshes);
 /// Only vertices and clusters: `count` points in a cube of half extent `extent`, unit normals.
 [[nodiscard]] RenderMesh pointCloud(std::uint32_t seed, std::uint32_t count, float extent);

@@ -39,10 +39,10 @@ private Q_SLOTS:
                             const QStringList& meshes) {
             QTest::newRow(name.constData()) << static_cast<int>(kind) << hits << palette << meshes;
         };
-        const QStringList sphere{QStringLiteral("HP sphere")};
-        const QStringList cube{QStringLiteral("HP cube")};
-        const QStringList four{QStringLiteral("LP cube"), QStringLiteral("HP sphere"),
-                               QStringLiteral("LP sphere"), QStringLiteral("HP cube")};
+        const QStringList sphere{QStringLiteral("High-poly sphere")};
+        const QStringList cube{QStringLiteral("High-poly cube")};
+        const QStringList four{QStringLiteral("Low-poly cube"), QStringLiteral("High-poly sphere"),
+                               QStringLiteral("Low-poly sphere"), QStringLiteral("High-poly cube")};
         for (const PipelineTraits& traits : allPipelines()) {
             const QByteArray key(traits.key.data(), static_cast<qsizetype>(traits.key.size()));
             const bool isLimited =
@@ -78,7 +78,7 @@ private Q_SLOTS:
     // A vertex reached by more hits than fit into one capture takes them all in order.
     void hitsOnOneSpotEqualReference() {
         QFETCH(const int, kind);
-        TestScene scene = makeScene({QStringLiteral("HP sphere")});
+        TestScene scene = makeScene({QStringLiteral("High-poly sphere")});
         const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
         QVERIFY(pipeline);
         std::vector<Hit> hits = randomHits(scene, 11, 300, 5);
@@ -97,7 +97,7 @@ private Q_SLOTS:
     }
     void splitNormalsLeaveNoCracks() {
         QFETCH(const int, kind);
-        TestScene scene = makeScene({QStringLiteral("HP cube")});
+        TestScene scene = makeScene({QStringLiteral("High-poly cube")});
         const RenderMesh& mesh = scene[0].mesh;
         const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
         QVERIFY(pipeline);
@@ -122,7 +122,7 @@ private Q_SLOTS:
     }
     void anySequenceEqualsAFreshReset() {
         QFETCH(const int, kind);
-        TestScene scene = makeScene({QStringLiteral("LP sphere"), QStringLiteral("HP cube")});
+        TestScene scene = makeScene({QStringLiteral("Low-poly sphere"), QStringLiteral("High-poly cube")});
         const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
         QVERIFY(pipeline);
         const std::vector<Hit> hits = randomHits(scene, 5, 400, 3);
@@ -158,7 +158,7 @@ private Q_SLOTS:
     }
     void onlyWhatMayHaveChangedIsRead() {
         QFETCH(const int, kind);
-        TestScene scene = makeScene({QStringLiteral("HP sphere")});
+        TestScene scene = makeScene({QStringLiteral("High-poly sphere")});
         const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
         QVERIFY(pipeline);
         Mirror mirror(scene);
@@ -189,7 +189,7 @@ private Q_SLOTS:
     void workStaysWithTheHits() {
         QFETCH(const int, kind);
         QFETCH(const bool, read);
-        TestScene scene = makeScene({QStringLiteral("HP sphere")});
+        TestScene scene = makeScene({QStringLiteral("High-poly sphere")});
         const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
         QVERIFY(pipeline);
         const std::vector<Hit> hits = randomHits(scene, 47, 500);
@@ -213,7 +213,7 @@ private Q_SLOTS:
     // Each hit strikes where the one before has left the vertex, metres outside the original mesh.
     void vertexPushedFarOutIsFound() {
         QFETCH(const int, kind);
-        TestScene scene = makeScene({QStringLiteral("LP sphere")});
+        TestScene scene = makeScene({QStringLiteral("Low-poly sphere")});
         const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
         QVERIFY(pipeline);
         const std::size_t vertex = 10;
@@ -236,7 +236,7 @@ private Q_SLOTS:
     }
     void targetsComeAndGo() {
         QFETCH(const int, kind);
-        TestScene scene = makeScene({QStringLiteral("LP cube"), QStringLiteral("LP sphere")});
+        TestScene scene = makeScene({QStringLiteral("Low-poly cube"), QStringLiteral("Low-poly sphere")});
         const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
         QVERIFY(pipeline);
         std::vector<Hit> hits = randomHits(scene, 13, 100);
@@ -265,7 +265,7 @@ private Q_SLOTS:
     }
     void callersStateIsKept() {
         QFETCH(const int, kind);
-        TestScene scene = makeScene({QStringLiteral("LP cube")});
+        TestScene scene = makeScene({QStringLiteral("Low-poly cube")});
         const gl::Framebuffer framebuffer = gl::Framebuffer::make();
         const gl::VertexArray vertexArray = gl::VertexArray::make();
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());

@@ -104,7 +104,7 @@ private Q_SLOTS:
     }
     void keepsTheLastHits() {
         QFETCH(const int, step);
-        TestScene scene = makeScene({QStringLiteral("LP sphere"), QStringLiteral("LP cube")});
+        TestScene scene = makeScene({QStringLiteral("Low-poly sphere"), QStringLiteral("Low-poly cube")});
         const auto pipeline = uniformArray(scene, kLeastLimits);
         QVERIFY(pipeline);
         QCOMPARE(pipeline->capacity().capacity, std::optional<std::size_t>(128));
@@ -130,7 +130,7 @@ private Q_SLOTS:
 
     // Of the hits with more different constants than the palette holds, the newest count.
     void keepsHitsWhoseConstantsFit() {
-        TestScene scene = makeScene({QStringLiteral("LP sphere")});
+        TestScene scene = makeScene({QStringLiteral("Low-poly sphere")});
         const auto pipeline = uniformArray(scene);
         QVERIFY(pipeline);
         std::vector<Hit> hits = randomHits(scene, 19, 100);
@@ -155,7 +155,7 @@ private Q_SLOTS:
     }
     void drawingProgramsComputeWhatIsRead() {
         QFETCH(const bool, least);
-        TestScene scene = makeScene({QStringLiteral("LP cube"), QStringLiteral("HP sphere")});
+        TestScene scene = makeScene({QStringLiteral("Low-poly cube"), QStringLiteral("High-poly sphere")});
         const auto pipeline = uniformArray(scene, least ? kLeastLimits : PipelineOptions{});
         QVERIFY(pipeline);
         Result<gl::Program> program = drawingProgram(*pipeline);
@@ -182,7 +182,7 @@ private Q_SLOTS:
 
     // Uniforms belong to the program: whoever drew with it last left its hits there.
     void pipelinesThatShareAProgram() {
-        TestScene scene = makeScene({QStringLiteral("LP sphere")});
+        TestScene scene = makeScene({QStringLiteral("Low-poly sphere")});
         const auto one = uniformArray(scene);
         const auto other = uniformArray(scene);
         QVERIFY(one && other);
@@ -203,7 +203,7 @@ private Q_SLOTS:
     }
 
     void feedbackDrawsTheBufferAsItIs() {
-        TestScene scene = makeScene({QStringLiteral("LP sphere")});
+        TestScene scene = makeScene({QStringLiteral("Low-poly sphere")});
         Result<std::unique_ptr<DeformationPipeline>> made = makePipeline(PipelineKind::TransformFeedback);
         QVERIFY(made.ok());
         DeformationPipeline& pipeline = *made.value();

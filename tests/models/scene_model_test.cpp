@@ -37,7 +37,7 @@ private Q_SLOTS:
 
     void showsTheTargets() {
         QCOMPARE(m_model->rowCount(), 16);
-        QCOMPARE(text(0, SceneModel::NameColumn), QStringLiteral("LP cube 1"));
+        QCOMPARE(text(0, SceneModel::NameColumn), QStringLiteral("Low-poly cube 1"));
         QCOMPARE(text(3, SceneModel::VerticesColumn), QStringLiteral("6,146"));
         QCOMPARE(text(3, SceneModel::HitsColumn), QStringLiteral("0"));
         QCOMPARE(at(3, SceneModel::VerticesColumn).data(SceneModel::RawValueRole).toULongLong(), 6146ULL);
@@ -76,7 +76,7 @@ private Q_SLOTS:
         m_session->undo();
         QCOMPARE(inserted.count(), 2);
         QCOMPARE(last.row(), 15);
-        QCOMPARE(text(3, SceneModel::NameColumn), QStringLiteral("HP cube 1"));
+        QCOMPARE(text(3, SceneModel::NameColumn), QStringLiteral("High-poly cube 1"));
         m_session->addTargets({planPrimitive({PrimitiveKind::Torus, 9, 2.0f})});
         QCOMPARE(text(16, SceneModel::NameColumn), QStringLiteral("Torus"));
         m_session->redo();  // nothing: adding ended it
@@ -97,7 +97,7 @@ private Q_SLOTS:
         QVERIFY(!m_model->setData(at(1, SceneModel::NameColumn), QStringLiteral(" ")));
         QVERIFY(!m_model->setData(at(1, SceneModel::VerticesColumn), 3));
         m_session->undo();
-        QCOMPARE(text(1, SceneModel::NameColumn), QStringLiteral("LP cube 2"));
+        QCOMPARE(text(1, SceneModel::NameColumn), QStringLiteral("Low-poly cube 2"));
     }
 
     void theEyeHides() {

@@ -68,8 +68,8 @@ class ReachTest : public QObject {
 
     static void addMeshes() {
         QTest::addColumn<MeshData>("mesh");
-        QTest::newRow("LP cube") << makeLowPolyCube();
-        QTest::newRow("HP sphere") << makeHighPolySphere();
+        QTest::newRow("Low-poly cube") << makeLowPolyCube();
+        QTest::newRow("High-poly sphere") << makeHighPolySphere();
         QTest::newRow("teapot") << makeTeapot(8);
         QTest::newRow("far from the origin") << shifted(makeLowPolySphere(), {20000.0f, -7000.0f, 300.0f});
     }

@@ -32,7 +32,7 @@ float anyFloat(std::mt19937& random) {
 HitRecords randomTable(std::mt19937& random, std::size_t count) {
     HitRecords table;
     table.pipelines = kPipelines;
-    table.targets = {{TargetId{1}, "HP sphere, \"first\"\nof all"}, {TargetId{2}, "Würfel \\ \t 2"}};
+    table.targets = {{TargetId{1}, "High-poly sphere, \"first\"\nof all"}, {TargetId{2}, "Würfel \\ \t 2"}};
     std::uniform_real_distribution<float> part(-1.0f, 1.0f);
     while (table.hits.size() < count) {
         Hit hit;

@@ -37,10 +37,11 @@ class PrimitivesTest : public QObject {
         QTest::addColumn<MeshData>("mesh");
         QTest::addColumn<std::size_t>("vertices");
         QTest::addColumn<std::size_t>("faces");
-        QTest::newRow("LP cube") << makeLowPolyCube() << std::size_t{386} << std::size_t{6 * 8 * 8};
-        QTest::newRow("HP cube") << makeHighPolyCube() << std::size_t{6146} << std::size_t{6 * 32 * 32};
-        QTest::newRow("LP sphere") << makeLowPolySphere() << std::size_t{382} << std::size_t{20 * 20};
-        QTest::newRow("HP sphere") << makeHighPolySphere() << std::size_t{7938} << std::size_t{7936};
+        QTest::newRow("Low-poly cube") << makeLowPolyCube() << std::size_t{386} << std::size_t{6 * 8 * 8};
+        QTest::newRow("High-poly cube")
+            << makeHighPolyCube() << std::size_t{6146} << std::size_t{6 * 32 * 32};
+        QTest::newRow("Low-poly sphere") << makeLowPolySphere() << std::size_t{382} << std::size_t{20 * 20};
+        QTest::newRow("High-poly sphere") << makeHighPolySphere() << std::size_t{7938} << std::size_t{7936};
         QTest::newRow("smallest cube") << makeCube(1, 2.5f) << std::size_t{8} << std::size_t{6};
         QTest::newRow("smallest sphere") << makeUvSphere(3, 2, 2.5f) << std::size_t{5} << std::size_t{6};
     }

@@ -57,9 +57,9 @@ class RenderMeshTest : public QObject {
         QTest::addColumn<MeshData>("mesh");
         QTest::newRow("nothing") << MeshData();
         QTest::newRow("no faces") << meshOf({{1, 2, 3}}, {});
-        QTest::newRow("LP cube") << makeLowPolyCube();
-        QTest::newRow("HP cube") << makeHighPolyCube();
-        QTest::newRow("HP sphere") << makeHighPolySphere();
+        QTest::newRow("Low-poly cube") << makeLowPolyCube();
+        QTest::newRow("High-poly cube") << makeHighPolyCube();
+        QTest::newRow("High-poly sphere") << makeHighPolySphere();
         QTest::newRow("sphere without normals") << withoutNormals(makeLowPolySphere());
         QTest::newRow("teapot") << makeTeapot(9);
         QTest::newRow("materials") << mixedMaterials();

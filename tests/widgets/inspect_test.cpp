@@ -184,7 +184,7 @@ private Q_SLOTS:
         QTest::mouseDClick(table->viewport(), Qt::LeftButton, {}, cell);
         QCOMPARE(m_session->selectedHit(), std::optional(model.contributions()[0].hit));
         auto* sum = m_window->findChild<QLabel*>(QStringLiteral("attributionSum"));
-        QVERIFY(sum->text().contains(QStringLiteral("to the last bit")));
+        QVERIFY(sum->text().contains(QStringLiteral("bit-exact")));
     }
 
 private:

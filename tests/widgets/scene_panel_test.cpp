@@ -134,7 +134,7 @@ void ScenePanelTest::nameIsEditedInPlace() {
     QTest::mouseDClick(m_table->viewport(), Qt::LeftButton, {}, place(3, SceneModel::NameColumn));
     const auto openEditor = [this]() -> QLineEdit* {
         for (auto* line : m_table->findChildren<QLineEdit*>()) {
-            if (line->isVisible() && line->text() == QStringLiteral("HP cube 1")) {
+            if (line->isVisible() && line->text() == QStringLiteral("High-poly cube 1")) {
                 return line;
             }
         }
@@ -144,7 +144,7 @@ void ScenePanelTest::nameIsEditedInPlace() {
     QTest::keyClick(openEditor(), Qt::Key_Escape);
     QCOMPARE(m_session->undoName(), (SessionUndo::Name{SessionUndo::Kind::RenameTarget, 1}));
     m_session->undo();
-    QCOMPARE(m_session->targets()[2]->name, QStringLiteral("LP cube 3"));
+    QCOMPARE(m_session->targets()[2]->name, QStringLiteral("Low-poly cube 3"));
 }
 
 void ScenePanelTest::closesWhileANameIsEdited() {

@@ -129,7 +129,7 @@ void ShotsTest::sequenceAlongALine() {
     dialog->findChild<QDoubleSpinBox*>("toX")->setValue(55.0);
     dialog->findChild<QPushButton*>("shoot")->click();
     QVERIFY(m_window->findChild<QAction*>("stopShots")->isEnabled());
-    QVERIFY(m_window->findChild<QLabel*>("timeBadge")->text().contains(QStringLiteral("5 shots to come")));
+    QVERIFY(m_window->findChild<QLabel*>("timeBadge")->text().contains(QStringLiteral("5 pending shots")));
     QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{5}, kPatience);
     QVERIFY(!m_window->findChild<QAction*>("stopShots")->isEnabled());
     // A tenth of a second apart, and from left to right.

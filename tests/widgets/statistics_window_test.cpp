@@ -176,7 +176,7 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(different->text(), QStringLiteral("0"), kPatience);
         QVERIFY(dock->findChild<QLabel*>(QStringLiteral("verdict"))
                     ->text()
-                    .contains(QStringLiteral("to the last bit")));
+                    .contains(QStringLiteral("bit-exact")));
         QVERIFY(!dock->findChild<QToolButton*>(QStringLiteral("worst"))->isEnabled());
 
         // A vertex disturbed behind the pipeline's back.

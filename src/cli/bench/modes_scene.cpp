@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kHits = 600;         // as many as the paper's arrays hold
 constexpr std::uint32_t kSeed = 1;         // of the checks
-constexpr float kEdge = 0.1f;              // metres, of the HP meshes, about
+constexpr float kEdge = 0.1f;              // metres, of the high-poly meshes, about
 constexpr float kCloseEdgePixels = 16.0f;  // of an edge, seen from close by
 
 std::shared_ptr<const std::vector<glm::vec3>> dentOf(const Session& session, const Hit& hit) {

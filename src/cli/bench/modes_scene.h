@@ -50,7 +50,7 @@ private:
     const ViewMode* m_mode = nullptr;
 };
 
-/// 6 HP cubes, 10 HP spheres: the row with the most vertices to look at.
+/// 6 high-poly cubes, 10 high-poly spheres: the row with the most vertices to look at.
 inline constexpr int kFullestRow = 6;
 
 /// A frame in this mode over a plainly shaded one from the same place: the fullest row, transform feedback.

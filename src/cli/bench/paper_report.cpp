@@ -18,8 +18,8 @@ QStringList rowCells(int row) {
 }
 
 QStringList rowColumns() {
-    return {QStringLiteral("LP cubes"), QStringLiteral("HP cubes"), QStringLiteral("LP spheres"),
-            QStringLiteral("HP spheres")};
+    return {QStringLiteral("low-poly cubes"), QStringLiteral("high-poly cubes"),
+            QStringLiteral("low-poly spheres"), QStringLiteral("high-poly spheres")};
 }
 
 /// The paper's own figures for a pipeline; null: it has none.

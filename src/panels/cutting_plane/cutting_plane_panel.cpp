@@ -72,7 +72,7 @@ CuttingPlanePanel::CuttingPlanePanel(const Session& session, QWidget* parent)
         box->setDecimals(3);
         box->setSingleStep(0.1);
         box->setKeyboardTracking(false);
-        box->setToolTip(tr("The normal's direction; its length does not matter"));
+        box->setToolTip(tr("Direction of the normal; its length is ignored"));
         connect(box, &QDoubleSpinBox::valueChanged, this, &CuttingPlanePanel::editNormal);
     }
     m_ui->offset->setRange(-kLargest, kLargest);
@@ -218,7 +218,7 @@ void CuttingPlanePanel::showSection() {
     m_ui->copy->setEnabled(isAny);
     m_ui->csv->setEnabled(isAny);
     if (!m_section) {
-        m_ui->deepest->setText(m_cut.on ? tr("The section is being worked out…")
+        m_ui->deepest->setText(m_cut.on ? tr("Computing the section…")
                                         : tr("Switch the plane on to see a section."));
         m_ui->plot->setSection(nullptr, {}, {});
         return;

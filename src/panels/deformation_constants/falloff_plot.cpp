@@ -33,10 +33,10 @@ FalloffPlot::FalloffPlot(QWidget* parent) : QWidget(parent), m_plot(new QCustomP
     layout->addWidget(m_plot);
     setMinimumHeight(130);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    setToolTip(tr("How far a vertex moves by its distance from the hit point"));
+    setToolTip(tr("Displacement of a vertex against its distance from the hit point"));
     m_plot->setMinimumSize(120, 100);
     m_plot->xAxis->setLabel(tr("distance from the hit point (m)"));
-    m_plot->yAxis->setLabel(tr("moves (m)"));
+    m_plot->yAxis->setLabel(tr("displacement (m)"));
     m_plot->xAxis->setLabelPadding(1);
     m_plot->yAxis->setLabelPadding(1);
     m_plot->yAxis->ticker()->setTickCount(3);

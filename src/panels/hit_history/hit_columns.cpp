@@ -25,7 +25,7 @@ struct Column {
 /// In the order of HitHistoryModel::Column.
 constexpr Column kColumns[HitHistoryModel::ColumnCount] = {{"000,000", true},
                                                            {"0000.00", true},
-                                                           {"HP sphere 10", true},
+                                                           {"High-poly sphere 10", true},
                                                            {"-00.000, -00.000, -00.000", true},
                                                            {"-0.000, -0.000, -0.000", false},
                                                            {"000.00", true},

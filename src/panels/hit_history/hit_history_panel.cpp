@@ -141,8 +141,8 @@ void HitHistoryPanel::makeActions() {
     m_remove = makeAction(tr("Remove"), QKeySequence::Delete, &HitHistoryPanel::removeSelected);
     m_remove->setIcon(themedIcon(QStringLiteral("remove")));
     m_copy->setIcon(themedIcon(QStringLiteral("copy")));
-    m_remove->setToolTip(withKey(tr("Remove the selected hits; the mesh becomes what the others make of it"),
-                                 m_remove->shortcut()));
+    m_remove->setToolTip(
+        withKey(tr("Remove the selected hits; the mesh is rebuilt from the others"), m_remove->shortcut()));
     m_copy->setToolTip(
         withKey(tr("Copy the selected hits, or all, as comma-separated text"), m_copy->shortcut()));
     m_filter = new QAction(themedIcon(QStringLiteral("filter")), tr("Filter"), this);

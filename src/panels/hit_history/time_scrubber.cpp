@@ -25,8 +25,8 @@ TimeScrubber::TimeScrubber(Session& session, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
     m_play = addButton("scrub_play", tr("Replay the hits one after the other"), &TimeScrubber::togglePlay);
-    m_back = addButton("scrub_back", tr("One hit back"), &TimeScrubber::stepBack);
-    m_on = addButton("scrub_forward", tr("One hit on"), &TimeScrubber::stepOn);
+    m_back = addButton("scrub_back", tr("Previous hit"), &TimeScrubber::stepBack);
+    m_on = addButton("scrub_forward", tr("Next hit"), &TimeScrubber::stepOn);
     m_play->setObjectName(QStringLiteral("play"));
     m_back->setObjectName(QStringLiteral("stepBack"));
     m_on->setObjectName(QStringLiteral("stepOn"));
@@ -70,7 +70,7 @@ void TimeScrubber::follow() {
     m_back->setEnabled(shown() > 0);
     m_on->setEnabled(shown() < all());
     m_slider->setToolTip(
-        tr("Show the targets as they were after hit %1 of %2; the history stays as it is")
+        tr("Show the targets as they were after hit %1 of %2; the history is not changed")
             .arg(countText(static_cast<std::size_t>(shown())), countText(static_cast<std::size_t>(all()))));
 }
 
@@ -100,7 +100,7 @@ void TimeScrubber::play(bool on) {
         m_timer.stop();
     }
     m_play->setIcon(themedIcon(on ? QStringLiteral("scrub_pause") : QStringLiteral("scrub_play")));
-    m_play->setToolTip(on ? tr("Stop here") : tr("Replay the hits one after the other"));
+    m_play->setToolTip(on ? tr("Stop") : tr("Replay the hits one after the other"));
 }
 
 void TimeScrubber::playOn() {

@@ -30,7 +30,7 @@ QString PipelineAgreementPanel::verdict() const {
         return m_agreement.isComparing() ? tr("Comparing…") : tr("Not compared yet.");
     }
     const std::string_view name = pipelineTraits(report->pipeline).name;
-    QString text = report->different == 0 ? tr("%1: all %2 vertices equal the reference to the last bit.")
+    QString text = report->different == 0 ? tr("%1: all %2 vertices are identical to the reference (bit-exact).")
                                           : tr("%1: of %2 vertices, some differ from the reference.");
     text = text.arg(QString::fromUtf8(name), countText(report->vertices));
     if (report->dropped > 0) {
