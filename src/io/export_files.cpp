@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/export_files.h"
 
+#include <sys/stat.h>
+
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
-#include <map>
+#include <algorithm>
 
+#include "io/export_names.h"
 #include "io/file_scope.h"
 #include "io/save_image.h"
 
@@ -15,128 +17,209 @@ namespace {
 
 bool hasContent(const QString& path, const QByteArray& content) {
     QFile file(path);
-    return file.open(QIODevice::ReadOnly) && file.size() == content.size() && file.readAll() == content;
+    return QFileInfo(path).isFile() && file.open(QIODevice::ReadOnly) && file.size() == content.size() &&
+           file.readAll() == content;
 }
 
-class TexturePlacer {
-public:
-    TexturePlacer(const MeshData& mesh, QString sourceFolder, QString folder, QString baseName)
-        : m_mesh(mesh),
-          m_sourceFolder(std::move(sourceFolder)),
-          m_folder(std::move(folder)),
-          m_baseName(std::move(baseName)) {}
-
-    /// The texture of that name, or else that image; both may be none.
-    Result<std::string> place(const std::string& texture, int image);
-
-private:
-    Result<std::string> placeFile(const std::string& name, const QString& source);
-    Result<std::string> placeImage(int image);
-    Result<std::string> placeBytes(const QString& name, const QByteArray& bytes);
-    [[nodiscard]] QString findSource(const QString& name) const;
-
-    const MeshData& m_mesh;
-    QString m_sourceFolder;
-    QString m_folder;
-    QString m_baseName;
-    std::map<int, std::string> m_placedImages;  ///< each once, whatever number of materials use it
-};
-
-QString TexturePlacer::findSource(const QString& name) const {
-    if (m_sourceFolder.isEmpty() || name.isEmpty()) {
-        return {};
-    }
-    const QString direct = resolveInside(m_sourceFolder, name);
+/// Where a file goes that the mesh's file calls `name`: the same way from the folder, if it leads down.
+QString placeBelow(const QString& name) {
     QString local = name;
     local.replace(QLatin1Char('\\'), QLatin1Char('/'));
-    return direct.isEmpty() ? resolveInside(m_sourceFolder, QFileInfo(local).fileName()) : direct;
+    const QString clean = QDir::cleanPath(local);
+    const bool leadsDown = !QDir::isAbsolutePath(clean) && !clean.startsWith(QLatin1String("..")) &&
+                           !clean.contains(QLatin1Char(':'));
+    return leadsDown ? clean : QFileInfo(clean).fileName();
 }
 
-Result<std::string> TexturePlacer::placeBytes(const QString& name, const QByteArray& bytes) {
-    const QString path = freePath(m_folder, name, bytes);
-    if (!QFileInfo::exists(path)) {
-        if (const Status written =
-                writeWhole(path, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
-            !written) {
-            return written.error();
-        }
-    }
-    return QFileInfo(path).fileName().toStdString();
+/// Whether a line of an MTL file begins with a word that names a picture.
+bool namesAPicture(const QByteArray& line) {
+    const QByteArray word = line.simplified().split(' ').value(0).toLower();
+    return word.startsWith("map_") || word == "bump" || word == "norm" || word == "disp" || word == "decal" ||
+           word == "refl";
 }
 
-Result<std::string> TexturePlacer::placeFile(const std::string& name, const QString& source) {
-    if (resolveInside(m_folder, QString::fromStdString(name)) == source) {
-        return name;  // the export goes to the mesh's own folder
-    }
-    QFile file(source);
-    if (!file.open(QIODevice::ReadOnly)) {
-        return name;
-    }
-    return placeBytes(QFileInfo(source).fileName(), file.readAll());
+bool hasMaterials(const QByteArray& library) {
+    return library.startsWith("newmtl ") || library.contains("\nnewmtl ") || library.contains("\nnewmtl\t");
 }
 
-Result<std::string> TexturePlacer::placeImage(int image) {
-    const auto known = m_placedImages.find(image);
-    if (known != m_placedImages.end()) {
-        return known->second;
-    }
-    const QString name = QStringLiteral("%1_texture%2.png").arg(m_baseName).arg(image + 1);
-    Result<std::string> placed = placeBytes(name, encodePng(m_mesh.images[static_cast<std::size_t>(image)]));
-    if (placed) {
-        m_placedImages.emplace(image, placed.value());
-    }
-    return placed;
-}
-
-Result<std::string> TexturePlacer::place(const std::string& texture, int image) {
-    const QString source = findSource(QString::fromStdString(texture));
-    if (!source.isEmpty()) {
-        return placeFile(texture, source);
-    }
-    return image >= 0 ? placeImage(image) : Result<std::string>(texture);
+unsigned modeOf(const QString& path) {
+    struct stat info {};
+    return ::stat(QFile::encodeName(path).constData(), &info) == 0 ? info.st_mode & 0777 : 0600;
 }
 
 }  // namespace
 
-Status writeWhole(const QString& path, std::string_view content) {
-    QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) &&
-        file.write(content.data(), static_cast<qint64>(content.size())) ==
-            static_cast<qint64>(content.size()) &&
-        file.commit()) {
-        return Done{};
-    }
-    return Error{"The file cannot be saved: " + file.errorString().toStdString() + ".", path.toStdString(),
-                 "Choose a folder that exists, that you may write to and that has room."};
+bool ExportPlace::isOwnFolder() const {
+    const QString source = QFileInfo(sourceFolder).canonicalFilePath();
+    return !sourceFolder.isEmpty() && !source.isEmpty() && source == QFileInfo(folder).canonicalFilePath();
 }
 
-QString freePath(const QString& folder, const QString& name, const QByteArray& content) {
-    const QDir dir(folder);
+/// `name`, or with a number before its suffix, so that nothing else has it.
+template <class IsSame>
+QString MaterialFiles::freeName(const QString& name, const IsSame& isSame) const {
+    const QDir folder(m_place.folder);
     const QFileInfo info(name);
+    const QString before = info.path() == QLatin1String(".") ? QString() : info.path() + QLatin1Char('/');
     const QString suffix = info.suffix().isEmpty() ? QString() : QLatin1Char('.') + info.suffix();
-    QString path = dir.filePath(name);
-    for (int n = 1; QFileInfo::exists(path) && !hasContent(path, content); ++n) {
-        path = dir.filePath(QStringLiteral("%1-%2%3").arg(info.completeBaseName()).arg(n).arg(suffix));
+    QString free = name;
+    for (int n = 1;; ++n) {
+        const QString path = folder.filePath(free);
+        const QFileInfo there(path);
+        const bool isTaken = there.exists() || there.isSymLink() || m_staged.holds(path);
+        if (!isTaken || isSame(path)) {
+            return free;
+        }
+        free = before + QStringLiteral("%1-%2%3").arg(info.completeBaseName()).arg(n).arg(suffix);
     }
-    return path;
 }
 
-Result<std::vector<PlacedTextures>> placeTextures(const MeshData& mesh, const QString& sourceFolder,
-                                                  const QString& folder, const QString& baseName) {
-    TexturePlacer placer(mesh, sourceFolder, folder, baseName);
+QString MaterialFiles::freePath(const QString& name, const QByteArray& content) const {
+    return QDir(m_place.folder).filePath(freeName(name, [&content](const QString& path) {
+        return hasContent(path, content);
+    }));
+}
+
+Result<std::string> MaterialFiles::placePicture(const std::string& name, bool inItsFolder) {
+    const bool isPicture =
+        std::find(m_mesh.pictureFiles.begin(), m_mesh.pictureFiles.end(), name) != m_mesh.pictureFiles.end();
+    const QString given = QString::fromStdString(name);
+    const QString source = isPicture && !m_place.sourceFolder.isEmpty()
+                               ? resolveTexture(m_place.sourceFolder, given)
+                               : QString();
+    if (source.isEmpty() || m_place.isOwnFolder()) {
+        return name;
+    }
+    const QString wanted = inItsFolder ? placeBelow(given) : QFileInfo(source).fileName();
+    const QString free = freeName(wanted, [this, &source](const QString& path) {
+        const auto placed = m_placed.find(path);
+        return placed != m_placed.end() ? placed->second == source : haveSameContent(path, source);
+    });
+    const QString path = QDir(m_place.folder).filePath(free);
+    if (!m_placed.contains(path) && !QFileInfo::exists(path)) {
+        if (const Status copied = m_staged.addCopy(source, path, kMaxTextureBytes); !copied) {
+            return copied.error();
+        }
+    }
+    m_placed.emplace(path, source);
+    return free == wanted && inItsFolder ? name : free.toStdString();
+}
+
+Result<std::string> MaterialFiles::placeImage(int image) {
+    const auto known = m_placedImages.find(image);
+    if (known != m_placedImages.end()) {
+        return known->second;
+    }
+    const QByteArray png = encodePng(m_mesh.images[static_cast<std::size_t>(image)]);
+    const QString path =
+        freePath(QStringLiteral("%1_texture%2.png").arg(m_place.baseName).arg(image + 1), png);
+    if (!QFileInfo::exists(path)) {
+        const std::string_view bytes(png.constData(), static_cast<std::size_t>(png.size()));
+        if (const Status added = m_staged.add(path, bytes, StagedFiles::Existing::Keep); !added) {
+            return added.error();
+        }
+    }
+    return m_placedImages.emplace(image, QFileInfo(path).fileName().toStdString()).first->second;
+}
+
+Result<std::string> MaterialFiles::placeTexture(const std::string& name, int image) {
+    const bool isThere = !name.empty() && !m_place.sourceFolder.isEmpty() &&
+                         !resolveTexture(m_place.sourceFolder, QString::fromStdString(name)).isEmpty();
+    return image >= 0 && !isThere ? placeImage(image) : placePicture(name, false);
+}
+
+Result<std::vector<PlacedTextures>> MaterialFiles::placeTextures() {
     std::vector<PlacedTextures> placed;
-    for (const Material& material : mesh.materials) {
-        Result<std::string> diffuse = placer.place(material.diffuseTexture, material.diffuseImage);
+    for (const Material& material : m_mesh.materials) {
+        Result<std::string> diffuse = placeTexture(material.diffuseTexture, material.diffuseImage);
         if (!diffuse) {
             return diffuse.error();
         }
-        Result<std::string> normals = placer.place(material.normalMap.texture, material.normalMap.image);
+        Result<std::string> normals = placeTexture(material.normalMap.texture, material.normalMap.image);
         if (!normals) {
             return normals.error();
         }
         placed.push_back({std::move(diffuse.value()), std::move(normals.value())});
     }
     return placed;
+}
+
+/// A picture's name ends its line; options come before it.
+QByteArray MaterialFiles::withNewNames(const QByteArray& library) const {
+    if (m_renamed.empty()) {
+        return library;
+    }
+    QList<QByteArray> lines = library.split('\n');
+    for (QByteArray& line : lines) {
+        qsizetype end = line.size();
+        while (end > 0 && std::isspace(static_cast<unsigned char>(line[end - 1])) != 0) {
+            --end;
+        }
+        for (const auto& [name, newName] : m_renamed) {
+            const qsizetype start = end - static_cast<qsizetype>(name.size());
+            if (start > 0 && namesAPicture(line) &&
+                line.mid(start, end - start) == QByteArray::fromStdString(name) &&
+                std::isspace(static_cast<unsigned char>(line[start - 1])) != 0) {
+                line.replace(start, end - start, QByteArray::fromStdString(newName));
+                break;
+            }
+        }
+    }
+    return lines.join('\n');
+}
+
+/// Empty: there is nothing to refer to.
+Result<std::string> MaterialFiles::placeLibrary(const QString& name) {
+    const QString source = resolveInside(m_place.sourceFolder, name);
+    QFile file(source);
+    if (source.isEmpty() || QFileInfo(source).size() > kMaxLibraryBytes || !file.open(QIODevice::ReadOnly)) {
+        return std::string();
+    }
+    const QByteArray own = file.read(kMaxLibraryBytes);
+    if (!hasMaterials(own)) {
+        return std::string();
+    }
+    const QByteArray content = withNewNames(own);
+    const QString path = freePath(placeBelow(name), content);
+    if (!QFileInfo::exists(path) && !m_staged.holds(path)) {
+        const std::string_view bytes(content.constData(), static_cast<std::size_t>(content.size()));
+        if (const Status added = m_staged.add(path, bytes, StagedFiles::Existing::Keep, modeOf(source));
+            !added) {
+            return added.error();
+        }
+    }
+    return QDir(m_place.folder).relativeFilePath(path).toStdString();
+}
+
+Result<std::vector<std::string>> MaterialFiles::placeLibraries() {
+    std::vector<std::string> names;
+    if (m_place.isOwnFolder()) {
+        for (const std::string& line : m_mesh.materialLibraries) {
+            names.push_back(nameOnLine(line));
+        }
+        return names;
+    }
+    for (const std::string& picture : m_mesh.pictureFiles) {
+        const Result<std::string> placed = placePicture(picture, true);
+        if (!placed) {
+            return placed.error();
+        }
+        if (placed.value() != picture) {
+            m_renamed.emplace(picture, placed.value());
+        }
+    }
+    for (const std::string& line : m_mesh.materialLibraries) {
+        for (const QString& name : librariesOnLine(m_place.sourceFolder, QString::fromStdString(line))) {
+            const Result<std::string> placed = placeLibrary(name);
+            if (!placed) {
+                return placed.error();
+            }
+            const std::string& library = placed.value();
+            if (!library.empty() && std::find(names.begin(), names.end(), library) == names.end()) {
+                names.push_back(library);
+            }
+        }
+    }
+    return names;
 }
 
 }  // namespace hitscope

@@ -3,28 +3,65 @@
 
 #include <QByteArray>
 #include <QString>
-#include <string_view>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "core/result.h"
 #include "io/format_mtl.h"
+#include "io/staged_files.h"
 #include "mesh/mesh_data.h"
 
 namespace hitscope {
 
-/// Writes a file, whole or not at all.
-[[nodiscard]] Status writeWhole(const QString& path, std::string_view content);
+/// Where an export takes pictures from and brings them to.
+struct ExportPlace {
+    QString sourceFolder;  ///< of the mesh's file; empty: it has none
+    QString folder;        ///< of the OBJ
+    QString baseName;      ///< of the OBJ
 
-/// A path in `folder` for a file of that name and content: `name` if it is free or already has this content,
-/// else "base-1.suffix", "base-2.suffix" ... What is there is never to be overwritten.
-[[nodiscard]] QString freePath(const QString& folder, const QString& name, const QByteArray& content);
+    /// Files that the source names lie where the export's are looked for.
+    [[nodiscard]] bool isOwnFolder() const;
+};
 
-/// Sees to it that the textures of the mesh's materials lie in `folder` or below: copies them from
-/// `sourceFolder`, and writes those that have no file as PNG (named after `baseName`). Gives for each
-/// material the names to refer to; textures that cannot be found keep theirs.
-[[nodiscard]] Result<std::vector<PlacedTextures>> placeTextures(const MeshData& mesh,
-                                                                const QString& sourceFolder,
-                                                                const QString& folder,
-                                                                const QString& baseName);
+/// Brings what a mesh's materials refer to beside its export. Only files that the import read as pictures are
+/// copied, kMaxTextureBytes at most each; nothing that exists is replaced: a file of another content gets
+/// another name ("wood-1.png").
+class MaterialFiles {
+public:
+    /// All outlive this.
+    MaterialFiles(const MeshData& mesh, const ExportPlace& place, StagedFiles& staged)
+        : m_mesh(mesh), m_place(place), m_staged(staged) {}
+
+    /// The MTL files that the mesh's own file names, as they are but for names of pictures that had to
+    /// change, with their pictures. Gives what the OBJ's mtllib lines say. Files that cannot be read, or have
+    /// no materials in them, are left out.
+    [[nodiscard]] Result<std::vector<std::string>> placeLibraries();
+
+    /// The pictures of materials that have no MTL file; those in the mesh's file alone become PNG. Gives for
+    /// each material the names to refer to; textures that cannot be had keep theirs.
+    [[nodiscard]] Result<std::vector<PlacedTextures>> placeTextures();
+
+    /// A path for a file of that content: `name` if it is free or already has this content, else
+    /// "base-1.suffix", "base-2.suffix" ...
+    [[nodiscard]] QString freePath(const QString& name, const QByteArray& content) const;
+
+private:
+    /// The name to refer to, "maps/wood.png"; the name itself where there is nothing to copy.
+    Result<std::string> placePicture(const std::string& name, bool inItsFolder);
+    Result<std::string> placeImage(int image);
+    Result<std::string> placeTexture(const std::string& name, int image);
+    Result<std::string> placeLibrary(const QString& name);
+    [[nodiscard]] QByteArray withNewNames(const QByteArray& library) const;
+    template <class IsSame>
+    [[nodiscard]] QString freeName(const QString& name, const IsSame& isSame) const;
+
+    const MeshData& m_mesh;
+    const ExportPlace& m_place;
+    StagedFiles& m_staged;
+    std::map<QString, QString> m_placed;           ///< source of each picture that is placed, by its new path
+    std::map<std::string, std::string> m_renamed;  ///< pictures that could not keep their names
+    std::map<int, std::string> m_placedImages;     ///< each once, whatever number of materials use it
+};
 
 }  // namespace hitscope

@@ -17,34 +17,32 @@ Status checkLengths(const ObjExport& what) {
                 : Status(Error{"The deformed mesh and its original do not have the same vertices.", {}, {}});
 }
 
-/// Beside the OBJ, under its name; a name without blanks, because some readers take a blank for the end. An
-/// MTL of that name is replaced only if there is an OBJ as well, which the person agreed to replace.
-QString libraryPath(const QFileInfo& obj, const QByteArray& content) {
-    QString name = obj.completeBaseName() + QStringLiteral(".mtl");
-    name.replace(QLatin1Char(' '), QLatin1Char('_'));
-    return obj.exists() ? obj.absolutePath() + QLatin1Char('/') + name
-                        : freePath(obj.absolutePath(), name, content);
-}
-
-/// The MTL that goes with an OBJ. Without a path: none.
-struct Library {
-    QString path;
-    std::string content;
-};
-
-Result<Library> prepareMaterials(const ObjExport& what, const QFileInfo& obj) {
-    if (what.mesh->materials.empty()) {
-        return Library();
+/// What the OBJ's mtllib lines say, once what they refer to is staged.
+Result<std::vector<std::string>> stageMaterials(const ObjExport& what, const QFileInfo& obj,
+                                                StagedFiles& staged) {
+    const ExportPlace place{what.sourceFolder, obj.absolutePath(), obj.completeBaseName()};
+    MaterialFiles files(*what.mesh, place, staged);
+    if (!what.sourceFolder.isEmpty() && !what.mesh->materialLibraries.empty()) {
+        return files.placeLibraries();
     }
-    const Result<std::vector<PlacedTextures>> textures =
-        placeTextures(*what.mesh, what.sourceFolder, obj.absolutePath(), obj.completeBaseName());
+    if (what.mesh->materials.empty()) {
+        return std::vector<std::string>();
+    }
+    const Result<std::vector<PlacedTextures>> textures = files.placeTextures();
     if (!textures) {
         return textures.error();
     }
-    Library library;
-    library.content = formatMtl(*what.mesh, textures.value());
-    library.path = libraryPath(obj, QByteArray::fromStdString(library.content));
-    return library;
+    const std::string text = formatMtl(*what.mesh, textures.value());
+    // Some readers take a blank for the name's end.
+    QString name = obj.completeBaseName() + QStringLiteral(".mtl");
+    name.replace(QLatin1Char(' '), QLatin1Char('_'));
+    const QString path = files.freePath(name, QByteArray::fromStdString(text));
+    if (!QFileInfo::exists(path)) {
+        if (const Status added = staged.add(path, text, StagedFiles::Existing::Keep); !added) {
+            return added.error();
+        }
+    }
+    return std::vector<std::string>{QFileInfo(path).fileName().toStdString()};
 }
 
 }  // namespace
@@ -54,22 +52,20 @@ Status exportObj(const ObjExport& what, const QString& path) {
         return fits;
     }
     try {
-        const Result<Library> library = prepareMaterials(what, QFileInfo(path));
-        if (!library) {
-            return library.error();
+        StagedFiles staged(what.beforeStep);
+        const Result<std::vector<std::string>> libraries = stageMaterials(what, QFileInfo(path), staged);
+        if (!libraries) {
+            return libraries.error();
         }
-        const QString& libraryPath = library.value().path;
-        const std::string text = formatObj(what, QFileInfo(libraryPath).fileName().toStdString());
+        const std::string text = formatObj(what, libraries.value());
         if (text.empty()) {
             return Error{"The export was cancelled.", path.toStdString(), "The file is as it was."};
         }
-        // The library first, so that an OBJ never refers to one that is not there.
-        if (!libraryPath.isEmpty()) {
-            if (Status written = writeWhole(libraryPath, library.value().content); !written) {
-                return written;
-            }
+        // Last, so that an OBJ never refers to files that are not there.
+        if (const Status added = staged.add(path, text, StagedFiles::Existing::Replace); !added) {
+            return added;
         }
-        return writeWhole(path, text);
+        return staged.commit();
     } catch (const std::bad_alloc&) {
         return Error{"There is not enough memory to write the mesh.", path.toStdString(),
                      "Close other programs."};

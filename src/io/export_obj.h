@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/result.h"
 #include "mesh/mesh_data.h"
@@ -23,17 +24,19 @@ struct ObjExport {
     /// Called now and then with how much of the text is made, [0, 1]; false gives the export up. May be
     /// empty.
     std::function<bool(double)> goOn = {};
+    std::function<void()> beforeStep = {};  ///< StagedFiles' own; for tests
 };
 
-/// Writes FILE.obj, and FILE.mtl with the used textures beside it if the mesh has materials. A vertex that
-/// did not move is written with the file's own numbers; one that did so that reading gives the same float.
-/// Normals that are the file's but for their length stay the file's. Each file is written whole or not at
-/// all, the OBJ last; other files of the same names are not overwritten, but for those of an OBJ that is
-/// replaced. Given up, it fails, and an OBJ of that name and its MTL are as they were.
+/// Writes FILE.obj. In the source's own folder it refers to the source's MTL files; elsewhere these are
+/// copied as they are, with their pictures. A mesh that has none gets FILE.mtl with its textures, if it has
+/// materials. A vertex that did not move is written with the file's own numbers; one that did so that reading
+/// gives the same float. Normals that are the file's but for their length stay the file's. Only FILE.obj is
+/// ever replaced. All files are written in full before the first gets its name, the OBJ last, so that the old
+/// ones or the new ones are there whatever happens. Given up, it fails, and all is as it was.
 [[nodiscard]] Status exportObj(const ObjExport& what, const QString& path);
 
-/// The OBJ text alone, empty where it was given up; pure, for tests. materialLibrary: the mtllib line's name,
-/// empty for none.
-[[nodiscard]] std::string formatObj(const ObjExport& what, const std::string& materialLibrary);
+/// The OBJ text alone, empty where it was given up; pure, for tests. materialLibraries: a name for each
+/// mtllib line.
+[[nodiscard]] std::string formatObj(const ObjExport& what, const std::vector<std::string>& materialLibraries);
 
 }  // namespace hitscope

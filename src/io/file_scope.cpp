@@ -3,6 +3,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QStringList>
 
 namespace hitscope {
 
@@ -17,6 +18,23 @@ QString resolveInside(const QString& folder, const QString& name) {
     const QString prefix = root.endsWith(QLatin1Char('/')) ? root : root + QLatin1Char('/');
     const QFileInfo info(found);
     return found.startsWith(prefix) && info.isFile() && info.isReadable() ? found : QString();
+}
+
+QString resolveTexture(const QString& folder, const QString& name) {
+    QString direct = resolveInside(folder, name);
+    if (!direct.isEmpty()) {
+        return direct;
+    }
+    QString local = name;
+    local.replace(QLatin1Char('\\'), QLatin1Char('/'));
+    return resolveInside(folder, QFileInfo(local).fileName());
+}
+
+QStringList librariesOnLine(const QString& folder, const QString& line) {
+    if (!resolveInside(folder, line).isEmpty()) {
+        return {line};
+    }
+    return line.split(QLatin1Char(' '), Qt::SkipEmptyParts);
 }
 
 }  // namespace hitscope

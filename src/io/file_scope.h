@@ -2,12 +2,23 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 namespace hitscope {
+
+inline constexpr qint64 kMaxTextureBytes = 512ll << 20;  ///< of one picture's file
+inline constexpr qint64 kMaxLibraryBytes = 64 << 20;     ///< of one MTL file
 
 /// The canonical path of `name` (relative to `folder`, or absolute) if it is a regular, readable file inside
 /// `folder` once every link and ".." is followed; empty otherwise. Backslashes count as separators. A mesh
 /// file names other files, and must not be able to name any file of the person's.
 [[nodiscard]] QString resolveInside(const QString& folder, const QString& name);
+
+/// The same for a texture: files from other machines name "C:\textures\wood.png", and the file of that name
+/// in `folder` is meant.
+[[nodiscard]] QString resolveTexture(const QString& folder, const QString& name);
+
+/// The file names of an MTL line, which may hold one name with blanks in it, or several names.
+[[nodiscard]] QStringList librariesOnLine(const QString& folder, const QString& line);
 
 }  // namespace hitscope

@@ -75,8 +75,8 @@ NormalTable tabulateNormals(const MeshData& mesh, std::span<const glm::vec3> nor
 
 class ObjText {
 public:
-    ObjText(const ObjExport& what, const std::string& materialLibrary)
-        : m_mesh(*what.mesh), m_what(what), m_library(materialLibrary) {}
+    ObjText(const ObjExport& what, const std::vector<std::string>& materialLibraries)
+        : m_mesh(*what.mesh), m_what(what), m_libraries(materialLibraries) {}
 
     std::string format();
 
@@ -96,7 +96,7 @@ private:
 
     const MeshData& m_mesh;
     const ObjExport& m_what;
-    const std::string& m_library;
+    const std::vector<std::string>& m_libraries;
     std::string m_text;
     NormalTable m_normals;
     std::vector<std::string> m_materials;
@@ -248,8 +248,8 @@ std::string ObjText::format() {
     constexpr std::size_t kCornerBytes = 18;
     m_text.reserve(kVertexBytes * m_mesh.positions.size() + kCornerBytes * m_mesh.cornerVertices.size());
     m_text = "# Written by Hitscope " HITSCOPE_VERSION "\n";
-    if (!m_library.empty()) {
-        m_text += "mtllib " + m_library + '\n';
+    for (const std::string& library : m_libraries) {
+        m_text += "mtllib " + library + '\n';
     }
     m_materials = materialNames(m_mesh);
     vertices();
@@ -267,8 +267,8 @@ std::string ObjText::format() {
 
 }  // namespace
 
-std::string formatObj(const ObjExport& what, const std::string& materialLibrary) {
-    return ObjText(what, materialLibrary).format();
+std::string formatObj(const ObjExport& what, const std::vector<std::string>& materialLibraries) {
+    return ObjText(what, materialLibraries).format();
 }
 
 }  // namespace hitscope

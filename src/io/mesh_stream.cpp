@@ -64,15 +64,22 @@ void visitMesh(Stream& stream, Mesh& mesh) {
     stream.list(mesh.lines, [&](auto& line) { stream.array(line); });
     stream.array(mesh.points);
     stream.list(mesh.materialLibraries, [&](auto& library) { stream.text(library); });
+    stream.list(mesh.pictureFiles, [&](auto& name) { stream.text(name); });
 }
 
 class Writer {
 public:
     explicit Writer(QFile& file) : m_file(file) {}
 
+    /// A full disk takes a part first, and says why only when it is asked for the rest.
     void bytes(const void* data, std::uint64_t size) {
-        m_good = m_good && m_file.write(static_cast<const char*>(data), static_cast<qint64>(size)) ==
-                               static_cast<qint64>(size);
+        const char* from = static_cast<const char*>(data);
+        while (m_good && size > 0) {
+            const qint64 written = m_file.write(from, static_cast<qint64>(size));
+            m_good = written > 0;
+            from += std::max<qint64>(written, 0);
+            size -= static_cast<std::uint64_t>(std::max<qint64>(written, 0));
+        }
     }
     template <class T>
     void plain(const T& value) {

@@ -85,6 +85,7 @@ struct MeshData {
     std::vector<std::vector<std::uint32_t>> lines;  ///< OBJ l elements: vertex indices; kept for export only
     std::vector<std::uint32_t> points;              ///< OBJ p elements: vertex indices; kept for export only
     std::vector<std::string> materialLibraries;     ///< OBJ mtllib names, as the file has them
+    std::vector<std::string> pictureFiles;  ///< textures, as the file names them, whose files are pictures
 
     [[nodiscard]] std::size_t vertexCount() const { return positions.size(); }
     [[nodiscard]] std::size_t faceCount() const { return faceStarts.empty() ? 0 : faceStarts.size() - 1; }

@@ -39,6 +39,7 @@ MeshData everything() {
     mesh.lines = {{0, 1}, {}};
     mesh.points = {3};
     mesh.materialLibraries = {"m.mtl"};
+    mesh.pictureFiles = {"a.png", "b.png"};
     return mesh;
 }
 
@@ -69,6 +70,7 @@ void StreamTest::carriesEverything() {
     QCOMPARE(differences(again.value(), mesh), QStringList());
     QCOMPARE(again.value().name, mesh.name);
     QCOMPARE(again.value().materialLibraries, mesh.materialLibraries);
+    QCOMPARE(again.value().pictureFiles, mesh.pictureFiles);
 }
 
 void StreamTest::refusesTruncations() {

@@ -15,8 +15,6 @@
 namespace hitscope {
 namespace {
 
-constexpr qint64 kMaxLibraryBytes = 64 << 20;
-
 struct Given {
     bool diffuse = false;
     bool specular = false;
@@ -72,12 +70,18 @@ Material convert(const tinyobj::material_t& from, const Given& given) {
     return material;
 }
 
-/// The line may hold one name with blanks in it, or several names.
-QStringList librariesOnLine(const QString& folder, const QString& line) {
-    if (!resolveInside(folder, line).isEmpty()) {
-        return {line};
+/// Of a kind that is not drawn.
+QStringList otherMaps(const tinyobj::material_t& from) {
+    QStringList maps;
+    for (const std::string* name :
+         {&from.ambient_texname, &from.specular_texname, &from.specular_highlight_texname, &from.bump_texname,
+          &from.displacement_texname, &from.alpha_texname, &from.reflection_texname, &from.roughness_texname,
+          &from.metallic_texname, &from.sheen_texname, &from.emissive_texname}) {
+        if (!name->empty()) {
+            maps << QString::fromStdString(*name);
+        }
     }
-    return line.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    return maps;
 }
 
 class LibraryMerger {
@@ -116,7 +120,7 @@ private:
 
 }  // namespace
 
-std::vector<Material> parseMtl(const std::string& text) {
+std::vector<Material> parseMtl(const std::string& text, QStringList* others) {
     std::string unixText = text;
     std::erase(unixText, '\r');
     std::erase(unixText, '\0');
@@ -131,14 +135,18 @@ std::vector<Material> parseMtl(const std::string& text) {
     for (std::size_t m = 0; m < parsed.size(); ++m) {
         if (!parsed[m].name.empty()) {  // a file without newmtl gives one nameless material
             materials.push_back(convert(parsed[m], m < given.size() ? given[m] : Given{}));
+            if (others != nullptr) {
+                *others << otherMaps(parsed[m]);
+            }
         }
     }
     return materials;
 }
 
-void readMaterialLibraries(ImportedMesh& imported, const QString& folder) {
+QStringList readMaterialLibraries(ImportedMesh& imported, const QString& folder) {
     LibraryMerger merger(imported.mesh);
     QStringList names;
+    QStringList others;
     for (const std::string& line : imported.mesh.materialLibraries) {
         names += librariesOnLine(folder, QString::fromStdString(line));
     }
@@ -151,7 +159,7 @@ void readMaterialLibraries(ImportedMesh& imported, const QString& folder) {
                     .arg(name);
             continue;
         }
-        for (const Material& material : parseMtl(file.readAll().toStdString())) {
+        for (const Material& material : parseMtl(file.readAll().toStdString(), &others)) {
             merger.add(material);
         }
     }
@@ -161,6 +169,7 @@ void readMaterialLibraries(ImportedMesh& imported, const QString& folder) {
                                    missing.mid(0, 5).join(QStringLiteral(", ")) +
                                        (missing.size() > 5 ? QStringLiteral(" and others") : QString()));
     }
+    return others;
 }
 
 }  // namespace hitscope

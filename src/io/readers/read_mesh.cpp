@@ -111,10 +111,11 @@ Result<ImportedMesh> readMesh(const QString& path, const ProgressSink& progress)
     if (progress) {
         progress(1.0, "Reading materials and textures");
     }
+    QStringList otherMaps;
     if (info.suffix().toLower() == QStringLiteral("obj")) {
-        readMaterialLibraries(imported.value(), info.absolutePath());
+        otherMaps = readMaterialLibraries(imported.value(), info.absolutePath());
     }
-    readTextures(imported.value(), info.absolutePath());
+    readTextures(imported.value(), info.absolutePath(), otherMaps);
     if (const Status valid = validate(imported.value().mesh); !valid) {
         return withPlace(valid.error(), path);
     }

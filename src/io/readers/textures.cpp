@@ -8,6 +8,7 @@
 #include <QImageReader>
 #include <cstring>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "io/file_scope.h"
 
@@ -16,7 +17,6 @@ namespace {
 
 constexpr int kMaxSide = 8192;                         // pixels
 constexpr int kMaxDecodedMegabytes = 600;              // 8192 x 8192 at 64 bits a pixel, and a little
-constexpr qint64 kMaxFileBytes = 512ll << 20;          // of one picture
 constexpr std::size_t kMaxAllPixelBytes = 1ull << 30;  // of all pictures of a mesh, decoded
 
 /// Vector formats could name further files, and are no textures.
@@ -37,24 +37,13 @@ Image toImage(const QImage& decoded) {
     return image;
 }
 
-/// Files from other machines name "C:\textures\wood.png": the same name beside the mesh is meant.
-QString findTexture(const QString& folder, const QString& name) {
-    QString direct = resolveInside(folder, name);
-    if (!direct.isEmpty()) {
-        return direct;
-    }
-    QString local = name;
-    local.replace(QLatin1Char('\\'), QLatin1Char('/'));
-    return resolveInside(folder, QFileInfo(local).fileName());
-}
-
 std::optional<Image> readPicture(const QString& path, QString& why) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) {
         why = file.errorString();
         return std::nullopt;
     }
-    if (file.size() > kMaxFileBytes) {
+    if (file.size() > kMaxTextureBytes) {
         why = QStringLiteral("the file is too large");
         return std::nullopt;
     }
@@ -88,19 +77,40 @@ std::optional<Image> decodeImage(const QByteArray& bytes, QString& why) {
 
 namespace {
 
-/// Reads each file once, whoever refers to it.
+bool looksLikeAPicture(const QString& path) {
+    QImageReader reader(path);
+    reader.setDecideFormatFromContent(true);
+    const QSize size = isPicture(reader.format().toLower()) ? reader.size() : QSize();
+    return size.isValid() && size.width() <= kMaxSide && size.height() <= kMaxSide;
+}
+
+/// Reads each file once, whoever refers to it, and notes which are pictures.
 class TextureReader {
 public:
     TextureReader(ImportedMesh& imported, const QString& folder) : m_imported(imported), m_folder(folder) {}
+
+    /// Of a map that is not drawn: whether its file is a picture, by what it says of itself.
+    void look(const QString& name) {
+        if (m_known.contains(name.toStdString()) || !m_looked.insert(name.toStdString()).second) {
+            return;
+        }
+        const QString path = resolveTexture(m_folder, name);
+        if (!path.isEmpty() && QFileInfo(path).size() <= kMaxTextureBytes && looksLikeAPicture(path)) {
+            m_imported.mesh.pictureFiles.push_back(name.toStdString());
+        }
+    }
 
     /// Index of the image, or -1. `what`: "texture", as the note calls one that is not shown.
     int read(const std::string& texture, const QString& what) {
         const auto [at, isNew] = m_known.try_emplace(texture, -1);
         if (isNew) {
             const QString name = QString::fromStdString(texture);
-            const QString path = findTexture(m_folder, name);
+            const QString path = resolveTexture(m_folder, name);
             QString why = QStringLiteral("it is not in the mesh's folder");
             std::optional<Image> image = path.isEmpty() ? std::nullopt : readPicture(path, why);
+            if (image) {
+                m_imported.mesh.pictureFiles.push_back(texture);
+            }
             if (image && m_pixelBytes + image->pixels.size() > kMaxAllPixelBytes) {
                 why = QStringLiteral("the mesh's textures take more than a gigabyte together");
                 image.reset();
@@ -120,6 +130,7 @@ private:
     ImportedMesh& m_imported;
     const QString& m_folder;
     std::unordered_map<std::string, int> m_known;
+    std::unordered_set<std::string> m_looked;
     std::size_t m_pixelBytes = 0;
 };
 
@@ -135,7 +146,7 @@ bool isGrey(const Image& image) {
 
 }  // namespace
 
-void readTextures(ImportedMesh& imported, const QString& folder) {
+void readTextures(ImportedMesh& imported, const QString& folder, const QStringList& others) {
     TextureReader reader(imported, folder);
     for (Material& material : imported.mesh.materials) {
         if (!material.diffuseTexture.empty() && material.diffuseImage < 0) {
@@ -152,6 +163,9 @@ void readTextures(ImportedMesh& imported, const QString& folder) {
                 QStringLiteral("The bump map \"%1\" is not shown: it holds heights, not normals.")
                     .arg(QString::fromStdString(map.texture));
         }
+    }
+    for (const QString& name : others) {
+        reader.look(name);
     }
 }
 

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/staged_files.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QRandomGenerator>
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+
+namespace hitscope {
+
+namespace {
+
+constexpr std::size_t kPiece = 1 << 20;  // bytes read at once
+
+class Descriptor {
+public:
+    explicit Descriptor(int number) : m_number(number) {}
+    ~Descriptor() {
+        if (m_number >= 0) {
+            ::close(m_number);
+        }
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    [[nodiscard]] bool isOpen() const { return m_number >= 0; }
+    [[nodiscard]] int get() const { return m_number; }
+
+private:
+    int m_number;
+};
+
+Error cannotSave(const QString& path, int reason) {
+    return {"The file cannot be saved: " + qt_error_string(reason).toStdString() + ".", path.toStdString(),
+            "Choose a folder that exists, that you may write to and that has room."};
+}
+
+bool writeAll(int descriptor, const char* data, std::size_t size) {
+    while (size > 0) {
+        const ssize_t written = ::write(descriptor, data, size);
+        if (written < 0 && errno != EINTR) {
+            return false;
+        }
+        data += std::max<ssize_t>(written, 0);
+        size -= static_cast<std::size_t>(std::max<ssize_t>(written, 0));
+    }
+    return true;
+}
+
+/// All that can be read, `most` bytes at most; false with errno for more, or where it fails.
+bool copyAll(int from, int to, qint64 most) {
+    std::vector<char> piece(kPiece);
+    for (qint64 copied = 0;;) {
+        const ssize_t size = ::read(from, piece.data(), piece.size());
+        if (size == 0) {
+            return true;
+        }
+        if (size < 0 && errno == EINTR) {
+            continue;
+        }
+        copied += std::max<ssize_t>(size, 0);
+        if (copied > most) {
+            errno = EFBIG;
+        }
+        if (size < 0 || copied > most || !writeAll(to, piece.data(), static_cast<std::size_t>(size))) {
+            return false;
+        }
+    }
+}
+
+bool syncFile(int descriptor) {
+    return ::fsync(descriptor) == 0 || errno == EINVAL || errno == EROFS;  // some file systems have no sync
+}
+
+void syncFolderOf(const QString& path) {
+    const Descriptor folder(::open(QFile::encodeName(QFileInfo(path).absolutePath()).constData(),
+                                   O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (folder.isOpen()) {
+        syncFile(folder.get());
+    }
+}
+
+/// Renames, but never over something that exists.
+bool renameToNew(const char* from, const char* to) {
+    if (::renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE) == 0) {
+        return true;
+    }
+    if (errno != EINVAL && errno != ENOSYS) {
+        return false;
+    }
+    // A file system without that.
+    struct stat info {};
+    if (::lstat(to, &info) == 0) {
+        errno = EEXIST;
+        return false;
+    }
+    return ::rename(from, to) == 0;
+}
+
+/// Where a file that is replaced really is.
+QString withoutLinks(const QString& path) {
+    const QString real = QFileInfo(path).canonicalFilePath();
+    return real.isEmpty() ? QFileInfo(path).absoluteFilePath() : real;
+}
+
+}  // namespace
+
+StagedFiles::StagedFiles(std::function<void()> beforeStep) : m_beforeStep(std::move(beforeStep)) {}
+
+StagedFiles::~StagedFiles() {
+    if (!m_isDone) {
+        removeNew(0);
+    }
+}
+
+void StagedFiles::step() const {
+    if (m_beforeStep) {
+        m_beforeStep();
+    }
+}
+
+bool StagedFiles::holds(const QString& path) const {
+    return std::any_of(m_files.begin(), m_files.end(),
+                       [&path](const File& file) { return file.path == path; });
+}
+
+bool StagedFiles::makeFolder(const QString& path) {
+    QStringList missing;
+    QDir folder(path);
+    while (!folder.exists() && !folder.isRoot()) {
+        missing.prepend(folder.absolutePath());
+        folder.setPath(QFileInfo(folder.absolutePath()).absolutePath());
+    }
+    for (const QString& name : missing) {
+        step();
+        if (::mkdir(QFile::encodeName(name).constData(), 0777) != 0 && errno != EEXIST) {
+            return false;
+        }
+        m_newFolders.push_back(name);
+    }
+    return true;
+}
+
+Status StagedFiles::fill(const QString& path, Existing existing, unsigned mode,
+                         const std::function<bool(int descriptor)>& write) {
+    const QString place = existing == Existing::Replace ? withoutLinks(path) : path;
+    const QFileInfo info(place);
+    if (info.isDir()) {
+        return cannotSave(path, EISDIR);
+    }
+    const QString hidden = QStringLiteral("%1/.%2.%3")
+                               .arg(info.absolutePath(), info.fileName().left(200),
+                                    QString::number(QRandomGenerator::system()->generate64(), 36));
+    step();
+    const QByteArray temporary = QFile::encodeName(hidden);
+    const Descriptor file(
+        ::open(temporary.constData(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode));
+    if (!file.isOpen()) {
+        return cannotSave(path, errno);
+    }
+    m_files.push_back({place, temporary, existing});
+    struct stat before {};
+    if (existing == Existing::Replace && ::stat(QFile::encodeName(place).constData(), &before) == 0) {
+        if (!S_ISREG(before.st_mode)) {
+            return cannotSave(path, EINVAL);
+        }
+        static_cast<void>(::fchmod(file.get(), before.st_mode & 0777));
+    }
+    step();
+    if (!write(file.get()) || !syncFile(file.get())) {
+        return cannotSave(path, errno);
+    }
+    return Done{};
+}
+
+Status StagedFiles::add(const QString& path, std::string_view content, Existing existing, unsigned mode) {
+    if (existing == Existing::Keep && !makeFolder(QFileInfo(path).absolutePath())) {
+        return cannotSave(path, errno);
+    }
+    return fill(path, existing, mode,
+                [content](int descriptor) { return writeAll(descriptor, content.data(), content.size()); });
+}
+
+Status StagedFiles::addCopy(const QString& source, const QString& path, qint64 most) {
+    // Not blocking: a pipe that took the file's place must not hold us for ever.
+    const Descriptor from(
+        ::open(QFile::encodeName(source).constData(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    struct stat info {};
+    if (!from.isOpen() || ::fstat(from.get(), &info) != 0 || !S_ISREG(info.st_mode) || info.st_size > most) {
+        return Error{"The file cannot be copied: it is no longer there, or it is too large.",
+                     source.toStdString(), "Open the mesh again."};
+    }
+    if (!makeFolder(QFileInfo(path).absolutePath())) {
+        return cannotSave(path, errno);
+    }
+    return fill(path, Existing::Keep, info.st_mode & 0777,
+                [&from, most](int descriptor) { return copyAll(from.get(), descriptor, most); });
+}
+
+Status StagedFiles::commit() {
+    for (std::size_t i = 0; i < m_files.size(); ++i) {
+        const File& file = m_files[i];
+        const QByteArray path = QFile::encodeName(file.path);
+        if (i > 0) {
+            syncFolderOf(m_files[i - 1].path);  // what it refers to is there for good
+        }
+        step();
+        const bool isNamed = file.existing == Existing::Keep
+                                 ? renameToNew(file.temporary.constData(), path.constData())
+                                 : ::rename(file.temporary.constData(), path.constData()) == 0;
+        if (!isNamed) {
+            const int reason = errno;
+            removeNew(i);
+            m_isDone = true;
+            return cannotSave(file.path, reason);
+        }
+    }
+    m_isDone = true;
+    step();
+    if (!m_files.empty()) {
+        syncFolderOf(m_files.back().path);
+    }
+    return Done{};
+}
+
+/// `named`: so many have their names already.
+void StagedFiles::removeNew(std::size_t named) {
+    for (std::size_t i = 0; i < m_files.size(); ++i) {
+        if (i >= named) {
+            ::unlink(m_files[i].temporary.constData());
+        } else if (m_files[i].existing == Existing::Keep) {
+            ::unlink(QFile::encodeName(m_files[i].path).constData());
+        }
+    }
+    for (auto folder = m_newFolders.rbegin(); folder != m_newFolders.rend(); ++folder) {
+        ::rmdir(QFile::encodeName(*folder).constData());  // refused unless it is empty
+    }
+}
+
+Status StagedFiles::add(const QString& path, const std::function<bool(int descriptor)>& write) {
+    return fill(path, Existing::Replace, 0666, write);
+}
+
+Status writeWhole(const QString& path, std::string_view content) {
+    return writeWhole(path, [content](const PutPiece& put) { put(content); });
+}
+
+Status writeWhole(const QString& path, const std::function<void(const PutPiece&)>& make) {
+    const auto write = [&make](int descriptor) {
+        bool isGood = true;
+        make([descriptor, &isGood](std::string_view piece) {
+            isGood = isGood && writeAll(descriptor, piece.data(), piece.size());
+            return isGood;
+        });
+        return isGood;
+    };
+    struct stat info {};
+    const QByteArray name = QFile::encodeName(path);
+    if (::stat(name.constData(), &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode)) {
+        const Descriptor device(::open(name.constData(), O_WRONLY | O_CLOEXEC));
+        return device.isOpen() && write(device.get()) ? Status(Done{}) : Status(cannotSave(path, errno));
+    }
+    StagedFiles files;
+    if (const Status added = files.add(path, write); !added) {
+        return added;
+    }
+    return files.commit();
+}
+
+bool haveSameContent(const QString& a, const QString& b) {
+    QFile one(a);
+    QFile other(b);
+    if (!one.open(QIODevice::ReadOnly) || !other.open(QIODevice::ReadOnly) || one.size() != other.size()) {
+        return false;
+    }
+    while (!one.atEnd()) {
+        const QByteArray piece = one.read(kPiece);
+        if (piece.isEmpty() || piece != other.read(kPiece)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace hitscope
