@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/import.h"
 
+#include <QDir>
 #include <QEventLoop>
 #include <QFileInfo>
 #include <QProcess>
-#include <QTemporaryDir>
 #include <QThread>
 #include <QTimer>
 #include <atomic>
@@ -12,6 +12,7 @@
 
 #include "io/import_checks.h"
 #include "io/mesh_stream.h"
+#include "io/nameless_file.h"
 #include "io/worker_failure.h"
 #include "io/worker_location.h"
 #include "io/worker_protocol.h"
@@ -32,7 +33,7 @@ Error cancelledError(const QString& path) {
 struct MeshImport::Private {
     MeshImport* q = nullptr;
     ImportLimits limits;
-    QTemporaryDir folder;
+    NamelessFile answer;
     QProcess process;
     QTimer clock;
     QStringList notes;
@@ -50,7 +51,6 @@ struct MeshImport::Private {
     void workerEnded(int code, QProcess::ExitStatus status);
     void takeOver();
     void handOver();
-    [[nodiscard]] QString answerPath() const { return folder.filePath(QStringLiteral("mesh")); }
     void endWorker();
 };
 
@@ -75,14 +75,14 @@ void MeshImport::Private::begin() {
         return fail({"The program hitscope-import, which reads mesh files, is missing.", path.toStdString(),
                      "Install Hitscope again, or name it in HITSCOPE_IMPORT_WORKER."});
     }
-    if (!folder.isValid()) {
-        return fail({"There is no place for temporary files: " + folder.errorString().toStdString() + ".",
-                     folder.path().toStdString(), "Make room there, or set TMPDIR to another folder."});
+    if (!answer.isOpen()) {
+        return fail({"There is no place for temporary files: " + answer.whyNot().toStdString() + ".",
+                     QDir::tempPath().toStdString(), "Make room there, or set TMPDIR to another folder."});
     }
     process.setStandardInputFile(QProcess::nullDevice());
     process.setStandardErrorFile(QProcess::nullDevice());
-    process.start(worker,
-                  {path, answerPath(), QString::number(limits.seconds), QString::number(limits.memoryBytes)});
+    process.start(
+        worker, {path, answer.path(), QString::number(limits.seconds), QString::number(limits.memoryBytes)});
     clock.start(limits.seconds * 1000);
 }
 
@@ -115,7 +115,7 @@ void MeshImport::Private::workerEnded(int code, QProcess::ExitStatus status) {
     if (told && !timedOut) {
         return fail(*told);
     }
-    if (crashed || code != 0 || timedOut || !QFileInfo::exists(answerPath())) {
+    if (crashed || code != 0 || timedOut || answer.isEmpty()) {
         return fail(describeWorkerEnd({crashed, code, timedOut}, q->m_path, limits));
     }
     takeOver();
@@ -135,13 +135,13 @@ void MeshImport::Private::takeOver() {
             Qt::QueuedConnection);
     };
     taker.reset(
-        QThread::create([this, progress] { taken.emplace(readMeshStream(answerPath(), progress, &stop)); }));
+        QThread::create([this, progress] { taken.emplace(readMeshStream(answer.path(), progress, &stop)); }));
     QObject::connect(taker.get(), &QThread::finished, q, [this] { handOver(); });
     taker->start();
 }
 
 void MeshImport::Private::handOver() {
-    folder.remove();
+    answer.close();
     if (done) {
         return;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <signal.h>
 
+#include <QDir>
 #include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -25,6 +26,7 @@ private Q_SLOTS:
     void doesNotStart();
     void tellsProgressAndNotes();
     void passesItsLimitsOn();
+    void hasNoTemporaryFilesToLeaveBehind();
     void stopsAHangingWorker();
     void canBeCancelled();
     void destroyingItEndsTheWorker();
@@ -136,11 +138,25 @@ void WorkerTest::tellsProgressAndNotes() {
 }
 
 void WorkerTest::passesItsLimitsOn() {
-    play("echo \"error [\\\"$3 $4 ${2##*/} $#\\\"]\"; exit 1");
+    play("echo \"error [\\\"$3 $4 $#\\\"]\"; exit 1");
     ImportLimits limits;
     limits.seconds = 42;
     limits.memoryBytes = 123456789;
-    QCOMPARE(messageOf(importMesh(m_mesh, limits)), QStringLiteral("42 123456789 mesh 4"));
+    QCOMPARE(messageOf(importMesh(m_mesh, limits)), QStringLiteral("42 123456789 4"));
+}
+
+/// Killed at any moment, it leaves nothing: while it runs there is nothing that has a name.
+void WorkerTest::hasNoTemporaryFilesToLeaveBehind() {
+    QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("temporary")));
+    const QByteArray usual = qgetenv("TMPDIR");
+    qputenv("TMPDIR", QFile::encodeName(in("temporary")));
+    play("echo something > \"$2\"; echo ready >> \"$2\"; exec sleep 1000");
+    MeshImport import(m_mesh);
+    import.start();
+    qputenv("TMPDIR", usual);
+    QVERIFY(waitForWorker());
+    QCOMPARE(QDir(in("temporary")).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
+             QStringList());
 }
 
 void WorkerTest::stopsAHangingWorker() {

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+namespace hitscope {
+
+/// A file in the folder for temporary files that has no name there: it is gone with the process, however that
+/// ends.
+class NamelessFile {
+public:
+    NamelessFile();
+    ~NamelessFile();
+    NamelessFile(const NamelessFile&) = delete;
+    NamelessFile& operator=(const NamelessFile&) = delete;
+
+    [[nodiscard]] bool isOpen() const { return m_descriptor >= 0; }
+    /// The system's reason where it could not be made.
+    [[nodiscard]] const QString& whyNot() const { return m_whyNot; }
+    /// By which other processes of the same person open it too, as long as this lives.
+    [[nodiscard]] QString path() const;
+    [[nodiscard]] bool isEmpty() const;
+    /// Gives its room on the disk back.
+    void close();
+
+private:
+    int m_descriptor = -1;
+    QString m_whyNot;
+};
+
+}  // namespace hitscope
