@@ -36,6 +36,12 @@ bool asksOnlyForWords(std::span<char*> arguments) {
     });
 }
 
+/// Qt's platforms without windows that OpenGL draws into; a QOpenGLWidget crashes there.
+bool hasWindows(const QString& platform) {
+    return platform != QLatin1String("offscreen") && !platform.startsWith(QLatin1String("minimal")) &&
+           platform != QLatin1String("vnc") && platform != QLatin1String("linuxfb");
+}
+
 bool hasDisplay() {
     return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
            !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
@@ -71,6 +77,14 @@ int main(int argc, char** argv) {
     describe(parser);
     parser.process(application);
 
+    if (const QString platform = QGuiApplication::platformName(); !hasWindows(platform)) {
+        std::fprintf(
+            stderr,
+            "hitscope: Qt's platform \"%s\" has no windows to draw into. Unset QT_QPA_PLATFORM, or set "
+            "it to xcb or wayland; hitscope-cli works without a display.\n",
+            qPrintable(platform));
+        return 1;
+    }
     if (const hitscope::Status openGl = hitscope::checkOpenGl(); !openGl) {
         std::fprintf(stderr, "hitscope: %s\n", openGl.error().message().c_str());
         QMessageBox::critical(nullptr, {}, QString::fromStdString(openGl.error().message()));
