@@ -6,12 +6,12 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
-#include <QSaveFile>
 #include <QSettings>
 #include <QStandardPaths>
 #include <memory>
 #include <utility>
 
+#include "io/staged_files.h"
 #include "models/quantity_text.h"
 #include "panels/hit_history/hit_history_panel.h"
 #include "session/beside.h"
@@ -23,16 +23,6 @@ namespace {
 
 QString columnsKey() {
     return QStringLiteral("hitHistory/columns");
-}
-
-Status writeFile(const QString& path, const std::string& text) {
-    QSaveFile file(path);
-    const auto size = static_cast<qint64>(text.size());
-    if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), size) != size || !file.commit()) {
-        return Error{"The file could not be written: " + file.errorString().toStdString() + ".",
-                     path.toStdString(), "Choose another place."};
-    }
-    return Done{};
 }
 
 Result<HitRecords> readFile(const QString& path) {
@@ -118,7 +108,7 @@ void HitActions::exportTo(const QString& path) {
     m_effects.finish();
     const bool isJson = path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
     run([this, path, isJson, table = recordsOf(m_session, &m_effects)]() -> std::function<void()> {
-        const Status written = writeFile(path, isJson ? toJson(table) : toCsv(table));
+        const Status written = writeWhole(path, isJson ? toJson(table) : toCsv(table));
         const std::size_t hits = table.hits.size();
         return [this, path, written, hits] {
             if (written) {

@@ -91,7 +91,7 @@ Status PictureActions::save(const QString& path) {
 
 Status PictureActions::save(const PictureRequest& request, const QString& path) {
     const Result<Image> image = m_viewport.drawPicture(request);
-    return image ? savePng(image.value(), path) : Status(image.error());
+    return image ? savePicture(image.value(), path) : Status(image.error());
 }
 
 void PictureActions::saveAtOnce() {
@@ -128,14 +128,20 @@ void PictureActions::choosePicture() {
         return;
     }
     dialog.save(settings);
+    const QStringList suffixes = pictureSuffixes();
+    QStringList filters;
+    for (const QString& suffix : suffixes) {
+        filters << tr("%1 (*.%2)", "PNG (*.png)").arg(suffix.toUpper(), suffix);
+    }
+    QString filter = filters.constFirst();
     QString path = QFileDialog::getSaveFileName(
         &m_window, tr("Save picture"), QDir(pictureFolder()).filePath(baseName() + QStringLiteral(".png")),
-        tr("PNG (*.png)"));
+        filters.join(QStringLiteral(";;")), &filter);
     if (path.isEmpty()) {
         return;
     }
-    if (QFileInfo(path).suffix().compare(QStringLiteral("png"), Qt::CaseInsensitive) != 0) {
-        path += QStringLiteral(".png");
+    if (QFileInfo(path).suffix().isEmpty()) {
+        path += u'.' + suffixes.value(filters.indexOf(filter), suffixes.constFirst());
     }
     rememberFolder(QFileInfo(path).absolutePath());
     if (Status saved = save(requestOf(dialog), path); !saved) {

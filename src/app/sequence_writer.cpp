@@ -77,7 +77,7 @@ void SequenceWriter::step() {
 void SequenceWriter::write(const Image& image) {
     const QString path = sequencePath(m_plan.folder, m_plan.base, m_drawn, m_count);
     m_writers.start([this, image, path, run = m_run] {
-        const Status saved = savePng(image, path);
+        const Status saved = savePicture(image, path);
         QMetaObject::invokeMethod(
             this, [this, run, saved] { took(run, saved); }, Qt::QueuedConnection);
     });

@@ -96,7 +96,7 @@ public:
         if (Status status = m_gpu.draw(m_view, m_target.framebuffer()); !status) {
             return status;
         }
-        return savePng(m_target.read(), path(name));
+        return savePicture(m_target.read(), path(name));
     }
 
     /// Applies the hits with this pipeline; how it agrees with the reference.

@@ -50,12 +50,8 @@ int demo(const QStringList& arguments) {
     parser.addOptions({out, shots, seed, pipeline, normals});
     parser.addPositionalArgument(QStringLiteral("mesh"), QStringLiteral("Mesh file to shoot at."),
                                  QStringLiteral("[mesh]"));
-    if (!parser.parse(arguments)) {
-        return wrongUsage(parser.errorText() + QLatin1Char('.'));
-    }
-    if (parser.isSet(QStringLiteral("help"))) {
-        QTextStream(stdout) << parser.helpText();
-        return 0;
+    if (const std::optional<int> status = hitscope::cli::parse(parser, QStringLiteral("demo"), arguments)) {
+        return *status;
     }
     hitscope::cli::DemoOptions options;
     bool shotsOk = false;
@@ -97,12 +93,8 @@ int info(const QStringList& arguments) {
     parser.addOption(renderer);
     parser.addPositionalArgument(QStringLiteral("mesh"), QStringLiteral("Mesh file."),
                                  QStringLiteral("[mesh]"));
-    if (!parser.parse(arguments)) {
-        return wrongUsage(parser.errorText() + QLatin1Char('.'));
-    }
-    if (parser.isSet(QStringLiteral("help"))) {
-        QTextStream(stdout) << parser.helpText();
-        return 0;
+    if (const std::optional<int> status = hitscope::cli::parse(parser, QStringLiteral("info"), arguments)) {
+        return *status;
     }
     if (parser.positionalArguments().size() != (parser.isSet(renderer) ? 0 : 1)) {
         return wrongUsage(QStringLiteral("info takes one mesh file, or --renderer alone."));
@@ -120,7 +112,7 @@ int printUsage() {
         << "  demo      shoot at the paper's scene or a mesh, compare the pipelines, write pictures\n"
         << "            and the deformed mesh\n"
         << "  shoot     shoot a burst or a saved script, print what was hit\n"
-        << "  picture   draw a scene into a PNG file of any size\n"
+        << "  picture   draw a scene into a picture of any size\n"
         << "  sequence  draw a turntable, or the hits one by one, into PNG files\n"
         << "  info      print what is in a mesh file, or what draws (--renderer)\n"
         << "  bench     measure the pipelines: frames, hits, the paper's tables\n\n"
@@ -150,16 +142,7 @@ std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv) {
     return application;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    hitscope::keepFreedMemory();
-    const std::unique_ptr<QCoreApplication> app = makeApplication(argc, argv);
-    QLocale::setDefault(QLocale::c());  // scripts read what it writes, pictures among it
-    QCoreApplication::setApplicationName(QStringLiteral("hitscope-cli"));
-    QCoreApplication::setApplicationVersion(QStringLiteral(HITSCOPE_VERSION));
-
-    QStringList arguments = QCoreApplication::arguments();
+int run(QStringList arguments) {
     const QString command = arguments.value(1);
     if (command == QLatin1String("--help") || command == QLatin1String("-h") ||
         command == QLatin1String("help")) {
@@ -192,4 +175,16 @@ int main(int argc, char** argv) {
         return hitscope::bench::benchCommand(arguments);
     }
     return wrongUsage(QStringLiteral("there is no command \"%1\".").arg(command));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    hitscope::keepFreedMemory();
+    const std::unique_ptr<QCoreApplication> app = makeApplication(argc, argv);
+    QLocale::setDefault(QLocale::c());  // scripts read what it writes, pictures among it
+    QCoreApplication::setApplicationName(QStringLiteral("hitscope-cli"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(HITSCOPE_VERSION));
+
+    return hitscope::cli::flushOutput(run(QCoreApplication::arguments()));
 }

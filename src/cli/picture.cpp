@@ -121,7 +121,7 @@ Status drawOne(const PictureArguments& arguments, const QString& path) {
     if (Status errors = glErrors(); !errors) {
         return errors;
     }
-    return savePng(image.value(), path);
+    return savePicture(image.value(), path);
 }
 
 /// turntable: how many pictures; 0: a replay.
@@ -146,7 +146,7 @@ Status drawMany(const PictureArguments& arguments, int turntable, const QString&
             return image.error();
         }
         const QString base = turntable > 0 ? QStringLiteral("turntable") : QStringLiteral("replay");
-        if (Status saved = savePng(image.value(), sequencePath(folder, base, number, count)); !saved) {
+        if (Status saved = savePicture(image.value(), sequencePath(folder, base, number, count)); !saved) {
             return saved;
         }
     }
@@ -154,30 +154,20 @@ Status drawMany(const PictureArguments& arguments, int turntable, const QString&
     return glErrors();
 }
 
-/// Help, a word on wrong usage, or, where both are right, nothing.
-std::optional<int> parse(QCommandLineParser& parser, const QStringList& arguments) {
-    if (!parser.parse(arguments)) {
-        return wrongUsage(parser.errorText() + QLatin1Char('.'));
-    }
-    if (parser.isSet(QStringLiteral("help"))) {
-        QTextStream(stdout) << parser.helpText();
-        return 0;
-    }
-    return std::nullopt;
-}
-
 }  // namespace
 
 int pictureCommand(const QStringList& arguments) {
     QCommandLineParser parser;
     parser.setApplicationDescription(
-        QStringLiteral("Draws the paper's scene, or a mesh, into a PNG file, with no display."));
+        QStringLiteral("Draws the paper's scene, or a mesh, into a picture, with no display."));
     parser.addHelpOption();
     const PictureOptions options(parser);
-    parser.addPositionalArgument(QStringLiteral("picture"), QStringLiteral("PNG file to write."));
+    parser.addPositionalArgument(
+        QStringLiteral("picture"),
+        QStringLiteral("File to write: .%1.").arg(pictureSuffixes().join(QStringLiteral(", ."))));
     parser.addPositionalArgument(QStringLiteral("mesh"), QStringLiteral("Mesh file."),
                                  QStringLiteral("[mesh]"));
-    if (const std::optional<int> status = parse(parser, arguments)) {
+    if (const std::optional<int> status = parse(parser, QStringLiteral("picture"), arguments)) {
         return *status;
     }
     const QStringList paths = parser.positionalArguments();
@@ -189,6 +179,9 @@ int pictureCommand(const QStringList& arguments) {
         return wrongUsage(QString::fromStdString(read.error().what));
     }
     read.value().meshPath = paths.value(1);
+    if (Status known = checkPictureName(paths.constFirst()); !known) {
+        return finish(known);  // before the work
+    }
     return finish(drawOne(read.value(), paths.constFirst()));
 }
 
@@ -208,7 +201,7 @@ int sequenceCommand(const QStringList& arguments) {
                                  QStringLiteral("Where the pictures go; made if missing."));
     parser.addPositionalArgument(QStringLiteral("mesh"), QStringLiteral("Mesh file."),
                                  QStringLiteral("[mesh]"));
-    if (const std::optional<int> status = parse(parser, arguments)) {
+    if (const std::optional<int> status = parse(parser, QStringLiteral("sequence"), arguments)) {
         return *status;
     }
     if (parser.isSet(turntable) == parser.isSet(replay)) {

@@ -165,12 +165,8 @@ int shootCommand(const QStringList& arguments) {
     parser.addOptions({script, burst, cone, seed, every, instant, save});
     parser.addPositionalArgument(QStringLiteral("mesh"), QStringLiteral("Mesh file to shoot at."),
                                  QStringLiteral("[mesh]"));
-    if (!parser.parse(arguments)) {
-        return wrongUsage(parser.errorText() + QLatin1Char('.'));
-    }
-    if (parser.isSet(QStringLiteral("help"))) {
-        QTextStream(stdout) << parser.helpText();
-        return 0;
+    if (const std::optional<int> status = parse(parser, QStringLiteral("shoot"), arguments)) {
+        return *status;
     }
     ShootOptions options;
     bool ok = false;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "models/vertex_changes_csv.h"
 
-#include <QSaveFile>
 #include <algorithm>
 #include <charconv>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+
+#include "io/staged_files.h"
 
 namespace hitscope {
 
@@ -58,18 +59,14 @@ QByteArray csv(const VertexChangesTable& table) {
 }
 
 Status saveCsv(const VertexChangesTable& table, const QString& path) {
-    QSaveFile file(path);
-    bool written = file.open(QIODevice::WriteOnly) && file.write(kHeader) == sizeof kHeader - 1;
-    for (std::size_t first = 0; written && first < table.rows.size(); first += kChunk) {
-        QByteArray text;
-        appendRows(text, table, first, std::min(first + kChunk, table.rows.size()));
-        written = file.write(text) == text.size();
-    }
-    if (!written || !file.commit()) {
-        return Error{"The file could not be written: " + file.errorString().toStdString() + ".",
-                     path.toStdString(), "Choose another folder."};
-    }
-    return Done{};
+    return writeWhole(path, [&table](const PutPiece& put) {
+        bool written = put(kHeader);
+        for (std::size_t first = 0; written && first < table.rows.size(); first += kChunk) {
+            QByteArray text;
+            appendRows(text, table, first, std::min(first + kChunk, table.rows.size()));
+            written = put({text.constData(), static_cast<std::size_t>(text.size())});
+        }
+    });
 }
 
 }  // namespace hitscope

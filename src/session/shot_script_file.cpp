@@ -6,12 +6,13 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSaveFile>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+
+#include "io/staged_files.h"
 
 namespace hitscope {
 
@@ -226,12 +227,8 @@ Result<ShotScript> readShotScript(const QString& path) {
 }
 
 Status writeShotScript(const ShotScript& script, const QString& path) {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(formatShotScript(script)) < 0 || !file.commit()) {
-        return Error{"The shot script cannot be written.", path.toStdString(),
-                     "Choose a place you may write to."};
-    }
-    return Done{};
+    const QByteArray text = formatShotScript(script);
+    return writeWhole(path, {text.constData(), static_cast<std::size_t>(text.size())});
 }
 
 }  // namespace hitscope

@@ -146,6 +146,44 @@ private Q_SLOTS:
         QVERIFY2(run.err.contains(QStringLiteral("/nowhere/mesh.obj")), qPrintable(run.err));
     }
 
+    void helpNamesTheCommand() {
+        for (const char* const command :
+             {"demo", "shoot", "picture", "sequence", "info", "bench frame", "bench hit", "bench paper",
+              "bench modes", "bench physics", "bench check"}) {
+            const QString name = QString::fromLatin1(command);
+            const CliRun run = runCli(name.split(u' ') << QStringLiteral("--help"));
+            QCOMPARE(run.status, 0);
+            QVERIFY2(run.out.startsWith(QStringLiteral("Usage: hitscope-cli %1 [options]").arg(name)),
+                     qPrintable(run.out.left(80)));
+        }
+    }
+
+    void complainsInWholeSentences() {
+        for (const char* const command : {"demo", "shoot", "picture", "sequence", "info", "bench frame"}) {
+            const CliRun run =
+                runCli(QString::fromLatin1(command).split(u' ') << QStringLiteral("--nonsense"));
+            QCOMPARE(run.status, 2);
+            QVERIFY2(run.err.contains(QStringLiteral("nonsense'.\n")), qPrintable(run.err));
+        }
+    }
+
+    void saysThatItsOutputIsLost() {
+        const QTemporaryDir folder;
+        const QString mesh =
+            writeFile(folder, QStringLiteral("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        for (const QString& line : {QStringLiteral("info ") + mesh, QStringLiteral("--help"),
+                                    QStringLiteral("--version"), QStringLiteral("bench frame --help")}) {
+            QProcess shell;
+            shell.start(
+                QStringLiteral("/bin/sh"),
+                {QStringLiteral("-c"), QStringLiteral("exec \"$HITSCOPE_CLI\" %1 >/dev/full").arg(line)});
+            QVERIFY(shell.waitForFinished(60'000));
+            const QByteArray said = shell.readAllStandardError();
+            QCOMPARE(shell.exitCode(), 1);
+            QVERIFY2(said.contains("No space left on device"), said.constData());
+        }
+    }
+
     void wrongUsageIsToldApart_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::addRow("no command") << QStringList{};

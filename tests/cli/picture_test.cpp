@@ -2,6 +2,7 @@
 // hitscope-cli picture and sequence as a person runs them.
 #include <QDir>
 #include <QImage>
+#include <QImageReader>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -30,6 +31,7 @@ private Q_SLOTS:
     void wrongUsage_data();
     void wrongUsage();
     void errorsSayWhatToDo();
+    void suffixTellsTheFormat();
 
 private:
     [[nodiscard]] QString path(const QString& name) const { return m_folder.filePath(name); }
@@ -184,6 +186,24 @@ void PictureTest::errorsSayWhatToDo() {
     run = runCli(words("picture") << path(QStringLiteral("no/such/folder.png")));
     QCOMPARE(run.status, 1);
     QVERIFY2(run.err.contains(QStringLiteral("folder.png")), qPrintable(run.err));
+}
+
+void PictureTest::suffixTellsTheFormat() {
+    const QString jpeg = path(QStringLiteral("a.jpg"));
+    CliRun run = runCli(words("picture --size 96x64") << jpeg);
+    QVERIFY2(run.status == 0, qPrintable(run.err));
+    QCOMPARE(QImageReader::imageFormat(jpeg), QByteArray("jpeg"));
+    QCOMPARE(QImage(jpeg).size(), QSize(96, 64));
+    run = runCli(words("picture --size 96x64 --transparent") << path(QStringLiteral("b.jpg")));
+    QVERIFY2(run.status == 1 && run.err.contains(QStringLiteral("transparent")), qPrintable(run.err));
+    for (const char* const name : {"c.gif", "c.psd", "c"}) {
+        run = runCli(words("picture --size 96x64") << path(QString::fromLatin1(name)));
+        QVERIFY2(run.status == 1 && run.err.contains(QStringLiteral(".png, .jpg")), qPrintable(run.err));
+        QVERIFY(!QFile::exists(path(QString::fromLatin1(name))));
+    }
+    run = runCli(words("picture --size 96x64 /dev/full"));
+    QVERIFY2(run.status == 1 && run.err.contains(QStringLiteral("No space left on device")),
+             qPrintable(run.err));
 }
 
 HITSCOPE_TEST(PictureTest, QCoreApplication)

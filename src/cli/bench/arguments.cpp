@@ -60,7 +60,7 @@ void Arguments::parse(QStringList arguments, const QStringList& mayStandAlone) {
         }
     }
     if (!m_parser.parse(arguments)) {
-        complain(m_parser.errorText() + QLatin1Char('.'));
+        complain(m_parser.errorText());
     } else if (!m_parser.positionalArguments().isEmpty()) {
         complain(QStringLiteral("\"%1\" is more than it takes.").arg(m_parser.positionalArguments().first()));
     }

@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "cli/command_line.h"
+
 namespace hitscope::bench {
 
 /// The options of one benchmark: declared, parsed, and taken out as what they are. The first thing wrong is
@@ -23,7 +25,10 @@ public:
     /// they then have "-".
     void parse(QStringList arguments, const QStringList& mayStandAlone = {});
     [[nodiscard]] bool wantsHelp() const { return m_parser.isSet(QStringLiteral("help")); }
-    [[nodiscard]] QString help() const { return m_parser.helpText(); }
+    /// `benchmark`: "frame"
+    [[nodiscard]] QString help(const QString& benchmark) const {
+        return cli::helpText(m_parser, QStringLiteral("bench ") + benchmark);
+    }
     [[nodiscard]] const QString& error() const { return m_error; }  ///< empty: none
 
     [[nodiscard]] bool isSet(const QString& name) const { return m_parser.isSet(name); }

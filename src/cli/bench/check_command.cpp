@@ -102,7 +102,7 @@ int checkCommand(const QStringList& list) {
     arguments.addFlag(QStringLiteral("strict"), QStringLiteral("Exit status 1 if one is not kept."));
     parseBenchArguments(arguments, list);
     if (arguments.error().isEmpty() && arguments.wantsHelp()) {
-        QTextStream(stdout) << arguments.help();
+        QTextStream(stdout) << arguments.help(QStringLiteral("check"));
         return 0;
     }
     CheckOptions options;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDir>
 #include <QFileInfo>
-#include <QSaveFile>
 #include <QTextStream>
 
 #include "cli/bench/report.h"
+#include "io/staged_files.h"
 
 namespace hitscope::bench {
 
@@ -43,11 +43,7 @@ Status write(const QString& destination, const QByteArray& bytes) {
         }
         return Done{};
     }
-    QSaveFile file(destination);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
-        return cannotWrite(destination, file.errorString());
-    }
-    return Done{};
+    return writeWhole(destination, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
 }  // namespace

@@ -174,7 +174,7 @@ int frameCommand(const QStringList& list) {
                       QStringLiteral("Hits too weak to be seen, so that the picture is always the same."));
     parseBenchArguments(arguments, list);
     if (arguments.error().isEmpty() && arguments.wantsHelp()) {
-        QTextStream(stdout) << arguments.help();
+        QTextStream(stdout) << arguments.help(QStringLiteral("frame"));
         return 0;
     }
     FrameOptions options;

@@ -220,7 +220,7 @@ int hitCommand(const QStringList& list) {
                         QStringLiteral("list"), QStringLiteral("1,10,100,1000"));
     parseBenchArguments(arguments, list);
     if (arguments.error().isEmpty() && arguments.wantsHelp()) {
-        QTextStream(stdout) << arguments.help();
+        QTextStream(stdout) << arguments.help(QStringLiteral("hit"));
         return 0;
     }
     HitCommandOptions options;

@@ -88,7 +88,7 @@ int modesCommand(const QStringList& list) {
                         QStringLiteral("number"), QString::number(kFullestRow + 1));
     parseBenchArguments(arguments, list);
     if (arguments.error().isEmpty() && arguments.wantsHelp()) {
-        QTextStream(stdout) << arguments.help();
+        QTextStream(stdout) << arguments.help(QStringLiteral("modes"));
         return 0;
     }
     const CommonOptions options = takeCommonOptions(arguments, true);

@@ -97,7 +97,7 @@ int paperCommand(const QStringList& list) {
                         QStringLiteral("10"));
     parseBenchArguments(arguments, list);
     if (arguments.error().isEmpty() && arguments.wantsHelp()) {
-        QTextStream(stdout) << arguments.help();
+        QTextStream(stdout) << arguments.help(QStringLiteral("paper"));
         return 0;
     }
     PaperOptions options;

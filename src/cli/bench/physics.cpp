@@ -143,7 +143,7 @@ int physicsCommand(const QStringList& list) {
                         QStringLiteral("list"), QStringLiteral("8000,2000000"));
     parseBenchArguments(arguments, list);
     if (arguments.error().isEmpty() && arguments.wantsHelp()) {
-        QTextStream(stdout) << arguments.help();
+        QTextStream(stdout) << arguments.help(QStringLiteral("physics"));
         return 0;
     }
     PhysicsOptions options;

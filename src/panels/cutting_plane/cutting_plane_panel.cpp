@@ -5,13 +5,13 @@
 #include <QFileDialog>
 #include <QGuiApplication>
 #include <QMessageBox>
-#include <QSaveFile>
 #include <QScopedValueRollback>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
 
+#include "io/staged_files.h"
 #include "models/quantity_text.h"
 #include "panels/icons/themed_icon.h"
 #include "session/target.h"
@@ -235,12 +235,7 @@ void CuttingPlanePanel::showSection() {
 
 Status CuttingPlanePanel::saveCsv(const QString& path) const {
     const QByteArray csv = m_section ? sectionCsv(*m_section, m_scope) : QByteArray();
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(csv) != csv.size() || !file.commit()) {
-        return Error{"The CSV file could not be written.", path.toStdString(),
-                     file.errorString().toStdString()};
-    }
-    return Done{};
+    return writeWhole(path, {csv.constData(), static_cast<std::size_t>(csv.size())});
 }
 
 void CuttingPlanePanel::chooseCsv() {

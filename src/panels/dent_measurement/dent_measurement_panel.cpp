@@ -6,11 +6,11 @@
 #include <QFileDialog>
 #include <QGuiApplication>
 #include <QMessageBox>
-#include <QSaveFile>
 #include <QToolTip>
 #include <algorithm>
 #include <numbers>
 
+#include "io/staged_files.h"
 #include "models/quantity_text.h"
 #include "panels/icons/themed_icon.h"
 #include "panels/plot/plot_theme.h"
@@ -164,12 +164,7 @@ void DentMeasurementPanel::copy() {
 
 Status DentMeasurementPanel::saveCsv(const QString& path) const {
     const QByteArray csv = m_measurement.profileCsv();
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(csv) != csv.size() || !file.commit()) {
-        return Error{"The CSV file could not be written.", path.toStdString(),
-                     file.errorString().toStdString()};
-    }
-    return Done{};
+    return writeWhole(path, {csv.constData(), static_cast<std::size_t>(csv.size())});
 }
 
 void DentMeasurementPanel::chooseCsv() {

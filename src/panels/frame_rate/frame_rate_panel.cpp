@@ -7,10 +7,10 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QPainter>
-#include <QSaveFile>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "io/staged_files.h"
 #include "models/costs_csv.h"
 #include "models/quantity_text.h"
 #include "panels/frame_rate/cost_view.h"
@@ -210,12 +210,7 @@ FrameTimes::Summary FrameRatePanel::summary() const {
 Status FrameRatePanel::saveCsv(const QString& path) const {
     const bool ofFrames = m_ui->tabs->currentIndex() == 0;
     const QByteArray csv = ofFrames ? framesCsv(m_graph->frames()) : curvesCsv(m_costView->curves());
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(csv) != csv.size() || !file.commit()) {
-        return Error{"The CSV file could not be written.", path.toStdString(),
-                     file.errorString().toStdString()};
-    }
-    return Done{};
+    return writeWhole(path, {csv.constData(), static_cast<std::size_t>(csv.size())});
 }
 
 void FrameRatePanel::chooseCsv() {

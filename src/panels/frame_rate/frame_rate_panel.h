@@ -37,7 +37,7 @@ public:
     [[nodiscard]] FrameTimes::Summary summary() const;
     [[nodiscard]] FrameGraph& graph() { return *m_graph; }
     [[nodiscard]] CostView& costs() { return *m_costView; }
-    /// What the tab in front shows, as CSV, through QSaveFile.
+    /// What the tab in front shows, as CSV, whole or not at all.
     [[nodiscard]] Status saveCsv(const QString& path) const;
 
     // Which curves are shown, and as what; for settings.
