@@ -10,6 +10,7 @@
 
 #include "app/keys_lines.h"
 #include "render/camera_text.h"
+#include "viewport/axis_gizmo.h"
 #include "viewport/view_label.h"
 #include "viewport/viewport.h"
 
@@ -69,7 +70,10 @@ QAction* addAction(QMenu& menu, const QString& text, const QList<QKeySequence>& 
 }  // namespace
 
 CameraActions::CameraActions(Viewport& viewport, QObject* parent)
-    : QObject(parent), m_viewport(viewport), m_navigation(viewport.navigation()) {
+    : QObject(parent),
+      m_viewport(viewport),
+      m_navigation(viewport.navigation()),
+      m_gizmo(new AxisGizmo(m_navigation, &viewport)) {
     connect(&m_navigation, &Navigation::cameraChanged, this, &CameraActions::follow);
     connect(&m_navigation, &Navigation::settingsChanged, this, &CameraActions::follow);
 }
@@ -108,8 +112,8 @@ void CameraActions::fill(QMenu& menu) {
 
 void CameraActions::fillViews(QMenu& menu) {
     for (const StandardView view : kStandardViews) {
-        addAction(menu, standardViewName(view), keysOf(view), this,
-                  [this, view] { m_navigation.show(view); });
+        m_gizmo->setAction(view, addAction(menu, standardViewName(view), keysOf(view), this,
+                                           [this, view] { m_navigation.show(view); }));
     }
     menu.addSeparator();
     m_orthographic =

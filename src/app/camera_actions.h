@@ -14,6 +14,7 @@ class QSettings;
 
 namespace hitscope {
 
+class AxisGizmo;
 class Viewport;
 
 /// Everything about the camera that menus and keys offer: framing, views along an axis, projection, what
@@ -54,6 +55,7 @@ private:
     Navigation& m_navigation;
     std::array<QString, kBookmarks> m_bookmarks;  ///< as text; empty: none
     std::array<QAction*, kBookmarks> m_recall{};
+    AxisGizmo* m_gizmo;
     QAction* m_orthographic = nullptr;
     std::array<QAction*, kOrbitModes> m_orbitModes{};
     std::array<QAction*, kNavigationPresets> m_presets{};

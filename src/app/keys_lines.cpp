@@ -131,6 +131,8 @@ KeysSection mouseKeys(NavigationPreset preset, OrbitMode mode) {
     for (const DragBinding& binding : dragBindings(preset)) {
         section.lines.push_back({dragName(binding), motionMeaning(binding.motion, mode)});
     }
+    section.lines.push_back({tr("Right-click"), tr("Menu of what is there: pick, select, measure, remove")});
+    section.lines.push_back({tr("Alt+click"), tr("Pick the vertex there; so does a click with Inspect")});
     section.lines.push_back({tr("Wheel"), tr("Zoom; on a trackpad: pinch")});
     section.lines.push_back({tr("Shift+wheel"), tr("Field of view")});
     section.lines.push_back({tr("Two fingers"), tr("Orbit; Shift: pan; Ctrl: zoom")});

@@ -19,6 +19,8 @@
 #include "app/cut_actions.h"
 #include "app/dialogs.h"
 #include "app/full_view.h"
+#include "app/go_to_vertex.h"
+#include "app/help_tips.h"
 #include "app/hit_actions.h"
 #include "app/inspect_actions.h"
 #include "app/notice_bar.h"
@@ -32,6 +34,7 @@
 #include "app/time_actions.h"
 #include "app/time_badge.h"
 #include "app/vertex_label.h"
+#include "app/viewport_menu.h"
 #include "models/undo_text.h"
 #include "panels/change/change_panel.h"
 #include "panels/cutting_plane/cutting_plane_panel.h"
@@ -88,7 +91,10 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_cameraActions(new CameraActions(*m_viewport, this)),
       m_pictures(new PictureActions(*m_viewport, *this)),
       m_fullView(new FullView(*this)),
-      m_inspect(new InspectActions(session, *m_viewport, this)) {
+      m_inspect(new InspectActions(session, *m_viewport, this)),
+      m_goToVertex(new GoToVertex(session, *m_viewport, this)),
+      m_viewportMenu(new ViewportMenu(session, *m_viewport, this)) {
+    new HelpTips(this);
     loadSessionSettings(QSettings(), session);
     applyTheme(m_settings.theme);
     m_viewport->setOptions(m_settings.display);
@@ -105,6 +111,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     m_textureChooser->choose(m_settings.coverTexture);
     connectFiles();
     connectCameraAndPictures();
+    connectPicking();
 
     connect(&session, &Session::sceneReplaced, this, &MainWindow::followScene);
     connect(&session, &Session::targetAdded, this, &MainWindow::followTargets);
@@ -263,6 +270,18 @@ void MainWindow::connectCameraAndPictures() {
             [this](const QString& text) { statusBar()->showMessage(text, kMessageStays); });
     connect(m_pictures, &PictureActions::failed, this,
             [this](const Error& error) { showError(this, error); });
+}
+
+void MainWindow::connectPicking() {
+    connect(m_goToVertex, &GoToVertex::arrived, this, [this] { showDock(QStringLiteral("vertexChanges")); });
+    connect(m_viewportMenu, &ViewportMenu::dockWanted, this, &MainWindow::showDock);
+}
+
+void MainWindow::showDock(const QString& name) {
+    if (auto* dock = findChild<QDockWidget*>(name)) {
+        dock->show();
+        dock->raise();
+    }
 }
 
 QDockWidget* MainWindow::makeVertexChangesDock() {

@@ -25,6 +25,7 @@ class ChangeActions;
 class CutActions;
 class FrameRatePanel;
 class FullView;
+class GoToVertex;
 class HitActions;
 class InspectActions;
 class MeshExporter;
@@ -39,6 +40,7 @@ class TextureChooser;
 class ShadingActions;
 class TimeActions;
 class Viewport;
+class ViewportMenu;
 
 /// The window: makes viewport, docks, menus and actions and connects them to the session. Knows nothing of
 /// meshes.
@@ -94,6 +96,8 @@ private:
     QMenu* makeWireframeMenu();
     void connectFiles();
     void connectCameraAndPictures();
+    void connectPicking();
+    void showDock(const QString& name);
     void restoreWindow();
     void resetLayout();
 
@@ -155,6 +159,8 @@ private:
     PictureActions* m_pictures = nullptr;
     FullView* m_fullView = nullptr;
     InspectActions* m_inspect = nullptr;
+    GoToVertex* m_goToVertex = nullptr;
+    ViewportMenu* m_viewportMenu = nullptr;
     ChangeActions* m_change = nullptr;
     CutActions* m_cut = nullptr;
     FrameRatePanel* m_frameRate = nullptr;

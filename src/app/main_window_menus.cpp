@@ -13,6 +13,7 @@
 #include "app/cut_actions.h"
 #include "app/dialogs.h"
 #include "app/full_view.h"
+#include "app/go_to_vertex.h"
 #include "app/hit_actions.h"
 #include "app/inspect_actions.h"
 #include "app/keys_overlay.h"
@@ -68,7 +69,10 @@ void MainWindow::makeMenus() {
     makeViewMenu();
     makeMeshMenu();
     makeShootMenu();
-    m_inspect->fill(*menuBar()->addMenu(tr("&Inspect")));
+    QMenu& inspect = *menuBar()->addMenu(tr("&Inspect"));
+    m_inspect->fill(inspect);
+    inspect.addSeparator();
+    m_goToVertex->fill(inspect);
     makeLightsMenu();
     makeHelpMenu();
 }

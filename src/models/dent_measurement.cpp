@@ -150,7 +150,7 @@ void DentMeasurement::forget() {
     m_picked = {};
     m_isDue = false;
     m_report = {};
-    m_report.why = tr("Select a hit, or pick a vertex of a dent with Alt+click.");
+    m_report.why = tr("Select a hit, or right-click a dent in the viewport.");
     Q_EMIT reportChanged();
     Q_EMIT distanceChanged();
 }

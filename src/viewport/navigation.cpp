@@ -120,7 +120,9 @@ void Navigation::frame(const Bounds& bounds, Arrival arrival) {
 }
 
 void Navigation::show(StandardView view) {
-    setCamera(turnedTo(view, goal()));
+    // About what is to be seen: the pivot may be beside it.
+    const Camera from = goal();
+    setCamera(turnedTo(view, from, centreInSight(scene(), from, aspect()).value_or(from.pivot())));
 }
 
 void Navigation::setProjection(Projection projection) {

@@ -77,6 +77,8 @@ public:
     void setCamera(const Camera& camera, Arrival arrival = Arrival::Glide);
     void frame(const Bounds& bounds, Arrival arrival = Arrival::Glide);  ///< nothing for empty ones
     void show(StandardView view);
+    /// Orbits as a drag by `delta` logical pixels from beside all surfaces does.
+    void turnBy(const QPointF& delta);
     void setProjection(Projection projection);
     void recentre(const glm::vec3& point);
     void flyStep(const glm::vec3& step);  ///< right, up, forward; 1 is a fair stride

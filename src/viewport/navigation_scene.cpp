@@ -58,6 +58,13 @@ glm::vec3 Navigation::zoomAnchorAt(const QPointF& position) const {
     return centreInSight(scene(), m_camera, aspect()).value_or(m_camera.pivot());
 }
 
+void Navigation::turnBy(const QPointF& delta) {
+    takeHold();
+    m_anchor = centreInSight(scene(), m_camera, aspect());
+    moveBy(CameraMotion::Orbit, delta);
+    m_anchor.reset();
+}
+
 void Navigation::zoom(float factor, const glm::vec3& about) {
     const float from = m_camera.eye().y;
     const std::optional<float> floor = scene().floor;

@@ -36,10 +36,10 @@ Angles anglesOf(StandardView view) {
 
 }  // namespace
 
-Camera turnedTo(StandardView view, const Camera& camera) {
+Camera turnedTo(StandardView view, const Camera& camera, const glm::vec3& about) {
     const Angles angles = anglesOf(view);
     Camera turned = camera;
-    turned.orbit(angles.yaw - camera.yaw(), angles.pitch - camera.pitch());
+    turned.orbitAbout(about, angles.yaw - camera.yaw(), angles.pitch - camera.pitch());
     return turned;
 }
 

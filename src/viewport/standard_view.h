@@ -16,8 +16,9 @@ inline constexpr std::array<StandardView, 6> kStandardViews{StandardView::Front,
                                                             StandardView::Right, StandardView::Left,
                                                             StandardView::Top,   StandardView::Bottom};
 
-/// The camera turned about its pivot to that view; distance and projection stay.
-[[nodiscard]] Camera turnedTo(StandardView view, const Camera& camera);
+/// The camera turned about a point to that view; the point stays where it is in the picture, distance and
+/// projection as they are.
+[[nodiscard]] Camera turnedTo(StandardView view, const Camera& camera, const glm::vec3& about);
 
 /// Which of the views the camera has; nothing if none.
 [[nodiscard]] std::optional<StandardView> standardViewOf(const Camera& camera);

@@ -50,6 +50,13 @@ public:
     void frameAll(Navigation::Arrival arrival = Navigation::Arrival::Glide);
     void frameSelection();  ///< the selected target; all if none is
     void shootAtCrosshair();
+    // At a place of the picture, in logical pixels: as a click there does.
+    void shootAt(const QPointF& position) { shootAlong(m_navigation.rayAt(position)); }
+    void centreAt(const QPointF& position) { recentre(position); }
+    /// The shown surface there, of a target or of the floor.
+    [[nodiscard]] std::optional<PhysicsWorld::RayHit> metAt(const QPointF& position) const {
+        return aimedAt(m_navigation.rayAt(position));
+    }
     /// Through a place of the picture, in fractions of its size from the top left corner.
     [[nodiscard]] Ray rayThrough(const QPointF& place) const;
     /// `ray`, raised so that a projectile lands where the ray does.

@@ -198,7 +198,7 @@ void VertexChangesPanel::updateAttribution() {
     const Target* target = vertex ? m_session.target(vertex->target) : nullptr;
     m_ui->attributionTitle->setText(
         target == nullptr
-            ? tr("Which hits moved it: pick a vertex here, or in the viewport with Alt+click")
+            ? tr("Which hits moved it: pick a vertex here, or right-click it in the viewport")
             : tr("Hits that moved vertex %1 of %2").arg(vertexNumberText(vertex->vertex), target->name));
     m_ui->attributionSum->setText(m_attribution.summary());
     m_ui->attributionSum->setVisible(target != nullptr);
