@@ -8,7 +8,8 @@
 namespace hitscope {
 
 /// Selects the vertices that the selected hit moved, so that they light up wherever the selection is shown.
-/// They stay selected until another hit is, or none; a selection made otherwise meanwhile is left alone.
+/// They follow the edits of the history, and stay selected until another hit is, or none; a selection made
+/// otherwise meanwhile is left alone.
 class HitHighlight : public QObject {
     Q_OBJECT
 public:
@@ -17,11 +18,13 @@ public:
 
 private:
     void followHit();
+    void followHistory();
     void light(TargetId target, const std::vector<std::uint32_t>& vertices);
 
     Session& m_session;
     HitEffects& m_effects;
-    bool m_isLit = false;  ///< what is selected was selected here
+    bool m_isLit = false;    ///< what is selected was selected here
+    bool m_follows = false;  ///< nothing was selected otherwise since a hit was
     bool m_isSelecting = false;
 };
 
