@@ -246,7 +246,7 @@ QString HitHistoryModel::text(const Hit& hit, std::size_t row, int column) const
         case MaxDistanceColumn:
         case PowerColumn:
         case MaxMagnitudeColumn:
-            return quantityText(*value);
+            return shownFloat(static_cast<float>(*value));
         default:
             return countText(static_cast<std::size_t>(*value));
     }
@@ -264,9 +264,8 @@ HitHistoryModel::HitState HitHistoryModel::stateOf(std::size_t row) const {
 
 QString HitHistoryModel::toolTip(const Hit& hit, std::size_t row) const {
     QString tip = tr("Max distance %1 m, power %2 m², max magnitude %3 m")
-                      .arg(quantityText(static_cast<double>(hit.constants.maxDistance)),
-                           quantityText(static_cast<double>(hit.constants.power)),
-                           quantityText(static_cast<double>(hit.constants.maxMagnitude)));
+                      .arg(shownFloat(hit.constants.maxDistance), shownFloat(hit.constants.power),
+                           shownFloat(hit.constants.maxMagnitude));
     const HitState state = stateOf(row);
     if (state == Disabled) {
         tip.prepend(tr("Disabled: the mesh is as if this hit had not been made.") + u'\n');

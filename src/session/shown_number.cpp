@@ -2,6 +2,11 @@
 #include "session/shown_number.h"
 
 #include <QLocale>
+#include <charconv>
+#include <cmath>
+#include <string>
+
+#include "io/number_text.h"
 
 namespace hitscope {
 
@@ -18,6 +23,21 @@ QLocale groupingLocale() {
 
 QString shownNumber(double value, char format, int precision) {
     return groupingLocale().toString(value, format, precision);
+}
+
+QString shownFloat(float value) {
+    constexpr double kLeastPlain = 1.0e-5;
+    constexpr double kMostPlain = 1.0e7;
+    std::string digits;
+    appendNumber(digits, value);
+    double number = 0.0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    const double size = std::abs(number);
+    const bool isPlain =
+        number == 0.0 || !std::isfinite(number) || (size >= kLeastPlain && size < kMostPlain);
+    QLocale locale;
+    locale.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator);
+    return locale.toString(number, isPlain ? 'f' : 'e', QLocale::FloatingPointShortest);
 }
 
 QString shownCount(std::size_t count) {

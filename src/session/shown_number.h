@@ -12,6 +12,10 @@ namespace hitscope {
 /// `format` and `precision` as in QLocale::toString(): shownNumber(0.25, 'f', 1) is "0.3", or "0,3".
 [[nodiscard]] QString shownNumber(double value, char format = 'g', int precision = 6);
 
+/// A number that people set, as they would write it: the shortest decimal that reads back as the same float,
+/// "0.027", or "2e-09" beyond what is read easily.
+[[nodiscard]] QString shownFloat(float value);
+
 /// "7,938", grouped as the locale does.
 [[nodiscard]] QString shownCount(std::size_t count);
 
