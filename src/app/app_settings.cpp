@@ -169,7 +169,7 @@ void loadSessionSettings(const QSettings& settings, Session& session) {
     // Each value was checked against the same ranges, so this is not refused.
     const bool relative =
         settings.value(QStringLiteral("constants/relative"), ConstantsSetting{}.relative).toBool();
-    static_cast<void>(session.setConstants(ConstantsSetting{constants, relative}, false));
+    static_cast<void>(session.restoreConstants(ConstantsSetting{constants, relative}));
     loadProjectile(settings, session);
 }
 

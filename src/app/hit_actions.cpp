@@ -50,7 +50,8 @@ HitActions::HitActions(Session& session, HitEffects& effects, QString& folder, Q
       m_effects(effects),
       m_folder(folder),
       m_window(window),
-      m_highlight(session, effects) {
+      m_highlight(session, effects),
+      m_editing(session) {
     connect(&session, &Session::hitsAppended, this, &HitActions::follow);
     connect(&session, &Session::historyReset, this, &HitActions::follow);
     connect(&session, &Session::sceneReplaced, this, [this] { ++m_scene; });
@@ -70,6 +71,13 @@ void HitActions::adopt(HitHistoryPanel& panel) {
     m_panel = &panel;
     panel.setColumns(QSettings().value(columnsKey()).toByteArray());
     panel.addHitActions({m_import, m_export});
+    connect(&panel, &HitHistoryPanel::rowsSelected, &m_editing, [this](const std::vector<std::size_t>& rows) {
+        // A hit that the list does not show can be selected too, alone.
+        const std::optional<std::size_t> hit = m_session.selectedHit();
+        if (!rows.empty() || !hit) {
+            m_editing.select(rows);
+        }
+    });
 }
 
 void HitActions::save(QSettings& settings) const {

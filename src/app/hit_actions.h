@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "io/hit_records.h"
+#include "session/hit_editing.h"
 #include "session/hit_highlight.h"
 
 class QAction;
@@ -26,6 +27,7 @@ public:
     /// and is set where they end.
     HitActions(Session& session, HitEffects& effects, QString& folder, QWidget* window);
 
+    [[nodiscard]] HitEditing& editing() { return m_editing; }
     void fill(QMenu& menu);
     /// Once both it and the menu are made.
     void adopt(HitHistoryPanel& panel);
@@ -52,6 +54,7 @@ private:
     QString& m_folder;
     QWidget* m_window;
     HitHighlight m_highlight;
+    HitEditing m_editing;
     HitHistoryPanel* m_panel = nullptr;
     QAction* m_export = nullptr;
     QAction* m_import = nullptr;

@@ -93,7 +93,7 @@ void visitLights(const Visit& visit, AllLights& lights) {
 void loadLights(const QSettings& settings, Session& session) {
     Lights lights = moved(session.lights(), session.lightSpace(), LightSpace{});
     visitLights(Reader{settings}, lights);
-    session.setLights(moved(lights, LightSpace{}, session.lightSpace()));
+    session.restoreLights(moved(lights, LightSpace{}, session.lightSpace()));
 }
 
 void saveLights(QSettings& settings, const Session& session) {

@@ -205,8 +205,9 @@ void MainWindow::makeDocks() {
     QDockWidget* history =
         addDock(QStringLiteral("hitHistory"), tr("Hit history"), historyPanel, Qt::BottomDockWidgetArea);
     QDockWidget* vertices = makeVertexChangesDock();
-    QDockWidget* constants = addDock(QStringLiteral("deformationConstants"), tr("Deformation constants"),
-                                     new DeformationConstantsPanel(m_session), Qt::RightDockWidgetArea);
+    QDockWidget* constants =
+        addDock(QStringLiteral("deformationConstants"), tr("Deformation constants"),
+                new DeformationConstantsPanel(m_session, m_hitActions->editing()), Qt::RightDockWidgetArea);
     QDockWidget* lights =
         addDock(QStringLiteral("lights"), tr("Lights"), new LightsPanel(m_session), Qt::RightDockWidgetArea);
     QDockWidget* frameRate =

@@ -32,6 +32,9 @@ struct Hit {
     std::uint8_t pipeline = kUnknownPipeline;  ///< that was active when it was made, as a number that who
                                                ///< makes hits gives a meaning; nothing here depends on it
 
+    glm::vec3 flight{0.0f};  ///< unit, local frame: `direction` as the projectile had it, where that was
+                             ///< changed since; zero: it was not
+
     bool operator==(const Hit&) const = default;
 };
 

@@ -46,6 +46,10 @@ QString undoText(const SessionUndo::Name& name) {
             one = TEXT("Edit Hit");
             many = TEXT("Edit %1 Hits");
             break;
+        case SessionUndo::Kind::HitConstants:
+            one = TEXT("Constants of Hit");
+            many = TEXT("Constants of %1 Hits");
+            break;
         case SessionUndo::Kind::AddTarget:
             one = TEXT("Add Target");
             many = TEXT("Add %1 Targets");
@@ -87,7 +91,9 @@ QString undoText(const SessionUndo::Name& name) {
             many = TEXT("Physics of %1 Targets");
             break;
         case SessionUndo::Kind::Constants:
-            return translated(TEXT("Constants"));
+            return translated(TEXT("Constants for Next Hit"));
+        case SessionUndo::Kind::Lights:
+            return translated(TEXT("Lights"));
     }
 #undef TEXT
     return name.count == 1 ? translated(one) : translated(many).arg(countText(name.count));

@@ -12,6 +12,8 @@ struct LightTerms {
     float ambient = 0.05f;   ///< all strengths: >= 0
     float diffuse = 0.8f;
     float specular = 0.5f;
+
+    bool operator==(const LightTerms&) const = default;
 };
 
 /// 1 / (constant + linear d + quadratic d^2) of the light is left (eq. 12) at a distance of d metres (eq.
@@ -20,12 +22,16 @@ struct Attenuation {
     float constant = 1.0f;   ///< > 0
     float linear = 0.0f;     ///< 1/m, >= 0
     float quadratic = 0.0f;  ///< 1/m^2, >= 0
+
+    bool operator==(const Attenuation&) const = default;
 };
 
 struct DirectionalLight {
     bool on = true;
     glm::vec3 direction{0.5f, -0.8f, -0.45f};  ///< the way the light travels, world
     LightTerms terms;
+
+    bool operator==(const DirectionalLight&) const = default;
 };
 
 struct PointLight {
@@ -33,6 +39,8 @@ struct PointLight {
     glm::vec3 position{0.0f};  ///< metres, world
     Attenuation attenuation{1.0f, 0.09f, 0.032f};
     LightTerms terms;
+
+    bool operator==(const PointLight&) const = default;
 };
 
 /// A point light within a cone with a smooth edge (eq. 14).
@@ -45,6 +53,8 @@ struct SpotLight {
     float outerAngle = 0.3054326f;           ///< radians from the axis, dark outside; above innerAngle
     Attenuation attenuation{1.0f, 0.045f, 0.0075f};
     LightTerms terms;
+
+    bool operator==(const SpotLight&) const = default;
 };
 
 /// The paper's lights (section 2.5, reference scene): one directional, four point lights, a spotlight at the
@@ -53,6 +63,8 @@ struct Lights {
     DirectionalLight directional;
     std::array<PointLight, 4> points;
     SpotLight spot;
+
+    bool operator==(const Lights&) const = default;
 };
 
 /// What lights are placed around.

@@ -56,8 +56,8 @@ public:
         std::unique_ptr<Subject> made(new Subject);
         made->m_session.loadScene(scene);
         made->m_session.setPipeline(pipeline);
-        made->m_session.setLights(lights);
-        if (Status status = made->m_session.setConstants(constants, false); !status) {
+        made->m_session.restoreLights(lights);
+        if (Status status = made->m_session.restoreConstants({constants}); !status) {
             return status.error();
         }
         made->m_hits = drawHits(made->m_session, mostHits);

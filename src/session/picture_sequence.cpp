@@ -26,7 +26,7 @@ std::map<TargetId, TargetId> copyScene(const Session& from, Session& to) {
                                 target->collider ? *target->collider : Collider{}, target->sourcePath});
     }
     to.loadScene(std::move(plan));
-    to.setLights(from.lights());
+    to.restoreLights(from.lights());
     to.setCoverTexture(from.coverTexture());
     to.setPipeline(from.pipeline());
     to.selectTarget({});

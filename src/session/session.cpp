@@ -21,26 +21,21 @@ Session::~Session() = default;
 
 // Settings
 
-Status Session::setConstants(const ConstantsSetting& setting, bool past) {
+Status Session::setConstants(const ConstantsSetting& setting, SessionUndo::Merge merge) {
+    const ConstantsSetting before = m_constants;
+    if (Status taken = restoreConstants(setting); !taken) {
+        return taken;
+    }
+    recordUndo({{}, before, setting, merge, {SessionUndo::Kind::Constants, 1}});
+    return Done{};
+}
+
+Status Session::restoreConstants(const ConstantsSetting& setting) {
     if (!isValid(setting.constants)) {
         return Error{"A deformation constant is out of its range.", "",
                      "Keep to the ranges the panel shows."};
     }
-    const ConstantsSetting before = std::exchange(m_constants, setting);
-    std::vector<HistoryEdit> edits;
-    if (past) {
-        edits.push_back(m_history.setConstantsOfAll([this](const Hit& hit) { return constantsOf(hit); }));
-        // Dragging a slider is one change, not hundreds.
-        recordUndo({edits,
-                    before,
-                    setting,
-                    SessionUndo::Merge::WithSameKind,
-                    {SessionUndo::Kind::Constants, m_history.size()}});
-    }
-    if (setting != before) {
-        Q_EMIT constantsChanged();
-    }
-    announceEdits(edits);
+    takeConstants(setting);
     return Done{};
 }
 
@@ -69,7 +64,13 @@ void Session::takeConstants(const ConstantsSetting& constants) {
     }
 }
 
-void Session::setLights(const Lights& lights) {
+void Session::setLights(const Lights& lights, SessionUndo::Merge merge) {
+    const LightsEdit edit{m_lights, lights};
+    restoreLights(lights);
+    recordUndo({{}, m_constants, m_constants, merge, {SessionUndo::Kind::Lights, 1}, {}, {edit}});
+}
+
+void Session::restoreLights(const Lights& lights) {
     m_lights = lights;
     Q_EMIT lightsChanged();
     Q_EMIT pictureChanged();

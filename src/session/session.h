@@ -82,8 +82,8 @@ public:
     [[nodiscard]] Status addHit(const Hit& hit) { return addHits({&hit, 1}); }
     /// Likewise, all or none, and one step to undo.
     [[nodiscard]] Status addHits(std::span<const Hit> hits);
-    /// Undo and redo cover every change of the history (hits made, removed, moved, disabled, cleared, their
-    /// constants changed) and of the targets.
+    /// Undo and redo cover every change of the history (hits made, removed, moved, disabled, cleared,
+    /// edited), of the constants of hits to come, of the targets and of the lights.
     [[nodiscard]] bool canUndo() const { return m_undo.canUndo(); }
     [[nodiscard]] bool canRedo() const { return m_undo.canRedo(); }
     /// What undo() and redo() would be about; nothing when they would do nothing.
@@ -91,6 +91,8 @@ public:
     [[nodiscard]] std::optional<SessionUndo::Name> redoName() const { return nameOf(m_undo.toRedo()); }
     void undo();
     void redo();
+    /// A gesture has ended: what is done next is another step to undo, whatever it would merge with.
+    void finishUndoStep() { m_undo.finishStep(); }
     /// Each of these is one step to undo, however many hits; indices out of range are passed over.
     void setHitsEnabled(std::span<const std::size_t> indices, bool enabled);
     void enableAllHits();
@@ -100,7 +102,18 @@ public:
     void removeHit(std::size_t index);
     void clearHits();
     /// The hit at `index` becomes `hit`. Refused as addHit() does. One step to undo.
-    [[nodiscard]] Status replaceHit(std::size_t index, const Hit& hit);
+    [[nodiscard]] Status replaceHit(std::size_t index, const Hit& hit) {
+        return replaceHits({&index, 1}, {&hit, 1}, SessionUndo::Kind::EditHit);
+    }
+    /// Likewise, all or none: the hit at indices[i] becomes hits[i]. `indices` ascend. `kind` names the step.
+    [[nodiscard]] Status replaceHits(std::span<const std::size_t> indices, std::span<const Hit> hits,
+                                     SessionUndo::Kind kind,
+                                     SessionUndo::Merge merge = SessionUndo::Merge::Never);
+    /// The hits get the constants that a hit like each of them is made with now. One step to undo.
+    void giveConstants(std::span<const std::size_t> indices);
+    void giveConstantsToAll();
+    /// Those that giveConstants() would give it.
+    [[nodiscard]] DeformationConstants constantsOf(const Hit& hit) const;
     /// Shows the targets as they were after the first `count` hits; nothing: after all. The history stays as
     /// it is, and hits that come end it.
     void showHits(std::optional<std::size_t> count);
@@ -119,15 +132,21 @@ public:
     // Settings
     [[nodiscard]] const DeformationConstants& constants() const { return m_constants.constants; }
     [[nodiscard]] const ConstantsSetting& constantsSetting() const { return m_constants; }
-    /// Constants of the hits to come and, if `past`, of all made so far. Refused when out of range.
-    [[nodiscard]] Status setConstants(const DeformationConstants& constants, bool past) {
-        return setConstants(ConstantsSetting{constants, m_constants.relative}, past);
+    /// Constants of the hits to come; those made keep theirs. One step to undo. Refused when out of range.
+    [[nodiscard]] Status setConstants(const DeformationConstants& constants,
+                                      SessionUndo::Merge merge = SessionUndo::Merge::Never) {
+        return setConstants(ConstantsSetting{constants, m_constants.relative}, merge);
     }
-    [[nodiscard]] Status setConstants(const ConstantsSetting& setting, bool past);
+    [[nodiscard]] Status setConstants(const ConstantsSetting& setting,
+                                      SessionUndo::Merge merge = SessionUndo::Merge::Never);
+    /// Likewise, and nothing to undo: as they were when the program ended.
+    [[nodiscard]] Status restoreConstants(const ConstantsSetting& setting);
     /// Those that a hit on this target is made with now.
     [[nodiscard]] DeformationConstants constantsOn(const Target& target) const;
     [[nodiscard]] const Lights& lights() const { return m_lights; }
-    void setLights(const Lights& lights);
+    /// One step to undo.
+    void setLights(const Lights& lights, SessionUndo::Merge merge = SessionUndo::Merge::Never);
+    void restoreLights(const Lights& lights);  ///< and nothing to undo
     /// What the lights stand around: the scene as it was opened.
     [[nodiscard]] const LightSpace& lightSpace() const { return m_lightSpace; }
     /// A picture on all targets that have texture coordinates, instead of their own materials; null: none.
@@ -254,7 +273,8 @@ private:
     void appendHits(std::span<const Hit> hits);
     std::vector<HistoryEdit> spliceOut(std::span<const std::size_t> hits);
     void recordUndo(SessionUndo::Change change);
-    void changeHistory(std::vector<HistoryEdit> edits, SessionUndo::Name name);
+    void changeHistory(std::vector<HistoryEdit> edits, SessionUndo::Name name,
+                       SessionUndo::Merge merge = SessionUndo::Merge::Never);
     void changeTargets(std::vector<TargetEdit> targets, SessionUndo::Name name,
                        std::vector<HistoryEdit> edits = {},
                        SessionUndo::Merge merge = SessionUndo::Merge::Never);
@@ -269,7 +289,6 @@ private:
         return change != nullptr ? std::optional(change->name) : std::nullopt;
     }
     void takeConstants(const ConstantsSetting& constants);
-    [[nodiscard]] DeformationConstants constantsOf(const Hit& hit) const;
 
     QString m_sceneName;
     std::vector<std::unique_ptr<Target>> m_targets;

@@ -139,8 +139,9 @@ void Session::recordUndo(SessionUndo::Change change) {
 }
 
 /// The constants in force stay as they are.
-void Session::changeHistory(std::vector<HistoryEdit> edits, SessionUndo::Name name) {
-    recordUndo({edits, m_constants, m_constants, SessionUndo::Merge::Never, name});
+void Session::changeHistory(std::vector<HistoryEdit> edits, SessionUndo::Name name,
+                            SessionUndo::Merge merge) {
+    recordUndo({edits, m_constants, m_constants, merge, name});
     announceEdits(edits);
 }
 
@@ -203,6 +204,9 @@ void Session::makeAgain(const SessionUndo::Change& change) {
         m_history.redo(edit);
     }
     takeConstants(change.constantsAfter);
+    for (const LightsEdit& edit : change.lights) {
+        restoreLights(edit.after);
+    }
     follow(change);
     Q_EMIT undoChanged();
 }

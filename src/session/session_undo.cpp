@@ -28,6 +28,29 @@ bool followOn(const std::vector<TargetEdit>& earlier, const std::vector<TargetEd
                       });
 }
 
+/// Likewise where each of `later` changes further what the same one of `earlier` changed, as when several
+/// hits are edited at once.
+bool absorbEach(std::vector<HistoryEdit>& earlier, std::vector<HistoryEdit>& later) {
+    const auto isSame = [](const HistoryEdit& one, const HistoryEdit& next) {
+        return one.first == next.first && one.before.size() == one.after.size() &&
+               one.after.size() == next.before.size() && next.before.size() == next.after.size();
+    };
+    if (!std::equal(earlier.begin(), earlier.end(), later.begin(), later.end(), isSame)) {
+        return false;
+    }
+    for (std::size_t i = 0; i < later.size(); ++i) {
+        earlier[i].after = std::move(later[i].after);
+    }
+    return true;
+}
+
+bool comesToNothing(const SessionUndo::Change& change) {
+    const auto same = [](const auto& edit) { return edit.before == edit.after; };
+    return change.targets.empty() && change.constantsBefore == change.constantsAfter &&
+           std::all_of(change.edits.begin(), change.edits.end(), same) &&
+           std::all_of(change.lights.begin(), change.lights.end(), same);
+}
+
 SessionUndo::Change inverse(const SessionUndo::Change& change) {
     SessionUndo::Change undone;
     undone.constantsBefore = change.constantsAfter;
@@ -38,6 +61,9 @@ SessionUndo::Change inverse(const SessionUndo::Change& change) {
     });
     std::for_each(change.targets.rbegin(), change.targets.rend(), [&undone](const TargetEdit& edit) {
         undone.targets.push_back({edit.index, edit.after, edit.before});
+    });
+    std::for_each(change.lights.rbegin(), change.lights.rend(), [&undone](const LightsEdit& edit) {
+        undone.lights.push_back({edit.after, edit.before});
     });
     return undone;
 }
@@ -52,9 +78,18 @@ bool SessionUndo::absorb(Change& change) {
     if (last.name.kind != change.name.kind || !followOn(last.targets, change.targets)) {
         return false;
     }
-    for (HistoryEdit& edit : change.edits) {
-        if (last.edits.empty() || !absorbEdit(last.edits.back(), edit)) {
-            last.edits.push_back(std::move(edit));
+    if (!absorbEach(last.edits, change.edits)) {
+        for (HistoryEdit& edit : change.edits) {
+            if (last.edits.empty() || !absorbEdit(last.edits.back(), edit)) {
+                last.edits.push_back(std::move(edit));
+            }
+        }
+    }
+    for (LightsEdit& edit : change.lights) {
+        if (last.lights.empty()) {
+            last.lights.push_back(std::move(edit));
+        } else {
+            last.lights.back().after = std::move(edit.after);
         }
     }
     for (std::size_t i = 0; i < change.targets.size(); ++i) {
@@ -67,12 +102,23 @@ bool SessionUndo::absorb(Change& change) {
 void SessionUndo::record(Change change) {
     std::erase_if(change.edits,
                   [](const HistoryEdit& edit) { return edit.before.empty() && edit.after.empty(); });
-    if (change.edits.empty() && change.targets.empty()) {
+    if (comesToNothing(change)) {
         return;
     }
     m_redo.clear();
-    if (!absorb(change)) {
-        m_undo.push_back({std::move(change)});
+    if (absorb(change)) {
+        if (comesToNothing(m_undo.back().change)) {
+            m_undo.pop_back();
+            finishStep();
+        }
+        return;
+    }
+    m_undo.push_back({std::move(change)});
+}
+
+void SessionUndo::finishStep() {
+    if (canUndo()) {
+        m_undo.back().finished = true;
     }
 }
 

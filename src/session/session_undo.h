@@ -5,22 +5,29 @@
 #include <vector>
 
 #include "deform/hit_history.h"
+#include "render/lights.h"
 #include "session/constants_setting.h"
 #include "session/target_state.h"
 
 namespace hitscope {
 
+/// The lights were one and became the other.
+struct LightsEdit {
+    Lights before;
+    Lights after;
+};
+
 /// The steps a person can go back and forward through: changes of the hit history, of the deformation
-/// constants in force and of the targets. A step costs what changed, not what there is.
+/// constants of hits to come, of the targets and of the lights. A step costs what changed, not what there is.
 class SessionUndo {
 public:
     [[nodiscard]] bool canUndo() const { return !m_undo.empty(); }
     [[nodiscard]] bool canRedo() const { return !m_redo.empty(); }
 
     enum class Merge : std::uint8_t {
-        Never,
+        Never,        ///< a step of its own
         WithSameKind  ///< with the last step, if that is of the same kind and about the same targets, and
-                      ///< was not undone in between
+                      ///< was neither undone nor finished in between
     };
     enum class Kind : std::uint8_t {
         Hit,
@@ -30,7 +37,9 @@ public:
         Enable,
         Disable,
         EditHit,
-        Constants,
+        HitConstants,  ///< of hits already made
+        Constants,     ///< of the hits to come
+        Lights,
         AddTarget,
         DuplicateTarget,
         RemoveTarget,
@@ -57,9 +66,12 @@ public:
         Merge merge = Merge::Never;
         Name name = {};
         std::vector<TargetEdit> targets = {};  ///< in the order made
+        std::vector<LightsEdit> lights = {};   ///< likewise
     };
-    /// Without a change of the history or of a target nothing is recorded.
+    /// Where nothing changed nothing is recorded; steps that merge and come to nothing go.
     void record(Change change);
+    /// Nothing merges with the last step any more.
+    void finishStep();
     /// What undo() or redo() would take back or make again; null: nothing.
     [[nodiscard]] const Change* toUndo() const { return canUndo() ? &m_undo.back().change : nullptr; }
     [[nodiscard]] const Change* toRedo() const { return canRedo() ? &m_redo.back().change : nullptr; }
@@ -79,6 +91,22 @@ private:
 
     std::vector<Step> m_undo;
     std::vector<Step> m_redo;
+};
+
+/// Makes one step of what a person does in one go: the first change of a part begins a step, further ones of
+/// the same part merge with it until the gesture ends.
+class UndoGesture {
+public:
+    /// Of a change of this part (>= 0): one slider, one box.
+    [[nodiscard]] SessionUndo::Merge change(int part) {
+        const bool goesOn = part == m_part;
+        m_part = part;
+        return goesOn ? SessionUndo::Merge::WithSameKind : SessionUndo::Merge::Never;
+    }
+    void end() { m_part = -1; }
+
+private:
+    int m_part = -1;
 };
 
 }  // namespace hitscope

@@ -104,7 +104,8 @@ private Q_SLOTS:
         DeformationConstants constants = before.front().constants;
         constants.maxMagnitude = 0.02f;
         constants.power = 0.002f;
-        QVERIFY(session.setConstants(constants, true));
+        QVERIFY(session.setConstants(constants));
+        session.giveConstantsToAll();
         QVERIFY(scene.draw());
         QVERIFY(session.tasks().current() != nullptr);
         QCOMPARE(differences(session, before), std::size_t{0});

@@ -78,9 +78,10 @@ private Q_SLOTS:
         DeformationConstants constants;
         constants.maxDistance = 0.8f;
         constants.power = 0.08f;
-        QVERIFY(session.setConstants(constants, true));
+        QVERIFY(session.setConstants(constants));
+        session.giveConstantsToAll();
         QVERIFY(synced());
-        QVERIFY(session.setConstants(DeformationConstants{}, false));
+        QVERIFY(session.setConstants(DeformationConstants{}));
         shootAll(session, demoShots(session, 10, 4));
         QVERIFY(synced());
         session.clearHits();

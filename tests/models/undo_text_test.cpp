@@ -24,7 +24,9 @@ private Q_SLOTS:
         row(SessionUndo::Kind::Move, 1, "Move Hit");
         row(SessionUndo::Kind::Enable, 2, "Enable 2 Hits");
         row(SessionUndo::Kind::Disable, 1, "Disable Hit");
-        row(SessionUndo::Kind::Constants, 12, "Constants");
+        row(SessionUndo::Kind::HitConstants, 12, "Constants of 12 Hits");
+        row(SessionUndo::Kind::Constants, 1, "Constants for Next Hit");
+        row(SessionUndo::Kind::Lights, 1, "Lights");
         row(SessionUndo::Kind::AddTarget, 1, "Add Target");
         row(SessionUndo::Kind::RemoveTarget, 4, "Remove 4 Targets");
         row(SessionUndo::Kind::RenameTarget, 1, "Rename Target");

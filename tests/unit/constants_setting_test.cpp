@@ -26,7 +26,7 @@ struct Dent {
 Dent dentIn(float diameter, bool relative) {
     Session session;
     session.loadMesh(makeUvSphere(32, 16, 0.5f * diameter));
-    if (!session.setConstants(ConstantsSetting{DeformationConstants{}, relative}, false)) {
+    if (!session.setConstants(ConstantsSetting{DeformationConstants{}, relative})) {
         return {};
     }
     const Bounds bounds = session.sceneBounds();
@@ -103,7 +103,15 @@ private Q_SLOTS:
         QCOMPARE(dentIn(0.02f, false).share, 1.0);
     }
 
-    void theirChangeIsAppliedToThePastByTarget() {
+    void valuesAreAsPeopleWriteThem() {
+        const DeformationConstants small = constantsOn(0.45f, {});
+        QCOMPARE(small.maxDistance, 0.045f);
+        QCOMPARE(small.maxMagnitude, 0.027f);  // 0.3f * 0.09f is the float after it
+        QCOMPARE(constantsOn(0.0617f, {}).power, 7.5645e-6f);
+        QCOMPARE(constantsOn(61'700.0f, {}).maxMagnitude, 3690.0f);
+    }
+
+    void hitsMadeGetThemOnRequestByTarget() {
         Session session;
         session.loadPaperRow(kDefaultPaperRow);
         Hit hit;
@@ -111,10 +119,14 @@ private Q_SLOTS:
         QVERIFY(session.addHit(hit).ok());
         ConstantsSetting setting;
         setting.constants.power = 0.07f;
-        QVERIFY(session.setConstants(setting, true).ok());
+        QVERIFY(session.setConstants(setting).ok());
+        QCOMPARE(session.history().hits()[0].constants.power, 0.05f);
+        session.giveConstantsToAll();
         QCOMPARE(session.history().hits()[0].constants.power, 0.07f);
         session.undo();
         QCOMPARE(session.history().hits()[0].constants.power, 0.05f);
+        QCOMPARE(session.constants().power, 0.07f);
+        session.undo();
         QCOMPARE(session.constants().power, 0.05f);
     }
 };

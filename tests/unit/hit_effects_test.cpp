@@ -83,7 +83,8 @@ private Q_SLOTS:
                 case 6: {
                     DeformationConstants constants;
                     constants.maxDistance = 0.3f + 0.1f * static_cast<float>(random() % 5);
-                    QVERIFY(session.setConstants(constants, true).ok());
+                    QVERIFY(session.setConstants(constants));
+                    session.giveConstantsToAll();
                     break;
                 }
                 case 7: {

@@ -210,8 +210,9 @@ private Q_SLOTS:
         Session& session = *m_session;
         DeformationConstants constants;
         constants.power = 0.2f;
-        QVERIFY(session.setConstants(constants, true).ok());
-        QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::Constants, 6}));
+        QVERIFY(session.setConstants(constants));
+        session.giveConstantsToAll();
+        QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::HitConstants, 6}));
         session.clearHits();
         QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::Clear, 6}));
         QVERIFY(!session.redoName());

@@ -118,15 +118,15 @@ private Q_SLOTS:
         QVERIFY(session.addHit(hit));
         DeformationConstants constants;
         constants.power = 0.2f;
-        QVERIFY(session.setConstants(constants, false));
+        QVERIFY(session.setConstants(constants));
         QCOMPARE(session.history().hits()[0].constants.power, 0.05f);
-        QVERIFY(session.setConstants(constants, true));
+        session.giveConstantsToAll();
         QCOMPARE(session.history().hits()[0].constants.power,
                  session.constantsOn(*session.targets().front()).power);
         session.undo();
         QCOMPARE(session.history().hits()[0].constants.power, 0.05f);
         constants.power = -1.0f;
-        QVERIFY(!session.setConstants(constants, true));
+        QVERIFY(!session.setConstants(constants));
         QCOMPARE(session.history().hits()[0].constants.power, 0.05f);
     }
 

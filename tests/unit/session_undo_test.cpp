@@ -121,6 +121,48 @@ private Q_SLOTS:
         }
     }
 
+    void aFinishedStepTakesNothingMore() {
+        SessionUndo undo;
+        const auto dim = [&undo](float before, float after, SessionUndo::Merge merge) {
+            LightsEdit edit;
+            edit.before.spot.terms.diffuse = before;
+            edit.after.spot.terms.diffuse = after;
+            undo.record({{}, {}, {}, merge, {SessionUndo::Kind::Lights, 1}, {}, {edit}});
+        };
+        UndoGesture gesture;
+        dim(0.8f, 0.7f, gesture.change(0));
+        dim(0.7f, 0.6f, gesture.change(1));
+        dim(0.6f, 0.5f, gesture.change(1));
+        undo.finishStep();
+        dim(0.5f, 0.4f, SessionUndo::Merge::WithSameKind);
+        for (const float before : {0.5f, 0.7f, 0.8f}) {
+            QCOMPARE(undo.undo().lights.at(0).after.spot.terms.diffuse, before);
+        }
+        QVERIFY(!undo.canUndo());
+        QCOMPARE(undo.redo().lights.at(0).after.spot.terms.diffuse, 0.7f);
+    }
+
+    void thereAndBackIsNoStep() {
+        HitHistory history;
+        SessionUndo undo;
+        undo.record({{history.append(hitAt(1)), history.append(hitAt(2)), history.append(hitAt(3))}, {}, {}});
+        const auto widen = [&](float distance) {
+            std::vector<HistoryEdit> edits;
+            for (const std::size_t index : {std::size_t{0}, std::size_t{2}}) {
+                Hit hit = history.hits()[index];
+                hit.constants.maxDistance = distance;
+                edits.push_back(history.splice(index, 1, {&hit, 1}));
+            }
+            undo.record({edits, {}, {}, SessionUndo::Merge::WithSameKind, {SessionUndo::Kind::EditHit, 2}});
+        };
+        const float before = history.hits()[0].constants.maxDistance;
+        widen(0.7f);
+        widen(0.8f);
+        QCOMPARE(undo.toUndo()->edits.size(), std::size_t{2});
+        widen(before);
+        QVERIFY(undo.toUndo()->name.kind == SessionUndo::Kind::Hit);
+    }
+
     void aTargetsEditIsUndoneByItsInverse() {
         SessionUndo undo;
         undo.record({{},

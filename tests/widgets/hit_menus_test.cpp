@@ -94,11 +94,11 @@ void HitMenusTest::undoNamesTheStep() {
     QCOMPARE(undo->text(), QStringLiteral("&Undo Disable 2 Hits"));
     DeformationConstants constants;
     constants.power = 0.1f;
-    QVERIFY(m_session->setConstants(constants, true).ok());
-    QCOMPARE(undo->text(), QStringLiteral("&Undo Constants"));
+    QVERIFY(m_session->setConstants(constants).ok());
+    QCOMPARE(undo->text(), QStringLiteral("&Undo Constants for Next Hit"));
     QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(undo->text(), QStringLiteral("&Undo Disable 2 Hits"));
-    QCOMPARE(redo->text(), QStringLiteral("&Redo Constants"));
+    QCOMPARE(redo->text(), QStringLiteral("&Redo Constants for Next Hit"));
     QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(m_session->disabledHits(), std::size_t{0});
     QCOMPARE(redo->text(), QStringLiteral("&Redo Disable 2 Hits"));

@@ -288,7 +288,7 @@ void MainWindowTest::settingsAreRemembered() {
         session.loadPaperRow(kDefaultPaperRow);
         MainWindow window(session);
         showReady(window);
-        QVERIFY(session.setConstants(constants, true).ok());
+        QVERIFY(session.setConstants(constants).ok());
         session.setPipeline(PipelineKind::UniformArray);
         QTest::keyClick(&window, Qt::Key_L);
         QTest::keyClick(&window, Qt::Key_H);

@@ -21,6 +21,9 @@
 #include "panels/icons/themed_icon.h"
 #include "panels/lights/lights_panel.h"
 #include "panels/mesh_statistics/mesh_statistics_panel.h"
+#include "session/hit_editing.h"
+#include "session/scene_presets.h"
+#include "session/target_plan.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -43,8 +46,11 @@ class PanelsTest : public QObject {
 private Q_SLOTS:
     void historySelectsRemovesAndCopies();
     void constantsApplyToThePastOnRequest();
+    void constantsShowWhatIsTrue();
+    void constantsForTheNextHitCanBeUndone();
     void constantsSliderCoversTheRange();
     void lightsSwitchAndTint();
+    void lightsCanBeUndone();
     void statisticsChooseTheTarget();
     void iconsAreDrawnInThePalette();
 };
@@ -84,28 +90,102 @@ void PanelsTest::historySelectsRemovesAndCopies() {
 void PanelsTest::constantsApplyToThePastOnRequest() {
     Session session;
     session.loadPaperRow(kDefaultPaperRow);
-    addHits(session, 2);
-    DeformationConstantsPanel panel(session);
+    addHits(session, 3);
+    HitEditing editing(session);
+    DeformationConstantsPanel panel(session, editing);
     auto* power = panel.findChild<QDoubleSpinBox*>(QStringLiteral("power"));
-    auto* past = panel.findChild<QCheckBox*>(QStringLiteral("past"));
-    QCOMPARE(power->value(), 0.05);
-    past->setChecked(false);
-    power->setValue(0.1);
+    auto* selected = panel.findChild<QPushButton*>(QStringLiteral("applyToSelected"));
+    auto* all = panel.findChild<QPushButton*>(QStringLiteral("applyToAll"));
+    const auto powerOf = [&session](std::size_t hit) {
+        return session.history().hits()[hit].constants.power;
+    };
+    QCOMPARE(power->value(), 0.2);  // per cent of (5 m)²
+    power->setValue(0.4);
     QCOMPARE(session.constants().power, 0.1f);
-    QCOMPARE(session.history().hits()[0].constants.power, 0.05f);
-    past->setChecked(true);
-    QCOMPARE(session.history().hits()[0].constants.power, 0.1f);
+    QCOMPARE(powerOf(0), 0.05f);
+    QVERIFY(!selected->isEnabled());
+    editing.select({1});
+    QCOMPARE(selected->text(), QStringLiteral("Selected (1)"));
+    selected->click();
+    QCOMPARE(powerOf(1), 0.1f);
+    QCOMPARE(powerOf(0), 0.05f);
+    QCOMPARE(all->text(), QStringLiteral("All (3)"));
+    all->click();
+    QCOMPARE(powerOf(0), 0.1f);
+    QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::HitConstants, 3}));
+    session.undo();
+    QCOMPARE(powerOf(0), 0.05f);
+    QCOMPARE(powerOf(1), 0.1f);
     auto* preset = panel.findChild<QComboBox*>(QStringLiteral("preset"));
     QCOMPARE(preset->currentIndex(), -1);
     QTest::keyClick(preset, Qt::Key_Home);
     QVERIFY(session.constants() == DeformationConstants{});
-    QCOMPARE(power->value(), 0.05);
-    QVERIFY(session.history().hits()[1].constants == DeformationConstants{});
+    QCOMPARE(power->value(), 0.2);
+    QCOMPARE(powerOf(1), 0.1f);
+}
+
+void PanelsTest::constantsShowWhatIsTrue() {
+    Session session;
+    ScenePlan plan;
+    plan.targets.push_back(planMesh(prepareMesh(makeUvSphere(16, 8, 0.45f)), {}));
+    session.loadScene(plan);
+    HitEditing editing(session);
+    DeformationConstantsPanel panel(session, editing);
+    const auto box = [&panel](const char* name) {
+        return panel.findChild<QDoubleSpinBox*>(QString::fromLatin1(name));
+    };
+    const auto* inForce = panel.findChild<QLabel*>(QStringLiteral("inForce"));
+    QCOMPARE(box("max_distance")->text(), QStringLiteral("10 %"));
+    QCOMPARE(box("power")->text(), QStringLiteral("0.2 %"));
+    QCOMPARE(box("max_magnitude")->text(), QStringLiteral("6 %"));
+    QVERIFY2(inForce->text().contains(QStringLiteral("max distance 90 mm")), qPrintable(inForce->text()));
+    QVERIFY(inForce->text().contains(QStringLiteral("max magnitude 54 mm")));
+    // Of two sizes, and none selected, no number is in force.
+    std::vector<TargetPlan> more;
+    more.push_back(planMesh(prepareMesh(makeUvSphere(16, 8, 2.5f)), {}));
+    session.addTargets(std::move(more));
+    QVERIFY(inForce->text().contains(QStringLiteral("max distance 500 mm")));  // the new one is selected
+    session.selectTarget({});
+    QVERIFY2(inForce->text().contains(QStringLiteral("differ in size")), qPrintable(inForce->text()));
+    QVERIFY(!inForce->text().contains(QStringLiteral("mm")));
+    // In metres the boxes are what is in force.
+    auto* size = panel.findChild<QComboBox*>(QStringLiteral("size"));
+    QTest::keyClick(size, Qt::Key_End);
+    QCOMPARE(box("max_distance")->text(), QStringLiteral("0.5 m"));
+    QCOMPARE(box("power")->text(), QStringLiteral("0.05 m²"));
+}
+
+void PanelsTest::constantsForTheNextHitCanBeUndone() {
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    HitEditing editing(session);
+    DeformationConstantsPanel panel(session, editing);
+    auto* slider = panel.findChildren<QSlider*>().at(0);
+    slider->setSliderDown(true);
+    for (const int place : {600, 650, 700}) {
+        slider->setValue(place);
+    }
+    slider->setSliderDown(false);
+    slider->setSliderDown(true);
+    slider->setValue(300);
+    slider->setSliderDown(false);
+    QVERIFY(session.constants().maxDistance < 0.5f);
+    session.undo();
+    QVERIFY(session.constants().maxDistance > 0.5f);
+    QVERIFY(session.undoName()->kind == SessionUndo::Kind::Constants);
+    session.undo();
+    QCOMPARE(session.constants().maxDistance, 0.5f);
+    QVERIFY(!session.canUndo());
+    QTest::keyClick(panel.findChild<QComboBox*>(QStringLiteral("size")), Qt::Key_End);
+    QVERIFY(!session.constantsSetting().relative);
+    session.undo();
+    QVERIFY(session.constantsSetting().relative);
 }
 
 void PanelsTest::constantsSliderCoversTheRange() {
     Session session;
-    DeformationConstantsPanel panel(session);
+    HitEditing editing(session);
+    DeformationConstantsPanel panel(session, editing);
     const QList<QSlider*> sliders = panel.findChildren<QSlider*>();
     QCOMPARE(sliders.size(), 3);
     const ParameterDescriptor& distance = deformationParameters()[0];
@@ -155,6 +235,32 @@ void PanelsTest::lightsSwitchAndTint() {
     QVERIFY(session.lights().directional.on && session.lights().points[1].on);
     QVERIFY(session.lights().spot.atEye);
     QCOMPARE(session.lights().points[0].position, before.position);
+}
+
+void PanelsTest::lightsCanBeUndone() {
+    Session session;
+    session.loadPaperRow(kDefaultPaperRow);
+    const Lights before = session.lights();
+    LightsPanel panel(session);
+    auto* list = panel.findChild<QListView*>(QStringLiteral("list"));
+    auto* diffuse = panel.findChild<QDoubleSpinBox*>(QStringLiteral("diffuse"));
+    QVERIFY(list->model()->setData(list->model()->index(2, 0), Qt::Unchecked, Qt::CheckStateRole));
+    diffuse->setValue(0.4);
+    diffuse->setValue(0.3);  // of one run of edits
+    QTest::keyClick(diffuse, Qt::Key_Return);
+    diffuse->setValue(0.2);
+    session.undo();
+    QCOMPARE(session.lights().directional.terms.diffuse, 0.3f);
+    QCOMPARE(diffuse->value(), 0.3);
+    session.undo();
+    QCOMPARE(session.lights().directional.terms.diffuse, before.directional.terms.diffuse);
+    QVERIFY(!session.lights().points[1].on);
+    QVERIFY(session.undoName()->kind == SessionUndo::Kind::Lights);
+    session.undo();
+    QVERIFY(session.lights() == before);
+    QVERIFY(!session.canUndo());
+    session.redo();
+    QVERIFY(!session.lights().points[1].on);
 }
 
 void PanelsTest::statisticsChooseTheTarget() {

@@ -7,14 +7,18 @@
 #include <QMessageBox>
 #include <QSettings>
 
-#include "models/focus_target.h"
 #include "panels/deformation_constants/parameter_editor.h"
+#include "session/hit_editing.h"
 #include "session/shown_number.h"
 #include "ui_deformation_constants.h"
 
 namespace hitscope {
 
 namespace {
+
+constexpr double kPerCent = 100.0;
+constexpr double kPerSize = 1.0 / static_cast<double>(kUsualExtent);
+constexpr std::size_t kPower = 1;  // of deformationParameters()
 
 enum Size { Relative, InMetres };  // rows of the form's combo box
 
@@ -30,10 +34,28 @@ QString lengthText(double metres) {
                             : DeformationConstantsPanel::tr("%1 µm").arg(shownNumber(metres * 1.0e6, 'g', 3));
 }
 
+/// All visible targets are of one size: one that stands for all; null: they differ, or there are none.
+const Target* ofOneSize(const Session& session) {
+    const Target* first = nullptr;
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        if (!target->visible) {
+            continue;
+        }
+        if (first != nullptr && sizeFactor(first->extent()) != sizeFactor(target->extent())) {
+            return nullptr;
+        }
+        first = first != nullptr ? first : target.get();
+    }
+    return first;
+}
+
 }  // namespace
 
-DeformationConstantsPanel::DeformationConstantsPanel(Session& session, QWidget* parent)
-    : QWidget(parent), m_session(session), m_ui(std::make_unique<Ui::DeformationConstantsForm>()) {
+DeformationConstantsPanel::DeformationConstantsPanel(Session& session, HitEditing& editing, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_editing(editing),
+      m_ui(std::make_unique<Ui::DeformationConstantsForm>()) {
     m_ui->setupUi(this);
     QSettings settings;
     m_presets.load(settings);
@@ -43,11 +65,13 @@ DeformationConstantsPanel::DeformationConstantsPanel(Session& session, QWidget* 
     connect(m_ui->size, &QComboBox::activated, this, [this](int row) {
         apply({m_session.constants(), row == Relative});
     });
-    connect(m_ui->past, &QCheckBox::toggled, this, [this](bool past) {
-        if (past) {
-            apply(m_session.constantsSetting());
-        }
-    });
+    connect(m_ui->applyToSelected, &QPushButton::clicked, this,
+            [this] { m_session.giveConstants(m_editing.rows()); });
+    connect(m_ui->applyToAll, &QPushButton::clicked, &session, &Session::giveConstantsToAll);
+    connect(&editing, &HitEditing::rowsChanged, this, &DeformationConstantsPanel::showHits);
+    connect(&session, &Session::hitsAppended, this, &DeformationConstantsPanel::showHits);
+    connect(&session, &Session::historyReset, this, &DeformationConstantsPanel::showHits);
+    connect(&session, &Session::projectileSettingsChanged, this, &DeformationConstantsPanel::showInForce);
     connect(&session, &Session::constantsChanged, this, &DeformationConstantsPanel::showConstants);
     connect(&session, &Session::targetSelected, this, &DeformationConstantsPanel::showInForce);
     connect(&session, &Session::sceneReplaced, this, &DeformationConstantsPanel::showInForce);
@@ -56,6 +80,7 @@ DeformationConstantsPanel::DeformationConstantsPanel(Session& session, QWidget* 
     connect(&session, &Session::targetChanged, this, &DeformationConstantsPanel::showInForce);
     listPresets();
     showConstants();
+    showHits();
 }
 
 DeformationConstantsPanel::~DeformationConstantsPanel() = default;
@@ -67,8 +92,9 @@ void DeformationConstantsPanel::makeEditors() {
         connect(editor, &ParameterEditor::edited, this, [this, i](double value) {
             ConstantsSetting setting = m_session.constantsSetting();
             setParameterValue(setting.constants, i, value);
-            apply(setting);
+            apply(setting, m_gesture.change(static_cast<int>(i)));
         });
+        connect(editor, &ParameterEditor::finished, this, [this] { m_gesture.end(); });
         m_editors.push_back(editor);
     }
 }
@@ -91,40 +117,75 @@ void DeformationConstantsPanel::listPresets() {
 }
 
 void DeformationConstantsPanel::showConstants() {
+    const bool relative = m_session.constantsSetting().relative;
     for (std::size_t i = 0; i < m_editors.size(); ++i) {
+        const bool isPower = i == kPower;
+        m_editors[i]->setUnit(relative ? kPerCent * (isPower ? kPerSize * kPerSize : kPerSize) : 1.0,
+                              relative ? tr("%") : QString::fromUtf8(deformationParameters()[i].unit));
         m_editors[i]->setValue(parameterValue(m_session.constants(), i));
     }
     const std::optional<std::size_t> preset = m_presets.find(m_session.constants());
     m_ui->preset->setCurrentIndex(preset ? static_cast<int>(*preset) : -1);
-    m_ui->size->setCurrentIndex(m_session.constantsSetting().relative ? Relative : InMetres);
+    m_ui->size->setCurrentIndex(relative ? Relative : InMetres);
     m_delete->setEnabled(preset && !m_presets.all()[*preset].isOurs);
     showInForce();
 }
 
 void DeformationConstantsPanel::showInForce() {
-    const Target* target = focusTarget(m_session);
-    const DeformationConstants constants =
-        target != nullptr ? m_session.constantsOn(*target) : m_session.constants();
-    m_ui->falloff->show(constants);
-    if (!m_session.constantsSetting().relative) {
-        m_ui->inForce->setText(tr("In force: these numbers, on every target."));
-    } else if (target == nullptr) {
-        m_ui->inForce->setText(tr("In force: these numbers, for each 5 m of a target's largest extent."));
-    } else if (constants == m_session.constants()) {
-        m_ui->inForce->setText(
-            tr("In force on %1 (%2): these numbers.").arg(target->name, lengthText(target->extent())));
+    const bool relative = m_session.constantsSetting().relative;
+    const Target* selected = m_session.target(m_session.selectedTarget());
+    const Target* target = selected != nullptr ? selected : ofOneSize(m_session);
+    if (relative && target == nullptr) {
+        // Power is per cent of a square: in these units of length it is a hundred times as much.
+        m_ui->falloff->show(scaled(m_session.constants(), static_cast<float>(kPerCent * kPerSize)),
+                            FalloffPlot::Unit::PerCentOfTarget);
     } else {
-        m_ui->inForce->setText(
-            tr("In force on %1 (%2): max distance %3, power %4 m², max magnitude %5.")
-                .arg(target->name, lengthText(target->extent()), lengthText(constants.maxDistance))
-                .arg(shownNumber(constants.power, 'g', 3))
-                .arg(lengthText(constants.maxMagnitude)));
+        m_ui->falloff->show(target != nullptr ? m_session.constantsOn(*target) : m_session.constants());
     }
+    QString text = inForceText();
+    const ProjectileSettings& projectile = m_session.projectileSettings();
+    if (projectile.powerFollowsImpulse) {
+        text += u' ' + tr("Power follows the impulse: it is this at %1 N·s.")
+                           .arg(shownFloat(projectile.referenceImpulse));
+    }
+    m_ui->inForce->setText(text);
 }
 
-void DeformationConstantsPanel::apply(const ConstantsSetting& setting) {
+QString DeformationConstantsPanel::inForceText() const {
+    if (!m_session.constantsSetting().relative) {
+        return tr("In force: these numbers, on every target.");
+    }
+    const Target* selected = m_session.target(m_session.selectedTarget());
+    const Target* target = selected != nullptr ? selected : ofOneSize(m_session);
+    if (target == nullptr) {
+        return m_session.targets().empty()
+                   ? tr("Per cent of a target's largest extent; power: of its square.")
+                   : tr("Per cent of a target's largest extent; power: of its square. The targets differ in "
+                        "size: select one to see what is in force on it.");
+    }
+    QString size = lengthText(target->extent());
+    if (const QString counted = lengthText(sizeFactor(target->extent()) * kUsualExtent); counted != size) {
+        size = tr("%1, counted as %2").arg(size, counted);
+    }
+    const DeformationConstants constants = m_session.constantsOn(*target);
+    const bool isOnly = selected != nullptr || m_session.targets().size() == 1;
+    return tr("In force on %1 (%2): max distance %3, power %4 m², max magnitude %5.")
+        .arg(isOnly ? target->name : tr("every target"), size, lengthText(constants.maxDistance),
+             shownNumber(constants.power, 'g', 3), lengthText(constants.maxMagnitude));
+}
+
+void DeformationConstantsPanel::showHits() {
+    const std::size_t selected = m_editing.rows().size();
+    const std::size_t all = m_session.history().size();
+    m_ui->applyToSelected->setText(tr("Selected (%1)").arg(shownCount(selected)));
+    m_ui->applyToSelected->setEnabled(selected > 0);
+    m_ui->applyToAll->setText(tr("All (%1)").arg(shownCount(all)));
+    m_ui->applyToAll->setEnabled(all > 0);
+}
+
+void DeformationConstantsPanel::apply(const ConstantsSetting& setting, SessionUndo::Merge merge) {
     // The editors keep to the ranges that the session checks; should it refuse, they show what holds.
-    if (!m_session.setConstants(setting, m_ui->past->isChecked())) {
+    if (!m_session.setConstants(setting, merge)) {
         showConstants();
     }
 }

@@ -14,15 +14,17 @@ class DeformationConstantsForm;
 
 namespace hitscope {
 
+class HitEditing;
 class ParameterEditor;
 
-/// The dock "Deformation constants": the three constants of the paper's function, live, as presets, and what
-/// they come to on the target in focus.
+/// The dock "Deformation constants": the three constants of the paper's function for the hits to come, live,
+/// in per cent of a target or in metres, as presets, and what they come to. Hits already made get them only
+/// when asked for.
 class DeformationConstantsPanel : public QWidget {
     Q_OBJECT
 public:
-    /// `session` outlives the panel. Presets are read from and saved to the application's QSettings.
-    explicit DeformationConstantsPanel(Session& session, QWidget* parent = nullptr);
+    /// Both outlive the panel. Presets are read from and saved to the application's QSettings.
+    DeformationConstantsPanel(Session& session, HitEditing& editing, QWidget* parent = nullptr);
     ~DeformationConstantsPanel() override;
 
 private:
@@ -31,12 +33,16 @@ private:
     void listPresets();
     void showConstants();
     void showInForce();
-    void apply(const ConstantsSetting& setting);
+    [[nodiscard]] QString inForceText() const;
+    void showHits();
+    void apply(const ConstantsSetting& setting, SessionUndo::Merge merge = SessionUndo::Merge::Never);
     void choosePreset(int row);
     void savePreset();
     void deletePreset();
 
     Session& m_session;
+    HitEditing& m_editing;
+    UndoGesture m_gesture;
     std::unique_ptr<Ui::DeformationConstantsForm> m_ui;
     std::vector<ParameterEditor*> m_editors;  ///< in the order of deformationParameters()
     ConstantsPresets m_presets;

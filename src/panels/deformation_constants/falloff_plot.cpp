@@ -35,8 +35,7 @@ FalloffPlot::FalloffPlot(QWidget* parent) : QWidget(parent), m_plot(new QCustomP
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setToolTip(tr("Displacement of a vertex against its distance from the hit point"));
     m_plot->setMinimumSize(120, 100);
-    m_plot->xAxis->setLabel(tr("distance from the hit point (m)"));
-    m_plot->yAxis->setLabel(tr("displacement (m)"));
+    nameUnit(Unit::Metres);
     m_plot->xAxis->setLabelPadding(1);
     m_plot->yAxis->setLabelPadding(1);
     m_plot->yAxis->ticker()->setTickCount(3);
@@ -88,18 +87,26 @@ void FalloffPlot::changeEvent(QEvent* event) {
 
 void FalloffPlot::placeCorner(double distance, double magnitude) {
     m_plot->graph(Corner)->setData({distance}, {magnitude}, true);
-    m_cornerText->setText(tr("cap up to %1 m").arg(shownNumber(distance, 'g', 3)));
+    m_cornerText->setText(tr("cap up to %1 %2").arg(shownNumber(distance, 'g', 3), m_unit));
     m_cornerText->position->setCoords(distance, magnitude);
 }
 
 void FalloffPlot::placeStep(double rim, double step, double above) {
     m_step->start->setCoords(rim, step);
     m_step->end->setCoords(rim, 0.0);
-    m_stepText->setText(tr("step of %1 m").arg(shownNumber(step, 'g', 3)));
+    m_stepText->setText(tr("step of %1 %2").arg(shownNumber(step, 'g', 3), m_unit));
     m_stepText->position->setCoords(rim * kBeyondRim, above);
 }
 
-void FalloffPlot::show(const DeformationConstants& constants) {
+void FalloffPlot::nameUnit(Unit unit) {
+    m_unit = unit == Unit::Metres ? tr("m") : tr("%");
+    const QString of = unit == Unit::Metres ? m_unit : tr("% of target");
+    m_plot->xAxis->setLabel(tr("distance from the hit point (%1)").arg(of));
+    m_plot->yAxis->setLabel(tr("displacement (%1)").arg(m_unit));
+}
+
+void FalloffPlot::show(const DeformationConstants& constants, Unit unit) {
+    nameUnit(unit);
     const double rim = constants.maxDistance;
     const double cap = constants.maxMagnitude;
     const double corner = cap > 0.0 ? constants.power / cap : 0.0;

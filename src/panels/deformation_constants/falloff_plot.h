@@ -18,7 +18,9 @@ class FalloffPlot : public QWidget {
 public:
     explicit FalloffPlot(QWidget* parent = nullptr);
 
-    void show(const DeformationConstants& constants);
+    enum class Unit { Metres, PerCentOfTarget };
+    /// `constants` are in that unit, and power in its square.
+    void show(const DeformationConstants& constants, Unit unit = Unit::Metres);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -29,7 +31,10 @@ private:
     void placeCorner(double distance, double magnitude);
     void placeStep(double rim, double step, double above);
 
+    void nameUnit(Unit unit);
+
     QCustomPlot* m_plot = nullptr;
+    QString m_unit;
     QCPItemLine* m_step = nullptr;
     QCPItemText* m_cornerText = nullptr;
     QCPItemText* m_stepText = nullptr;

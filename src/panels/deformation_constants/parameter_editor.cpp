@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/deformation_constants/parameter_editor.h"
 
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 
+#include "panels/fields/number_box.h"
 #include "panels/icons/themed_icon.h"
 #include "session/shown_number.h"
 
@@ -17,6 +18,7 @@ namespace hitscope {
 namespace {
 
 constexpr int kSliderSteps = 1000;
+constexpr int kSliderDigits = 3;  // that it gives
 
 /// Ranges span several powers of ten, and the useful values sit near the lower end; the slider's travel is
 /// spread so that the default value is in its middle.
@@ -26,73 +28,122 @@ double exponentOf(const ParameterDescriptor& parameter) {
     return share > 0.0 && share < 0.5 ? std::log(share) / std::log(0.5) : 1.0;
 }
 
+double toDigits(double value, int digits) {
+    return QString::number(value, 'g', digits).toDouble();
+}
+
+/// 0.3 and not 0.30000001192: what a float's shortest decimal is.
+double decimalOf(double value) {
+    return toDigits(value, 7);
+}
+
 }  // namespace
 
 ParameterEditor::ParameterEditor(const ParameterDescriptor& parameter, QGridLayout& grid, int row,
                                  QWidget* parent)
     : QObject(parent),
       m_parameter(parameter),
+      m_label(new QLabel(QString::fromUtf8(parameter.label), parent)),
       m_slider(new QSlider(Qt::Horizontal, parent)),
-      m_spinBox(new QDoubleSpinBox(parent)),
+      m_box(new NumberBox(parent)),
       m_reset(new QToolButton(parent)) {
-    auto* label = new QLabel(QString::fromUtf8(parameter.label), parent);
-    label->setBuddy(m_spinBox);
+    m_label->setBuddy(m_box);
     m_slider->setRange(0, kSliderSteps);
     m_slider->setMinimumWidth(60);
-    m_spinBox->setRange(parameter.minimum, parameter.maximum);
-    m_spinBox->setDecimals(parameter.decimals);
-    m_spinBox->setSingleStep(parameter.step);
-    m_spinBox->setKeyboardTracking(false);
-    if (!parameter.unit.empty()) {
-        m_spinBox->setSuffix(u' ' + QString::fromUtf8(parameter.unit));
-    }
-    m_spinBox->setObjectName(QString::fromUtf8(parameter.key));
+    m_slider->setAccessibleName(m_label->text());
+    m_box->setObjectName(QString::fromUtf8(parameter.key));
+    m_box->setSingleStep(0.0);
     m_reset->setIcon(themedIcon(QStringLiteral("reset")));
     m_reset->setAutoRaise(true);
-    m_reset->setToolTip(
-        tr("Back to %1 %2").arg(shownNumber(parameter.defaultValue), QString::fromUtf8(parameter.unit)));
-    const QString range = tr("%1\nFrom %2 to %3.")
-                              .arg(QString::fromUtf8(parameter.description), shownNumber(parameter.minimum),
-                                   shownNumber(parameter.maximum));
-    for (QWidget* widget :
-         {static_cast<QWidget*>(label), static_cast<QWidget*>(m_slider), static_cast<QWidget*>(m_spinBox)}) {
-        widget->setToolTip(range);
-    }
-    grid.addWidget(label, row, 0);
+    setUnit(1.0, QString::fromUtf8(parameter.unit));
+    grid.addWidget(m_label, row, 0);
     grid.addWidget(m_slider, row, 1);
-    grid.addWidget(m_spinBox, row, 2);
+    grid.addWidget(m_box, row, 2);
     grid.addWidget(m_reset, row, 3);
 
-    connect(m_slider, &QSlider::valueChanged, this, [this](int slider) { show(valueFor(slider)); });
-    connect(m_slider, &QSlider::valueChanged, this, [this] { Q_EMIT edited(m_spinBox->value()); });
-    connect(m_spinBox, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-        setValue(value);
-        Q_EMIT edited(value);
+    connect(m_slider, &QSlider::valueChanged, this, [this](int slider) {
+        const double shown = toDigits(shownOf(valueFor(slider)), kSliderDigits);
+        m_box->showNumber(shown);
+        Q_EMIT edited(decimalOf(shown / m_scale));
     });
-    connect(m_reset, &QToolButton::clicked, this, [this] { m_spinBox->setValue(m_parameter.defaultValue); });
+    connect(m_slider, &QSlider::sliderReleased, this, &ParameterEditor::finished);
+    connect(m_box, &NumberBox::edited, this, &ParameterEditor::edit);
+    connect(m_box, &NumberBox::editingFinished, this, &ParameterEditor::finished);
+    connect(m_reset, &QToolButton::clicked, this, [this] {
+        Q_EMIT finished();
+        Q_EMIT edited(decimalOf(m_parameter.defaultValue * m_span));
+        Q_EMIT finished();
+    });
 }
 
-void ParameterEditor::show(double value) {
-    const QSignalBlocker quiet(m_spinBox);
-    m_spinBox->setValue(value);
-    m_reset->setEnabled(std::abs(m_spinBox->value() - m_parameter.defaultValue) >
-                        0.5 * std::pow(10.0, -m_parameter.decimals));
+void ParameterEditor::edit(double shown) {
+    const double value = m_scale == 1.0 ? shown : decimalOf(shown / m_scale);
+    const QSignalBlocker quiet(m_slider);
+    m_slider->setValue(sliderFor(value));
+    Q_EMIT edited(value);
+}
+
+void ParameterEditor::setUnit(double scale, const QString& unit) {
+    m_scale = scale;
+    const QSignalBlocker quiet(m_box);
+    m_box->setSuffix(unit.isEmpty() ? unit : QChar(u' ') + unit);
+    m_box->setRange(shownOf(m_parameter.minimum), shownOf(m_parameter.maximum));
+    showRange();
+}
+
+void ParameterEditor::setSpan(double scale) {
+    m_span = scale;
+    showRange();
+}
+
+void ParameterEditor::showRange() {
+    const auto text = [this](double value) { return shownFloat(static_cast<float>(shownOf(value))); };
+    const QString range = tr("%1\nFrom %2 to %3%4.")
+                              .arg(QString::fromUtf8(m_parameter.description), text(m_parameter.minimum),
+                                   text(m_parameter.maximum), m_box->suffix());
+    for (QWidget* widget :
+         {static_cast<QWidget*>(m_label), static_cast<QWidget*>(m_slider), static_cast<QWidget*>(m_box)}) {
+        widget->setToolTip(range);
+    }
+    m_reset->setToolTip(tr("Back to %1%2").arg(text(m_parameter.defaultValue * m_span), m_box->suffix()));
+}
+
+double ParameterEditor::shownOf(double value) const {
+    return m_scale == 1.0 ? value : decimalOf(decimalOf(value) * m_scale);
 }
 
 void ParameterEditor::setValue(double value) {
-    show(value);
-    const QSignalBlocker quiet(m_slider);
-    m_slider->setValue(sliderFor(value));
+    m_box->showNumber(shownOf(value));
+    m_reset->setEnabled(static_cast<float>(value) !=
+                        static_cast<float>(decimalOf(m_parameter.defaultValue * m_span)));
+    // What is dragged stays under the cursor.
+    if (!m_slider->isSliderDown()) {
+        const QSignalBlocker quiet(m_slider);
+        m_slider->setValue(sliderFor(value));
+    }
+}
+
+void ParameterEditor::showDiffering() {
+    m_box->showDiffering();
+    m_reset->setEnabled(true);
+}
+
+void ParameterEditor::setEnabled(bool on) {
+    for (QWidget* widget : {static_cast<QWidget*>(m_label), static_cast<QWidget*>(m_slider),
+                            static_cast<QWidget*>(m_box), static_cast<QWidget*>(m_reset)}) {
+        widget->setEnabled(on);
+    }
 }
 
 int ParameterEditor::sliderFor(double value) const {
-    const double share = (value - m_parameter.minimum) / (m_parameter.maximum - m_parameter.minimum);
-    return static_cast<int>(std::lround(kSliderSteps * std::pow(share, 1.0 / exponentOf(m_parameter))));
+    const double share = (value / m_span - m_parameter.minimum) / (m_parameter.maximum - m_parameter.minimum);
+    return static_cast<int>(
+        std::lround(kSliderSteps * std::pow(std::clamp(share, 0.0, 1.0), 1.0 / exponentOf(m_parameter))));
 }
 
 double ParameterEditor::valueFor(int slider) const {
     const double share = std::pow(static_cast<double>(slider) / kSliderSteps, exponentOf(m_parameter));
-    return m_parameter.minimum + share * (m_parameter.maximum - m_parameter.minimum);
+    return m_span * (m_parameter.minimum + share * (m_parameter.maximum - m_parameter.minimum));
 }
 
 }  // namespace hitscope

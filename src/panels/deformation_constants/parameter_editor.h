@@ -5,34 +5,48 @@
 
 #include "core/parameter.h"
 
-class QDoubleSpinBox;
 class QGridLayout;
+class QLabel;
 class QSlider;
 class QToolButton;
 
 namespace hitscope {
 
+class NumberBox;
+
 /// Label, slider, spin box and reset button for one parameter, made from its descriptor and put into a row of
-/// a grid.
+/// a grid. What it shows can be another unit than the one its values are in.
 class ParameterEditor : public QObject {
     Q_OBJECT
 public:
     /// Columns 0 to 3 of `row`. `parent` owns the widgets.
     ParameterEditor(const ParameterDescriptor& parameter, QGridLayout& grid, int row, QWidget* parent);
 
+    /// Shows values times `scale` in `unit`, which may be empty.
+    void setUnit(double scale, const QString& unit);
+    /// The slider goes over the descriptor's range times `scale`, and the reset button to its default.
+    void setSpan(double scale);
     void setValue(double value);  ///< emits nothing
+    void showDiffering();         ///< it stands for several values
+    void setEnabled(bool on);
 
 Q_SIGNALS:
     void edited(double value);
+    void finished();  ///< a drag of the slider or a run of edits has ended
 
 private:
-    void show(double value);
+    void edit(double shown);
+    void showRange();
+    [[nodiscard]] double shownOf(double value) const;
     [[nodiscard]] int sliderFor(double value) const;
     [[nodiscard]] double valueFor(int slider) const;
 
     ParameterDescriptor m_parameter;
+    double m_scale = 1.0;
+    double m_span = 1.0;
+    QLabel* m_label = nullptr;
     QSlider* m_slider = nullptr;
-    QDoubleSpinBox* m_spinBox = nullptr;
+    NumberBox* m_box = nullptr;
     QToolButton* m_reset = nullptr;
 };
 

@@ -356,6 +356,7 @@ void HitHistoryPanel::updateActions() {
     m_fly->setEnabled(some);
     m_selectTargets->setEnabled(some);
     m_remove->setEnabled(some);
+    Q_EMIT rowsSelected(rows);
 }
 
 }  // namespace hitscope

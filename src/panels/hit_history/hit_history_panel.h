@@ -43,6 +43,7 @@ public:
 Q_SIGNALS:
     /// A person wants to look at a hit: this part of the world.
     void flyWanted(const hitscope::Bounds& part);
+    void rowsSelected(const std::vector<std::size_t>& rows);  ///< of the history, ascending
 
 private:
     void setUpTable();

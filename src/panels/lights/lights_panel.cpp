@@ -31,6 +31,8 @@ LightsPanel::LightsPanel(Session& session, QWidget* parent)
     makeFields();
     connect(m_ui->list->selectionModel(), &QItemSelectionModel::currentChanged, this,
             &LightsPanel::showLight);
+    connect(m_ui->list->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            [this] { m_gesture.end(); });
     connect(m_ui->colour, &ColourButton::colourPicked, this, [this](const QColor& colour) {
         change([this, &colour](Lights& lights) {
             lightTerms(lights, row()).colour = linearColour(colour.redF(), colour.greenF(), colour.blueF());
@@ -89,27 +91,30 @@ void LightsPanel::addField(QDoubleSpinBox* box, Value value, double scale) {
     const std::size_t index = m_fields.size() - 1;
     connect(box, &QDoubleSpinBox::valueChanged, this,
             [this, index](double shown) { changeField(m_fields[index], shown); });
+    connect(box, &QDoubleSpinBox::editingFinished, this, [this] { m_gesture.end(); });
 }
 
-void LightsPanel::change(const std::function<void(Lights&)>& change) {
+void LightsPanel::change(const std::function<void(Lights&)>& change, SessionUndo::Merge merge) {
     Lights lights = m_session.lights();
     change(lights);
-    m_session.setLights(lights);
+    m_session.setLights(lights, merge);
 }
 
 void LightsPanel::changeField(const Field& field, double shown) {
-    change([this, &field, shown](Lights& lights) {
-        if (float* value = field.value(lights, row())) {
-            *value = static_cast<float>(shown / field.scale);
-        }
-        // The cone's other angle gives way.
-        SpotLight& spot = lights.spot;
-        if (field.box == m_ui->innerAngle) {
-            spot.outerAngle = std::max(spot.outerAngle, spot.innerAngle + kLeastEdge);
-        } else if (field.box == m_ui->outerAngle) {
-            spot.innerAngle = std::clamp(spot.innerAngle, 0.0f, spot.outerAngle - kLeastEdge);
-        }
-    });
+    change(
+        [this, &field, shown](Lights& lights) {
+            if (float* value = field.value(lights, row())) {
+                *value = static_cast<float>(shown / field.scale);
+            }
+            // The cone's other angle gives way.
+            SpotLight& spot = lights.spot;
+            if (field.box == m_ui->innerAngle) {
+                spot.outerAngle = std::max(spot.outerAngle, spot.innerAngle + kLeastEdge);
+            } else if (field.box == m_ui->outerAngle) {
+                spot.innerAngle = std::clamp(spot.innerAngle, 0.0f, spot.outerAngle - kLeastEdge);
+            }
+        },
+        m_gesture.change(static_cast<int>(&field - m_fields.data())));
 }
 
 void LightsPanel::showLight() {

@@ -38,12 +38,14 @@ private:
     void addField(QDoubleSpinBox* box, Value value, double scale = 1.0);
     void addPoint(QDoubleSpinBox* const (&boxes)[3], glm::vec3* (*point)(Lights&, int));
     [[nodiscard]] int row() const;
-    void change(const std::function<void(Lights&)>& change);
+    void change(const std::function<void(Lights&)>& change,
+                SessionUndo::Merge merge = SessionUndo::Merge::Never);
     void changeField(const Field& field, double shown);
     void showLight();
     void showRows(const Lights& lights);
 
     Session& m_session;
+    UndoGesture m_gesture;
     LightsModel m_model;
     std::unique_ptr<Ui::LightsForm> m_ui;
     std::vector<Field> m_fields;

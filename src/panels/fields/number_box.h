@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDoubleSpinBox>
+
+namespace hitscope {
+
+/// A spin box for a float of any size: shows the shortest decimal that reads back as the same float, and
+/// steps by a fifth of its leading digit, or by singleStep() where that is not 0. It can say that it stands
+/// for several numbers which differ.
+class NumberBox : public QDoubleSpinBox {
+    Q_OBJECT
+public:
+    explicit NumberBox(QWidget* parent = nullptr);
+
+    /// Emits nothing. Keeps what is being typed.
+    void showNumber(double value);
+    void showDiffering();
+
+    [[nodiscard]] QString textFromValue(double value) const override;
+    [[nodiscard]] double valueFromText(const QString& text) const override;
+    [[nodiscard]] QValidator::State validate(QString& text, int& position) const override;
+    void stepBy(int steps) override;
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+Q_SIGNALS:
+    void edited(double value);  ///< by a person, or setValue()
+
+private:
+    [[nodiscard]] bool isTyping() const;
+    [[nodiscard]] double stepAt(double value) const;
+    void finishTyping();
+    [[nodiscard]] QString number(const QString& text) const;
+
+    bool m_differs = false;
+};
+
+}  // namespace hitscope
