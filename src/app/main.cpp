@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include "app/end_signals.h"
 #include "app/main_window.h"
 #include "app/theme.h"
 #include "core/memory.h"
@@ -96,5 +97,10 @@ int main(int argc, char** argv) {
     hitscope::MainWindow window(session);
     window.show();
     window.openFiles(parser.positionalArguments());
+    const hitscope::EndSignals signalsToEnd;
+    QObject::connect(&signalsToEnd, &hitscope::EndSignals::caught, &window, [&window](int signal) {
+        window.endInOrder();
+        QApplication::exit(128 + signal);  // as shells say it; a running export is finished first
+    });
     return QApplication::exec();
 }

@@ -3,14 +3,12 @@
 
 #include <QAction>
 #include <QActionGroup>
-#include <QCloseEvent>
 #include <QDockWidget>
 #include <QMenu>
 #include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStatusBar>
-#include <QStyle>
 #include <QSurfaceFormat>
 #include <algorithm>
 
@@ -60,7 +58,6 @@ namespace {
 constexpr int kFrameRateInterval = 500;  // milliseconds between read-outs in the status bar
 constexpr int kHintStays = 20'000;       // milliseconds
 constexpr int kLowScreen = 800;          // pixels
-constexpr int kLayoutVersion = 4;        // docks that are gone or new make an old layout useless
 
 }  // namespace
 
@@ -292,46 +289,6 @@ QDockWidget* MainWindow::makeVertexChangesDock() {
     connect(panel, &VertexChangesPanel::failed, this, [this](const Error& error) { showError(this, error); });
     connect(panel, &VertexChangesPanel::vertexWanted, m_viewport, &Viewport::lookAt);
     return addDock(QStringLiteral("vertexChanges"), tr("Vertex changes"), panel, Qt::BottomDockWidgetArea);
-}
-
-void MainWindow::restoreWindow() {
-    // On a small screen no part of it is out of sight at first.
-    // The desktop's frame comes on top, and is not known before it does.
-    const int frame = style()->pixelMetric(QStyle::PM_TitleBarHeight);
-    resize(QSize(1440, 900).boundedTo(screen()->availableSize() - QSize(0, frame)));
-    m_firstLayout = saveState(kLayoutVersion);
-    const QSettings settings;
-    m_frameRate->restoreState(settings.value(QStringLiteral("window/frameRate")).toByteArray());
-    m_statisticsPanel->restoreState(settings.value(QStringLiteral("window/meshStatistics")).toByteArray());
-    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-    restoreState(settings.value(QStringLiteral("window/layout")).toByteArray(), kLayoutVersion);
-}
-
-void MainWindow::resetLayout() {
-    restoreState(m_firstLayout, kLayoutVersion);
-}
-
-void MainWindow::saveSettings() {
-    QSettings settings;
-    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-    settings.setValue(QStringLiteral("window/layout"), saveState(kLayoutVersion));
-    settings.setValue(QStringLiteral("window/frameRate"), m_frameRate->saveState());
-    settings.setValue(QStringLiteral("window/meshStatistics"), m_statisticsPanel->saveState());
-    m_cameraActions->save(settings);
-    m_settings.display = m_viewport->options();
-    m_settings.coverTexture = m_textureChooser->chosen();
-    m_settings.stretchLimit = static_cast<double>(m_meshStatistics.measuring().stretchLimit());
-    saveAppSettings(settings, m_settings);
-    m_hitActions->save(settings);
-    saveSessionSettings(settings, m_session);
-    m_inspect->save(settings);
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-    m_files->cancel();
-    m_fullView->set(false);  // what is remembered is the window with all its parts
-    saveSettings();
-    event->accept();
 }
 
 void MainWindow::changeEvent(QEvent* event) {

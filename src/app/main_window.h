@@ -16,6 +16,7 @@
 
 class QActionGroup;
 class QDockWidget;
+class QSettings;
 class QMenu;
 
 namespace hitscope {
@@ -23,6 +24,7 @@ namespace hitscope {
 class CameraActions;
 class ChangeActions;
 class CutActions;
+class DiscardGuard;
 class FrameRatePanel;
 class FullView;
 class GoToVertex;
@@ -34,6 +36,7 @@ class PictureActions;
 class MeshStatisticsPanel;
 class PipelineChooser;
 class SceneFiles;
+class SettingsKeeper;
 class ShotActions;
 class StatusLine;
 class TextureChooser;
@@ -67,6 +70,8 @@ public:
     /// Reloads the scene's only mesh with its centre at the origin and its largest extent `extent` metres,
     /// or, for extent 0, in its file's own coordinates. Hits are lost.
     void placeMesh(double extent);
+    /// Saves the settings, asks nothing: before the program ends without the window being closed.
+    void endInOrder();
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -114,10 +119,16 @@ private:
 
     // Doing
     void chooseFile();
+    void askAndOpen(const QStringList& paths);
     void chooseAddition();
     QStringList chooseMeshes(const QString& title);
     void loadSample(SampleScene scene);
     void chooseExport();
+    QStringList chooseExports(const std::vector<TargetId>& targets);
+    QString chooseExportOf(const Target& target);
+    QStringList exportAllInto(const std::vector<TargetId>& targets);
+    bool beginExportOf(const Target& target, const QString& path, NormalMode normals);
+    void sayNotYet(const QString& text);
     void choosePlacement();
     void showRecentFiles();
     void saidOpened(const QStringList& paths, const QStringList& notes);
@@ -136,7 +147,7 @@ private:
     void followLights();
     void followViewportTheme();
     void followFrameRate();
-    void saveSettings();
+    void saveSettings(QSettings& settings);
 
     Session& m_session;
     AppSettings m_settings;
@@ -148,6 +159,8 @@ private:
     NoticeBar* m_notice = nullptr;
     SceneFiles* m_files = nullptr;
     MeshExporter* m_exporter = nullptr;
+    DiscardGuard* m_guard = nullptr;
+    SettingsKeeper* m_keeper = nullptr;
     HitActions* m_hitActions = nullptr;
     StatusLine* m_status = nullptr;
     TextureChooser* m_textureChooser = nullptr;

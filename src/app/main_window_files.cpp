@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window's part in opening, placing and saving.
+#include <QApplication>
+#include <QDir>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFileDialog>
@@ -7,17 +9,20 @@
 #include <QInputDialog>
 #include <QMenu>
 #include <QMimeData>
+#include <QSessionManager>
 #include <QStandardPaths>
 #include <QStatusBar>
 #include <QUrl>
 #include <algorithm>
 
 #include "app/dialogs.h"
+#include "app/discard_guard.h"
 #include "app/main_window.h"
 #include "app/mesh_exporter.h"
 #include "app/notice_bar.h"
 #include "app/picture_actions.h"
 #include "app/scene_files.h"
+#include "app/settings_keeper.h"
 #include "io/import.h"
 #include "models/focus_target.h"
 #include "session/export_target.h"
@@ -69,6 +74,10 @@ QString folderOr(const QString& folder) {
                : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
 }
 
+QString exportName(const Target& target) {
+    return target.sourcePath.isEmpty() ? target.name : QFileInfo(target.sourcePath).completeBaseName();
+}
+
 QString withSuffix(const QString& path, const QString& suffix) {
     return QFileInfo(path).suffix().compare(suffix, Qt::CaseInsensitive) == 0 ? path : path + u'.' + suffix;
 }
@@ -86,6 +95,23 @@ void MainWindow::connectFiles() {
     connect(m_exporter, &MeshExporter::failed, this, [this](const Error& error) { showError(this, error); });
     connect(m_exporter, &MeshExporter::cancelled, this,
             [this] { statusBar()->showMessage(tr("Cancelled. The file is unchanged."), kMessageStays); });
+    m_guard = new DiscardGuard(
+        m_session, *this, [this](const std::vector<TargetId>& targets) { return chooseExports(targets); });
+    connect(m_exporter, &MeshExporter::ended, m_guard, &DiscardGuard::exportEnds);
+    m_keeper = new SettingsKeeper([this](QSettings& settings) { saveSettings(settings); }, this);
+    connect(m_keeper, &SettingsKeeper::failed, this, [this](const QString& file) {
+        m_notice->say(
+            tr("Settings cannot be saved: %1 cannot be written. Changes last until the window is closed.")
+                .arg(QDir::toNativeSeparators(file)));
+    });
+    // Directly: the desktop waits for the answer.
+    connect(
+        qApp, &QGuiApplication::commitDataRequest, this,
+        [this](QSessionManager& manager) {
+            m_keeper->saveNow();
+            m_guard->answer(manager);
+        },
+        Qt::DirectConnection);
     connect(m_files, &SceneFiles::cancelled, this,
             [this] { statusBar()->showMessage(tr("Cancelled. The scene is unchanged."), kMessageStays); });
 }
@@ -103,7 +129,13 @@ QStringList MainWindow::chooseMeshes(const QString& title) {
 }
 
 void MainWindow::chooseFile() {
-    openFiles(chooseMeshes(tr("Open meshes")));
+    askAndOpen(chooseMeshes(tr("Open meshes")));
+}
+
+void MainWindow::askAndOpen(const QStringList& paths) {
+    if (!paths.isEmpty()) {
+        m_guard->ask([this, paths] { openFiles(paths); });
+    }
 }
 
 void MainWindow::chooseAddition() {
@@ -120,6 +152,7 @@ void MainWindow::saidOpened(const QStringList& paths, const QStringList& notes) 
         m_settings.folder = QFileInfo(path).absolutePath();
         m_settings.addRecentFile(path);
     }
+    m_keeper->lookSoon();
     QStringList lines;
     for (const QString& note : notes.mid(0, 6)) {
         lines.append(note);
@@ -141,7 +174,7 @@ void MainWindow::saidOpened(const QStringList& paths, const QStringList& notes) 
                                shownNumber(static_cast<double>(reach), 'g', 3)));
         m_notice->say(lines.join(u'\n'),
                       tr("Scale to %1 m").arg(shownNumber(static_cast<double>(kUsualExtent))),
-                      [this] { placeMesh(kUsualExtent); });
+                      [this] { m_guard->ask([this] { placeMesh(kUsualExtent); }); });
     } else if (!lines.isEmpty()) {
         m_notice->say(lines.join(u'\n'));
     }
@@ -155,7 +188,7 @@ void MainWindow::showRecentFiles() {
     m_recentMenu->clear();
     for (const QString& path : m_settings.recentFiles) {
         QAction* action =
-            m_recentMenu->addAction(QFileInfo(path).fileName(), this, [this, path] { openFiles({path}); });
+            m_recentMenu->addAction(QFileInfo(path).fileName(), this, [this, path] { askAndOpen({path}); });
         action->setToolTip(path);
     }
     if (m_settings.recentFiles.isEmpty()) {
@@ -167,42 +200,81 @@ void MainWindow::showRecentFiles() {
 }
 
 void MainWindow::chooseExport() {
-    const Target* target = focusTarget(m_session);
-    if (target == nullptr) {
-        return;
+    if (const Target* target = focusTarget(m_session)) {
+        chooseExportOf(*target);
     }
-    const QString name =
-        target->sourcePath.isEmpty() ? target->name : QFileInfo(target->sourcePath).completeBaseName();
+}
+
+/// The path that is being written to; empty: none.
+QString MainWindow::chooseExportOf(const Target& target) {
     const QStringList filters{tr("Wavefront OBJ, true normals (*.obj)"),
                               tr("Wavefront OBJ, the paper's normals (*.obj)")};  // by NormalMode
     const NormalMode shown = m_viewport->options().normals;
     QString filter = filters[static_cast<int>(m_settings.exportNormals.value_or(shown))];
     const QString path = QFileDialog::getSaveFileName(
-        this, tr("Export deformed mesh “%1”").arg(target->name),
-        suggestedPath(folderOr(m_settings.folder), name, QStringLiteral("_deformed.obj")),
+        this, tr("Export deformed mesh “%1”").arg(target.name),
+        suggestedPath(folderOr(m_settings.folder), exportName(target), QStringLiteral("_deformed.obj")),
         filters.join(QStringLiteral(";;")), &filter);
     if (path.isEmpty()) {
-        return;
+        return {};
     }
     const NormalMode normals =
         filter == filters[static_cast<int>(NormalMode::Paper)] ? NormalMode::Paper : NormalMode::True;
     m_settings.exportNormals = normals == shown ? std::nullopt : std::optional(normals);
     const QString full = withSuffix(path, QStringLiteral("obj"));
     m_settings.folder = QFileInfo(full).absolutePath();
-    beginExport(full, normals);
+    return beginExportOf(target, full, normals) ? full : QString();
+}
+
+/// One file by its name, several by their folder.
+QStringList MainWindow::chooseExports(const std::vector<TargetId>& targets) {
+    if (targets.size() != 1) {
+        return exportAllInto(targets);
+    }
+    const Target* target = m_session.target(targets.front());
+    const QString path = target != nullptr ? chooseExportOf(*target) : QString();
+    return path.isEmpty() ? QStringList() : QStringList{path};
+}
+
+QStringList MainWindow::exportAllInto(const std::vector<TargetId>& targets) {
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the deformed meshes"),
+                                                             folderOr(m_settings.folder));
+    QStringList paths;
+    if (folder.isEmpty()) {
+        return paths;
+    }
+    m_settings.folder = folder;
+    for (const TargetId id : targets) {
+        const Target* target = m_session.target(id);
+        if (target == nullptr) {
+            continue;
+        }
+        QString path = suggestedPath(folder, exportName(*target), QStringLiteral("_deformed.obj"));
+        for (int n = 1; QFileInfo::exists(path) || paths.contains(path); ++n) {
+            path = suggestedPath(folder, exportName(*target), QStringLiteral("_deformed-%1.obj").arg(n));
+        }
+        if (!beginExportOf(*target, path, m_settings.exportNormals.value_or(m_viewport->options().normals))) {
+            break;
+        }
+        paths << path;
+    }
+    return paths;
+}
+
+bool MainWindow::beginExportOf(const Target& target, const QString& path, NormalMode normals) {
+    if (Status current = m_viewport->syncNow(); !current) {
+        showError(this, current.error());
+        return false;
+    }
+    m_guard->exportBegins(target, path);
+    m_exporter->start(copyForExport(target, normals), target.name, path);
+    return true;
 }
 
 void MainWindow::beginExport(const QString& path, std::optional<NormalMode> normals) {
-    const Target* target = focusTarget(m_session);
-    if (target == nullptr) {
-        return;
+    if (const Target* target = focusTarget(m_session)) {
+        beginExportOf(*target, path, normals.value_or(m_viewport->options().normals));
     }
-    if (Status current = m_viewport->syncNow(); !current) {
-        showError(this, current.error());
-        return;
-    }
-    m_exporter->start(copyForExport(*target, normals.value_or(m_viewport->options().normals)), target->name,
-                      path);
 }
 
 Status MainWindow::exportTo(const QString& path, std::optional<NormalMode> normals) {
@@ -213,7 +285,15 @@ Status MainWindow::exportTo(const QString& path, std::optional<NormalMode> norma
     if (Status current = m_viewport->syncNow(); !current) {
         return current;
     }
-    return exportTarget(*target, path, normals.value_or(m_viewport->options().normals));
+    m_guard->exportBegins(*target, path);
+    Status written = exportTarget(*target, path, normals.value_or(m_viewport->options().normals));
+    m_guard->exportEnds(path, written.ok());
+    return written;
+}
+
+/// Keys that people press by habit say what will be there.
+void MainWindow::sayNotYet(const QString& text) {
+    m_notice->say(text, tr("Export Deformed Mesh…"), [this] { chooseExport(); });
 }
 
 Status MainWindow::savePictureTo(const QString& path) {
@@ -228,7 +308,7 @@ void MainWindow::choosePlacement() {
            "coordinates are kept for export."),
         kUsualExtent, 0.01, 1000.0, 2, &accepted, {}, 0.5);
     if (accepted) {
-        placeMesh(extent);
+        m_guard->ask([this, extent] { placeMesh(extent); });
     }
 }
 
@@ -263,8 +343,10 @@ void MainWindow::dropEvent(QDropEvent* event) {
         files.end());
     if (!files.isEmpty()) {
         event->acceptProposedAction();
-        openFiles(files);
         activateWindow();
+        // Later: the program that was dragged from waits for the drop's end.
+        QMetaObject::invokeMethod(
+            this, [this, files] { askAndOpen(files); }, Qt::QueuedConnection);
     }
 }
 

@@ -12,6 +12,7 @@
 #include "app/change_actions.h"
 #include "app/cut_actions.h"
 #include "app/dialogs.h"
+#include "app/discard_guard.h"
 #include "app/full_view.h"
 #include "app/go_to_vertex.h"
 #include "app/hit_actions.h"
@@ -79,6 +80,11 @@ void MainWindow::makeMenus() {
 
 void MainWindow::makeFileMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&File"));
+    QAction* fresh = addAction(menu, tr("&New Scene"), QKeySequence::New, [this] {
+        sayNotYet(
+            tr("There is no empty scene yet. File > Scenes has ready ones, and File > Open takes a mesh."));
+    });
+    fresh->setStatusTip(tr("Will start an empty scene; there is none yet"));
     m_open = addAction(
         menu, tr("&Open…"), QKeySequence::Open, [this] { chooseFile(); }, QStringLiteral("open"));
     m_recentMenu = menu.addMenu(tr("Open &Recent"));
@@ -89,14 +95,22 @@ void MainWindow::makeFileMenu() {
     QMenu& scenes = *menu.addMenu(tr("&Scenes"));
     QMenu& rows = *scenes.addMenu(tr("Paper's &Tables"));
     for (std::size_t row = 0; row < paperRows().size(); ++row) {
-        addAction(rows, tr("Row %1: %2").arg(row + 1).arg(paperRows()[row].label()), {},
-                  [this, row] { m_session.loadPaperRow(static_cast<int>(row)); });
+        addAction(rows, tr("Row %1: %2").arg(row + 1).arg(paperRows()[row].label()), {}, [this, row] {
+            m_guard->ask([this, row] { m_session.loadPaperRow(static_cast<int>(row)); });
+        });
     }
-    addAction(scenes, tr("&Utah Teapot"), {}, [this] { m_session.loadTeapot(); });
+    addAction(scenes, tr("&Utah Teapot"), {}, [this] { m_guard->ask([this] { m_session.loadTeapot(); }); });
     for (const SampleScene sample : allSampleScenes()) {
-        addAction(scenes, sampleSceneName(sample), {}, [this, sample] { loadSample(sample); });
+        addAction(scenes, sampleSceneName(sample), {},
+                  [this, sample] { m_guard->ask([this, sample] { loadSample(sample); }); });
     }
     menu.addSeparator();
+    QAction* save = addAction(menu, tr("&Save Session"), QKeySequence::Save, [this] {
+        sayNotYet(
+            tr("Sessions cannot be saved yet. Export the deformed mesh (Ctrl+E), or the hits (File > Export "
+               "Hits), to keep your work."));
+    });
+    save->setStatusTip(tr("Will save meshes, hits and settings in one file; sessions cannot be saved yet"));
     m_export = addAction(
         menu, tr("&Export Deformed Mesh…"), tr("Ctrl+E"), [this] { chooseExport(); },
         QStringLiteral("export"));
@@ -225,7 +239,8 @@ void MainWindow::makeMeshMenu() {
     m_meshMenu = menuBar()->addMenu(tr("&Mesh"));
     QMenu& menu = *m_meshMenu;
     m_placeMesh = addAction(menu, tr("&Centre and Scale…"), {}, [this] { choosePlacement(); });
-    m_fileCoordinates = addAction(menu, tr("File's Own C&oordinates"), {}, [this] { placeMesh(0.0); });
+    m_fileCoordinates = addAction(menu, tr("File's Own C&oordinates"), {},
+                                  [this] { m_guard->ask([this] { placeMesh(0.0); }); });
     menu.addSeparator();
     m_pipelines->fill(*menu.addMenu(tr("&Pipeline")));
 }

@@ -61,6 +61,7 @@ void MeshExporter::take(const std::shared_ptr<Job>& job, const Status& written) 
     } else {
         Q_EMIT failed(written.error());
     }
+    Q_EMIT ended(job->path, written.ok());
 }
 
 }  // namespace hitscope

@@ -31,7 +31,8 @@ public:
 Q_SIGNALS:
     void exported(const QString& name, const QString& path);
     void failed(const hitscope::Error& error);
-    void cancelled();  ///< the file is as it was
+    void cancelled();                                 ///< the file is as it was
+    void ended(const QString& path, bool isWritten);  ///< after one of these
 
 private:
     struct Job {

@@ -402,7 +402,7 @@ private Q_SLOTS:
             QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
             QCOMPARE(session.history().size(), std::size_t{5});
             table->horizontalHeader()->resizeSection(HitHistoryModel::TargetColumn, 181);
-            window.close();
+            closeAndDiscard(window);
         }
         MainWindow again(session);
         const auto* table = again.findChild<HitHistoryPanel*>()->findChild<QTableView*>();

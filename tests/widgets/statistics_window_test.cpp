@@ -76,7 +76,7 @@ private Q_SLOTS:
         QTest::mouseClick(numbers->viewport(), Qt::LeftButton, {},
                           {title.left() - numbers->indentation() / 2, title.center().y()});
         QVERIFY(!numbers->isExpanded(section));
-        scene.window->close();
+        closeAndDiscard(*scene.window);
         // Remembered.
         Scene next;
         const QTreeView* others = next.find<QTreeView>("numbers");

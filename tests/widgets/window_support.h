@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QAbstractButton>
 #include <QFile>
+#include <QMessageBox>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -46,6 +48,38 @@ inline void showReady(MainWindow& window) {
     makeActive(window);
     window.viewport().setFocus();
     QTRY_VERIFY_WITH_TIMEOUT(!window.viewport().rendererName().isEmpty(), kPatience);
+}
+
+/// The question whether hits may be discarded; null: it is not asked.
+inline QMessageBox* discardQuestion(const MainWindow& window) {
+    for (QMessageBox* box : window.findChildren<QMessageBox*>(QStringLiteral("discardHits"))) {
+        if (box->isVisible()) {
+            return box;
+        }
+    }
+    return nullptr;
+}
+
+/// Answers it by a click.
+inline void answerQuestion(MainWindow& window, QMessageBox::ButtonRole role) {
+    QMessageBox* box = discardQuestion(window);
+    QVERIFY(box != nullptr);
+    for (QAbstractButton* button : box->buttons()) {
+        if (box->buttonRole(button) == role) {
+            QTest::mouseClick(button, Qt::LeftButton);
+            return;
+        }
+    }
+    QFAIL("no such button");
+}
+
+/// Closes the window as a person who wants none of its hits.
+inline void closeAndDiscard(MainWindow& window) {
+    window.close();
+    if (discardQuestion(window) != nullptr) {
+        answerQuestion(window, QMessageBox::DestructiveRole);
+    }
+    QVERIFY(!window.isVisible());
 }
 
 /// For classes of tests that want a window for each test, with a session and settings of its own.

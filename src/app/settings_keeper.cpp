@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/settings_keeper.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QSettings>
+#include <QWidget>
+#include <utility>
+
+namespace hitscope {
+
+namespace {
+
+constexpr int kSoon = 500;  // milliseconds
+
+bool mayChangeSettings(const QObject& watched, QEvent::Type type) {
+    if (type == QEvent::Move || type == QEvent::Resize) {
+        const auto* widget = qobject_cast<const QWidget*>(&watched);
+        return widget != nullptr && widget->isWindow();
+    }
+    return type == QEvent::MouseButtonRelease || type == QEvent::KeyRelease || type == QEvent::Wheel ||
+           type == QEvent::Drop || type == QEvent::NonClientAreaMouseButtonRelease ||
+           type == QEvent::WindowStateChange;
+}
+
+}  // namespace
+
+SettingsKeeper::SettingsKeeper(std::function<void(QSettings&)> save, QObject* parent)
+    : QObject(parent), m_save(std::move(save)) {
+    m_soon.setSingleShot(true);
+    m_soon.setInterval(kSoon);
+    connect(&m_soon, &QTimer::timeout, this, &SettingsKeeper::saveNow);
+    QCoreApplication::instance()->installEventFilter(this);
+}
+
+SettingsKeeper::~SettingsKeeper() = default;
+
+void SettingsKeeper::lookSoon() {
+    if (!m_soon.isActive()) {  // not put off by one change after another
+        m_soon.start();
+    }
+}
+
+bool SettingsKeeper::eventFilter(QObject* watched, QEvent* event) {
+    if (mayChangeSettings(*watched, event->type())) {
+        lookSoon();
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+/// Gathered in settings that are emptied before they would be written.
+QMap<QString, QVariant> SettingsKeeper::values() const {
+    QSettings scratch(QStringLiteral("/dev/null/settings"), QSettings::IniFormat);  // nothing can be there
+    m_save(scratch);
+    QMap<QString, QVariant> values;
+    for (const QString& key : scratch.allKeys()) {
+        values.insert(key, scratch.value(key));
+    }
+    scratch.clear();
+    return values;
+}
+
+void SettingsKeeper::saveNow() {
+    m_soon.stop();
+    QMap<QString, QVariant> now = values();
+    if (now == m_saved) {
+        return;
+    }
+    QSettings settings;
+    m_save(settings);
+    settings.sync();
+    if (settings.status() == QSettings::NoError && settings.isWritable()) {
+        m_saved = std::move(now);
+    } else if (!std::exchange(m_hasFailed, true)) {
+        Q_EMIT failed(settings.fileName());
+    }
+}
+
+}  // namespace hitscope

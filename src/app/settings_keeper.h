@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMap>
+#include <QObject>
+#include <QTimer>
+#include <QVariant>
+#include <functional>
+
+class QSettings;
+
+namespace hitscope {
+
+/// Saves the settings half a second after the person has done something that changed them, so that a crash
+/// takes none along. Nothing is written while nothing has changed.
+class SettingsKeeper : public QObject {
+    Q_OBJECT
+public:
+    /// `save` puts all settings into what it is given.
+    explicit SettingsKeeper(std::function<void(QSettings&)> save, QObject* parent = nullptr);
+    ~SettingsKeeper() override;
+
+    /// Looks for changes soon; input events come to that by themselves.
+    void lookSoon();
+    void saveNow();
+
+Q_SIGNALS:
+    /// Once: they cannot be saved. `file` is where they would be.
+    void failed(const QString& file);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    [[nodiscard]] QMap<QString, QVariant> values() const;
+
+    std::function<void(QSettings&)> m_save;
+    QTimer m_soon;
+    QMap<QString, QVariant> m_saved;
+    bool m_hasFailed = false;
+};
+
+}  // namespace hitscope

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Nothing is lost by surprise: what replaces the scene or ends the program asks before it discards hits.
+#include <QApplication>
+#include <QDir>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMimeData>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QUrl>
+
+#include "app/discard_guard.h"
+#include "support/test_program.h"
+#include "window_support.h"
+
+using namespace hitscope;
+
+namespace {
+
+/// As the desktop's session manager asks at a log-out.
+struct Manager {
+    bool interacts = true;
+    int cancelled = 0;
+    int released = 0;
+    [[nodiscard]] bool allowsInteraction() const { return interacts; }
+    void cancel() { ++cancelled; }
+    void release() { ++released; }
+};
+
+QAction* actionNamed(const QWidget& window, const QString& text) {
+    for (QAction* action : window.findChildren<QAction*>()) {
+        if (action->text().remove(u'&') == text) {
+            return action;
+        }
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+class DiscardTest : public QObject, private WindowFixture {
+    Q_OBJECT
+public:
+    static void initMain() { MainWindow::setSurfaceFormat(); }
+
+private Q_SLOTS:
+    void init() {
+        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+        makeWindow();
+        writeObj(makeLowPolyCube(1.0f), path("cube.obj"));
+    }
+    void cleanup() { dropWindow(); }
+
+    void asks_data();
+    void asks();
+    void doesNotAskForNothing();
+    void closingAsks();
+    void exportGoesOnWhenItIsWritten();
+    void staysWhenAnExportFails();
+    void severalTargetsGoIntoAFolder();
+    void logOutAsks();
+
+private:
+    [[nodiscard]] QString path(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
+    void hit() {
+        Hit hit;
+        hit.target = m_session->targets().back()->id;
+        hit.point = {0.0f, 0.1f * static_cast<float>(m_session->history().size()), 2.5f};
+        QVERIFY(m_session->addHit(hit).ok());
+    }
+    void drop(const QString& file) {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(file)});
+        QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(m_window.get(), &enter);
+        QDropEvent event({100.0, 100.0}, Qt::CopyAction, &data, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(m_window.get(), &event);
+    }
+    void trigger(const char* name) {
+        QAction* action = actionNamed(*m_window, QString::fromUtf8(name));
+        QVERIFY2(action != nullptr, name);
+        action->trigger();
+    }
+    /// Answers the next file dialog.
+    void chooseNext(const QString& file) {
+        QTimer::singleShot(0, m_window.get(), [this, file] {
+            auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+            if (dialog == nullptr) {
+                chooseNext(file);
+            } else if (file.isEmpty()) {
+                dialog->reject();
+            } else {
+                // As typed; selectFile() leaves the name alone while it has the focus.
+                dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(file);
+                QMetaObject::invokeMethod(dialog, "accept");
+            }
+        });
+    }
+
+    QTemporaryDir m_folder;
+};
+
+void DiscardTest::asks_data() {
+    QTest::addColumn<std::function<void()>>("act");
+    QTest::addColumn<QString>("scene");
+    const auto row = [](const char* name, const QString& scene, const std::function<void()>& act) {
+        QTest::newRow(name) << act << scene;
+    };
+    row("teapot", QStringLiteral("teapot"), [this] { trigger("Utah Teapot"); });
+    row("paper row", {}, [this] {
+        for (QAction* action : m_window->findChildren<QAction*>()) {
+            if (action->text().startsWith(QStringLiteral("Row 3"))) {
+                action->trigger();
+            }
+        }
+    });
+    row("sample", {}, [this] { actionNamed(*m_window, sampleSceneName(allSampleScenes()[0]))->trigger(); });
+    row("drop", QStringLiteral("cube"), [this] { drop(path("cube.obj")); });
+    row("open", QStringLiteral("cube"), [this] {
+        chooseNext(path("cube.obj"));
+        trigger("Open…");
+    });
+    row("scale", {}, [this] {
+        QTimer::singleShot(0, m_window.get(), [] {
+            auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+            QVERIFY(dialog != nullptr);
+            dialog->accept();
+        });
+        trigger("Centre and Scale…");
+    });
+}
+
+void DiscardTest::asks() {
+    QFETCH(std::function<void()>, act);
+    QFETCH(QString, scene);
+    hit();
+    hit();
+    const Target* before = m_session->targets().front().get();
+    act();
+    QTRY_VERIFY(discardQuestion(*m_window) != nullptr);
+    QVERIFY(discardQuestion(*m_window)->text().contains(QStringLiteral("2 hits")));
+    QTest::keyClick(discardQuestion(*m_window), Qt::Key_Return);  // the default is to cancel
+    QTRY_VERIFY(discardQuestion(*m_window) == nullptr);
+    QTest::qWait(100);
+    QVERIFY(m_session->targets().front().get() == before);
+    QCOMPARE(m_session->history().size(), std::size_t{2});
+    QVERIFY(m_window->isVisible());
+    act();
+    QTRY_VERIFY(discardQuestion(*m_window) != nullptr);
+    answerQuestion(*m_window, QMessageBox::DestructiveRole);
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{0}, kPatience);
+    if (!scene.isEmpty()) {
+        QCOMPARE(m_session->sceneName().toLower(), scene.toLower());
+    }
+}
+
+void DiscardTest::doesNotAskForNothing() {
+    trigger("Utah Teapot");
+    QVERIFY(discardQuestion(*m_window) == nullptr);
+    QCOMPARE(m_session->sceneName().toLower(), QStringLiteral("teapot"));
+    hit();
+    QVERIFY(m_window->exportTo(path("kept.obj")).ok());
+    // As it was exported.
+    Manager manager;
+    m_window->findChild<DiscardGuard*>()->answer(manager);
+    QVERIFY(manager.released == 0 && manager.cancelled == 0);
+    // A hit more, or one changed.
+    auto* guard = m_window->findChild<DiscardGuard*>();
+    QVERIFY(!guard->isAtRisk());
+    hit();
+    QVERIFY(guard->isAtRisk());
+    m_session->undo();
+    QVERIFY(!guard->isAtRisk());
+    m_session->setHitsEnabled(std::vector<std::size_t>{0}, false);
+    QVERIFY(guard->isAtRisk());
+    m_session->clearHits();
+    QVERIFY(!guard->isAtRisk());
+    m_window->close();
+    QVERIFY(!m_window->isVisible());
+}
+
+void DiscardTest::closingAsks() {
+    hit();
+    m_window->close();
+    QVERIFY(m_window->isVisible() && discardQuestion(*m_window) != nullptr);
+    QVERIFY(discardQuestion(*m_window)->text().contains(QStringLiteral("1 hit ")));
+    m_window->close();  // one question is enough
+    QCOMPARE(m_window->findChildren<QMessageBox*>().size(), 1);
+    QTest::keyClick(discardQuestion(*m_window), Qt::Key_Escape);
+    QVERIFY(m_window->isVisible());
+    trigger("Quit");
+    answerQuestion(*m_window, QMessageBox::DestructiveRole);
+    QVERIFY(!m_window->isVisible());
+}
+
+void DiscardTest::exportGoesOnWhenItIsWritten() {
+    hit();
+    drop(path("cube.obj"));
+    QTRY_VERIFY(discardQuestion(*m_window) != nullptr);
+    chooseNext({});  // no file: nothing happens
+    answerQuestion(*m_window, QMessageBox::AcceptRole);
+    QTest::qWait(100);
+    QCOMPARE(m_session->history().size(), std::size_t{1});
+    drop(path("cube.obj"));
+    QTRY_VERIFY(discardQuestion(*m_window) != nullptr);
+    answerQuestion(*m_window, QMessageBox::RejectRole);
+    drop(path("cube.obj"));
+    QTRY_VERIFY(discardQuestion(*m_window) != nullptr);
+    chooseNext(path("gone_on.obj"));
+    answerQuestion(*m_window, QMessageBox::AcceptRole);
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{0}, kPatience);
+    QVERIFY(QFile::exists(path("gone_on.obj")));
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->sceneName(), QStringLiteral("cube"), kPatience);
+}
+
+void DiscardTest::staysWhenAnExportFails() {
+    DiscardGuard guard(*m_session, *m_window, [](const std::vector<TargetId>&) {
+        return QStringList{QStringLiteral("a"), QStringLiteral("b")};
+    });
+    hit();
+    int went = 0;
+    const Target& target = *m_session->targets().front();
+    const auto tryWith = [&](bool isWritten) {
+        guard.ask([&went] { ++went; });
+        answerQuestion(*m_window, QMessageBox::AcceptRole);
+        guard.exportBegins(target, QStringLiteral("a"));
+        guard.exportBegins(target, QStringLiteral("b"));
+        guard.exportEnds(QStringLiteral("a"), isWritten);
+        QCOMPARE(went, 0);
+        guard.exportEnds(QStringLiteral("b"), true);
+    };
+    tryWith(false);
+    QCOMPARE(went, 0);
+    hit();
+    tryWith(true);
+    QCOMPARE(went, 1);
+}
+
+void DiscardTest::severalTargetsGoIntoAFolder() {
+    m_session->loadPaperRow(kDefaultPaperRow);
+    hit();
+    Hit other;
+    other.target = m_session->targets().front()->id;
+    QVERIFY(m_session->addHit(other).ok());
+    m_window->close();
+    chooseNext(m_folder.path());
+    answerQuestion(*m_window, QMessageBox::AcceptRole);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), kPatience);
+    QCOMPARE(QDir(m_folder.path()).entryList({QStringLiteral("*_deformed.obj")}).size(), 2);
+}
+
+void DiscardTest::logOutAsks() {
+    auto* guard = m_window->findChild<DiscardGuard*>();
+    hit();
+    Manager silent;
+    silent.interacts = false;
+    guard->answer(silent);
+    QVERIFY(silent.cancelled == 0 && discardQuestion(*m_window) == nullptr);
+    const auto answerSoon = [this](QMessageBox::ButtonRole role) {
+        QTimer::singleShot(0, m_window.get(), [this, role] { answerQuestion(*m_window, role); });
+    };
+    Manager manager;
+    answerSoon(QMessageBox::RejectRole);
+    guard->answer(manager);
+    QVERIFY(manager.cancelled == 1 && manager.released == 0);
+    chooseNext(path("log_out.obj"));
+    answerSoon(QMessageBox::AcceptRole);
+    guard->answer(manager);
+    QVERIFY(manager.cancelled == 1 && manager.released == 1 && QFile::exists(path("log_out.obj")));
+    hit();
+    answerSoon(QMessageBox::DestructiveRole);
+    guard->answer(manager);
+    QVERIFY(manager.cancelled == 1 && manager.released == 2);
+    m_window->close();  // as it then happens; it is not asked again
+    QVERIFY(!m_window->isVisible());
+}
+
+HITSCOPE_TEST(DiscardTest, QApplication)
+#include "discard_test.moc"

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Settings are kept when they change, and however the program ends; keys of habit say what is there.
+#include <QApplication>
+#include <QProcess>
+#include <QSignalSpy>
+#include <QTest>
+#include <csignal>
+
+#include "app/end_signals.h"
+#include "app/notice_bar.h"
+#include "app/settings_keeper.h"
+#include "support/test_program.h"
+#include "window_support.h"
+
+using namespace hitscope;
+
+class KeepingTest : public QObject, private WindowFixture {
+    Q_OBJECT
+public:
+    static void initMain() { MainWindow::setSurfaceFormat(); }
+
+private Q_SLOTS:
+    void cleanup() { dropWindow(); }
+
+    void settingsAreSavedWhenTheyChange();
+    void nothingIsWrittenWithoutAChange();
+    void saysThatSettingsCannotBeSaved();
+    void habitKeysSayWhatIsThere();
+    void signalsEndInOrder_data();
+    void signalsEndInOrder();
+    void platformsWithoutWindowsAreNamed();
+};
+
+void KeepingTest::settingsAreSavedWhenTheyChange() {
+    makeWindow();
+    QCOMPARE(QSettings().value(QStringLiteral("display/wireframe")), QVariant());
+    QTest::keyClick(&m_window->viewport(), Qt::Key_L);
+    QTRY_COMPARE_WITH_TIMEOUT(QSettings().value(QStringLiteral("display/wireframe")).toInt(),
+                              static_cast<int>(WireframeMode::Over), kPatience);
+    // What a killed window leaves behind.
+    makeWindow();
+    QCOMPARE(m_window->viewport().options().wireframe, WireframeMode::Over);
+}
+
+void KeepingTest::nothingIsWrittenWithoutAChange() {
+    makeWindow();
+    auto* keeper = m_window->findChild<SettingsKeeper*>();
+    keeper->saveNow();
+    const QString file = QSettings().fileName();
+    QVERIFY(QFile::remove(file));
+    keeper->saveNow();
+    QVERIFY(!QFile::exists(file));
+    QTest::keyClick(&m_window->viewport(), Qt::Key_L);
+    keeper->saveNow();
+    QVERIFY(QFile::exists(file));
+}
+
+void KeepingTest::saysThatSettingsCannotBeSaved() {
+    m_settings = std::make_unique<TestSettings>();
+    const QString file = QSettings().fileName();
+    QVERIFY(QDir().mkpath(file));  // a folder is in its place
+    makeWindow();
+    auto* notice = m_window->findChild<NoticeBar*>();
+    QTest::keyClick(&m_window->viewport(), Qt::Key_L);
+    QTRY_VERIFY_WITH_TIMEOUT(notice->text().contains(file), kPatience);
+    notice->clear();
+    QTest::keyClick(&m_window->viewport(), Qt::Key_L);
+    m_window->findChild<SettingsKeeper*>()->saveNow();
+    QVERIFY(notice->text().isEmpty());  // once
+}
+
+void KeepingTest::habitKeysSayWhatIsThere() {
+    makeWindow();
+    auto* notice = m_window->findChild<NoticeBar*>();
+    const std::pair<Qt::Key, QString> keys[] = {{Qt::Key_S, QStringLiteral("Sessions cannot be saved yet")},
+                                                {Qt::Key_N, QStringLiteral("no empty scene yet")}};
+    for (const auto& [key, says] : keys) {
+        const Target* before = m_session->targets().front().get();
+        QTest::keyClick(&m_window->viewport(), key, Qt::ControlModifier);
+        QTRY_VERIFY2(notice->isVisible() && notice->text().contains(says), qPrintable(notice->text()));
+        QVERIFY(m_session->targets().front().get() == before);
+        notice->clear();
+    }
+}
+
+void KeepingTest::signalsEndInOrder_data() {
+    QTest::addColumn<int>("number");
+    QTest::newRow("SIGTERM") << SIGTERM;
+    QTest::newRow("SIGINT") << SIGINT;
+    QTest::newRow("SIGHUP") << SIGHUP;
+}
+
+/// The program itself, its settings in a folder of their own.
+void KeepingTest::signalsEndInOrder() {
+    QFETCH(int, number);
+    const QTemporaryDir home;
+    QProcess program;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("XDG_CONFIG_HOME"), home.path());
+    program.setProcessEnvironment(environment);
+    program.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    program.start(qEnvironmentVariable("HITSCOPE_WINDOW"), QStringList());
+    QVERIFY(program.waitForStarted());
+    // It is caught as soon as the window is there: before, the program ends as any does.
+    QTRY_VERIFY_WITH_TIMEOUT(
+        [&program] {
+            QFile status(QStringLiteral("/proc/%1/status").arg(program.processId()));
+            if (!status.open(QIODevice::ReadOnly)) {
+                return false;
+            }
+            const QByteArray text = status.readAll();
+            const qsizetype at = text.indexOf("SigCgt:");
+            return at >= 0 &&
+                   (text.mid(at + 7, 18).trimmed().toULongLong(nullptr, 16) & (1ull << (SIGTERM - 1))) != 0;
+        }(),
+        kPatience);
+    ::kill(static_cast<pid_t>(program.processId()), number);
+    QVERIFY(program.waitForFinished(kPatience));
+    QCOMPARE(program.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(program.exitCode(), 128 + number);
+    QVERIFY(QFile::exists(home.filePath(QStringLiteral("Hitscope/hitscope.conf"))));
+}
+
+void KeepingTest::platformsWithoutWindowsAreNamed() {
+    for (const char* const platform : {"offscreen", "minimal"}) {
+        QProcess program;
+        program.start(qEnvironmentVariable("HITSCOPE_WINDOW"),
+                      {QStringLiteral("-platform"), QString::fromLatin1(platform)});
+        QVERIFY(program.waitForFinished(kPatience));
+        QCOMPARE(program.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(program.exitCode(), 1);
+        const QByteArray said = program.readAllStandardError();
+        QVERIFY2(said.contains(platform) && said.contains("QT_QPA_PLATFORM"), said.constData());
+    }
+}
+
+HITSCOPE_TEST(KeepingTest, QApplication)
+#include "keeping_test.moc"
