@@ -98,6 +98,9 @@ void MeshImport::Private::readLines() {
             }
         } else if (const auto* error = std::get_if<Error>(&message)) {
             told = *error;
+            if (told->where == answer.path().toStdString()) {  // has no name that a person could look for
+                told->where = QDir::tempPath().toStdString();
+            }
         }
     }
     if (process.bytesAvailable() > kMaxLine) {

@@ -80,6 +80,9 @@ void WorkerTest::endsBadly_data() {
     row("nothing", "exit 0", "gave no usable answer");
     row("an error", "echo 'error [\"It hurts.\",\"a.obj, line 3\",\"Rest.\"]'; exit 1",
         "a.obj, line 3: It hurts. Rest.");
+    row("no room for its answer",
+        "echo \"error [\\\"It is full.\\\",\\\"$2\\\",\\\"Make room.\\\"]\"; exit 1",
+        qPrintable(QDir::tempPath() + QStringLiteral(": It is full. Make room.")));
     row("an error, then a crash", "echo 'error [\"It hurts.\"]'; kill -SEGV $$", "It hurts.");
     row("garbage in the answer", "echo garbage > \"$2\"", "The import worker's answer cannot be used");
     const QByteArray version = QByteArray::number(kMeshStreamVersion, 8);
