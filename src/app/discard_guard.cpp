@@ -43,6 +43,7 @@ DiscardGuard::DiscardGuard(Session& session, QWidget& window, BeginExport beginE
         m_exported.clear();
         m_writing.clear();  // targets of the scene before
         m_letGo.reset();
+        m_writingHits.reset();
     });
 }
 

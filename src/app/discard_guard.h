@@ -20,7 +20,7 @@ class QWidget;
 namespace hitscope {
 
 /// Asks before hits are discarded. Whatever replaces the scene or ends the program passes through here. Hits
-/// count as kept once their target is exported as it is with them.
+/// count as kept once their target is exported as it is with them, or all hits are.
 class DiscardGuard : public QObject {
     Q_OBJECT
 public:
@@ -59,6 +59,9 @@ public:
     /// To be told of every export of a target as it is shown now, and of its end.
     void exportBegins(const Target& target, const QString& path);
     void exportEnds(const QString& path, bool isWritten);
+    /// The same for files of all hits.
+    void hitsExportBegins() { m_writingHits = stateOfAll(); }
+    void hitsExported() { m_letGo = m_writingHits; }
 
 Q_SIGNALS:
     void exportsEnded();  ///< those that a question was answered with
@@ -84,7 +87,8 @@ private:
     std::map<QString, Writing> m_writing;
     std::set<QString> m_awaited;  ///< exports after which m_then is to be called
     std::function<void()> m_then;
-    std::optional<State> m_letGo;
+    std::optional<State> m_letGo;  ///< of all hits: no question about these
+    std::optional<State> m_writingHits;
     QPointer<QMessageBox> m_box;
 };
 

@@ -113,6 +113,7 @@ void HitActions::run(const std::function<std::function<void()>()>& work) {
 }
 
 void HitActions::exportTo(const QString& path) {
+    Q_EMIT exportBegan();
     m_effects.finish();
     const bool isJson = path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
     run([this, path, isJson, table = recordsOf(m_session, &m_effects)]() -> std::function<void()> {
@@ -120,6 +121,7 @@ void HitActions::exportTo(const QString& path) {
         const std::size_t hits = table.hits.size();
         return [this, path, written, hits] {
             if (written) {
+                Q_EMIT exported();
                 Q_EMIT said(tr("Exported %1 hits to %2").arg(countText(hits), path));
             } else {
                 Q_EMIT failed(written.error());

@@ -41,6 +41,8 @@ public:
 Q_SIGNALS:
     void said(const QString& text);
     void failed(const hitscope::Error& error);
+    void exportBegan();  ///< of all hits as they are
+    void exported();
 
 private:
     void chooseExport();

@@ -17,6 +17,7 @@
 
 #include "app/dialogs.h"
 #include "app/discard_guard.h"
+#include "app/hit_actions.h"
 #include "app/main_window.h"
 #include "app/mesh_exporter.h"
 #include "app/notice_bar.h"
@@ -98,6 +99,8 @@ void MainWindow::connectFiles() {
     m_guard = new DiscardGuard(
         m_session, *this, [this](const std::vector<TargetId>& targets) { return chooseExports(targets); });
     connect(m_exporter, &MeshExporter::ended, m_guard, &DiscardGuard::exportEnds);
+    connect(m_hitActions, &HitActions::exportBegan, m_guard, &DiscardGuard::hitsExportBegins);
+    connect(m_hitActions, &HitActions::exported, m_guard, &DiscardGuard::hitsExported);
     m_keeper = new SettingsKeeper([this](QSettings& settings) { saveSettings(settings); }, this);
     connect(m_keeper, &SettingsKeeper::failed, this, [this](const QString& file) {
         m_notice->say(

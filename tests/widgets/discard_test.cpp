@@ -14,6 +14,7 @@
 #include <QUrl>
 
 #include "app/discard_guard.h"
+#include "app/hit_actions.h"
 #include "support/test_program.h"
 #include "window_support.h"
 
@@ -50,7 +51,13 @@ public:
 private Q_SLOTS:
     void init() {
         QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-        makeWindow();
+        m_settings = std::make_unique<TestSettings>();
+        QSettings().setValue(QStringLiteral("recentFiles"), QStringList{path("cube.obj")});
+        makeWindow([](Session& session) {
+            MeshData sphere = makeHighPolySphere(2.5f);
+            place(sphere, 4.0f);
+            session.loadMesh(std::move(sphere));
+        });
         writeObj(makeLowPolyCube(1.0f), path("cube.obj"));
     }
     void cleanup() { dropWindow(); }
@@ -124,6 +131,12 @@ void DiscardTest::asks_data() {
         chooseNext(path("cube.obj"));
         trigger("Open…");
     });
+    row("recent", QStringLiteral("cube"), [this] {
+        auto* menu = qobject_cast<QMenu*>(actionNamed(*m_window, QStringLiteral("Open Recent"))->menu());
+        Q_EMIT menu->aboutToShow();
+        menu->actions().constFirst()->trigger();
+    });
+    row("own coordinates", {}, [this] { trigger("File's Own Coordinates"); });
     row("scale", {}, [this] {
         QTimer::singleShot(0, m_window.get(), [] {
             auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
@@ -176,6 +189,13 @@ void DiscardTest::doesNotAskForNothing() {
     m_session->undo();
     QVERIFY(!guard->isAtRisk());
     m_session->setHitsEnabled(std::vector<std::size_t>{0}, false);
+    QVERIFY(guard->isAtRisk());
+    // A file of all hits keeps them as well.
+    auto* hits = m_window->findChild<HitActions*>();
+    hits->exportTo(path("hits.csv"));
+    QTRY_VERIFY(!hits->isBusy());
+    QVERIFY(!guard->isAtRisk());
+    hit();
     QVERIFY(guard->isAtRisk());
     m_session->clearHits();
     QVERIFY(!guard->isAtRisk());

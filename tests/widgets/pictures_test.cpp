@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QImage>
+#include <QImageReader>
 #include <QMessageBox>
 #include <QProgressDialog>
 #include <QPushButton>
@@ -30,6 +31,7 @@ public:
 private Q_SLOTS:
     void init();
     void cleanup();
+    void suffixTellsTheFormat();
     void saveKeyAsksNothing();
     void anySizeAndTransparent();
     void tooLargeSaysTheLimit();
@@ -264,6 +266,18 @@ void PicturesTest::dialogRemembers() {
     dialog.load(settings);
     QCOMPARE(dialog.pictureSize(), QSize(1920, 1080));
     QVERIFY(dialog.isTransparent());
+}
+
+void PicturesTest::suffixTellsTheFormat() {
+    const QString jpeg = path(QStringLiteral("a.jpg"));
+    QVERIFY(pictures().save(request(96, 64), jpeg).ok());
+    QCOMPARE(QImageReader::imageFormat(jpeg), QByteArray("jpeg"));
+    const Status saved = pictures().save(request(96, 64), path(QStringLiteral("a.psd")));
+    QVERIFY(!saved && saved.error().advice.find(".png, .jpg") != std::string::npos);
+    PictureRequest open = request(96, 64);
+    open.options.transparent = true;
+    QVERIFY(!pictures().save(open, path(QStringLiteral("b.jpg"))).ok());
+    QVERIFY(!QFile::exists(path(QStringLiteral("b.jpg"))));
 }
 
 HITSCOPE_TEST(PicturesTest, QApplication)
