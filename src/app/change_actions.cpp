@@ -127,13 +127,10 @@ void ChangeActions::fill(QMenu& menu) {
     });
     menu.addSeparator();
     fillPipelines(*menu.addMenu(tr("&Compare with Pipeline")));
-    m_sideBySide =
-        addToggle(menu, tr("&Side by Side"), tr("Shift+B"), [this](DisplayOptions& display, bool on) {
-            if (on && !m_comparison.other()) {
-                m_comparison.setOther(usualOther());
-            }
-            display.sideBySide = on;
-        });
+    m_sideBySide = menu.addAction(tr("&Side by Side"));
+    m_sideBySide->setShortcut(tr("Shift+B"));
+    m_sideBySide->setCheckable(true);
+    connect(m_sideBySide, &QAction::triggered, this, &ChangeActions::setSideBySide);
     follow();
 }
 
@@ -148,8 +145,18 @@ void ChangeActions::followComparison() {
     connect(&m_comparison, &Comparison::valuesChanged, &m_viewport, [this] { m_viewport.update(); });
     connect(&m_comparison, &Comparison::reportChanged, &m_viewport, [this] { m_viewport.update(); });
     connect(m_panel, &ChangePanel::otherChosen, this, &ChangeActions::chooseOther);
-    connect(m_panel, &ChangePanel::sideBySideEdited, this,
-            [this](bool on) { change([on](DisplayOptions& display) { display.sideBySide = on; }); });
+    connect(m_panel, &ChangePanel::sideBySideEdited, this, &ChangeActions::setSideBySide);
+}
+
+/// Off, the comparison ends with it, unless colours show the difference.
+void ChangeActions::setSideBySide(bool on) {
+    const ChangeMapOptions& map = m_viewport.options().change;
+    if (on && !m_comparison.other()) {
+        m_comparison.setOther(usualOther());
+    } else if (!on && !(map.on && map.quantity == ChangeQuantity::Difference)) {
+        m_comparison.setOther(std::nullopt);
+    }
+    change([on](DisplayOptions& display) { display.sideBySide = on; });
 }
 
 void ChangeActions::chooseOther(std::optional<PipelineKind> other) {

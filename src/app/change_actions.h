@@ -42,6 +42,7 @@ private:
     void fillGhosts(QMenu& menu);
     void fillPipelines(QMenu& menu);
     void followComparison();
+    void setSideBySide(bool on);
     [[nodiscard]] PipelineKind usualOther() const;
     void chooseOther(std::optional<PipelineKind> other);
     QAction* addToggle(QMenu& menu, const QString& text, const QKeySequence& keys,

@@ -15,7 +15,11 @@ Comparison::Comparison(Session& session, QObject* parent)
     connect(this, &Comparison::verticesChanged, &m_values, &ChangeValues::touch);
     connect(&m_values, &ChangeValues::valuesChanged, this, &Comparison::valuesChanged);
     connect(&session, &Session::targetRemoved, this, [this](TargetId target) { m_shapes.erase(target); });
-    connect(&session, &Session::sceneReplaced, this, [this] { m_shapes.clear(); });
+    connect(&session, &Session::sceneReplaced, this, [this] {
+        m_shapes.clear();
+        m_report = {};
+        Q_EMIT reportChanged();
+    });
 }
 
 Comparison::~Comparison() = default;

@@ -18,14 +18,19 @@ QString comparisonText(const Comparison& comparison) {
         return comparison.failure();
     }
     const Comparison::Report& report = comparison.report();
-    QString text = report.largest == 0.0
-                       ? tr(QT_TRANSLATE_NOOP("hitscope::Comparison",
-                                              "A and B agree: largest difference 0 m, RMS 0 m, %1 vertices"))
-                             .arg(shownCount(report.vertices))
-                       : tr(QT_TRANSLATE_NOOP("hitscope::Comparison",
-                                              "A and B differ: by %1 m at most, RMS %2 m, %3 vertices"))
-                             .arg(shownNumber(report.largest, 'g', 4),
-                                  shownNumber(report.rootMeanSquare, 'g', 4), shownCount(report.vertices));
+    const QString vertices = shownCount(report.vertices);
+    QString text;
+    if (report.vertices == 0) {
+        text = tr(QT_TRANSLATE_NOOP("hitscope::Comparison", "A and B are equal: no vertex has moved"));
+    } else if (report.largest == 0.0) {
+        text = tr(QT_TRANSLATE_NOOP("hitscope::Comparison", "A and B are equal in all %1 moved vertices"))
+                   .arg(vertices);
+    } else {
+        text = tr(QT_TRANSLATE_NOOP("hitscope::Comparison",
+                                    "A and B differ by up to %1 m (RMS %2 m over %3 moved vertices)"))
+                   .arg(shownNumber(report.largest, 'g', 4),
+                        shownNumber(report.rootMeanSquare, 'g', 4), vertices);
+    }
     if (report.droppedHits > 0) {
         text += tr(QT_TRANSLATE_NOOP("hitscope::Comparison", "; B has dropped %1 hits"))
                     .arg(shownCount(report.droppedHits));

@@ -138,12 +138,13 @@ private Q_SLOTS:
         mouse(&viewport, QEvent::MouseMove, {1.25 * half, y}, true);
         mouse(&viewport, QEvent::MouseButtonRelease, {1.25 * half, y}, false);
         QVERIFY(std::abs(viewport.options().beforeAfter.wipeAt - 0.25f) < 5e-3f);
-        const std::size_t changed = m_session->targets()[0]->deformed.statistics().changedVertices;
-        QTRY_VERIFY_WITH_TIMEOUT(
-            child<QLabel>("report")->text().contains(QStringLiteral("largest difference 0 m, RMS 0 m")) &&
-                child<QLabel>("report")->text().contains(
-                    QLocale().toString(static_cast<qulonglong>(changed))),
-            kPatience);
+        const auto agree = [this] {
+            const std::size_t changed = m_session->targets()[0]->deformed.statistics().changedVertices;
+            return child<QLabel>("report")->text() ==
+                   QStringLiteral("A and B are equal in all %1 moved vertices")
+                       .arg(QLocale().toString(static_cast<qulonglong>(changed)));
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(agree(), kPatience);
         QVERIFY(m_window->viewport().isValid());
     }
 
@@ -157,6 +158,44 @@ private Q_SLOTS:
         QVERIFY(child<QCheckBox>("sideBySide")->isChecked());
         QTest::keyClick(&viewport, Qt::Key_B, Qt::ShiftModifier);
         QVERIFY(!viewport.options().sideBySide);
+    }
+
+    void labelsGoWithSideBySide() {
+        Viewport& viewport = m_window->viewport();
+        showDock();
+        shootAll(*m_session, demoShots(*m_session, 5, 3));
+        QVERIFY(viewport.syncNow().ok());
+        // The upper edge, where A and B are named, and the lower, where it is said whether they are equal.
+        const auto edges = [&viewport] {
+            const QImage picture = viewport.grabFramebuffer();
+            const QImage top = picture.copy(0, 0, picture.width(), 50);
+            const QImage bottom = picture.copy(0, picture.height() - 50, picture.width(), 50);
+            return std::pair(top, bottom);
+        };
+        const auto before = edges();
+        QTest::keyClick(&viewport, Qt::Key_B, Qt::ShiftModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("report")->text().contains(QStringLiteral("equal in all")),
+                                 kPatience);
+        QVERIFY(edges() != before);
+        QTest::keyClick(&viewport, Qt::Key_B, Qt::ShiftModifier);
+        QVERIFY(edges() == before);
+        QVERIFY(!child<QLabel>("report")->isVisible());
+        QCOMPARE(child<QComboBox>("other")->currentIndex(), 0);
+        // By the box in the dock likewise.
+        child<QCheckBox>("sideBySide")->click();
+        QVERIFY(viewport.options().sideBySide && child<QLabel>("report")->isVisible());
+        child<QCheckBox>("sideBySide")->click();
+        QVERIFY(edges() == before);
+    }
+
+    void aNewSceneBringsANewReport() {
+        showDock();
+        shootAll(*m_session, demoShots(*m_session, 5, 3));
+        QTest::keyClick(&m_window->viewport(), Qt::Key_B, Qt::ShiftModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("report")->text().contains(QStringLiteral("equal in all")),
+                                 kPatience);
+        m_session->loadTeapot();
+        QVERIFY(child<QLabel>("report")->text().contains(QStringLiteral("no vertex has moved")));
     }
 
     void settingsAreRemembered() {

@@ -147,7 +147,6 @@ void ChangePanel::setOptions(const DisplayOptions& display) {
     showBeforeAfter();
     const QScopedValueRollback showing(m_showing, true);
     m_ui->sideBySide->setChecked(display.sideBySide);
-    m_ui->sideBySide->setEnabled(m_comparison.other().has_value());
 }
 
 void ChangePanel::showBeforeAfter() {
@@ -191,7 +190,6 @@ void ChangePanel::listPipelines() {
             m_ui->other->setCurrentIndex(m_ui->other->count() - 1);
         }
     }
-    m_ui->sideBySide->setEnabled(m_comparison.other().has_value());
 }
 
 void ChangePanel::showReport() {
