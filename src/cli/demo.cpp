@@ -59,7 +59,7 @@ Meshes referenceMeshes(const Session& session) {
     for (const std::unique_ptr<Target>& target : session.targets()) {
         std::vector<Hit> hits;
         for (std::size_t i = 0; i < history.size(); ++i) {
-            if (history[i].target == target->id && history[i].enabled && !session.isDropped(i)) {
+            if (history[i].target == target->id && session.isApplied(i)) {
                 hits.push_back(history[i]);
             }
         }

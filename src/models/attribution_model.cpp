@@ -38,6 +38,7 @@ AttributionModel::AttributionModel(Session& session, QObject* parent)
     connect(&session, &Session::hitsChanged, this, restart);
     connect(&session, &Session::hitsRearranged, this, restart);
     connect(&session, &Session::historyReset, this, restart);
+    connect(&session, &Session::shownHitsChanged, this, restart);
     connect(&session, &Session::capacityChanged, this, [this, restart] {
         if (m_session.droppedHits() > 0 || !m_session.capacity().capacity) {
             restart();
@@ -73,10 +74,10 @@ void AttributionModel::startOver() {
 /// Those of the history that it has not gone through. A vertex of no face is never drawn, so no pipeline
 /// moves it.
 void AttributionModel::takeHits(Attribution& attribution) {
-    const std::span<const Hit> hits = m_session.history().hits();
+    const std::span<const Hit> hits = m_session.shownHits();
     for (; m_taken < hits.size(); ++m_taken) {
         const Hit& hit = hits[m_taken];
-        if (hit.target == m_vertex->target && hit.enabled && !m_session.isDropped(m_taken)) {
+        if (hit.target == m_vertex->target && m_session.isApplied(m_taken)) {
             attribution.add(m_taken, hit);
         }
     }
@@ -119,6 +120,9 @@ QString AttributionModel::summary() const {
         tr("Sum: %1 m (%2).").arg(quantityText(static_cast<double>(glm::length(sum))), vectorText(sum));
     if (isBuffers()) {
         return moved + u' ' + tr("The buffer holds the same: bit-exact.");
+    }
+    if (!m_session.isUpToDate()) {
+        return moved + u' ' + tr("The buffer has not been read back yet.");
     }
     const glm::vec3 off = target->deformed.positions()[m_vertex->vertex] - position();
     return moved + u' ' +

@@ -28,8 +28,8 @@ QString comparisonText(const Comparison& comparison) {
     } else {
         text = tr(QT_TRANSLATE_NOOP("hitscope::Comparison",
                                     "A and B differ by up to %1 m (RMS %2 m over %3 moved vertices)"))
-                   .arg(shownNumber(report.largest, 'g', 4),
-                        shownNumber(report.rootMeanSquare, 'g', 4), vertices);
+                   .arg(shownNumber(report.largest, 'g', 4), shownNumber(report.rootMeanSquare, 'g', 4),
+                        vertices);
     }
     if (report.droppedHits > 0) {
         text += tr(QT_TRANSLATE_NOOP("hitscope::Comparison", "; B has dropped %1 hits"))

@@ -14,17 +14,17 @@ void HistoryCopy::apply(const Update& update) {
     }
 }
 
-HistoryCopy::Update HistoryFollower::update(const HitHistory& history) {
+HistoryCopy::Update HistoryFollower::update(const HitHistory& history, const AppliedHits& applied) {
     std::optional<std::vector<HistoryEdit>> edits;
     if (m_copy) {
         edits = history.editsSince(m_revision);
     }
     m_revision = history.revision();
     if (edits) {
-        return {*std::move(edits)};
+        return {m_applied.follow(*edits, history.hits(), applied)};
     }
     m_copy = std::make_shared<HistoryCopy>();
-    return {{HistoryEdit{0, {}, {history.hits().begin(), history.hits().end()}}}};
+    return {{m_applied.startOver(history.hits(), applied)}};
 }
 
 }  // namespace hitscope

@@ -134,6 +134,8 @@ HitEffects::HitEffects(Session& session, QObject* parent)
     connect(&session, &Session::hitsAppended, this, &HitEffects::follow);
     connect(&session, &Session::hitsChanged, this, &HitEffects::follow);
     connect(&session, &Session::hitsRearranged, this, &HitEffects::follow);
+    connect(&session, &Session::shownHitsChanged, this, &HitEffects::followApplied);
+    connect(&session, &Session::capacityChanged, this, &HitEffects::followApplied);
     startOver();
 }
 
@@ -162,8 +164,8 @@ void HitEffects::startOver() {
         shapes[target->id] = target->deformed.sharedRender();
     }
     m_revision = m_session.history().revision();
-    const std::span<const Hit> hits = m_session.history().hits();
-    submit({{0, {}, std::vector<Hit>(hits.begin(), hits.end())}}, shapes);
+    m_hasToFollow = false;
+    submit({m_applied.startOver(m_session.history().hits(), m_session.appliedHits())}, shapes);
 }
 
 void HitEffects::followShape(TargetId id) {
@@ -178,8 +180,24 @@ void HitEffects::follow() {
         return;
     }
     m_revision = m_session.history().revision();
-    if (!edits->empty()) {
-        submit(*std::move(edits), {});
+    m_hasToFollow = false;
+    std::vector<HistoryEdit> made =
+        m_applied.follow(*edits, m_session.history().hits(), m_session.appliedHits());
+    if (!made.empty()) {
+        submit(std::move(made), {});
+    }
+}
+
+/// Dragging the scrubber asks for many states, of which the last one counts: no more than one is worked out
+/// at a time.
+void HitEffects::followApplied() {
+    m_hasToFollow = true;
+    if (isAnswered()) {
+        const std::size_t rows = m_effects.size();
+        follow();
+        if (rows > 0) {
+            Q_EMIT effectsChanged(0, static_cast<int>(rows) - 1);  // some are not applied any more
+        }
     }
 }
 
@@ -218,6 +236,9 @@ void HitEffects::take() {
         for (const HistoryEffects::Changes::Counts& counts : changes.counts) {
             takeCounts(counts);
         }
+    }
+    if (m_hasToFollow) {
+        followApplied();
     }
     if (answered && answered->number == m_asked) {
         Q_EMIT verticesFound(answered->target, answered->answer);
@@ -265,11 +286,13 @@ std::span<const std::uint32_t> HitEffects::counts(TargetId target) const {
 }
 
 void HitEffects::finish() {
-    {
-        std::unique_lock lock(m_worker->mutex);
-        m_worker->done.wait(lock, [this] { return !m_worker->isRunning; });
-    }
-    take();
+    do {
+        {
+            std::unique_lock lock(m_worker->mutex);
+            m_worker->done.wait(lock, [this] { return !m_worker->isRunning; });
+        }
+        take();
+    } while (!isUpToDate());
 }
 
 void HitEffects::findVertices(std::size_t row) {

@@ -16,8 +16,7 @@
 namespace hitscope {
 
 /// What each hit of a session did, and how many hits moved each vertex, by the reference deformation, which
-/// all pipelines agree with. Of the whole history, also where a pipeline has dropped hits or only the first
-/// ones are shown.
+/// all pipelines agree with. Of the hits that made what is shown (Session::isApplied()).
 ///
 /// Worked out on a thread of its own, at the cost of what the edits of the history reach; results come
 /// through the event loop, a moment after the edits. Memory: 30 bytes a vertex of the targets that have hits,
@@ -29,12 +28,12 @@ public:
     explicit HitEffects(Session& session, QObject* parent = nullptr);
     ~HitEffects() override;
 
-    /// Of the hit in this row (< the history's size). Nothing: not known yet, or the hit is disabled.
+    /// Of the hit in this row (< the history's size). Nothing: not known yet, or the hit is not applied.
     [[nodiscard]] std::optional<HitEffect> effect(std::size_t row) const;
     /// How many hits moved each vertex of a target, by file vertex; empty: none moved any, as far as known.
     [[nodiscard]] std::span<const std::uint32_t> counts(TargetId target) const;
-    /// Everything is known, of the history as it is.
-    [[nodiscard]] bool isUpToDate() const { return m_followed == m_asked; }
+    /// Everything is known, of the hits as they are applied.
+    [[nodiscard]] bool isUpToDate() const { return isAnswered() && !m_hasToFollow; }
     /// Waits until it is; for tests and for files.
     void finish();
 
@@ -61,6 +60,8 @@ private:
     };
     void startOver();
     void follow();
+    void followApplied();
+    [[nodiscard]] bool isAnswered() const { return m_followed == m_asked; }
     void submit(std::vector<HistoryEdit> edits, const HistoryEffects::Shapes& shapes);
     void followShape(TargetId target);
     void take();
@@ -69,7 +70,9 @@ private:
 
     Session& m_session;
     std::shared_ptr<Worker> m_worker;
-    std::uint64_t m_revision = 0;  ///< of the history, up to which the worker has been given the edits
+    AppliedHistory m_applied;      ///< as the worker has been given it
+    std::uint64_t m_revision = 0;  ///< of the history, likewise
+    bool m_hasToFollow = false;    ///< other hits are applied than the worker has been told
     std::uint64_t m_asked = 0;     ///< number of the last task given
     std::uint64_t m_followed = 0;  ///< and of the last whose results are here
     std::deque<Shift> m_shifts;    ///< of the tasks between

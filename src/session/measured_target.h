@@ -49,7 +49,8 @@ public:
     /// requested, but not everything is done.
     void follow(std::span<const MovedVertex> moved, const std::stop_token& stop);
     [[nodiscard]] bool isReady() const { return m_measurer != nullptr; }
-    /// Finds harmed faces and what hit did it. `history`: all hits of the session, in order.
+    /// Finds harmed faces and what hit did it. `history`: the hits of the session in order, those
+    /// disabled that are not applied to what is shown.
     void findHarms(float stretchLimit, std::span<const Hit> history, const std::stop_token& stop);
 
     /// Counts this target in. `alone`: in its own frame, without the transform.

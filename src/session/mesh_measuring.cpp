@@ -188,7 +188,7 @@ void MeshMeasuring::start() {
             job->parts.push_back({m_measured.at(id), std::exchange(m_gathered[id], {}), target->transform});
         }
     }
-    job->update = m_history.update(m_session.history());
+    job->update = m_history.update(m_session.history(), m_session.appliedHits());
     job->history = m_history.copy();
     m_job = job;
     m_sinceStart.start();

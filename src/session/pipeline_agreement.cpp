@@ -88,16 +88,14 @@ struct PipelineAgreement::Job {
     std::vector<Part> parts;
     HistoryCopy::Update update;
     std::shared_ptr<HistoryCopy> history;
-    std::vector<std::size_t> dropped;  ///< rows of the history, ascending
     std::stop_source source;
     AgreementReport report;
 
     void run() {
         history->apply(update);
         std::map<TargetId, std::vector<Hit>> hits;
-        for (std::size_t row = 0; row < history->hits().size(); ++row) {
-            const Hit& hit = history->hits()[row];
-            if (hit.enabled && !std::binary_search(dropped.begin(), dropped.end(), row)) {
+        for (const Hit& hit : history->hits()) {
+            if (hit.enabled) {
                 hits[hit.target].push_back(hit);
             }
         }
@@ -109,7 +107,6 @@ struct PipelineAgreement::Job {
             part.copy->apply(std::move(hits[part.copy->id()]));
             part.copy->compare(report);
         }
-        report.dropped = dropped.size();
         const double vertices = static_cast<double>(std::max<std::size_t>(report.vertices, 1));
         report.rootMeanSquare = std::sqrt(report.rootMeanSquare / vertices);
     }
@@ -125,6 +122,7 @@ PipelineAgreement::PipelineAgreement(Session& session, QObject* parent)
     connect(&session, &Session::hitsAppended, this, &PipelineAgreement::noteChange);
     connect(&session, &Session::historyReset, this, &PipelineAgreement::noteChange);
     connect(&session, &Session::pipelineChanged, this, &PipelineAgreement::noteChange);
+    connect(&session, &Session::shownHitsChanged, this, &PipelineAgreement::noteChange);
     connect(&session, &Session::verticesMoved, this,
             [this](TargetId id, const std::vector<std::uint32_t>& vertices) {
                 const Target* target = m_session.target(id);
@@ -165,11 +163,16 @@ void PipelineAgreement::startOver() {
 }
 
 void PipelineAgreement::noteChange() {
+    const bool wasOutOfDate = isOutOfDate();
     m_hasChanged = true;
+    m_isReportOld = true;
     m_isGathering = false;  // what was taken is of another state: it is brought up to date
     if (m_continuous && !isComparing()) {
         const qint64 since = m_sinceStart.isValid() ? m_sinceStart.elapsed() : m_interval;
         m_timer.start(static_cast<int>(std::max<qint64>(0, m_interval - since)));
+    }
+    if (isOutOfDate() != wasOutOfDate) {
+        Q_EMIT reported();
     }
 }
 
@@ -225,9 +228,10 @@ void PipelineAgreement::start() {
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
         job->parts.push_back({m_copies.at(target->id), std::exchange(m_gathered[target->id], {})});
     }
-    job->update = m_history.update(m_session.history());
+    job->update = m_history.update(m_session.history(), m_session.appliedHits());
     job->history = m_history.copy();
-    job->dropped = m_session.capacity().dropped;
+    job->report.dropped = m_session.droppedHits();
+    job->report.later = m_session.history().size() - m_session.shownHits().size();
     job->report.pipeline = m_session.pipeline();
     m_job = job;
     m_sinceStart.start();
@@ -243,6 +247,7 @@ void PipelineAgreement::take(const Job& job, bool done) {
     m_interval = std::max(kInterval, 4 * m_sinceStart.elapsed());
     if (done) {
         m_report = job.report;
+        m_isReportOld = m_hasChanged;
     } else {
         m_copies.clear();  // there was no memory
         m_history.startOver();

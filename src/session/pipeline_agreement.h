@@ -25,8 +25,9 @@ struct AgreementReport {
     double largest = 0.0;            ///< metres
     double rootMeanSquare = 0.0;     ///< metres, over all that were compared
     std::optional<VertexRef> worst;  ///< where it is largest; nothing while all are equal
-    std::size_t hits = 0;            ///< applied by the reference: the enabled ones
+    std::size_t hits = 0;            ///< applied by the reference: as the pipeline (Session::isApplied())
     std::size_t dropped = 0;         ///< that the pipeline no longer applies, so neither does the reference
+    std::size_t later = 0;           ///< that come after those that are shown
 };
 
 /// Compares the session's read-back with the reference deformation (ReferenceDeformation), on another thread
@@ -47,9 +48,11 @@ public:
     [[nodiscard]] bool isComparing() const { return m_job != nullptr || m_timer.isActive(); }
     /// Of the last comparison; nothing before the first, and with a new scene.
     [[nodiscard]] const std::optional<AgreementReport>& report() const { return m_report; }
+    /// The report is of an earlier state of the session.
+    [[nodiscard]] bool isOutOfDate() const { return m_report && m_isReportOld; }
 
 Q_SIGNALS:
-    void reported();  ///< report() or isComparing() is another
+    void reported();  ///< report(), isComparing() or isOutOfDate() is another
 
 private:
     class Copy;
@@ -76,6 +79,7 @@ private:
     qint64 m_interval = 0;       ///< milliseconds
     bool m_isGathering = false;  ///< some of the vertices were taken, in this state of the session
     bool m_hasChanged = false;   ///< since the last comparison was started
+    bool m_isReportOld = false;  ///< the session has changed since what was reported
 };
 
 }  // namespace hitscope

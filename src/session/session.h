@@ -13,6 +13,7 @@
 
 #include "core/image.h"
 #include "core/result.h"
+#include "deform/applied_history.h"
 #include "deform/hit_history.h"
 #include "physics/physics_world.h"
 #include "pipeline/capacity_report.h"
@@ -208,6 +209,7 @@ public:
     /// Nothing is on its way any more: the CPU copies are what the pipeline makes of the history as it is
     /// now.
     void setUpToDate() { m_isBehind = false; }
+    [[nodiscard]] bool isUpToDate() const { return !m_isBehind; }
     /// How to bring the CPU copies up to date at once, as SceneGpu::sync() does; called before a physics step
     /// that needs to know. None: colliders take on what has been read back so far.
     void setCatchUp(std::function<void()> catchUp) { m_catchUp = std::move(catchUp); }
@@ -216,6 +218,13 @@ public:
     /// Hits that the active pipeline no longer applies because its capacity was reached.
     [[nodiscard]] std::size_t droppedHits() const { return m_capacity.dropped.size(); }
     [[nodiscard]] bool isDropped(std::size_t index) const;
+    /// Which hits made what is shown, for all that says something about it: the first ones (showHits()), less
+    /// those that the pipeline dropped. Valid until either changes.
+    [[nodiscard]] AppliedHits appliedHits() const {
+        return {m_shownHits.value_or(AppliedHits::kAll), m_capacity.dropped};
+    }
+    /// That it is one of them, and enabled; false for one that is not in the history.
+    [[nodiscard]] bool isApplied(std::size_t index) const;
     void setUnavailablePipelines(std::map<PipelineKind, QString> reasons);
 
 Q_SIGNALS:
@@ -246,7 +255,7 @@ Q_SIGNALS:
     void targetSelected(hitscope::TargetId target);
     void hitSelected();
     void shownHitsChanged();  ///< showHits(), not the history
-    void capacityChanged();
+    void capacityChanged();   ///< with either of these appliedHits() are others
     void unavailablePipelinesChanged();
     void pictureChanged();  ///< anything that a new frame would show
 

@@ -285,4 +285,8 @@ bool Session::isDropped(std::size_t index) const {
     return std::binary_search(m_capacity.dropped.begin(), m_capacity.dropped.end(), index);
 }
 
+bool Session::isApplied(std::size_t index) const {
+    return index < m_history.size() && m_history.hits()[index].enabled && appliedHits().contains(index);
+}
+
 }  // namespace hitscope

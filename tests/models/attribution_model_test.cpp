@@ -107,6 +107,28 @@ private Q_SLOTS:
                                                                      : QStringLiteral("same")));
     }
 
+    void followsWhatIsShown() {
+        hit(100, 4);
+        m_session->selection().setPicked(VertexRef{target().id, changedMost()});
+        const int all = m_model->rowCount();
+        QVERIFY(all > 0);
+        const std::size_t first = row(0).hit;
+        m_session->showHits(first);
+        readBack(*m_session);
+        QTRY_COMPARE(m_model->rowCount(), 0);
+        QVERIFY(m_model->isBuffers());
+        m_session->showHits(first + 1);
+        QTRY_COMPARE(m_model->rowCount(), 1);
+        QVERIFY(!m_model->isBuffers());
+        QVERIFY(m_model->summary().contains(QStringLiteral("not been read back yet")));
+        readBack(*m_session);
+        QVERIFY(m_model->isBuffers());
+        m_session->showHits(std::nullopt);
+        readBack(*m_session);
+        QTRY_COMPARE(m_model->rowCount(), all);
+        QVERIFY(m_model->isBuffers());
+    }
+
     void saysWhenTheBufferDiffers() {
         hit(50, 5);
         const std::uint32_t vertex = changedMost();

@@ -17,7 +17,7 @@ inline void readBack(Session& session) {
         std::vector<Hit> hits;
         for (std::size_t i = 0; i < session.history().size(); ++i) {
             const Hit& hit = session.history().hits()[i];
-            if (hit.target == target->id && hit.enabled && !session.isDropped(i)) {
+            if (hit.target == target->id && session.isApplied(i)) {
                 hits.push_back(hit);
             }
         }

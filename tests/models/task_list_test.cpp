@@ -55,7 +55,7 @@ private Q_SLOTS:
         HitHistory history;
         HistoryFollower follower;
         const auto isSame = [&] {
-            const HistoryCopy::Update update = follower.update(history);
+            const HistoryCopy::Update update = follower.update(history, {});
             follower.copy()->apply(update);
             return std::equal(follower.copy()->hits().begin(), follower.copy()->hits().end(),
                               history.hits().begin(), history.hits().end());

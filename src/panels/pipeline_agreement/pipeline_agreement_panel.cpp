@@ -30,12 +30,19 @@ QString PipelineAgreementPanel::verdict() const {
         return m_agreement.isComparing() ? tr("Comparing…") : tr("Not compared yet.");
     }
     const std::string_view name = pipelineTraits(report->pipeline).name;
-    QString text = report->different == 0 ? tr("%1: all %2 vertices are identical to the reference (bit-exact).")
-                                          : tr("%1: of %2 vertices, some differ from the reference.");
+    QString text = report->different == 0
+                       ? tr("%1: all %2 vertices are identical to the reference (bit-exact).")
+                       : tr("%1: of %2 vertices, some differ from the reference.");
     text = text.arg(QString::fromUtf8(name), countText(report->vertices));
     if (report->dropped > 0) {
         text +=
             u' ' + tr("Without the %1 hits that the pipeline has dropped.").arg(countText(report->dropped));
+    }
+    if (report->later > 0) {
+        text += u' ' + tr("Without the %1 hits that are not shown.").arg(countText(report->later));
+    }
+    if (m_agreement.isOutOfDate()) {
+        text += u' ' + (m_agreement.isComparing() ? tr("Updating…") : tr("The scene has changed since."));
     }
     return text;
 }
@@ -43,6 +50,10 @@ QString PipelineAgreementPanel::verdict() const {
 void PipelineAgreementPanel::showReport() {
     m_ui->compare->setEnabled(!m_agreement.isComparing());
     m_ui->verdict->setText(verdict());
+    for (QWidget* number : {static_cast<QWidget*>(m_ui->largest), static_cast<QWidget*>(m_ui->rms),
+                            static_cast<QWidget*>(m_ui->different)}) {
+        number->setEnabled(!m_agreement.isOutOfDate());
+    }
     const std::optional<AgreementReport>& report = m_agreement.report();
     const QString nothing = QStringLiteral("–");
     const auto metres = [](double value) { return tr("%1 m").arg(quantityText(value)); };
