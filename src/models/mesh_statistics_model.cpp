@@ -34,6 +34,10 @@ MeshStatisticsModel::MeshStatisticsModel(Session& session, QObject* parent)
         ++m_sections.back().count;
     }
     connect(&m_measuring, &MeshMeasuring::measured, this, &MeshStatisticsModel::announceValues);
+    connect(&m_measuring, &MeshMeasuring::upToDateChanged, this, [this] {
+        announceValues();
+        Q_EMIT headerDataChanged(Qt::Horizontal, PropertyColumn, PropertyColumn);
+    });
     connect(&session, &Session::sceneReplaced, this, &MeshStatisticsModel::follow);
     connect(&session, &Session::targetSelected, this, &MeshStatisticsModel::follow);
     connect(&session, &Session::targetAdded, this, &MeshStatisticsModel::follow);
@@ -136,7 +140,7 @@ QVariant MeshStatisticsModel::headerData(int section, Qt::Orientation orientatio
     }
     switch (section) {
         case PropertyColumn:
-            return tr("Property");
+            return m_measuring.isUpToDate() ? tr("Property") : tr("Updating…");
         case OriginalColumn:
             return tr("Original");
         case DeformedColumn:
@@ -173,6 +177,8 @@ QVariant MeshStatisticsModel::data(const QModelIndex& index, int role) const {
         }
         case SharedRole:
             return row->sides == StatisticsRow::Sides::Same;
+        case OutOfDateRole:
+            return index.column() != PropertyColumn && !m_measuring.isUpToDate();
         default:
             return {};
     }
@@ -195,6 +201,9 @@ QString MeshStatisticsModel::cellToolTip(const StatisticsRow& row, int column) c
     QString text = translated(row.meaning);
     const std::shared_ptr<const MeshMeasurement>& measurement = m_measuring.measurement();
     if (measurement) {
+        if (!m_measuring.isUpToDate() && column != PropertyColumn) {
+            text += u'\n' + tr("Out of date: it is being worked out anew.");
+        }
         const QString reason = whyNot(row, *measurement);
         const std::optional<double> value =
             column == PropertyColumn ? std::nullopt : statisticsValue(row, *measurement, sideOf(column));

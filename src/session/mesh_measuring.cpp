@@ -147,6 +147,14 @@ void MeshMeasuring::schedule() {
         const qint64 since = m_sinceStart.isValid() ? m_sinceStart.elapsed() : m_interval;
         m_timer.start(static_cast<int>(std::clamp<qint64>(m_interval - since, 0, kLongestInterval)));
     }
+    announceState();
+}
+
+void MeshMeasuring::announceState() {
+    if (isUpToDate() != m_wasUpToDate) {
+        m_wasUpToDate = isUpToDate();
+        Q_EMIT upToDateChanged();
+    }
 }
 
 /// Carries over what has moved, over several turns of the event loop if it is much; then starts.
@@ -178,6 +186,7 @@ void MeshMeasuring::gather() {
 void MeshMeasuring::start() {
     m_changed = false;
     if (m_targets.empty()) {
+        announceState();
         return;
     }
     auto job = std::make_shared<Job>();
@@ -205,9 +214,12 @@ void MeshMeasuring::take(const Job& job, bool done) {
     m_longJob.stop();
     m_progress.reset();
     m_interval = std::max(kInterval, 4 * m_sinceStart.elapsed());
+    announceState();
     if (!done) {
         m_measured.clear();  // the numbers stay unknown; everything else goes on
         m_history.startOver();
+        m_measurement.reset();
+        Q_EMIT measured();
         return;
     }
     // Others may have been asked for meanwhile.

@@ -39,9 +39,12 @@ public:
 
     /// The latest; null until the first is there.
     [[nodiscard]] const std::shared_ptr<const MeshMeasurement>& measurement() const { return m_measurement; }
+    /// Nothing has changed since that was measured. Otherwise another follows by itself.
+    [[nodiscard]] bool isUpToDate() const { return !m_changed && !m_job; }
 
 Q_SIGNALS:
-    void measured();  ///< measurement() is another
+    void measured();         ///< measurement() is another
+    void upToDateChanged();  ///< isUpToDate(); before measured() where both are meant
 
 private:
     struct Job;
@@ -49,6 +52,7 @@ private:
     void forget(TargetId target);
     void startOver();
     void schedule();
+    void announceState();
     void gather();
     void start();
     void take(const Job& job, bool done);
@@ -71,6 +75,7 @@ private:
     QElapsedTimer m_sinceStart;
     qint64 m_interval = 0;   ///< milliseconds from one start to the next
     bool m_changed = false;  ///< since the job that runs was started
+    bool m_wasUpToDate = true;
 };
 
 }  // namespace hitscope

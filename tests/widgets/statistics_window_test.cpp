@@ -125,6 +125,47 @@ private Q_SLOTS:
         QVERIFY(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("section,key,")));
     }
 
+    void numbersOfBeforeAreNotShownAsThoseOfNow() {
+        Scene scene;
+        auto* numbers = scene.find<QTreeView>("numbers");
+        const auto* model = qobject_cast<const MeshStatisticsModel*>(numbers->model());
+        QTRY_VERIFY_WITH_TIMEOUT(
+            scene.number("changed_vertices").toInt() > 0 && model->measuring().isUpToDate(), kPatience);
+        const QModelIndex cell = model->find("changed_vertices", MeshStatisticsModel::DeformedColumn);
+        const QString before = cell.data().toString();
+        const auto ink = [numbers, &cell] {
+            const QImage picture = numbers->viewport()->grab(numbers->visualRect(cell)).toImage();
+            int darkest = 255;
+            for (int y = 0; y < picture.height(); ++y) {
+                for (int x = 0; x < picture.width(); ++x) {
+                    darkest = std::min(darkest, qGray(picture.pixel(x, y)));
+                }
+            }
+            return darkest;
+        };
+        const QPalette light(Qt::black, Qt::lightGray, Qt::white, Qt::darkGray, Qt::gray, Qt::black,
+                             Qt::white);
+        numbers->setPalette(light);
+        const int current = ink();
+        Hit hit = scene.session.history().hits()[0];
+        hit.point.x = 1.5f;
+        QVERIFY(scene.session.addHit(hit).ok());
+        QVERIFY(scene.window->viewport().syncNow().ok());
+        // What is measured comes by the event loop.
+        QVERIFY(cell.data(MeshStatisticsModel::OutOfDateRole).toBool());
+        QCOMPARE(cell.data().toString(), before);
+        QVERIFY(ink() > current + 60);
+        QVERIFY(model->headerData(0, Qt::Horizontal).toString().startsWith(QStringLiteral("Updating")));
+        QGuiApplication::clipboard()->setText(QStringLiteral("nothing"));
+        scene.find<QPushButton>("copy")->menu()->actions()[1]->trigger();
+        QCOMPARE(QGuiApplication::clipboard()->text(), QStringLiteral("nothing"));
+        QTRY_VERIFY_WITH_TIMEOUT(!cell.data(MeshStatisticsModel::OutOfDateRole).toBool(), kPatience);
+        QVERIFY(cell.data().toInt() > before.toInt());
+        QVERIFY(
+            QGuiApplication::clipboard()->text().contains(QStringLiteral(",%1,").arg(cell.data().toInt())));
+        QVERIFY(ink() <= current + 5);
+    }
+
     void handlesOfTheHistogramSelectVertices() {
         Scene scene;
         QTRY_COMPARE_WITH_TIMEOUT(scene.number("displacement_max"), QStringLiteral("0.30000"), kPatience);

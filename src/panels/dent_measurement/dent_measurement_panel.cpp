@@ -12,6 +12,7 @@
 
 #include "io/staged_files.h"
 #include "models/quantity_text.h"
+#include "models/vertex_facts.h"
 #include "panels/icons/themed_icon.h"
 #include "panels/plot/plot_theme.h"
 #include "ui_dent_measurement.h"
@@ -104,7 +105,9 @@ void DentMeasurementPanel::showDistance() {
             ? tr("%1 m, deformed %2 m").arg(quantityText(distance->before), quantityText(distance->after))
             : tr("pick two vertices"));
     m_ui->distance->setToolTip(
-        distance ? tr("Vertices %1 and %2").arg(distance->from.vertex).arg(distance->to.vertex) : QString());
+        distance ? tr("Vertices %1 and %2")
+                       .arg(vertexNumberText(distance->from.vertex), vertexNumberText(distance->to.vertex))
+                 : QString());
 }
 
 void DentMeasurementPanel::drawProfile() {

@@ -17,6 +17,7 @@ DisplacementHistogram::DisplacementHistogram(Session& session, const MeshMeasuri
     m_widgets.plot.setLabels(tr("displacement (m)"), tr("vertices"));
     m_widgets.plot.setEmptyText(tr("Nothing has moved yet"));
     connect(&measuring, &MeshMeasuring::measured, this, &DisplacementHistogram::follow);
+    connect(&measuring, &MeshMeasuring::upToDateChanged, this, &DisplacementHistogram::follow);
     connect(&session, &Session::sceneReplaced, this, [this] {
         m_isChosen = false;
         follow();
@@ -47,7 +48,7 @@ void DisplacementHistogram::follow() {
     if (isAny) {
         showBetween(plot.range()->low, plot.range()->high);
     } else {
-        m_widgets.between.clear();
+        m_widgets.between.setText(m_measuring.isUpToDate() ? QString() : tr("Updating…"));
     }
 }
 
@@ -62,9 +63,12 @@ std::size_t DisplacementHistogram::countBetween(double low, double high) const {
 }
 
 void DisplacementHistogram::showBetween(double low, double high) {
-    m_widgets.between.setText(
-        tr("%1 vertices moved %2 to %3 m")
-            .arg(countText(countBetween(low, high)), quantityText(low), quantityText(high)));
+    QString text = tr("%1 vertices moved %2 to %3 m")
+                       .arg(countText(countBetween(low, high)), quantityText(low), quantityText(high));
+    if (!m_measuring.isUpToDate()) {
+        text += u' ' + tr("(updating…)");
+    }
+    m_widgets.between.setText(text);
 }
 
 void DisplacementHistogram::select() {

@@ -21,7 +21,8 @@ namespace {
 
 constexpr quint32 kAllTargets = 0;  // no target has this id
 
-/// Titles of sections in bold on a tinted row; what no hit changes in a fainter ink.
+/// Titles of sections in bold on a tinted row; what no hit changes, and numbers that are out of date, in a
+/// fainter ink.
 class SectionDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -32,12 +33,19 @@ protected:
         if (!index.parent().isValid()) {
             option->font.setBold(true);
             option->backgroundBrush = option->palette.alternateBase();
+        } else if (index.data(MeshStatisticsModel::OutOfDateRole).toBool()) {
+            setInk(*option, 0.4f);
         } else if (index.column() == MeshStatisticsModel::DeformedColumn &&
                    index.data(MeshStatisticsModel::SharedRole).toBool()) {
-            QColor faint = option->palette.color(QPalette::Text);
-            faint.setAlphaF(0.55f);
-            option->palette.setColor(QPalette::Text, faint);
+            setInk(*option, 0.55f);
         }
+    }
+
+private:
+    static void setInk(QStyleOptionViewItem& option, float opacity) {
+        QColor faint = option.palette.color(QPalette::Text);
+        faint.setAlphaF(opacity);
+        option.palette.setColor(QPalette::Text, faint);
     }
 };
 
@@ -125,6 +133,7 @@ void MeshStatisticsPanel::makeHealth() {
     connect(m_ui->stretchLimit, &QDoubleSpinBox::valueChanged, this,
             [this](double limit) { m_model.measuring().setStretchLimit(static_cast<float>(limit)); });
     connect(&m_health, &MeshHealthModel::foundChanged, this, &MeshStatisticsPanel::showFound);
+    connect(&m_model.measuring(), &MeshMeasuring::upToDateChanged, this, &MeshStatisticsPanel::showFound);
     connect(harms.selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex& current) { selectHarm(current); });
     connect(&harms, &QTableView::clicked, this, &MeshStatisticsPanel::selectHarm);
@@ -138,9 +147,10 @@ void MeshStatisticsPanel::makeCopyMenu() {
     const auto add = [this, menu](const QString& text, auto report) {
         QAction* action = menu->addAction(text);
         connect(action, &QAction::triggered, this, [this, report] {
-            if (const auto& measurement = m_model.measuring().measurement()) {
-                QGuiApplication::clipboard()->setText(report(*measurement));
-            }
+            m_copyWhenReady = [report](const MeshMeasurement& measurement) {
+                QGuiApplication::clipboard()->setText(report(measurement));
+            };
+            copyIfReady();
         });
     };
     add(tr("Copy as &Text"), [this](const MeshMeasurement& all) { return statisticsAsText(title(), all); });
@@ -148,6 +158,16 @@ void MeshStatisticsPanel::makeCopyMenu() {
     add(tr("Copy as &Markdown"),
         [this](const MeshMeasurement& all) { return statisticsAsMarkdown(title(), all); });
     m_ui->copy->setMenu(menu);
+    connect(&m_model.measuring(), &MeshMeasuring::measured, this, &MeshStatisticsPanel::copyIfReady);
+}
+
+/// What is to be copied are the numbers of now: those that are out of date are waited for.
+void MeshStatisticsPanel::copyIfReady() {
+    const MeshMeasuring& measuring = m_model.measuring();
+    if (m_copyWhenReady && measuring.isUpToDate() && measuring.measurement()) {
+        std::exchange(m_copyWhenReady, nullptr)(*measuring.measurement());
+    }
+    m_ui->copy->setText(m_copyWhenReady ? tr("Copying…") : tr("Copy"));
 }
 
 QString MeshStatisticsPanel::title() const {
@@ -184,10 +204,12 @@ void MeshStatisticsPanel::chooseTarget(int index) {
 void MeshStatisticsPanel::showFound() {
     const auto listed = static_cast<std::size_t>(m_health.rowCount());
     const std::size_t found = m_health.found();
-    m_ui->found->setText(
-        found == 0       ? tr("No face is flipped, degenerated or stretched by a hit.")
+    const QString text =
+        !m_model.measuring().isUpToDate() ? tr("Updating…")
+        : found == 0                      ? tr("No face is flipped, degenerated or stretched by a hit.")
         : found > listed ? tr("%1 changes; the first %2 are listed.").arg(countText(found), countText(listed))
-                         : tr("%n change(s) for the worse", nullptr, static_cast<int>(found)));
+                         : tr("%n change(s) for the worse", nullptr, static_cast<int>(found));
+    m_ui->found->setText(text);
     m_ui->tabs->setTabText(m_ui->tabs->indexOf(m_ui->healthPage),
                            found == 0 ? tr("Health") : tr("Health (%1)").arg(countText(found)));
 }

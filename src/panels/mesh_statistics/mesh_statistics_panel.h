@@ -3,6 +3,7 @@
 
 #include <QPointer>
 #include <QWidget>
+#include <functional>
 #include <memory>
 
 #include "models/mesh_health_model.h"
@@ -44,6 +45,7 @@ private:
     void makeNumbers();
     void makeHealth();
     void makeCopyMenu();
+    void copyIfReady();
     void listTargets();
     void showTarget();
     void chooseTarget(int index);
@@ -58,6 +60,7 @@ private:
     MeshHealthModel m_health;
     std::unique_ptr<Ui::MeshStatistics> m_ui;
     std::unique_ptr<DisplacementHistogram> m_histogram;
+    std::function<void(const MeshMeasurement&)> m_copyWhenReady;  ///< empty: nothing is to be copied
 };
 
 }  // namespace hitscope
