@@ -2,8 +2,12 @@
 #include "app/dialogs.h"
 
 #include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QGuiApplication>
 #include <QIcon>
 #include <QMessageBox>
+#include <QStandardPaths>
 #include <QStringList>
 
 namespace hitscope {
@@ -16,8 +20,19 @@ QString tr(const char* text) {
 
 }  // namespace
 
+QString existingFolder(const QString& remembered) {
+    for (const QString& folder :
+         {remembered, QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)}) {
+        if (!folder.isEmpty() && QFileInfo(folder).isDir()) {
+            return folder;
+        }
+    }
+    return QDir::homePath();
+}
+
 void showError(QWidget* parent, const Error& error) {
-    auto* box = new QMessageBox(QMessageBox::Warning, QCoreApplication::applicationName(),
+    // Qt writes the display name after any other title.
+    auto* box = new QMessageBox(QMessageBox::Warning, QGuiApplication::applicationDisplayName(),
                                 QString::fromStdString(error.what), QMessageBox::Ok, parent);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setTextFormat(Qt::PlainText);

@@ -9,6 +9,10 @@ class QWidget;
 
 namespace hitscope {
 
+/// Where a file dialog starts: the folder `remembered`, the documents or the home, the first of them that
+/// exists. A dialog would take a folder that does not exist for the name of a file.
+[[nodiscard]] QString existingFolder(const QString& remembered);
+
 /// One message box that says what, where and what to do. Returns at once; the box belongs to `parent`.
 void showError(QWidget* parent, const Error& error);
 

@@ -7,10 +7,10 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QSettings>
-#include <QStandardPaths>
 #include <memory>
 #include <utility>
 
+#include "app/dialogs.h"
 #include "io/staged_files.h"
 #include "models/quantity_text.h"
 #include "panels/hit_history/hit_history_panel.h"
@@ -155,12 +155,10 @@ void HitActions::takeRecords(const Result<HitRecords>& table, const QString& pat
 void HitActions::chooseExport() {
     const QString csv = tr("Comma-separated values (*.csv)");
     const QString json = tr("JSON (*.json)");
-    const QString start =
-        m_folder.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) : m_folder;
     QString filter = csv;
-    QString path =
-        QFileDialog::getSaveFileName(m_window, tr("Export all hits"), start + QStringLiteral("/hits.csv"),
-                                     csv + QStringLiteral(";;") + json, &filter);
+    QString path = QFileDialog::getSaveFileName(m_window, tr("Export all hits"),
+                                                existingFolder(m_folder) + QStringLiteral("/hits.csv"),
+                                                csv + QStringLiteral(";;") + json, &filter);
     if (path.isEmpty()) {
         return;
     }
@@ -172,7 +170,7 @@ void HitActions::chooseExport() {
 }
 
 void HitActions::chooseImport() {
-    const QString path = QFileDialog::getOpenFileName(m_window, tr("Import hits"), m_folder,
+    const QString path = QFileDialog::getOpenFileName(m_window, tr("Import hits"), existingFolder(m_folder),
                                                       tr("Hits (*.csv *.json);;All files (*)"));
     if (!path.isEmpty()) {
         m_folder = QFileInfo(path).absolutePath();

@@ -10,7 +10,6 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QSessionManager>
-#include <QStandardPaths>
 #include <QStatusBar>
 #include <QUrl>
 #include <algorithm>
@@ -69,12 +68,6 @@ QString suggestedPath(const QString& folder, QString name, const QString& ending
     return folder + u'/' + (name.isEmpty() ? QStringLiteral("mesh") : name) + ending;
 }
 
-QString folderOr(const QString& folder) {
-    return !folder.isEmpty() && QFileInfo(folder).isDir()
-               ? folder
-               : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-}
-
 QString exportName(const Target& target) {
     return target.sourcePath.isEmpty() ? target.name : QFileInfo(target.sourcePath).completeBaseName();
 }
@@ -127,7 +120,7 @@ QStringList MainWindow::chooseMeshes(const QString& title) {
     QStringList filters{allMeshesFilter()};
     filters += importNameFilters();
     filters += tr("All files (*)");
-    return QFileDialog::getOpenFileNames(this, title, folderOr(m_settings.folder),
+    return QFileDialog::getOpenFileNames(this, title, existingFolder(m_settings.folder),
                                          filters.join(QStringLiteral(";;")));
 }
 
@@ -216,7 +209,7 @@ QString MainWindow::chooseExportOf(const Target& target) {
     QString filter = filters[static_cast<int>(m_settings.exportNormals.value_or(shown))];
     const QString path = QFileDialog::getSaveFileName(
         this, tr("Export deformed mesh “%1”").arg(target.name),
-        suggestedPath(folderOr(m_settings.folder), exportName(target), QStringLiteral("_deformed.obj")),
+        suggestedPath(existingFolder(m_settings.folder), exportName(target), QStringLiteral("_deformed.obj")),
         filters.join(QStringLiteral(";;")), &filter);
     if (path.isEmpty()) {
         return {};
@@ -241,7 +234,7 @@ QStringList MainWindow::chooseExports(const std::vector<TargetId>& targets) {
 
 QStringList MainWindow::exportAllInto(const std::vector<TargetId>& targets) {
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the deformed meshes"),
-                                                             folderOr(m_settings.folder));
+                                                             existingFolder(m_settings.folder));
     QStringList paths;
     if (folder.isEmpty()) {
         return paths;

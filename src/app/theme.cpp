@@ -33,8 +33,28 @@ public:
         painter->setPen(window.darker(kEdge));
         painter->drawLine(option->rect.bottomLeft(), option->rect.bottomRight());
     }
+    /// Fusion's outlines are darker than the window, and so not to be seen in a dark one.
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        const bool isBox = element == PE_IndicatorCheckBox;
+        if ((!isBox && element != PE_IndicatorRadioButton) || !isDark(option->palette)) {
+            return;
+        }
+        QColor outline = option->palette.color(QPalette::Disabled, QPalette::WindowText);
+        outline.setAlphaF((option->state & State_Enabled) != 0 ? 1.0f : kFaint);
+        painter->save();
+        painter->setRenderHint(QPainter::Antialiasing);
+        painter->setPen(outline);
+        painter->setBrush(Qt::NoBrush);
+        const QRectF edge = QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5);
+        isBox ? painter->drawRoundedRect(edge, kCorner, kCorner) : painter->drawEllipse(edge);
+        painter->restore();
+    }
 
 private:
+    static constexpr double kCorner = 1.5;  // pixels
+    static constexpr float kFaint = 0.6f;
     static constexpr int kEdge = 125;  // per cent
 };
 
