@@ -27,6 +27,8 @@ public:
     void fill(QMenu& menu);
     void fill(QToolBar& bar);
     void save(QSettings& settings) const;
+    /// Takes the Inspect tool.
+    [[nodiscard]] QAction* inspect() const { return m_inspect; }
 
 private:
     QAction* addTool(const QString& text, const QString& toolTip, const QString& icon);

@@ -13,6 +13,7 @@
 #include "app/theme.h"
 #include "core/memory.h"
 #include "session/session.h"
+#include "session/welcome.h"
 #include "viewport/surface_format.h"
 
 namespace {
@@ -88,14 +89,18 @@ int main(int argc, char** argv) {
     }
     if (const hitscope::Status openGl = hitscope::checkOpenGl(); !openGl) {
         std::fprintf(stderr, "hitscope: %s\n", openGl.error().message().c_str());
-        QMessageBox::critical(nullptr, {}, QString::fromStdString(openGl.error().message()));
+        QMessageBox::critical(nullptr, QApplication::applicationDisplayName(),
+                              QString::fromStdString(openGl.error().message()));
         return 1;
     }
 
     hitscope::Session session;
-    session.loadPaperRow(hitscope::kDefaultPaperRow);
+    hitscope::loadWelcomeScene(session);
     hitscope::MainWindow window(session);
     window.show();
+    if (parser.positionalArguments().isEmpty()) {
+        window.showFirstSteps();
+    }
     window.openFiles(parser.positionalArguments());
     const hitscope::EndSignals signalsToEnd;
     QObject::connect(&signalsToEnd, &hitscope::EndSignals::caught, &window, [&window](int signal) {

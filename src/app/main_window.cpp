@@ -78,7 +78,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_meshStatistics(session),
       m_scene(session),
       m_viewport(new Viewport(session, this)),
-      m_notice(new NoticeBar(m_viewport)),
+      m_notice(new NoticeBar(this)),
       m_files(new SceneFiles(session, this)),
       m_hitActions(new HitActions(session, m_hitEffects, m_settings.folder, this)),
       m_status(new StatusLine(session, *statusBar(), this)),
@@ -97,13 +97,14 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     m_viewport->setOptions(m_settings.display);
     m_change = new ChangeActions(session, m_hitEffects, *m_viewport, this);
     m_cut = new CutActions(session, m_change->comparison(), *m_viewport, this);
-    setCentralWidget(m_viewport);
+    makeCentre();
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     new VertexLabel(session, *m_viewport);
     makeMenus();
     makeDocks();
     makeToolBar();
+    makeStartCard();
     new TimeBadge(session, m_viewport);
     m_textureChooser->choose(m_settings.coverTexture);
     connectFiles();
@@ -235,7 +236,7 @@ void MainWindow::makeDocks() {
     tabifyDockWidget(constants, lights);
     constants->raise();
     statistics->raise();
-    const int width = isLow ? 408 : 378;
+    const int width = std::max(isLow ? 408 : 378, m_statisticsPanel->minimumSizeHint().width());
     resizeDocks({statistics, constants}, {width, width}, Qt::Horizontal);
     if (!isLow) {
         resizeDocks({statistics, constants}, {360, 230}, Qt::Vertical);

@@ -38,6 +38,7 @@ class PipelineChooser;
 class SceneFiles;
 class SettingsKeeper;
 class ShotActions;
+class StartCard;
 class StatusLine;
 class TextureChooser;
 class ShadingActions;
@@ -58,6 +59,9 @@ public:
     ~MainWindow() override;
 
     [[nodiscard]] Viewport& viewport() { return *m_viewport; }
+
+    /// Shows the card with the first steps, unless it was dismissed at an earlier start.
+    void showFirstSteps();
 
     /// Opens them all as one scene. Nothing for an empty list.
     void openFiles(const QStringList& paths);
@@ -83,6 +87,8 @@ private:
     static constexpr int kMessageStays = 8000;  // milliseconds in the status bar
 
     // Parts
+    void makeCentre();
+    void makeStartCard();
     void makeDocks();
     QDockWidget* makeSceneDock();
     QDockWidget* makeVertexChangesDock();
@@ -157,6 +163,7 @@ private:
     SceneModel m_scene;
     Viewport* m_viewport = nullptr;
     NoticeBar* m_notice = nullptr;
+    StartCard* m_startCard = nullptr;
     SceneFiles* m_files = nullptr;
     MeshExporter* m_exporter = nullptr;
     DiscardGuard* m_guard = nullptr;
@@ -182,6 +189,8 @@ private:
     QByteArray m_firstLayout;
 
     QMenu* m_recentMenu = nullptr;
+    QMenu* m_scenesMenu = nullptr;
+    QMenu* m_helpMenu = nullptr;
     QMenu* m_docksMenu = nullptr;
     QMenu* m_meshMenu = nullptr;
     QMenu* m_wireframeMenu = nullptr;

@@ -93,6 +93,7 @@ void MainWindow::makeFileMenu() {
     addAction(menu, tr("&Add to Scene…"), tr("Ctrl+Shift+O"), [this] { chooseAddition(); });
     menu.addSeparator();
     QMenu& scenes = *menu.addMenu(tr("&Scenes"));
+    m_scenesMenu = &scenes;
     QMenu& rows = *scenes.addMenu(tr("Paper's &Tables"));
     for (std::size_t row = 0; row < paperRows().size(); ++row) {
         addAction(rows, tr("Row %1: %2").arg(row + 1).arg(paperRows()[row].label()), {}, [this, row] {
@@ -302,6 +303,7 @@ void MainWindow::showKeys() {
 void MainWindow::makeHelpMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Help"));
     addAction(menu, tr("&Keys and Mouse"), Qt::Key_F1, [this] { showKeys(); });
+    m_helpMenu = &menu;
     menu.addSeparator();
     addAction(menu, tr("&About Hitscope"), {}, [this] {
         const std::optional<Exactness>& exactness = m_session.exactness();

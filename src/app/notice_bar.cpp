@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/notice_bar.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -12,9 +11,9 @@
 
 namespace hitscope {
 
-NoticeBar::NoticeBar(QWidget* over) : QFrame(over), m_text(new QLabel(this)), m_offer(new QPushButton(this)) {
+NoticeBar::NoticeBar(QWidget* parent)
+    : QFrame(parent), m_text(new QLabel(this)), m_offer(new QPushButton(this)) {
     setFrameShape(QFrame::StyledPanel);
-    setAutoFillBackground(true);
     m_text->setTextFormat(Qt::PlainText);
     m_text->setWordWrap(true);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -35,7 +34,6 @@ NoticeBar::NoticeBar(QWidget* over) : QFrame(over), m_text(new QLabel(this)), m_
             act();
         }
     });
-    over->installEventFilter(this);
     hide();
 }
 
@@ -45,8 +43,6 @@ void NoticeBar::say(const QString& text, const QString& offer, std::function<voi
     m_offer->setVisible(!offer.isEmpty());
     m_act = std::move(act);
     show();
-    raise();
-    place();
 }
 
 void NoticeBar::clear() {
@@ -57,20 +53,6 @@ void NoticeBar::clear() {
 
 QString NoticeBar::text() const {
     return m_text->text();
-}
-
-bool NoticeBar::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == parent() && event->type() == QEvent::Resize) {
-        place();
-    }
-    return QFrame::eventFilter(watched, event);
-}
-
-void NoticeBar::place() {
-    constexpr int kMargin = 8;
-    const int width = parentWidget()->width() - 2 * kMargin;
-    const int height = layout()->hasHeightForWidth() ? layout()->heightForWidth(width) : sizeHint().height();
-    setGeometry(kMargin, kMargin, width, height);
 }
 
 }  // namespace hitscope

@@ -248,7 +248,7 @@ Reason reasonFor(const Row& row, const SurfaceStatistics& topology) {
         return {QStringLiteral("–"), tr("There are no faces.")};
     }
     if (!topology.isManifold()) {
-        return {tr("not manifold"),
+        return {tr("n/a"),
                 (isGenus ? tr("Not defined: the surface is not manifold (%1 edges, %2 vertices).")
                          : tr("Not watertight: the surface is not manifold (%1 edges, %2 vertices)."))
                     .arg(countText(topology.nonManifoldEdges), countText(topology.nonManifoldVertices))};
@@ -260,9 +260,9 @@ Reason reasonFor(const Row& row, const SurfaceStatistics& topology) {
         return {tr("open"), tr("Not watertight: %1 boundary edges.").arg(countText(topology.boundaryEdges))};
     }
     if (topology.opposedEdges > 0) {
-        return {tr("inconsistent"), tr("The orientation of the faces is inconsistent: %1 edges join faces "
-                                       "of opposite orientation.")
-                                        .arg(countText(topology.opposedEdges))};
+        return {tr("n/a"), tr("The orientation of the faces is inconsistent: %1 edges join faces "
+                              "of opposite orientation.")
+                               .arg(countText(topology.opposedEdges))};
     }
     return {QStringLiteral("–"), tr("The volume is zero.")};
 }

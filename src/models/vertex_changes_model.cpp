@@ -396,9 +396,9 @@ QVariant VertexChangesModel::headerData(int section, Qt::Orientation orientation
     if (orientation != Qt::Horizontal || section < 0 || section >= ColumnCount) {
         return {};
     }
-    const QString titles[ColumnCount] = {tr("Vertex"),    tr("Original (m)"), tr("Current (m)"),
-                                         tr("Moved (m)"), tr("Length (m)"),   tr("Normal (°)"),
-                                         tr("Hits")};
+    const QString titles[ColumnCount] = {
+        tr("Vertex"),           tr("Original (m)"), tr("Current (m)"), tr("Displacement x, y, z (m)"),
+        tr("Displacement (m)"), tr("Normal (°)"),   tr("Hits")};
     const QString explanations[ColumnCount] = {
         tr("The vertex's number in the file, counted from 1"),
         tr("Where it was: x, y, z in the target's own frame"),

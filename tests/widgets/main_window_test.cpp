@@ -277,7 +277,7 @@ void MainWindowTest::layoutIsRemembered() {
     QVERIFY(!window.findChild<QDockWidget*>(QStringLiteral("lights"))->toggleViewAction()->isChecked());
     auto* rate = window.findChild<QDockWidget*>(QStringLiteral("frameRate"));
     QCOMPARE(window.dockWidgetArea(rate), Qt::LeftDockWidgetArea);
-    QCOMPARE(window.centralWidget(), &window.viewport());
+    QVERIFY(window.centralWidget()->isAncestorOf(&window.viewport()));
 }
 
 void MainWindowTest::settingsAreRemembered() {

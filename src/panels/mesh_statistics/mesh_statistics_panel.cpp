@@ -107,19 +107,42 @@ void MeshStatisticsPanel::restoreState(const QByteArray& state) {
     }
 }
 
-/// The numbers get the room they need; the names what is left.
+/// All texts of a column, titles and words in place of numbers included, have the room they need; what is
+/// left goes to the names.
 void MeshStatisticsPanel::fitColumns() {
     QHeaderView& header = *m_ui->numbers->header();
     header.setStretchLastSection(false);
     header.setMinimumSectionSize(fontMetrics().averageCharWidth() * 6);
     header.setSectionResizeMode(MeshStatisticsModel::PropertyColumn, QHeaderView::Stretch);
-    const auto fix = [&header, this](int column, const QString& widest) {
+    constexpr int kPadding = 7;
+    int width = m_ui->numbers->indentation() + 2 * kPadding + widestName() + 2 * m_ui->numbers->frameWidth() +
+                style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    const auto fix = [&](int column, const QString& widest) {
+        const QString title = m_model.headerData(column, Qt::Horizontal).toString();
+        const int section = kPadding + std::max(fontMetrics().horizontalAdvance(widest),
+                                                fontMetrics().horizontalAdvance(title));
         header.setSectionResizeMode(column, QHeaderView::Fixed);
-        header.resizeSection(column, fontMetrics().horizontalAdvance(widest) + 7);
+        header.resizeSection(column, section);
+        width += section;
     };
     fix(MeshStatisticsModel::OriginalColumn, QStringLiteral("00.000000"));
     fix(MeshStatisticsModel::DeformedColumn, QStringLiteral("00.000000"));
     fix(MeshStatisticsModel::ChangeColumn, QStringLiteral("+0.00000"));
+    m_ui->numbers->setMinimumWidth(width);
+}
+
+/// Pixels.
+int MeshStatisticsPanel::widestName() const {
+    int widest = 0;
+    for (int section = 0; section < m_model.rowCount(); ++section) {
+        const QModelIndex parent = m_model.index(section, 0);
+        for (int row = 0; row < m_model.rowCount(parent); ++row) {
+            const QString name =
+                m_model.index(row, MeshStatisticsModel::PropertyColumn, parent).data().toString();
+            widest = std::max(widest, fontMetrics().horizontalAdvance(name));
+        }
+    }
+    return widest;
 }
 
 void MeshStatisticsPanel::makeHealth() {

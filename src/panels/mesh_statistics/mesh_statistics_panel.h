@@ -53,6 +53,7 @@ private:
     void selectHarm(const QModelIndex& index);
     void lookAtHarm(const QModelIndex& index);
     void fitColumns();
+    [[nodiscard]] int widestName() const;
 
     Session& m_session;
     MeshStatisticsModel& m_model;

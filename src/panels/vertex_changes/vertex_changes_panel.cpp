@@ -63,16 +63,21 @@ void VertexChangesPanel::setUpTables() {
     sizeColumns(table, std::array{QStringLiteral("0,000,000"), vector, vector,
                                   QStringLiteral("-0.000, -0.000, -0.000"), QStringLiteral("0.000000"),
                                   QStringLiteral("000.0"), QStringLiteral("00,000")});
+    // What one looks for first needs no scrolling in a narrow dock.
+    table.horizontalHeader()->moveSection(VertexChangesModel::LengthColumn, 1);
+    table.horizontalHeader()->moveSection(
+        table.horizontalHeader()->visualIndex(VertexChangesModel::HitsColumn), 2);
     m_ui->attribution->setModel(&m_attribution);
     sizeColumns(*m_ui->attribution,
                 std::array{QStringLiteral("000,000"), QStringLiteral("0.000000"), QStringLiteral("0.000000"),
                            QStringLiteral("capped"), QStringLiteral("-0.000, -0.000, -0.000"), vector});
+    m_ui->attribution->horizontalHeader()->moveSection(AttributionModel::DisplacementColumn, 1);
 }
 
 void VertexChangesPanel::setUpFilter() {
     m_ui->filter->addItem(tr("All changed"), static_cast<int>(VertexChangesModel::Filter::AllChanged));
     m_ui->filter->addItem(tr("Selected"), static_cast<int>(VertexChangesModel::Filter::Selected));
-    m_ui->filter->addItem(tr("Moved by the selected hit"),
+    m_ui->filter->addItem(tr("By selected hit"),
                           static_cast<int>(VertexChangesModel::Filter::MovedBySelectedHit));
     connect(m_ui->filter, &QComboBox::currentIndexChanged, this, [this] {
         m_changes.setFilter(static_cast<VertexChangesModel::Filter>(m_ui->filter->currentData().toInt()));

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/start_card.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QSettings>
+#include <QToolButton>
+
+#include "panels/frame_rate/flow_layout.h"
+#include "panels/icons/themed_icon.h"
+
+namespace hitscope {
+
+namespace {
+
+QString settingsKey() {
+    return QStringLiteral("window/start_card");
+}
+
+QString withKey(const QString& text, const QAction& action) {
+    const QKeySequence keys = action.shortcut();
+    return keys.isEmpty() ? text
+                          : text + QStringLiteral(" (%1)").arg(keys.toString(QKeySequence::NativeText));
+}
+
+}  // namespace
+
+StartCard::StartCard(const Offers& offers, QWidget* parent) : QFrame(parent), m_toggle(new QAction(this)) {
+    setObjectName(QStringLiteral("startCard"));
+    setFrameShape(QFrame::StyledPanel);
+    m_toggle->setText(tr("&Getting Started"));
+    m_toggle->setCheckable(true);
+    connect(m_toggle, &QAction::triggered, this, &StartCard::set);
+
+    auto* words =
+        new QLabel(tr("<b>Click the mesh to shoot at it.</b> Drag to look around it, wheel to zoom."), this);
+    words->setWordWrap(true);
+    auto* close = new QToolButton(this);
+    close->setObjectName(QStringLiteral("closeStartCard"));
+    close->setIcon(themedIcon(QStringLiteral("close")));
+    close->setAutoRaise(true);
+    close->setToolTip(tr("Close; Help > Getting Started shows this again"));
+    connect(close, &QToolButton::clicked, this, &StartCard::dismiss);
+
+    auto* buttons = new FlowLayout;
+    buttons->setSpacing(4);
+    addOffer(*buttons, offers.inspect, withKey(tr("Inspect Vertices"), *offers.inspect), "startInspect");
+    addOffer(*buttons, offers.exportMesh, withKey(tr("Export Mesh…"), *offers.exportMesh), "startExport");
+    addOffer(*buttons, offers.open, withKey(tr("Open a Mesh…"), *offers.open), "startOpen");
+    auto* samples = new QToolButton(this);
+    samples->setObjectName(QStringLiteral("startSamples"));
+    samples->setText(tr("Samples"));
+    samples->setMenu(offers.samples);
+    samples->setPopupMode(QToolButton::InstantPopup);
+    samples->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    buttons->addWidget(samples);
+
+    auto* column = new QVBoxLayout;
+    column->addWidget(words);
+    column->addLayout(buttons);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(10, 6, 6, 6);
+    row->addLayout(column, 1);
+    row->addWidget(close, 0, Qt::AlignTop);
+    hide();
+}
+
+void StartCard::addOffer(QLayout& layout, QAction* action, const QString& text, const char* name) {
+    auto* button = new QToolButton(this);
+    button->setObjectName(QLatin1String(name));
+    button->setIcon(action->icon());
+    button->setText(text);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    connect(button, &QToolButton::clicked, action, &QAction::trigger);
+    layout.addWidget(button);
+}
+
+void StartCard::restore(const QSettings& settings) {
+    const bool on = settings.value(settingsKey(), true).toBool();
+    setVisible(on);
+    m_toggle->setChecked(on);
+}
+
+void StartCard::set(bool on) {
+    setVisible(on);
+    m_toggle->setChecked(on);
+    QSettings().setValue(settingsKey(), on);
+}
+
+void StartCard::dismiss() {
+    if (m_toggle->isChecked()) {
+        set(false);
+    }
+}
+
+}  // namespace hitscope

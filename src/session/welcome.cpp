@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/welcome.h"
+
+#include <glm/geometric.hpp>
+
+#include "session/session.h"
+
+namespace hitscope {
+
+void loadWelcomeScene(Session& session) {
+    session.loadTeapot();
+    const Bounds bounds = session.sceneBounds();
+    // From beside the eye of the first view, so that light and shade show the dent's depth.
+    const glm::vec3 towards = glm::normalize(glm::vec3(-0.35f, -0.15f, -0.9f));
+    session.hitscan({bounds.centre() - bounds.diagonal() * towards, towards});
+}
+
+}  // namespace hitscope
