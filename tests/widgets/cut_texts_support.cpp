@@ -6,6 +6,8 @@
 #include <QAbstractScrollArea>
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QCoreApplication>
+#include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -181,6 +183,7 @@ void addItems(const QAbstractItemView& view, QStringList& cut) {
 }  // namespace
 
 QStringList cutTexts(const QWidget& top) {
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);  // of texts that have just changed
     QStringList cut;
     QList<const QWidget*> widgets{&top};
     for (const QWidget* widget : top.findChildren<QWidget*>()) {

@@ -89,9 +89,10 @@ void FrameRatePanel::makeReadOuts() {
     auto* layout = new FlowLayout(m_ui->readOuts);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
-    const auto add = [this](const char* name, const QString& title, const QString& tip,
-                            const QString& widest = QStringLiteral("99.9 ms")) {
-        return addReadOut(*m_ui->readOuts, name, title, tip, widest);
+    const QString usual = milliseconds(0.0888);
+    const auto add = [this, usual](const char* name, const QString& title, const QString& tip,
+                                   const QString& widest = {}) {
+        return addReadOut(*m_ui->readOuts, name, title, tip, widest.isEmpty() ? usual : widest);
     };
     const QString rate = QStringLiteral("99.9");
     const QString last = tr(" of the last 1,024 frames");
