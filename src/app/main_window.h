@@ -60,7 +60,8 @@ public:
 
     [[nodiscard]] Viewport& viewport() { return *m_viewport; }
 
-    /// Shows the card with the first steps, unless it was dismissed at an earlier start.
+    /// For the scene that the program opens with: shows the card with the first steps, unless it was
+    /// dismissed at an earlier start. The hits there are may be discarded without a question.
     void showFirstSteps();
 
     /// Opens them all as one scene. Nothing for an empty list.

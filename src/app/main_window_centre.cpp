@@ -4,6 +4,7 @@
 #include <QSettings>
 #include <QVBoxLayout>
 
+#include "app/discard_guard.h"
 #include "app/inspect_actions.h"
 #include "app/main_window.h"
 #include "app/notice_bar.h"
@@ -33,6 +34,7 @@ void MainWindow::makeStartCard() {
 }
 
 void MainWindow::showFirstSteps() {
+    m_guard->letGo();  // the first scene's dent is not the person's
     m_startCard->restore(QSettings());
 }
 

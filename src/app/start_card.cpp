@@ -19,7 +19,7 @@ QString settingsKey() {
     return QStringLiteral("window/start_card");
 }
 
-QString withKey(const QString& text, const QAction& action) {
+QString captionWithKey(const QString& text, const QAction& action) {
     const QKeySequence keys = action.shortcut();
     return keys.isEmpty() ? text
                           : text + QStringLiteral(" (%1)").arg(keys.toString(QKeySequence::NativeText));
@@ -46,9 +46,11 @@ StartCard::StartCard(const Offers& offers, QWidget* parent) : QFrame(parent), m_
 
     auto* buttons = new FlowLayout;
     buttons->setSpacing(4);
-    addOffer(*buttons, offers.inspect, withKey(tr("Inspect Vertices"), *offers.inspect), "startInspect");
-    addOffer(*buttons, offers.exportMesh, withKey(tr("Export Mesh…"), *offers.exportMesh), "startExport");
-    addOffer(*buttons, offers.open, withKey(tr("Open a Mesh…"), *offers.open), "startOpen");
+    addOffer(*buttons, offers.inspect, captionWithKey(tr("Inspect Vertices"), *offers.inspect),
+             "startInspect");
+    addOffer(*buttons, offers.exportMesh, captionWithKey(tr("Export Mesh…"), *offers.exportMesh),
+             "startExport");
+    addOffer(*buttons, offers.open, captionWithKey(tr("Open a Mesh…"), *offers.open), "startOpen");
     auto* samples = new QToolButton(this);
     samples->setObjectName(QStringLiteral("startSamples"));
     samples->setText(tr("Samples"));
