@@ -21,6 +21,7 @@
 #include "app/help_tips.h"
 #include "app/hit_actions.h"
 #include "app/inspect_actions.h"
+#include "app/key_routing.h"
 #include "app/notice_bar.h"
 #include "app/picture_actions.h"
 #include "app/pipeline_chooser.h"
@@ -101,6 +102,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     new VertexLabel(session, *m_viewport);
+    new KeyRouting(*this, *m_viewport);
     makeMenus();
     makeDocks();
     makeToolBar();

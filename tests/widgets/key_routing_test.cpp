@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Keys while a spin box of a dock or of the tool bar has the focus, with real key events.
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QTableView>
+
+#include "app/main_window.h"
+#include "support/test_program.h"
+#include "viewport/inspect_tool.h"
+#include "widgets/window_support.h"
+
+using namespace hitscope;
+
+class KeyRoutingTest : public QObject, protected WindowFixture {
+    Q_OBJECT
+public:
+    static void initMain() { MainWindow::setSurfaceFormat(); }
+
+private Q_SLOTS:
+    void init() {
+        makeWindow();
+        Hit hit;
+        hit.target = m_session->targets().front()->id;
+        hit.point = {0.0f, 0.0f, 2.5f};
+        QVERIFY(m_session->addHit(hit));
+    }
+    void cleanup() { dropWindow(); }
+
+    void keysWorkInEveryPanel_data() {
+        QTest::addColumn<QString>("parent");
+        QTest::addColumn<QString>("name");
+        QTest::newRow("constants") << "deformationConstants"
+                                   << "max_distance";
+        QTest::newRow("lights") << "lights"
+                                << "diffuse";
+        QTest::newRow("scene") << "scene"
+                               << "positionX";
+        QTest::newRow("tool bar") << "tools"
+                                  << "timeScale";
+    }
+    void keysWorkInEveryPanel() {
+        QFETCH(QString, parent);
+        QFETCH(QString, name);
+        QAbstractSpinBox* box = focusedBox(parent, name);
+        QVERIFY(box != nullptr);
+        QLineEdit* editor = box->findChild<QLineEdit*>();
+
+        // What has been typed is not a command yet, nor are keys pressed then.
+        editor->selectAll();
+        QTest::keyClicks(box, QStringLiteral("0.7"));
+        const WireframeMode wireframe = viewport().options().wireframe;
+        QTest::keyClick(box, Qt::Key_L);
+        QCOMPARE(viewport().options().wireframe, wireframe);
+        QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(m_session->history().size(), std::size_t{1});
+        // Return: the number is in force, and the picture has the focus.
+        editor->selectAll();
+        QTest::keyClicks(box, QStringLiteral("0.75"));
+        QTest::keyClick(box, Qt::Key_Return);
+        QVERIFY(viewport().hasFocus());
+        QVERIFY2(editor->text().startsWith(QStringLiteral("0.75")), qPrintable(editor->text()));
+
+        // A box that merely has the focus leaves the keys to the window.
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_L);
+        QVERIFY(viewport().options().wireframe != wireframe);
+        QVERIFY(box->hasFocus());
+        while (m_session->canUndo()) {
+            QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
+        }
+        QCOMPARE(m_session->history().size(), std::size_t{0});
+        QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(m_session->history().size(), std::size_t{1});
+        QTest::keyClick(box, Qt::Key_I);
+        QCOMPARE(viewport().inspectTool().tool(), Tool::Inspect);
+        m_session->selectHit(0);
+        QTest::keyClick(box, Qt::Key_Escape);
+        QVERIFY(!m_session->selectedHit());
+        QVERIFY(viewport().hasFocus());
+
+        // The keys that fly take the focus along; digits are the box's.
+        box->setFocus();
+        const glm::vec3 eye = viewport().camera().eye();
+        QTest::keyPress(box, Qt::Key_W);
+        QVERIFY(viewport().hasFocus());
+        QTRY_VERIFY_WITH_TIMEOUT(viewport().camera().eye() != eye, kPatience);
+        QTest::keyRelease(&viewport(), Qt::Key_W);
+    }
+
+    void escapeDropsWhatWasTyped() {
+        auto* box =
+            qobject_cast<QDoubleSpinBox*>(focusedBox(QStringLiteral("lights"), QStringLiteral("positionX")));
+        box = box != nullptr ? box
+                             : qobject_cast<QDoubleSpinBox*>(
+                                   focusedBox(QStringLiteral("tools"), QStringLiteral("timeScale")));
+        QVERIFY(box != nullptr);
+        const double before = box->value();
+        box->findChild<QLineEdit*>()->selectAll();
+        QTest::keyClicks(box, QStringLiteral("0.3"));
+        QTest::keyClick(box, Qt::Key_Escape);
+        QVERIFY(viewport().hasFocus());
+        QCOMPARE(box->value(), before);
+    }
+
+    void tablesKeepTheirKeys() {
+        auto* dock = m_window->findChild<QDockWidget*>(QStringLiteral("hitHistory"));
+        dock->raise();
+        auto* table = dock->findChild<QTableView*>(QStringLiteral("table"));
+        table->setFocus();
+        table->selectRow(0);
+        QTest::keyClick(table, Qt::Key_Space);
+        QCOMPARE(m_session->disabledHits(), std::size_t{1});
+        QTest::keyClick(table, Qt::Key_Escape);
+        QVERIFY(!m_session->selectedHit());
+        QVERIFY(viewport().hasFocus());
+    }
+
+private:
+    Viewport& viewport() { return m_window->viewport(); }
+    QAbstractSpinBox* focusedBox(const QString& parent, const QString& name) {
+        auto* widget = m_window->findChild<QWidget*>(parent);
+        widget->show();
+        widget->raise();
+        m_session->selectTarget(m_session->targets().front()->id);
+        auto* box = widget->findChild<QAbstractSpinBox*>(name);
+        if (box == nullptr || !QTest::qWaitFor([box] { return box->isVisible(); }, 2000)) {
+            return nullptr;
+        }
+        box->setFocus();
+        return box->hasFocus() ? box : nullptr;
+    }
+};
+
+HITSCOPE_TEST(KeyRoutingTest, QApplication)
+#include "key_routing_test.moc"
