@@ -42,6 +42,7 @@
 #include "panels/frame_rate/cost_view.h"
 #include "panels/frame_rate/frame_rate_panel.h"
 #include "panels/hit_history/hit_history_panel.h"
+#include "panels/hit_inspector/hit_inspector_panel.h"
 #include "panels/lights/lights_panel.h"
 #include "panels/mesh_statistics/mesh_statistics_panel.h"
 #include "panels/pipeline_agreement/pipeline_agreement_panel.h"
@@ -49,6 +50,7 @@
 #include "panels/vertex_changes/vertex_changes_panel.h"
 #include "session/hit_effects.h"
 #include "viewport/aim_preview.h"
+#include "viewport/hit_handles.h"
 #include "viewport/inspect_tool.h"
 #include "viewport/viewport.h"
 
@@ -102,6 +104,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     new VertexLabel(session, *m_viewport);
+    new HitHandles(*m_viewport, session, m_hitActions->editing());
     new KeyRouting(*this, *m_viewport);
     makeMenus();
     makeDocks();
@@ -208,6 +211,7 @@ void MainWindow::makeDocks() {
     QDockWidget* constants =
         addDock(QStringLiteral("deformationConstants"), tr("Deformation constants"),
                 new DeformationConstantsPanel(m_session, m_hitActions->editing()), Qt::RightDockWidgetArea);
+    QDockWidget* hit = makeHitDock(*historyPanel);
     QDockWidget* lights =
         addDock(QStringLiteral("lights"), tr("Lights"), new LightsPanel(m_session), Qt::RightDockWidgetArea);
     QDockWidget* frameRate =
@@ -235,7 +239,8 @@ void MainWindow::makeDocks() {
         tabifyDockWidget(change, constants);
         setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East);
     }
-    tabifyDockWidget(constants, lights);
+    tabifyDockWidget(constants, hit);
+    tabifyDockWidget(hit, lights);
     constants->raise();
     statistics->raise();
     const int width = std::max(isLow ? 408 : 378, m_statisticsPanel->minimumSizeHint().width());
@@ -245,6 +250,17 @@ void MainWindow::makeDocks() {
     }
     resizeDocks({history, frameRate}, {235, 235}, Qt::Vertical);
     resizeDocks({history, frameRate}, {620, 380}, Qt::Horizontal);
+}
+
+QDockWidget* MainWindow::makeHitDock(const HitHistoryPanel& history) {
+    auto* panel = new HitInspectorPanel(m_session, m_hitActions->editing());
+    QDockWidget* dock = addDock(QStringLiteral("hit"), tr("Hit"), panel, Qt::RightDockWidgetArea);
+    connect(&history, &HitHistoryPanel::editWanted, panel, [dock, panel] {
+        dock->show();
+        dock->raise();
+        panel->editFirst();
+    });
+    return dock;
 }
 
 QDockWidget* MainWindow::makeSceneDock() {

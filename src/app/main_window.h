@@ -29,6 +29,7 @@ class FrameRatePanel;
 class FullView;
 class GoToVertex;
 class HitActions;
+class HitHistoryPanel;
 class InspectActions;
 class MeshExporter;
 class NoticeBar;
@@ -92,6 +93,7 @@ private:
     void makeStartCard();
     void makeDocks();
     QDockWidget* makeSceneDock();
+    QDockWidget* makeHitDock(const HitHistoryPanel& history);
     QDockWidget* makeVertexChangesDock();
     QDockWidget* addDock(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area);
     void makeMenus();

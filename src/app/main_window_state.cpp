@@ -22,7 +22,7 @@ namespace hitscope {
 
 namespace {
 
-constexpr int kLayoutVersion = 4;  // docks that are gone or new make an old layout useless
+constexpr int kLayoutVersion = 5;  // docks that are gone or new make an old layout useless
 
 }  // namespace
 

@@ -34,7 +34,10 @@ HitEditing::HitEditing(Session& session, QObject* parent) : QObject(parent), m_s
         Q_EMIT rowsChanged();
         Q_EMIT edited();
     });
-    connect(&session, &Session::sceneReplaced, this, [this] { select({}); });
+    connect(&session, &Session::sceneReplaced, this, [this] {
+        m_pending = nullptr;
+        select({});
+    });
 }
 
 void HitEditing::select(std::vector<std::size_t> rows) {
@@ -99,6 +102,9 @@ void HitEditing::apply() {
     for (const std::size_t row : m_rows) {
         hits.push_back(m_session.history().hits()[row]);
         edit(hits.back());
+    }
+    if (m_rows.back() >= m_session.shownHits().size()) {
+        m_session.showHits(std::nullopt);  // who edits a hit wants to see it
     }
     m_isApplying = true;
     const std::uint64_t revision = m_session.history().revision();

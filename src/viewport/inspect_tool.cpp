@@ -184,6 +184,9 @@ bool InspectTool::keyPress(const QKeyEvent& event) {
 void InspectTool::click(const QPointF& position, Qt::KeyboardModifiers modifiers) {
     const Combine combine = combineOf(modifiers);
     const std::optional<VertexRef> vertex = m_viewport.vertexAt(position);
+    if (combine == Combine::Replace) {
+        m_viewport.selectHitAt(vertex);
+    }
     if (combine != Combine::Remove && (vertex || combine == Combine::Replace)) {
         m_selection.setPicked(vertex);
     }

@@ -81,7 +81,9 @@ public:
     [[nodiscard]] std::map<TargetId, std::vector<std::uint32_t>> changedWithin(const QPolygonF& outline,
                                                                                bool hiddenToo);
     void lookAt(const hitscope::VertexRef& vertex);  ///< from now on
-    void selectTargetOf(const VertexRef& vertex);    ///< where there are several targets
+    /// The hit whose dent it is in; none: no hit is selected.
+    void selectHitAt(const std::optional<VertexRef>& vertex);
+    void selectTargetOf(const VertexRef& vertex);  ///< where there are several targets
 
     /// Brings the GPU and the read-back to the session's state now: before an export. Fails when there is no
     /// GL.

@@ -2,6 +2,7 @@
 // What the viewport shows where: the questions its tools ask.
 #include <vector>
 
+#include "session/hit_at.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -76,6 +77,10 @@ void Viewport::lookAt(const VertexRef& vertex) {
         m_navigation.recentre(target->transform.toWorld(target->deformed.positions()[vertex.vertex]));
         update();
     }
+}
+
+void Viewport::selectHitAt(const std::optional<VertexRef>& vertex) {
+    m_session.selectHit(vertex ? hitThatMovedMost(m_session, *vertex) : std::nullopt);
 }
 
 void Viewport::selectTargetOf(const VertexRef& vertex) {

@@ -102,6 +102,11 @@ void HitMenusTest::undoNamesTheStep() {
     QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(m_session->disabledHits(), std::size_t{0});
     QCOMPARE(redo->text(), QStringLiteral("&Redo Disable 2 Hits"));
+    QTest::keyClick(&window, Qt::Key_H);
+    QVERIFY(!m_session->lights().points[0].on);
+    QCOMPARE(undo->text(), QStringLiteral("&Undo Lights"));
+    QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(m_session->lights().points[0].on);
 }
 
 void HitMenusTest::enablesAll() {

@@ -8,6 +8,7 @@
 #include <QSettings>
 
 #include "panels/deformation_constants/parameter_editor.h"
+#include "panels/help/help_text.h"
 #include "session/hit_editing.h"
 #include "session/shown_number.h"
 #include "ui_deformation_constants.h"
@@ -22,16 +23,16 @@ constexpr std::size_t kPower = 1;  // of deformationParameters()
 
 enum Size { Relative, InMetres };  // rows of the form's combo box
 
-/// "12.0 mm", "5.00 m": three digits, in the unit that keeps them readable.
+/// "12 mm", "5.125 m": four digits at most, in the unit that keeps them readable.
 QString lengthText(double metres) {
     if (metres >= 1000.0) {
-        return DeformationConstantsPanel::tr("%1 km").arg(shownNumber(metres / 1000.0, 'g', 3));
+        return DeformationConstantsPanel::tr("%1 km").arg(shownNumber(metres / 1000.0, 'g', 4));
     }
     if (metres >= 1.0 || metres == 0.0) {
-        return DeformationConstantsPanel::tr("%1 m").arg(shownNumber(metres, 'g', 3));
+        return DeformationConstantsPanel::tr("%1 m").arg(shownNumber(metres, 'g', 4));
     }
-    return metres >= 1.0e-3 ? DeformationConstantsPanel::tr("%1 mm").arg(shownNumber(metres * 1.0e3, 'g', 3))
-                            : DeformationConstantsPanel::tr("%1 µm").arg(shownNumber(metres * 1.0e6, 'g', 3));
+    return metres >= 1.0e-3 ? DeformationConstantsPanel::tr("%1 mm").arg(shownNumber(metres * 1.0e3, 'g', 4))
+                            : DeformationConstantsPanel::tr("%1 µm").arg(shownNumber(metres * 1.0e6, 'g', 4));
 }
 
 /// All visible targets are of one size: one that stands for all; null: they differ, or there are none.
@@ -88,7 +89,8 @@ DeformationConstantsPanel::~DeformationConstantsPanel() = default;
 void DeformationConstantsPanel::makeEditors() {
     const auto& parameters = deformationParameters();
     for (std::size_t i = 0; i < parameters.size(); ++i) {
-        auto* editor = new ParameterEditor(parameters[i], *m_ui->parameters, static_cast<int>(i), this);
+        auto* editor =
+            new ParameterEditor(parameters[i], parameters[i], *m_ui->parameters, static_cast<int>(i), this);
         connect(editor, &ParameterEditor::edited, this, [this, i](double value) {
             ConstantsSetting setting = m_session.constantsSetting();
             setParameterValue(setting.constants, i, value);
@@ -171,16 +173,16 @@ QString DeformationConstantsPanel::inForceText() const {
     const bool isOnly = selected != nullptr || m_session.targets().size() == 1;
     return tr("In force on %1 (%2): max distance %3, power %4 m², max magnitude %5.")
         .arg(isOnly ? target->name : tr("every target"), size, lengthText(constants.maxDistance),
-             shownNumber(constants.power, 'g', 3), lengthText(constants.maxMagnitude));
+             shownNumber(constants.power, 'g', 4), lengthText(constants.maxMagnitude));
 }
 
 void DeformationConstantsPanel::showHits() {
     const std::size_t selected = m_editing.rows().size();
     const std::size_t all = m_session.history().size();
     m_ui->applyToSelected->setText(tr("Selected (%1)").arg(shownCount(selected)));
-    m_ui->applyToSelected->setEnabled(selected > 0);
+    enableIf(*m_ui->applyToSelected, selected > 0, tr("No hit is selected."));
     m_ui->applyToAll->setText(tr("All (%1)").arg(shownCount(all)));
-    m_ui->applyToAll->setEnabled(all > 0);
+    enableIf(*m_ui->applyToAll, all > 0, tr("There are no hits yet."));
 }
 
 void DeformationConstantsPanel::apply(const ConstantsSetting& setting, SessionUndo::Merge merge) {

@@ -39,10 +39,12 @@ double decimalOf(double value) {
 
 }  // namespace
 
-ParameterEditor::ParameterEditor(const ParameterDescriptor& parameter, QGridLayout& grid, int row,
-                                 QWidget* parent)
+ParameterEditor::ParameterEditor(const ParameterDescriptor& parameter, const ParameterDescriptor& usual,
+                                 QGridLayout& grid, int row, QWidget* parent)
     : QObject(parent),
       m_parameter(parameter),
+      m_usual(usual),
+      m_resetTo(usual.defaultValue),
       m_label(new QLabel(QString::fromUtf8(parameter.label), parent)),
       m_slider(new QSlider(Qt::Horizontal, parent)),
       m_box(new NumberBox(parent)),
@@ -71,7 +73,7 @@ ParameterEditor::ParameterEditor(const ParameterDescriptor& parameter, QGridLayo
     connect(m_box, &NumberBox::editingFinished, this, &ParameterEditor::finished);
     connect(m_reset, &QToolButton::clicked, this, [this] {
         Q_EMIT finished();
-        Q_EMIT edited(decimalOf(m_parameter.defaultValue * m_span));
+        Q_EMIT edited(m_resetTo);
         Q_EMIT finished();
     });
 }
@@ -93,6 +95,10 @@ void ParameterEditor::setUnit(double scale, const QString& unit) {
 
 void ParameterEditor::setSpan(double scale) {
     m_span = scale;
+}
+
+void ParameterEditor::setReset(double value) {
+    m_resetTo = value;
     showRange();
 }
 
@@ -105,7 +111,7 @@ void ParameterEditor::showRange() {
          {static_cast<QWidget*>(m_label), static_cast<QWidget*>(m_slider), static_cast<QWidget*>(m_box)}) {
         widget->setToolTip(range);
     }
-    m_reset->setToolTip(tr("Back to %1%2").arg(text(m_parameter.defaultValue * m_span), m_box->suffix()));
+    m_reset->setToolTip(tr("Back to %1%2").arg(text(m_resetTo), m_box->suffix()));
 }
 
 double ParameterEditor::shownOf(double value) const {
@@ -114,8 +120,7 @@ double ParameterEditor::shownOf(double value) const {
 
 void ParameterEditor::setValue(double value) {
     m_box->showNumber(shownOf(value));
-    m_reset->setEnabled(static_cast<float>(value) !=
-                        static_cast<float>(decimalOf(m_parameter.defaultValue * m_span)));
+    m_reset->setEnabled(static_cast<float>(value) != static_cast<float>(m_resetTo));
     // What is dragged stays under the cursor.
     if (!m_slider->isSliderDown()) {
         const QSignalBlocker quiet(m_slider);
@@ -128,22 +133,15 @@ void ParameterEditor::showDiffering() {
     m_reset->setEnabled(true);
 }
 
-void ParameterEditor::setEnabled(bool on) {
-    for (QWidget* widget : {static_cast<QWidget*>(m_label), static_cast<QWidget*>(m_slider),
-                            static_cast<QWidget*>(m_box), static_cast<QWidget*>(m_reset)}) {
-        widget->setEnabled(on);
-    }
-}
-
 int ParameterEditor::sliderFor(double value) const {
-    const double share = (value / m_span - m_parameter.minimum) / (m_parameter.maximum - m_parameter.minimum);
+    const double share = (value / m_span - m_usual.minimum) / (m_usual.maximum - m_usual.minimum);
     return static_cast<int>(
-        std::lround(kSliderSteps * std::pow(std::clamp(share, 0.0, 1.0), 1.0 / exponentOf(m_parameter))));
+        std::lround(kSliderSteps * std::pow(std::clamp(share, 0.0, 1.0), 1.0 / exponentOf(m_usual))));
 }
 
 double ParameterEditor::valueFor(int slider) const {
-    const double share = std::pow(static_cast<double>(slider) / kSliderSteps, exponentOf(m_parameter));
-    return m_span * (m_parameter.minimum + share * (m_parameter.maximum - m_parameter.minimum));
+    const double share = std::pow(static_cast<double>(slider) / kSliderSteps, exponentOf(m_usual));
+    return m_span * (m_usual.minimum + share * (m_usual.maximum - m_usual.minimum));
 }
 
 }  // namespace hitscope

@@ -19,16 +19,17 @@ class NumberBox;
 class ParameterEditor : public QObject {
     Q_OBJECT
 public:
-    /// Columns 0 to 3 of `row`. `parent` owns the widgets.
-    ParameterEditor(const ParameterDescriptor& parameter, QGridLayout& grid, int row, QWidget* parent);
+    /// Columns 0 to 3 of `row`. `parent` owns the widgets. The box takes what `parameter` allows, and the
+    /// slider goes over the range of `usual`.
+    ParameterEditor(const ParameterDescriptor& parameter, const ParameterDescriptor& usual, QGridLayout& grid,
+                    int row, QWidget* parent);
 
     /// Shows values times `scale` in `unit`, which may be empty.
     void setUnit(double scale, const QString& unit);
-    /// The slider goes over the descriptor's range times `scale`, and the reset button to its default.
-    void setSpan(double scale);
+    void setSpan(double scale);   ///< the slider goes over its range times `scale`
+    void setReset(double value);  ///< where the reset button goes; at first the default
     void setValue(double value);  ///< emits nothing
     void showDiffering();         ///< it stands for several values
-    void setEnabled(bool on);
 
 Q_SIGNALS:
     void edited(double value);
@@ -42,6 +43,8 @@ private:
     [[nodiscard]] double valueFor(int slider) const;
 
     ParameterDescriptor m_parameter;
+    ParameterDescriptor m_usual;
+    double m_resetTo;
     double m_scale = 1.0;
     double m_span = 1.0;
     QLabel* m_label = nullptr;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/fields/number_box.h"
 
+#include <QEvent>
 #include <QLineEdit>
 #include <QSignalBlocker>
 #include <QStyle>
@@ -29,7 +30,7 @@ NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
         m_differs = false;
         Q_EMIT edited(value);
     });
-    connect(lineEdit(), &QLineEdit::textEdited, this, [this] { lineEdit()->setModified(true); });
+    lineEdit()->installEventFilter(this);
     connect(this, &QDoubleSpinBox::editingFinished, this, &NumberBox::finishTyping);
 }
 
@@ -113,6 +114,14 @@ void NumberBox::stepBy(int steps) {
         setValue(next);
     }
     lineEdit()->setModified(false);
+}
+
+bool NumberBox::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == lineEdit() && event->type() == QEvent::MouseButtonDblClick) {
+        selectAll();
+        return true;
+    }
+    return QDoubleSpinBox::eventFilter(watched, event);
 }
 
 QSize NumberBox::sizeHint() const {

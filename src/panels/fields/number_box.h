@@ -23,6 +23,8 @@ public:
     void stepBy(int steps) override;
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+    /// A double click selects the whole number, and not what is on one side of its point.
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 Q_SIGNALS:
     void edited(double value);  ///< by a person, or setValue()

@@ -12,7 +12,6 @@
 #include "models/quantity_text.h"
 #include "panels/hit_history/hit_columns.h"
 #include "panels/hit_history/hit_delegate.h"
-#include "panels/hit_history/hit_editor.h"
 #include "panels/hit_history/hit_filter_bar.h"
 #include "panels/hit_history/time_scrubber.h"
 #include "panels/icons/themed_icon.h"
@@ -134,7 +133,7 @@ void HitHistoryPanel::makeActions() {
     m_down = makeAction(tr("Move Down"), Qt::ALT | Qt::Key_Down, &HitHistoryPanel::moveSelectedDown);
     addSeparator();
     m_fly = makeAction(tr("Fly There"), Qt::Key_Return, &HitHistoryPanel::flyToCurrent);
-    m_edit = makeAction(tr("Edit…"), Qt::Key_F2, &HitHistoryPanel::editCurrent);
+    m_edit = makeAction(tr("Edit"), Qt::Key_F2, &HitHistoryPanel::editWanted);
     m_selectTargets = makeAction(tr("Select All on This Target"), {}, &HitHistoryPanel::selectTargetsHits);
     m_copy = makeAction(tr("Copy as CSV"), QKeySequence::Copy, &HitHistoryPanel::copySelected);
     addSeparator();
@@ -220,21 +219,6 @@ void HitHistoryPanel::removeSelected() {
 
 void HitHistoryPanel::copySelected() {
     QGuiApplication::clipboard()->setText(m_model.csv(selectedRows()));
-}
-
-void HitHistoryPanel::editCurrent() {
-    const std::optional<std::size_t> hit = currentHit();
-    if (!hit) {
-        return;
-    }
-    const Hit before = m_session.history().hits()[*hit];
-    HitEditor editor(before, tr("Hit %1").arg(countText(*hit + 1)), this);
-    // While the dialog is open hits may come, but those there are stay where they are.
-    if (editor.exec() != QDialog::Accepted || *hit >= m_session.history().size()) {
-        return;
-    }
-    // checkedHit() has seen it.
-    static_cast<void>(m_session.replaceHit(*hit, editor.hit()));
 }
 
 void HitHistoryPanel::flyToCurrent() {
@@ -352,7 +336,7 @@ void HitHistoryPanel::updateActions() {
     // Also at the ends: a key that is not taken would move the cursor.
     m_up->setEnabled(some && m_list.isInOrder());
     m_down->setEnabled(some && m_list.isInOrder());
-    m_edit->setEnabled(rows.size() == 1);
+    m_edit->setEnabled(some);
     m_fly->setEnabled(some);
     m_selectTargets->setEnabled(some);
     m_remove->setEnabled(some);

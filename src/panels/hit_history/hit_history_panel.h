@@ -43,6 +43,7 @@ public:
 Q_SIGNALS:
     /// A person wants to look at a hit: this part of the world.
     void flyWanted(const hitscope::Bounds& part);
+    void editWanted();                                        ///< of the selected hits
     void rowsSelected(const std::vector<std::size_t>& rows);  ///< of the history, ascending
 
 private:
@@ -56,7 +57,6 @@ private:
     void moveSelected(std::size_t to);
     void removeSelected();
     void copySelected();
-    void editCurrent();
     void flyToCurrent();
     void toggleFilter();
     void selectTargetsHits();

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/hit_inspector/hit_inspector_panel.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QSettings>
+#include <QToolButton>
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "panels/deformation_constants/parameter_editor.h"
+#include "panels/fields/number_box.h"
+#include "panels/help/help_text.h"
+#include "panels/hit_inspector/direction_fields.h"
+#include "session/shown_number.h"
+#include "ui_hit_inspector.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr float kSameDirection = 0.9999999f;  // cosine
+
+bool isAlong(const glm::vec3& one, const glm::vec3& other) {
+    return glm::dot(one, other) > kSameDirection;
+}
+
+/// As the projectile had it.
+glm::vec3 flightOf(const Hit& hit) {
+    return hit.flight != glm::vec3(0.0f) ? hit.flight : hit.direction;
+}
+
+bool knowsSurface(const Hit& hit) {
+    return hit.normal != glm::vec3(0.0f);
+}
+
+void turn(Hit& hit, const glm::vec3& direction) {
+    hit.flight = flightOf(hit);
+    hit.direction = direction;
+}
+
+void turnBack(Hit& hit) {
+    hit.direction = flightOf(hit);
+    hit.flight = glm::vec3(0.0f);
+}
+
+void turnIntoSurface(Hit& hit) {
+    if (knowsSurface(hit)) {
+        turn(hit, -hit.normal);
+    }
+}
+
+}  // namespace
+
+HitInspectorPanel::HitInspectorPanel(Session& session, HitEditing& editing, QWidget* parent)
+    : QWidget(parent), m_session(session), m_editing(editing), m_ui(std::make_unique<Ui::HitInspector>()) {
+    m_ui->setupUi(this);
+    makeEditors();
+    makeDirection();
+    makePoint();
+    listPresets();
+    connect(m_ui->preset, &QComboBox::activated, this, &HitInspectorPanel::choosePreset);
+    connect(&editing, &HitEditing::rowsChanged, this, [this] {
+        listPresets();
+        show();
+    });
+    connect(&editing, &HitEditing::edited, this, &HitInspectorPanel::show);
+    connect(&editing, &HitEditing::refused, this,
+            [this](const Error& error) { m_ui->problem->setText(QString::fromStdString(error.what)); });
+    connect(&session, &Session::targetChanged, this, &HitInspectorPanel::showTitle);
+    connect(&session, &Session::constantsChanged, this, &HitInspectorPanel::show);
+    show();
+}
+
+HitInspectorPanel::~HitInspectorPanel() = default;
+
+void HitInspectorPanel::editFirst() {
+    if (NumberBox* box = findChild<NumberBox*>(QString::fromUtf8(deformationParameters()[0].key))) {
+        box->setFocus();
+        box->selectAll();
+    }
+}
+
+void HitInspectorPanel::makeEditors() {
+    for (std::size_t i = 0; i < hitParameters().size(); ++i) {
+        auto* editor = new ParameterEditor(hitParameters()[i], deformationParameters()[i], *m_ui->parameters,
+                                           static_cast<int>(i), this);
+        connect(editor, &ParameterEditor::edited, this, [this, i](double value) {
+            m_editing.change(static_cast<int>(i),
+                             [i, value](Hit& hit) { setParameterValue(hit.constants, i, value); });
+        });
+        connect(editor, &ParameterEditor::finished, &m_editing, &HitEditing::endGesture);
+        m_editors.push_back(editor);
+    }
+}
+
+void HitInspectorPanel::makeDirection() {
+    m_direction = new DirectionFields(
+        {m_ui->azimuth, m_ui->azimuthSlider, m_ui->elevation, m_ui->elevationSlider}, this);
+    connect(m_direction, &DirectionFields::edited, this, [this](const glm::vec3& direction) {
+        m_editing.change(Direction, [direction](Hit& hit) { turn(hit, direction); });
+    });
+    connect(m_direction, &DirectionFields::finished, &m_editing, &HitEditing::endGesture);
+    connect(m_ui->asShot, &QToolButton::clicked, this, [this] { once(Direction, turnBack); });
+    connect(m_ui->intoSurface, &QToolButton::clicked, this, [this] { once(Direction, turnIntoSurface); });
+}
+
+void HitInspectorPanel::makePoint() {
+    m_point = {m_ui->pointX, m_ui->pointY, m_ui->pointZ};
+    const double farthest = hitParameters()[0].maximum;
+    for (int axis = 0; axis < 3; ++axis) {
+        NumberBox& box = *m_point[static_cast<std::size_t>(axis)];
+        box.setRange(-farthest, farthest);
+        connect(&box, &NumberBox::edited, this, [this, axis](double value) {
+            m_editing.change(PointX + axis,
+                             [axis, value](Hit& hit) { hit.point[axis] = static_cast<float>(value); });
+        });
+        connect(&box, &NumberBox::editingFinished, &m_editing, &HitEditing::endGesture);
+    }
+}
+
+void HitInspectorPanel::listPresets() {
+    m_presets = ConstantsPresets();
+    QSettings settings;
+    m_presets.load(settings);
+    m_ui->preset->clear();
+    for (const ConstantsPreset& preset : m_presets.all()) {
+        m_ui->preset->addItem(preset.name);
+    }
+    m_ui->preset->addItem(tr("As the next hit"));
+    m_ui->preset->setPlaceholderText(tr("Own values"));
+}
+
+template <class Value>
+bool HitInspectorPanel::isSame(const Hit& hit, const Value& part) const {
+    const std::span<const Hit> hits = m_session.history().hits();
+    const std::span<const std::size_t> rows = m_editing.rows();
+    return std::all_of(rows.begin(), rows.end(),
+                       [&](std::size_t row) { return row >= hits.size() || part(hits[row]) == part(hit); });
+}
+
+void HitInspectorPanel::show() {
+    const Hit* hit = m_editing.current();
+    m_ui->problem->clear();
+    m_ui->fields->setEnabled(hit != nullptr);
+    showTitle();
+    if (hit != nullptr) {
+        showConstants(*hit);
+        showPreset(*hit);
+        showDirection(*hit);
+        showPoint(*hit);
+    }
+}
+
+void HitInspectorPanel::showTitle() {
+    const Hit* hit = m_editing.current();
+    const std::size_t count = m_editing.rows().size();
+    if (hit == nullptr) {
+        m_ui->title->setText(
+            tr("No hit is selected. Click a dent with the Inspect tool, or a row of the hit history."));
+    } else if (count > 1) {
+        m_ui->title->setText(
+            tr("%1 hits are selected. A change applies to all of them.").arg(shownCount(count)));
+    } else {
+        const Target* target = m_session.target(hit->target);
+        const QString name = target != nullptr ? target->name : QString();
+        const QString number = shownCount(*m_session.selectedHit() + 1);
+        m_ui->title->setText(hit->enabled ? tr("Hit %1 on %2").arg(number, name)
+                                          : tr("Hit %1 on %2, disabled").arg(number, name));
+    }
+}
+
+void HitInspectorPanel::showConstants(const Hit& hit) {
+    const Target* target = m_session.target(hit.target);
+    const double size = target != nullptr ? static_cast<double>(sizeFactor(target->extent())) : 1.0;
+    const DeformationConstants next = m_session.constantsOf(hit);
+    for (std::size_t i = 0; i < m_editors.size(); ++i) {
+        const auto value = [i](const Hit& one) { return parameterValue(one.constants, i); };
+        m_editors[i]->setSpan(i == 1 ? size * size : size);
+        m_editors[i]->setReset(parameterValue(next, i));
+        m_editors[i]->setValue(value(hit));
+        if (!isSame(hit, value)) {
+            m_editors[i]->showDiffering();
+        }
+    }
+}
+
+DeformationConstants HitInspectorPanel::presetFor(const ConstantsPreset& preset, const Hit& hit) const {
+    const Target* target = m_session.target(hit.target);
+    return target != nullptr
+               ? constantsOn(target->extent(), {preset.constants, m_session.constantsSetting().relative})
+               : preset.constants;
+}
+
+void HitInspectorPanel::showPreset(const Hit& hit) {
+    int shown = -1;
+    if (isSame(hit, [](const Hit& one) { return one.constants; })) {
+        for (std::size_t i = 0; i < m_presets.all().size() && shown < 0; ++i) {
+            shown = presetFor(m_presets.all()[i], hit) == hit.constants ? static_cast<int>(i) : -1;
+        }
+    }
+    m_ui->preset->setCurrentIndex(shown);
+}
+
+void HitInspectorPanel::choosePreset(int row) {
+    const auto preset = static_cast<std::size_t>(row);
+    if (preset < m_presets.all().size()) {
+        once(Preset,
+             [this, chosen = m_presets.all()[preset]](Hit& hit) { hit.constants = presetFor(chosen, hit); });
+    } else {
+        once(Preset, [this](Hit& hit) { hit.constants = m_session.constantsOf(hit); });
+    }
+    show();
+}
+
+void HitInspectorPanel::once(int part, const HitEditing::Edit& edit) {
+    m_editing.endGesture();
+    m_editing.change(part, edit);
+    m_editing.endGesture();
+}
+
+void HitInspectorPanel::showDirection(const Hit& hit) {
+    const auto direction = [](const Hit& one) { return one.direction; };
+    m_direction->show(hit.direction);
+    if (!isSame(hit, direction)) {
+        m_direction->showDiffering();
+    }
+    m_ui->asShot->setChecked(isAlong(hit.direction, flightOf(hit)));
+    m_ui->intoSurface->setChecked(knowsSurface(hit) && isAlong(hit.direction, -hit.normal));
+    enableIf(*m_ui->intoSurface, knowsSurface(hit),
+             tr("It is not known how the surface stood where it was hit."));
+}
+
+void HitInspectorPanel::showPoint(const Hit& hit) {
+    for (int axis = 0; axis < 3; ++axis) {
+        NumberBox& box = *m_point[static_cast<std::size_t>(axis)];
+        box.showNumber(static_cast<double>(hit.point[axis]));
+        if (!isSame(hit, [axis](const Hit& one) { return one.point[axis]; })) {
+            box.showDiffering();
+        }
+    }
+}
+
+}  // namespace hitscope

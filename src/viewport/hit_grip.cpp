@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/hit_grip.h"
+
+#include <QCoreApplication>
+#include <QMouseEvent>
+#include <QPainter>
+
+namespace hitscope {
+
+namespace {
+
+constexpr int kGripSize = 18;  // logical pixels across
+
+}  // namespace
+
+HitGrip::HitGrip(QWidget& over, const QString& name, const QString& toolTip) : QWidget(&over) {
+    setObjectName(name);
+    setToolTip(toolTip);
+    setAccessibleName(toolTip);
+    setAttribute(Qt::WA_NoSystemBackground);
+    setFocusPolicy(Qt::NoFocus);
+    setCursor(Qt::OpenHandCursor);
+    resize(kGripSize, kGripSize);
+    setMask(QRegion(rect(), QRegion::Ellipse));
+    hide();
+}
+
+void HitGrip::place(const QPointF& centre) {
+    m_centre = centre;
+    move((centre - QPointF(0.5 * kGripSize, 0.5 * kGripSize)).toPoint());
+}
+
+void HitGrip::letGo() {
+    if (m_isHeld) {
+        m_isHeld = false;
+        setCursor(Qt::OpenHandCursor);
+        update();
+    }
+}
+
+void HitGrip::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const bool isHeld = m_isOver || m_isHeld;
+    painter.setPen(QPen(palette().color(QPalette::Window), 1.5));
+    painter.setBrush(palette().color(isHeld ? QPalette::Highlight : QPalette::WindowText));
+    painter.drawEllipse(QRectF(rect()).adjusted(3.0, 3.0, -3.0, -3.0));
+}
+
+void HitGrip::mousePressEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) {
+        event->ignore();
+        return;
+    }
+    m_isHeld = true;
+    m_offset = m_centre - parentWidget()->mapFromGlobal(event->globalPosition());
+    setCursor(Qt::ClosedHandCursor);
+    update();
+    Q_EMIT taken();
+}
+
+void HitGrip::mouseMoveEvent(QMouseEvent* event) {
+    if (!m_isHeld) {
+        event->ignore();  // the camera's
+        return;
+    }
+    Q_EMIT draggedTo(parentWidget()->mapFromGlobal(event->globalPosition()) + m_offset);
+}
+
+void HitGrip::mouseReleaseEvent(QMouseEvent* event) {
+    if (!m_isHeld || event->button() != Qt::LeftButton) {
+        event->ignore();
+        return;
+    }
+    letGo();
+    Q_EMIT released();
+}
+
+void HitGrip::enterEvent(QEnterEvent*) {
+    // The picture under it is not pointed at any more.
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(parentWidget(), &leave);
+    m_isOver = true;
+    update();
+}
+
+void HitGrip::leaveEvent(QEvent*) {
+    m_isOver = false;
+    update();
+}
+
+}  // namespace hitscope

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPointF>
+#include <QWidget>
+
+namespace hitscope {
+
+/// A small round grip over the picture that is dragged with the left button. Other buttons and the wheel are
+/// the picture's.
+class HitGrip : public QWidget {
+    Q_OBJECT
+public:
+    HitGrip(QWidget& over, const QString& name, const QString& toolTip);
+
+    /// Centre, logical pixels of the widget it is over.
+    void place(const QPointF& centre);
+    [[nodiscard]] QPointF centre() const { return m_centre; }
+    [[nodiscard]] bool isHeld() const { return m_isHeld; }
+    void letGo();  ///< as if the button were released, and nothing is emitted
+
+Q_SIGNALS:
+    void taken();
+    /// Where its centre would be now, with the cursor.
+    void draggedTo(const QPointF& centre);
+    void released();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void enterEvent(QEnterEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    QPointF m_centre;
+    QPointF m_offset;  ///< from the cursor to the centre, while it is held
+    bool m_isHeld = false;
+    bool m_isOver = false;
+};
+
+}  // namespace hitscope

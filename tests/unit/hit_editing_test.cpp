@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Changing selected hits, and what follows it.
+#include <QSignalSpy>
+#include <QTest>
+#include <memory>
+
+#include "session/frame_costs.h"
+#include "session/hit_editing.h"
+#include "session/hit_effects.h"
+#include "session/hit_highlight.h"
+#include "session/vertex_selection.h"
+#include "support/test_program.h"
+
+using namespace hitscope;
+
+class HitEditingTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void init() {
+        m_session = std::make_unique<Session>();
+        m_session->loadPaperRow(kDefaultPaperRow);
+        m_editing = std::make_unique<HitEditing>(*m_session);
+        for (int i = 0; i < 4; ++i) {
+            Hit hit;
+            hit.target = m_session->targets().front()->id;
+            hit.point = {0.4f * static_cast<float>(i), 0.0f, 2.5f};
+            QVERIFY(m_session->addHit(hit));
+        }
+    }
+    void cleanup() {
+        m_editing.reset();
+        m_session.reset();
+    }
+
+    void aGestureIsOneStep() {
+        m_session->selectHit(2);
+        QCOMPARE(m_editing->rows().size(), std::size_t{1});
+        for (const float reach : {0.6f, 0.7f, 0.8f}) {
+            widen(reach);
+            Q_EMIT m_session->frameCosts().frameEnded();
+        }
+        m_editing->endGesture();
+        QCOMPARE(reachOf(2), 0.8f);
+        widen(0.9f);
+        m_editing->endGesture();
+        m_session->undo();
+        QCOMPARE(reachOf(2), 0.8f);
+        m_session->undo();
+        QCOMPARE(reachOf(2), 0.5f);
+        QVERIFY(m_session->undoName()->kind == SessionUndo::Kind::Hit);
+    }
+
+    void oneEditAFrame() {
+        m_session->selectHit(1);
+        QSignalSpy changed(m_session.get(), &Session::hitsChanged);
+        for (int i = 0; i < 50; ++i) {
+            widen(0.5f + 0.01f * static_cast<float>(i + 1));
+        }
+        QCOMPARE(changed.size(), 1);
+        QCOMPARE(reachOf(1), 0.51f);
+        Q_EMIT m_session->frameCosts().frameEnded();
+        QCOMPARE(changed.size(), 2);
+        QCOMPARE(reachOf(1), 1.0f);
+        widen(1.2f);
+        widen(1.3f);
+        m_editing->endGesture();  // and nothing is lost
+        QCOMPARE(reachOf(1), 1.3f);
+    }
+
+    void aCancelledGestureLeavesNothing() {
+        m_session->selectHit(1);
+        widen(0.6f);
+        widen(0.7f);
+        m_editing->cancelGesture();
+        QCOMPARE(reachOf(1), 0.5f);
+        QVERIFY(m_session->undoName()->kind == SessionUndo::Kind::Hit);
+    }
+
+    void severalAreChangedTogether() {
+        m_session->selectHit(3);
+        m_editing->select({0, 1, 3});
+        widen(0.6f);
+        Q_EMIT m_session->frameCosts().frameEnded();
+        widen(0.7f);
+        m_editing->endGesture();
+        QCOMPARE(reachOf(0), 0.7f);
+        QCOMPARE(reachOf(1), 0.7f);
+        QCOMPARE(reachOf(2), 0.5f);
+        QCOMPARE(reachOf(3), 0.7f);
+        QCOMPARE(m_session->undoName(), (SessionUndo::Name{SessionUndo::Kind::EditHit, 3}));
+        m_session->undo();
+        QCOMPARE(reachOf(0), 0.5f);
+        QCOMPARE(reachOf(3), 0.5f);
+        // They stay selected where hits before them go.
+        m_session->removeHit(0);
+        QVERIFY(std::equal(m_editing->rows().begin(), m_editing->rows().end(),
+                           std::vector<std::size_t>{0, 2}.begin()));
+    }
+
+    void aNewSceneForgetsThem() {
+        m_session->selectHit(3);
+        widen(0.6f);
+        widen(0.7f);  // not done yet
+        m_session->loadTeapot();
+        QVERIFY(m_editing->rows().empty());
+        QCOMPARE(m_editing->current(), nullptr);
+        QVERIFY(!m_session->canUndo());
+    }
+
+    void whatIsEditedIsShown() {
+        m_session->selectHit(3);
+        m_session->showHits(2);
+        widen(0.6f);
+        QVERIFY(m_session->showsAllHits());
+    }
+
+    void whatIsRefusedStays() {
+        m_session->selectHit(0);
+        const QSignalSpy refused(m_editing.get(), &HitEditing::refused);
+        m_editing->change(0, [](Hit& hit) { hit.direction = glm::vec3(0.0f); });
+        m_editing->endGesture();
+        QCOMPARE(refused.size(), 1);
+        QCOMPARE(m_session->history().hits()[0].direction, glm::vec3(0.0f, 0.0f, -1.0f));
+    }
+
+    void litVerticesFollowTheEdit() {
+        HitEffects effects(*m_session);
+        const HitHighlight highlight(*m_session, effects);
+        VertexSelection& selection = m_session->selection();
+        m_session->selectHit(1);
+        effects.finish();
+        const std::size_t before = selection.count();
+        QVERIFY(before > 0);
+        widen(1.2f);
+        m_editing->endGesture();
+        effects.finish();
+        const std::size_t wide = selection.count();
+        QVERIFY2(wide > before, qPrintable(QStringLiteral("%1 of %2").arg(wide).arg(before)));
+        m_session->undo();
+        effects.finish();
+        QCOMPARE(selection.count(), before);
+        // What a person selects meanwhile is left alone.
+        selection.select(m_session->targets().front()->id, {7}, VertexSelection::Combine::Replace);
+        widen(1.2f);
+        m_editing->endGesture();
+        effects.finish();
+        QCOMPARE(selection.count(), std::size_t{1});
+    }
+
+private:
+    void widen(float reach) {
+        m_editing->change(0, [reach](Hit& hit) { hit.constants.maxDistance = reach; });
+    }
+    float reachOf(std::size_t hit) const { return m_session->history().hits()[hit].constants.maxDistance; }
+
+    std::unique_ptr<Session> m_session;
+    std::unique_ptr<HitEditing> m_editing;
+};
+
+HITSCOPE_TEST(HitEditingTest, QCoreApplication)
+#include "hit_editing_test.moc"
