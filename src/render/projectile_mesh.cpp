@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/projectile_mesh.h"
 
+#include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
 namespace hitscope::render {
+namespace {
+
+constexpr float kGrown = 0.5f;       // of the distance to the pivot
+constexpr float kLeastGrown = 5.0f;  // radii from the eye
+
+}  // namespace
 
 BallMesh makeBall(int segments, int rings) {
     BallMesh ball;
@@ -35,6 +44,14 @@ BallMesh makeBall(int segments, int rings) {
         }
     }
     return ball;
+}
+
+float drawnRadius(const Camera& camera, const glm::vec3& centre, float radius) {
+    if (camera.isOrthographic()) {
+        return radius;
+    }
+    const float grown = std::max(kGrown * camera.distance(), kLeastGrown * radius);
+    return radius * glm::smoothstep(0.0f, grown, glm::distance(centre, camera.eye()));
 }
 
 }  // namespace hitscope::render

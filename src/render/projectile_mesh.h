@@ -5,6 +5,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "render/camera.h"
+
 namespace hitscope::render {
 
 /// A unit sphere about the origin, whose vertices are their own normals.
@@ -15,5 +17,10 @@ struct BallMesh {
 
 /// segments >= 3 around, rings >= 2 from pole to pole.
 [[nodiscard]] BallMesh makeBall(int segments, int rings);
+
+/// The radius, metres, to draw a projectile of `radius` with whose centre is there: nothing at the eye, from
+/// where it is shot and where it would hide the picture, and more until it is itself, half way to the
+/// camera's pivot. It never takes more than a seventh of the picture on the way.
+[[nodiscard]] float drawnRadius(const Camera& camera, const glm::vec3& centre, float radius);
 
 }  // namespace hitscope::render

@@ -91,7 +91,11 @@ Status ProjectilePass::draw(const FrameContext& context) {
     std::vector<std::pair<Batch, Sphere>> sorted;
     sorted.reserve(items.size());
     for (const ProjectileItem& item : items) {
-        sorted.push_back({{levelOf(item.sphere, context), item.colour}, item.sphere});
+        const Sphere drawn{item.sphere.centre,
+                           drawnRadius(context.frame.camera, item.sphere.centre, item.sphere.radius)};
+        if (drawn.radius > 0.0f) {
+            sorted.push_back({{levelOf(drawn, context), item.colour}, drawn});
+        }
     }
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const auto& a, const auto& b) { return a.first.key() < b.first.key(); });

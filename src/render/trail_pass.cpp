@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 
+#include "render/projectile_mesh.h"
+
 namespace hitscope::render {
 namespace {
 
@@ -26,7 +28,8 @@ struct Edge {
 
 }  // namespace
 
-void addTrail(const ProjectileItem& projectile, const glm::vec3& eye, std::vector<TrailVertex>& vertices) {
+void addTrail(const ProjectileItem& projectile, const Camera& camera, std::vector<TrailVertex>& vertices) {
+    const glm::vec3 eye = camera.eye();
     const std::span<const glm::vec3> trail = projectile.trail;
     const auto parts = static_cast<float>(trail.size());
     std::optional<Edge> last;
@@ -43,7 +46,8 @@ void addTrail(const ProjectileItem& projectile, const glm::vec3& eye, std::vecto
         }
         const auto edge = [&](const glm::vec3& at, float age) {
             const float left = 1.0f - age;
-            const glm::vec3 aside = across * (kHalfWidth * projectile.sphere.radius * left / length);
+            const float width = kHalfWidth * drawnRadius(camera, at, projectile.sphere.radius);
+            const glm::vec3 aside = across * (width * left / length);
             const std::uint32_t colour = packed(projectile.colour, kOpacity * left * left);
             return Edge{{at - aside, colour}, {at + aside, colour}};
         };
@@ -72,7 +76,7 @@ TrailPass::TrailPass() : m_buffer(gl::Buffer::make()), m_array(gl::VertexArray::
 Status TrailPass::draw(const FrameContext& context) {
     m_vertices.clear();
     for (const ProjectileItem& projectile : context.frame.projectiles) {
-        addTrail(projectile, context.eye, m_vertices);
+        addTrail(projectile, context.frame.camera, m_vertices);
     }
     if (m_vertices.empty()) {
         return Done{};

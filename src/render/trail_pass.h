@@ -16,8 +16,8 @@ struct TrailVertex {
 static_assert(sizeof(TrailVertex) == 16);
 
 /// Adds the ribbon behind a projectile, two triangles a part, that fades and narrows towards its end and
-/// faces `eye`. Nothing for one that lies still.
-void addTrail(const ProjectileItem& projectile, const glm::vec3& eye, std::vector<TrailVertex>& vertices);
+/// faces the camera's eye. Nothing for one that lies still.
+void addTrail(const ProjectileItem& projectile, const Camera& camera, std::vector<TrailVertex>& vertices);
 
 /// The trails of projectiles in flight, all in one draw. A context is current for every call and the
 /// destructor.
