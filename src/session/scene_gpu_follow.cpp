@@ -76,7 +76,7 @@ Status SceneGpu::Private::followReapplication(Delivery delivery) {
     if (!reapplication) {
         return Done{};
     }
-    if (delivery == Delivery::All) {
+    if (delivery != Delivery::WhatHasArrived) {
         reapplication->finish();
         takeReapplied();
     } else if (reapplication->advance()) {
@@ -154,10 +154,13 @@ void SceneGpu::Private::readBack(Delivery delivery) {
     const auto take = [this](TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices) {
         session.takeReadBack(target, first, vertices);
     };
-    if (delivery == Delivery::All) {
-        pipeline->readBack(take);
-    } else {
+    if (delivery == Delivery::WhatHasArrived) {
         pipeline->pollReadBack(take);
+    } else {
+        pipeline->readBack(take);
+    }
+    if (delivery == Delivery::Positions) {
+        return;
     }
     for (const Session::ChangedNormals& change : session.finishReadBack()) {
         const Target* target = session.target(change.target);

@@ -50,7 +50,8 @@ struct SceneGpu::Private {
     ChangeUpload secondUpload;
     std::unique_ptr<Reapplication> reapplication;  // null: nothing is applied again in slices
 
-    enum class Delivery { WhatHasArrived, All };
+    /// Positions: all of them, and nothing that follows from them.
+    enum class Delivery { WhatHasArrived, Positions, All };
     void followTargets();
     void followCover();
     [[nodiscard]] const MaterialSet* materialsToDraw(const Target& target) const;
