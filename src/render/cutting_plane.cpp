@@ -13,7 +13,7 @@ namespace hitscope {
 namespace {
 
 constexpr float kMargin = 1.12f;       // of the box's size
-constexpr float kLeastSide = 1.0e-3f;  // metres
+constexpr float kLeastSide = 1.0e-6f;  // metres
 
 }  // namespace
 

@@ -8,7 +8,7 @@ namespace hitscope {
 namespace {
 
 float sizeOf(const LightSpace& space) {
-    return std::max(space.extent, 1.0e-3f);
+    return std::max(space.extent, 1.0e-6f);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ constexpr glm::vec2 kDotsApart(11.0f, 20.0f);  // logical pixels: dots start to 
 
 /// Logical pixels that a metre takes at this distance.
 float pixelsAt(const FrameContext& context, float distance) {
-    return context.pixelsAt(std::max(distance, 1.0e-3f)) / context.frame.pixelRatio;
+    return context.pixelsAt(std::max(distance, 1.0e-7f)) / context.frame.pixelRatio;
 }
 
 float depthShift(const FrameContext& context) {

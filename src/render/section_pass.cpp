@@ -38,9 +38,9 @@ void addSegments(std::vector<glm::vec4>& places, const std::vector<SectionCurve>
 
 /// Metres; by steps of two, so that dashes do not creep while the camera comes nearer.
 float dashLength(const FrameContext& context, const glm::vec3& middle) {
-    const float away = std::max(glm::dot(middle - context.eye, context.forward), 1.0e-3f);
+    const float away = std::max(glm::dot(middle - context.eye, context.forward), 1.0e-7f);
     const float metres = kDash * context.frame.pixelRatio / context.pixelsAt(away);
-    return std::exp2(std::round(std::log2(std::max(metres, 1.0e-6f))));
+    return std::exp2(std::round(std::log2(std::max(metres, 1.0e-9f))));
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ glm::mat4 ShadowMap::place(const FrameContext& context) {
     if (seen.empty()) {
         seen.add(glm::vec3(0.0f));
     }
-    const float extent = std::max({seen.size().x, seen.size().y, 1.0e-3f});
+    const float extent = std::max({seen.size().x, seen.size().y, 1.0e-6f});
     const glm::vec3 grown(kMargin * extent);
     const glm::vec3 low = seen.min - grown;
     const glm::vec3 high = seen.max + grown;
