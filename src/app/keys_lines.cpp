@@ -127,7 +127,7 @@ KeysSection mouseKeys(NavigationPreset preset, OrbitMode mode) {
     section.lines.push_back({tr("Click"), tr("Shoot at the point under the cursor")});
     section.lines.push_back(
         {tr("Ctrl+click"), tr("Select the target there; elsewhere: clear the selection")});
-    section.lines.push_back({tr("Double-click"), tr("Look at that point from now on")});
+    section.lines.push_back({tr("Middle-click"), tr("Look at that point from now on")});
     for (const DragBinding& binding : dragBindings(preset)) {
         section.lines.push_back({dragName(binding), motionMeaning(binding.motion, mode)});
     }

@@ -130,6 +130,8 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     const InspectTool& tool = m_viewport->inspectTool();
     connect(&tool, &InspectTool::toolChanged, this,
             [this, &tool] { m_shots->aimPreview().setClicksShoot(tool.tool() == Tool::Shoot); });
+    connect(m_shots, &ShotActions::said, this,
+            [this](const QString& text) { statusBar()->showMessage(text, kMessageStays); });
     connect(m_shots, &ShotActions::noticeWanted, this, [this](const QString& text) { m_notice->say(text); });
     connect(m_hitActions, &HitActions::said, this,
             [this](const QString& text) { statusBar()->showMessage(text, kHintStays); });

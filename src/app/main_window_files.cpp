@@ -159,12 +159,18 @@ void MainWindow::saidOpened(const QStringList& paths, const QStringList& notes) 
     const glm::vec3 size = m_session.sceneBounds().size();
     const float extent = std::max({size.x, size.y, size.z});
     const bool oneMesh = m_session.targets().size() == 1;
-    if (oneMesh && extent > 0.0f && (extent < kSmallestExtent || extent > kLargestExtent)) {
-        const bool relative = m_session.constantsSetting().relative;
-        const float reach =
-            relative ? 2.0f * m_session.projectileSettings().radius : m_session.constants().maxDistance;
-        const QString text = relative
-                                 ? tr("This mesh is %1 m across; a projectile is %2 m.")
+    // What goes by the mesh's size fits it.
+    const bool dentFits = m_session.constantsSetting().relative;
+    const bool projectileFits =
+        m_session.flightMode() == FlightMode::Quick || m_session.flightMode() == FlightMode::Instant;
+    const bool isUsual = extent >= kSmallestExtent && extent <= kLargestExtent;
+    if (oneMesh && extent > 0.0f && !isUsual && !(dentFits && projectileFits)) {
+        const ProjectileSettings projectile =
+            projectileOf(m_session.flightMode(), m_session.projectileSettings(), extent, extent);
+        const float reach = dentFits ? 2.0f * projectile.radius : m_session.constants().maxDistance;
+        const QString text = dentFits
+                                 ? tr("This mesh is %1 m across; a projectile is %2 m. With Quick or Instant "
+                                      "in the tool bar, it goes by the size of the mesh.")
                                  : tr("This mesh is %1 m across; hits reach %2 m around where they land.");
         lines.prepend(text.arg(shownNumber(static_cast<double>(extent), 'g', 3),
                                shownNumber(static_cast<double>(reach), 'g', 3)));

@@ -323,6 +323,8 @@ void MainWindow::makeToolBar() {
     bar.addAction(m_redo);
     bar.addSeparator();
     m_inspect->fill(bar);
+    m_shots->fill(bar);
+    connect(m_shots, &ShotActions::chosenInBox, m_viewport, [this] { m_viewport->setFocus(); });
     bar.addSeparator();
     auto* wireframe = new QToolButton(&bar);
     wireframe->setIcon(themedIcon(QStringLiteral("wireframe")));

@@ -3,6 +3,8 @@
 
 #include <QPushButton>
 
+#include "app/flight_chooser.h"
+#include "app/flight_text.h"
 #include "ui_projectile_settings.h"
 
 namespace hitscope {
@@ -25,8 +27,8 @@ void describe(QDoubleSpinBox& box, const ParameterDescriptor& parameter) {
 ProjectileDialog::ProjectileDialog(Session& session, QWidget* parent)
     : QDialog(parent), m_session(session), m_ui(std::make_unique<Ui::ProjectileSettings>()) {
     m_ui->setupUi(this);
-    m_numbers = {m_ui->speed,     m_ui->radius,          m_ui->mass, m_ui->lifetime, m_ui->rateOfFire,
-                 m_ui->mostAlive, m_ui->referenceImpulse};
+    m_numbers = {m_ui->speed,     m_ui->radius,           m_ui->mass,   m_ui->lifetime, m_ui->rateOfFire,
+                 m_ui->mostAlive, m_ui->referenceImpulse, m_ui->gravity};
     for (std::size_t i = 0; i < m_numbers.size(); ++i) {
         describe(*m_numbers[i], projectileParameters()[i]);
         connect(m_numbers[i], &QDoubleSpinBox::valueChanged, this, &ProjectileDialog::apply);
@@ -41,8 +43,16 @@ ProjectileDialog::ProjectileDialog(Session& session, QWidget* parent)
     connect(m_ui->buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     connect(m_ui->buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
             [this] { m_session.setProjectileSettings(ProjectileSettings{}); });
+    m_ui->flightPlace->addWidget(makeFlightBox(session, this));
     connect(&session, &Session::projectileSettingsChanged, this, &ProjectileDialog::showSettings);
+    for (const auto signal : {&Session::flightModeChanged, &Session::sceneReplaced}) {
+        connect(&session, signal, this, &ProjectileDialog::showInForce);
+    }
+    connect(&session, &Session::targetSelected, this, &ProjectileDialog::showInForce);
+    connect(&session, &Session::targetAdded, this, &ProjectileDialog::showInForce);
+    connect(&session, &Session::targetRemoved, this, &ProjectileDialog::showInForce);
     showSettings();
+    showInForce();
 }
 
 ProjectileDialog::~ProjectileDialog() = default;
@@ -59,6 +69,16 @@ void ProjectileDialog::showSettings() {
     m_ui->powerFollowsImpulse->setChecked(settings.powerFollowsImpulse);
     m_ui->referenceImpulse->setEnabled(settings.powerFollowsImpulse);
     m_showing = false;
+}
+
+/// The numbers that the flight decides: as set, or in words.
+void ProjectileDialog::showInForce() {
+    const FlightMode mode = m_session.flightMode();
+    for (QWidget* field : {m_ui->speed, m_ui->radius, m_ui->lifetime, m_ui->gravity}) {
+        m_ui->form->setRowVisible(field, mode == FlightMode::Own);
+    }
+    m_ui->form->setRowVisible(m_ui->inForce, mode != FlightMode::Own);
+    m_ui->inForce->setText(flightText(m_session));
 }
 
 void ProjectileDialog::apply() {

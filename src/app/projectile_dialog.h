@@ -26,10 +26,11 @@ public:
 private:
     void showSettings();
     void apply();
+    void showInForce();
 
     Session& m_session;
     std::unique_ptr<Ui::ProjectileSettings> m_ui;
-    std::array<QDoubleSpinBox*, 7> m_numbers{};  ///< in the order of projectileParameters()
+    std::array<QDoubleSpinBox*, 8> m_numbers{};  ///< in the order of projectileParameters()
     bool m_showing = false;
 };
 

@@ -5,12 +5,15 @@
 #include <QFileDialog>
 #include <QMenu>
 #include <QSettings>
+#include <QToolBar>
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>
 
 #include "app/dialogs.h"
+#include "app/flight_chooser.h"
 #include "app/shot_series_dialog.h"
+#include "app/shot_text.h"
 #include "session/shot_script_file.h"
 #include "viewport/aim_preview.h"
 #include "viewport/viewport.h"
@@ -43,14 +46,26 @@ ShotActions::ShotActions(Session& session, Viewport& viewport, QWidget& window)
       m_session(session),
       m_viewport(viewport),
       m_window(window),
-      m_aimPreview(new AimPreview(session, viewport)) {
+      m_aimPreview(new AimPreview(session, viewport)),
+      m_flight(new FlightChooser(session, this)) {
     m_aimPreview->setEnabled(QSettings().value(kPreviewKey, true).toBool());
     connect(&viewport, &Viewport::shot, this, &ShotActions::explainPass);
     connect(&session, &Session::scheduleChanged, this, &ShotActions::follow);
     connect(&session, &Session::sceneReplaced, this, &ShotActions::follow);
+    connect(m_flight, &FlightChooser::chosenInBox, this, &ShotActions::chosenInBox);
+    connect(&session, &Session::shotsWent, this, [this](const ShotCount& count) {
+        if (const QString text = shotText(count, m_session); !text.isEmpty()) {
+            Q_EMIT said(text);
+        }
+    });
+}
+
+void ShotActions::fill(QToolBar& bar) {
+    bar.addWidget(m_flight->makeBox(&bar));
 }
 
 void ShotActions::fill(QMenu& menu) {
+    m_flight->fill(menu);
     menu.addAction(tr("B&urst…"), tr("Ctrl+B"), this, [this] { showSeries(ShotSeries::Pattern::Burst); });
     menu.addAction(tr("Se&quence…"), this, [this] { showSeries(ShotSeries::Pattern::Line); });
     menu.addAction(tr("&Run Shot Script…"), this, &ShotActions::runScript);
@@ -75,6 +90,11 @@ void ShotActions::showSeries(ShotSeries::Pattern pattern) {
         dialog = new ShotSeriesDialog(&m_window);
         connect(dialog, &ShotSeriesDialog::shotsWanted, this, &ShotActions::shoot);
         connect(dialog, &ShotSeriesDialog::saveWanted, this, &ShotActions::save);
+        const auto followFlight = [this, dialog] {
+            dialog->setShotsFly(m_session.flightMode() != FlightMode::Instant);
+        };
+        connect(&m_session, &Session::flightModeChanged, dialog, followFlight);
+        followFlight();
     }
     dialog->setPattern(pattern);
     dialog->show();
@@ -83,7 +103,7 @@ void ShotActions::showSeries(ShotSeries::Pattern pattern) {
 }
 
 void ShotActions::shoot(const ShotSeries& series) {
-    schedule(m_session, makeScript(series, m_viewport, m_session.projectileSettings()));
+    schedule(m_session, makeScript(series, m_viewport));
 }
 
 void ShotActions::save(const ShotSeries& series) {
@@ -92,8 +112,7 @@ void ShotActions::save(const ShotSeries& series) {
     if (path.isEmpty()) {
         return;
     }
-    const Status written =
-        writeShotScript(makeScript(series, m_viewport, m_session.projectileSettings()), path);
+    const Status written = writeShotScript(makeScript(series, m_viewport), path);
     if (!written) {
         showError(&m_window, written.error());
     }

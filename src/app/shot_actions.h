@@ -8,25 +8,31 @@
 
 class QAction;
 class QMenu;
+class QToolBar;
 class QWidget;
 
 namespace hitscope {
 
 class AimPreview;
+class FlightChooser;
 class Viewport;
 
-/// What the Shoot menu offers beside single shots: bursts, sequences, scripts, the aim preview.
+/// What the Shoot menu and the tool bar offer beside single shots: how they fly, bursts, sequences, scripts,
+/// the aim preview. Says what becomes of shots.
 class ShotActions : public QObject {
     Q_OBJECT
 public:
     /// `session`, `viewport` and `window`, the dialogs' parent, outlive this.
     ShotActions(Session& session, Viewport& viewport, QWidget& window);
 
-    void fill(QMenu& menu);  ///< once
+    void fill(QMenu& menu);    ///< once
+    void fill(QToolBar& bar);  ///< once
     [[nodiscard]] AimPreview& aimPreview() { return *m_aimPreview; }
 
 Q_SIGNALS:
     void noticeWanted(const QString& text);  ///< why the shot just made passes what it was aimed at
+    void said(const QString& text);          ///< what has become of shots, for the status bar
+    void chosenInBox();                      ///< in the tool bar
 
 private:
     void explainPass(const Ray& ray);
@@ -40,6 +46,7 @@ private:
     Viewport& m_viewport;
     QWidget& m_window;
     AimPreview* m_aimPreview = nullptr;
+    FlightChooser* m_flight = nullptr;
     QAction* m_stop = nullptr;
 };
 

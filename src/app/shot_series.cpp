@@ -2,6 +2,7 @@
 #include "app/shot_series.h"
 
 #include <QSettings>
+#include <algorithm>
 #include <glm/trigonometric.hpp>
 
 #include "viewport/viewport.h"
@@ -26,31 +27,35 @@ double read(const QSettings& settings, const QString& key, double least, double 
     return isNumber && value >= least && value <= most ? value : fallback;
 }
 
-std::vector<TimedShot> shotsOf(const ShotSeries& series, const Viewport& viewport) {
-    const Ray middle = viewport.rayThrough(kMiddle);
+std::vector<TimedShot> shotsOf(const ShotSeries& series, const Viewport& viewport, const Ray& axis) {
     const auto angle = static_cast<float>(glm::radians(series.angle));
     switch (series.pattern) {
         case ShotSeries::Pattern::Line:
             return sweep(viewport.rayThrough(series.from), viewport.rayThrough(series.to), series.count,
                          series.interval);
         case ShotSeries::Pattern::Circle:
-            return circle(middle, viewport.camera().up(), angle, series.count, series.interval);
+            return circle(viewport.rayThrough(kMiddle), viewport.camera().up(), angle, series.count,
+                          series.interval);
         case ShotSeries::Pattern::Burst:
             break;
     }
-    // As one: the cone keeps its shape, and its middle lands where it is aimed at.
-    return burst(series.isInstant ? middle : viewport.launched(middle), series.count, angle, series.seed,
-                 series.interval);
+    return burst(axis, series.count, angle, series.seed, series.interval);
 }
 
 }  // namespace
 
-ShotScript makeScript(const ShotSeries& series, const Viewport& viewport,
-                      const ProjectileSettings& projectile) {
-    ShotScript script{projectile, series.isInstant, shotsOf(series, viewport)};
-    if (!series.isInstant && series.pattern != ShotSeries::Pattern::Burst) {
+ShotScript makeScript(const ShotSeries& series, const Viewport& viewport) {
+    const Ray middle = viewport.rayThrough(kMiddle);
+    ShotScript script;
+    script.projectile = viewport.projectileFor(middle);
+    script.projectile.mostAlive = std::max(script.projectile.mostAlive, series.count);
+    script.isInstant = series.isInstant || viewport.session().flightMode() == FlightMode::Instant;
+    // A burst is raised as one: the cone keeps its shape, and its middle lands where it is aimed at.
+    script.shots =
+        shotsOf(series, viewport, script.isInstant ? middle : viewport.launched(middle, script.projectile));
+    if (!script.isInstant && series.pattern != ShotSeries::Pattern::Burst) {
         for (TimedShot& shot : script.shots) {
-            shot.ray = viewport.launched(shot.ray);
+            shot.ray = viewport.launched(shot.ray, script.projectile);
         }
     }
     return script;

@@ -33,10 +33,10 @@ struct ShotSeries {
     static constexpr double kWidest = 89.0;
 };
 
-/// The shots of a series from where the viewport's camera is now. Shots in flight are raised so that they
-/// land where they are aimed at.
-[[nodiscard]] ShotScript makeScript(const ShotSeries& series, const Viewport& viewport,
-                                    const ProjectileSettings& projectile);
+/// The shots of a series from where the viewport's camera is now, with the projectile that a click in the
+/// middle of the view would shoot; none is removed for the sake of those after it. Shots in flight are raised
+/// so that they land where they are aimed at. Instant where the session's flight mode is.
+[[nodiscard]] ShotScript makeScript(const ShotSeries& series, const Viewport& viewport);
 
 /// What was never saved, or is out of range, is as in ShotSeries().
 [[nodiscard]] ShotSeries loadShotSeries(const QSettings& settings, ShotSeries::Pattern pattern);

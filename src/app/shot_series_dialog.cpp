@@ -18,6 +18,7 @@ constexpr double kPercent = 100.0;
 ShotSeriesDialog::ShotSeriesDialog(QWidget* parent)
     : QDialog(parent), m_ui(std::make_unique<Ui::ShotSeries>()) {
     m_ui->setupUi(this);
+    m_flightHelp = m_ui->instant->toolTip();
     m_ui->pattern->addItems({tr("Burst"), tr("Line across the view"), tr("Circle in the view")});
     m_ui->count->setMaximum(ShotSeries::kMostShots);
     m_ui->interval->setMaximum(ShotSeries::kLongestInterval);
@@ -43,6 +44,12 @@ ShotSeriesDialog::~ShotSeriesDialog() = default;
 
 void ShotSeriesDialog::setPattern(ShotSeries::Pattern pattern) {
     m_ui->pattern->setCurrentIndex(static_cast<int>(pattern));
+}
+
+void ShotSeriesDialog::setShotsFly(bool fly) {
+    m_ui->instant->setEnabled(fly);
+    m_ui->instant->setToolTip(fly ? m_flightHelp
+                                  : tr("The flight in the tool bar is Instant: no shot flies."));
 }
 
 ShotSeries ShotSeriesDialog::series() const {

@@ -21,6 +21,8 @@ public:
     ~ShotSeriesDialog() override;
 
     void setPattern(ShotSeries::Pattern pattern);
+    /// Whether shots fly at all in the session's flight mode: where not, the series has no say in it.
+    void setShotsFly(bool fly);
     [[nodiscard]] ShotSeries series() const;
 
 Q_SIGNALS:
@@ -36,6 +38,7 @@ private:
     void keep();
 
     std::unique_ptr<Ui::ShotSeries> m_ui;
+    QString m_flightHelp;
     ShotSeries::Pattern m_shown = ShotSeries::Pattern::Burst;
 };
 

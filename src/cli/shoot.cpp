@@ -36,12 +36,19 @@ Status loadScene(Session& session, const QString& meshPath) {
 
 ShotScript burstAt(const Session& session, const ShootOptions& options) {
     constexpr float kPicture = 16.0f / 9.0f;
+    constexpr float kFarthest = 1.0e7f;  // metres
     Camera camera;
     camera.frame(session.sceneBounds(), kPicture);
+    const auto met = session.physics().castRay(camera.eye(), camera.forward(), kFarthest);
+    const Target* target = met ? session.target(met->target) : nullptr;
+    const FlightMode flight =
+        options.flight.value_or(options.meshPath.isEmpty() ? FlightMode::Paper : FlightMode::Quick);
     ShotScript script;
-    script.projectile = session.projectileSettings();
+    script.projectile = projectileOf(flight, session.projectileSettings(),
+                                     target != nullptr ? target->extent() : kUsualExtent,
+                                     met ? glm::distance(met->point, camera.eye()) : camera.distance());
     script.projectile.mostAlive = std::max(script.projectile.mostAlive, options.burst);
-    script.isInstant = options.isInstant;
+    script.isInstant = flight == FlightMode::Instant;
     script.shots = burst({camera.eye(), camera.forward()}, options.burst,
                          static_cast<float>(glm::radians(options.cone)), options.seed, options.interval);
     return script;
@@ -84,9 +91,19 @@ QString fingerprint(const Session& session) {
     return print.text();
 }
 
+/// One that needs no numbers beside it.
+std::optional<FlightMode> flightNamed(const QString& name) {
+    for (const FlightModeTraits& traits : allFlightModes()) {
+        if (traits.mode != FlightMode::Own && name == QLatin1String(traits.key)) {
+            return traits.mode;
+        }
+    }
+    return std::nullopt;
+}
+
 /// Until all shots have left and what they launched has hit or gone.
 void play(Session& session, SceneGpu& gpu) {
-    session.setCatchUp([&gpu] { static_cast<void>(gpu.sync()); });
+    session.setCatchUp([&gpu] { static_cast<void>(gpu.syncPositions()); });
     while (session.isMoving()) {
         session.stepOnce();
     }
@@ -159,10 +176,17 @@ int shootCommand(const QStringList& arguments) {
     const QCommandLineOption every(QStringLiteral("every"),
                                    QStringLiteral("Seconds between a burst's shots, 0 to 10."), number,
                                    QStringLiteral("0"));
-    const QCommandLineOption instant(QStringLiteral("instant"), QStringLiteral("Without flight."));
+    const QCommandLineOption instant(QStringLiteral("instant"),
+                                     QStringLiteral("Without flight: as --flight instant."));
+    const QCommandLineOption flight(
+        QStringLiteral("flight"),
+        QStringLiteral(
+            "How a burst flies: quick (there in 0.1 s, by the size of the mesh), instant, or paper "
+            "(30 m/s, radius 0.1 m). Default: quick at a mesh, paper at the paper's scene."),
+        QStringLiteral("mode"));
     const QCommandLineOption save(QStringLiteral("save"), QStringLiteral("Save the shots as a script."),
                                   QStringLiteral("file"));
-    parser.addOptions({script, burst, cone, seed, every, instant, save});
+    parser.addOptions({script, burst, cone, seed, every, instant, flight, save});
     parser.addPositionalArgument(QStringLiteral("mesh"), QStringLiteral("Mesh file to shoot at."),
                                  QStringLiteral("[mesh]"));
     if (const std::optional<int> status = parse(parser, QStringLiteral("shoot"), arguments)) {
@@ -192,7 +216,14 @@ int shootCommand(const QStringList& arguments) {
     if (parser.positionalArguments().size() > 1) {
         return wrongUsage(QStringLiteral("shoot takes one mesh at most."));
     }
-    options.isInstant = parser.isSet(instant);
+    if (parser.isSet(instant)) {
+        options.flight = FlightMode::Instant;
+    } else if (parser.isSet(flight)) {
+        options.flight = flightNamed(parser.value(flight));
+        if (!options.flight) {
+            return wrongUsage(QStringLiteral("--flight takes quick, instant or paper."));
+        }
+    }
     options.scriptPath = parser.value(script);
     options.savePath = parser.value(save);
     options.meshPath = parser.positionalArguments().value(0);

@@ -3,8 +3,10 @@
 
 #include <QString>
 #include <QStringList>
+#include <optional>
 
 #include "core/result.h"
+#include "session/flight_mode.h"
 
 namespace hitscope::cli {
 
@@ -14,9 +16,11 @@ struct ShootOptions {
     int burst = 20;
     double cone = 5.0;  ///< degrees from its middle to its edge
     unsigned seed = 1;
-    double interval = 0.0;   ///< seconds between the burst's shots
-    bool isInstant = false;  ///< the burst's; a script says so itself
-    QString savePath;        ///< where the script goes; empty: nowhere
+    double interval = 0.0;  ///< seconds between the burst's shots
+    /// How the burst flies; a script says so itself. Nothing: as in the paper at the paper's scene, quick at
+    /// a mesh, which may be of any size.
+    std::optional<FlightMode> flight;
+    QString savePath;  ///< where the script goes; empty: nowhere
 };
 
 /// Shoots a script, or a burst at the middle of the scene from where all of it is seen, with no display;

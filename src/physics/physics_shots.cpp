@@ -17,7 +17,8 @@ namespace {
 
 constexpr float kWholeWorld = 2.0f * kFarthest;  // metres: longer than any line between two usable points
 
-constexpr float kNearFactor = 1.1f;  // of the radius
+constexpr float kNearFactor = 1.1f;     // of the radius
+constexpr float kSleepingSpeed = 0.8f;  // m/s: Bullet's own, for the paper's projectile
 
 bool isDirection(const glm::vec3& v) {
     const float length = glm::length(v);
@@ -37,6 +38,7 @@ Flight makeFlight(const ProjectileSettings& settings, const glm::vec3& origin, c
     body.setRestitution(kRestitution);
     body.setFriction(kFriction);
     body.setRollingFriction(kRollingFriction);
+    body.setSleepingThresholds(kSleepingSpeed * sizeOf(settings), body.getAngularSleepingThreshold());
     const btTransform where(btQuaternion::getIdentity(), toBullet(origin));
     body.setWorldTransform(where);
     body.setInterpolationWorldTransform(where);
@@ -64,11 +66,12 @@ ProjectileId PhysicsWorld::shoot(const glm::vec3& origin, const glm::vec3& direc
     const ProjectileId id{d->nextProjectile++};
     flight.body->setUserIndex(static_cast<int>(BodyKind::Projectile));
     flight.body->setUserIndex2(static_cast<int>(id.value));
-    flight.body->setUserIndex3(volley);
+    flight.body->setUserIndex3(shot.passesOthers ? VolleyFilter::kPassesAll : volley);
     // Half a step less, so that rounding never adds one; it lives for a step at least.
     flight.end =
         d->time() + std::max(0.5 * d->stepSeconds, static_cast<double>(shot.lifetime) - 0.5 * d->stepSeconds);
     d->world.addRigidBody(flight.body.get());
+    flight.body->setGravity(toBullet(fallOf(shot)));  // the world has just set its own
     d->flights.emplace(id, std::move(flight));
     return id;
 }
@@ -83,6 +86,7 @@ void Flight::keepTrail() {
 
 void PhysicsWorld::Private::removeFlight(std::map<ProjectileId, Flight>::iterator flight) {
     world.removeRigidBody(flight->second.body.get());
+    events.push_back({flight->first, FlightEvent::Kind::Over});
     flights.erase(flight);
 }
 
@@ -90,6 +94,11 @@ void PhysicsWorld::removeProjectiles() {
     while (!d->flights.empty()) {
         d->removeFlight(d->flights.begin());
     }
+    d->events.clear();
+}
+
+std::vector<PhysicsWorld::FlightEvent> PhysicsWorld::takeFlightEvents() {
+    return std::exchange(d->events, {});
 }
 
 std::vector<ProjectileState> PhysicsWorld::projectiles() const {
@@ -120,7 +129,7 @@ bool PhysicsWorld::isApproached(TargetId target, float reach) const {
     const auto comesNear = [&](const Flight& flight) {
         const btVector3 from = flight.body->getWorldTransform().getOrigin();
         const btVector3 to =
-            from + (flight.body->getLinearVelocity() + btVector3(0, -kGravity, 0) * step) * step;
+            from + (flight.body->getLinearVelocity() + flight.body->getGravity() * step) * step;
         const btScalar around = flight.settings.radius * kNearFactor + reach;
         const btVector3 grown(around, around, around);
         btVector3 low = from;
@@ -221,7 +230,7 @@ std::optional<Strike> PhysicsWorld::Private::fly(glm::vec3 position, const Proje
     const auto seconds = static_cast<float>(stepSeconds);
     const auto most = static_cast<int>(std::ceil(static_cast<double>(shot.lifetime) / stepSeconds));
     for (int i = 0; i < most && isUsable(position); ++i) {
-        velocity += kFall * seconds;
+        velocity += fallOf(shot) * seconds;
         now += stepSeconds;
         const glm::vec3 motion = velocity * seconds;
         const auto contact = surfaces.sweep(position, motion, shot.radius);

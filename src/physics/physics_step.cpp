@@ -15,8 +15,11 @@ using namespace physics;
 
 namespace {
 
+// For the paper's projectile.
 constexpr float kLeastImpactSpeed = 1.0e-3f;
 constexpr float kLeastBounceSpeed = 0.25f;  // along the normal: a projectile that rolls does not strike
+constexpr float kLeastRestitution = 0.2f;   // m/s: Bullet's own; what is slower does not bounce
+constexpr float kNoMotion = 1.0e-5f;        // of the radius, in a step
 // Of the radius: Bullet makes a contact only where bodies overlap, so a projectile that arrives is let in
 // this far.
 constexpr float kSinkIn = 0.002f;
@@ -97,7 +100,7 @@ void PhysicsWorld::Private::noteSurfaces() {
 /// Looks ahead along the step's motion and puts the projectile where it first touches something, its velocity
 /// untouched: Bullet then finds the contact with the full velocity of the flight and solves it in this step.
 /// Left to itself it would brake the projectile short of the surface over several steps.
-void PhysicsWorld::Private::approach(Flight& flight) {
+void PhysicsWorld::Private::approach(ProjectileId id, Flight& flight) {
     flight.strike.reset();
     btRigidBody& body = *flight.body;
     flight.velocity = fromBullet(body.getLinearVelocity());
@@ -105,12 +108,12 @@ void PhysicsWorld::Private::approach(Flight& flight) {
     if (!body.isActive()) {
         return;
     }
-    flight.velocity += kFall * static_cast<float>(stepSeconds);
+    flight.velocity += fallOf(flight.settings) * static_cast<float>(stepSeconds);
     const glm::vec3 motion = flight.velocity * static_cast<float>(stepSeconds);
-    if (glm::length(motion) < 1.0e-6f) {
+    const float radius = flight.settings.radius;
+    if (glm::length(motion) < kNoMotion * radius) {
         return;
     }
-    const float radius = flight.settings.radius;
     if (!flight.touching.empty() && glm::length(motion) < kRollingMotion * radius) {
         return;
     }
@@ -119,6 +122,9 @@ void PhysicsWorld::Private::approach(Flight& flight) {
         return;
     }
     const TargetId target = contact->target;
+    if (!target && !std::exchange(flight.hasLanded, true)) {
+        events.push_back({id, FlightEvent::Kind::Landed});
+    }
     const bool strikes = target && !flight.touches(target);
     const bool lands = !target && -motion.y > 0.5f * radius;
     if (!strikes && !lands) {
@@ -139,8 +145,9 @@ void PhysicsWorld::Private::strike(ProjectileId id, Flight& flight, TargetId tar
     flight.lastStruck = target;
     const float speed = glm::length(flight.velocity);
     const float inwards = -glm::dot(flight.velocity, touch.deepest.normal);
-    const bool counts = flight.hasHit ? flight.settings.bouncesCount && inwards >= kLeastBounceSpeed
-                                      : speed >= kLeastImpactSpeed;
+    const float slow = std::min(1.0f, sizeOf(flight.settings));
+    const bool counts = flight.hasHit ? flight.settings.bouncesCount && inwards >= kLeastBounceSpeed * slow
+                                      : speed >= kLeastImpactSpeed * slow;
     if (counts) {
         flight.hasHit = true;
         // Where the target was when Bullet found the contact: it has moved on since.
@@ -209,6 +216,15 @@ void PhysicsWorld::Private::keepTrails() {
     }
 }
 
+/// What is slow for the paper's projectile is fast for one of a micrometre.
+void PhysicsWorld::Private::letBounceSlowly() {
+    float size = 1.0f;
+    for (const auto& [id, flight] : flights) {
+        size = std::min(size, sizeOf(flight.settings));
+    }
+    world.getSolverInfo().m_restitutionVelocityThreshold = kLeastRestitution * size;
+}
+
 void PhysicsWorld::Private::step(std::vector<Impact>& impacts) {
     ++steps;
     bool isMoving = !flights.empty();
@@ -222,9 +238,10 @@ void PhysicsWorld::Private::step(std::vector<Impact>& impacts) {
     followHulls();
     noteSurfaces();
     for (auto& [id, flight] : flights) {
-        approach(flight);
+        approach(id, flight);
     }
     keepTrails();
+    letBounceSlowly();
     world.stepSimulation(static_cast<btScalar>(stepSeconds), 0);
     collectTouches(dispatcher, contacts);
     auto next = contacts.cbegin();

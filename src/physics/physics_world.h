@@ -101,6 +101,17 @@ public:
     /// within `reach` metres of its box (infinite: whether there is such a projectile).
     [[nodiscard]] bool isApproached(TargetId target, float reach) const;
     void removeProjectiles();
+    /// What became of a flight, beside its impacts.
+    struct FlightEvent {
+        enum class Kind : std::uint8_t {
+            Landed,  ///< it struck the floor, for the first time
+            Over,    ///< it is gone
+        };
+        ProjectileId projectile;
+        Kind kind = Kind::Over;
+    };
+    /// In the order they happened, since the last call. Those of removeProjectiles() are none.
+    [[nodiscard]] std::vector<FlightEvent> takeFlightEvents();
     [[nodiscard]] std::vector<ProjectileState> projectiles() const;
     [[nodiscard]] std::size_t projectileCount() const;
 

@@ -21,35 +21,35 @@ Settings clampedBy(Settings settings, const Parameters& parameters) {
 
 }  // namespace
 
-const std::array<ParameterDescriptor, 7>& projectileParameters() {
-    static const std::array<ParameterDescriptor, 7> parameters{{
+const std::array<ParameterDescriptor, 8>& projectileParameters() {
+    static const std::array<ParameterDescriptor, 8> parameters{{
         {.key = "speed",
          .label = "Speed",
          .unit = "m/s",
          .description = "Speed at which a projectile leaves the eye.",
          .defaultValue = 30.0,
          .minimum = 0.0,
-         .maximum = 10000.0,
+         .maximum = 1.0e9,
          .step = 1.0,
-         .decimals = 1},
+         .decimals = 6},
         {.key = "radius",
          .label = "Radius",
          .unit = "m",
          .description = "Radius of the sphere that is shot.",
          .defaultValue = 0.1,
-         .minimum = 0.001,
-         .maximum = 100.0,
+         .minimum = 1.0e-7,
+         .maximum = 1.0e5,
          .step = 0.01,
-         .decimals = 3},
+         .decimals = 7},
         {.key = "mass",
          .label = "Mass",
          .unit = "kg",
          .description = "Mass of the sphere; decides the impulse of a hit.",
          .defaultValue = 1.0,
-         .minimum = 0.001,
-         .maximum = 1000000.0,
+         .minimum = 1.0e-9,
+         .maximum = 1.0e9,
          .step = 0.1,
-         .decimals = 3},
+         .decimals = 9},
         {.key = "lifetime",
          .label = "Lifetime",
          .unit = "s",
@@ -87,6 +87,15 @@ const std::array<ParameterDescriptor, 7>& projectileParameters() {
          .maximum = 1000000.0,
          .step = 1.0,
          .decimals = 3},
+        {.key = "gravity",
+         .label = "Gravity",
+         .unit = "m/s²",
+         .description = "How fast a projectile's fall gets faster.",
+         .defaultValue = 9.81,
+         .minimum = 0.0,
+         .maximum = 1.0e7,
+         .step = 1.0,
+         .decimals = 6},
     }};
     return parameters;
 }
@@ -98,7 +107,8 @@ double parameterValue(const ProjectileSettings& settings, std::size_t index) {
                              static_cast<double>(settings.lifetime),
                              static_cast<double>(settings.rateOfFire),
                              static_cast<double>(settings.mostAlive),
-                             static_cast<double>(settings.referenceImpulse)};
+                             static_cast<double>(settings.referenceImpulse),
+                             static_cast<double>(settings.gravity)};
     return values[index];
 }
 
@@ -108,9 +118,14 @@ void setParameterValue(ProjectileSettings& settings, std::size_t index, double v
         settings.mostAlive = static_cast<int>(std::lround(value));
         return;
     }
-    float* const numbers[] = {&settings.speed,           &settings.radius,     &settings.mass,
-                              &settings.lifetime,        &settings.rateOfFire, nullptr,
-                              &settings.referenceImpulse};
+    float* const numbers[] = {&settings.speed,
+                              &settings.radius,
+                              &settings.mass,
+                              &settings.lifetime,
+                              &settings.rateOfFire,
+                              nullptr,
+                              &settings.referenceImpulse,
+                              &settings.gravity};
     *numbers[index] = static_cast<float>(value);
 }
 

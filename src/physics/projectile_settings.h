@@ -21,12 +21,15 @@ struct ProjectileSettings {
     bool powerFollowsImpulse = false;
     float referenceImpulse = 40.8f;         ///< newton seconds; the default: of the default shot, head on
     glm::vec3 colour{0.90f, 0.58f, 0.30f};  ///< sRGB, [0, 1]; what a projectile looks like in flight
+    float gravity = 9.81f;                  ///< m/s^2, downwards: how it falls
+    bool passesOthers = false;              ///< it passes through all other projectiles
 
     bool operator==(const ProjectileSettings&) const = default;
 };
 
-/// speed, radius, mass, lifetime, rate_of_fire, most_alive, reference_impulse, in this order.
-[[nodiscard]] const std::array<ParameterDescriptor, 7>& projectileParameters();
+/// speed, radius, mass, lifetime, rate_of_fire, most_alive, reference_impulse, gravity, in this order. Wide
+/// enough for targets from 0.1 mm to 100 km across.
+[[nodiscard]] const std::array<ParameterDescriptor, 8>& projectileParameters();
 [[nodiscard]] double parameterValue(const ProjectileSettings& settings, std::size_t index);
 void setParameterValue(ProjectileSettings& settings, std::size_t index, double value);
 

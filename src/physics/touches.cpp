@@ -2,6 +2,7 @@
 #include "physics/touches.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
+#include <BulletCollision/CollisionShapes/btSphereShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
 #include <algorithm>
@@ -12,14 +13,14 @@ namespace hitscope::physics {
 namespace {
 
 // Bullet keeps contact points of bodies that are near but not there yet; a sphere that rolls over edges
-// hovers by about this much.
-constexpr float kTouchDistance = 0.002f;
+// hovers by about this much of its radius.
+constexpr float kTouchDistance = 0.02f;
 
-void add(Touch& touch, const btPersistentManifold& manifold, bool targetIsB) {
+void add(Touch& touch, const btPersistentManifold& manifold, bool targetIsB, float near) {
     for (int i = 0; i < manifold.getNumContacts(); ++i) {
         const btManifoldPoint& point = manifold.getContactPoint(i);
         const float impulse = point.getAppliedImpulse();
-        if (impulse <= 0.0f && point.getDistance() > kTouchDistance) {
+        if (impulse <= 0.0f && point.getDistance() > near) {
             continue;
         }
         touch.impulse += impulse;
@@ -72,9 +73,11 @@ void collectTouches(btDispatcher& dispatcher, std::vector<TouchEntry>& result) {
         if (!isKind(*target, BodyKind::Target) || !isKind(*projectile, BodyKind::Projectile)) {
             continue;
         }
+        const float near =
+            kTouchDistance * static_cast<const btSphereShape*>(projectile->getCollisionShape())->getRadius();
         Touch touch;
-        add(touch, manifold, targetIsB);
-        if (touch.impulse > 0.0f || touch.distance <= kTouchDistance) {
+        add(touch, manifold, targetIsB, near);
+        if (touch.impulse > 0.0f || touch.distance <= near) {
             result.push_back({{static_cast<std::uint32_t>(projectile->getUserIndex2())},
                               {static_cast<std::uint32_t>(target->getUserIndex2())},
                               touch});

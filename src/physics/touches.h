@@ -13,9 +13,10 @@ namespace hitscope::physics {
 
 /// A projectile in contact with a target after a step, over all of Bullet's manifolds between the two.
 struct Touch {
-    float impulse = 0.0f;   ///< newton seconds, along the normals
-    SurfacePoint deepest;   ///< world
-    float distance = 1.0f;  ///< metres, of the deepest point; below zero: they overlap
+    float impulse = 0.0f;  ///< newton seconds, along the normals
+    SurfacePoint deepest;  ///< world
+    float distance =
+        std::numeric_limits<float>::max();  ///< metres, of the deepest point; below zero: they overlap
 };
 
 struct TouchEntry {

@@ -6,9 +6,12 @@
 namespace hitscope::physics {
 namespace {
 
-int volleyOf(const btBroadphaseProxy& proxy) {
-    const auto* body = static_cast<const btCollisionObject*>(proxy.m_clientObject);
-    return isKind(*body, BodyKind::Projectile) ? body->getUserIndex3() : 0;
+const btCollisionObject& bodyOf(const btBroadphaseProxy& proxy) {
+    return *static_cast<const btCollisionObject*>(proxy.m_clientObject);
+}
+
+bool passEachOther(int a, int b) {
+    return a == VolleyFilter::kPassesAll || b == VolleyFilter::kPassesAll || (a > 0 && a == b);
 }
 
 }  // namespace
@@ -18,8 +21,10 @@ bool VolleyFilter::needBroadphaseCollision(btBroadphaseProxy* a, btBroadphasePro
         (b->m_collisionFilterGroup & a->m_collisionFilterMask) == 0) {
         return false;
     }
-    const int volley = volleyOf(*a);
-    return volley <= 0 || volley != volleyOf(*b);
+    const btCollisionObject& one = bodyOf(*a);
+    const btCollisionObject& other = bodyOf(*b);
+    return !isKind(one, BodyKind::Projectile) || !isKind(other, BodyKind::Projectile) ||
+           !passEachOther(one.getUserIndex3(), other.getUserIndex3());
 }
 
 }  // namespace hitscope::physics

@@ -20,7 +20,14 @@ namespace hitscope {
 
 namespace physics {
 
-inline const glm::vec3 kFall(0.0f, -PhysicsWorld::kGravity, 0.0f);  // m/s^2
+/// What a second of falling adds to a projectile's velocity, m/s.
+inline glm::vec3 fallOf(const ProjectileSettings& shot) {
+    return {0.0f, -shot.gravity, 0.0f};
+}
+/// How many times the paper's projectile this one is: what Bullet and we take for small goes by it.
+inline float sizeOf(const ProjectileSettings& shot) {
+    return shot.radius / ProjectileSettings().radius;
+}
 inline constexpr float kRestitution = 0.6f;  // of projectiles and the floor; Bullet multiplies the two
 inline constexpr float kFriction = 0.6f;
 inline constexpr float kRollingFriction = 0.05f;  // metres: without it a sphere on a plane rolls for ever
@@ -48,6 +55,7 @@ struct Flight {
     std::unique_ptr<btRigidBody> body;
     double end = 0.0;                ///< simulated time when it disappears
     bool hasHit = false;             ///< it has made a hit
+    bool hasLanded = false;          ///< it has struck the floor
     TargetId lastStruck;             ///< 0: none
     std::vector<TargetId> touching;  ///< after the last step; sorted
     glm::vec3 velocity{0.0f};        ///< just before any impact of this step, m/s
@@ -86,7 +94,7 @@ struct PhysicsWorld::Private {
     void step(std::vector<Impact>& impacts);
     void followHulls();
     void noteSurfaces();
-    void approach(physics::Flight& flight);
+    void approach(ProjectileId id, physics::Flight& flight);
     void collect(ProjectileId id, physics::Flight& flight, std::span<const physics::TouchEntry> contacts,
                  std::vector<Impact>& impacts);
     void strike(ProjectileId id, physics::Flight& flight, TargetId target, const physics::Touch& touch,
@@ -104,6 +112,7 @@ struct PhysicsWorld::Private {
     [[nodiscard]] std::optional<physics::Strike> fly(glm::vec3 position, const ProjectileSettings& shot,
                                                      glm::vec3& velocity, double& now);
     void removeFlight(std::map<ProjectileId, physics::Flight>::iterator flight);
+    void letBounceSlowly();
     void wakeAll();
     [[nodiscard]] std::optional<physics::SurfacePoint> surfacePoint(TargetId target, const glm::vec3& from,
                                                                     int triangle) const;
@@ -125,6 +134,7 @@ struct PhysicsWorld::Private {
     std::map<ProjectileId, physics::Flight> flights;
     std::unique_ptr<btStaticPlaneShape> floorShape;
     std::unique_ptr<btRigidBody> floor;
+    std::vector<FlightEvent> events;  ///< since they were last taken
     std::uint32_t nextProjectile = 1;
     double stepSeconds = kStep;
     double timeBefore = 0.0;  ///< simulated before the step's length was last set

@@ -15,11 +15,12 @@ double paceClock() {
 void advanceWithin(Session& session, double seconds, double most, const PaceClock& clock) {
     const double aStep = session.physics().step() / session.physics().timeScale();
     const double begin = clock();
+    const auto isTimeUp = [&] { return clock() - begin >= most; };
     double left = seconds;
     do {
-        session.advance(std::min(left, aStep));
+        session.advance(std::min(left, aStep), isTimeUp);
         left -= aStep;
-    } while (left > 0.0 && clock() - begin < most);
+    } while (left > 0.0 && !isTimeUp());
 }
 
 }  // namespace hitscope

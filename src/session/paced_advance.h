@@ -14,9 +14,10 @@ inline constexpr double kMostPhysics = 0.016;
 using PaceClock = std::function<double()>;
 [[nodiscard]] double paceClock();
 
-/// session.advance(seconds), but no step is begun once `most` seconds have gone by: the rest of the time is
-/// dropped, so that the scene slows down and not the window, and the next frame has nothing to catch up with.
-/// One step is always taken that is due. Hits depend on the steps alone, so they are the same.
+/// session.advance(seconds), but no step is begun, and no shot that is due is fired, once `most` seconds have
+/// gone by: the rest of the time is dropped, so that the scene slows down and not the window, and the next
+/// frame has nothing to catch up with. One shot or step is always taken that is due. Hits depend on the steps
+/// alone, so they are the same.
 void advanceWithin(Session& session, double seconds, double most = kMostPhysics,
                    const PaceClock& clock = paceClock);
 

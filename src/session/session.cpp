@@ -88,6 +88,13 @@ void Session::setProjectileSettings(const ProjectileSettings& settings) {
     Q_EMIT projectileSettingsChanged();
 }
 
+void Session::setFlightMode(FlightMode mode) {
+    if (mode != m_flightMode) {
+        m_flightMode = mode;
+        Q_EMIT flightModeChanged();
+    }
+}
+
 void Session::setPipeline(PipelineKind kind) {
     if (kind != m_pipeline) {
         m_pipeline = kind;

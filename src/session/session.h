@@ -23,16 +23,19 @@
 #include "render/lights.h"
 #include "session/collider_follower.h"
 #include "session/constants_setting.h"
+#include "session/flight_mode.h"
 #include "session/hit_rows.h"
 #include "session/scene_presets.h"
 #include "session/session_undo.h"
 #include "session/shot_schedule.h"
+#include "session/shot_tally.h"
 #include "session/target.h"
 
 namespace hitscope {
 
 class FrameCosts;
 class TaskList;
+class TaskProgress;
 class VertexSelection;
 
 /// Everything a person works on: targets, hit history, constants, lights, projectiles. Makes no GL call;
@@ -155,6 +158,9 @@ public:
     void setCoverTexture(std::shared_ptr<const Image> texture);
     [[nodiscard]] const ProjectileSettings& projectileSettings() const { return m_projectileSettings; }
     void setProjectileSettings(const ProjectileSettings& settings);  ///< clamped to projectileParameters()
+    /// How shots by hand fly; what is shot by shoot(Ray) and hitscan(Ray) goes by projectileSettings() alone.
+    [[nodiscard]] FlightMode flightMode() const { return m_flightMode; }
+    void setFlightMode(FlightMode mode);
     [[nodiscard]] PipelineKind pipeline() const { return m_pipeline; }
     void setPipeline(PipelineKind kind);
     /// Why the driver cannot run a pipeline, in words for the interface; empty: it can, as far as is known.
@@ -165,15 +171,21 @@ public:
     /// A hit without flight, where the ray first meets a target: exact and repeatable. Returns whether there
     /// is one.
     bool hitscan(const Ray& ray);
+    /// Now, whatever its delay says.
+    void fire(const ScheduledShot& shot);
     /// The hit that this shot would make if nothing moved meanwhile, as shoot() or, without flight, as
     /// hitscan() makes it. Nothing when it would strike no target.
     [[nodiscard]] std::optional<Hit> predictedHit(const Ray& ray, bool isInstant) const;
+    [[nodiscard]] std::optional<Hit> predictedHit(const ScheduledShot& shot) const;
     /// Shots that leave by themselves as time goes on.
     void schedule(std::span<const ScheduledShot> shots);
     void cancelScheduled();
     [[nodiscard]] std::size_t shotsToCome() const { return m_schedule.size(); }
-    /// Steps the physics; contacts become hits, dynamic targets move.
-    void advance(double seconds);
+    using IsTimeUp = std::function<bool()>;
+    /// Steps the physics; contacts become hits, dynamic targets move. Where time is up before all shots that
+    /// are due have been fired, the step and the rest of `seconds` are dropped and the next call goes on with
+    /// the shots: the hits are the same. One shot is always fired.
+    void advance(double seconds, const IsTimeUp& isTimeUp = {});
     void stepOnce();  ///< one physics step, paused or not
     [[nodiscard]] bool isPaused() const { return m_physics.isPaused(); }
     void setPaused(bool paused);
@@ -210,7 +222,7 @@ public:
     /// now.
     void setUpToDate() { m_isBehind = false; }
     [[nodiscard]] bool isUpToDate() const { return !m_isBehind; }
-    /// How to bring the CPU copies up to date at once, as SceneGpu::sync() does; called before a physics step
+    /// How to bring the CPU copies up to date now, as SceneGpu::syncPositions() does; before a physics step
     /// that needs to know. None: colliders take on what has been read back so far.
     void setCatchUp(std::function<void()> catchUp) { m_catchUp = std::move(catchUp); }
     void setCapacity(CapacityReport report);
@@ -247,6 +259,10 @@ Q_SIGNALS:
     void constantsChanged();
     void lightsChanged();
     void projectileSettingsChanged();
+    void flightModeChanged();
+    /// The shots of a click or a series were fired, hit, landed, or are gone; the last time when they are
+    /// over.
+    void shotsWent(const hitscope::ShotCount& count);
     void pipelineChanged();
     void exactnessChanged();
     void scheduleChanged();  ///< shotsToCome()
@@ -268,9 +284,12 @@ private:
     void letCollide(const Target& target);
     [[nodiscard]] std::optional<Hit> hitOf(const Impact& impact) const;
     void takeImpacts(std::span<const Impact> impacts);
-    bool hitscan(const Ray& ray, const ProjectileSettings& settings);
-    void fireScheduled();
-    void step();
+    TargetId strikeAtOnce(const Ray& ray, const ProjectileSettings& settings);
+    void fire(const ScheduledShot& shot, int volley, int series);
+    bool fireScheduled(const IsTimeUp& isTimeUp);
+    bool step(const IsTimeUp& isTimeUp);
+    void sayWhatShotsDid();
+    void sayHowFiringGoes(std::size_t due);
     void catchUp();
     void expectMoves(std::span<const HistoryEdit> edits);
     [[nodiscard]] ColliderFollower::Vertices currentVertices() const;
@@ -313,11 +332,13 @@ private:
     Lights m_lights = defaultLights(m_lightSpace);
     std::shared_ptr<const Image> m_coverTexture;
     ProjectileSettings m_projectileSettings;
+    FlightMode m_flightMode = FlightMode::Quick;
     PipelineKind m_pipeline = PipelineKind::TransformFeedback;
     std::optional<Exactness> m_exactness;
     PhysicsWorld m_physics;
     ColliderFollower m_colliders{m_physics};
     ShotSchedule m_schedule;
+    ShotTally m_tally;
     std::function<void()> m_catchUp;
     bool m_isBehind = false;                    ///< the CPU copies, until setUpToDate()
     std::map<TargetId, QString> m_notHittable;  ///< why
@@ -329,6 +350,8 @@ private:
         m_moved;  ///< file vertices, since the last finishReadBack()
     std::unique_ptr<VertexSelection> m_selection;
     std::unique_ptr<TaskList> m_tasks;
+    std::unique_ptr<TaskProgress> m_firing;  ///< while shots are due that the frame had no time for
+    std::size_t m_mostDue = 0;               ///< of them
 };
 
 }  // namespace hitscope

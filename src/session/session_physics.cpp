@@ -5,6 +5,7 @@
 
 #include "session/frame_costs.h"
 #include "session/session.h"
+#include "session/task_list.h"
 
 namespace hitscope {
 
@@ -23,6 +24,8 @@ Hit localHit(const Impact& impact) {
     return hit;
 }
 
+constexpr float kWholeWorld = 2.0e7f;  // metres: longer than any line between two usable points
+
 bool keepsAllHits(PipelineKind kind) {
     return kind != PipelineKind::UniformArray && kind != PipelineKind::UniformArrayCulled;
 }
@@ -32,15 +35,34 @@ bool keepsAllHits(PipelineKind kind) {
 // Shots
 
 void Session::shoot(const Ray& ray) {
-    m_physics.shoot(ray.origin, ray.direction, m_projectileSettings);
-    Q_EMIT pictureChanged();
+    fire({0.0, ray, m_projectileSettings, false});
 }
 
 bool Session::hitscan(const Ray& ray) {
-    return hitscan(ray, m_projectileSettings);
+    const std::size_t before = m_history.size();
+    fire({0.0, ray, m_projectileSettings, true});
+    return m_history.size() > before;
 }
 
-bool Session::hitscan(const Ray& ray, const ProjectileSettings& settings) {
+void Session::fire(const ScheduledShot& shot) {
+    fire(shot, 0, m_tally.begin(1));
+    sayWhatShotsDid();
+    Q_EMIT pictureChanged();
+}
+
+void Session::fire(const ScheduledShot& shot, int volley, int series) {
+    const Ray& ray = shot.ray;
+    if (!shot.isInstant) {
+        m_tally.launched(series, m_physics.shoot(ray.origin, ray.direction, shot.settings, volley));
+        return;
+    }
+    const TargetId struck = strikeAtOnce(ray, shot.settings);
+    const bool floor = !struck && m_physics.castRay(ray.origin, ray.direction, kWholeWorld).has_value();
+    m_tally.struckAtOnce(series, struck, floor);
+}
+
+/// 0: no hit was made.
+TargetId Session::strikeAtOnce(const Ray& ray, const ProjectileSettings& settings) {
     catchUp();
     m_colliders.updateAll(currentVertices());
     const auto impact = m_physics.hitscan(ray.origin, ray.direction, settings);
@@ -48,23 +70,39 @@ bool Session::hitscan(const Ray& ray, const ProjectileSettings& settings) {
     if (impact) {
         takeImpacts({&*impact, 1});
     }
-    return m_history.size() > before;
+    return m_history.size() > before ? impact->target : TargetId{};
 }
 
 std::optional<Hit> Session::predictedHit(const Ray& ray, bool isInstant) const {
-    const auto impact = m_physics.predict(ray.origin, ray.direction, m_projectileSettings, isInstant);
+    return predictedHit({0.0, ray, m_projectileSettings, isInstant});
+}
+
+std::optional<Hit> Session::predictedHit(const ScheduledShot& shot) const {
+    const auto impact = m_physics.predict(shot.ray.origin, shot.ray.direction, shot.settings, shot.isInstant);
     return impact ? hitOf(*impact) : std::nullopt;
 }
 
 void Session::schedule(std::span<const ScheduledShot> shots) {
-    m_schedule.add(shots, m_physics.time());
+    if (!shots.empty()) {
+        m_schedule.add(shots, m_physics.time(), m_tally.begin(shots.size()));
+        sayWhatShotsDid();
+    }
     Q_EMIT scheduleChanged();
     Q_EMIT pictureChanged();
 }
 
 void Session::cancelScheduled() {
     m_schedule.clear();
+    m_tally.stopFiring();
+    sayHowFiringGoes(0);
+    sayWhatShotsDid();
     Q_EMIT scheduleChanged();
+}
+
+void Session::sayWhatShotsDid() {
+    for (const ShotCount& count : m_tally.takeChanged()) {
+        Q_EMIT shotsWent(count);
+    }
 }
 
 /// Nothing for an impact that no hit can be made of.
@@ -81,6 +119,7 @@ void Session::takeImpacts(std::span<const Impact> impacts) {
     for (const Impact& impact : impacts) {
         if (const std::optional<Hit> hit = hitOf(impact)) {
             hits.push_back(*hit);
+            m_tally.hit(impact.projectile, impact.target);
         }
     }
     appendHits(hits);
@@ -119,23 +158,47 @@ ColliderFollower::Vertices Session::currentVertices() const {
 
 // Time
 
-/// Between steps, so that an instant shot finds the dents of those before it.
-void Session::fireScheduled() {
-    const std::vector<ShotSchedule::Due> due = m_schedule.takeDue(m_physics.time(), m_physics.step());
-    for (const auto& [shot, volley] : due) {
-        if (shot.isInstant) {
-            hitscan(shot.ray, shot.settings);
-        } else {
-            m_physics.shoot(shot.ray.origin, shot.ray.direction, shot.settings, volley);
-        }
+/// Between steps, so that an instant shot finds the dents of those before it. Returns whether all that are
+/// due have been fired.
+bool Session::fireScheduled(const IsTimeUp& isTimeUp) {
+    const double now = m_physics.time();
+    const double length = m_physics.step();
+    bool anyFired = false;
+    while (m_schedule.isDue(now, length) && !(anyFired && isTimeUp && isTimeUp())) {
+        const ShotSchedule::Due due = m_schedule.takeNext();
+        fire(due.shot, due.volley, due.series);
+        anyFired = true;
     }
-    if (!due.empty()) {
+    const std::size_t left = m_schedule.countDue(now, length);
+    sayHowFiringGoes(left);
+    if (anyFired) {
         Q_EMIT scheduleChanged();
     }
+    return left == 0;
 }
 
-void Session::step() {
-    fireScheduled();
+/// `due`: shots that the frame had no time for.
+void Session::sayHowFiringGoes(std::size_t due) {
+    if (due == 0) {
+        m_firing.reset();
+        return;
+    }
+    if (!m_firing) {
+        m_mostDue = due;
+        m_firing = std::make_unique<TaskProgress>(
+            *m_tasks, tr("Shooting"), [this] { cancelScheduled(); },
+            tr("The shots to come are dropped; hits made so far stay."));
+    }
+    m_mostDue = std::max(m_mostDue, due);
+    m_firing->report(1.0 - static_cast<double>(due) / static_cast<double>(m_mostDue));
+}
+
+/// Returns whether it was made: not before all shots that are due have been fired.
+bool Session::step(const IsTimeUp& isTimeUp) {
+    if (!fireScheduled(isTimeUp)) {
+        sayWhatShotsDid();
+        return false;
+    }
     Q_EMIT aboutToStep();
     if (m_colliders.isDue()) {
         catchUp();
@@ -148,12 +211,16 @@ void Session::step() {
     const std::vector<Impact> impacts = m_physics.takeStep();
     m_frameCosts->addPhysics(static_cast<double>(clock.nsecsElapsed()) * 1.0e-9);
     takeImpacts(impacts);
+    for (const PhysicsWorld::FlightEvent& event : m_physics.takeFlightEvents()) {
+        m_tally.follow(event);
+    }
+    sayWhatShotsDid();
+    return true;
 }
 
-void Session::advance(double seconds) {
+void Session::advance(double seconds, const IsTimeUp& isTimeUp) {
     const bool wasMoving = isMoving();
-    for (int steps = m_physics.stepsDue(seconds); steps > 0; --steps) {
-        step();
+    for (int steps = m_physics.stepsDue(seconds); steps > 0 && step(isTimeUp); --steps) {
     }
     if (wasMoving) {
         followDynamicTargets();
@@ -163,7 +230,7 @@ void Session::advance(double seconds) {
 
 void Session::stepOnce() {
     m_physics.showLastStep();
-    step();
+    step({});
     followDynamicTargets();
     Q_EMIT pictureChanged();
 }

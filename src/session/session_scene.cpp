@@ -78,7 +78,8 @@ void Session::clearScene() {
         m_physics.removeTarget(target->id);
     }
     m_physics.removeProjectiles();
-    m_schedule.clear();
+    cancelScheduled();
+    m_tally.clear();
     m_colliders.clear();
     m_targets.clear();
     m_moved.clear();

@@ -2,6 +2,7 @@
 #include "session/shot_schedule.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hitscope {
 
@@ -11,11 +12,11 @@ constexpr double kRounding = 1.0e-6;  // of a step: times that are sums of steps
 
 }  // namespace
 
-void ShotSchedule::add(std::span<const ScheduledShot> shots, double now) {
+void ShotSchedule::add(std::span<const ScheduledShot> shots, double now, int series) {
     std::vector<Waiting> added;
     added.reserve(shots.size());
     for (const ScheduledShot& shot : shots) {
-        added.push_back({{shot, 0}, now + std::max(0.0, shot.delay)});
+        added.push_back({{shot, 0, series}, now + std::max(0.0, shot.delay)});
     }
     const auto isEarlier = [](const Waiting& a, const Waiting& b) { return a.time < b.time; };
     std::stable_sort(added.begin(), added.end(), isEarlier);
@@ -30,13 +31,21 @@ void ShotSchedule::add(std::span<const ScheduledShot> shots, double now) {
     std::stable_sort(m_waiting.begin(), m_waiting.end(), isEarlier);
 }
 
-std::vector<ShotSchedule::Due> ShotSchedule::takeDue(double now, double step) {
-    std::vector<Due> due;
-    while (!m_waiting.empty() && m_waiting.front().time <= now + kRounding * step) {
-        due.push_back(m_waiting.front().due);
-        m_waiting.pop_front();
-    }
-    return due;
+bool ShotSchedule::isDue(double now, double step) const {
+    return !m_waiting.empty() && m_waiting.front().time <= now + kRounding * step;
+}
+
+std::size_t ShotSchedule::countDue(double now, double step) const {
+    const auto later =
+        std::upper_bound(m_waiting.begin(), m_waiting.end(), now + kRounding * step,
+                         [](double time, const Waiting& waiting) { return time < waiting.time; });
+    return static_cast<std::size_t>(later - m_waiting.begin());
+}
+
+ShotSchedule::Due ShotSchedule::takeNext() {
+    Due next = std::move(m_waiting.front().due);
+    m_waiting.pop_front();
+    return next;
 }
 
 }  // namespace hitscope

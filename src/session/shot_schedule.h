@@ -24,13 +24,17 @@ struct ScheduledShot {
 class ShotSchedule {
 public:
     /// `now`: seconds of simulated time. Shots of the same delay leave in their order, and are one volley.
-    void add(std::span<const ScheduledShot> shots, double now);
+    /// `series` comes back with each of them.
+    void add(std::span<const ScheduledShot> shots, double now, int series = 0);
     struct Due {
         ScheduledShot shot;
         int volley = 0;  ///< > 0: projectiles of it pass through each other; 0: none
+        int series = 0;  ///< of add()
     };
-    /// Those that leave before the step of `step` seconds that begins `now`.
-    [[nodiscard]] std::vector<Due> takeDue(double now, double step);
+    /// Whether one leaves before the step of `step` seconds that begins `now`.
+    [[nodiscard]] bool isDue(double now, double step) const;
+    [[nodiscard]] std::size_t countDue(double now, double step) const;
+    [[nodiscard]] Due takeNext();  ///< size() > 0
     void clear() { m_waiting.clear(); }
     [[nodiscard]] std::size_t size() const { return m_waiting.size(); }
 

@@ -23,8 +23,8 @@ constexpr qint64 kLargestFile = qint64{64} << 20;  // bytes
 constexpr double kFarthest = 1.0e7;                // metres: beyond that nothing is simulated
 constexpr double kLongest = 86400.0;               // seconds
 // Of projectileParameters(): how the session shoots by hand, and how it makes hits, is not the script's.
-constexpr std::array<std::string_view, 5> kProjectileKeys{"speed", "radius", "mass", "lifetime",
-                                                          "most_alive"};
+constexpr std::array<std::string_view, 6> kProjectileKeys{"speed",    "radius",     "mass",
+                                                          "lifetime", "most_alive", "gravity"};
 
 /// `where`: the member; `what`: "has to be ...".
 Error wrong(const QString& where, const QString& what) {
@@ -106,7 +106,8 @@ Result<ProjectileSettings> projectileOf(const QJsonValue& value) {
     }
     const QJsonObject object = value.toObject();
     const QString bounces = QStringLiteral("bounces_count");
-    QStringList known{bounces};
+    const QString passes = QStringLiteral("passes_others");
+    QStringList known{bounces, passes};
     for (const std::string_view key : kProjectileKeys) {
         known << QString::fromUtf8(key);
     }
@@ -127,10 +128,13 @@ Result<ProjectileSettings> projectileOf(const QJsonValue& value) {
         }
         setParameterValue(settings, i, number.toDouble());
     }
-    if (object.contains(bounces) && !object[bounces].isBool()) {
-        return wrong(where + QStringLiteral(".bounces_count"), QStringLiteral("has to be true or false"));
+    for (const QString& key : {bounces, passes}) {
+        if (object.contains(key) && !object[key].isBool()) {
+            return wrong(where + u'.' + key, QStringLiteral("has to be true or false"));
+        }
     }
     settings.bouncesCount = object[bounces].toBool(settings.bouncesCount);
+    settings.passesOthers = object[passes].toBool(settings.passesOthers);
     return settings;
 }
 
@@ -168,6 +172,7 @@ QByteArray formatShotScript(const ShotScript& script) {
         }
     }
     projectile[QStringLiteral("bounces_count")] = script.projectile.bouncesCount;
+    projectile[QStringLiteral("passes_others")] = script.projectile.passesOthers;
     QJsonArray shots;
     for (const TimedShot& shot : script.shots) {
         shots.append(QJsonObject{{QStringLiteral("time"), shot.time},

@@ -5,28 +5,28 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "physics/physics_world.h"
-
 namespace hitscope {
 
 namespace {
 
-constexpr double kGravity = PhysicsWorld::kGravity;
-constexpr double kSteep = 1.0e-3;  // metres aside: nothing to allow for when shooting straight up or down
+// Aside, of the way: nothing to allow for when shooting straight up or down.
+constexpr double kSteep = 1.0e-5;
 
 }  // namespace
 
-glm::vec3 launchDirection(const glm::vec3& from, const glm::vec3& to, float speed) {
+glm::vec3 launchDirection(const glm::vec3& from, const glm::vec3& to, float speed, float gravity) {
     const glm::vec3 straight = to - from;
     const double aside = std::hypot(static_cast<double>(straight.x), static_cast<double>(straight.z));
     const double up = static_cast<double>(straight.y);
     const double v2 = static_cast<double>(speed) * static_cast<double>(speed);
+    const double g = gravity;
     // y = x tan(a) - g x^2 / (2 v^2 cos(a)^2), solved for tan(a).
-    const double discriminant = v2 * v2 - kGravity * (kGravity * aside * aside + 2.0 * up * v2);
-    if (aside < kSteep || discriminant < 0.0) {
+    const double discriminant = v2 * v2 - g * (g * aside * aside + 2.0 * up * v2);
+    if (!(aside > kSteep * std::abs(up)) || !(v2 > 0.0) || discriminant < 0.0) {
         return glm::normalize(straight);
     }
-    const double slope = (v2 - std::sqrt(discriminant)) / (kGravity * aside);
+    // The flatter one, written so that no digits cancel, and that no gravity is no exception.
+    const double slope = (g * aside * aside + 2.0 * up * v2) / (aside * (v2 + std::sqrt(discriminant)));
     return glm::normalize(glm::vec3(straight.x, static_cast<float>(slope * aside), straight.z));
 }
 

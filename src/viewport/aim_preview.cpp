@@ -42,6 +42,7 @@ AimPreview::AimPreview(Session& session, Viewport& viewport)
     connect(&session, &Session::sceneReplaced, this, &AimPreview::wait);
     connect(&session, &Session::constantsChanged, this, &AimPreview::wait);
     connect(&session, &Session::projectileSettingsChanged, this, &AimPreview::wait);
+    connect(&session, &Session::flightModeChanged, this, &AimPreview::wait);
 }
 
 void AimPreview::setEnabled(bool on) {
@@ -95,8 +96,8 @@ void AimPreview::wait() {
 }
 
 void AimPreview::show() {
-    const Ray shot = m_viewport.launched(m_viewport.navigation().rayAt(m_at));
-    const std::optional<Hit> hit = m_session.predictedHit(shot, false);
+    const ScheduledShot shot = m_viewport.shotAt(m_viewport.navigation().rayAt(m_at));
+    const std::optional<Hit> hit = m_session.predictedHit(shot);
     const Target* target = hit ? m_session.target(hit->target) : nullptr;
     if (target == nullptr) {
         return;

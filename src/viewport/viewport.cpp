@@ -39,8 +39,6 @@ Viewport::Viewport(Session& session, QWidget* parent)
     setFormat(viewportFormat());
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(240, 180);
-    m_holdTimer.setSingleShot(true);
-    m_holdTimer.setInterval(kDoubleClickGrace);
     m_crosshairTimer.setSingleShot(true);
     m_crosshairTimer.setInterval(kCrosshairStays);
     m_costsTimer.setSingleShot(true);
@@ -50,13 +48,13 @@ Viewport::Viewport(Session& session, QWidget* parent)
         m_repeatTimer.setInterval(qRound(1000.0f / m_session.projectileSettings().rateOfFire));
     };
     followRateOfFire();
-    connect(&m_holdTimer, &QTimer::timeout, this, &Viewport::fireHeldShot);
     connect(&m_repeatTimer, &QTimer::timeout, this, &Viewport::shootAtCrosshair);
     connect(&m_crosshairTimer, &QTimer::timeout, this, qOverload<>(&QWidget::update));
     connect(&m_navigation, &Navigation::cameraChanged, this, qOverload<>(&QWidget::update));
     connect(this, &QOpenGLWidget::frameSwapped, this, &Viewport::moveOn);
     connect(&session, &Session::projectileSettingsChanged, this, followRateOfFire);
     connect(&session, &Session::pictureChanged, this, qOverload<>(&QWidget::update));
+    connect(&session, &Session::pictureChanged, this, &Viewport::startClock);
     const VertexSelection& selection = session.selection();
     connect(&selection, &VertexSelection::hoveredChanged, this, qOverload<>(&QWidget::update));
     connect(&selection, &VertexSelection::pickedChanged, this, qOverload<>(&QWidget::update));
@@ -198,6 +196,12 @@ void Viewport::followRefresh() {
     }
 }
 
+void Viewport::startClock() {
+    if (!m_clock.isValid() && m_session.isMoving()) {
+        m_clock.start();
+    }
+}
+
 void Viewport::moveOn() {
     followRefresh();
     if (!wantsFrames()) {
@@ -244,13 +248,13 @@ void Viewport::setDrawsContinuously(bool on) {
 }
 
 void Viewport::followScene() {
-    m_heldShot.reset();
     followSize();
     frameAll(Navigation::Arrival::AtOnce);
 }
 
 void Viewport::followSize() {
-    m_navigation.setSceneRadius(std::max(m_session.sceneBounds().diagonal(), 1.0e-3f));
+    const float size = m_session.sceneBounds().diagonal();
+    m_navigation.setSceneRadius(size > 0.0f ? size : 1.0f);
 }
 
 SceneInSight Viewport::sceneInSight() const {
@@ -320,7 +324,7 @@ void Viewport::shootAtCrosshair() {
 /// Trouble comes up again with the next frame, and is reported then.
 void Viewport::catchUp() {
     makeCurrent();
-    static_cast<void>(m_scene->sync());
+    static_cast<void>(m_scene->syncPositions());
     doneCurrent();
 }
 

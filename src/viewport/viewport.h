@@ -26,9 +26,9 @@ class InspectTool;
 /// frame moves the session on by the time the last one took and asks for the next.
 ///
 /// Drags, the wheel and the keys W A S D E Q move the camera (Navigation). A short stationary left click
-/// shoots; a second click on the same spot within kDoubleClickGrace recentres instead, and for that the shot
-/// waits so long: navigating never dents a mesh. Space shoots at the crosshair, repeatedly while held, Escape
-/// ends the selection. What the cutting plane hides is not in the way of clicks and shots from its side.
+/// shoots, a middle click makes the camera look at that spot from now on. Space shoots at the crosshair,
+/// repeatedly while held, Escape ends the selection. What the cutting plane hides is not in the way of clicks
+/// and shots from its side.
 class Viewport : public QOpenGLWidget {
     Q_OBJECT
 public:
@@ -59,8 +59,12 @@ public:
     }
     /// Through a place of the picture, in fractions of its size from the top left corner.
     [[nodiscard]] Ray rayThrough(const QPointF& place) const;
-    /// `ray`, raised so that a projectile lands where the ray does.
-    [[nodiscard]] Ray launched(const Ray& ray) const;
+    /// What a click shoots along a line of sight: by the session's flight mode, and by what is there.
+    [[nodiscard]] ScheduledShot shotAt(const Ray& sight) const;
+    /// Its parts, for who shoots several of a kind: the projectile, and the ray, raised so that such a
+    /// projectile lands where the line of sight does.
+    [[nodiscard]] ProjectileSettings projectileFor(const Ray& sight) const;
+    [[nodiscard]] Ray launched(const Ray& sight, const ProjectileSettings& projectile) const;
     /// A surface to draw over the picture (SceneGpu::View); null: none.
     void setGhost(std::shared_ptr<const std::vector<glm::vec3>> ghost);
     /// Lines where options().cut cuts the targets, and of the second of two pipelines; null: none are drawn.
@@ -99,8 +103,7 @@ public:
     [[nodiscard]] QString rendererName() const { return m_rendererName; }
     [[nodiscard]] QString rendererVersion() const { return m_rendererVersion; }
 
-    static constexpr int kDoubleClickGrace = 250;  ///< milliseconds from release to the second press
-    static constexpr int kLongestClick = 500;      ///< milliseconds from press to release
+    static constexpr int kLongestClick = 500;  ///< milliseconds from press to release
 
 Q_SIGNALS:
     /// Seconds: from the frame before while frames follow each other, else what drawing took.
@@ -140,14 +143,21 @@ private:
     void catchUp();
     void followRefresh();
     void moveOn();        ///< after a frame: advances what moves by the time since the last
+    void startClock();    ///< what begins to move now has moved by the time the next frame is there
     void collectCosts();  ///< of the last frames, once no more follow
     [[nodiscard]] SceneGpu::View view() const;
     /// What the ray meets first where targets are shown: for aiming and recentring.
     [[nodiscard]] std::optional<PhysicsWorld::RayHit> aimedAt(const Ray& ray) const;
-    void shootAlong(const Ray& ray);
-    void click(const QPointF& position);
+    struct Aim {
+        Ray from;                     ///< where what is shot starts, and the line of sight from there
+        std::optional<glm::vec3> to;  ///< where it ends; nothing: nowhere
+        float extent = 0.0f;          ///< metres, of the target there, or of the largest
+        float distance = 0.0f;        ///< metres, to there, or a fair guess
+    };
+    [[nodiscard]] Aim aim(const Ray& sight) const;
+    void shootAlong(const Ray& sight);
+    void click(const QMouseEvent& event);
     void selectAt(const QPointF& position);
-    void fireHeldShot();
     void recentre(const QPointF& position);
 
     Session& m_session;
@@ -176,10 +186,9 @@ private:
     QTimer m_costsTimer;
     bool m_frameFollows = false;  ///< the frame to come was asked for right after the last
 
-    quint64 m_pressTime = 0;  ///< milliseconds, of the event
-    bool m_clickCounts = false;
-    std::optional<Ray> m_heldShot;
-    QTimer m_holdTimer;
+    quint64 m_pressTime = 0;     ///< milliseconds, of the event
+    QPointF m_pressedAt;         ///< logical pixels
+    bool m_clickCounts = false;  ///< the press may become a click: nothing has moved
     QTimer m_repeatTimer;
     QTimer m_crosshairTimer;  ///< runs while the crosshair shows because Space was used
 };

@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Mouse, wheel and keys of the viewport.
+#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
+#include <QStyleHints>
 #include <QWheelEvent>
-#include <algorithm>
-#include <limits>
+#include <utility>
 
-#include "viewport/aim.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
-
-namespace {
-
-constexpr float kAimLength = 8.0f;  // how far aiming looks, in camera distances plus scene sizes
-
-}  // namespace
 
 bool Viewport::event(QEvent* event) {
     if (event->type() == QEvent::NativeGesture &&
@@ -28,32 +22,36 @@ bool Viewport::event(QEvent* event) {
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
-    fireHeldShot();
     m_navigation.press(*event);
     m_pressTime = event->timestamp();
-    m_clickCounts = event->button() == Qt::LeftButton && !m_navigation.hasDragged();
+    m_pressedAt = event->position();
+    const bool mayShoot = event->button() == Qt::LeftButton && !m_navigation.hasDragged();
+    const bool mayRecentre = event->button() == Qt::MiddleButton && event->modifiers() == Qt::NoModifier;
+    m_clickCounts = mayShoot || mayRecentre;
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
+    const int threshold = QGuiApplication::styleHints()->startDragDistance();
+    m_clickCounts = m_clickCounts && (event->position() - m_pressedAt).manhattanLength() < threshold;
     m_navigation.move(*event);
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     m_navigation.release(*event);
     const bool brief = event->timestamp() - m_pressTime <= static_cast<quint64>(kLongestClick);
-    if (m_clickCounts && !m_navigation.hasDragged() && brief && event->button() == Qt::LeftButton) {
-        if (event->modifiers() == Qt::ControlModifier) {
-            selectAt(event->position());
-        } else {
-            click(event->position());
-        }
+    if (std::exchange(m_clickCounts, false) && brief) {
+        click(*event);
     }
-    m_clickCounts = false;
 }
 
-void Viewport::click(const QPointF& position) {
-    m_heldShot = m_navigation.rayAt(position);
-    m_holdTimer.start();
+void Viewport::click(const QMouseEvent& event) {
+    if (event.button() == Qt::MiddleButton) {
+        recentre(event.position());
+    } else if (event.button() == Qt::LeftButton && event.modifiers() == Qt::ControlModifier) {
+        selectAt(event.position());
+    } else if (event.button() == Qt::LeftButton) {
+        shootAlong(m_navigation.rayAt(event.position()));
+    }
 }
 
 void Viewport::selectAt(const QPointF& position) {
@@ -61,59 +59,9 @@ void Viewport::selectAt(const QPointF& position) {
     m_session.selectTarget(met ? met->target : TargetId{});
 }
 
-void Viewport::fireHeldShot() {
-    m_holdTimer.stop();
-    if (m_heldShot) {
-        const Ray ray = *m_heldShot;
-        m_heldShot.reset();
-        shootAlong(ray);
-    }
-}
-
+/// The second press of what the desktop calls a double click is one more click.
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
-    // The second press of what the desktop calls a double click. Later than our grace the first shot is on
-    // its way already, so this is one more click: two shots, and the view stays.
-    if (event->button() != Qt::LeftButton || !m_heldShot || event->modifiers() != Qt::NoModifier) {
-        mousePressEvent(event);
-        return;
-    }
-    m_heldShot.reset();
-    m_holdTimer.stop();
-    m_navigation.press(*event);  // which stops the camera
-    recentre(event->position());
-    m_clickCounts = false;
-}
-
-std::optional<PhysicsWorld::RayHit> Viewport::aimedAt(const Ray& ray) const {
-    const float length = kAimLength * (camera().distance() + m_session.sceneBounds().diagonal());
-    const std::optional<ShownRay> shown = shownPart(m_options.cut, ray, length);
-    if (shown) {
-        const auto met = m_session.physics().castRay(shown->ray.origin, shown->ray.direction, shown->length);
-        if (met || !m_options.cut.on) {
-            return met;
-        }
-    }
-    // The floor is whole.
-    const auto beyond = m_session.physics().castRay(ray.origin, ray.direction, length);
-    return beyond && !beyond->target ? beyond : std::nullopt;
-}
-
-Ray Viewport::launched(const Ray& ray) const {
-    const auto met = aimedAt(ray);
-    Ray shot = shotAlong(ray, camera(), met ? std::optional(met->point) : std::nullopt);
-    // What is cut away is not in its way.
-    if (const auto shown = shownPart(m_options.cut, shot, std::numeric_limits<float>::max())) {
-        shot = shown->ray;
-    }
-    if (met && met->point != shot.origin) {
-        shot.direction = launchDirection(shot.origin, met->point, m_session.projectileSettings().speed);
-    }
-    return shot;
-}
-
-void Viewport::shootAlong(const Ray& ray) {
-    m_session.shoot(launched(ray));
-    Q_EMIT shot(ray);
+    mousePressEvent(event);
 }
 
 void Viewport::recentre(const QPointF& position) {

@@ -37,7 +37,35 @@ private Q_SLOTS:
         QVERIFY(fingerprintOf(other) != fingerprintOf(first));
     }
 
+    void meshesOfAnySizeAreHit() {
+        const QTemporaryDir folder;
+        for (const char* extent : {"0.00005", "50000"}) {
+            const QString path = folder.filePath(QStringLiteral("box.obj"));
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            for (int corner = 0; corner < 8; ++corner) {
+                const auto at = [&](int axis) {
+                    return QByteArray((corner >> axis & 1) != 0 ? " " : " -") + extent;
+                };
+                file.write("v" + at(0) + at(1) + at(2) + "\n");
+            }
+            file.write("f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
+            file.close();
+            for (const char* flight : {"quick", "instant"}) {
+                const CliRun run = shoot({"--burst", "5", "--cone", "2", "--flight", flight, path});
+                QVERIFY2(run.out.startsWith(QStringLiteral("5 shots, 5 hits")),
+                         qPrintable(run.out + run.err));
+            }
+            QVERIFY(shoot({"--burst", "5", "--cone", "2", path})
+                        .out.startsWith(QStringLiteral("5 shots, 5 hits")));
+            QVERIFY(shoot({"--burst", "5", "--cone", "2", "--flight", "paper", path})
+                        .out.startsWith(QStringLiteral("5 shots, 0 hits")) ||
+                    QByteArray(extent) != "50000");
+        }
+    }
+
     void wrongUsageIsSaid() {
+        QCOMPARE(shoot({"--flight", "slow"}).status, 2);
         QCOMPARE(shoot({"--burst", "0"}).status, 2);
         QCOMPARE(shoot({"--cone", "400"}).status, 2);
         QCOMPARE(shoot({"--script", "a", "--burst", "3"}).status, 2);

@@ -2,6 +2,7 @@
 // The same shots at the same steps make the same hits, however frames fall between the steps: colliders
 // follow dents that come back from the GPU whenever frames let them.
 #include <QTest>
+#include <cstring>
 #include <random>
 
 #include "deform/hit_history.h"
@@ -32,7 +33,7 @@ public:
         auto gpu = SceneGpu::create(m_session);
         if (gpu) {
             m_gpu = std::move(gpu).value();
-            m_session.setCatchUp([this] { m_failed = m_failed || !m_gpu->sync(); });
+            m_session.setCatchUp([this] { m_failed = m_failed || !m_gpu->syncPositions(); });
         }
         m_view.width = 32;
         m_view.height = 24;
@@ -58,6 +59,28 @@ public:
         m_failed = m_failed || !m_gpu->sync();
     }
 
+    /// 60 instant shots that are all due at once while others fly, `most` of them a frame at most.
+    void shootAtOnce(int most) {
+        std::mt19937 random(11);
+        std::vector<ScheduledShot> shots;
+        for (int i = 0; i < 90; ++i) {
+            const bool isInstant = i % 3 != 0;
+            shots.push_back(
+                {isInstant ? 0.1 : i * 0.002, aim(random), m_session.projectileSettings(), isInstant});
+        }
+        m_session.schedule(shots);
+        while (m_session.isMoving()) {
+            int fired = 0;
+            m_session.advance(4.0 / 240.0, [&fired, most] { return ++fired >= most; });
+            m_failed = m_failed || !m_gpu->draw(m_view, m_target.framebuffer());
+        }
+        m_failed = m_failed || !m_gpu->sync();
+    }
+
+    [[nodiscard]] std::vector<DynamicVertex> vertices() const {
+        const std::span<const DynamicVertex> all = m_session.targets().front()->deformed.vertices();
+        return {all.begin(), all.end()};
+    }
     [[nodiscard]] bool failed() const { return m_failed || !m_gpu; }
     [[nodiscard]] std::vector<Hit> hits() const {
         const std::span<const Hit> hits = m_session.history().hits();
@@ -111,6 +134,23 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < histories[0].size(); ++i) {
             QVERIFY2(histories[1][i] == histories[0][i], qPrintable(QString::number(i)));
             QVERIFY2(histories[2][i] == histories[0][i], qPrintable(QString::number(i)));
+        }
+    }
+
+    void shotsFiredInSlicesMakeTheSameHits() {
+        Run whole;
+        whole.shootAtOnce(1000);
+        QVERIFY(!whole.failed());
+        QVERIFY(whole.hits().size() > 40);
+        for (const int most : {1, 7}) {
+            Run sliced;
+            sliced.shootAtOnce(most);
+            QVERIFY(!sliced.failed());
+            QVERIFY(sliced.hits() == whole.hits());
+            const std::vector<DynamicVertex> a = sliced.vertices();
+            const std::vector<DynamicVertex> b = whole.vertices();
+            QCOMPARE(a.size(), b.size());
+            QVERIFY(std::memcmp(a.data(), b.data(), a.size() * sizeof(DynamicVertex)) == 0);
         }
     }
 

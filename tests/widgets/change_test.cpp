@@ -114,7 +114,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(viewport.options().beforeAfter.wipeAt - at) < 1e-3f);
         QVERIFY(std::abs(static_cast<float>(child<QSlider>("wipeAt")->value()) / 1000.0f - at) < 2e-3f);
         QVERIFY(viewport.camera().eye() == eye);
-        QTest::qWait(2 * Viewport::kDoubleClickGrace);
+        QTest::qWait(500);
         QCOMPARE(m_session->physics().projectileCount(), std::size_t{0});
     }
 

@@ -41,7 +41,7 @@ private Q_SLOTS:
         QVERIFY(picked.has_value());
         QCOMPARE(selection().count(), std::size_t{1});
         QVERIFY(distanceTo(*picked, centre()) < 25.0);
-        QTest::qWait(2 * Viewport::kDoubleClickGrace);
+        QTest::qWait(500);
         QCOMPARE(m_session->history().size(), hits);
         QVERIFY(!m_session->isMoving());
         QTest::keyClick(&viewport(), Qt::Key_Escape);

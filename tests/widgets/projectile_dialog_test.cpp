@@ -18,8 +18,8 @@ using namespace hitscope;
 namespace {
 
 /// In the order of projectileParameters().
-constexpr const char* kFields[] = {"speed",     "radius",          "mass", "lifetime", "rateOfFire",
-                                   "mostAlive", "referenceImpulse"};
+constexpr const char* kFields[] = {"speed",     "radius",           "mass",   "lifetime", "rateOfFire",
+                                   "mostAlive", "referenceImpulse", "gravity"};
 
 }  // namespace
 

@@ -12,6 +12,8 @@
 
 using namespace hitscope;
 
+Q_DECLARE_METATYPE(hitscope::NavigationPreset)
+
 namespace {
 
 bool near(const glm::vec3& a, const glm::vec3& b, float distance = 1.0e-3f) {
@@ -34,8 +36,9 @@ private Q_SLOTS:
     void draggingFromTheFloorOrbitsTheTarget();
     void rightAndShiftDragPan();
     void wheelZooms();
-    void doubleClickRecentresAndShootsNothing();
-    void slowSecondClickIsAnotherShot();
+    void middleClickRecentresAndShootsNothing_data();
+    void middleClickRecentresAndShootsNothing();
+    void twoQuickClicksAreTwoShots();
     void controlClickSelectsAndShootsNothing();
     void spaceShootsRepeatedlyWhileHeld();
     void flyKeysMoveWhileHeld();
@@ -79,14 +82,14 @@ void ViewportTest::clickShootsWhereItPoints() {
 void ViewportTest::aimAllowsForTheFall() {
     for (const glm::vec3& to :
          {glm::vec3(20.0f, 0.0f, 0.0f), glm::vec3(-15.0f, 6.0f, 30.0f), glm::vec3(0.0f, -40.0f, 25.0f)}) {
-        const glm::dvec3 velocity = 30.0 * glm::dvec3(launchDirection({}, to, 30.0f));
+        const glm::dvec3 velocity = 30.0 * glm::dvec3(launchDirection({}, to, 30.0f, 9.81f));
         const double time = std::hypot(to.x, to.z) / std::hypot(velocity.x, velocity.z);
         const glm::dvec3 there = velocity * time - glm::dvec3(0.0, 0.5 * 9.81 * time * time, 0.0);
         QVERIFY(near(glm::vec3(there), to, 0.01f));
     }
     // Out of reach, or straight down: along the line.
-    QVERIFY(near(launchDirection({}, {0.0f, 0.0f, -500.0f}, 30.0f), {0.0f, 0.0f, -1.0f}));
-    QVERIFY(near(launchDirection({1.0f, 9.0f, 2.0f}, {1.0f, 0.0f, 2.0f}, 30.0f), {0.0f, -1.0f, 0.0f}));
+    QVERIFY(near(launchDirection({}, {0.0f, 0.0f, -500.0f}, 30.0f, 9.81f), {0.0f, 0.0f, -1.0f}));
+    QVERIFY(near(launchDirection({1.0f, 9.0f, 2.0f}, {1.0f, 0.0f, 2.0f}, 30.0f, 9.81f), {0.0f, -1.0f, 0.0f}));
 }
 
 void ViewportTest::dragOrbitsAndShootsNothing() {
@@ -99,7 +102,7 @@ void ViewportTest::dragOrbitsAndShootsNothing() {
     // The scene turns with the hand: dragged right and down, the eye goes left and up.
     QVERIFY(glm::dot(after.eye() - before.eye(), before.right()) < -0.1f);
     QVERIFY(after.eye().y > before.eye().y + 0.1f);
-    QTest::qWait(2 * Viewport::kDoubleClickGrace);
+    QTest::qWait(500);
     QCOMPARE(flying(), std::size_t{0});
 }
 
@@ -140,7 +143,7 @@ void ViewportTest::rightAndShiftDragPan() {
         QVERIFY(glm::dot(after.pivot() - before.pivot(), before.right()) < -0.05f);
         QVERIFY(glm::dot(after.pivot() - before.pivot(), before.up()) < -0.05f);
     }
-    QTest::qWait(2 * Viewport::kDoubleClickGrace);
+    QTest::qWait(500);
     QCOMPARE(flying(), std::size_t{0});
 }
 
@@ -160,38 +163,43 @@ void ViewportTest::wheelZooms() {
     QVERIFY(near(viewport.camera().eye(), eye));
 }
 
-void ViewportTest::doubleClickRecentresAndShootsNothing() {
+void ViewportTest::middleClickRecentresAndShootsNothing_data() {
+    QTest::addColumn<NavigationPreset>("preset");
+    QTest::newRow("Hitscope") << NavigationPreset::Hitscope;
+    QTest::newRow("Blender") << NavigationPreset::Blender;
+}
+
+void ViewportTest::middleClickRecentresAndShootsNothing() {
+    QFETCH(NavigationPreset, preset);
     Viewport& viewport = m_window->viewport();
+    viewport.navigation().setPreset(preset);
     const Camera before = viewport.camera();
     const QPoint at = centre() + QPoint(40, -30);
-    QTest::mouseClick(&viewport, Qt::LeftButton, {}, at);
-    QTest::mouseDClick(&viewport, Qt::LeftButton, {}, at);
+    QTest::mouseClick(&viewport, Qt::MiddleButton, {}, at);
+    QTRY_VERIFY_WITH_TIMEOUT(!near(viewport.camera().pivot(), before.pivot(), 0.1f), kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(!viewport.navigation().isMoving(), kPatience);
-    QVERIFY(!near(viewport.camera().pivot(), before.pivot(), 0.1f));
     QVERIFY(std::abs(glm::length(viewport.camera().pivot()) - 2.5f) < 0.1f);
-    QTest::qWait(2 * Viewport::kDoubleClickGrace);
+    // A drag there and back is none.
+    const glm::vec3 there = viewport.camera().pivot();
+    drag(Qt::MiddleButton, {}, {80, 30});
+    drag(Qt::MiddleButton, {}, {-80, -30});
+    QTest::qWait(300);
+    QVERIFY(!viewport.navigation().isMoving());
+    QVERIFY(near(viewport.camera().pivot(), there, 0.05f));
     QCOMPARE(flying(), std::size_t{0});
     QCOMPARE(m_session->history().size(), std::size_t{0});
 }
 
-void ViewportTest::slowSecondClickIsAnotherShot() {
+void ViewportTest::twoQuickClicksAreTwoShots() {
     Viewport& viewport = m_window->viewport();
     const glm::vec3 before = viewport.camera().pivot();
-    ProjectileSettings settings = m_session->projectileSettings();
-    settings.lifetime = 1.0f;
-    m_session->setProjectileSettings(settings);
     QTest::mouseClick(&viewport, Qt::LeftButton, {}, centre());
-    QTRY_COMPARE_WITH_TIMEOUT(flying(), std::size_t{1}, kPatience);
-    // Gone before the next one comes, which it would meet on its way back.
-    QTRY_COMPARE_WITH_TIMEOUT(flying(), std::size_t{0}, kPatience);
-    QCOMPARE(m_session->history().size(), std::size_t{1});
-    // The desktop still calls the second press a double click.
-    QMouseEvent second(QEvent::MouseButtonDblClick, centre(), viewport.mapToGlobal(QPointF(centre())),
-                       Qt::LeftButton, Qt::LeftButton, {});
-    second.setTimestamp(static_cast<quint64>(QTest::lastMouseTimestamp));
-    QCoreApplication::sendEvent(&viewport, &second);
-    QTest::mouseRelease(&viewport, Qt::LeftButton, {}, centre());
-    QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{2}, kPatience);
+    QCOMPARE(flying(), std::size_t{1});  // nothing is waited for
+    // As the desktop sends a double click: the second press is called one.
+    const QPoint aside = centre() + QPoint(2, 0);
+    QTest::mouseDClick(&viewport, Qt::LeftButton, {}, aside);
+    QTest::mouseRelease(&viewport, Qt::LeftButton, {}, aside);
+    QTRY_VERIFY_WITH_TIMEOUT(m_session->history().size() >= 2, kPatience);
     QVERIFY(near(viewport.camera().pivot(), before));
 }
 
@@ -212,7 +220,7 @@ void ViewportTest::controlClickSelectsAndShootsNothing() {
     QCOMPARE(m_session->selectedTarget(), m_session->targets().front()->id);
     QTest::mouseClick(&viewport, Qt::LeftButton, Qt::ControlModifier, {4, 4});
     QVERIFY(!m_session->selectedTarget());
-    QTest::qWait(2 * Viewport::kDoubleClickGrace);
+    QTest::qWait(500);
     QCOMPARE(flying(), std::size_t{0});
     QCOMPARE(m_session->history().size(), std::size_t{0});
 }

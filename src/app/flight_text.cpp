@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/flight_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include "models/focus_target.h"
+
+namespace hitscope {
+
+namespace {
+
+struct FlightText {
+    Q_DECLARE_TR_FUNCTIONS(hitscope::FlightText)
+};
+
+QString shortNumber(float value) {
+    return QLocale().toString(static_cast<double>(value), 'g', 3);
+}
+
+}  // namespace
+
+QString flightText(const Session& session) {
+    const Target* target = focusTarget(session);
+    const float extent = target != nullptr ? target->extent() : kUsualExtent;
+    const ProjectileSettings shot =
+        projectileOf(session.flightMode(), session.projectileSettings(), extent, 0.0f);
+    switch (session.flightMode()) {
+        case FlightMode::Instant:
+            return FlightText::tr("No flight: the hit is where the line of sight ends.");
+        case FlightMode::Quick:
+            return FlightText::tr(
+                       "Radius %1 m and gravity %2 m/s², by the size of the target (%3 m). The speed "
+                       "follows the distance: a flight takes %4 s. Lifetime %5 s.")
+                .arg(shortNumber(shot.radius), shortNumber(shot.gravity), shortNumber(extent),
+                     shortNumber(kQuickFlight), shortNumber(shot.lifetime));
+        case FlightMode::Paper:
+        case FlightMode::Own:
+            break;
+    }
+    return FlightText::tr("Speed %1 m/s, radius %2 m, lifetime %3 s, gravity %4 m/s².")
+        .arg(shortNumber(shot.speed), shortNumber(shot.radius), shortNumber(shot.lifetime),
+             shortNumber(shot.gravity));
+}
+
+}  // namespace hitscope

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/shot_text.h"
+
+#include <QCoreApplication>
+
+#include "models/quantity_text.h"
+
+namespace hitscope {
+
+namespace {
+
+struct ShotText {
+    Q_DECLARE_TR_FUNCTIONS(hitscope::ShotText)
+};
+
+QString oneShot(const ShotCount& count, const Session& session) {
+    if (count.hits > 0) {
+        const Target* target = session.target(count.lastHit);
+        return target != nullptr ? ShotText::tr("The shot hit %1.").arg(target->name)
+                                 : ShotText::tr("The shot hit.");
+    }
+    if (count.landed > 0) {
+        return ShotText::tr("The shot struck the floor.");
+    }
+    return count.isOver() ? ShotText::tr("The shot went past everything.")
+                          : ShotText::tr("The shot is on its way.");
+}
+
+QString wholeSeries(const ShotCount& count) {
+    QString text = ShotText::tr("%1 shots, %2 hits").arg(countText(count.shots), countText(count.hits));
+    if (count.landed > 0) {
+        text += ShotText::tr(", %1 on the floor").arg(countText(count.landed));
+    }
+    if (count.past > 0) {
+        text += ShotText::tr(", %1 past everything").arg(countText(count.past));
+    }
+    return text;
+}
+
+}  // namespace
+
+QString shotText(const ShotCount& count, const Session& session) {
+    if (count.shots == 1) {
+        return oneShot(count, session);
+    }
+    if (count.isOver() && count.shots > 0) {
+        return wholeSeries(count);
+    }
+    return count.fired == 0 && count.shots > 0
+               ? ShotText::tr("%1 shots are on their way.").arg(countText(count.shots))
+               : QString();
+}
+
+}  // namespace hitscope

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a line of sight meets, and what is shot along it.
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "viewport/aim.h"
+#include "viewport/viewport.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr float kAimLength = 8.0f;  // how far aiming looks, in camera distances plus scene sizes
+
+/// Of the largest target that is shown, metres; of a scene without: what the paper's targets have.
+float largestExtent(const Session& session) {
+    float largest = 0.0f;
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        largest = target->visible ? std::max(largest, target->extent()) : largest;
+    }
+    return largest > 0.0f ? largest : kUsualExtent;
+}
+
+}  // namespace
+
+std::optional<PhysicsWorld::RayHit> Viewport::aimedAt(const Ray& ray) const {
+    const float length = kAimLength * (camera().distance() + m_session.sceneBounds().diagonal());
+    const std::optional<ShownRay> shown = shownPart(m_options.cut, ray, length);
+    if (shown) {
+        const auto met = m_session.physics().castRay(shown->ray.origin, shown->ray.direction, shown->length);
+        if (met || !m_options.cut.on) {
+            return met;
+        }
+    }
+    // The floor is whole.
+    const auto beyond = m_session.physics().castRay(ray.origin, ray.direction, length);
+    return beyond && !beyond->target ? beyond : std::nullopt;
+}
+
+Viewport::Aim Viewport::aim(const Ray& sight) const {
+    const auto met = aimedAt(sight);
+    Aim aim;
+    aim.from = shotAlong(sight, camera(), met ? std::optional(met->point) : std::nullopt);
+    // What is cut away is not in its way.
+    if (const auto shown = shownPart(m_options.cut, aim.from, std::numeric_limits<float>::max())) {
+        aim.from = shown->ray;
+    }
+    const Target* target = met ? m_session.target(met->target) : nullptr;
+    aim.extent = target != nullptr ? target->extent() : largestExtent(m_session);
+    aim.distance = camera().distance();
+    if (met && met->point != aim.from.origin) {
+        aim.to = met->point;
+        aim.distance = glm::distance(met->point, aim.from.origin);
+    }
+    return aim;
+}
+
+ProjectileSettings Viewport::projectileFor(const Ray& sight) const {
+    const Aim at = aim(sight);
+    return projectileOf(m_session.flightMode(), m_session.projectileSettings(), at.extent, at.distance);
+}
+
+Ray Viewport::launched(const Ray& sight, const ProjectileSettings& projectile) const {
+    const Aim at = aim(sight);
+    Ray shot = at.from;
+    if (at.to) {
+        shot.direction = launchDirection(shot.origin, *at.to, projectile.speed, projectile.gravity);
+    }
+    return shot;
+}
+
+ScheduledShot Viewport::shotAt(const Ray& sight) const {
+    const ProjectileSettings projectile = projectileFor(sight);
+    const bool isInstant = m_session.flightMode() == FlightMode::Instant;
+    return {0.0, isInstant ? aim(sight).from : launched(sight, projectile), projectile, isInstant};
+}
+
+void Viewport::shootAlong(const Ray& sight) {
+    m_session.fire(shotAt(sight));
+    Q_EMIT shot(sight);
+}
+
+}  // namespace hitscope
