@@ -18,7 +18,7 @@ QString text(std::string_view part) {
 }
 
 /// Rich text, which is broken into lines.
-QString toolTipOf(const FlightModeTraits& traits) {
+QString flightToolTip(const FlightModeTraits& traits) {
     return QStringLiteral("<p>%1</p>").arg(text(traits.description).toHtmlEscaped());
 }
 
@@ -28,13 +28,13 @@ QComboBox* makeFlightBox(Session& session, QWidget* parent) {
     auto* box = new QComboBox(parent);
     for (const FlightModeTraits& traits : allFlightModes()) {
         box->addItem(text(traits.name));
-        box->setItemData(box->count() - 1, toolTipOf(traits), Qt::ToolTipRole);
+        box->setItemData(box->count() - 1, flightToolTip(traits), Qt::ToolTipRole);
     }
     const auto follow = [&session, box] {
         const FlightModeTraits& traits = allFlightModes()[static_cast<std::size_t>(session.flightMode())];
         box->setCurrentIndex(static_cast<int>(session.flightMode()));
         box->setToolTip(QStringLiteral("<p>%1</p>").arg(FlightChooser::tr("How shots fly")) +
-                        toolTipOf(traits));
+                        flightToolTip(traits));
     };
     QObject::connect(box, &QComboBox::activated, &session,
                      [&session](int index) { session.setFlightMode(static_cast<FlightMode>(index)); });
@@ -65,7 +65,7 @@ void FlightChooser::fill(QMenu& menu) {
         QAction* action = modes.addAction(text(traits.name));
         action->setObjectName(QStringLiteral("flight/") + text(traits.key));
         action->setCheckable(true);
-        action->setToolTip(toolTipOf(traits));
+        action->setToolTip(flightToolTip(traits));
         connect(action, &QAction::triggered, this,
                 [this, mode = traits.mode] { m_session.setFlightMode(mode); });
         m_actions->addAction(action);

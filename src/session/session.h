@@ -181,6 +181,8 @@ public:
     void schedule(std::span<const ScheduledShot> shots);
     void cancelScheduled();
     [[nodiscard]] std::size_t shotsToCome() const { return m_schedule.size(); }
+    /// Shots are due that advance() had no time for.
+    [[nodiscard]] bool isFiring() const { return m_firing != nullptr; }
     using IsTimeUp = std::function<bool()>;
     /// Steps the physics; contacts become hits, dynamic targets move. Where time is up before all shots that
     /// are due have been fired, the step and the rest of `seconds` are dropped and the next call goes on with

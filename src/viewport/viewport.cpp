@@ -21,6 +21,7 @@ namespace {
 
 constexpr int kCrosshairStays = 1500;   // milliseconds after the last shot with Space
 constexpr int kCostsArrive = 200;       // milliseconds after the last frame of many
+constexpr qint64 kFiringFrames = 500;   // milliseconds between frames while shots are being fired
 constexpr double kLongestStep = 0.25;   // seconds: a window that stood still does not make the scene jump
 constexpr double kNanosecond = 1.0e-9;  // seconds
 
@@ -51,9 +52,14 @@ Viewport::Viewport(Session& session, QWidget* parent)
     connect(&m_repeatTimer, &QTimer::timeout, this, &Viewport::shootAtCrosshair);
     connect(&m_crosshairTimer, &QTimer::timeout, this, qOverload<>(&QWidget::update));
     connect(&m_navigation, &Navigation::cameraChanged, this, qOverload<>(&QWidget::update));
-    connect(this, &QOpenGLWidget::frameSwapped, this, &Viewport::moveOn);
+    connect(this, &QOpenGLWidget::frameSwapped, this, [this] {
+        followRefresh();
+        moveOn();
+    });
+    m_sliceTimer.setSingleShot(true);
+    connect(&m_sliceTimer, &QTimer::timeout, this, &Viewport::moveOn);
     connect(&session, &Session::projectileSettingsChanged, this, followRateOfFire);
-    connect(&session, &Session::pictureChanged, this, qOverload<>(&QWidget::update));
+    connect(&session, &Session::pictureChanged, this, &Viewport::updateUnlessFiring);
     connect(&session, &Session::pictureChanged, this, &Viewport::startClock);
     const VertexSelection& selection = session.selection();
     connect(&selection, &VertexSelection::hoveredChanged, this, qOverload<>(&QWidget::update));
@@ -202,8 +208,13 @@ void Viewport::startClock() {
     }
 }
 
+void Viewport::updateUnlessFiring() {
+    if (!m_session.isFiring()) {
+        update();
+    }
+}
+
 void Viewport::moveOn() {
-    followRefresh();
     if (!wantsFrames()) {
         m_costsTimer.start();
         m_clock.invalidate();
@@ -217,6 +228,12 @@ void Viewport::moveOn() {
         advanceWithin(m_session, passed);
     }
     m_navigation.advance(passed);
+    // Many shots are fired in slices, between which events are seen to. A frame for each would take longer
+    // than the shots.
+    if (m_session.isFiring() && m_sinceFrame.isValid() && m_sinceFrame.elapsed() < kFiringFrames) {
+        m_sliceTimer.start();
+        return;
+    }
     m_frameFollows = true;
     update();
 }

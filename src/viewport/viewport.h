@@ -142,8 +142,9 @@ private:
     [[nodiscard]] bool wantsFrames() const;
     void catchUp();
     void followRefresh();
-    void moveOn();        ///< after a frame: advances what moves by the time since the last
-    void startClock();    ///< what begins to move now has moved by the time the next frame is there
+    void moveOn();      ///< after a frame or a slice: advances what moves by the time since the last
+    void startClock();  ///< what begins to move now has moved by the time the next frame is there
+    void updateUnlessFiring();
     void collectCosts();  ///< of the last frames, once no more follow
     [[nodiscard]] SceneGpu::View view() const;
     /// What the ray meets first where targets are shown: for aiming and recentring.
@@ -184,6 +185,7 @@ private:
     QElapsedTimer m_clock;       ///< since moveOn() last ran; invalid while nothing moves
     QElapsedTimer m_sinceFrame;  ///< since the last frame ended
     QTimer m_costsTimer;
+    QTimer m_sliceTimer;          ///< to moveOn() without a frame, while shots are being fired
     bool m_frameFollows = false;  ///< the frame to come was asked for right after the last
 
     quint64 m_pressTime = 0;     ///< milliseconds, of the event
