@@ -91,6 +91,7 @@ void MainWindow::connectFiles() {
             [this] { statusBar()->showMessage(tr("Cancelled. The file is unchanged."), kMessageStays); });
     m_guard = new DiscardGuard(
         m_session, *this, [this](const std::vector<TargetId>& targets) { return chooseExports(targets); });
+    m_guard->letGo();  // of what was there before the window
     connect(m_exporter, &MeshExporter::ended, m_guard, &DiscardGuard::exportEnds);
     connect(m_hitActions, &HitActions::exportBegan, m_guard, &DiscardGuard::hitsExportBegins);
     connect(m_hitActions, &HitActions::exported, m_guard, &DiscardGuard::hitsExported);

@@ -65,6 +65,7 @@ private Q_SLOTS:
     void asks_data();
     void asks();
     void doesNotAskForNothing();
+    void doesNotAskForTheFirstScene();
     void closingAsks();
     void exportGoesOnWhenItIsWritten();
     void staysWhenAnExportFails();
@@ -199,6 +200,20 @@ void DiscardTest::doesNotAskForNothing() {
     QVERIFY(guard->isAtRisk());
     m_session->clearHits();
     QVERIFY(!guard->isAtRisk());
+    m_window->close();
+    QVERIFY(!m_window->isVisible());
+}
+
+/// The hits that the program opens with are not the person's.
+void DiscardTest::doesNotAskForTheFirstScene() {
+    makeWindow([](Session& session) {
+        loadSphere(session);
+        Hit first;
+        first.target = session.targets().front()->id;
+        first.point = {0.0f, 0.0f, 2.5f};
+        QVERIFY(session.addHit(first).ok());
+    });
+    QCOMPARE(m_session->history().size(), std::size_t{1});
     m_window->close();
     QVERIFY(!m_window->isVisible());
 }
