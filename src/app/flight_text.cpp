@@ -2,9 +2,10 @@
 #include "app/flight_text.h"
 
 #include <QCoreApplication>
-#include <QLocale>
+#include <cmath>
 
 #include "models/focus_target.h"
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -14,8 +15,13 @@ struct FlightText {
     Q_DECLARE_TR_FUNCTIONS(hitscope::FlightText)
 };
 
+/// To three digits.
 QString shortNumber(float value) {
-    return QLocale().toString(static_cast<double>(value), 'g', 3);
+    if (!(value > 0.0f)) {
+        return shownFloat(value);
+    }
+    const double unit = std::pow(10.0, std::floor(std::log10(static_cast<double>(value))) - 2.0);
+    return shownFloat(static_cast<float>(std::round(static_cast<double>(value) / unit) * unit));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/projectile_dialog.h"
 
+#include <QComboBox>
 #include <QPushButton>
 
 #include "app/flight_chooser.h"
@@ -43,7 +44,9 @@ ProjectileDialog::ProjectileDialog(Session& session, QWidget* parent)
     connect(m_ui->buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     connect(m_ui->buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
             [this] { m_session.setProjectileSettings(ProjectileSettings{}); });
-    m_ui->flightPlace->addWidget(makeFlightBox(session, this));
+    QComboBox* flight = makeFlightBox(session, this);
+    m_ui->flightPlace->addWidget(flight);
+    m_ui->flightLabel->setBuddy(flight);
     connect(&session, &Session::projectileSettingsChanged, this, &ProjectileDialog::showSettings);
     for (const auto signal : {&Session::flightModeChanged, &Session::sceneReplaced}) {
         connect(&session, signal, this, &ProjectileDialog::showInForce);

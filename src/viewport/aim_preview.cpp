@@ -15,7 +15,8 @@ namespace hitscope {
 
 namespace {
 
-constexpr int kBeside = 18;  // pixels from the cursor to the label
+constexpr int kBeside = 18;            // pixels from the cursor to the label
+constexpr double kMillimetre = 0.001;  // metres
 
 }  // namespace
 
@@ -119,7 +120,8 @@ void AimPreview::show() {
     }
     m_viewport.setGhost(std::move(ghost));
     const std::size_t count = preview.affectedVertices;
-    const QString depth = shownNumber(static_cast<double>(preview.depth), 'f', 3);
+    const auto metres = static_cast<double>(preview.depth);
+    const QString depth = metres >= kMillimetre ? shownNumber(metres, 'f', 3) : shownNumber(metres, 'g', 3);
     showText(count == 1 ? tr("1 vertex, %1 m deep").arg(depth)
                         : tr("%1 vertices, %2 m deep").arg(shownCount(count), depth));
 }
