@@ -116,6 +116,7 @@ PictureRequest PictureActions::requestOf(const PictureDialog& dialog) const {
     request.options.transparent = dialog.isTransparent();
     request.options.floor = dialog.hasFloor();
     request.labels = dialog.hasLabels();
+    request.selectionMarks = dialog.hasSelectionMarks();
     return request;
 }
 

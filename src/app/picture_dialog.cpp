@@ -53,6 +53,11 @@ PictureDialog::PictureDialog(Kind kind, const QSize& shown, std::size_t hits, QW
     m_labels->setToolTip(tr("What the viewport writes over the picture where it shows change"));
     m_labels->setChecked(true);
     form->addRow({}, m_labels);
+    m_selectionMarks = new QCheckBox(tr("Include selection &marks"), this);
+    m_selectionMarks->setObjectName(QStringLiteral("selectionMarks"));
+    m_selectionMarks->setToolTip(
+        tr("Dots on the selected vertices, the ring of the selected hit, the tint of the selected target"));
+    form->addRow({}, m_selectionMarks);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     buttons->addButton(one ? tr("&Save As…") : tr("Choose &Folder…"), QDialogButtonBox::AcceptRole);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -143,6 +148,10 @@ bool PictureDialog::hasLabels() const {
     return m_labels->isChecked();
 }
 
+bool PictureDialog::hasSelectionMarks() const {
+    return m_selectionMarks->isChecked();
+}
+
 int PictureDialog::turntable() const {
     return m_turntable == nullptr || m_replay->isChecked() ? 0 : m_turntable->value();
 }
@@ -156,6 +165,7 @@ void PictureDialog::load(const QSettings& settings) {
     m_transparent->setChecked(settings.value(QStringLiteral("picture/transparent"), false).toBool());
     m_floor->setChecked(settings.value(QStringLiteral("picture/floor"), true).toBool());
     m_labels->setChecked(settings.value(QStringLiteral("picture/labels"), true).toBool());
+    m_selectionMarks->setChecked(settings.value(QStringLiteral("picture/selectionMarks"), false).toBool());
     if (m_turntable != nullptr) {
         m_turntable->setValue(settings.value(QStringLiteral("picture/turntable"), kUsualPictures).toInt());
     }
@@ -171,6 +181,7 @@ void PictureDialog::save(QSettings& settings) const {
     settings.setValue(QStringLiteral("picture/transparent"), isTransparent());
     settings.setValue(QStringLiteral("picture/floor"), hasFloor());
     settings.setValue(QStringLiteral("picture/labels"), hasLabels());
+    settings.setValue(QStringLiteral("picture/selectionMarks"), hasSelectionMarks());
     if (m_turntable != nullptr) {
         settings.setValue(QStringLiteral("picture/turntable"), m_turntable->value());
     }

@@ -24,7 +24,8 @@ public:
     [[nodiscard]] bool isTransparent() const;
     [[nodiscard]] bool hasFloor() const;
     [[nodiscard]] bool hasLabels() const;  ///< the colour bar and the notes
-    [[nodiscard]] int turntable() const;   ///< pictures; 0: a replay
+    [[nodiscard]] bool hasSelectionMarks() const;
+    [[nodiscard]] int turntable() const;  ///< pictures; 0: a replay
 
     void load(const QSettings& settings);
     void save(QSettings& settings) const;
@@ -42,6 +43,7 @@ private:
     QCheckBox* m_transparent = nullptr;
     QCheckBox* m_floor = nullptr;
     QCheckBox* m_labels = nullptr;
+    QCheckBox* m_selectionMarks = nullptr;
     QRadioButton* m_replay = nullptr;
     QSpinBox* m_turntable = nullptr;
 };

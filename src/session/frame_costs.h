@@ -33,6 +33,7 @@ struct FrameCost {
     std::uint32_t hits = 0;     ///< that arrived in it
     std::uint32_t history = 0;  ///< hits in the history
     PipelineKind pipeline = PipelineKind::TransformFeedback;
+    std::uint8_t pipelines = 1;  ///< kept up, and drawn side by side: 2 while they are compared
 };
 
 /// What applying a hit cost, seconds: its share of the hits that were applied together with it.

@@ -25,6 +25,7 @@ public:
     void endOf(Part part);
     /// The hits [first, first + count) are what Deformation applies; `arrived`: they are new.
     void applying(std::size_t first, std::size_t count, bool arrived);
+    void comparing() { m_cost.pipelines = 2; }  ///< a second pipeline has its part in this frame
     /// The work is done. Without Drawing it was no frame.
     void end();
     /// Reports the GPU's times that have arrived; all of them are asked for, also the youngest.

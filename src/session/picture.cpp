@@ -92,6 +92,8 @@ Result<Image> drawPicture(SceneGpu& scene, const PictureRequest& request) {
     view.otherSection = request.otherSection;
     view.changeValues = request.changeValues;
     view.comparison = request.comparison;
+    view.selectionMarks = request.selectionMarks;
+    view.options.crosshair = view.options.crosshair && request.selectionMarks;
     if (Status drawn = scene.draw(view, target.framebuffer()); !drawn) {
         return drawn.error();
     }

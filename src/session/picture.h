@@ -20,6 +20,8 @@ struct PictureRequest {
     std::shared_ptr<const SectionLines> otherSection = nullptr;
     /// The colour bar and the notes are written over it, as over the viewport (ChangeOverlay).
     bool labels = false;
+    /// With what marks the selected vertices, hit and target, and with the crosshair where options have it.
+    bool selectionMarks = false;
 };
 
 /// Pixels of a picture's height that count as one screen full: lines are as wide on a larger one as if the

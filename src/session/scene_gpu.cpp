@@ -201,7 +201,8 @@ Status SceneGpu::Private::drawAll(Frame& frame, const View& view, unsigned frame
             secondUpload.upload(item.target, second.buffersOf(item.target));
         }
     }
-    const std::vector<VertexMarks> secondMarks = marks.on(items);
+    const std::vector<VertexMarks> secondMarks =
+        view.selectionMarks ? marks.on(items) : std::vector<VertexMarks>();
     frame.targets = items;
     frame.marks = secondMarks;
     frame.section = view.otherSection;
@@ -217,8 +218,14 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
         return status;
     }
     d->followComparison(view);
+    if (d->second.isReady()) {
+        d->meter.comparing();
+    }
     const Session& session = d->session;
-    const std::vector<DrawItem> items = d->drawItems();
+    std::vector<DrawItem> items = d->drawItems();
+    for (DrawItem& item : items) {
+        item.selected = item.selected && view.selectionMarks;
+    }
     std::vector<ProjectileItem> projectiles;
     projectiles.reserve(session.physics().projectileCount());
     for (const ProjectileState& projectile : session.physics().projectiles()) {
@@ -244,13 +251,14 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
         }
     }
     d->marks.follow(session);
-    const std::vector<VertexMarks> marks = d->marks.on(items);
+    const std::vector<VertexMarks> marks =
+        view.selectionMarks ? d->marks.on(items) : std::vector<VertexMarks>();
     frame.marks = marks;
     frame.projectiles = projectiles;
     frame.ghost = view.ghost;
     frame.section = view.section;
     frame.showsCutPlane = view.showsCutPlane;
-    if (session.selectedHit()) {
+    if (view.selectionMarks && session.selectedHit()) {
         const Hit& hit = session.history().hits()[*session.selectedHit()];
         if (const Target* target = session.target(hit.target)) {
             frame.highlightedHit = Sphere{target->transform.toWorld(hit.point), hit.constants.maxDistance};

@@ -48,6 +48,7 @@ public:
         /// What a colour map of change takes its range and some values from; it follows the quantity shown.
         const ChangeValues* changeValues = nullptr;
         Comparison* comparison = nullptr;  ///< with a second pipeline; null: none
+        bool selectionMarks = true;        ///< vertices, the hit and the target that are selected, as such
     };
     /// As sync(), but waits for nothing: what changed comes to the session with one of the next frames. Then
     /// one picture into the framebuffer object of that name (0: the default framebuffer).

@@ -169,15 +169,10 @@ bool InspectTool::keyPress(const QKeyEvent& event) {
     if (event.key() != Qt::Key_Escape || event.modifiers() != Qt::NoModifier) {
         return false;
     }
-    if (m_drag == Drag::Outline) {
-        endDrag();
-        return true;
+    if (m_drag != Drag::Outline) {
+        return false;  // the viewport deselects everything
     }
-    if (m_selection.count() == 0 && !m_selection.picked()) {
-        return false;
-    }
-    m_selection.select({}, {}, Combine::Replace);
-    m_selection.setPicked(std::nullopt);
+    endDrag();
     return true;
 }
 

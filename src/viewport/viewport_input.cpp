@@ -8,6 +8,7 @@
 #include <QWheelEvent>
 #include <utility>
 
+#include "session/vertex_selection.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -84,6 +85,7 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
         }
     } else if (plain && event->key() == Qt::Key_Escape) {
         m_session.selectHit(std::nullopt);
+        m_session.selection().clear();
         m_session.selectTarget({});
     } else if (!m_navigation.keyPress(*event)) {
         QOpenGLWidget::keyPressEvent(event);

@@ -17,6 +17,7 @@
 #include "mesh/primitives.h"
 #include "panels/change/change_panel.h"
 #include "session/change_values.h"
+#include "session/vertex_selection.h"
 #include "support/baseline.h"
 #include "support/test_program.h"
 #include "widgets/window_support.h"
@@ -34,6 +35,7 @@ private Q_SLOTS:
     void suffixTellsTheFormat();
     void saveKeyAsksNothing();
     void anySizeAndTransparent();
+    void selectionMarksAreLeftOut();
     void tooLargeSaysTheLimit();
     void folderThatIsNotThere();
     void turntableGoesOnceAround();
@@ -111,6 +113,25 @@ void PicturesTest::saveKeyAsksNothing() {
     QImage shown = m_window->viewport().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
     QCOMPARE(picture.pixel(picture.width() / 2, picture.height() / 2) | 0xff000000u,
              shown.pixel(shown.width() / 2, shown.height() / 2));
+}
+
+void PicturesTest::selectionMarksAreLeftOut() {
+    addHits();
+    const QImage plain = saved(request(320, 240));
+    const QImage shown = m_window->viewport().grabFramebuffer();
+    m_session->selectHit(1);
+    m_session->selection().select(m_session->targets().front()->id, {10, 20, 30},
+                                  VertexSelection::Combine::Replace);
+    m_session->selection().setPicked(VertexRef{m_session->targets().front()->id, 10});
+    QCOMPARE(saved(request(320, 240)), plain);
+    PictureRequest marked = request(320, 240);
+    marked.selectionMarks = true;
+    QVERIFY(saved(marked) != plain);
+    QVERIFY(m_window->viewport().grabFramebuffer() != shown);
+    // Esc takes the ring away as well, and the vertices.
+    QTest::keyClick(&m_window->viewport(), Qt::Key_Escape);
+    QVERIFY(!m_session->selectedHit());
+    QCOMPARE(m_window->viewport().grabFramebuffer(), shown);
 }
 
 void PicturesTest::anySizeAndTransparent() {
