@@ -157,9 +157,9 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
 }
 
 void MainWindow::followFrameRate() {
-    const double rate = m_frameRate->summary().framesPerSecond;
-    m_status->setFrameRate(rate);
-    if (rate <= 0.0) {
+    const FrameTimes::Summary summary = m_frameRate->summary();
+    m_status->setFrameRate(summary);
+    if (summary.recent == 0) {
         m_frameRateTimer.stop();  // until the next frame
     }
 }

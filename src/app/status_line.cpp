@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/frame_rate_text.h"
 #include "models/quantity_text.h"
 #include "session/shown_number.h"
 #include "session/task_list.h"
@@ -31,7 +32,7 @@ StatusLine::StatusLine(const Session& session, QStatusBar& bar, QObject* parent)
     m_vertices = addCell(tr("Vertices of all targets"));
     m_hits = addCell(tr("Hits made so far"));
     m_frameRate = addCell(tr("Frames drawn in the last second"));
-    setFrameRate(0.0);
+    setFrameRate({});
     connect(&session, &Session::sceneReplaced, this, &StatusLine::showScene);
     connect(&session, &Session::targetAdded, this, &StatusLine::showScene);
     connect(&session, &Session::targetRemoved, this, &StatusLine::showScene);
@@ -124,9 +125,8 @@ void StatusLine::showRenderer() {
     m_renderer->setVisible(!m_rendererName.isEmpty());
 }
 
-void StatusLine::setFrameRate(double framesPerSecond) {
-    m_frameRate->setText(framesPerSecond > 0.0 ? tr("%1 FPS").arg(shownNumber(framesPerSecond, 'f', 0))
-                                               : tr("idle"));
+void StatusLine::setFrameRate(const FrameTimes::Summary& summary) {
+    m_frameRate->setText(frameRateText(summary));
 }
 
 void StatusLine::showScene() {

@@ -11,6 +11,8 @@ class QProgressBar;
 class QStatusBar;
 class QToolButton;
 
+#include "core/frame_times.h"
+
 namespace hitscope {
 
 /// What the status bar says: on the right pipeline, renderer, target, vertices, hits, frame rate; on the left
@@ -22,7 +24,7 @@ public:
     StatusLine(const Session& session, QStatusBar& bar, QObject* parent = nullptr);
 
     void setRenderer(const QString& name);
-    void setFrameRate(double framesPerSecond);  ///< 0: nothing was drawn lately
+    void setFrameRate(const FrameTimes::Summary& summary);
 
 private:
     QLabel* addCell(const QString& toolTip);

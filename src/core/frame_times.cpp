@@ -38,12 +38,22 @@ FrameTimes::Summary FrameTimes::summary(double now) const {
         return summary;
     }
     std::vector<double> costs;
+    std::vector<double> recent;
     costs.reserve(m_samples.size());
     for (const Sample& sample : m_samples) {
         costs.push_back(sample.cost);
         if (sample.end > now - 1.0 && sample.end <= now) {
-            summary.framesPerSecond += 1.0;
+            recent.push_back(sample.cost);
         }
+    }
+    const std::size_t newest = m_samples.size() < m_capacity ? m_samples.size() : m_next + m_capacity;
+    summary.lastCost = m_samples[(newest - 1) % m_capacity].cost;
+    summary.recent = recent.size();
+    if (!recent.empty()) {
+        const auto middle = recent.begin() + static_cast<std::ptrdiff_t>(recent.size() / 2);
+        std::nth_element(recent.begin(), middle, recent.end());
+        summary.recentCost = *middle;
+        summary.framesPerSecond = summary.recentCost > 0.0 ? 1.0 / summary.recentCost : 0.0;
     }
     std::sort(costs.begin(), costs.end(), std::greater<>());
     const std::size_t count = costs.size();

@@ -23,7 +23,10 @@ public:
     [[nodiscard]] std::size_t size() const { return m_samples.size(); }
 
     struct Summary {
-        double framesPerSecond = 0.0;   ///< frames that ended in the last second before `now`
+        std::size_t recent = 0;         ///< frames that ended in the last second before `now`; 0: idle
+        double recentCost = 0.0;        ///< seconds, the median of those
+        double framesPerSecond = 0.0;   ///< as many as frames that cost that allow; 0: idle
+        double lastCost = 0.0;          ///< seconds, of the last frame
         double meanCost = 0.0;          ///< seconds, over the samples kept
         double medianCost = 0.0;        ///< seconds
         double percentile99Cost = 0.0;  ///< seconds; 99 of 100 frames took that long or less (nearest rank)

@@ -28,15 +28,15 @@ void appendLine(QByteArray& csv, std::initializer_list<QByteArray> cells) {
 QByteArray framesCsv(std::span<const FrameCost> frames) {
     QByteArray csv =
         "frame,end_s,pipeline,history_hits,arrived_hits,frame_ms,cpu_ms,gpu_ms,physics_ms,"
-        "deformation_cpu_ms,deformation_gpu_ms,read_back_ms,drawing_ms\n";
+        "deformation_cpu_ms,deformation_gpu_ms,read_back_ms,drawing_ms,pipelines\n";
     for (const FrameCost& frame : frames) {
-        appendLine(
-            csv,
-            {QByteArray::number(static_cast<qulonglong>(frame.number)), QByteArray::number(frame.end, 'f', 6),
-             keyOf(frame.pipeline), QByteArray::number(frame.history), QByteArray::number(frame.hits),
-             milliseconds(frame.total), milliseconds(frame.cpu), milliseconds(frame.gpu),
-             milliseconds(frame.physics), milliseconds(frame.deformation), milliseconds(frame.gpuDeformation),
-             milliseconds(frame.readBack), milliseconds(frame.drawing)});
+        appendLine(csv, {QByteArray::number(static_cast<qulonglong>(frame.number)),
+                         QByteArray::number(frame.end, 'f', 6), keyOf(frame.pipeline),
+                         QByteArray::number(frame.history), QByteArray::number(frame.hits),
+                         milliseconds(frame.total), milliseconds(frame.cpu), milliseconds(frame.gpu),
+                         milliseconds(frame.physics), milliseconds(frame.deformation),
+                         milliseconds(frame.gpuDeformation), milliseconds(frame.readBack),
+                         milliseconds(frame.drawing), QByteArray::number(static_cast<int>(frame.pipelines))});
     }
     return csv;
 }

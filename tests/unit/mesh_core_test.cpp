@@ -26,10 +26,14 @@ private Q_SLOTS:
             times.add(0.25 * i, 0.01);  // 0.25 .. 2.0
         }
         // (1, 2]: the one that ended a full second ago belongs to the second before.
-        QCOMPARE(times.summary(2.0).framesPerSecond, 4.0);
-        QCOMPARE(times.summary(2.5).framesPerSecond, 2.0);
-        QCOMPARE(times.summary(1.0).framesPerSecond, 4.0);
+        QCOMPARE(times.summary(2.0).recent, std::size_t{4});
+        QCOMPARE(times.summary(2.5).recent, std::size_t{2});
+        QCOMPARE(times.summary(1.0).recent, std::size_t{4});
+        QCOMPARE(times.summary(10.0).recent, std::size_t{0});
+        // A rate is what the frame times allow, however few frames were asked for.
+        QCOMPARE(times.summary(2.0).framesPerSecond, 100.0);
         QCOMPARE(times.summary(10.0).framesPerSecond, 0.0);
+        QCOMPARE(times.summary(10.0).lastCost, 0.01);
     }
 
     void costsAreSummedUp() {

@@ -14,6 +14,7 @@
 #include <QToolButton>
 #include <QWheelEvent>
 
+#include "models/frame_rate_text.h"
 #include "panels/frame_rate/cost_view.h"
 #include "panels/frame_rate/frame_rate_panel.h"
 #include "panels/icons/themed_icon.h"
@@ -53,6 +54,8 @@ private Q_SLOTS:
     void plotsFollowThePalette();
     void savesCsv();
     void collectsCosts();
+    void twoPipelinesAreNotMixedWithOne();
+    void saysWhatFrameTimesAllow();
     void saysThatTheGpuIsNotMeasured();
     void measuresOnRequest();
 
@@ -260,6 +263,34 @@ void FrameRateTest::collectsCosts() {
     QVERIFY(m_panel->costs().curves()[1].points.empty());
 }
 
+void FrameRateTest::twoPipelinesAreNotMixedWithOne() {
+    m_session->frameCosts().setMeasuresGpu(false);
+    addFrame(*m_session, 0.02);
+    FrameCost both;
+    both.drawing = 1.0;
+    both.pipelines = 2;
+    m_session->frameCosts().addFrame(both);
+    m_session->frameCosts().endFrame(1.0);
+    m_panel->costs().refresh();
+    const std::vector<NamedCurve> curves = m_panel->costs().curves();
+    QCOMPARE(curves.size(), allPipelines().size());
+    QCOMPARE(curves[1].points.size(), std::size_t{1});
+    QVERIFY(curves[1].points[0].frame.value_or(1.0) < 0.02);
+    QCOMPARE(m_panel->summary().worstCost, 1.0);
+    QCOMPARE(m_panel->summary().medianCost, 1.0);  // of two pipelines alone
+    addFrame(*m_session, 0.02);
+    QCOMPARE(m_panel->summary().worstCost, 0.02);
+}
+
+void FrameRateTest::saysWhatFrameTimesAllow() {
+    QCOMPARE(frameRateText({}), QStringLiteral("Idle"));
+    addFrame(*m_session, 0.0083);
+    QCOMPARE(frameRateText(m_panel->summary()), QStringLiteral("8.3 ms (120 FPS)"));
+    FrameTimes::Summary idle = m_panel->summary();
+    idle.recent = 0;
+    QCOMPARE(frameRateText(idle), QStringLiteral("Idle · last frame 8.3 ms"));
+}
+
 void FrameRateTest::measuresOnRequest() {
     m_session->loadPaperRow(0);
     CostPlan plan;
@@ -277,6 +308,9 @@ void FrameRateTest::measuresOnRequest() {
         QCOMPARE(curve.points.size(), std::size_t{2});
     }
     QVERIFY(child<QLabel>("words")->text().startsWith(QStringLiteral("Measured")));
+    m_session->loadPaperRow(1);
+    QVERIFY(child<QLabel>("words")->text().contains(QStringLiteral("The scene has changed since")));
+    QCOMPARE(m_panel->costs().curves()[0].points.size(), std::size_t{2});
     plan.samples = 1'000'000;
     m_panel->costs().setPlan(plan);
     QTest::mouseClick(measure, Qt::LeftButton);

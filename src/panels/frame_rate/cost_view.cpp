@@ -2,6 +2,7 @@
 #include "panels/frame_rate/cost_view.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "models/quantity_text.h"
 #include "panels/frame_rate/pipeline_colour.h"
@@ -49,9 +50,9 @@ CostView::CostView(Session& session, QWidget* parent)
     });
     connect(&m_measurement, &CostMeasurement::finished, this, &CostView::followMeasurement);
     connect(&m_measurement, &CostMeasurement::failed, this, [this](const QString& why) { say(why); });
-    connect(&session, &Session::sceneReplaced, this, &CostView::clear);
-    connect(&session, &Session::targetAdded, this, &CostView::clear);
-    connect(&session, &Session::targetRemoved, this, &CostView::clear);
+    connect(&session, &Session::sceneReplaced, this, &CostView::followScene);
+    connect(&session, &Session::targetAdded, this, &CostView::followScene);
+    connect(&session, &Session::targetRemoved, this, &CostView::followScene);
     applyPalette();
 }
 
@@ -72,7 +73,11 @@ void CostView::applyPalette() {
         return QStringLiteral("<font color=\"%1\">■</font> %2")
             .arg(pipelineColour(kind).name(), nameOf(kind));
     };
-    m_ui->legend->setText(tr("%1  %2  (– frame, -- hit)").arg(swatch(kPipelines[0]), swatch(kPipelines[1])));
+    QStringList swatches;
+    for (const PipelineKind pipeline : kPipelines) {
+        swatches << swatch(pipeline);
+    }
+    m_ui->legend->setText(tr("%1  (– frame, -- hit)").arg(swatches.join(QStringLiteral("  "))));
     m_isDue = true;
     refresh();
 }
@@ -90,7 +95,16 @@ void CostView::measureOrCancel() {
         m_measurement.cancel();
         return;
     }
-    m_measurement.start(m_session, m_camera ? m_camera() : Camera(), m_plan);
+    CostPlan plan = m_plan;
+    std::erase_if(plan.pipelines,
+                  [this](PipelineKind kind) { return !m_session.whyUnavailable(kind).isEmpty(); });
+    std::size_t vertices = 0;
+    for (const std::unique_ptr<Target>& target : m_session.targets()) {
+        vertices += target->visible ? target->deformed.original().vertexCount() : 0;
+    }
+    m_measuredOn = tr("%1, %2 vertices").arg(m_session.sceneName(), countText(vertices));
+    m_isOfThisScene = true;
+    m_measurement.start(m_session, m_camera ? m_camera() : Camera(), std::move(plan));
     m_ui->progress->setRange(0, 0);
     followMeasurement();
 }
@@ -106,9 +120,20 @@ void CostView::say(const QString& text) {
     m_ui->words->setToolTip(text);
 }
 
+/// What was measured stays, and says of which scene it is; what is collected is of one scene only.
+void CostView::followScene() {
+    m_isOfThisScene = false;
+    m_collected.clear();
+    m_leftOut = false;
+    m_nextToCollect = m_session.frameCosts().nextFrame();
+    m_isDue = true;
+    refresh();
+}
+
 void CostView::clear() {
     m_measurement.cancel();
     m_collected.clear();
+    m_leftOut = false;
     m_showsMeasured = false;
     m_nextToCollect = m_session.frameCosts().nextFrame();
     m_isDue = true;
@@ -129,6 +154,10 @@ void CostView::collect() {
             return;  // its time is on the way
         }
         m_nextToCollect = frame.number + 1;
+        if (frame.pipelines > 1) {
+            m_leftOut = true;  // what two cost together is what neither costs
+            continue;
+        }
         const double gpu = frame.gpu.value_or(0.0);
         if (frame.hits == 0) {
             m_collected.addFrame(frame.pipeline, frame.history, std::max(frame.cpu - frame.physics, gpu));
@@ -194,14 +223,20 @@ void CostView::drawCrossover(QCPItemStraightLine& line, std::optional<double> hi
 }
 
 std::optional<double> CostView::crossoverOf(CostOf what) const {
-    return crossover(shown().points(kPipelines[0]), shown().points(kPipelines[1]), what);
+    return crossover(shown().points(PipelineKind::UniformArray),
+                     shown().points(PipelineKind::TransformFeedback), what);
 }
 
 QString CostView::inWords() const {
     const std::optional<double> still = crossoverOf(CostOf::Frame);
     const std::optional<double> hit = crossoverOf(CostOf::FrameWithHit);
-    const QString source =
-        m_showsMeasured ? tr("Measured by themselves.") : tr("Collected as you work with each pipeline.");
+    QString source = m_showsMeasured ? tr("Measured on %1.").arg(m_measuredOn)
+                                     : tr("Collected as you work with each pipeline.");
+    if (m_showsMeasured && !m_isOfThisScene) {
+        source += u' ' + tr("The scene has changed since.");
+    } else if (!m_showsMeasured && m_leftOut) {
+        source += u' ' + tr("Frames of two pipelines are left out.");
+    }
     if (!still && !hit) {
         return source + u' ' + tr("No crossover yet.");
     }

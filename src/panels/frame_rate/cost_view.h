@@ -45,6 +45,7 @@ private:
     void measureOrCancel();
     void followMeasurement();
     void say(const QString& text);
+    void followScene();
     void collect();
     void draw();
     void drawCrossover(QCPItemStraightLine& line, std::optional<double> hits);
@@ -52,8 +53,9 @@ private:
     [[nodiscard]] std::optional<double> crossoverOf(CostOf what) const;
     [[nodiscard]] const CostCurves& shown() const;
 
-    static constexpr std::array<PipelineKind, 2> kPipelines = {PipelineKind::UniformArray,
-                                                               PipelineKind::TransformFeedback};
+    static constexpr std::array<PipelineKind, 5> kPipelines = {
+        PipelineKind::UniformArray, PipelineKind::TransformFeedback, PipelineKind::UniformArrayCulled,
+        PipelineKind::Compute, PipelineKind::Reference};
 
     Session& m_session;
     std::unique_ptr<Ui::CostView> m_ui;
@@ -62,13 +64,16 @@ private:
     CostMeasurement m_measurement;
     CostCurves m_collected;
     bool m_showsMeasured = false;
+    QString m_measuredOn;         ///< scene
+    bool m_isOfThisScene = true;  ///< what was measured
+    bool m_leftOut = false;       ///< some frames, since two pipelines had a part in them
     bool m_isDue = true;
     std::uint64_t m_nextToCollect = 0;  ///< frame number
     struct Curves {
         QCPGraph* frame = nullptr;
         QCPGraph* hit = nullptr;
     };
-    std::array<Curves, 2> m_curves;  ///< by kPipelines
+    std::array<Curves, kPipelines.size()> m_curves;  ///< by kPipelines
     QCPItemStraightLine* m_crossover = nullptr;
 };
 

@@ -9,9 +9,11 @@
 #include <QPainter>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "io/staged_files.h"
 #include "models/costs_csv.h"
+#include "models/frame_rate_text.h"
 #include "models/quantity_text.h"
 #include "panels/frame_rate/cost_view.h"
 #include "panels/frame_rate/flow_layout.h"
@@ -26,11 +28,6 @@ namespace {
 
 constexpr int kRefreshInterval = 100;  // milliseconds
 constexpr int kLegendPadding = 21;     // pixels: swatch, gaps and frame
-
-QString milliseconds(double seconds) {
-    return FrameRatePanel::tr("%1 ms").arg(
-        shownNumber(seconds * kMilliseconds, 'f', seconds < 0.0995 ? 1 : 0));
-}
 
 /// `widest`: what it usually shows, so that it does not move its neighbours.
 QLabel* addReadOut(QWidget& row, const char* name, const QString& title, const QString& tip,
@@ -76,6 +73,9 @@ FrameRatePanel::FrameRatePanel(Session& session, QAction& continuous, QWidget* p
     connect(m_ui->tabs, &QTabWidget::currentChanged, this, &FrameRatePanel::refresh);
     connect(&session.frameCosts(), &FrameCosts::frameEnded, this, [this] {
         const FrameCost& frame = m_session.frameCosts().frames().back();
+        if (std::exchange(m_pipelines, frame.pipelines) != frame.pipelines) {
+            m_frames.clear();  // what one and what two pipelines cost is not to be mixed
+        }
         m_frames.add(frame.end, frame.total);
         if (isVisible() && !m_timer.isActive()) {
             m_timer.start();
@@ -97,7 +97,8 @@ void FrameRatePanel::makeReadOuts() {
     const QString rate = QStringLiteral("99.9");
     const QString last = tr(" of the last 1,024 frames");
     m_readOuts.framesPerSecond =
-        add("framesPerSecond", tr("FPS"), tr("Frames drawn in the last second"), rate);
+        add("framesPerSecond", tr("FPS"), tr("Frames a second that the frame times of the last second allow"),
+            rate);
     m_readOuts.mean = add("mean", tr("Mean"), tr("Mean frame time") + last);
     m_readOuts.median = add("median", tr("Median"), tr("Median frame time") + last);
     m_readOuts.low = add("low", tr("1 % low"), tr("Frames a second over the slowest hundredth") + last, rate);
@@ -263,7 +264,7 @@ void FrameRatePanel::refresh() {
         }
     }
     m_costView->refresh();
-    if (!m_graph->isMoving() && summary().framesPerSecond <= 0.0) {
+    if (!m_graph->isMoving() && summary().recent == 0) {
         m_timer.stop();  // nothing more to show until the next frame
     }
 }
@@ -275,13 +276,12 @@ void FrameRatePanel::showReadOuts() {
         label.setText(any ? text : QStringLiteral("–"));
     };
     const auto rate = [](double value) { return shownNumber(value, 'f', value < 99.5 ? 1 : 0); };
-    m_readOuts.framesPerSecond->setText(summary.framesPerSecond > 0.0 ? rate(summary.framesPerSecond)
-                                                                      : tr("idle"));
-    show(*m_readOuts.mean, milliseconds(summary.meanCost));
-    show(*m_readOuts.median, milliseconds(summary.medianCost));
+    m_readOuts.framesPerSecond->setText(summary.recent > 0 ? rate(summary.framesPerSecond) : tr("Idle"));
+    show(*m_readOuts.mean, frameTimeText(summary.meanCost));
+    show(*m_readOuts.median, frameTimeText(summary.medianCost));
     show(*m_readOuts.low, rate(summary.onePercentLow));
-    show(*m_readOuts.percentile99, milliseconds(summary.percentile99Cost));
-    show(*m_readOuts.worst, milliseconds(summary.worstCost));
+    show(*m_readOuts.percentile99, frameTimeText(summary.percentile99Cost));
+    show(*m_readOuts.worst, frameTimeText(summary.worstCost));
 }
 
 }  // namespace hitscope

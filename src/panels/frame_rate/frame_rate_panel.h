@@ -60,7 +60,8 @@ private:
 
     Session& m_session;
     std::unique_ptr<Ui::FrameRate> m_ui;
-    FrameTimes m_frames;
+    FrameTimes m_frames;  ///< since frames were of as many pipelines as now
+    std::uint8_t m_pipelines = 1;
     FrameGraph* m_graph = nullptr;
     CostView* m_costView = nullptr;
     QTimer m_timer;
