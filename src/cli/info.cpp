@@ -5,8 +5,7 @@
 #include "gl/context.h"
 #include "io/import.h"
 #include "mesh/topology.h"
-#include "pipeline/deformation_pipeline.h"
-#include "pipeline/exactness.h"
+#include "pipeline/graphics_report.h"
 
 namespace hitscope::cli {
 
@@ -96,22 +95,11 @@ Status runRendererInfo() {
     if (!context) {
         return context.error();
     }
-    const Result<std::unique_ptr<DeformationPipeline>> arrays = makePipeline(PipelineKind::UniformArray);
-    if (!arrays) {
-        return arrays.error();
-    }
     const Result<Exactness> exactness = measureExactness();
     if (!exactness) {
         return exactness.error();
     }
-    const gl::RendererInfo info = gl::rendererInfo();
-    QTextStream out(stdout);
-    Table table(out);
-    table.row(QStringLiteral("renderer"), QString::fromStdString(info.renderer));
-    table.row(QStringLiteral("vendor"), QString::fromStdString(info.vendor));
-    table.row(QStringLiteral("OpenGL"), QString::fromStdString(info.version));
-    table.row(QStringLiteral("hits in uniform arrays"), arrays.value()->capacity().capacity.value_or(0));
-    table.row(QStringLiteral("deformation"), QString::fromStdString(describe(exactness.value())));
+    QTextStream(stdout) << QString::fromStdString(toText(graphicsReport(exactness.value())));
     return Done{};
 }
 

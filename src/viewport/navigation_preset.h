@@ -12,7 +12,7 @@ enum class CameraMotion : std::uint8_t { None, Orbit, Pan, Zoom };
 
 /// What orbiting turns about.
 enum class OrbitMode : std::uint8_t {
-    Point,      ///< the surface point under the cursor when the drag began; the pivot where there is none
+    Point,      ///< the target's point under the cursor when the drag began; else the target in the picture
     Turntable,  ///< the camera's pivot
     Fly,        ///< the eye: it looks around
 };

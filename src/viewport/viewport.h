@@ -102,6 +102,8 @@ public:
     /// "llvmpipe (LLVM 15.0.6, 256 bits)"; empty before the first frame.
     [[nodiscard]] QString rendererName() const { return m_rendererName; }
     [[nodiscard]] QString rendererVersion() const { return m_rendererVersion; }
+    /// hitscope::graphicsReport() as text, with what the session knows; fails when there is no GL.
+    [[nodiscard]] Result<QString> graphicsReport();
 
     static constexpr int kLongestClick = 500;  ///< milliseconds from press to release
 

@@ -2,6 +2,7 @@
 // What the viewport shows where: the questions its tools ask.
 #include <vector>
 
+#include "pipeline/graphics_report.h"
 #include "session/hit_at.h"
 #include "viewport/viewport.h"
 
@@ -70,6 +71,19 @@ std::map<TargetId, std::vector<std::uint32_t>> Viewport::changedWithin(const QPo
         return {};
     }
     return std::move(found).value();
+}
+
+Result<QString> Viewport::graphicsReport() {
+    QString text;
+    const Status asked = withScene([this, &text](SceneGpu&) -> Status {
+        const auto why = [this](PipelineKind kind) { return m_session.whyUnavailable(kind).toStdString(); };
+        text = QString::fromStdString(toText(hitscope::graphicsReport(m_session.exactness(), why)));
+        return Done{};
+    });
+    if (!asked) {
+        return asked.error();
+    }
+    return text;
 }
 
 void Viewport::lookAt(const VertexRef& vertex) {

@@ -5,6 +5,7 @@
 
 #include <QFile>
 #include <QTextStream>
+#include <algorithm>
 
 namespace hitscope::bench {
 
@@ -51,8 +52,16 @@ void BenchRoom::say(const QString& what) const {
 
 Result<std::vector<Samples>> BenchRoom::measure(const QString& what, const std::vector<Variant>& variants,
                                                 const Plan& plan) const {
+    const double begun = steadySeconds();
+    const double longest = plan.seconds * static_cast<double>(std::max<std::size_t>(variants.size(), 1));
     const auto progress = [&](const Variant& variant, std::size_t kept) {
-        say(QStringLiteral("%1: %2, %3").arg(what, QString::fromStdString(variant.name)).arg(kept));
+        const QString name = QString::fromStdString(variant.name);
+        if (m_told) {
+            const double counted = static_cast<double>(kept) / plan.mostSamples;
+            m_told(std::min(std::max(counted, (steadySeconds() - begun) / longest), 1.0),
+                   QStringLiteral("%1: %2").arg(what, name));
+        }
+        say(QStringLiteral("%1: %2, %3").arg(what, name).arg(kept));
     };
     Result<std::vector<Samples>> samples = bench::measure(variants, plan, progress);
     say({});

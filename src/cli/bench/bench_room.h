@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,6 +30,9 @@ public:
     [[nodiscard]] Result<std::vector<Samples>> measure(const QString& what,
                                                        const std::vector<Variant>& variants,
                                                        const Plan& plan) const;
+    /// Told while measure() lasts: how far it is, [0, 1], and at what. By default a terminal is.
+    using Told = std::function<void(double part, const QString& what)>;
+    void setTold(Told told) { m_told = std::move(told); }
     /// Says on a terminal what is being done; empty: clears the line. Not a terminal: nothing.
     void say(const QString& what) const;
 
@@ -37,6 +41,7 @@ private:
     std::unique_ptr<gl::OffscreenContext> m_context;
     std::optional<gl::RenderTarget> m_picture;
     Exactness m_exactness;
+    Told m_told;
     bool m_onTerminal = false;
 };
 

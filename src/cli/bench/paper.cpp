@@ -23,6 +23,7 @@ struct PaperOptions {
     std::vector<TextureChoice> textures;
     std::vector<int> rows;  ///< indices into paperRows()
     int hitEvery = 10;
+    bool tellsProgress = false;
 };
 
 QStringList paperNotes(const RowBench& bench) {
@@ -54,6 +55,14 @@ Status runPaper(const PaperOptions& options) {
     RowBench bench(*room.value(),
                    {options.common.pipelines, options.hitEvery, options.common.seed, options.common.plan});
     std::vector<MeasuredRow> rows;
+    const auto all = static_cast<double>(options.textures.size() * options.rows.size());
+    if (options.tellsProgress) {
+        room.value()->setTold([&rows, all](double part, const QString& what) {
+            QTextStream(stderr) << "progress "
+                                << QString::number((static_cast<double>(rows.size()) + part) / all, 'f', 4)
+                                << ' ' << what << Qt::endl;
+        });
+    }
     for (const TextureChoice& texture : options.textures) {
         std::shared_ptr<const MaterialSet> materials;
         if (texture.size > 0) {
@@ -95,6 +104,8 @@ int paperCommand(const QStringList& list) {
     arguments.addOption(QStringLiteral("hit-every"),
                         QStringLiteral("Frames from one hit to the next; 0: none."), QStringLiteral("frames"),
                         QStringLiteral("10"));
+    arguments.addFlag(QStringLiteral("progress"),
+                      QStringLiteral("Lines \"progress 0.25 WHAT\" on the standard error, for programs."));
     parseBenchArguments(arguments, list);
     if (arguments.error().isEmpty() && arguments.wantsHelp()) {
         QTextStream(stdout) << arguments.help(QStringLiteral("paper"));
@@ -103,6 +114,7 @@ int paperCommand(const QStringList& list) {
     PaperOptions options;
     options.common = takeCommonOptions(arguments, true);
     options.hitEvery = arguments.wholeNumber(QStringLiteral("hit-every"), 0, 10000);
+    options.tellsProgress = arguments.isSet(QStringLiteral("progress"));
     for (const int row :
          arguments.wholeNumbers(QStringLiteral("rows"), 1, static_cast<int>(paperRows().size()))) {
         options.rows.push_back(row - 1);
