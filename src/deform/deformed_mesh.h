@@ -36,6 +36,8 @@ public:
                std::vector<std::uint32_t>& moved);
     /// Back to the original.
     void reset();
+    /// The same mesh with other materials or pictures: its vertices and faces are equal.
+    void setMaterialsFrom(std::shared_ptr<const MeshData> original) { m_original = std::move(original); }
 
     /// Current render vertices; render().vertices.size() entries.
     [[nodiscard]] std::span<const DynamicVertex> vertices() const { return m_vertices; }

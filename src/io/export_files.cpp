@@ -190,9 +190,39 @@ Result<std::string> MaterialFiles::placeLibrary(const QString& name) {
     return QDir(m_place.folder).relativeFilePath(path).toStdString();
 }
 
+Status MaterialFiles::placeLocated() {
+    const auto place = [this](const std::string& name, int image) -> Status {
+        const bool isThere = m_place.sourceFolder.isEmpty() ||
+                             !resolveTexture(m_place.sourceFolder, QString::fromStdString(name)).isEmpty();
+        if (name.empty() || image < 0 || isThere || m_renamed.contains(name)) {
+            return Done{};
+        }
+        const Result<std::string> placed = placeImage(image);
+        if (!placed) {
+            return placed.error();
+        }
+        m_renamed.emplace(name, placed.value());
+        return Done{};
+    };
+    for (const Material& material : m_mesh.materials) {
+        if (Status placed = place(material.diffuseTexture, material.diffuseImage); !placed) {
+            return placed;
+        }
+        if (Status placed = place(material.normalMap.texture, material.normalMap.image); !placed) {
+            return placed;
+        }
+    }
+    return Done{};
+}
+
 Result<std::vector<std::string>> MaterialFiles::placeLibraries() {
     std::vector<std::string> names;
-    if (m_place.isOwnFolder()) {
+    if (!m_mesh.materialLibraries.empty()) {
+        if (const Status placed = placeLocated(); !placed) {
+            return placed.error();
+        }
+    }
+    if (m_place.isOwnFolder() && m_renamed.empty()) {
         for (const std::string& line : m_mesh.materialLibraries) {
             names.push_back(nameOnLine(line));
         }

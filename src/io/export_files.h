@@ -52,6 +52,8 @@ private:
     Result<std::string> placeImage(int image);
     Result<std::string> placeTexture(const std::string& name, int image);
     Result<std::string> placeLibrary(const QString& name);
+    /// Pictures that are not where the mesh's file says, and were found elsewhere.
+    [[nodiscard]] Status placeLocated();
     [[nodiscard]] QByteArray withNewNames(const QByteArray& library) const;
     template <class IsSame>
     [[nodiscard]] QString freeName(const QString& name, const IsSame& isSame) const;

@@ -50,6 +50,10 @@ QString undoText(const SessionUndo::Name& name) {
             one = TEXT("Constants of Hit");
             many = TEXT("Constants of %1 Hits");
             break;
+        case SessionUndo::Kind::TargetTexture:
+            one = TEXT("Locate Texture");
+            many = TEXT("Locate %1 Textures");
+            break;
         case SessionUndo::Kind::AddTarget:
             one = TEXT("Add Target");
             many = TEXT("Add %1 Targets");

@@ -65,6 +65,13 @@ std::shared_ptr<const MaterialSet> SceneGpu::Private::materialsOf(const Deformed
     return set;
 }
 
+void SceneGpu::Private::followMaterials(const Target& target, GpuTarget& gpu) {
+    if (gpu.dressed != target.deformed.sharedOriginal()) {
+        gpu.dressed = target.deformed.sharedOriginal();
+        gpu.materials = materialsOf(target.deformed);
+    }
+}
+
 void SceneGpu::Private::followTargets() {
     for (auto it = targets.begin(); it != targets.end();) {
         if (session.target(it->first) == nullptr) {
@@ -78,7 +85,8 @@ void SceneGpu::Private::followTargets() {
     }
     std::erase_if(materials, [](const auto& entry) { return entry.second.expired(); });
     for (const std::unique_ptr<Target>& target : session.targets()) {
-        if (targets.contains(target->id)) {
+        if (const auto known = targets.find(target->id); known != targets.end()) {
+            followMaterials(*target, known->second);
             continue;
         }
         GpuTarget& made =
@@ -88,7 +96,7 @@ void SceneGpu::Private::followTargets() {
                 .first->second;
         made.buffers = std::make_unique<TargetBuffers>(target->deformed.render());
         made.buffers->writeShadingNormals(0, target->trueNormals.normals());
-        made.materials = materialsOf(target->deformed);
+        followMaterials(*target, made);
         if (pipeline) {
             pipeline->addTarget(target->id, *made.buffers);
         }

@@ -28,6 +28,7 @@ struct SceneGpu::Private {
         std::unique_ptr<TargetBuffers> buffers;
         std::shared_ptr<const MaterialSet> materials;
         ChangedParts changed;
+        std::shared_ptr<const MeshData> dressed = nullptr;  ///< whose materials these are
     };
 
     Session& session;
@@ -53,6 +54,7 @@ struct SceneGpu::Private {
     /// Positions: all of them, and nothing that follows from them.
     enum class Delivery { WhatHasArrived, Positions, All };
     void followTargets();
+    void followMaterials(const Target& target, GpuTarget& gpu);
     void followCover();
     [[nodiscard]] const MaterialSet* materialsToDraw(const Target& target) const;
     [[nodiscard]] std::vector<DrawItem> drawItems() const;

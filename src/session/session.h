@@ -74,6 +74,8 @@ public:
     /// Spaces at the ends are dropped; an empty name is refused.
     [[nodiscard]] Status renameTarget(TargetId id, const QString& name);
     void setTargetsVisible(std::span<const TargetId> ids, bool visible);
+    /// Gives them `mesh`, which is theirs but for materials and pictures.
+    void setTargetMaterials(std::span<const TargetId> ids, const std::shared_ptr<const MeshData>& mesh);
     /// Hits go along, since they are kept in the local frame. The rotation is made unit. Refused when a
     /// number is not finite or the rotation is none.
     [[nodiscard]] Status setTargetTransform(TargetId id, const RigidTransform& transform,

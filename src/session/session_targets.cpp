@@ -155,6 +155,7 @@ void Session::follow(const TargetEdit& edit) {
     Target& target = *m_targets[edit.index];
     const RigidTransform where = target.transform;
     static_cast<TargetState&>(target) = *edit.after;
+    target.deformed.setMaterialsFrom(target.shape.mesh);
     const bool moves = edit.before->transform.position != target.transform.position ||
                        edit.before->transform.rotation != target.transform.rotation;
     if (moves || edit.before->visible != target.visible || edit.before->physics != target.physics) {
@@ -276,6 +277,16 @@ void Session::setTargetsVisible(std::span<const TargetId> ids, bool visible) {
     const std::size_t count = edits.size();
     changeTargets(std::move(edits),
                   {visible ? SessionUndo::Kind::ShowTarget : SessionUndo::Kind::HideTarget, count});
+}
+
+void Session::setTargetMaterials(std::span<const TargetId> ids, const std::shared_ptr<const MeshData>& mesh) {
+    std::vector<TargetEdit> edits;
+    for (const std::size_t index : indicesOf(ids)) {
+        TargetState after = *m_targets[index];
+        after.shape.mesh = mesh;
+        edits.push_back({index, TargetState(*m_targets[index]), std::move(after)});
+    }
+    changeTargets(std::move(edits), {SessionUndo::Kind::TargetTexture, 1});
 }
 
 Status Session::setTargetTransform(TargetId id, const RigidTransform& transform, SessionUndo::Merge merge) {

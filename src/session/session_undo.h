@@ -49,7 +49,8 @@ public:
         ShowTarget,
         HideTarget,
         ResetTarget,
-        TargetPhysics
+        TargetPhysics,
+        TargetTexture
     };
     /// What a step is called where it is offered to be undone.
     struct Name {
