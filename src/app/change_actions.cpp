@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "panels/change/change_panel.h"
+#include "panels/help/help_text.h"
 #include "session/hit_effects.h"
 #include "viewport/viewport.h"
 #include "viewport/wipe_handle.h"
@@ -185,8 +186,8 @@ void ChangeActions::fillPipelines(QMenu& menu) {
         };
         add(tr("&Off"), std::nullopt);
         for (const PipelineTraits& traits : allPipelines()) {
-            add(QString::fromUtf8(traits.name), traits.kind)
-                ->setEnabled(m_session.whyUnavailable(traits.kind).isEmpty());
+            const QString why = m_session.whyUnavailable(traits.kind);
+            enableIf(*add(QString::fromUtf8(traits.name), traits.kind), why.isEmpty(), why);
         }
     });
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/full_view.h"
+#include "panels/help/help_text.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -33,7 +34,7 @@ FullView::FullView(QMainWindow& window)
         {QKeySequence(Qt::AltModifier | Qt::Key_Return), QKeySequence(Qt::AltModifier | Qt::Key_Enter)});
     m_toggle->setCheckable(true);
     m_leave->setShortcut(Qt::Key_Escape);
-    m_leave->setEnabled(false);
+    enableIf(*m_leave, false, tr("All parts of the window are shown."));
     window.addAction(m_leave);
     connect(m_toggle, &QAction::triggered, this, &FullView::set);
     connect(m_leave, &QAction::triggered, this, [this] { set(false); });
@@ -61,7 +62,7 @@ void FullView::set(bool on) {
     }
     m_on = on;
     m_toggle->setChecked(on);
-    m_leave->setEnabled(on);
+    enableIf(*m_leave, on, tr("All parts of the window are shown."));
     m_window.menuBar()->setVisible(!on);
     m_window.statusBar()->setVisible(!on);
     if (on) {

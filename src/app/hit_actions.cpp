@@ -13,6 +13,7 @@
 #include "app/dialogs.h"
 #include "io/staged_files.h"
 #include "models/quantity_text.h"
+#include "panels/help/help_text.h"
 #include "panels/hit_history/hit_history_panel.h"
 #include "session/beside.h"
 #include "session/hit_files.h"
@@ -88,8 +89,10 @@ void HitActions::save(QSettings& settings) const {
 
 void HitActions::follow() {
     if (m_export != nullptr) {
-        m_export->setEnabled(!m_isBusy && m_session.history().size() > 0);
-        m_import->setEnabled(!m_isBusy);
+        const QString busy = tr("Another file of hits is being read or written.");
+        enableIf(*m_export, !m_isBusy && m_session.history().size() > 0,
+                 m_isBusy ? busy : tr("There are no hits yet."));
+        enableIf(*m_import, !m_isBusy, busy);
     }
 }
 

@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <vector>
 
+#include "panels/help/help_text.h"
 #include "panels/icons/themed_icon.h"
 #include "session/vertex_selection.h"
 #include "viewport/inspect_tool.h"
@@ -128,7 +129,8 @@ void InspectActions::selectAllChanged() {
 
 void InspectActions::follow() {
     (m_tool.tool() == Tool::Shoot ? m_shoot : m_inspect)->setChecked(true);
-    m_none->setEnabled(m_session.selection().count() > 0 || m_session.selection().picked());
+    enableIf(*m_none, m_session.selection().count() > 0 || m_session.selection().picked(),
+             tr("No vertex is selected."));
 }
 
 }  // namespace hitscope

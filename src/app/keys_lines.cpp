@@ -105,7 +105,7 @@ QString dragName(const DragBinding& binding) {
 QString orbitMeaning(OrbitMode mode) {
     switch (mode) {
         case OrbitMode::Point:
-            return tr("Orbit about the point under the cursor");
+            return tr("Orbit about the point under the cursor; beside targets: about them");
         case OrbitMode::Turntable:
             return tr("Orbit about the view centre");
         case OrbitMode::Fly:

@@ -18,6 +18,7 @@
 #include "app/dialogs.h"
 #include "app/full_view.h"
 #include "app/go_to_vertex.h"
+#include "app/help_actions.h"
 #include "app/help_tips.h"
 #include "app/hit_actions.h"
 #include "app/inspect_actions.h"
@@ -30,6 +31,7 @@
 #include "app/shot_actions.h"
 #include "app/status_line.h"
 #include "app/texture_chooser.h"
+#include "app/texture_locator.h"
 #include "app/time_actions.h"
 #include "app/time_badge.h"
 #include "app/vertex_label.h"
@@ -41,6 +43,7 @@
 #include "panels/dent_measurement/dent_measurement_panel.h"
 #include "panels/frame_rate/cost_view.h"
 #include "panels/frame_rate/frame_rate_panel.h"
+#include "panels/help/help_text.h"
 #include "panels/hit_history/hit_history_panel.h"
 #include "panels/hit_inspector/hit_inspector_panel.h"
 #include "panels/lights/lights_panel.h"
@@ -93,6 +96,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_fullView(new FullView(*this)),
       m_inspect(new InspectActions(session, *m_viewport, this)),
       m_goToVertex(new GoToVertex(session, *m_viewport, this)),
+      m_help(new HelpActions(session, *m_viewport, this)),
       m_viewportMenu(new ViewportMenu(session, *m_viewport, this)) {
     new HelpTips(this);
     loadSessionSettings(QSettings(), session);
@@ -292,6 +296,13 @@ void MainWindow::connectCameraAndPictures() {
 }
 
 void MainWindow::connectPicking() {
+    connect(m_textureLocator, &TextureLocator::said, this, [this](const QString& text) {
+        m_notice->clear();  // it may name what has been found
+        statusBar()->showMessage(text, kMessageStays);
+    });
+    connect(m_textureLocator, &TextureLocator::failed, this,
+            [this](const Error& error) { showError(this, error); });
+    connect(m_help, &HelpActions::failed, this, [this](const Error& error) { showError(this, error); });
     connect(m_goToVertex, &GoToVertex::arrived, this, [this] { showDock(QStringLiteral("vertexChanges")); });
     connect(m_viewportMenu, &ViewportMenu::dockWanted, this, &MainWindow::showDock);
 }
@@ -328,21 +339,23 @@ void MainWindow::followScene() {
 
 void MainWindow::followTargets() {
     const bool oneMesh = m_session.targets().size() == 1;
-    m_placeMesh->setEnabled(oneMesh);
-    m_fileCoordinates->setEnabled(oneMesh &&
-                                  !m_session.targets().front()->deformed.original().placement.isIdentity());
-    m_export->setEnabled(!m_session.targets().empty());
+    const QString onlyOne = tr("This is for scenes of one mesh.");
+    enableIf(*m_placeMesh, oneMesh, onlyOne);
+    enableIf(*m_fileCoordinates,
+             oneMesh && !m_session.targets().front()->deformed.original().placement.isIdentity(),
+             oneMesh ? tr("The mesh has its file's own coordinates.") : onlyOne);
+    enableIf(*m_export, !m_session.targets().empty(), tr("There is no target to export."));
 }
 
 void MainWindow::followHistory() {
-    const auto name = [](QAction& action, const QString& text, const auto& step) {
-        action.setEnabled(step.has_value());
+    const auto name = [](QAction& action, const QString& text, const auto& step, const QString& why) {
+        enableIf(action, step.has_value(), why);
         action.setText(step ? text + u' ' + undoText(*step) : text);
     };
-    name(*m_undo, tr("&Undo"), m_session.undoName());
-    name(*m_redo, tr("&Redo"), m_session.redoName());
-    m_enableAll->setEnabled(m_session.disabledHits() > 0);
-    m_clear->setEnabled(m_session.history().size() > 0);
+    name(*m_undo, tr("&Undo"), m_session.undoName(), tr("There is nothing to undo."));
+    name(*m_redo, tr("&Redo"), m_session.redoName(), tr("There is nothing to redo."));
+    enableIf(*m_enableAll, m_session.disabledHits() > 0, tr("No hit is disabled."));
+    enableIf(*m_clear, m_session.history().size() > 0, tr("There are no hits yet."));
 }
 
 void MainWindow::followDisplay() {

@@ -23,8 +23,10 @@
 #include "app/picture_actions.h"
 #include "app/scene_files.h"
 #include "app/settings_keeper.h"
+#include "app/texture_locator.h"
 #include "io/import.h"
 #include "models/focus_target.h"
+#include "panels/help/help_text.h"
 #include "session/export_target.h"
 #include "session/shown_number.h"
 #include "viewport/viewport.h"
@@ -144,12 +146,16 @@ void MainWindow::loadSample(SampleScene scene) {
                   [scene] { return planSampleScene(scene); });
 }
 
-void MainWindow::saidOpened(const QStringList& paths, const QStringList& notes) {
+void MainWindow::saidOpened(const QStringList& paths, const QStringList& allNotes) {
     for (const QString& path : paths) {
         m_settings.folder = QFileInfo(path).absolutePath();
         m_settings.addRecentFile(path);
     }
     m_keeper->lookSoon();
+    QStringList notes = allNotes;
+    for (const QString& texture : m_textureLocator->useRemembered()) {
+        notes.removeIf([&texture](const QString& note) { return note.contains(u'"' + texture + u'"'); });
+    }
     QStringList lines;
     for (const QString& note : notes.mid(0, 6)) {
         lines.append(note);
@@ -178,6 +184,8 @@ void MainWindow::saidOpened(const QStringList& paths, const QStringList& notes) 
         m_notice->say(lines.join(u'\n'),
                       tr("Scale to %1 m").arg(shownNumber(static_cast<double>(kUsualExtent))),
                       [this] { m_guard->ask([this] { placeMesh(kUsualExtent); }); });
+    } else if (m_textureLocator->isAnyMissing()) {
+        m_notice->say(lines.join(u'\n'), tr("Locate…"), [this] { m_textureLocator->locate(); });
     } else if (!lines.isEmpty()) {
         m_notice->say(lines.join(u'\n'));
     }
@@ -195,7 +203,8 @@ void MainWindow::showRecentFiles() {
         action->setToolTip(path);
     }
     if (m_settings.recentFiles.isEmpty()) {
-        m_recentMenu->addAction(tr("No files yet"))->setEnabled(false);
+        enableIf(*m_recentMenu->addAction(tr("No files yet")), false,
+                 tr("Files that are opened are listed here."));
         return;
     }
     m_recentMenu->addSeparator();

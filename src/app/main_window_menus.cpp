@@ -15,6 +15,7 @@
 #include "app/discard_guard.h"
 #include "app/full_view.h"
 #include "app/go_to_vertex.h"
+#include "app/help_actions.h"
 #include "app/hit_actions.h"
 #include "app/inspect_actions.h"
 #include "app/keys_overlay.h"
@@ -25,6 +26,7 @@
 #include "app/shading_actions.h"
 #include "app/shot_actions.h"
 #include "app/texture_chooser.h"
+#include "app/texture_locator.h"
 #include "app/time_actions.h"
 #include "panels/icons/themed_icon.h"
 #include "viewport/viewport.h"
@@ -242,6 +244,8 @@ void MainWindow::makeMeshMenu() {
     m_placeMesh = addAction(menu, tr("&Centre and Scale…"), {}, [this] { choosePlacement(); });
     m_fileCoordinates = addAction(menu, tr("File's Own C&oordinates"), {},
                                   [this] { m_guard->ask([this] { placeMesh(0.0); }); });
+    m_textureLocator = new TextureLocator(m_session, this);
+    m_textureLocator->fill(menu);
     menu.addSeparator();
     m_pipelines->fill(*menu.addMenu(tr("&Pipeline")));
 }
@@ -304,6 +308,8 @@ void MainWindow::makeHelpMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Help"));
     addAction(menu, tr("&Keys and Mouse"), Qt::Key_F1, [this] { showKeys(); });
     m_helpMenu = &menu;
+    menu.addSeparator();
+    m_help->fill(menu);
     menu.addSeparator();
     addAction(menu, tr("&About Hitscope"), {}, [this] {
         const std::optional<Exactness>& exactness = m_session.exactness();

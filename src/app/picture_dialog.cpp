@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/picture_dialog.h"
+#include "panels/help/help_text.h"
 
 #include <QButtonGroup>
 #include <QCheckBox>
@@ -106,7 +107,7 @@ QWidget* PictureDialog::makeSequence(std::size_t hits) {
     turnLayout->addStretch();
     m_replay = new QRadioButton(tr("The &hits one by one (%n)", nullptr, static_cast<int>(hits)), column);
     m_replay->setObjectName(QStringLiteral("replay"));
-    m_replay->setEnabled(hits > 0);
+    enableIf(*m_replay, hits > 0, tr("There are no hits yet."));
     layout->addWidget(turn);
     layout->addWidget(m_replay);
     auto* group = new QButtonGroup(this);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pipeline_chooser.h"
+#include "panels/help/help_text.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -65,7 +66,7 @@ void PipelineChooser::follow() {
     for (QAction* action : m_actions->actions()) {
         const auto kind = static_cast<PipelineKind>(action->data().toInt());
         action->setChecked(kind == m_session.pipeline());
-        action->setEnabled(m_session.whyUnavailable(kind).isEmpty());
+        enableIf(*action, m_session.whyUnavailable(kind).isEmpty(), m_session.whyUnavailable(kind));
         action->setToolTip(toolTip(pipelineTraits(kind)));
     }
     if (m_box == nullptr) {

@@ -6,6 +6,7 @@
 
 #include "app/flight_chooser.h"
 #include "app/flight_text.h"
+#include "panels/help/help_text.h"
 #include "ui_projectile_settings.h"
 
 namespace hitscope {
@@ -70,7 +71,8 @@ void ProjectileDialog::showSettings() {
     m_ui->colour->setColour(QColor::fromRgbF(colour.r, colour.g, colour.b));
     m_ui->bounces->setChecked(settings.bouncesCount);
     m_ui->powerFollowsImpulse->setChecked(settings.powerFollowsImpulse);
-    m_ui->referenceImpulse->setEnabled(settings.powerFollowsImpulse);
+    enableIf(*m_ui->referenceImpulse, settings.powerFollowsImpulse,
+             tr("Only where the dent's depth follows the impulse."));
     m_showing = false;
 }
 

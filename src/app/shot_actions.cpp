@@ -14,6 +14,7 @@
 #include "app/flight_chooser.h"
 #include "app/shot_series_dialog.h"
 #include "app/shot_text.h"
+#include "panels/help/help_text.h"
 #include "session/shot_script_file.h"
 #include "viewport/aim_preview.h"
 #include "viewport/viewport.h"
@@ -146,7 +147,7 @@ void ShotActions::explainPass(const Ray& ray) {
 
 void ShotActions::follow() {
     if (m_stop != nullptr) {
-        m_stop->setEnabled(m_session.shotsToCome() > 0);
+        enableIf(*m_stop, m_session.shotsToCome() > 0, tr("No shots are to come."));
     }
 }
 

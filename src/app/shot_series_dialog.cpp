@@ -5,6 +5,7 @@
 #include <QSettings>
 #include <limits>
 
+#include "panels/help/help_text.h"
 #include "ui_shot_series.h"
 
 namespace hitscope {
@@ -85,10 +86,10 @@ void ShotSeriesDialog::showSeries(const ShotSeries& series) {
     const bool isBurst = m_shown == ShotSeries::Pattern::Burst;
     for (QWidget* field : {static_cast<QWidget*>(m_ui->fromX), static_cast<QWidget*>(m_ui->fromY),
                            static_cast<QWidget*>(m_ui->toX), static_cast<QWidget*>(m_ui->toY)}) {
-        field->setEnabled(isLine);
+        enableIf(*field, isLine, tr("Only a sweep goes from one place to another."));
     }
-    m_ui->angle->setEnabled(!isLine);
-    m_ui->seed->setEnabled(isBurst);
+    enableIf(*m_ui->angle, !isLine, tr("A sweep has no angle."));
+    enableIf(*m_ui->seed, isBurst, tr("Only bursts are random."));
 }
 
 void ShotSeriesDialog::keep() {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "models/quantity_text.h"
+#include "panels/help/help_text.h"
 #include "session/comparison_text.h"
 #include "session/shown_number.h"
 #include "ui_change.h"
@@ -153,7 +154,7 @@ void ChangePanel::showBeforeAfter() {
     const QScopedValueRollback showing(m_showing, true);
     m_ui->ghost->setCurrentIndex(static_cast<int>(m_beforeAfter.ghost));
     m_ui->wipe->setChecked(m_beforeAfter.wipe);
-    m_ui->wipeAt->setEnabled(m_beforeAfter.wipe);
+    enableIf(*m_ui->wipeAt, m_beforeAfter.wipe, tr("Switch the wipe on first."));
     m_ui->wipeAt->setValue(static_cast<int>(std::lround(m_beforeAfter.wipeAt * kWipeScale)));
     m_ui->exaggerationSlider->setValue(
         static_cast<int>(std::lround(m_beforeAfter.exaggeration * kSliderScale)));
@@ -210,7 +211,7 @@ void ChangePanel::show(const ChangeMapOptions& map) {
     const int decimals = traits.quantity == ChangeQuantity::HitCount ? 0 : traits.unit == "m" ? 4 : 1;
     for (QDoubleSpinBox* box : {m_ui->low, m_ui->high}) {
         box->setDecimals(decimals);
-        box->setEnabled(!style.automatic);
+        enableIf(*box, !style.automatic, tr("The range is automatic."));
     }
     m_ui->histogram->setLabels(titleOf(traits), tr("vertices"));
     m_ui->histogram->setColours([palette = style.map](double at) { return colourAt(palette, at); });

@@ -13,6 +13,7 @@
 
 #include "io/staged_files.h"
 #include "models/quantity_text.h"
+#include "panels/help/help_text.h"
 #include "panels/icons/themed_icon.h"
 #include "session/target.h"
 #include "ui_cutting_plane.h"
@@ -215,8 +216,9 @@ QRectF CuttingPlanePanel::room() const {
 
 void CuttingPlanePanel::showSection() {
     const bool isAny = m_section && !m_section->targets.empty();
-    m_ui->copy->setEnabled(isAny);
-    m_ui->csv->setEnabled(isAny);
+    const QString none = tr("The plane cuts no target, or is off.");
+    enableIf(*m_ui->copy, isAny, none);
+    enableIf(*m_ui->csv, isAny, none);
     if (!m_section) {
         m_ui->deepest->setText(m_cut.on ? tr("Computing the section…")
                                         : tr("Switch the plane on to see a section."));

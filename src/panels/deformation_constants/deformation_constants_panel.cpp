@@ -129,7 +129,8 @@ void DeformationConstantsPanel::showConstants() {
     const std::optional<std::size_t> preset = m_presets.find(m_session.constants());
     m_ui->preset->setCurrentIndex(preset ? static_cast<int>(*preset) : -1);
     m_ui->size->setCurrentIndex(relative ? Relative : InMetres);
-    m_delete->setEnabled(preset && !m_presets.all()[*preset].isOurs);
+    enableIf(*m_delete, preset && !m_presets.all()[*preset].isOurs,
+             preset ? tr("This preset belongs to Hitscope.") : tr("Choose a preset of your own first."));
     showInForce();
 }
 

@@ -13,6 +13,7 @@
 #include "io/staged_files.h"
 #include "models/quantity_text.h"
 #include "models/vertex_facts.h"
+#include "panels/help/help_text.h"
 #include "panels/icons/themed_icon.h"
 #include "panels/plot/plot_theme.h"
 #include "ui_dent_measurement.h"
@@ -94,7 +95,7 @@ void DentMeasurementPanel::showReport() {
     show(*m_ui->rim, &DentMeasures::rimDiameter, tr("m"));
     show(*m_ui->area, &DentMeasures::affectedArea, tr("m²"));
     show(*m_ui->volume, &DentMeasures::displacedVolume, tr("m³"));
-    m_ui->csv->setEnabled(dent.has_value());
+    enableIf(*m_ui->csv, dent.has_value(), tr("No dent is measured."));
     drawProfile();
 }
 

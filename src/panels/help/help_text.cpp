@@ -2,7 +2,6 @@
 #include "panels/help/help_text.h"
 
 #include <QAction>
-#include <QStringList>
 #include <QToolButton>
 #include <QVariant>
 
@@ -31,14 +30,10 @@ QString ownToolTip(const QAction& action) {
     return plain.remove(QStringLiteral("…")) == nameOf(action) ? QString() : text;
 }
 
-QString joined(const QStringList& parts) {
-    QStringList said;
-    for (const QString& part : parts) {
-        if (!part.isEmpty()) {
-            said << part;
-        }
-    }
-    return said.join(u'\n');
+/// Some tooltips have the reason in them already.
+QString joined(const QString& said, const QString& why) {
+    const bool isSaid = why.isEmpty() || said.contains(why) || said.contains(why.toHtmlEscaped());
+    return isSaid ? said : said.isEmpty() ? why : said + u'\n' + why;
 }
 
 }  // namespace
@@ -74,17 +69,17 @@ QString helpOf(const QAction& action) {
     if (!key.isEmpty() && !said.contains(u'(' + key + u')')) {
         said += QStringLiteral(" (%1)").arg(key);
     }
-    return joined({said, whyDisabled(action)});
+    return joined(said, whyDisabled(action));
 }
 
 QString helpOf(const QWidget& widget) {
     const auto* button = qobject_cast<const QToolButton*>(&widget);
     const QAction* action = button != nullptr ? button->defaultAction() : nullptr;
-    return action != nullptr ? helpOf(*action) : joined({widget.toolTip(), whyDisabled(widget)});
+    return action != nullptr ? helpOf(*action) : joined(widget.toolTip(), whyDisabled(widget));
 }
 
 QString menuHelpOf(const QAction& action) {
-    return joined({ownToolTip(action), whyDisabled(action)});
+    return joined(ownToolTip(action), whyDisabled(action));
 }
 
 }  // namespace hitscope

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "models/hit_history_model.h"
+#include "panels/help/help_text.h"
 
 namespace hitscope {
 
@@ -73,7 +74,8 @@ void showMenu(QTableView& table, const QPoint& at) {
         action->setCheckable(true);
         action->setChecked(!header.isSectionHidden(column));
         // It has the check boxes, and without any column there would be no header to bring one back from.
-        action->setEnabled(column != HitHistoryModel::NumberColumn);
+        enableIf(*action, column != HitHistoryModel::NumberColumn,
+                 QHeaderView::tr("The number is always shown."));
         QObject::connect(action, &QAction::toggled, &header,
                          [&header, column](bool on) { header.setSectionHidden(column, !on); });
     }

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "models/quantity_text.h"
+#include "panels/help/help_text.h"
 #include "panels/hit_history/hit_columns.h"
 #include "panels/hit_history/hit_delegate.h"
 #include "panels/hit_history/hit_filter_bar.h"
@@ -325,21 +326,23 @@ void HitHistoryPanel::updateSummary() {
         text += tr(", %1 dropped").arg(countText(m_session.droppedHits()));
     }
     m_ui->summary->setText(text);
-    m_copy->setEnabled(hits > 0);
+    enableIf(*m_copy, hits > 0, tr("There are no hits yet."));
 }
 
 void HitHistoryPanel::updateActions() {
     const std::vector<std::size_t> rows = selectedRows();
     const bool some = !rows.empty();
-    m_toggle->setEnabled(some);
+    const QString none = tr("Select hits in the list first.");
+    enableIf(*m_toggle, some, none);
     m_toggle->setText(!some || isAnyEnabled(rows) ? tr("Disable") : tr("Enable"));
     // Also at the ends: a key that is not taken would move the cursor.
-    m_up->setEnabled(some && m_list.isInOrder());
-    m_down->setEnabled(some && m_list.isInOrder());
-    m_edit->setEnabled(some);
-    m_fly->setEnabled(some);
-    m_selectTargets->setEnabled(some);
-    m_remove->setEnabled(some);
+    const QString unordered = some ? tr("Sort the list by number to move hits.") : none;
+    enableIf(*m_up, some && m_list.isInOrder(), unordered);
+    enableIf(*m_down, some && m_list.isInOrder(), unordered);
+    enableIf(*m_edit, some, none);
+    enableIf(*m_fly, some, none);
+    enableIf(*m_selectTargets, some, none);
+    enableIf(*m_remove, some, none);
     Q_EMIT rowsSelected(rows);
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "models/quantity_text.h"
+#include "panels/help/help_text.h"
 #include "panels/icons/themed_icon.h"
 
 namespace hitscope {
@@ -65,10 +66,11 @@ void TimeScrubber::follow() {
     if (!m_isShowing) {
         play(false);  // somebody else has chosen another moment, or shot
     }
-    m_play->setEnabled(all() > 0);
-    m_slider->setEnabled(all() > 0);
-    m_back->setEnabled(shown() > 0);
-    m_on->setEnabled(shown() < all());
+    const QString none = tr("There are no hits yet.");
+    enableIf(*m_play, all() > 0, none);
+    enableIf(*m_slider, all() > 0, none);
+    enableIf(*m_back, shown() > 0, all() > 0 ? tr("No hit is shown.") : none);
+    enableIf(*m_on, shown() < all(), all() > 0 ? tr("All hits are shown.") : none);
     m_slider->setToolTip(
         tr("Show the targets as they were after hit %1 of %2; the history is not changed")
             .arg(countText(static_cast<std::size_t>(shown())), countText(static_cast<std::size_t>(all()))));

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "models/quantity_text.h"
+#include "panels/help/help_text.h"
 #include "panels/histogram/histogram_plot.h"
 #include "session/vertex_selection.h"
 
@@ -43,8 +44,9 @@ void DisplacementHistogram::follow() {
     } else if (!m_isChosen || !plot.range()) {
         plot.setRange(HistogramPlot::Range{histogram.low, histogram.high});
     }
-    m_widgets.select.setEnabled(isAny);
-    m_widgets.whole.setEnabled(isAny);
+    const QString none = QObject::tr("No vertex has moved yet.");
+    enableIf(m_widgets.select, isAny, none);
+    enableIf(m_widgets.whole, isAny, none);
     if (isAny) {
         showBetween(plot.range()->low, plot.range()->high);
     } else {

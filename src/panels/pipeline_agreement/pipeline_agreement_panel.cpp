@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "models/quantity_text.h"
+#include "panels/help/help_text.h"
 #include "ui_pipeline_agreement.h"
 
 namespace hitscope {
@@ -48,7 +49,7 @@ QString PipelineAgreementPanel::verdict() const {
 }
 
 void PipelineAgreementPanel::showReport() {
-    m_ui->compare->setEnabled(!m_agreement.isComparing());
+    enableIf(*m_ui->compare, !m_agreement.isComparing(), tr("The pipelines are being compared."));
     m_ui->verdict->setText(verdict());
     for (QWidget* number : {static_cast<QWidget*>(m_ui->largest), static_cast<QWidget*>(m_ui->rms),
                             static_cast<QWidget*>(m_ui->different)}) {
@@ -61,7 +62,8 @@ void PipelineAgreementPanel::showReport() {
     m_ui->rms->setText(report ? metres(report->rootMeanSquare) : nothing);
     m_ui->different->setText(report ? countText(report->different) : nothing);
     const Target* target = report && report->worst ? m_session.target(report->worst->target) : nullptr;
-    m_ui->worst->setEnabled(target != nullptr);
+    enableIf(*m_ui->worst, target != nullptr,
+             report ? tr("No vertex differs.") : tr("Nothing has been compared yet."));
     m_ui->worst->setText(
         target != nullptr
             ? tr("vertex %1 of %2").arg(countText(std::size_t{report->worst->vertex} + 1), target->name)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/scene/physics_fields.h"
+#include "panels/help/help_text.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
@@ -44,13 +45,15 @@ void PhysicsFields::show() {
     const Target* target = m_session.target(m_session.selectedTarget());
     const TargetPhysics physics = target != nullptr ? target->physics : TargetPhysics{};
     const QSignalBlocker quiet(m_dynamic);
-    m_dynamic.setEnabled(target != nullptr);
+    enableIf(m_dynamic, target != nullptr, QObject::tr("Select a target first."));
     m_dynamic.setChecked(physics.isDynamic);
     for (std::size_t i = 0; i < m_boxes.size(); ++i) {
         const QSignalBlocker still(*m_boxes[i]);
         m_boxes[i]->setValue(parameterValue(physics, i));
         // What stays where it is has no mass that matters.
-        m_boxes[i]->setEnabled(target != nullptr && (i > 0 || physics.isDynamic));
+        enableIf(*m_boxes[i], target != nullptr && (i > 0 || physics.isDynamic),
+                 target == nullptr ? QObject::tr("Select a target first.")
+                                   : QObject::tr("Only what can be knocked about has a mass."));
     }
     const QString reason = target != nullptr ? m_session.whyNotHittable(target->id) : QString();
     m_trouble.setText(reason);

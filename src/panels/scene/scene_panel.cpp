@@ -9,6 +9,7 @@
 
 #include "mesh/teapot.h"
 #include "models/quantity_text.h"
+#include "panels/help/help_text.h"
 #include "panels/icons/themed_icon.h"
 #include "panels/scene/add_primitive_dialog.h"
 #include "panels/scene/physics_fields.h"
@@ -227,13 +228,14 @@ void ScenePanel::updateActions() {
     const std::vector<TargetId> targets = selectedTargets();
     const bool some = !targets.empty();
     for (QAction* action : {m_rename, m_toggle, m_duplicate, m_remove}) {
-        action->setEnabled(some);
+        enableIf(*action, some, tr("Select a target first."));
     }
     m_toggle->setText(!some || isAnyVisible(targets) ? tr("Hide") : tr("Show"));
-    m_reset->setEnabled(std::any_of(targets.begin(), targets.end(), [this](TargetId id) {
+    const bool isAnyHit = std::any_of(targets.begin(), targets.end(), [this](TargetId id) {
         const QModelIndex hits = m_model.index(m_model.rowOf(id), SceneModel::HitsColumn);
         return hits.data(SceneModel::RawValueRole).toULongLong() > 0;
-    }));
+    });
+    enableIf(*m_reset, isAnyHit, some ? tr("It has no hits.") : tr("Select a target first."));
     const int count = m_model.rowCount();
     m_ui->summary->setText(count == 0   ? tr("No targets yet")
                            : count == 1 ? tr("1 target")

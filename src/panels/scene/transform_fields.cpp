@@ -5,6 +5,7 @@
 #include <QSignalBlocker>
 
 #include "models/rotation_angles.h"
+#include "panels/help/help_text.h"
 
 namespace hitscope {
 
@@ -52,7 +53,7 @@ void TransformFields::show() {
     for (int field = 0; field < 2 * kAxes; ++field) {
         QDoubleSpinBox& box = *m_boxes[static_cast<std::size_t>(field)];
         const QSignalBlocker quiet(box);
-        box.setEnabled(target != nullptr);
+        enableIf(box, target != nullptr, QObject::tr("Select a target first."));
         box.setValue(field < kAxes ? static_cast<double>(transform.position[field])
                                    : m_angles[field - kAxes]);
     }

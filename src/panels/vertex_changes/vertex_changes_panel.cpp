@@ -10,6 +10,7 @@
 #include <span>
 
 #include "models/quantity_text.h"
+#include "panels/help/help_text.h"
 #include "panels/icons/themed_icon.h"
 #include "ui_vertex_changes.h"
 
@@ -194,8 +195,8 @@ void VertexChangesPanel::updateSummary() {
     }
     m_ui->summary->setText(text);
     m_ui->summary->setToolTip(target != nullptr ? tr("Of %1").arg(target->name) : QString());
-    m_copy->setEnabled(rows > 0);
-    m_save->setEnabled(rows > 0);
+    enableIf(*m_copy, rows > 0, tr("No vertex is listed."));
+    enableIf(*m_save, rows > 0, tr("No vertex is listed."));
 }
 
 void VertexChangesPanel::updateAttribution() {

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/texture_locator.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <algorithm>
+
+#include "io/read_picture.h"
+#include "mesh/missing_textures.h"
+#include "panels/help/help_text.h"
+#include "session/session.h"
+
+namespace hitscope {
+
+namespace {
+
+/// "wood.png" of "C:\textures\wood.png".
+QString fileNameOf(const std::string& name) {
+    QString path = QString::fromStdString(name);
+    return QFileInfo(path.replace(QLatin1Char('\\'), QLatin1Char('/'))).fileName();
+}
+
+}  // namespace
+
+TextureLocator::TextureLocator(Session& session, QWidget* parent)
+    : QObject(parent), m_session(session), m_parent(parent) {
+    for (const auto signal : {&Session::targetAdded, &Session::targetRemoved, &Session::targetChanged}) {
+        connect(&session, signal, this, &TextureLocator::follow);
+    }
+    connect(&session, &Session::sceneReplaced, this, &TextureLocator::follow);
+}
+
+void TextureLocator::fill(QMenu& menu) {
+    m_action = menu.addAction(tr("&Locate Missing Texture…"));
+    connect(m_action, &QAction::triggered, this, &TextureLocator::locate);
+    follow();
+}
+
+void TextureLocator::follow() {
+    if (m_action != nullptr) {
+        enableIf(*m_action, isAnyMissing(), tr("No texture is missing."));
+    }
+}
+
+std::vector<TextureLocator::Missing> TextureLocator::missing() const {
+    std::vector<Missing> found;
+    std::vector<const MeshData*> seen;
+    for (const std::unique_ptr<Target>& target : m_session.targets()) {
+        const MeshData* mesh = target->shape.mesh.get();
+        if (std::find(seen.begin(), seen.end(), mesh) != seen.end()) {
+            continue;
+        }
+        seen.push_back(mesh);
+        std::vector<TargetId> same;
+        for (const std::unique_ptr<Target>& other : m_session.targets()) {
+            if (other->shape.mesh.get() == mesh) {
+                same.push_back(other->id);
+            }
+        }
+        for (const std::string& name : missingTextures(*mesh)) {
+            found.push_back({same, target->sourcePath, name});
+        }
+    }
+    return found;
+}
+
+void TextureLocator::locate() {
+    const std::vector<Missing> all = missing();
+    if (all.empty()) {
+        return;
+    }
+    const QString folder = m_folder.isEmpty() ? QFileInfo(all.front().file).absolutePath() : m_folder;
+    const QString path = QFileDialog::getOpenFileName(
+        m_parent, tr("Locate the texture “%1”").arg(fileNameOf(all.front().name)), folder,
+        tr("Pictures (*.png *.jpg *.jpeg *.bmp *.tga *.tif *.tiff *.webp *.gif);;All files (*)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    if (const Status used = use(path); !used) {
+        Q_EMIT failed(used.error());
+    }
+}
+
+Status TextureLocator::use(const QString& path) {
+    const std::vector<Missing> all = missing();
+    if (all.empty()) {
+        return Done{};
+    }
+    m_folder = QFileInfo(path).absolutePath();
+    if (Status used = use(all.front(), path); !used) {
+        return used;
+    }
+    // Where one is the others often are.
+    for (const Missing& other : missing()) {
+        const QString beside = QDir(m_folder).filePath(fileNameOf(other.name));
+        if (QFileInfo(beside).isFile()) {
+            static_cast<void>(use(other, beside));
+        }
+    }
+    const std::size_t left = missing().size();
+    Q_EMIT said(left == 0 ? tr("All textures are found.")
+                          : tr("%n texture(s) still missing.", nullptr, static_cast<int>(left)));
+    return Done{};
+}
+
+Status TextureLocator::use(const Missing& what, const QString& path) {
+    Result<Image> image = readPicture(path);
+    if (!image) {
+        return image.error();
+    }
+    const Target* target = m_session.target(what.targets.front());
+    m_session.setTargetMaterials(
+        what.targets,
+        std::make_shared<MeshData>(withTexture(*target->shape.mesh, what.name, std::move(image).value())));
+    m_located[{what.file, what.name}] = path;
+    return Done{};
+}
+
+QStringList TextureLocator::useRemembered() {
+    QStringList used;
+    for (const Missing& what : missing()) {
+        const auto known = m_located.find({what.file, what.name});
+        if (known != m_located.end()) {
+            const QString path = known->second;
+            if (use(what, path)) {
+                used.append(QString::fromStdString(what.name));
+            }
+        }
+    }
+    return used;
+}
+
+}  // namespace hitscope
