@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "panels/fields/number_box.h"
+#include "panels/help/help_text.h"
 #include "panels/icons/themed_icon.h"
 #include "session/shown_number.h"
 
@@ -120,7 +121,8 @@ double ParameterEditor::shownOf(double value) const {
 
 void ParameterEditor::setValue(double value) {
     m_box->showNumber(shownOf(value));
-    m_reset->setEnabled(static_cast<float>(value) != static_cast<float>(m_resetTo));
+    enableIf(*m_reset, static_cast<float>(value) != static_cast<float>(m_resetTo),
+             tr("It has this value already."));
     // What is dragged stays under the cursor.
     if (!m_slider->isSliderDown()) {
         const QSignalBlocker quiet(m_slider);

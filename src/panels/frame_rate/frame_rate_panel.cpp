@@ -17,6 +17,7 @@
 #include "models/quantity_text.h"
 #include "panels/frame_rate/cost_view.h"
 #include "panels/frame_rate/flow_layout.h"
+#include "panels/help/help_text.h"
 #include "panels/icons/themed_icon.h"
 #include "session/session.h"
 #include "session/shown_number.h"
@@ -150,7 +151,7 @@ QComboBox* FrameRatePanel::makeQuantity() {
     connect(m_quantity, &QComboBox::currentIndexChanged, this, [this](int index) {
         m_graph->setPerSecond(index == 1);
         for (std::size_t i = FrameGraph::Cpu; i < m_legend.size(); ++i) {
-            m_legend[i]->setEnabled(index == 0);
+            enableIf(*m_legend[i], index == 0, tr("Parts of a frame are shown in milliseconds only."));
         }
     });
     return m_quantity;

@@ -142,7 +142,7 @@ bool HitInspectorPanel::isSame(const Hit& hit, const Value& part) const {
 void HitInspectorPanel::show() {
     const Hit* hit = m_editing.current();
     m_ui->problem->clear();
-    m_ui->fields->setEnabled(hit != nullptr);
+    enableIf(*m_ui->fields, hit != nullptr, tr("Select a hit first."));
     showTitle();
     if (hit != nullptr) {
         showConstants(*hit);
