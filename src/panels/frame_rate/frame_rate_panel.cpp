@@ -90,7 +90,7 @@ void FrameRatePanel::makeReadOuts() {
     auto* layout = new FlowLayout(m_ui->readOuts);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
-    const QString usual = milliseconds(0.0888);
+    const QString usual = frameTimeText(0.0888);
     const auto add = [this, usual](const char* name, const QString& title, const QString& tip,
                                    const QString& widest = {}) {
         return addReadOut(*m_ui->readOuts, name, title, tip, widest.isEmpty() ? usual : widest);
