@@ -133,6 +133,8 @@ private Q_SLOTS:
             scene.number("changed_vertices").toInt() > 0 && model->measuring().isUpToDate(), kPatience);
         const QModelIndex cell = model->find("changed_vertices", MeshStatisticsModel::DeformedColumn);
         const QString before = cell.data().toString();
+        numbers->expandAll();  // what was folded is remembered
+        numbers->scrollTo(cell);
         const auto ink = [numbers, &cell] {
             const QImage picture = numbers->viewport()->grab(numbers->visualRect(cell)).toImage();
             int darkest = 255;
