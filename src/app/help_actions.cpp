@@ -128,7 +128,9 @@ void HelpActions::takeProgress() {
             continue;
         }
         m_task->report(words.value(1).toDouble());
-        m_task->say(tr("Measuring the paper's tables: %1").arg(QString::fromUtf8(words.mid(2).join(' '))));
+        QString what = QString::fromUtf8(words.mid(2).join(' '));
+        what.remove(QStringLiteral(", textures none"));  // as always here
+        m_task->say(tr("Paper's tables: %1").arg(what));
     }
 }
 
