@@ -187,7 +187,7 @@ void Session::sayHowFiringGoes(std::size_t due) {
         m_mostDue = due;
         m_firing = std::make_unique<TaskProgress>(
             *m_tasks, tr("Shooting"), [this] { cancelScheduled(); },
-            tr("The shots to come are dropped; hits made so far stay."));
+            tr("Pending shots are dropped; hits made so far stay."));
     }
     m_mostDue = std::max(m_mostDue, due);
     m_firing->report(1.0 - static_cast<double>(due) / static_cast<double>(m_mostDue));
