@@ -24,14 +24,12 @@ void takeFlight(ProjectileSettings& to, const ProjectileSettings& from) {
 const std::array<FlightModeTraits, 4>& allFlightModes() {
     static const std::array<FlightModeTraits, 4> modes{{
         {FlightMode::Quick, "quick", "Quick",
-         "A projectile flies to where you click in 0.1 seconds. Its size, speed and fall go by the size of "
-         "the "
-         "target and its distance."},
+         "A projectile flies to where you click in a tenth of a second. Its size, speed and fall go by the "
+         "size of the target and its distance."},
         {FlightMode::Instant, "instant", "Instant",
          "No flight: the hit is made where you click, in the next frame."},
         {FlightMode::Paper, "paper", "As in the paper",
-         "A projectile of radius 0.1 m flies at 30 m/s for 5 seconds at most, whatever the size of the "
-         "target."},
+         "A projectile 20 cm across flies at 30 m/s for 5 seconds at most, whatever the size of the target."},
         {FlightMode::Own, "own", "Own numbers",
          "A projectile flies with the speed, radius, lifetime and gravity that are set in Shoot > "
          "Projectile."},

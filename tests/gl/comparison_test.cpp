@@ -52,7 +52,7 @@ private Q_SLOTS:
         QVERIFY(comparison.report().vertices > 100);
         QCOMPARE(comparison.report().largest, 0.0);
         QCOMPARE(comparison.report().rootMeanSquare, 0.0);
-        QVERIFY(comparisonText(comparison).contains(QStringLiteral("largest difference 0 m, RMS 0 m")));
+        QVERIFY(comparisonText(comparison).startsWith(QStringLiteral("A and B are equal in all ")));
         session.undo();
         session.removeHit(3);
         QVERIFY(settled());

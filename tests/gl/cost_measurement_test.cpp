@@ -28,7 +28,7 @@ CostPlan smallPlan() {
 class CostMeasurementTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void measuresBothOfThePaper() {
+    void measuresEveryPipeline() {
         Session session;
         session.loadPaperRow(0);
         CostMeasurement measurement;
@@ -40,10 +40,11 @@ private Q_SLOTS:
         QVERIFY(finished.wait(kPatience));
         QVERIFY(!measurement.isRunning());
         QCOMPARE(failed.size(), 0);
-        QCOMPARE(progressed.size(), 3 * 2 * 2);
-        QCOMPARE(progressed.last(), QList<QVariant>({6, 6}));
-        for (const PipelineKind pipeline : {PipelineKind::UniformArray, PipelineKind::TransformFeedback}) {
-            const std::vector<CostPoint> points = measurement.curves().points(pipeline);
+        constexpr int kSteps = 3 * 2;  // numbers of hits, samples
+        QCOMPARE(progressed.size(), kSteps * static_cast<int>(allPipelines().size()));
+        QCOMPARE(progressed.last(), QList<QVariant>({kSteps, kSteps}));
+        for (const PipelineTraits& pipeline : allPipelines()) {
+            const std::vector<CostPoint> points = measurement.curves().points(pipeline.kind);
             QCOMPARE(points.size(), std::size_t{3});
             QCOMPARE(points[2].hits, 7.0);
             for (const CostPoint& point : points) {

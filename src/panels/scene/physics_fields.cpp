@@ -53,7 +53,7 @@ void PhysicsFields::show() {
         // What stays where it is has no mass that matters.
         enableIf(*m_boxes[i], target != nullptr && (i > 0 || physics.isDynamic),
                  target == nullptr ? QObject::tr("Select a target first.")
-                                   : QObject::tr("Only what can be knocked about has a mass."));
+                                   : QObject::tr("Only a dynamic target has a mass."));
     }
     const QString reason = target != nullptr ? m_session.whyNotHittable(target->id) : QString();
     m_trouble.setText(reason);
