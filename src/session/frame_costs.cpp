@@ -49,10 +49,11 @@ void FrameCosts::addWork(const FrameCost& cost) {
     m_work.hits += cost.hits;
 }
 
-void FrameCosts::endFrame(double total) {
+void FrameCosts::endFrame(double total, bool follows) {
     if (!m_frames.empty()) {
         m_frames.back().end = now();
         m_frames.back().total = total;
+        m_frames.back().follows = follows;
         Q_EMIT frameEnded();
     }
 }

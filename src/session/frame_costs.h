@@ -18,9 +18,10 @@ class Session;
 /// What one frame cost. Seconds; the parts of the CPU's time are the drawing thread's.
 struct FrameCost {
     std::uint64_t number = 0;
-    double end = 0.0;    ///< when it ended, by FrameCosts::now()
-    double total = 0.0;  ///< from the end of the frame before while frames follow each other, else `cpu`
-    double cpu = 0.0;    ///< the sum of the parts
+    double end = 0.0;     ///< when it ended, by FrameCosts::now()
+    double total = 0.0;   ///< from the end of the frame before while frames follow each other, else `cpu`
+    bool follows = true;  ///< the frame before: else the GPU may have needed longer than `total`
+    double cpu = 0.0;     ///< the sum of the parts
     // Parts
     double physics = 0.0;      ///< steps since the frame before
     double deformation = 0.0;  ///< handing changed hits to the pipeline
@@ -71,8 +72,9 @@ public:
     [[nodiscard]] std::uint64_t nextFrame() const { return m_nextFrame; }
     /// A frame was drawn: number, end, total, cpu, physics, history and pipeline are filled in here.
     void addFrame(FrameCost cost);
-    /// The last frame took so long in all.
-    void endFrame(double total);
+    /// The last frame took so long in all. `follows`: since the end of the frame before; else it stands
+    /// alone, and what the GPU still had to do is not in it.
+    void endFrame(double total, bool follows = true);
     /// The hits [first, first + count) were applied with the work numbered `frame`: seconds of CPU time.
     void addApplied(std::uint64_t frame, std::size_t first, std::size_t count, double cpu);
     /// What the GPU says of the work numbered `frame`, seconds. It belongs to that frame or the one after.

@@ -159,11 +159,12 @@ void Viewport::paintGL() {
     }
     paintOverlay();
     m_error.clear();
-    const QElapsedTimer& measure = m_frameFollows && m_sinceFrame.isValid() ? m_sinceFrame : drawing;
+    const bool follows = m_frameFollows && m_sinceFrame.isValid();
+    const QElapsedTimer& measure = follows ? m_sinceFrame : drawing;
     const double seconds = static_cast<double>(measure.nsecsElapsed()) * kNanosecond;
     m_frameFollows = false;
     m_sinceFrame.start();
-    m_session.frameCosts().endFrame(seconds);
+    m_session.frameCosts().endFrame(seconds, follows);
     Q_EMIT framePainted(seconds);
 }
 

@@ -56,6 +56,7 @@ private Q_SLOTS:
     void collectsCosts();
     void twoPipelinesAreNotMixedWithOne();
     void saysWhatFrameTimesAllow();
+    void framesAloneWaitForTheGpu();
     void saysThatTheGpuIsNotMeasured();
     void measuresOnRequest();
 
@@ -289,6 +290,17 @@ void FrameRateTest::saysWhatFrameTimesAllow() {
     FrameTimes::Summary idle = m_panel->summary();
     idle.recent = 0;
     QCOMPARE(frameRateText(idle), QStringLiteral("Idle · last frame 8.3 ms"));
+}
+
+void FrameRateTest::framesAloneWaitForTheGpu() {
+    FrameCosts& costs = m_session->frameCosts();
+    FrameCost cost;
+    cost.drawing = 0.001;
+    costs.addFrame(cost);
+    costs.endFrame(0.001, false);
+    QCOMPARE(m_panel->summary().recent, std::size_t{0});
+    costs.addGpuTimes(costs.frames().back().number, 0.02, 0.0);
+    QCOMPARE(frameRateText(m_panel->summary()), QStringLiteral("20.0 ms (50 FPS)"));
 }
 
 void FrameRateTest::measuresOnRequest() {

@@ -9,6 +9,7 @@
 #include <QPainter>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "io/staged_files.h"
@@ -76,8 +77,13 @@ FrameRatePanel::FrameRatePanel(Session& session, QAction& continuous, QWidget* p
         const FrameCost& frame = m_session.frameCosts().frames().back();
         if (std::exchange(m_pipelines, frame.pipelines) != frame.pipelines) {
             m_frames.clear();  // what one and what two pipelines cost is not to be mixed
+            m_alone.clear();
         }
-        m_frames.add(frame.end, frame.total);
+        if (frame.follows) {
+            m_frames.add(frame.end, frame.total);
+        } else {
+            m_alone.push_back(frame.number);
+        }
         if (isVisible() && !m_timer.isActive()) {
             m_timer.start();
         }
@@ -201,12 +207,36 @@ void FrameRatePanel::makeButtons(QAction& continuous) {
 
 void FrameRatePanel::clear() {
     m_frames.clear();
+    m_alone.clear();
     m_graph->clear();
     m_costView->clear();
     showReadOuts();
 }
 
-FrameTimes::Summary FrameRatePanel::summary() const {
+/// A frame that stands alone counts once the GPU has said how long it took: the CPU's part of it, a tenth of
+/// the whole on a software renderer, would promise a thousand frames a second.
+void FrameRatePanel::takeFramesAlone() {
+    const FrameCosts& costs = m_session.frameCosts();
+    const Ring<FrameCost>& frames = costs.frames();
+    std::size_t next = frames.size();
+    for (std::size_t waiting = m_alone.size(); waiting-- > 0;) {
+        while (next > 0 && frames[next - 1].number > m_alone[waiting]) {
+            --next;
+        }
+        const bool isKept = next > 0 && frames[next - 1].number == m_alone[waiting];
+        if (isKept && !frames[next - 1].gpu && costs.measuresGpu().value_or(true)) {
+            continue;  // not known yet
+        }
+        if (isKept) {
+            const FrameCost& frame = frames[next - 1];
+            m_frames.add(frame.end, std::max(frame.total, frame.gpu.value_or(0.0)));
+        }
+        m_alone.erase(m_alone.begin() + static_cast<std::ptrdiff_t>(waiting));
+    }
+}
+
+FrameTimes::Summary FrameRatePanel::summary() {
+    takeFramesAlone();
     return m_frames.summary(m_session.frameCosts().now());
 }
 

@@ -4,7 +4,9 @@
 #include <QTimer>
 #include <QWidget>
 #include <array>
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "core/frame_times.h"
 #include "core/result.h"
@@ -34,7 +36,7 @@ public:
     ~FrameRatePanel() override;
 
     void clear();
-    [[nodiscard]] FrameTimes::Summary summary() const;
+    [[nodiscard]] FrameTimes::Summary summary();
     [[nodiscard]] FrameGraph& graph() { return *m_graph; }
     [[nodiscard]] CostView& costs() { return *m_costView; }
     /// What the tab in front shows, as CSV, whole or not at all.
@@ -56,11 +58,13 @@ private:
     void chooseCsv();
     void refresh();
     void showReadOuts();
+    void takeFramesAlone();
     void colourLegend();
 
     Session& m_session;
     std::unique_ptr<Ui::FrameRate> m_ui;
-    FrameTimes m_frames;  ///< since frames were of as many pipelines as now
+    FrameTimes m_frames;                 ///< since frames were of as many pipelines as now
+    std::vector<std::uint64_t> m_alone;  ///< numbers of frames that are not in m_frames yet
     std::uint8_t m_pipelines = 1;
     FrameGraph* m_graph = nullptr;
     CostView* m_costView = nullptr;
