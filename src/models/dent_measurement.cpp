@@ -2,10 +2,11 @@
 #include "models/dent_measurement.h"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <limits>
 #include <utility>
+
+#include "mesh/dent_profile.h"
+#include "models/dent_hits.h"
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -13,8 +14,10 @@ struct DentMeasurement::Order {
     QString target;
     std::shared_ptr<const RenderMesh> render;
     std::vector<glm::vec3> after;
-    std::optional<std::uint32_t> vertex;  ///< else the dent nearest to:
-    Hit hit;
+    std::vector<Hit> hits;                ///< those applied to the target
+    std::vector<std::size_t> rows;        ///< of the history, where they are
+    std::optional<std::uint32_t> vertex;  ///< else the dent of:
+    std::size_t hit = 0;                  ///< an index into `hits`
     float angle = 0.0f;
 };
 
@@ -26,20 +29,29 @@ public:
         Report report;
         report.target = order.target;
         const std::span<const glm::vec3> before = m_before->positions();
-        const std::optional<std::uint32_t> seed = order.vertex ? order.vertex : nearestMoved(order);
+        const std::optional<std::uint32_t> seed = order.vertex ? order.vertex : m_hits.deepestOf(order.hit);
         const std::vector<std::uint32_t> vertices =
             seed ? dentAround(*seed, m_before->triangles(), before, order.after)
                  : std::vector<std::uint32_t>();
         report.dent = measureDent(vertices, m_before->triangles(), before, order.after);
         if (!report.dent) {
             report.why = order.vertex ? DentMeasurement::tr("No hit has moved the picked vertex.")
-                                      : DentMeasurement::tr("The selected hit's dent is not there any more.");
+                         : seed       ? DentMeasurement::tr("The selected hit's dent is not there any more.")
+                                      : DentMeasurement::tr("The selected hit has moved no vertex.");
             return report;
         }
+        nameHits(report, order, vertices);
         const glm::vec3 deepest = before[report.dent->deepest];
         const Plane plane = profilePlane(*report.dent, deepest, order.angle);
-        report.before = profile(*m_before, plane, *report.dent, deepest);
-        report.after = profile(*m_after, plane, *report.dent, deepest);
+        const ProfileFrame frame = profileFrame(*report.dent, plane, vertices, before, order.after);
+        const auto profile = [&](const MeshSections& mesh) {
+            const glm::vec3 at = mesh.positions()[report.dent->deepest];
+            std::vector<ProfilePoint> line =
+                profileLine(mesh.cut(plane), plane, *report.dent, deepest, frame, at);
+            return line.empty() ? Profile() : Profile{std::move(line)};
+        };
+        report.before = profile(*m_before);
+        report.after = profile(*m_after);
         return report;
     }
 
@@ -51,56 +63,35 @@ private:
             m_after = std::make_unique<MeshSections>(*m_before);
         }
         m_after->setPositions(order.after);
+        m_hits.follow(order.render, order.hits);
     }
 
-    [[nodiscard]] std::optional<std::uint32_t> nearestMoved(const Order& order) const {
-        const std::span<const glm::vec3> before = m_before->positions();
-        std::optional<std::uint32_t> nearest;
-        float least = 2.0f * order.hit.constants.maxDistance;
-        for (std::uint32_t vertex = 0; vertex < before.size(); ++vertex) {
-            const float distance = glm::distance(before[vertex], order.hit.point);
-            if (distance < least && before[vertex] != order.after[vertex]) {
-                least = distance;
-                nearest = vertex;
+    void nameHits(Report& report, const Order& order, std::span<const std::uint32_t> vertices) const {
+        Bounds box;
+        for (const std::uint32_t vertex : vertices) {
+            box.add(m_before->positions()[vertex]);
+            box.add(order.after[vertex]);
+        }
+        const std::vector<std::size_t> all = m_hits.madeBy(vertices, box);
+        if (all.size() < 2) {
+            return;
+        }
+        std::vector<std::size_t> named;
+        for (const std::size_t hit : all) {
+            report.mergedHits.push_back(order.rows[hit]);
+            if (order.vertex || hit != order.hit) {
+                named.push_back(order.rows[hit]);
             }
         }
-        return nearest;
-    }
-
-    /// As far as the dent and half as much again on either side.
-    static Profile profile(const MeshSections& mesh, const Plane& plane, const DentMeasures& dent,
-                           const glm::vec3& deepest) {
-        const double reach = std::max(0.75 * dent.rimDiameter, 1.0e-6);
-        const double depth = 2.0 * reach + 2.0 * dent.depth;
-        Profile lines;
-        for (const SectionCurve& curve : mesh.cut(plane)) {
-            std::vector<glm::vec3> points = curve.points;
-            if (curve.closed && !points.empty()) {
-                points.push_back(points.front());
-            }
-            std::vector<ProfilePoint> line;
-            const auto finish = [&lines, &line] {
-                if (line.size() > 1) {
-                    lines.push_back(line);
-                }
-                line.clear();
-            };
-            for (const glm::vec3& point : points) {
-                const ProfilePoint at = toProfile(plane, dent, deepest, point);
-                if (std::abs(at.along) <= reach && std::abs(at.height) <= depth) {
-                    line.push_back(at);
-                } else {
-                    finish();
-                }
-            }
-            finish();
-        }
-        return lines;
+        report.merged =
+            (order.vertex ? DentMeasurement::tr("Merged dent of %1") : DentMeasurement::tr("Merged with %1"))
+                .arg(hitNumbersText(named));
     }
 
     std::shared_ptr<const RenderMesh> m_render;
     std::unique_ptr<MeshSections> m_before;
     std::unique_ptr<MeshSections> m_after;
+    DentHits m_hits;
 };
 
 DentMeasurement::DentMeasurement(Session& session, QObject* parent)
@@ -109,6 +100,10 @@ DentMeasurement::DentMeasurement(Session& session, QObject* parent)
     connect(&session.selection(), &VertexSelection::pickedChanged, this, &DentMeasurement::followPick);
     connect(&session, &Session::hitSelected, this, &DentMeasurement::followHit);
     connect(&session, &Session::meshChanged, this, &DentMeasurement::followMesh);
+    connect(&session, &Session::hitsChanged, this, &DentMeasurement::request);
+    connect(&session, &Session::hitsRearranged, this, &DentMeasurement::request);
+    connect(&session, &Session::shownHitsChanged, this, &DentMeasurement::request);
+    connect(&session, &Session::capacityChanged, this, &DentMeasurement::request);
     connect(&session, &Session::sceneReplaced, this, &DentMeasurement::forget);
     connect(&session, &Session::targetRemoved, this, &DentMeasurement::forget);
     forget();
@@ -132,6 +127,8 @@ void DentMeasurement::followPick() {
 void DentMeasurement::followHit() {
     if (m_session.selectedHit()) {
         m_source = Source::Hit;
+    }
+    if (m_source == Source::Hit) {
         request();
     }
 }
@@ -148,11 +145,37 @@ void DentMeasurement::followMesh(TargetId changed) {
 void DentMeasurement::forget() {
     m_source = Source::None;
     m_picked = {};
-    m_isDue = false;
-    m_report = {};
-    m_report.why = tr("Select a hit, or right-click a dent in the viewport.");
-    Q_EMIT reportChanged();
+    refuse(tr("Select a hit, or right-click a dent in the viewport."));
     Q_EMIT distanceChanged();
+}
+
+void DentMeasurement::refuse(const QString& why) {
+    m_isDue = false;
+    m_isVoid = m_isBusy;
+    m_report = {};
+    m_report.why = why;
+    Q_EMIT reportChanged();
+}
+
+/// Empty: nothing stands against it.
+QString DentMeasurement::whyNotMeasured() const {
+    if (m_source != Source::Hit) {
+        return {};
+    }
+    const std::optional<std::size_t> row = m_session.selectedHit();
+    if (!row) {
+        return tr("Select a hit, or right-click a dent in the viewport.");
+    }
+    const QString number = shownCount(*row + 1);
+    if (!m_session.history().hits()[*row].enabled) {
+        return tr("Hit %1 is disabled, so it has no dent to measure.").arg(number);
+    }
+    if (*row >= m_session.shownHits().size()) {
+        return tr("Hit %1 comes after the hits that are shown, so it has no dent to measure.").arg(number);
+    }
+    return m_session.isApplied(*row)
+               ? QString()
+               : tr("The pipeline has dropped hit %1, so it has no dent to measure.").arg(number);
 }
 
 std::optional<TargetId> DentMeasurement::target() const {
@@ -180,6 +203,10 @@ void DentMeasurement::setActive(bool active) {
 }
 
 void DentMeasurement::request() {
+    if (const QString why = whyNotMeasured(); !why.isEmpty()) {
+        refuse(why);
+        return;
+    }
     const std::optional<TargetId> id = target();
     const Target* of = id ? m_session.target(*id) : nullptr;
     m_isDue = of != nullptr;
@@ -194,10 +221,19 @@ void DentMeasurement::request() {
     order->render = of->deformed.sharedRender();
     order->after.assign(after.begin(), after.end());
     order->angle = static_cast<float>(m_angle);
+    const std::span<const Hit> hits = m_session.shownHits();
+    for (std::size_t row = 0; row < hits.size(); ++row) {
+        if (hits[row].target == *id && m_session.isApplied(row)) {
+            order->hits.push_back(hits[row]);
+            order->rows.push_back(row);
+        }
+    }
     if (m_source == Source::Vertex) {
         order->vertex = m_picked[1]->vertex;
     } else {
-        order->hit = m_session.history().hits()[*m_session.selectedHit()];
+        order->hit = static_cast<std::size_t>(
+            std::lower_bound(order->rows.begin(), order->rows.end(), *m_session.selectedHit()) -
+            order->rows.begin());
     }
     m_pool.start([this, order, worker = m_worker] {
         Report report = worker->measure(*order);
@@ -207,7 +243,7 @@ void DentMeasurement::request() {
 
 void DentMeasurement::take(Report report) {
     m_isBusy = false;
-    if (m_source != Source::None) {
+    if (!std::exchange(m_isVoid, false) && m_source != Source::None) {
         m_report = std::move(report);
         Q_EMIT reportChanged();
     }
@@ -237,6 +273,15 @@ std::optional<DentMeasurement::Distance> DentMeasurement::distance() const {
         glm::distance(world(*from, from->deformed.positions()[a]), world(*to, to->deformed.positions()[b]))};
 }
 
+/// For what is copied or saved: all of them.
+QString DentMeasurement::mergedNumbers() const {
+    QStringList numbers;
+    for (const std::size_t row : m_report.mergedHits) {
+        numbers.append(QString::number(row + 1));
+    }
+    return numbers.join(QStringLiteral(", "));
+}
+
 QString DentMeasurement::text() const {
     QStringList lines;
     const auto add = [&lines](const QString& name, double value, const QString& unit) {
@@ -249,6 +294,9 @@ QString DentMeasurement::text() const {
         add(tr("Rim diameter"), dent->rimDiameter, QStringLiteral("m"));
         add(tr("Affected area"), dent->affectedArea, QStringLiteral("m²"));
         add(tr("Displaced volume"), dent->displacedVolume, QStringLiteral("m³"));
+        if (!m_report.mergedHits.empty()) {
+            lines.append(tr("Merged dent of hits") + u'\t' + mergedNumbers());
+        }
     }
     if (const std::optional<Distance> between = distance()) {
         add(tr("Distance, original"), between->before, QStringLiteral("m"));
@@ -258,7 +306,11 @@ QString DentMeasurement::text() const {
 }
 
 QByteArray DentMeasurement::profileCsv() const {
-    QByteArray csv = "state,line,along_m,height_m\n";
+    QByteArray csv;
+    if (!m_report.mergedHits.empty()) {
+        csv += "# merged dent of hits " + mergedNumbers().toUtf8() + '\n';
+    }
+    csv += "state,line,along_m,height_m\n";
     const auto add = [&csv](const char* state, const Profile& lines) {
         for (std::size_t line = 0; line < lines.size(); ++line) {
             for (const ProfilePoint& point : lines[line]) {

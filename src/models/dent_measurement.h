@@ -30,7 +30,10 @@ public:
         std::optional<DentMeasures> dent;  ///< nothing: there is none, and `why`
         QString why;
         QString target;
-        Profile before;
+        /// Rows of the history, ascending: the hits that made this dent, where there are several.
+        std::vector<std::size_t> mergedHits;
+        QString merged;  ///< names them (the selected hit only the others), as shown; empty: there is one
+        Profile before;  ///< of the wall that is dented, near the dent
         Profile after;
     };
     [[nodiscard]] const Report& report() const { return m_report; }
@@ -50,9 +53,10 @@ public:
     void setActive(bool active);
     [[nodiscard]] bool isBusy() const { return m_isBusy; }
 
-    /// A line a figure: name, value, unit.
+    /// A line a figure: name, value, unit. A line names the hits of a merged dent.
     [[nodiscard]] QString text() const;
-    /// Lines of the profile: "state,line,along_m,height_m".
+    /// Lines of the profile: "state,line,along_m,height_m". Before them, where the dent is merged, a line
+    /// that begins with # and names the hits.
     [[nodiscard]] QByteArray profileCsv() const;
 
 Q_SIGNALS:
@@ -68,7 +72,10 @@ private:
     void followMesh(TargetId target);
     void forget();
     [[nodiscard]] std::optional<TargetId> target() const;
+    [[nodiscard]] QString whyNotMeasured() const;
     void request();
+    [[nodiscard]] QString mergedNumbers() const;
+    void refuse(const QString& why);
     void take(Report report);
 
     Session& m_session;
@@ -78,6 +85,7 @@ private:
     bool m_isActive = true;
     bool m_isBusy = false;
     bool m_isDue = false;
+    bool m_isVoid = false;  ///< what is being measured is not wanted any more
     Report m_report;
     std::shared_ptr<Worker> m_worker;  ///< in the pool's hands while busy
     QThreadPool m_pool;                ///< last: its destructor waits

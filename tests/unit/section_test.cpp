@@ -3,11 +3,13 @@
 #include "mesh/section.h"
 
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
 #include "mesh/dent.h"
+#include "mesh/dent_profile.h"
 #include "mesh/grid_primitives.h"
 #include "mesh/primitives.h"
 #include "support/test_program.h"
@@ -77,6 +79,7 @@ private Q_SLOTS:
     void aDentOfKnownShape();
     void dentsApartAreMeasuredApart();
     void theProfileOfADent();
+    void theProfileIsOfTheDentedWall();
 };
 
 void SectionTest::aSphereIsCutInACircle() {
@@ -215,6 +218,41 @@ void SectionTest::theProfileOfADent() {
             const double r = std::abs(at.along) / PressedSheet::kRadius;
             const double should = r < 1.0 ? -PressedSheet::kDepth * std::pow(1.0 - r * r, 2.0) : 0.0;
             QVERIFY(std::abs(at.height - should) < 1.0e-3);
+        }
+    }
+}
+
+/// A sphere is cut in one closed line: what is shown of it ends near the dent, wherever the line starts.
+void SectionTest::theProfileIsOfTheDentedWall() {
+    MeshSections sections(buildRenderMesh(makeUvSphere(128, 64, 1.0f)));
+    const std::vector<glm::vec3> before(sections.positions().begin(), sections.positions().end());
+    for (const glm::vec3& towards : {glm::vec3(0, 0, 1), glm::vec3(1, 0, 0), glm::vec3(-0.6f, 0.8f, 0)}) {
+        std::vector<glm::vec3> after = before;
+        std::vector<std::uint32_t> vertices;
+        for (std::uint32_t vertex = 0; vertex < before.size(); ++vertex) {
+            if (const float r = glm::distance(before[vertex], towards); r < 0.8f) {
+                after[vertex] -= 0.3f * (1.0f - r / 0.8f) * towards;
+                vertices.push_back(vertex);
+            }
+        }
+        const DentMeasures dent = *measureDent(vertices, sections.triangles(), before, after);
+        const glm::vec3 deepest = before[dent.deepest];
+        for (const float angle : {0.0f, 0.7f, 1.5f, 2.6f}) {
+            const Plane plane = profilePlane(dent, deepest, angle);
+            const ProfileFrame frame = profileFrame(dent, plane, vertices, before, after);
+            for (const std::vector<glm::vec3>& positions : {before, after}) {
+                sections.setPositions(positions);
+                const std::vector<ProfilePoint> line =
+                    profileLine(sections.cut(plane), plane, dent, deepest, frame, positions[dent.deepest]);
+                QVERIFY(line.size() > 20);
+                const auto [left, right] = std::minmax_element(
+                    line.begin(), line.end(), [](const auto& a, const auto& b) { return a.along < b.along; });
+                // From rim to rim and beyond: the line is whole.
+                QVERIFY(left->along < -0.45 * dent.rimDiameter && right->along > 0.45 * dent.rimDiameter);
+                for (const ProfilePoint& point : line) {
+                    QVERIFY2(point.height > -1.0, qPrintable(QString::number(point.height)));
+                }
+            }
         }
     }
 }

@@ -9,9 +9,12 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <array>
+#include <glm/geometric.hpp>
 
 #include "deform/reference.h"
 #include "mesh/grid_primitives.h"
+#include "mesh/primitives.h"
 #include "panels/dent_measurement/dent_measurement_panel.h"
 #include "support/test_program.h"
 
@@ -98,6 +101,94 @@ private Q_SLOTS:
         QCOMPARE(label("depth"), QStringLiteral("–"));
     }
 
+    void overlappingHitsAreNamed() {
+        useSphere();
+        addHitAt({0.0f, 0.0f, 1.0f});
+        addHitAt({0.0f, 0.0f, -1.0f});  // on the far side
+        applyHits(*m_session);
+        m_session->selectHit(0);
+        QTRY_VERIFY_WITH_TIMEOUT(report().dent.has_value(), kPatience);
+        QVERIFY2(report().mergedHits.empty(), qPrintable(report().merged));
+        QVERIFY(!label("subject").contains(QStringLiteral("erged")));
+        QVERIFY(m_panel->measurement().profileCsv().startsWith("state,"));
+        const std::size_t alone = report().dent->vertices;
+
+        addHitAt(glm::normalize(glm::vec3(0.4f, 0.0f, 1.0f)));
+        applyHits(*m_session);
+        QTRY_VERIFY_WITH_TIMEOUT(label("subject").contains(QStringLiteral("Merged with hit 3")), kPatience);
+        QVERIFY(report().dent->vertices > alone);
+        addHitAt(glm::normalize(glm::vec3(-0.4f, 0.0f, 1.0f)));
+        applyHits(*m_session);
+        QTRY_VERIFY_WITH_TIMEOUT(label("subject").contains(QStringLiteral("Merged with hits 3 and 4")),
+                                 kPatience);
+        QVERIFY(m_panel->measurement().text().contains(QStringLiteral("\nMerged dent of hits\t1, 3, 4")));
+        QVERIFY(m_panel->measurement().profileCsv().startsWith("# merged dent of hits 1, 3, 4\nstate,"));
+        const auto& target = *m_session->targets().front();
+        m_session->selection().setPicked(VertexRef{target.id, report().dent->deepest});
+        QTRY_VERIFY_WITH_TIMEOUT(label("subject").contains(QStringLiteral("Merged dent of hits")), kPatience);
+        m_session->selectHit(1);
+        QTRY_VERIFY_WITH_TIMEOUT(report().dent && report().merged.isEmpty(), kPatience);
+        for (int i = 0; i < 3; ++i) {
+            addHitAt({0.0f, 0.1f * static_cast<float>(i), 1.0f});
+        }
+        applyHits(*m_session);
+        m_session->selectHit(0);
+        QTRY_VERIFY_WITH_TIMEOUT(label("subject").contains(QStringLiteral("hits 3, 4, 5, 6 and 7")),
+                                 kPatience);
+        addHitAt({0.0f, -0.1f, 1.0f});
+        applyHits(*m_session);
+        QTRY_VERIFY_WITH_TIMEOUT(label("subject").contains(QStringLiteral("hits 3, 4, 5, 6 and 2 more")),
+                                 kPatience);
+    }
+
+    void aHitThatIsNotAppliedIsRefused() {
+        m_session->selectHit(0);
+        QTRY_VERIFY_WITH_TIMEOUT(report().dent.has_value(), kPatience);
+        const std::array<std::size_t, 1> first = {0};
+        m_session->setHitsEnabled(first, false);
+        QVERIFY(!report().dent);
+        QVERIFY(label("subject").contains(QStringLiteral("Hit 1 is disabled")));
+        QCOMPARE(label("depth"), QStringLiteral("–"));
+        m_session->setHitsEnabled(first, true);
+        QTRY_VERIFY_WITH_TIMEOUT(report().dent.has_value(), kPatience);
+        m_session->showHits(0);
+        QVERIFY(label("subject").contains(QStringLiteral("comes after the hits that are shown")));
+        QVERIFY(!report().dent);
+        m_session->selectHit(std::nullopt);
+        QVERIFY(label("subject").contains(QStringLiteral("Select a hit")));
+    }
+
+    void theProfileLeavesOutAFarWall_data() {
+        QTest::addColumn<bool>("isSphere");
+        QTest::newRow("sphere") << true;
+        QTest::newRow("cube") << false;
+    }
+    void theProfileLeavesOutAFarWall() {
+        QFETCH(bool, isSphere);
+        if (isSphere) {
+            useSphere();
+        } else {
+            m_session->loadMesh(makeCube(48, 1.0f));
+        }
+        // A second hit beside the first makes the dent wide.
+        addHitAt({0.0f, 0.0f, 1.0f});
+        addHitAt({0.5f, 0.0f, isSphere ? 0.85f : 1.0f});
+        applyHits(*m_session);
+        m_session->selectHit(0);
+        QTRY_VERIFY_WITH_TIMEOUT(report().dent.has_value(), kPatience);
+        const double lowest = -(report().dent->depth + 0.6 * report().dent->rimDiameter);
+        for (const int angle : {0, 45, 90}) {
+            m_panel->findChild<QSpinBox*>(QStringLiteral("angle"))->setValue(angle);
+            QTRY_VERIFY_WITH_TIMEOUT(!m_panel->measurement().isBusy(), kPatience);
+            for (const DentMeasurement::Profile& profile : {report().before, report().after}) {
+                QCOMPARE(profile.size(), std::size_t{1});
+                for (const ProfilePoint& point : profile.front()) {
+                    QVERIFY2(point.height > lowest, qPrintable(QString::number(point.height)));
+                }
+            }
+        }
+    }
+
     void copiesAndSaves() {
         m_session->selectHit(0);
         QTRY_VERIFY_WITH_TIMEOUT(report().dent.has_value(), kPatience);
@@ -114,6 +205,14 @@ private Q_SLOTS:
     }
 
 private:
+    void useSphere() { m_session->loadMesh(makeUvSphere(128, 64, 1.0f)); }
+    void addHitAt(const glm::vec3& point) {
+        Hit hit;
+        hit.target = m_session->targets().front()->id;
+        hit.point = point;
+        hit.direction = -glm::normalize(point);
+        QVERIFY(m_session->addHit(hit).ok());
+    }
     [[nodiscard]] const DentMeasurement::Report& report() { return m_panel->measurement().report(); }
     [[nodiscard]] QString label(const char* name) {
         return m_panel->findChild<QLabel*>(QLatin1String(name))->text();

@@ -86,7 +86,9 @@ DentMeasurementPanel::~DentMeasurementPanel() = default;
 void DentMeasurementPanel::showReport() {
     const DentMeasurement::Report& report = m_measurement.report();
     const std::optional<DentMeasures>& dent = report.dent;
-    m_ui->subject->setText(dent ? tr("%1, vertices moved: %2").arg(report.target, countText(dent->vertices))
+    const QString merged = report.merged.isEmpty() ? QString() : u'\n' + report.merged;
+    m_ui->subject->setText(dent ? tr("%1, vertices moved: %2").arg(report.target, countText(dent->vertices)) +
+                                      merged
                                 : report.why);
     const auto show = [&dent](QLabel& label, double DentMeasures::*figure, const QString& unit) {
         label.setText(dent ? quantityText((*dent).*figure) + u' ' + unit : QStringLiteral("–"));
