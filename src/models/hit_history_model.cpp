@@ -5,6 +5,7 @@
 #include <QIODevice>
 #include <QMimeData>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "models/quantity_text.h"
@@ -17,6 +18,7 @@ namespace hitscope {
 namespace {
 
 constexpr auto kRowsType = "application/x-hitscope-hit-rows";
+constexpr double kSmallDepth = 0.01;  // metres: below, three decimals would say too little
 
 struct Header {
     const char* title;
@@ -240,6 +242,7 @@ QString HitHistoryModel::text(const Hit& hit, std::size_t row, int column) const
         case ImpulseColumn:
             return shownNumber(*value, 'f', 2);
         case GreatestColumn:
+            return std::abs(*value) < kSmallDepth ? quantityText(*value) : shownNumber(*value, 'f', 3);
         case CpuCostColumn:
         case GpuCostColumn:
             return shownNumber(*value, 'f', 3);

@@ -17,9 +17,32 @@ constexpr int kExponentDecimals = 2;
 constexpr int kLeastMagnitude = -4;
 constexpr int kMostMagnitude = 8;
 
-QString joined(const glm::vec3& vector, const QString& separator, QString (*text)(double)) {
-    return text(static_cast<double>(vector.x)) + separator + text(static_cast<double>(vector.y)) + separator +
-           text(static_cast<double>(vector.z));
+constexpr int kUsualDecimals = 3;
+
+/// As QString::number() takes it.
+struct Form {
+    char format = 'f';
+    int decimals = kUsualDecimals;
+};
+
+/// One for all three, so that they can be compared; small ones keep three significant digits.
+Form formOf(const glm::vec3& vector) {
+    const double largest =
+        static_cast<double>(std::max({std::abs(vector.x), std::abs(vector.y), std::abs(vector.z)}));
+    if (!(largest > 0.0) || !std::isfinite(largest)) {
+        return {};
+    }
+    const int decimals = kUsualDecimals - 1 - static_cast<int>(std::floor(std::log10(largest)));
+    return decimals > kMostDecimals ? Form{'e', kExponentDecimals}
+                                    : Form{'f', std::max(decimals, kUsualDecimals)};
+}
+
+QString joined(const glm::vec3& vector, const QString& separator, QString (*text)(double, char, int)) {
+    const Form form = formOf(vector);
+    const auto part = [&](float value) {
+        return text(static_cast<double>(value), form.format, form.decimals);
+    };
+    return part(vector.x) + separator + part(vector.y) + separator + part(vector.z);
 }
 
 }  // namespace
@@ -40,11 +63,15 @@ QString quantityText(double value) {
 }
 
 QString vectorText(const glm::vec3& vector) {
-    return joined(vector, numberSeparator(), [](double value) { return shownNumber(value, 'f', 3); });
+    return joined(vector, numberSeparator(), [](double value, char format, int decimals) {
+        return shownNumber(value, format, decimals);
+    });
 }
 
 QString copiedVectorText(const glm::vec3& vector) {
-    return joined(vector, QStringLiteral(", "), [](double value) { return QString::number(value, 'f', 3); });
+    return joined(vector, QStringLiteral(", "), [](double value, char format, int decimals) {
+        return QString::number(value, format, decimals);
+    });
 }
 
 }  // namespace hitscope

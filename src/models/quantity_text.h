@@ -15,7 +15,8 @@ inline constexpr double kMilliseconds = 1000.0;  ///< in a second: what is shown
 /// "0.001054", "0.000105", "1.05e-05".
 [[nodiscard]] QString quantityText(double value);
 
-/// Three coordinates with three decimals: "1.250, -0.300, 0.000", or "1,250; -0,300; 0,000".
+/// Three coordinates with three decimals, "1.250, -0.300, 0.000", or "1,250; -0,300; 0,000"; where all are
+/// small, with as many as show the largest: "0.0123, 0.0000, -0.0005", "1.05e-05, 0.00e+00, 2.00e-06".
 [[nodiscard]] QString vectorText(const glm::vec3& vector);
 
 /// The same for what is copied or saved: with points in every locale.

@@ -38,6 +38,13 @@ private Q_SLOTS:
         QCOMPARE(quantityText(value), text);
         QVERIFY(text.size() <= 9);
     }
+    void smallCoordinatesAreNotZero() {
+        QCOMPARE(vectorText({1.25f, -0.3f, 0.0f}), QStringLiteral("1.250, -0.300, 0.000"));
+        QCOMPARE(vectorText({0.0123f, 0.0f, -0.0005f}), QStringLiteral("0.0123, 0.0000, -0.0005"));
+        QCOMPARE(vectorText({1.05e-5f, 0.0f, 2.0e-6f}), QStringLiteral("1.05e-05, 0.00e+00, 2.00e-06"));
+        QCOMPARE(copiedVectorText({0.0123f, 0.0f, 0.0f}), QStringLiteral("0.0123, 0.0000, 0.0000"));
+        QCOMPARE(vectorText({0.0f, 0.0f, 0.0f}), QStringLiteral("0.000, 0.000, 0.000"));
+    }
 };
 
 HITSCOPE_TEST(QuantityTextTest, QCoreApplication)
