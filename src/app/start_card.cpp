@@ -30,7 +30,7 @@ QString captionWithKey(const QString& text, const QAction& action) {
 StartCard::StartCard(const Offers& offers, QWidget* parent) : QFrame(parent), m_toggle(new QAction(this)) {
     setObjectName(QStringLiteral("startCard"));
     setFrameShape(QFrame::StyledPanel);
-    m_toggle->setText(tr("&Getting Started"));
+    m_toggle->setText(tr("Getting &Started"));
     m_toggle->setCheckable(true);
     connect(m_toggle, &QAction::triggered, this, &StartCard::set);
 
