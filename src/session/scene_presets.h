@@ -25,7 +25,7 @@ struct PaperRow {
 
 /// The nine rows, in the tables' order; 16 targets each.
 [[nodiscard]] std::span<const PaperRow> paperRows();
-/// The row that the window opens on: one with all four meshes.
+/// The row that commands take where none is named: one with all four meshes.
 inline constexpr int kDefaultPaperRow = 1;
 
 /// The targets of a row on the paper's grid: 4 x 4, 15 m apart, each of half extent (or radius) 2.5 m,

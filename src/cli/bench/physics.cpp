@@ -60,7 +60,7 @@ void addColliders(Report& report, const std::vector<PhysicsFigure>& figures) {
 
 void addDrawing(Report& report, const std::vector<Samples>& frames) {
     Table table;
-    table.title = QStringLiteral("A frame of the scene the window opens with");
+    table.title = QStringLiteral("A frame of the paper's second row");
     table.columns = {QStringLiteral("projectiles"), QStringLiteral("frame"), QStringLiteral("over none")};
     for (std::size_t i = 0; i < frames.size(); ++i) {
         table.rows.push_back(

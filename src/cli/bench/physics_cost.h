@@ -34,7 +34,7 @@ struct PhysicsFigure {
                                                                   const std::vector<PreparedMesh>& meshes,
                                                                   const Plan& plan);
 
-/// A frame of the scene the window opens with, and with all projectiles in it, with trails: seconds, in this
+/// A frame of the paper's second row, and with all projectiles in it, with trails: seconds, in this
 /// order.
 [[nodiscard]] Result<std::vector<Samples>> measureProjectileDrawing(const BenchRoom& room, const Plan& plan);
 
