@@ -2,16 +2,13 @@
 #include "app/hit_actions.h"
 
 #include <QAction>
-#include <QFile>
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QMenu>
 #include <QSettings>
 #include <memory>
 #include <utility>
 
 #include "app/dialogs.h"
-#include "io/staged_files.h"
 #include "models/quantity_text.h"
 #include "panels/help/help_text.h"
 #include "panels/hit_history/hit_history_panel.h"
@@ -24,23 +21,6 @@ namespace {
 
 QString columnsKey() {
     return QStringLiteral("hitHistory/columns");
-}
-
-Result<HitRecords> readFile(const QString& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        return Error{"The file could not be read: " + file.errorString().toStdString() + ".",
-                     path.toStdString(), ""};
-    }
-    const QByteArray bytes = file.read(static_cast<qint64>(kMostRecordBytes) + 1);
-    Result<HitRecords> table =
-        readHitRecords({bytes.data(), static_cast<std::size_t>(bytes.size())}, pipelineKeys());
-    if (!table) {
-        const Error& error = table.error();
-        const std::string name = QFileInfo(path).fileName().toStdString();
-        return Error{error.what, error.where.empty() ? name : name + ", " + error.where, error.advice};
-    }
-    return table;
 }
 
 }  // namespace
@@ -118,9 +98,8 @@ void HitActions::run(const std::function<std::function<void()>()>& work) {
 void HitActions::exportTo(const QString& path) {
     Q_EMIT exportBegan();
     m_effects.finish();
-    const bool isJson = path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
-    run([this, path, isJson, table = recordsOf(m_session, &m_effects)]() -> std::function<void()> {
-        const Status written = writeWhole(path, isJson ? toJson(table) : toCsv(table));
+    run([this, path, table = recordsOf(m_session, &m_effects)]() -> std::function<void()> {
+        const Status written = writeHitFile(table, path);
         const std::size_t hits = table.hits.size();
         return [this, path, written, hits] {
             if (written) {
@@ -135,7 +114,7 @@ void HitActions::exportTo(const QString& path) {
 
 void HitActions::importFrom(const QString& path) {
     run([this, path, scene = m_scene]() -> std::function<void()> {
-        const auto table = std::make_shared<Result<HitRecords>>(readFile(path));
+        const auto table = std::make_shared<Result<HitRecords>>(readHitFile(path));
         return [this, path, scene, table] {
             if (scene == m_scene) {
                 takeRecords(*table, path);

@@ -2,13 +2,10 @@
 #include <QDir>
 #include <QStringList>
 #include <QTextStream>
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 
+#include "cli/agreement.h"
 #include "cli/commands.h"
 #include "cli/load_scene.h"
-#include "deform/reference.h"
 #include "gl/context.h"
 #include "gl/render_target.h"
 #include "io/save_image.h"
@@ -20,63 +17,6 @@
 namespace hitscope::cli {
 
 namespace {
-
-/// Every target's vertices as a pipeline made them.
-using Meshes = std::vector<std::vector<DynamicVertex>>;
-
-Meshes copyMeshes(const Session& session) {
-    Meshes meshes;
-    for (const std::unique_ptr<Target>& target : session.targets()) {
-        const std::span<const DynamicVertex> vertices = target->deformed.vertices();
-        meshes.emplace_back(vertices.begin(), vertices.end());
-    }
-    return meshes;
-}
-
-struct Agreement {
-    double largest = 0.0;       ///< metres
-    std::size_t different = 0;  ///< vertices whose position or normal differs in any bit
-};
-
-Agreement compare(const Meshes& a, const Meshes& b) {
-    Agreement agreement;
-    for (std::size_t t = 0; t < a.size(); ++t) {
-        for (std::size_t i = 0; i < a[t].size(); ++i) {
-            const double distance = glm::distance(a[t][i].position, b[t][i].position);
-            agreement.largest = std::max(agreement.largest, distance);
-            if (a[t][i].position != b[t][i].position || a[t][i].normal != b[t][i].normal) {
-                ++agreement.different;
-            }
-        }
-    }
-    return agreement;
-}
-
-/// What the reference makes of the hits that the session's pipeline keeps.
-Meshes referenceMeshes(const Session& session) {
-    const std::span<const Hit> history = session.history().hits();
-    Meshes meshes;
-    for (const std::unique_ptr<Target>& target : session.targets()) {
-        std::vector<Hit> hits;
-        for (std::size_t i = 0; i < history.size(); ++i) {
-            if (history[i].target == target->id && session.isApplied(i)) {
-                hits.push_back(history[i]);
-            }
-        }
-        ReferenceDeformation reference(target->deformed.render());
-        reference.apply(hits);
-        meshes.emplace_back(reference.vertices().begin(), reference.vertices().end());
-    }
-    return meshes;
-}
-
-const Target& mostChangedTarget(const Session& session) {
-    const auto changed = [](const std::unique_ptr<Target>& target) {
-        return target->deformed.statistics().changedVertices;
-    };
-    return **std::max_element(session.targets().begin(), session.targets().end(),
-                              [&](const auto& a, const auto& b) { return changed(a) < changed(b); });
-}
 
 /// The demo's parts that need the same things: the session on a GPU without a window, and where the results
 /// go.
@@ -99,13 +39,12 @@ public:
         return savePicture(m_target.read(), path(name));
     }
 
-    /// Applies the hits with this pipeline; how it agrees with the reference.
-    [[nodiscard]] Result<Agreement> apply(PipelineKind kind) {
-        m_session.setPipeline(kind);
-        if (Status status = m_gpu.sync(); !status) {
+    /// Applies the hits with this pipeline; how it agrees with the reference (agreementOfActive()).
+    [[nodiscard]] Result<std::optional<ReferenceAgreement>> apply(PipelineKind kind) {
+        if (Status status = usePipeline(m_session, m_gpu, kind); !status) {
             return status.error();
         }
-        return compare(copyMeshes(m_session), referenceMeshes(m_session));
+        return agreementOfActive(m_session);
     }
 
     [[nodiscard]] QString path(const QString& name) const { return QDir(m_options.folder).filePath(name); }
@@ -132,20 +71,6 @@ void printTable(QTextStream& out, const Session& session) {
     }
 }
 
-QString agreementText(const Agreement& agreement, const Session& session) {
-    QString text = agreement.different == 0
-                       ? QStringLiteral("as the reference in every bit")
-                       : QStringLiteral("%1 vertices differ from the reference, by %2 m at most")
-                             .arg(agreement.different)
-                             .arg(agreement.largest);
-    if (session.droppedHits() > 0) {
-        text += QStringLiteral("; it keeps the last %1 hits%2")
-                    .arg(session.capacity().used)
-                    .arg(session.capacity().perTarget ? QStringLiteral(" on a target") : QString());
-    }
-    return text;
-}
-
 /// Applies the hits with every pipeline that runs here, and says how it agrees with the reference.
 Result<QStringList> comparePipelines(Demo& demo, const Session& session) {
     QStringList lines;
@@ -156,11 +81,11 @@ Result<QStringList> comparePipelines(Demo& demo, const Session& session) {
             lines << QStringLiteral("%1: not here. %2").arg(name, unavailable);
             continue;
         }
-        const Result<Agreement> agreement = demo.apply(traits.kind);
+        const Result<std::optional<ReferenceAgreement>> agreement = demo.apply(traits.kind);
         if (!agreement) {
             return agreement.error();
         }
-        lines << name + QStringLiteral(": ") + agreementText(agreement.value(), session);
+        lines << agreementLine(session, agreement.value());
     }
     return lines;
 }
@@ -198,14 +123,15 @@ Status runDemo(const DemoOptions& options) {
     if (!compared) {
         return compared.error();
     }
-    if (const Result<Agreement> shown = demo.apply(options.pipeline); !shown) {
+    const Result<std::optional<ReferenceAgreement>> shown = demo.apply(options.pipeline);
+    if (!shown) {
         return shown.error();
     }
     const Target& exported = mostChangedTarget(session);
-    for (const Status& status :
-         {demo.picture(QStringLiteral("after.png"), WireframeMode::Off),
-          demo.picture(QStringLiteral("wireframe.png"), WireframeMode::Over),
-          exportTarget(exported, demo.path(QStringLiteral("deformed.obj")), options.normals)}) {
+    const QString meshPath = demo.path(QStringLiteral("deformed.obj"));
+    for (const Status& status : {demo.picture(QStringLiteral("after.png"), WireframeMode::Off),
+                                 demo.picture(QStringLiteral("wireframe.png"), WireframeMode::Over),
+                                 exportTarget(exported, meshPath, options.normals)}) {
         if (!status) {
             return status;
         }
@@ -220,10 +146,11 @@ Status runDemo(const DemoOptions& options) {
     }
     out << "\n" << options.shots << " shots, " << session.history().size() << " hits\n\n";
     printTable(out, session);
-    out << "\n" << compared.value().join(QLatin1Char('\n')) << "\n";
+    out << "\n" << compared.value().join(QLatin1Char('\n')) << "\n\n" << fingerprintLines(session);
     out << "\nIn " << QDir::toNativeSeparators(QDir(options.folder).absolutePath())
         << ": before.png, after.png, wireframe.png, deformed.obj (" << exported.name << ")\n";
-    return Done{};
+    out.flush();
+    return exportAgrees(session, shown.value(), meshPath);
 }
 
 }  // namespace hitscope::cli

@@ -11,7 +11,9 @@
 #include "cli/bench/bench_command.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/pipeline_argument.h"
 #include "cli/shoot.h"
+#include "cli/verify.h"
 #include "core/memory.h"
 
 namespace {
@@ -19,20 +21,12 @@ namespace {
 using hitscope::cli::finish;
 using hitscope::cli::wrongUsage;
 
-/// In the order of allPipelines().
-QStringList pipelineKeys() {
-    QStringList keys;
-    for (const hitscope::PipelineTraits& traits : hitscope::allPipelines()) {
-        keys << QString::fromUtf8(traits.key);
-    }
-    return keys;
-}
-
 int demo(const QStringList& arguments) {
     QCommandLineParser parser;
     parser.setApplicationDescription(QStringLiteral(
         "Shoots at the paper's scene, or at one mesh, with no display; compares the pipelines and writes\n"
-        "before.png, after.png, wireframe.png and deformed.obj."));
+        "before.png, after.png, wireframe.png and deformed.obj. The exit status is 1 where the mesh is not\n"
+        "what the reference makes of the hits."));
     parser.addHelpOption();
     const QCommandLineOption out(QStringLiteral("out"), QStringLiteral("Folder for the results."),
                                  QStringLiteral("folder"), QStringLiteral("hitscope-demo"));
@@ -42,7 +36,7 @@ int demo(const QStringList& arguments) {
                                   QStringLiteral("number"), QStringLiteral("1"));
     const QCommandLineOption pipeline(QStringLiteral("pipeline"),
                                       QStringLiteral("Whose result is shown and exported: %1.")
-                                          .arg(pipelineKeys().join(QStringLiteral(", "))),
+                                          .arg(hitscope::cli::pipelineWords().join(QStringLiteral(", "))),
                                       QStringLiteral("name"), QStringLiteral("transform-feedback"));
     const QCommandLineOption normals(QStringLiteral("normals"),
                                      QStringLiteral("In pictures and mesh: true or paper."),
@@ -65,12 +59,12 @@ int demo(const QStringList& arguments) {
     if (!seedOk) {
         return wrongUsage(QStringLiteral("--seed takes a whole number, 0 or more."));
     }
-    const qsizetype kind = pipelineKeys().indexOf(parser.value(pipeline));
-    if (kind < 0) {
-        return wrongUsage(
-            QStringLiteral("--pipeline takes one of %1.").arg(pipelineKeys().join(QStringLiteral(", "))));
+    const std::optional<hitscope::PipelineKind> kind = hitscope::cli::pipelineNamed(parser.value(pipeline));
+    if (!kind) {
+        return wrongUsage(QStringLiteral("--pipeline takes one of %1.")
+                              .arg(hitscope::cli::pipelineWords().join(QStringLiteral(", "))));
     }
-    options.pipeline = hitscope::allPipelines()[static_cast<std::size_t>(kind)].kind;
+    options.pipeline = *kind;
     if (parser.value(normals) == QStringLiteral("paper")) {
         options.normals = hitscope::NormalMode::Paper;
     } else if (parser.value(normals) != QStringLiteral("true")) {
@@ -111,7 +105,8 @@ int printUsage() {
         << "Commands:\n"
         << "  demo      shoot at the paper's scene or a mesh, compare the pipelines, write pictures\n"
         << "            and the deformed mesh\n"
-        << "  shoot     shoot a burst or a saved script, print what was hit\n"
+        << "  shoot     shoot a burst or a saved script, print what was hit; hits and mesh in and out\n"
+        << "  verify    hold every pipeline against the reference, vertex by vertex\n"
         << "  picture   draw a scene into a picture of any size\n"
         << "  sequence  draw a turntable, or the hits one by one, into PNG files\n"
         << "  info      print what is in a mesh file, or what draws (--renderer)\n"
@@ -161,6 +156,9 @@ int run(QStringList arguments) {
     }
     if (command == QLatin1String("shoot")) {
         return hitscope::cli::shootCommand(arguments);
+    }
+    if (command == QLatin1String("verify")) {
+        return hitscope::cli::verifyCommand(arguments);
     }
     if (command == QLatin1String("info")) {
         return info(arguments);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "cli/agreement.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/load_scene.h"
@@ -62,15 +63,13 @@ Status open(Studio& studio, const PictureArguments& arguments) {
     if (Status loaded = loadScene(studio.session, arguments.meshPath, notes); !loaded) {
         return loaded;
     }
-    studio.session.setPipeline(arguments.pipeline);
     Result<std::unique_ptr<SceneGpu>> scene = SceneGpu::create(studio.session);
     if (!scene) {
         return scene.error();
     }
     studio.scene = std::move(scene).value();
-    const QString unavailable = studio.session.whyUnavailable(arguments.pipeline);
-    if (!unavailable.isEmpty()) {
-        return Error{unavailable.toStdString(), "", "Choose another --pipeline."};
+    if (Status used = usePipeline(studio.session, *studio.scene, arguments.pipeline); !used) {
+        return used;
     }
     shootAll(studio.session, demoShots(studio.session, arguments.shots, arguments.seed));
     studio.session.selectTarget({});
@@ -109,6 +108,18 @@ Status glErrors() {
                                   "Please report this with the renderer's name."};
 }
 
+/// What was shot at the scene, to be compared between machines.
+Status printFingerprints(Studio& studio, const PictureArguments& arguments) {
+    if (arguments.shots == 0) {
+        return Done{};
+    }
+    if (Status current = studio.scene->sync(); !current) {
+        return current;
+    }
+    QTextStream(stdout) << fingerprintLines(studio.session);
+    return Done{};
+}
+
 Status drawOne(const PictureArguments& arguments, const QString& path) {
     Studio studio;
     if (Status opened = open(studio, arguments); !opened) {
@@ -121,7 +132,10 @@ Status drawOne(const PictureArguments& arguments, const QString& path) {
     if (Status errors = glErrors(); !errors) {
         return errors;
     }
-    return savePicture(image.value(), path);
+    if (Status saved = savePicture(image.value(), path); !saved) {
+        return saved;
+    }
+    return printFingerprints(studio, arguments);
 }
 
 /// turntable: how many pictures; 0: a replay.
@@ -151,6 +165,9 @@ Status drawMany(const PictureArguments& arguments, int turntable, const QString&
         }
     }
     QTextStream(stdout) << count << " pictures in " << QDir::toNativeSeparators(folder) << "\n";
+    if (Status printed = printFingerprints(studio, arguments); !printed) {
+        return printed;
+    }
     return glErrors();
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "cli/cut_argument.h"
+#include "cli/pipeline_argument.h"
 
 namespace hitscope::cli {
 
@@ -26,14 +27,6 @@ QCommandLineOption option(const char* name, const QString& text, const char* val
 
 Error wrong(const QCommandLineOption& option, const QString& takes) {
     return {("--" + option.names().constFirst() + " takes " + takes + '.').toStdString(), "", ""};
-}
-
-QStringList pipelineKeys() {
-    QStringList keys;
-    for (const PipelineTraits& traits : allPipelines()) {
-        keys << QString::fromUtf8(traits.key);
-    }
-    return keys;
 }
 
 /// Which of the words the option has; -1: none.
@@ -103,7 +96,7 @@ PictureOptions::PictureOptions(QCommandLineParser& parser)
       m_change(
           option("change", QStringLiteral("Colour by change: ") + oneOf(changeKeys()) + u'.', "quantity")),
       m_noLabels(option("no-labels", QStringLiteral("No colour bar in the picture."))),
-      m_pipeline(option("pipeline", QStringLiteral("Who applies the hits: ") + oneOf(pipelineKeys()) + u'.',
+      m_pipeline(option("pipeline", QStringLiteral("Who applies the hits: ") + oneOf(pipelineWords()) + u'.',
                         "name", "transform-feedback")),
       m_shots(option("shots", QStringLiteral("Shoot so often first, 0 to 100000."), "number", "0")),
       m_seed(option("seed", QStringLiteral("Another seed gives other shots."), "number", "1")) {
@@ -124,12 +117,11 @@ Result<PictureArguments> PictureOptions::read(const QCommandLineParser& parser) 
     const qsizetype theme = wordOf(parser, m_theme, themes());
     const qsizetype wireframe = wordOf(parser, m_wireframe, wireframes());
     const qsizetype normals = wordOf(parser, m_normals, normalModes());
-    const qsizetype pipeline = wordOf(parser, m_pipeline, pipelineKeys());
     const std::array<std::pair<const QCommandLineOption&, QStringList>, 4> words{
         {{m_theme, themes()},
          {m_wireframe, wireframes()},
          {m_normals, normalModes()},
-         {m_pipeline, pipelineKeys()}}};
+         {m_pipeline, pipelineWords()}}};
     for (const auto& word : words) {
         if (wordOf(parser, word.first, word.second) < 0) {
             return wrong(word.first, oneOf(word.second));
@@ -138,7 +130,7 @@ Result<PictureArguments> PictureOptions::read(const QCommandLineParser& parser) 
     arguments.options.theme = static_cast<Theme>(theme);
     arguments.options.wireframe = static_cast<WireframeMode>(wireframe);
     arguments.options.normals = static_cast<NormalMode>(normals);
-    arguments.pipeline = allPipelines()[static_cast<std::size_t>(pipeline)].kind;
+    arguments.pipeline = *pipelineNamed(parser.value(m_pipeline));
     arguments.options.transparent = parser.isSet(m_transparent);
     arguments.options.floor = !parser.isSet(m_noFloor);
     arguments.labels = !parser.isSet(m_noLabels);

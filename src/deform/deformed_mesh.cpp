@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "mesh/same_bits.h"
+
 namespace hitscope {
 
 DeformedMesh::DeformedMesh(std::shared_ptr<const MeshData> original, std::shared_ptr<const RenderMesh> render)
@@ -19,7 +21,7 @@ void DeformedMesh::write(std::uint32_t first, std::span<const DynamicVertex> ver
                          std::vector<std::uint32_t>& moved) {
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const glm::vec3& position = vertices[i].position;
-        if (position == m_vertices[first + i].position) {
+        if (sameBits(position, m_vertices[first + i].position)) {
             continue;
         }
         const std::uint32_t fileVertex = m_render->fileVertices[first + i];

@@ -5,6 +5,14 @@
 
 namespace hitscope {
 
+void deformEverywhere(std::span<DynamicVertex> vertices, std::span<const Hit> hits) {
+    for (DynamicVertex& vertex : vertices) {
+        for (const Hit& hit : hits) {
+            deform(vertex.position, vertex.normal, hit);
+        }
+    }
+}
+
 ReferenceDeformation::ReferenceDeformation(const RenderMesh& mesh)
     : m_vertices(mesh.vertices), m_reach(mesh.clusters) {}
 

@@ -10,6 +10,10 @@
 
 namespace hitscope {
 
+/// The paper's Algorithm 3 as it stands: every hit at every vertex, in order, and nothing that saves work.
+/// Takes hits.size() * vertices.size() steps; what the reference itself is checked with.
+void deformEverywhere(std::span<DynamicVertex> vertices, std::span<const Hit> hits);
+
 /// The C++ deformation of one target, needing no GPU: what the pipelines are held against.
 class ReferenceDeformation {
 public:

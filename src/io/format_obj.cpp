@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <glm/geometric.hpp>
 
 #include "io/export_names.h"
 #include "io/export_obj.h"
 #include "io/number_text.h"
 #include "io/welder.h"
+#include "mesh/same_bits.h"
 
 namespace hitscope {
 namespace {
-
-bool sameBits(const glm::vec3& a, const glm::vec3& b) {
-    // The bits are meant: -0 and 0 are written differently.
-    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
-    return std::memcmp(&a, &b, sizeof a) == 0;
-}
 
 /// The file's normal is kept where the given one only differs by having been made unit length.
 bool isStill(const glm::vec3& original, const glm::vec3& now) {

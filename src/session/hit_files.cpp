@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/hit_files.h"
 
+#include <QFile>
+#include <QFileInfo>
 #include <algorithm>
 #include <numeric>
+
+#include "io/staged_files.h"
 
 namespace hitscope {
 
@@ -64,6 +68,28 @@ HitRecords recordsOf(const Session& session, const HitEffects* effects) {
     std::vector<std::size_t> rows(session.history().size());
     std::iota(rows.begin(), rows.end(), std::size_t{0});
     return recordsOf(session, effects, rows);
+}
+
+Result<HitRecords> readHitFile(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return Error{"The file could not be read: " + file.errorString().toStdString() + ".",
+                     path.toStdString(), ""};
+    }
+    const QByteArray bytes = file.read(static_cast<qint64>(kMostRecordBytes) + 1);
+    Result<HitRecords> table =
+        readHitRecords({bytes.data(), static_cast<std::size_t>(bytes.size())}, pipelineKeys());
+    if (!table) {
+        const Error& error = table.error();
+        const std::string name = QFileInfo(path).fileName().toStdString();
+        return Error{error.what, error.where.empty() ? name : name + ", " + error.where, error.advice};
+    }
+    return table;
+}
+
+Status writeHitFile(const HitRecords& table, const QString& path) {
+    const bool isJson = path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
+    return writeWhole(path, isJson ? toJson(table) : toCsv(table));
 }
 
 Status appendRecords(Session& session, const HitRecords& table) {

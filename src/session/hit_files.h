@@ -18,6 +18,11 @@ namespace hitscope {
 /// The keys that pipelines have in a table.
 [[nodiscard]] std::vector<std::string> pipelineKeys();
 
+/// A file of hits as the window exports them: readHitRecords() of its bytes. The error names it.
+[[nodiscard]] Result<HitRecords> readHitFile(const QString& path);
+/// As JSON where the name says so, else as CSV; whole or not at all. Of any thread, as the above.
+[[nodiscard]] Status writeHitFile(const HitRecords& table, const QString& path);
+
 /// Appends the table's hits, on the targets of the same names, as one step to undo. All or none: the error
 /// says which names no target of the scene has.
 [[nodiscard]] Status appendRecords(Session& session, const HitRecords& table);

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/agreement.h"
+
+#include <algorithm>
+
+#include "deform/fingerprint.h"
+
+namespace hitscope::cli {
+
+namespace {
+
+/// Vertices times hits; about a quarter of a minute.
+constexpr double kMostSteps = 4.0e9;
+
+double stepsEverywhere(const Session& session) {
+    double steps = 0.0;
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        steps += static_cast<double>(target->deformed.vertices().size()) *
+                 static_cast<double>(session.history().hitsOn(target->id).size());
+    }
+    return steps;
+}
+
+QString nameOfActive(const Session& session) {
+    return QString::fromUtf8(pipelineTraits(session.pipeline()).name);
+}
+
+/// "870 of 4966 vertices differ from the reference, by 3.3 m at most".
+QString differenceText(const ReferenceAgreement& agreement) {
+    if (agreement.different == 0) {
+        return QStringLiteral("%1 of %2 vertices differ from the reference, in the paper's normal alone")
+            .arg(agreement.differentNormal)
+            .arg(agreement.vertices);
+    }
+    QString text = QStringLiteral("%1 of %2 vertices differ from the reference, by %3 m at most")
+                       .arg(agreement.different)
+                       .arg(agreement.vertices)
+                       .arg(QString::number(agreement.largest, 'g', 3));
+    if (agreement.differentNormal > 0) {
+        text += QStringLiteral(", and %1 in the paper's normal alone").arg(agreement.differentNormal);
+    }
+    return text;
+}
+
+}  // namespace
+
+Status usePipeline(Session& session, SceneGpu& gpu, PipelineKind kind) {
+    if (const QString unavailable = session.whyUnavailable(kind); !unavailable.isEmpty()) {
+        return Error{unavailable.toStdString(), "", "Choose another --pipeline."};
+    }
+    session.setPipeline(kind);
+    return gpu.sync();
+}
+
+std::optional<ReferenceAgreement> agreementOfActive(const Session& session) {
+    if (session.pipeline() != PipelineKind::Reference) {
+        return agreementWithReference(session, ReferenceMethod::Clusters);
+    }
+    if (stepsEverywhere(session) > kMostSteps) {
+        return std::nullopt;
+    }
+    return agreementWithReference(session, ReferenceMethod::Everywhere);
+}
+
+QString agreementLine(const Session& session, const std::optional<ReferenceAgreement>& agreement) {
+    QString text = nameOfActive(session) + QStringLiteral(": ");
+    if (!agreement) {
+        text += QStringLiteral("what the others are compared with");
+    } else if (!agreement->isExact()) {
+        text += differenceText(*agreement);
+    } else if (session.pipeline() == PipelineKind::Reference) {
+        text += QStringLiteral("as every hit at every vertex, in every bit");
+    } else {
+        text += QStringLiteral("as the reference in every bit");
+    }
+    if (session.droppedHits() > 0) {
+        text += QStringLiteral("; it keeps the last %1 hits%2")
+                    .arg(session.capacity().used)
+                    .arg(session.capacity().perTarget ? QStringLiteral(" on a target") : QString());
+    }
+    return text;
+}
+
+Status exportAgrees(const Session& session, const std::optional<ReferenceAgreement>& agreement,
+                    const QString& path) {
+    if (!agreement || agreement->isExact()) {
+        return Done{};
+    }
+    return Error{(QStringLiteral("The mesh is not what the reference makes of the hits: by %1, %2.")
+                      .arg(nameOfActive(session), differenceText(*agreement)))
+                     .toStdString(),
+                 path.toStdString(),
+                 session.pipeline() == PipelineKind::Reference
+                     ? "Please report this with the mesh."
+                     : "It was written; --pipeline reference writes the right one."};
+}
+
+QString fingerprintLines(const Session& session) {
+    const auto text = [](std::uint64_t print) { return QString::fromStdString(fingerprintText(print)); };
+    return QStringLiteral("fingerprint %1 of the hits\nfingerprint %2 of the positions, by %3\n")
+        .arg(text(hitsFingerprint(session)), text(positionsFingerprint(session)), nameOfActive(session));
+}
+
+const Target& mostChangedTarget(const Session& session) {
+    const auto changed = [](const std::unique_ptr<Target>& target) {
+        return target->deformed.statistics().changedVertices;
+    };
+    return **std::max_element(session.targets().begin(), session.targets().end(),
+                              [&](const auto& a, const auto& b) { return changed(a) < changed(b); });
+}
+
+}  // namespace hitscope::cli

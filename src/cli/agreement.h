@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <optional>
+
+#include "session/reference_agreement.h"
+#include "session/scene_gpu.h"
+
+namespace hitscope::cli {
+
+/// The pipeline's own error, or that this driver cannot run it.
+[[nodiscard]] Status usePipeline(Session& session, SceneGpu& gpu, PipelineKind kind);
+
+/// How the active pipeline agrees with the reference, to the last bit; the reference itself is held against
+/// every hit at every vertex. Nothing: it is the reference, and that would take too long. SceneGpu::sync()
+/// has just been called.
+[[nodiscard]] std::optional<ReferenceAgreement> agreementOfActive(const Session& session);
+
+/// "Transform feedback: as the reference in every bit". Says too how many hits the pipeline keeps, if not
+/// all.
+[[nodiscard]] QString agreementLine(const Session& session,
+                                    const std::optional<ReferenceAgreement>& agreement);
+
+/// An error that says by how much what was written to `path` is not what the reference makes of the hits.
+[[nodiscard]] Status exportAgrees(const Session& session, const std::optional<ReferenceAgreement>& agreement,
+                                  const QString& path);
+
+/// Two lines: of the hits, and of the positions as the active pipeline made them.
+[[nodiscard]] QString fingerprintLines(const Session& session);
+
+/// The target whose hits changed most vertices; the first, if none changed any. There is one at least.
+[[nodiscard]] const Target& mostChangedTarget(const Session& session);
+
+}  // namespace hitscope::cli
