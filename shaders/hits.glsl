@@ -3,8 +3,7 @@
 // them from buffers (section 2.2). Where a target's buffer holds its deformed vertices already there is nothing to
 // do, and applyHits() does nothing.
 //
-// HITSCOPE_HIT_LISTS      hits come from buffers; for each cluster there is a list of those that may reach it;
-//                         HITSCOPE_CLUSTER_VERTICES: vertices of a cluster
+// HITSCOPE_HIT_LISTS      hits come from buffers; for each cluster there is a list of those that may reach it
 // HITSCOPE_UNIFORM_HITS   the number of hits the arrays hold; not defined: no arrays
 // HITSCOPE_HIT_CONSTANTS  the number of different constants they can have
 // HITSCOPE_OWN_HITS_ONLY  defined: the loop starts and ends with the target's own hits
@@ -54,9 +53,11 @@ uniform int u_hitBase;              // where the batch's hits, its indices ...
 uniform int u_indexBase;
 uniform int u_clusterBase;  // ... and cluster 0 of the target, if it were there, start
 
+layout(location = 7) in uint a_cluster;
+
 bool applyHits(inout vec3 p, inout vec3 n)
 {
-    uvec4 cluster = texelFetch(u_clusters, u_clusterBase + gl_VertexID / HITSCOPE_CLUSTER_VERTICES);
+    uvec4 cluster = texelFetch(u_clusters, u_clusterBase + int(a_cluster));
     int first = u_indexBase + int(cluster.z);
     int last = first + int(cluster.w);
     bool reached = false;

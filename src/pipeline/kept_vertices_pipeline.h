@@ -37,9 +37,9 @@ private:
     void follow(const HistoryEdit& edit) override;
     /// Applies a finished batch to the dynamic buffer, and changes no other vertices.
     virtual void deform(TargetId target, TargetBuffers& buffers, const HitBatch& batch) = 0;
-    // For who has a copy of the dynamic buffer: targets come and go, and vertices are put back to an earlier
+    // For who keeps or needs more of a target: targets come and go, and vertices are put back to an earlier
     // state.
-    virtual void learnTarget(TargetId /*target*/, const TargetBuffers& /*buffers*/) {}
+    virtual void learnTarget(TargetId /*target*/, TargetBuffers& /*buffers*/) {}
     virtual void forgetTarget(TargetId /*target*/) {}
     virtual void followWrites(TargetId /*target*/, const TargetBuffers& /*buffers*/,
                               std::span<const VertexRange> /*ranges*/) {}

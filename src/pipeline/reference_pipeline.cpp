@@ -9,7 +9,7 @@ const PipelineTraits& ReferencePipeline::traits() const {
     return pipelineTraits(PipelineKind::Reference);
 }
 
-void ReferencePipeline::learnTarget(TargetId target, const TargetBuffers& buffers) {
+void ReferencePipeline::learnTarget(TargetId target, TargetBuffers& buffers) {
     std::vector<DynamicVertex>& vertices = m_vertices[target];
     vertices.resize(buffers.vertexCount());
     buffers.read({0, buffers.vertexCount()}, vertices);

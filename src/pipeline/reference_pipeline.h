@@ -16,7 +16,7 @@ public:
 
 private:
     void deform(TargetId target, TargetBuffers& buffers, const HitBatch& batch) override;
-    void learnTarget(TargetId target, const TargetBuffers& buffers) override;
+    void learnTarget(TargetId target, TargetBuffers& buffers) override;
     void forgetTarget(TargetId target) override;
     void followWrites(TargetId target, const TargetBuffers& buffers,
                       std::span<const VertexRange> ranges) override;

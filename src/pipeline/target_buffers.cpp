@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "pipeline/vertex_bytes.h"
 
@@ -51,6 +52,16 @@ std::vector<glm::vec3> normalsOf(std::span<const DynamicVertex> vertices) {
         normals.push_back(vertex.normal);
     }
     return normals;
+}
+
+/// One a vertex.
+template <class Number>
+std::vector<Number> clusterNumbers(std::span<const Cluster> clusters) {
+    std::vector<Number> numbers;
+    for (const Cluster& cluster : clusters) {
+        numbers.resize(cluster.first + cluster.count, static_cast<Number>(&cluster - clusters.data()));
+    }
+    return numbers;
 }
 
 /// From a few hundred edges, evenly spread over the list.
@@ -136,6 +147,25 @@ TargetBuffers::TargetBuffers(const RenderMesh& mesh)
     attachDynamic(m_original);
     attachOriginal(m_original);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_edges.id());
+}
+
+void TargetBuffers::needClusterNumbers() {
+    if (m_clusterNumbers) {
+        return;
+    }
+    // Two bytes a vertex are enough for four million vertices.
+    const bool isShort = m_clusters.size() <= std::numeric_limits<std::uint16_t>::max();
+    m_clusterNumbers =
+        isShort ? makeBuffer(std::span<const std::uint16_t>(clusterNumbers<std::uint16_t>(m_clusters)),
+                             GL_STATIC_DRAW)
+                : makeBuffer(std::span<const std::uint32_t>(clusterNumbers<std::uint32_t>(m_clusters)),
+                             GL_STATIC_DRAW);
+    const KeepBindings keep;
+    glBindVertexArray(m_captureArray.id());
+    glBindBuffer(GL_ARRAY_BUFFER, m_clusterNumbers.id());
+    const auto index = static_cast<GLuint>(Attribute::Cluster);
+    glEnableVertexAttribArray(index);
+    glVertexAttribIPointer(index, 1, isShort ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT, 0, nullptr);
 }
 
 void TargetBuffers::read(const VertexRange& range, std::span<DynamicVertex> vertices) const {

@@ -21,7 +21,8 @@ enum class Attribute : GLuint {
     ShadingNormal = 3,
     OriginalPosition = 4,
     OriginalNormal = 5,
-    ChangeValue = 6
+    ChangeValue = 6,
+    Cluster = 7
 };
 
 /// One target's buffers on the GPU. The dynamic buffer (DynamicVertex, position and normal) is the pipeline's
@@ -41,6 +42,9 @@ public:
     /// Position and normal from the dynamic buffer and the original, no indices: for capturing and for
     /// points.
     [[nodiscard]] GLuint captureArray() const { return m_captureArray.id(); }
+    /// Has the capture array tell each vertex the number of its cluster as well (Attribute::Cluster). Not by
+    /// gl_VertexID: Mesa's softpipe counts it from the draw's first vertex again after each 4,096.
+    void needClusterNumbers();
     /// One vec3 a vertex: the true normals.
     [[nodiscard]] GLuint shadingNormalBuffer() const { return m_shadingNormals.id(); }
     [[nodiscard]] GLuint dynamicBuffer() const { return m_dynamic.id(); }
@@ -85,7 +89,8 @@ private:
     gl::Buffer m_original;
     gl::Buffer m_texcoords;
     gl::Buffer m_shadingNormals;
-    gl::Buffer m_changeValues;  ///< made when first written
+    gl::Buffer m_changeValues;    ///< made when first written
+    gl::Buffer m_clusterNumbers;  ///< made when first needed
     gl::Buffer m_triangles;
     gl::Buffer m_edges;
     gl::VertexArray m_surfaceArray;

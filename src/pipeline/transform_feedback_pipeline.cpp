@@ -2,7 +2,6 @@
 #include "pipeline/transform_feedback_pipeline.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 #include "pipeline/vertex_bytes.h"
@@ -51,7 +50,6 @@ Result<std::unique_ptr<DeformationPipeline>> TransformFeedbackPipeline::create(
     const PipelineOptions& options) {
     gl::Defines defines = options.deformDefines;
     defines.emplace_back("HITSCOPE_HIT_LISTS", "1");
-    defines.emplace_back("HITSCOPE_CLUSTER_VERTICES", std::to_string(kClusterVertices));
     Result<CapturePass> pass = CapturePass::create(std::move(defines));
     if (!pass) {
         return pass.error();
@@ -89,6 +87,10 @@ void TransformFeedbackPipeline::prepare(const gl::Program& program, std::size_t 
     program.set("u_clusters", kClusterUnit);
     program.set("u_hitBase", static_cast<int>(firstHit));
     program.set("u_indexBase", static_cast<int>(firstIndex));
+}
+
+void TransformFeedbackPipeline::learnTarget(TargetId /*target*/, TargetBuffers& buffers) {
+    buffers.needClusterNumbers();
 }
 
 void TransformFeedbackPipeline::deform(TargetId /*target*/, TargetBuffers& buffers, const HitBatch& batch) {

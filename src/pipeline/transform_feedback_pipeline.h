@@ -18,6 +18,7 @@ public:
 private:
     explicit TransformFeedbackPipeline(CapturePass pass);
     void deform(TargetId target, TargetBuffers& buffers, const HitBatch& batch) override;
+    void learnTarget(TargetId target, TargetBuffers& buffers) override;
     void deformPart(TargetBuffers& buffers, std::span<const ClusterHits> clusters, std::size_t firstHit,
                     std::size_t firstIndex);
     void prepare(const gl::Program& program, std::size_t firstHit, std::size_t firstIndex) const;
