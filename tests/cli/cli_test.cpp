@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "cli/run_cli.h"
+#include "gl/context.h"
 #include "io/import.h"
 #include "support/test_program.h"
 
@@ -19,6 +20,12 @@ QString writeFile(const QTemporaryDir& folder, const QString& name, const QByteA
         file.write(bytes);
     }
     return file.fileName();
+}
+
+/// 10 * major + minor of this renderer; 0: there is none.
+int openGlVersion() {
+    const auto context = gl::OffscreenContext::create();
+    return context ? 10 * gl::rendererInfo().major + gl::rendererInfo().minor : 0;
 }
 
 bool isPicture(const QString& path) {
@@ -54,10 +61,12 @@ private Q_SLOTS:
         QVERIFY(QImage(out + QStringLiteral("/after.png")) != QImage(out + QStringLiteral("/wireframe.png")));
         QVERIFY(importMesh(out + QStringLiteral("/deformed.obj")));
         QVERIFY(run.out.contains(QStringLiteral("50 shots")));
+        const bool computes = openGlVersion() >= 43;
         for (const char* name : {"Uniform array", "Uniform array, culled", "Transform feedback", "Compute"}) {
-            QVERIFY2(
-                run.out.contains(QLatin1String(name) + QStringLiteral(": as the reference in every bit\n")),
-                name);
+            const bool isHere = computes || std::string_view(name) != "Compute";
+            const QString said = isHere ? QStringLiteral(": as the reference in every bit\n")
+                                        : QStringLiteral(": not here. Compute shaders need OpenGL 4.3");
+            QVERIFY2(run.out.contains(QLatin1String(name) + said), name);
         }
         QVERIFY(run.out.contains(QStringLiteral("Reference: as every hit at every vertex, in every bit\n")));
         QVERIFY(run.out.contains(QStringLiteral("bit-exact")));

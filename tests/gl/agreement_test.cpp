@@ -58,6 +58,9 @@ private Q_SLOTS:
         ReferenceDeformation all(scene[0].mesh);
         all.apply(hits);
         for (const PipelineTraits& traits : allPipelines()) {
+            if (whyUnavailable(traits.kind)) {
+                continue;
+            }
             const auto pipeline = pipelineOn(traits.kind, scene);
             QVERIFY(pipeline);
             Mirror mirror(scene);

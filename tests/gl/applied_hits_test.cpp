@@ -49,6 +49,7 @@ private Q_SLOTS:
     void everythingGoesByThem_data() { test::addPipelines(); }
     void everythingGoesByThem() {
         QFETCH(int, kind);
+        HITSCOPE_NEEDS_PIPELINE(kind);
         Session session;
         session.loadMesh(makeUvSphere(20, 20, 1.0f));
         const Target& target = *session.targets().front();

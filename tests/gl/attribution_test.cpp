@@ -23,6 +23,7 @@ private Q_SLOTS:
     void addsUpToTheBuffersBits_data() { test::addPipelines(); }
     void addsUpToTheBuffersBits() {
         QFETCH(int, kind);
+        HITSCOPE_NEEDS_PIPELINE(kind);
         Session session;
         session.loadTeapot();
         session.setPipeline(static_cast<PipelineKind>(kind));

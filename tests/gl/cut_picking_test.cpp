@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gl/picking_support.h"
+#include "gl/pipeline_rows.h"
 #include "gl/render_target.h"
 #include "session/comparison.h"
 #include "session/scene_section.h"
@@ -35,6 +36,7 @@ private Q_SLOTS:
     void nothingThatIsCutAwayIsPicked() {
         QFETCH(int, kind);
         QFETCH(int, wireframe);
+        HITSCOPE_NEEDS_PIPELINE(kind);
         open(static_cast<PipelineKind>(kind));
         SceneGpu::View view = viewOf(1.0f);
         view.options.wireframe = static_cast<WireframeMode>(wireframe);

@@ -9,6 +9,7 @@
 
 #include "gl/context.h"
 #include "gl/picking_support.h"
+#include "gl/pipeline_rows.h"
 #include "mesh/primitives.h"
 #include "session/comparison.h"
 #include "session/demo_shots.h"
@@ -44,6 +45,7 @@ private Q_SLOTS:
     void pixelsShowWhatRaysMeet() {
         QFETCH(int, kind);
         QFETCH(float, ratio);
+        HITSCOPE_NEEDS_PIPELINE(kind);
         open(static_cast<PipelineKind>(kind));
         const SceneGpu::View view = viewOf(ratio);
         std::mt19937 random(static_cast<unsigned>(kind) + 7u);
@@ -182,7 +184,7 @@ private Q_SLOTS:
     }
 
     void outlinesGiveWhatTheyHold() {
-        open(PipelineKind::Compute);
+        open(whyUnavailable(PipelineKind::Compute) ? PipelineKind::TransformFeedback : PipelineKind::Compute);
         SceneGpu::View view = viewOf(1.0f);
         view.camera.frame(m_session->sceneBounds(), 640.0f / 480.0f);
         const auto w = static_cast<float>(view.width);

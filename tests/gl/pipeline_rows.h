@@ -2,9 +2,21 @@
 #pragma once
 
 #include <QTest>
+#include <optional>
 #include <string>
 
+#include "pipeline/deformation_pipeline.h"
 #include "pipeline/pipeline_kind.h"
+
+/// In a test function with a context: skips the row, with the reason, where this renderer lacks what that
+/// pipeline needs.
+#define HITSCOPE_NEEDS_PIPELINE(kind)                                                  \
+    do {                                                                               \
+        if (const std::optional<std::string> why =                                     \
+                hitscope::whyUnavailable(static_cast<hitscope::PipelineKind>(kind))) { \
+            QSKIP(why->c_str());                                                       \
+        }                                                                              \
+    } while (false)
 
 namespace hitscope::test {
 

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 
+#include "gl/pipeline_rows.h"
 #include "gl/pipeline_support.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
@@ -58,6 +59,7 @@ private Q_SLOTS:
         QFETCH(const int, hits);
         QFETCH(const int, palette);
         QFETCH(const QStringList, meshes);
+        HITSCOPE_NEEDS_PIPELINE(kind);
         TestScene scene = makeScene(meshes);
         const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
         QVERIFY(pipeline);
@@ -78,6 +80,7 @@ private Q_SLOTS:
     // A vertex reached by more hits than fit into one capture takes them all in order.
     void hitsOnOneSpotEqualReference() {
         QFETCH(const int, kind);
+        HITSCOPE_NEEDS_PIPELINE(kind);
         TestScene scene = makeScene({QStringLiteral("High-poly sphere")});
         const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
         QVERIFY(pipeline);
@@ -97,6 +100,7 @@ private Q_SLOTS:
     }
     void splitNormalsLeaveNoCracks() {
         QFETCH(const int, kind);
+        HITSCOPE_NEEDS_PIPELINE(kind);
         TestScene scene = makeScene({QStringLiteral("High-poly cube")});
         const RenderMesh& mesh = scene[0].mesh;
         const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
@@ -122,6 +126,7 @@ private Q_SLOTS:
     }
     void anySequenceEqualsAFreshReset() {
         QFETCH(const int, kind);
+        HITSCOPE_NEEDS_PIPELINE(kind);
         TestScene scene = makeScene({QStringLiteral("Low-poly sphere"), QStringLiteral("High-poly cube")});
         const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
         QVERIFY(pipeline);
@@ -158,6 +163,7 @@ private Q_SLOTS:
     }
     void onlyWhatMayHaveChangedIsRead() {
         QFETCH(const int, kind);
+        HITSCOPE_NEEDS_PIPELINE(kind);
         TestScene scene = makeScene({QStringLiteral("High-poly sphere")});
         const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
         QVERIFY(pipeline);
@@ -189,6 +195,7 @@ private Q_SLOTS:
     void workStaysWithTheHits() {
         QFETCH(const int, kind);
         QFETCH(const bool, read);
+        HITSCOPE_NEEDS_PIPELINE(kind);
         TestScene scene = makeScene({QStringLiteral("High-poly sphere")});
         const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
         QVERIFY(pipeline);
@@ -213,6 +220,7 @@ private Q_SLOTS:
     // Each hit strikes where the one before has left the vertex, metres outside the original mesh.
     void vertexPushedFarOutIsFound() {
         QFETCH(const int, kind);
+        HITSCOPE_NEEDS_PIPELINE(kind);
         TestScene scene = makeScene({QStringLiteral("Low-poly sphere")});
         const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
         QVERIFY(pipeline);
@@ -236,6 +244,7 @@ private Q_SLOTS:
     }
     void targetsComeAndGo() {
         QFETCH(const int, kind);
+        HITSCOPE_NEEDS_PIPELINE(kind);
         TestScene scene = makeScene({QStringLiteral("Low-poly cube"), QStringLiteral("Low-poly sphere")});
         const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
         QVERIFY(pipeline);
@@ -265,6 +274,7 @@ private Q_SLOTS:
     }
     void callersStateIsKept() {
         QFETCH(const int, kind);
+        HITSCOPE_NEEDS_PIPELINE(kind);
         TestScene scene = makeScene({QStringLiteral("Low-poly cube")});
         const gl::Framebuffer framebuffer = gl::Framebuffer::make();
         const gl::VertexArray vertexArray = gl::VertexArray::make();
@@ -296,6 +306,7 @@ private Q_SLOTS:
     // More vertices than one capture holds, all of them reached by every hit.
     void hugeMeshGoesInPieces() {
         QFETCH(const int, kind);
+        HITSCOPE_NEEDS_PIPELINE(kind);
         TestScene scene;
         scene.emplace_back(1u, pointCloud(21, (1u << 20) + 1000u, 1.0f));
         const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);

@@ -49,6 +49,7 @@ private Q_SLOTS:
     void backAndForth_data() { test::addPipelines(); }
     void backAndForth() {
         QFETCH(int, kind);
+        HITSCOPE_NEEDS_PIPELINE(kind);
         Session session;
         session.loadPaperRow(kDefaultPaperRow);
         session.setPipeline(static_cast<PipelineKind>(kind));
