@@ -80,8 +80,11 @@ void ExportFilesTest::copiesNothingButPictures() {
     QFile sparse(writeFile(in("source"), QStringLiteral("huge.png"), smallPng().toStdString()));
     QVERIFY(sparse.resize(3ll << 30));
     QVERIFY(QFile::link(QStringLiteral("/etc/passwd"), in("source/linked.png")));
+    // It begins as a picture does, and is none.
+    writeFile(in("source"), QStringLiteral("half.png"),
+              smallPng().first(33).toStdString() + "my password is 1234\n");
     writeFile(in("source"), QStringLiteral("evil.mtl"),
-              "newmtl a\nmap_Kd .ssh/id_rsa\nnewmtl b\nmap_Kd huge.png\nmap_Ks .ssh/id_rsa\n"
+              "newmtl a\nmap_Kd .ssh/id_rsa\nnewmtl b\nmap_Kd huge.png\nmap_Ks .ssh/id_rsa\nmap_Ns half.png\n"
               "newmtl c\nmap_Kd linked.png\nmap_Ke huge.png\ndisp notes.mtl\nbump .ssh/id_rsa\n");
     const QString path = writeFile(in("source"), QStringLiteral("evil.obj"),
                                    "mtllib evil.mtl\nmtllib notes.mtl\nmtllib .ssh/id_rsa\n"

@@ -3,7 +3,6 @@
 
 #include <QBuffer>
 #include <QFile>
-#include <QFileInfo>
 #include <QImage>
 #include <QImageReader>
 #include <cstring>
@@ -37,22 +36,8 @@ Image toImage(const QImage& decoded) {
     return image;
 }
 
-std::optional<Image> readPicture(const QString& path, QString& why) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        why = file.errorString();
-        return std::nullopt;
-    }
-    if (file.size() > kMaxTextureBytes) {
-        why = QStringLiteral("the file is too large");
-        return std::nullopt;
-    }
-    return decodeImage(file.readAll(), why);
-}
-
-}  // namespace
-
-std::optional<Image> decodeImage(const QByteArray& bytes, QString& why) {
+/// Null: `why` says why.
+QImage decode(const QByteArray& bytes, QString& why) {
     QImageReader::setAllocationLimit(kMaxDecodedMegabytes);
     QBuffer buffer;
     buffer.setData(bytes);
@@ -60,42 +45,61 @@ std::optional<Image> decodeImage(const QByteArray& bytes, QString& why) {
     QImageReader reader(&buffer);
     if (!isPicture(reader.format().toLower())) {
         why = QStringLiteral("it is not a picture of a known format");
-        return std::nullopt;
+        return {};
     }
     const QSize size = reader.size();
     if (size.width() > kMaxSide || size.height() > kMaxSide) {
         why = QStringLiteral("it is larger than %1 x %1 pixels").arg(kMaxSide);
-        return std::nullopt;
+        return {};
     }
     const QImage decoded = reader.read();
     if (decoded.isNull() || decoded.width() > kMaxSide || decoded.height() > kMaxSide) {
         why = reader.errorString();
-        return std::nullopt;
+        return {};
     }
-    return toImage(decoded);
+    return decoded;
+}
+
+QImage decodeFile(const QString& path, QString& why) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        why = file.errorString();
+        return {};
+    }
+    if (file.size() > kMaxTextureBytes) {
+        why = QStringLiteral("the file is too large");
+        return {};
+    }
+    return decode(file.readAll(), why);
+}
+
+std::optional<Image> readPicture(const QString& path, QString& why) {
+    const QImage decoded = decodeFile(path, why);
+    return decoded.isNull() ? std::nullopt : std::optional(toImage(decoded));
+}
+
+}  // namespace
+
+std::optional<Image> decodeImage(const QByteArray& bytes, QString& why) {
+    const QImage decoded = decode(bytes, why);
+    return decoded.isNull() ? std::nullopt : std::optional(toImage(decoded));
 }
 
 namespace {
-
-bool looksLikeAPicture(const QString& path) {
-    QImageReader reader(path);
-    reader.setDecideFormatFromContent(true);
-    const QSize size = isPicture(reader.format().toLower()) ? reader.size() : QSize();
-    return size.isValid() && size.width() <= kMaxSide && size.height() <= kMaxSide;
-}
 
 /// Reads each file once, whoever refers to it, and notes which are pictures.
 class TextureReader {
 public:
     TextureReader(ImportedMesh& imported, const QString& folder) : m_imported(imported), m_folder(folder) {}
 
-    /// Of a map that is not drawn: whether its file is a picture, by what it says of itself.
+    /// Of a map that is not drawn: whether its file is a picture, which only decoding it tells.
     void look(const QString& name) {
         if (m_known.contains(name.toStdString()) || !m_looked.insert(name.toStdString()).second) {
             return;
         }
         const QString path = resolveTexture(m_folder, name);
-        if (!path.isEmpty() && QFileInfo(path).size() <= kMaxTextureBytes && looksLikeAPicture(path)) {
+        QString why;
+        if (!path.isEmpty() && !decodeFile(path, why).isNull()) {
             m_imported.mesh.pictureFiles.push_back(name.toStdString());
         }
     }
