@@ -41,11 +41,12 @@ QByteArray framesCsv(std::span<const FrameCost> frames) {
     return csv;
 }
 
-QByteArray curvesCsv(std::span<const NamedCurve> curves) {
-    QByteArray csv = "pipeline,history_hits,frame_ms,hit_ms\n";
+QByteArray curvesCsv(std::span<const NamedCurve> curves, CostAxis axis) {
+    QByteArray csv = axis == CostAxis::Hits ? "pipeline,history_hits,frame_ms,hit_ms\n"
+                                            : "pipeline,vertices,frame_ms,hit_ms\n";
     for (const NamedCurve& curve : curves) {
         for (const CostPoint& point : curve.points) {
-            appendLine(csv, {keyOf(curve.pipeline), QByteArray::number(point.hits, 'g', 9),
+            appendLine(csv, {keyOf(curve.pipeline), QByteArray::number(point.at, 'g', 9),
                              milliseconds(point.frame), milliseconds(point.hit)});
         }
     }

@@ -17,7 +17,9 @@ struct NamedCurve {
     PipelineKind pipeline = PipelineKind::TransformFeedback;
     std::vector<CostPoint> points;
 };
-/// One line a point: pipeline, hits, milliseconds of a frame and of a hit.
-[[nodiscard]] QByteArray curvesCsv(std::span<const NamedCurve> curves);
+/// What curves are drawn against.
+enum class CostAxis : std::uint8_t { Hits, Vertices };
+/// One line a point: pipeline, hits in the history or vertices, milliseconds of a frame and of a hit.
+[[nodiscard]] QByteArray curvesCsv(std::span<const NamedCurve> curves, CostAxis axis);
 
 }  // namespace hitscope

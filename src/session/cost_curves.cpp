@@ -9,13 +9,13 @@ namespace hitscope {
 namespace {
 
 /// Each number up to 8, then eight steps from a power of two to the next.
-std::size_t stepOf(std::size_t hits) {
+std::size_t stepOf(std::size_t number) {
     constexpr std::size_t kSteps = 8;
-    if (hits < kSteps) {
-        return hits;
+    if (number < kSteps) {
+        return number;
     }
-    const auto octave = static_cast<std::size_t>(std::bit_width(hits)) - 4;
-    return kSteps * octave + (hits >> octave);
+    const auto octave = static_cast<std::size_t>(std::bit_width(number)) - 4;
+    return kSteps * octave + (number >> octave);
 }
 
 std::optional<double> median(const Ring<double>& samples) {
@@ -40,7 +40,7 @@ double mean(const Ring<double>& samples) {
 }
 
 struct Sample {
-    double hits = 0.0;
+    double at = 0.0;
     double seconds = 0.0;
 };
 
@@ -48,38 +48,38 @@ std::vector<Sample> samplesOf(std::span<const CostPoint> points, CostOf what) {
     std::vector<Sample> samples;
     for (const CostPoint& point : points) {
         if (const std::optional<double> seconds = costOf(point, what)) {
-            samples.push_back({point.hits, *seconds});
+            samples.push_back({point.at, *seconds});
         }
     }
     return samples;
 }
 
-/// Between the samples' first and last number of hits.
-double valueAt(std::span<const Sample> samples, double hits) {
-    const auto next = std::lower_bound(samples.begin(), samples.end(), hits,
-                                       [](const Sample& one, double value) { return one.hits < value; });
-    if (next == samples.begin() || next->hits == hits) {
+/// Between the samples' first and last number.
+double valueAt(std::span<const Sample> samples, double at) {
+    const auto next = std::lower_bound(samples.begin(), samples.end(), at,
+                                       [](const Sample& one, double value) { return one.at < value; });
+    if (next == samples.begin() || next->at == at) {
         return next->seconds;
     }
     const Sample& before = *(next - 1);
-    const double along = (hits - before.hits) / (next->hits - before.hits);
+    const double along = (at - before.at) / (next->at - before.at);
     return before.seconds + along * (next->seconds - before.seconds);
 }
 
 /// Where either has a sample, within what both cover.
-std::vector<double> commonHits(std::span<const Sample> a, std::span<const Sample> b) {
-    const double first = std::max(a.front().hits, b.front().hits);
-    const double last = std::min(a.back().hits, b.back().hits);
-    std::vector<double> hits;
+std::vector<double> commonNumbers(std::span<const Sample> a, std::span<const Sample> b) {
+    const double first = std::max(a.front().at, b.front().at);
+    const double last = std::min(a.back().at, b.back().at);
+    std::vector<double> numbers;
     for (const std::span<const Sample> samples : {a, b}) {
         for (const Sample& sample : samples) {
-            if (sample.hits >= first && sample.hits <= last) {
-                hits.push_back(sample.hits);
+            if (sample.at >= first && sample.at <= last) {
+                numbers.push_back(sample.at);
             }
         }
     }
-    std::sort(hits.begin(), hits.end());
-    return hits;
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
 }
 
 }  // namespace
@@ -96,18 +96,18 @@ std::optional<double> costOf(const CostPoint& point, CostOf what) {
     return point.frame && point.hit ? std::optional(*point.frame + *point.hit) : std::nullopt;
 }
 
-CostCurves::Bucket& CostCurves::bucket(PipelineKind pipeline, std::size_t hits) {
-    Bucket& found = m_curves[pipeline][stepOf(hits)];
-    found.hits.push(static_cast<double>(hits));
+CostCurves::Bucket& CostCurves::bucket(PipelineKind pipeline, std::size_t at) {
+    Bucket& found = m_curves[pipeline][stepOf(at)];
+    found.at.push(static_cast<double>(at));
     return found;
 }
 
-void CostCurves::addFrame(PipelineKind pipeline, std::size_t hits, double seconds) {
-    bucket(pipeline, hits).frames.push(seconds);
+void CostCurves::addFrame(PipelineKind pipeline, std::size_t at, double seconds) {
+    bucket(pipeline, at).frames.push(seconds);
 }
 
-void CostCurves::addHit(PipelineKind pipeline, std::size_t hits, double seconds) {
-    bucket(pipeline, hits).applied.push(seconds);
+void CostCurves::addHit(PipelineKind pipeline, std::size_t at, double seconds) {
+    bucket(pipeline, at).applied.push(seconds);
 }
 
 std::vector<CostPoint> CostCurves::points(PipelineKind pipeline) const {
@@ -115,7 +115,7 @@ std::vector<CostPoint> CostCurves::points(PipelineKind pipeline) const {
     const auto curve = m_curves.find(pipeline);
     if (curve != m_curves.end()) {
         for (const auto& [step, bucket] : curve->second) {
-            points.push_back({mean(bucket.hits), median(bucket.frames), median(bucket.applied)});
+            points.push_back({mean(bucket.at), median(bucket.frames), median(bucket.applied)});
         }
     }
     return points;
@@ -127,20 +127,20 @@ std::optional<double> crossover(std::span<const CostPoint> a, std::span<const Co
     if (ofA.empty() || ofB.empty()) {
         return std::nullopt;
     }
-    const std::vector<double> hits = commonHits(ofA, ofB);
+    const std::vector<double> numbers = commonNumbers(ofA, ofB);
     const auto excess = [&](double at) { return valueAt(ofA, at) - valueAt(ofB, at); };
-    if (hits.empty() || excess(hits.back()) <= 0.0) {
+    if (numbers.empty() || excess(numbers.back()) <= 0.0) {
         return std::nullopt;
     }
     // From the end: what a single slow frame did among few hits is no crossover.
-    for (std::size_t i = hits.size(); i-- > 0;) {
-        const double here = excess(hits[i]);
+    for (std::size_t i = numbers.size(); i-- > 0;) {
+        const double here = excess(numbers[i]);
         if (here <= 0.0) {
-            const double next = excess(hits[i + 1]);
-            return hits[i] + (hits[i + 1] - hits[i]) * (-here / (next - here));
+            const double next = excess(numbers[i + 1]);
+            return numbers[i] + (numbers[i + 1] - numbers[i]) * (-here / (next - here));
         }
     }
-    return hits.front();
+    return numbers.front();
 }
 
 }  // namespace hitscope

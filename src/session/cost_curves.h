@@ -12,9 +12,9 @@
 
 namespace hitscope {
 
-/// Costs at one length of the history. Seconds, medians.
+/// Costs at one length of the history, or one number of vertices. Seconds, medians.
 struct CostPoint {
-    double hits = 0.0;                 ///< in the history; the mean where several lengths share a point
+    double at = 0.0;  ///< hits in the history, or vertices; the mean where several share a point
     std::optional<double> frame = {};  ///< of a frame in which no hit arrives
     std::optional<double> hit = {};    ///< of applying one more
 };
@@ -27,32 +27,33 @@ enum class CostOf {
 };
 [[nodiscard]] std::optional<double> costOf(const CostPoint& point, CostOf what);
 
-/// What frames and hits cost against the number of hits in the history, pipeline by pipeline. Lengths that
-/// differ by an eighth or less share a point, and of each only the latest samples count.
+/// What frames and hits cost against the number of hits in the history or of vertices, pipeline by pipeline.
+/// Numbers that differ by an eighth or less share a point, and of each only the latest samples count.
 class CostCurves {
 public:
-    void addFrame(PipelineKind pipeline, std::size_t hits, double seconds);
-    void addHit(PipelineKind pipeline, std::size_t hits, double seconds);
+    void addFrame(PipelineKind pipeline, std::size_t at, double seconds);
+    void addHit(PipelineKind pipeline, std::size_t at, double seconds);
     void clear() { m_curves.clear(); }
+    [[nodiscard]] bool isEmpty() const { return m_curves.empty(); }
 
-    /// In the order of hits.
+    /// In the order of their numbers.
     [[nodiscard]] std::vector<CostPoint> points(PipelineKind pipeline) const;
 
 private:
     static constexpr std::size_t kSamples = 31;
     struct Bucket {
-        Ring<double> hits{kSamples};
+        Ring<double> at{kSamples};
         Ring<double> frames{kSamples};   ///< seconds
         Ring<double> applied{kSamples};  ///< seconds
     };
-    [[nodiscard]] Bucket& bucket(PipelineKind pipeline, std::size_t hits);
+    [[nodiscard]] Bucket& bucket(PipelineKind pipeline, std::size_t at);
 
     std::map<PipelineKind, std::map<std::size_t, Bucket>> m_curves;
 };
 
-/// The number of hits from which on `a` costs more than `b`, the points joined by straight lines; where it
-/// does so from the start, the first number that both have. Nothing where `a` does not cost more at the last
-/// number that both have.
+/// The number of hits, or vertices, from which on `a` costs more than `b`, the points joined by straight
+/// lines; where it does so from the start, the first number that both have. Nothing where `a` does not cost
+/// more at the last number that both have.
 [[nodiscard]] std::optional<double> crossover(std::span<const CostPoint> a, std::span<const CostPoint> b,
                                               CostOf what);
 

@@ -3,11 +3,14 @@
 
 #include <QElapsedTimer>
 #include <QThread>
+#include <algorithm>
+#include <cmath>
 #include <random>
 #include <utility>
 
 #include "gl/context.h"
 #include "gl/render_target.h"
+#include "mesh/primitives.h"
 #include "session/scene_gpu.h"
 
 namespace hitscope {
@@ -22,7 +25,7 @@ struct CostMeasurement::Order {
 
 struct CostMeasurement::Sample {
     PipelineKind pipeline = PipelineKind::TransformFeedback;
-    std::size_t hits = 0;
+    std::size_t at = 0;  ///< hits in the history, or vertices
     double frame = 0.0;  ///< seconds
     double hit = 0.0;    ///< seconds
 };
@@ -70,14 +73,6 @@ public:
     }
 
     [[nodiscard]] PipelineKind pipeline() const { return m_session.pipeline(); }
-    Status grow(std::size_t hits) {
-        const std::size_t has = m_session.history().size();
-        if (hits <= has) {
-            return Done{};
-        }
-        const Status status = m_session.addHits(std::span(m_hits).subspan(has, hits - has));
-        return status ? m_gpu->sync() : status;
-    }
     /// Seconds until the picture is there.
     Result<double> frame(const SceneGpu::View& view, const gl::RenderTarget& picture) {
         QElapsedTimer clock;
@@ -105,8 +100,34 @@ public:
         return status ? Result<double>(seconds) : Result<double>(status.error());
     }
 
+    struct Times {
+        double frame = 0.0;  ///< seconds
+        double hit = 0.0;    ///< seconds
+    };
+    /// With so many hits in the history, and one more.
+    Result<Times> sample(std::size_t hits, std::size_t number, const SceneGpu::View& view,
+                         const gl::RenderTarget& picture) {
+        if (Status status = grow(hits); !status) {
+            return status.error();
+        }
+        const Result<double> one = hit(hits + number);
+        const Result<double> whole = frame(view, picture);
+        if (!one || !whole) {
+            return one ? whole.error() : one.error();
+        }
+        return Times{whole.value(), one.value()};
+    }
+
 private:
     Subject() = default;
+    Status grow(std::size_t hits) {
+        const std::size_t has = m_session.history().size();
+        if (hits <= has) {
+            return Done{};
+        }
+        const Status status = m_session.addHits(std::span(m_hits).subspan(has, hits - has));
+        return status ? m_gpu->sync() : status;
+    }
     Session m_session;
     std::vector<Hit> m_hits;
     std::unique_ptr<SceneGpu> m_gpu;
@@ -138,6 +159,17 @@ ScenePlan planOf(const Session& session) {
     return plan;
 }
 
+/// About so many vertices, twice as many columns as rows.
+ScenePlan sphereOf(std::size_t vertices) {
+    constexpr float kRadius = 2.5f;  // metres
+    constexpr int kFewestRings = 8;
+    const int rings =
+        std::max(static_cast<int>(std::lround(std::sqrt(0.5 * static_cast<double>(vertices)))), kFewestRings);
+    ScenePlan plan;
+    plan.targets.push_back(planMesh(makeUvSphere(2 * rings, rings, kRadius)));
+    return plan;
+}
+
 }  // namespace
 
 CostMeasurement::CostMeasurement(QObject* parent) : QObject(parent) {}
@@ -151,7 +183,7 @@ CostMeasurement::~CostMeasurement() {
 }
 
 Status CostMeasurement::measure(const Order& order, const std::atomic<bool>& cancelled,
-                                const std::function<void(const Sample&, int, int)>& report) {
+                                const Report& report) {
     if (order.scene.targets.empty()) {
         return Error{"There is nothing to measure.", "", "Show a target with a surface."};
     }
@@ -176,16 +208,13 @@ Status CostMeasurement::measure(const Order& order, const std::atomic<bool>& can
                 if (cancelled) {
                     return Done{};
                 }
-                if (Status status = subject->grow(hits); !status) {
-                    return status;
-                }
-                const Result<double> hit = subject->hit(hits + static_cast<std::size_t>(round + 1));
-                const Result<double> frame = subject->frame(view, picture);
-                if (!hit || !frame) {
-                    return hit ? frame.error() : hit.error();
+                const Result<Subject::Times> times =
+                    subject->sample(hits, static_cast<std::size_t>(round + 1), view, picture);
+                if (!times) {
+                    return times.error();
                 }
                 if (round >= 0) {
-                    report({subject->pipeline(), hits, frame.value(), hit.value()}, done, total);
+                    report({subject->pipeline(), hits, times.value().frame, times.value().hit}, done, total);
                 }
             }
             done += round >= 0 ? 1 : 0;
@@ -194,15 +223,70 @@ Status CostMeasurement::measure(const Order& order, const std::atomic<bool>& can
     return Done{};
 }
 
+/// One pipeline after the other, so that only one has its copies of a million vertices.
+Status CostMeasurement::measureSizes(const SizePlan& plan, const std::atomic<bool>& cancelled,
+                                     const Report& report) {
+    Result<std::unique_ptr<gl::OffscreenContext>> context = gl::OffscreenContext::create();
+    if (!context) {
+        return context.error();
+    }
+    const gl::RenderTarget picture(plan.width, plan.height);
+    SceneGpu::View view;
+    view.width = plan.width;
+    view.height = plan.height;
+    const int total = static_cast<int>(plan.vertices.size() * plan.pipelines.size()) * plan.samples;
+    int done = 0;
+    for (const std::size_t vertices : plan.vertices) {
+        const ScenePlan scene = sphereOf(vertices);
+        const RenderMesh& mesh = *scene.targets.front().shape.render;
+        view.camera.frame(worldBounds(mesh, scene.targets.front().transform),
+                          static_cast<float>(plan.width) / static_cast<float>(plan.height));
+        for (const PipelineKind pipeline : plan.pipelines) {
+            Result<std::unique_ptr<Subject>> subject =
+                Subject::make(scene, pipeline, DeformationConstants{}, defaultLights({}), plan.hits);
+            if (!subject) {
+                return subject.error();
+            }
+            for (int round = -1; round < plan.samples; ++round) {  // the first warms up
+                if (cancelled) {
+                    return Done{};
+                }
+                const Result<Subject::Times> times =
+                    subject.value()->sample(plan.hits, static_cast<std::size_t>(round + 1), view, picture);
+                if (!times) {
+                    return times.error();
+                }
+                if (round >= 0) {
+                    report({pipeline, mesh.vertices.size(), times.value().frame, times.value().hit}, done++,
+                           total);
+                }
+            }
+        }
+    }
+    return Done{};
+}
+
 void CostMeasurement::start(const Session& session, const Camera& camera, CostPlan plan) {
+    auto order = std::make_shared<const Order>(
+        Order{planOf(session), session.constants(), session.lights(), camera, std::move(plan)});
+    run([order](const std::atomic<bool>& cancelled, const Report& report) {
+        return measure(*order, cancelled, report);
+    });
+}
+
+void CostMeasurement::start(SizePlan plan) {
+    run([plan = std::move(plan)](const std::atomic<bool>& cancelled, const Report& report) {
+        return measureSizes(plan, cancelled, report);
+    });
+}
+
+void CostMeasurement::run(Measure measure) {
     if (m_thread != nullptr) {
         cancel();
         end();
     }
     m_curves.clear();
     m_cancelled = std::make_shared<std::atomic<bool>>(false);
-    auto order = std::make_shared<const Order>(
-        Order{planOf(session), session.constants(), session.lights(), camera, std::move(plan)});
     // What arrives from a measurement that was cancelled is not of this one.
     const auto whenCurrent = [this, mine = m_cancelled](auto act) {
         QMetaObject::invokeMethod(this, [this, mine, act] {
@@ -211,11 +295,11 @@ void CostMeasurement::start(const Session& session, const Camera& camera, CostPl
             }
         });
     };
-    m_thread = QThread::create([this, order, whenCurrent, cancelled = m_cancelled] {
-        const Status status = measure(*order, *cancelled, [&](const Sample& sample, int done, int total) {
+    m_thread = QThread::create([this, measure = std::move(measure), whenCurrent, cancelled = m_cancelled] {
+        const Status status = measure(*cancelled, [&](const Sample& sample, int done, int total) {
             whenCurrent([this, sample, done, total] {
-                m_curves.addFrame(sample.pipeline, sample.hits, sample.frame);
-                m_curves.addHit(sample.pipeline, sample.hits, sample.hit);
+                m_curves.addFrame(sample.pipeline, sample.at, sample.frame);
+                m_curves.addHit(sample.pipeline, sample.at, sample.hit);
                 Q_EMIT progressed(done + 1, total);
             });
         });

@@ -27,8 +27,20 @@ struct CostPlan {
     int samples = 5;  ///< of a frame and of a hit, each
 };
 
-/// Measures frames and hits of a session's scene by themselves: on a thread and in an OpenGL context of its
-/// own, without a window, the pipelines in turn, each sample until the GPU is done.
+/// What a measurement against the number of vertices measures: a sphere 5 m across, as the paper's, with the
+/// paper's constants.
+struct SizePlan {
+    int width = 960;   ///< pixels
+    int height = 540;  ///< pixels
+    std::vector<PipelineKind> pipelines = CostPlan{}.pipelines;
+    std::vector<std::size_t> vertices = {1'000, 4'000, 16'000, 64'000, 250'000, 1'000'000};  ///< about
+    std::size_t hits = 100;  ///< in the history, spread over the sphere
+    int samples = 3;         ///< of a frame and of a hit, each
+};
+
+/// Measures frames and hits of a session's scene, or of spheres of many sizes, by themselves: on a thread and
+/// in an OpenGL context of its own, without a window, the pipelines in turn, each sample until the GPU is
+/// done.
 class CostMeasurement : public QObject {
     Q_OBJECT
 public:
@@ -38,6 +50,8 @@ public:
     /// The visible targets, whole, and the session's constants; hits at vertices drawn by lot, always the
     /// same. One that runs is cancelled.
     void start(const Session& session, const Camera& camera, CostPlan plan = {});
+    /// Spheres of more and more vertices; curves() are against their number.
+    void start(SizePlan plan);
     void cancel();
     [[nodiscard]] bool isRunning() const { return m_thread != nullptr; }
     /// So far, of the last one started.
@@ -51,8 +65,12 @@ Q_SIGNALS:
 private:
     struct Order;
     struct Sample;
-    static Status measure(const Order& order, const std::atomic<bool>& cancelled,
-                          const std::function<void(const Sample&, int, int)>& report);
+    using Report = std::function<void(const Sample&, int done, int total)>;
+    using Measure = std::function<Status(const std::atomic<bool>& cancelled, const Report& report)>;
+    static Status measure(const Order& order, const std::atomic<bool>& cancelled, const Report& report);
+    static Status measureSizes(const SizePlan& plan, const std::atomic<bool>& cancelled,
+                               const Report& report);
+    void run(Measure measure);
     void end();
 
     CostCurves m_curves;

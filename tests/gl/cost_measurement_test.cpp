@@ -4,6 +4,7 @@
 
 #include <QSignalSpy>
 #include <QTest>
+#include <cmath>
 
 #include "pipeline/deformation_pipeline.h"
 #include "session/frame_costs.h"
@@ -56,7 +57,7 @@ private Q_SLOTS:
         for (const PipelineKind pipeline : plan.pipelines) {
             const std::vector<CostPoint> points = measurement.curves().points(pipeline);
             QCOMPARE(points.size(), std::size_t{3});
-            QCOMPARE(points[2].hits, 7.0);
+            QCOMPARE(points[2].at, 7.0);
             for (const CostPoint& point : points) {
                 QVERIFY(point.frame.value_or(0.0) > 0.0);
                 QVERIFY(point.hit.value_or(0.0) > 0.0);
@@ -64,6 +65,35 @@ private Q_SLOTS:
         }
         QCOMPARE(session.history().size(), std::size_t{0});
         QVERIFY(session.frameCosts().frames().empty());
+    }
+
+    void measuresSpheresOfManySizes() {
+        SizePlan plan;
+        plan.width = 64;
+        plan.height = 48;
+        plan.vertices = {500, 4000, 32000};
+        plan.hits = 5;
+        plan.samples = 2;
+        CostMeasurement measurement;
+        const QSignalSpy progressed(&measurement, &CostMeasurement::progressed);
+        const QSignalSpy failed(&measurement, &CostMeasurement::failed);
+        QSignalSpy finished(&measurement, &CostMeasurement::finished);
+        measurement.start(plan);
+        QVERIFY(finished.wait(kPatience));
+        QCOMPARE(failed.size(), 0);
+        const int steps = static_cast<int>(3 * allPipelines().size() * 2);
+        QCOMPARE(progressed.last(), QList<QVariant>({steps, steps}));
+        for (const PipelineTraits& pipeline : allPipelines()) {
+            const std::vector<CostPoint> points = measurement.curves().points(pipeline.kind);
+            QCOMPARE(points.size(), plan.vertices.size());
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const auto wanted = static_cast<double>(plan.vertices[i]);
+                QVERIFY2(std::abs(points[i].at - wanted) < 0.15 * wanted,
+                         qPrintable(QString::number(points[i].at)));
+                QVERIFY(points[i].frame.value_or(0.0) > 0.0);
+                QVERIFY(points[i].hit.value_or(0.0) > 0.0);
+            }
+        }
     }
 
     void isCancelledAndStartedAgain() {

@@ -25,7 +25,7 @@ void CostCurvesTest::pointsAreMediansOfTheLatest() {
     curves.addHit(PipelineKind::UniformArray, 4, 0.01);
     std::vector<CostPoint> points = curves.points(PipelineKind::UniformArray);
     QCOMPARE(points.size(), std::size_t{2});
-    QCOMPARE(points[0].hits, 3.0);
+    QCOMPARE(points[0].at, 3.0);
     QCOMPARE(points[0].frame.value_or(0.0), 0.2);
     QVERIFY(!points[0].hit && !points[1].frame);
     QCOMPARE(points[1].hit.value_or(0.0), 0.01);
@@ -47,8 +47,8 @@ void CostCurvesTest::lengthsCloseTogetherShareAPoint() {
     const std::vector<CostPoint> points = curves.points(PipelineKind::UniformArray);
     QCOMPARE(points.size(), std::size_t{16 + 6 * 8});  // 0 to 15, then eight an octave
     for (std::size_t i = 1; i < points.size(); ++i) {
-        QVERIFY(points[i].hits > points[i - 1].hits);
-        QVERIFY(points[i].hits <= std::max(points[i - 1].hits * 1.14, points[i - 1].hits + 1.0));
+        QVERIFY(points[i].at > points[i - 1].at);
+        QVERIFY(points[i].at <= std::max(points[i - 1].at * 1.14, points[i - 1].at + 1.0));
     }
 }
 

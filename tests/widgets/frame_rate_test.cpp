@@ -59,6 +59,7 @@ private Q_SLOTS:
     void framesAloneWaitForTheGpu();
     void saysThatTheGpuIsNotMeasured();
     void measuresOnRequest();
+    void measuresAgainstTheNumberOfVertices();
 
 private:
     template <class Widget>
@@ -328,6 +329,43 @@ void FrameRateTest::measuresOnRequest() {
     QTest::mouseClick(measure, Qt::LeftButton);
     QTest::mouseClick(measure, Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(measure->text(), QStringLiteral("Measure now"), kPatience);
+}
+
+void FrameRateTest::measuresAgainstTheNumberOfVertices() {
+    SizePlan plan;
+    plan.width = 64;
+    plan.height = 48;
+    plan.vertices = {500, 8000};
+    plan.hits = 4;
+    plan.samples = 1;
+    m_panel->costs().setSizePlan(plan);
+    child<QTabWidget>("tabs")->setCurrentIndex(1);
+    auto* words = child<QLabel>("words");
+    child<QComboBox>("axis")->setCurrentIndex(1);
+    QVERIFY(m_panel->costs().axis() == CostAxis::Vertices);
+    QVERIFY2(words->text().startsWith(QStringLiteral("Not measured yet")), qPrintable(words->text()));
+    auto* measure = child<QPushButton>("measure");
+    QTest::mouseClick(measure, Qt::LeftButton);
+    QCOMPARE(measure->text(), QStringLiteral("Cancel"));
+    QTRY_COMPARE_WITH_TIMEOUT(measure->text(), QStringLiteral("Measure now"), kPatience);
+    for (const NamedCurve& curve : m_panel->costs().curves()) {
+        QCOMPARE(curve.points.size(), std::size_t{2});
+        QVERIFY(curve.points[1].at > 4.0 * curve.points[0].at);
+    }
+    QVERIFY2(words->text().startsWith(QStringLiteral("Measured on spheres with 4 hits.")),
+             qPrintable(words->text()));
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("sizes.csv"));
+    QVERIFY(m_panel->saveCsv(path).ok());
+    QFile csv(path);
+    QVERIFY(csv.open(QIODevice::ReadOnly));
+    QVERIFY(csv.readLine().startsWith("pipeline,vertices,"));
+    // The curve against hits is not touched, nor is this one by the scene.
+    child<QComboBox>("axis")->setCurrentIndex(0);
+    QVERIFY(words->text().startsWith(QStringLiteral("Collected")));
+    m_session->loadPaperRow(1);
+    child<QComboBox>("axis")->setCurrentIndex(1);
+    QCOMPARE(m_panel->costs().curves()[0].points.size(), std::size_t{2});
 }
 
 HITSCOPE_TEST(FrameRateTest, QApplication)

@@ -2,6 +2,8 @@
 #include "panels/frame_rate/cost_view.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "models/quantity_text.h"
@@ -29,11 +31,9 @@ CostView::CostView(Session& session, QWidget* parent)
     m_ui->setupUi(this);
     QCustomPlot* plot = m_ui->plot;
     plot->setBufferDevicePixelRatio(plot->devicePixelRatioF());
-    plot->xAxis->setLabel(tr("hits"));
     plot->xAxis->setLabelPadding(1);
     plot->yAxis->setLabel(tr("ms"));
     plot->yAxis->setLabelPadding(1);
-    plot->yAxis->ticker()->setTickCount(4);
     plot->axisRect()->setMinimumMargins(QMargins(4, 6, 8, 0));
     for (Curves& curves : m_curves) {
         curves = {plot->addGraph(), plot->addGraph()};
@@ -41,22 +41,55 @@ CostView::CostView(Session& session, QWidget* parent)
     m_crossover = new QCPItemStraightLine(plot);
     m_ui->progress->hide();
     connect(m_ui->measure, &QPushButton::clicked, this, &CostView::measureOrCancel);
-    connect(&m_measurement, &CostMeasurement::progressed, this, [this](int done, int total) {
-        m_ui->progress->setRange(0, total);
-        m_ui->progress->setValue(done);
-        m_showsMeasured = true;
-        m_isDue = true;
-        refresh();
-    });
-    connect(&m_measurement, &CostMeasurement::finished, this, &CostView::followMeasurement);
-    connect(&m_measurement, &CostMeasurement::failed, this, [this](const QString& why) { say(why); });
+    connect(m_ui->axis, &QComboBox::currentIndexChanged, this, &CostView::followAxis);
+    connect(&m_measurement, &CostMeasurement::progressed, this, [this] { m_showsMeasured = true; });
+    follow(m_measurement);
+    follow(m_bySize);
     connect(&session, &Session::sceneReplaced, this, &CostView::followScene);
     connect(&session, &Session::targetAdded, this, &CostView::followScene);
     connect(&session, &Session::targetRemoved, this, &CostView::followScene);
+    followAxis();
     applyPalette();
 }
 
 CostView::~CostView() = default;
+
+void CostView::follow(CostMeasurement& measurement) {
+    connect(&measurement, &CostMeasurement::progressed, this, [this](int done, int total) {
+        m_ui->progress->setRange(0, total);
+        m_ui->progress->setValue(done);
+        m_isDue = true;
+        refresh();
+    });
+    connect(&measurement, &CostMeasurement::finished, this, &CostView::followMeasurement);
+    connect(&measurement, &CostMeasurement::failed, this, [this](const QString& why) { say(why); });
+}
+
+CostAxis CostView::axis() const {
+    return m_ui->axis->currentIndex() == 1 ? CostAxis::Vertices : CostAxis::Hits;
+}
+
+void CostView::followAxis() {
+    const bool byHits = axis() == CostAxis::Hits;
+    QCPAxis* horizontal = m_ui->plot->xAxis;
+    QCPAxis* vertical = m_ui->plot->yAxis;
+    horizontal->setLabel(byHits ? tr("hits") : tr("vertices"));
+    const auto scale = byHits ? QCPAxis::stLinear : QCPAxis::stLogarithmic;
+    for (QCPAxis* each : {horizontal, vertical}) {
+        each->setScaleType(scale);
+        each->setTicker(byHits ? QSharedPointer<QCPAxisTicker>::create()
+                               : QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog));
+    }
+    vertical->ticker()->setTickCount(4);
+    m_ui->measure->setToolTip(
+        byHits
+            ? tr("Measures every pipeline that runs here on this scene in the background, up to 600 hits. "
+                 "The scene and its hits stay as they are.")
+            : tr("Measures every pipeline that runs here in the background, on spheres of 1,000 to 1,000,000 "
+                 "vertices. The scene and its hits stay as they are."));
+    m_isDue = true;
+    refresh();
+}
 
 void CostView::applyPalette() {
     applyPlotTheme(*m_ui->plot, *this);
@@ -91,10 +124,28 @@ void CostView::changeEvent(QEvent* event) {
 }
 
 void CostView::measureOrCancel() {
-    if (m_measurement.isRunning()) {
+    if (isMeasuring()) {
         m_measurement.cancel();
+        m_bySize.cancel();
         return;
     }
+    if (axis() == CostAxis::Hits) {
+        measureScene();
+    } else {
+        measureSizes();
+    }
+    m_ui->progress->setRange(0, 0);
+    followMeasurement();
+}
+
+void CostView::measureSizes() {
+    SizePlan plan = m_sizePlan;
+    std::erase_if(plan.pipelines,
+                  [this](PipelineKind kind) { return !m_session.whyUnavailable(kind).isEmpty(); });
+    m_bySize.start(std::move(plan));
+}
+
+void CostView::measureScene() {
     CostPlan plan = m_plan;
     std::erase_if(plan.pipelines,
                   [this](PipelineKind kind) { return !m_session.whyUnavailable(kind).isEmpty(); });
@@ -105,12 +156,10 @@ void CostView::measureOrCancel() {
     m_measuredOn = tr("%1, %2 vertices").arg(m_session.sceneName(), countText(vertices));
     m_isOfThisScene = true;
     m_measurement.start(m_session, m_camera ? m_camera() : Camera(), std::move(plan));
-    m_ui->progress->setRange(0, 0);
-    followMeasurement();
 }
 
 void CostView::followMeasurement() {
-    const bool running = m_measurement.isRunning();
+    const bool running = isMeasuring();
     m_ui->measure->setText(running ? tr("Cancel") : tr("Measure now"));
     m_ui->progress->setVisible(running);
 }
@@ -132,6 +181,7 @@ void CostView::followScene() {
 
 void CostView::clear() {
     m_measurement.cancel();
+    m_bySize.cancel();
     m_collected.clear();
     m_leftOut = false;
     m_showsMeasured = false;
@@ -171,6 +221,9 @@ void CostView::collect() {
 }
 
 const CostCurves& CostView::shown() const {
+    if (axis() == CostAxis::Vertices) {
+        return m_bySize.curves();
+    }
     return m_showsMeasured ? m_measurement.curves() : m_collected;
 }
 
@@ -192,34 +245,48 @@ void CostView::refresh() {
 }
 
 void CostView::draw() {
-    double mostHits = 0.0;
+    double most = 0.0;
     double mostTime = 0.0;
+    double leastTime = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < kPipelines.size(); ++i) {
         m_curves[i].frame->data()->clear();
         m_curves[i].hit->data()->clear();
         for (const CostPoint& point : shown().points(kPipelines[i])) {
-            mostHits = std::max(mostHits, point.hits);
+            most = std::max(most, point.at);
             const auto add = [&](QCPGraph& graph, std::optional<double> seconds) {
                 if (seconds) {
-                    graph.addData(point.hits, *seconds * kMilliseconds);
+                    graph.addData(point.at, *seconds * kMilliseconds);
                     mostTime = std::max(mostTime, *seconds * kMilliseconds);
+                    leastTime = std::min(leastTime, *seconds * kMilliseconds);
                 }
             };
             add(*m_curves[i].frame, point.frame);
             add(*m_curves[i].hit, point.hit);
         }
     }
-    m_ui->plot->xAxis->setRange(0.0, std::max(mostHits * 1.05, 10.0));
-    m_ui->plot->yAxis->setRange(0.0, std::max(mostTime * 1.15, 1.0e-3));
+    drawAxes(most, mostTime, std::min(leastTime, mostTime));
     drawCrossover(*m_crossover, crossoverOf(CostOf::FrameWithHit));
     say(inWords());
     m_ui->plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void CostView::drawCrossover(QCPItemStraightLine& line, std::optional<double> hits) {
-    line.setVisible(hits.has_value());
-    line.point1->setCoords(hits.value_or(0.0), 0.0);
-    line.point2->setCoords(hits.value_or(0.0), 1.0);
+void CostView::drawAxes(double most, double mostTime, double leastTime) {
+    if (axis() == CostAxis::Hits) {
+        m_ui->plot->xAxis->setRange(0.0, std::max(most * 1.05, 10.0));
+        m_ui->plot->yAxis->setRange(0.0, std::max(mostTime * 1.15, 1.0e-3));
+        return;
+    }
+    constexpr double kFewestVertices = 500.0;
+    constexpr double kMostVertices = 2.0e6;
+    m_ui->plot->xAxis->setRange(kFewestVertices, kMostVertices);
+    m_ui->plot->yAxis->setRange(leastTime > 0.0 ? 0.5 * leastTime : 0.01,
+                                mostTime > 0.0 ? 2.0 * mostTime : 1000.0);
+}
+
+void CostView::drawCrossover(QCPItemStraightLine& line, std::optional<double> at) {
+    line.setVisible(at.has_value());
+    line.point1->setCoords(at.value_or(0.0), 0.0);
+    line.point2->setCoords(at.value_or(0.0), 1.0);
 }
 
 std::optional<double> CostView::crossoverOf(CostOf what) const {
@@ -227,9 +294,13 @@ std::optional<double> CostView::crossoverOf(CostOf what) const {
                      shown().points(PipelineKind::TransformFeedback), what);
 }
 
-QString CostView::inWords() const {
-    const std::optional<double> still = crossoverOf(CostOf::Frame);
-    const std::optional<double> hit = crossoverOf(CostOf::FrameWithHit);
+QString CostView::sourceInWords() const {
+    if (axis() == CostAxis::Vertices) {
+        return m_bySize.curves().isEmpty()
+                   ? tr("Not measured yet: spheres of 1,000 to 1,000,000 vertices with %1 hits.")
+                         .arg(shownCount(m_sizePlan.hits))
+                   : tr("Measured on spheres with %1 hits.").arg(shownCount(m_sizePlan.hits));
+    }
     QString source = m_showsMeasured ? tr("Measured on %1.").arg(m_measuredOn)
                                      : tr("Collected as you work with each pipeline.");
     if (m_showsMeasured && !m_isOfThisScene) {
@@ -237,11 +308,23 @@ QString CostView::inWords() const {
     } else if (!m_showsMeasured && m_leftOut) {
         source += u' ' + tr("Frames of two pipelines are left out.");
     }
+    return source;
+}
+
+QString CostView::inWords() const {
+    const std::optional<double> still = crossoverOf(CostOf::Frame);
+    const std::optional<double> hit = crossoverOf(CostOf::FrameWithHit);
+    const QString source = sourceInWords();
     if (!still && !hit) {
-        return source + u' ' + tr("No crossover yet.");
+        const bool isEmpty = axis() == CostAxis::Vertices && m_bySize.curves().isEmpty();
+        return isEmpty ? source : source + u' ' + tr("No crossover yet.");
     }
-    const auto from = [](std::optional<double> hits) {
-        return hits ? tr("from %1 hits").arg(shownNumber(*hits, 'f', 0)) : tr("nowhere yet");
+    const auto from = [this](std::optional<double> at) {
+        if (!at) {
+            return tr("nowhere yet");
+        }
+        const QString number = shownCount(static_cast<std::size_t>(std::llround(*at)));
+        return axis() == CostAxis::Hits ? tr("from %1 hits").arg(number) : tr("from %1 vertices").arg(number);
     };
     return source + u' ' +
            tr("Crossover, where uniform arrays cost more: %1 in a frame, %2 in a frame that takes a hit.")

@@ -20,8 +20,8 @@ class CostView;
 
 namespace hitscope {
 
-/// What a frame and a hit cost against the number of hits, for the paper's two pipelines: collected as one
-/// works, or measured by themselves in the background.
+/// What a frame and a hit cost, for each pipeline: against the number of hits, collected as one works or
+/// measured by themselves in the background; or against the number of vertices, measured so.
 class CostView : public QWidget {
     Q_OBJECT
 public:
@@ -32,24 +32,33 @@ public:
     /// Where "Measure now" looks from.
     void setCamera(std::function<Camera()> camera) { m_camera = std::move(camera); }
     void setPlan(CostPlan plan) { m_plan = std::move(plan); }
+    void setSizePlan(SizePlan plan) { m_sizePlan = std::move(plan); }
     /// Takes what frames have cost since the last time, and draws if anything has changed.
     void refresh();
     void clear();
     [[nodiscard]] std::vector<NamedCurve> curves() const;  ///< as shown
+    [[nodiscard]] CostAxis axis() const;
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
     void applyPalette();
+    void follow(CostMeasurement& measurement);
+    void followAxis();
     void measureOrCancel();
+    void measureScene();
+    void measureSizes();
     void followMeasurement();
     void say(const QString& text);
     void followScene();
     void collect();
     void draw();
-    void drawCrossover(QCPItemStraightLine& line, std::optional<double> hits);
+    void drawAxes(double most, double mostTime, double leastTime);
+    void drawCrossover(QCPItemStraightLine& line, std::optional<double> at);
+    [[nodiscard]] bool isMeasuring() const { return m_measurement.isRunning() || m_bySize.isRunning(); }
     [[nodiscard]] QString inWords() const;
+    [[nodiscard]] QString sourceInWords() const;
     [[nodiscard]] std::optional<double> crossoverOf(CostOf what) const;
     [[nodiscard]] const CostCurves& shown() const;
 
@@ -61,7 +70,9 @@ private:
     std::unique_ptr<Ui::CostView> m_ui;
     std::function<Camera()> m_camera;
     CostPlan m_plan;
-    CostMeasurement m_measurement;
+    SizePlan m_sizePlan;
+    CostMeasurement m_measurement;  ///< against the number of hits
+    CostMeasurement m_bySize;       ///< against the number of vertices
     CostCurves m_collected;
     bool m_showsMeasured = false;
     QString m_measuredOn;         ///< scene

@@ -66,7 +66,7 @@ FrameRatePanel::FrameRatePanel(Session& session, QAction& continuous, QWidget* p
     m_graph = new FrameGraph(*m_ui->plot, session.frameCosts(), this);
     m_costView = new CostView(session);
     m_ui->tabs->addTab(m_costView, tr("Cost"));
-    m_ui->tabs->setTabToolTip(1, tr("What frames and hits cost against the number of hits"));
+    m_ui->tabs->setTabToolTip(1, tr("What frames and hits cost against the number of hits, or of vertices"));
     makeReadOuts();
     makeLegend();
     makeButtons(continuous);
@@ -242,7 +242,7 @@ FrameTimes::Summary FrameRatePanel::summary() {
 
 Status FrameRatePanel::saveCsv(const QString& path) const {
     const bool ofFrames = m_ui->tabs->currentIndex() == 0;
-    const QByteArray csv = ofFrames ? framesCsv(m_graph->frames()) : curvesCsv(m_costView->curves());
+    const QByteArray csv = ofFrames ? framesCsv(m_graph->frames()) : curvesCsv(m_costView->curves(), m_costView->axis());
     return writeWhole(path, {csv.constData(), static_cast<std::size_t>(csv.size())});
 }
 

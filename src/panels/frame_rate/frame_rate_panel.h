@@ -27,7 +27,7 @@ class CostView;
 class Session;
 
 /// The dock "Frame rate": read-outs and a graph of the frames drawn, and what frames and hits cost against
-/// the number of hits.
+/// the number of hits, or of vertices.
 class FrameRatePanel : public QWidget {
     Q_OBJECT
 public:
