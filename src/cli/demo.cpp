@@ -111,7 +111,6 @@ Status runDemo(const DemoOptions& options) {
     if (!gpu) {
         return gpu.error();
     }
-    session.setCatchUp([&gpu] { static_cast<void>(gpu.value()->sync()); });
     Demo demo(session, *gpu.value(), options);
     if (Status status = demo.picture(QStringLiteral("before.png"), WireframeMode::Off); !status) {
         return status;

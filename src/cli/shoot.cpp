@@ -100,12 +100,10 @@ Status writeResults(QTextStream& out, Session& session, const ShootOptions& opti
 }
 
 /// Until all shots have left and what they launched has hit or gone.
-void play(Session& session, SceneGpu& gpu) {
-    session.setCatchUp([&gpu] { static_cast<void>(gpu.syncPositions()); });
+void play(Session& session) {
     while (session.isMoving()) {
         session.stepOnce();
     }
-    session.setCatchUp({});
 }
 
 }  // namespace
@@ -136,7 +134,7 @@ Status runShoot(const ShootOptions& options) {
         return status;
     }
     schedule(session, script.value());
-    play(session, *gpu.value());
+    play(session);
     if (Status status = gpu.value()->sync(); !status) {
         return status;
     }

@@ -1,9 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deform/reference.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "deform/deform.h"
 
 namespace hitscope {
+
+namespace {
+
+constexpr std::size_t kClustersBetweenLooks = 64;  // 4,096 vertices, about 0.1 ms
+
+std::ptrdiff_t offset(std::size_t index) {
+    return static_cast<std::ptrdiff_t>(index);
+}
+
+}  // namespace
 
 void deformEverywhere(std::span<DynamicVertex> vertices, std::span<const Hit> hits) {
     for (DynamicVertex& vertex : vertices) {
@@ -14,25 +27,123 @@ void deformEverywhere(std::span<DynamicVertex> vertices, std::span<const Hit> hi
 }
 
 ReferenceDeformation::ReferenceDeformation(const RenderMesh& mesh)
-    : m_vertices(mesh.vertices), m_reach(mesh.clusters) {}
+    : m_mesh(mesh), m_vertices(mesh.vertices), m_reach(mesh.clusters) {}
 
 std::vector<VertexRange> ReferenceDeformation::apply(std::span<const Hit> hits) {
-    ChangedRanges touched;
+    m_hits.insert(m_hits.end(), hits.begin(), hits.end());
+    advance();
+    return takeChanged();
+}
+
+void ReferenceDeformation::edit(const TargetHitsEdit& edit) {
+    const bool isApplied = edit.first < m_applied;
+    if (isApplied) {
+        finishHit();
+        // Where the vertices have been so far is enough to tell: those in other clusters went, and go, the
+        // same way without these hits.
+        concern(edit.before);
+        concern(edit.after);
+        const std::size_t end = edit.first + edit.before.size();
+        m_applied = m_applied - (std::min(end, m_applied) - edit.first) + edit.after.size();
+    }
+    const auto at = m_hits.erase(m_hits.begin() + offset(edit.first),
+                                 m_hits.begin() + offset(edit.first + edit.before.size()));
+    m_hits.insert(at, edit.after.begin(), edit.after.end());
+    if (isApplied) {
+        restartConcerned();
+    }
+}
+
+/// Adds the clusters that these may ever have reached.
+void ReferenceDeformation::concern(std::span<const Hit> hits) {
     std::vector<std::uint32_t> reached;
     for (const Hit& hit : hits) {
-        reached.clear();
-        m_reach.advance(hit, reached);
-        const std::vector<VertexRange> ranges = m_reach.rangesOf(reached);
-        for (const VertexRange& range : ranges) {
-            const auto vertices = std::span(m_vertices).subspan(range.first, range.count);
+        m_reach.everReached(hit, reached);
+    }
+    m_concerned.insert(m_concerned.end(), reached.begin(), reached.end());
+    std::sort(m_concerned.begin(), m_concerned.end());
+    m_concerned.erase(std::unique(m_concerned.begin(), m_concerned.end()), m_concerned.end());
+}
+
+void ReferenceDeformation::restartConcerned() {
+    for (const std::uint32_t index : m_concerned) {
+        const Cluster& cluster = m_mesh.clusters[index];
+        std::copy_n(m_mesh.vertices.begin() + cluster.first, cluster.count,
+                    m_vertices.begin() + cluster.first);
+    }
+    m_reach.restart(m_concerned);
+    m_changed.add(m_reach.rangesOf(m_concerned));
+    m_redone = 0;
+}
+
+/// What an edit changes must not be a hit that is applied in part.
+void ReferenceDeformation::finishHit() {
+    if (!m_progress.isDone()) {
+        const std::size_t last = m_concerned.empty() ? m_applied : m_redone;
+        continueHit(m_hits[last - 1], {});
+    }
+}
+
+/// Returns whether all of it has been applied.
+bool ReferenceDeformation::continueHit(const Hit& hit, const IsTimeUp& isTimeUp) {
+    while (!m_progress.isDone()) {
+        const std::size_t end = std::min(m_progress.next + kClustersBetweenLooks, m_progress.reached.size());
+        const std::span<const std::uint32_t> some =
+            std::span(m_progress.reached).subspan(m_progress.next, end - m_progress.next);
+        for (const std::uint32_t index : some) {
+            const Cluster& cluster = m_mesh.clusters[index];
+            const auto vertices = std::span(m_vertices).subspan(cluster.first, cluster.count);
             for (DynamicVertex& vertex : vertices) {
                 deform(vertex.position, vertex.normal, hit);
             }
-            m_reach.place(range.first, vertices);
+            m_reach.place(cluster.first, vertices);
         }
-        touched.add(ranges);
+        m_changed.add(m_reach.rangesOf(some));
+        m_progress.next = end;
+        if (isTimeUp && isTimeUp()) {
+            break;
+        }
     }
-    return touched.take();
+    return m_progress.isDone();
+}
+
+/// Takes the clusters concerned through the hits that the others have had.
+bool ReferenceDeformation::redo(const IsTimeUp& isTimeUp) {
+    while (!m_concerned.empty()) {
+        if (m_redone > 0 && !continueHit(m_hits[m_redone - 1], isTimeUp)) {
+            return false;
+        }
+        if (m_redone == m_applied) {
+            m_concerned.clear();
+            m_redone = 0;
+        } else {
+            m_progress = {};
+            m_reach.advanceWithin(m_concerned, m_hits[m_redone], m_progress.reached);
+            ++m_redone;
+            if (isTimeUp && isTimeUp()) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+bool ReferenceDeformation::advance(const IsTimeUp& isTimeUp) {
+    if (!redo(isTimeUp)) {
+        return false;
+    }
+    if (m_applied > 0 && !continueHit(m_hits[m_applied - 1], isTimeUp)) {
+        return false;
+    }
+    while (m_applied < m_hits.size()) {
+        m_progress = {};
+        m_reach.advance(m_hits[m_applied], m_progress.reached);
+        ++m_applied;
+        if (!continueHit(m_hits[m_applied - 1], isTimeUp)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 }  // namespace hitscope

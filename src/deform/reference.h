@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "deform/cluster_reach.h"
-#include "deform/hit.h"
+#include "deform/hits_by_target.h"
 #include "mesh/render_mesh.h"
 
 namespace hitscope {
@@ -14,21 +16,57 @@ namespace hitscope {
 /// Takes hits.size() * vertices.size() steps; what the reference itself is checked with.
 void deformEverywhere(std::span<DynamicVertex> vertices, std::span<const Hit> hits);
 
-/// The C++ deformation of one target, needing no GPU: what the pipelines are held against.
+/// The C++ deformation of one target, needing no GPU: what the pipelines are held against, and what shots
+/// strike.
+///
+/// Follows edits of the target's hits at the cost of what they reach: hits at the end are applied to the
+/// clusters they reach, any other change takes the clusters concerned from their originals through the hits
+/// again.
 class ReferenceDeformation {
 public:
     /// Starts from the mesh's original vertices. `mesh` outlives this.
     explicit ReferenceDeformation(const RenderMesh& mesh);
 
-    /// Applies hits in order (all on this target). Returns the ranges that may have changed, sorted and
-    /// merged.
+    /// Applies hits at the end, in order (all enabled and on this target). Returns the ranges that may have
+    /// changed, sorted and merged.
     std::vector<VertexRange> apply(std::span<const Hit> hits);
 
+    /// Notes a change of the target's enabled hits; advance() applies it.
+    void edit(const TargetHitsEdit& edit);
+    [[nodiscard]] bool isUpToDate() const { return m_concerned.empty() && m_applied == m_hits.size(); }
+    /// Asked every few thousand vertices; none: there is time for everything.
+    using IsTimeUp = std::function<bool()>;
+    /// Applies what was noted until it is done or time is up. Returns isUpToDate().
+    bool advance(const IsTimeUp& isTimeUp = {});
+    /// The ranges that may have changed since the last call, sorted and merged.
+    [[nodiscard]] std::vector<VertexRange> takeChanged() { return m_changed.take(); }
+
+    /// With the hits applied so far.
     [[nodiscard]] std::span<const DynamicVertex> vertices() const { return m_vertices; }
 
 private:
+    /// The clusters that one hit reaches, as far as it has been applied.
+    struct Progress {
+        std::vector<std::uint32_t> reached;
+        std::size_t next = 0;  ///< index into `reached`
+        [[nodiscard]] bool isDone() const { return next == reached.size(); }
+    };
+    bool continueHit(const Hit& hit, const IsTimeUp& isTimeUp);
+    bool redo(const IsTimeUp& isTimeUp);
+    void finishHit();
+    void concern(std::span<const Hit> hits);
+    void restartConcerned();
+
+    const RenderMesh& m_mesh;
     std::vector<DynamicVertex> m_vertices;
     ClusterReach m_reach;
+    std::vector<Hit> m_hits;
+    std::size_t m_applied = 0;  ///< hits begun; the last of them as far as m_progress
+    /// Clusters that start from their originals again, ascending; empty: none.
+    std::vector<std::uint32_t> m_concerned;
+    std::size_t m_redone = 0;  ///< hits begun on them; the last of them as far as m_progress
+    Progress m_progress;
+    ChangedRanges m_changed;
 };
 
 }  // namespace hitscope

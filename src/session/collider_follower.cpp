@@ -4,62 +4,103 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hitscope {
 
-void ColliderFollower::expect(TargetId target, std::optional<float> farthest) {
-    Waiting& waiting = m_waiting[target];
-    if (!waiting.dueStep) {
-        waiting.dueStep = m_steps + std::llround(std::ceil(kDelay / m_physics.step()));
-    }
-    waiting.farthest =
-        waiting.farthest && farthest ? std::optional(*waiting.farthest + *farthest) : std::nullopt;
-}
-
-void ColliderFollower::note(TargetId target, const VertexRange& range) {
-    m_waiting[target].ranges.add({&range, 1});
+void ColliderFollower::add(TargetId target, std::shared_ptr<const RenderMesh> shape) {
+    m_targets[target] = {std::move(shape), nullptr, {}, 0.0f, false};
 }
 
 void ColliderFollower::forget(TargetId target) {
-    m_waiting.erase(target);
+    m_targets.erase(target);
 }
 
-bool ColliderFollower::isDue() {
+void ColliderFollower::clear() {
+    m_targets.clear();
+    m_hits.reset({});
+}
+
+void ColliderFollower::follow(std::span<const HistoryEdit> edits) {
+    for (const HistoryEdit& edit : edits) {
+        for (const TargetHitsEdit& change : m_hits.apply(edit)) {
+            note(change);
+        }
+    }
+}
+
+void ColliderFollower::note(const TargetHitsEdit& edit) {
+    const auto found = m_targets.find(edit.target);
+    if (found == m_targets.end()) {
+        return;
+    }
+    Followed& followed = found->second;
+    if (!followed.state) {
+        followed.state = std::make_unique<ReferenceDeformation>(*followed.shape);
+    }
+    followed.state->edit(edit);
+    if (!followed.dueStep) {
+        followed.dueStep = m_steps + std::llround(kDelay / m_physics.step());
+    }
+    const bool appends =
+        edit.before.empty() && edit.first + edit.after.size() == m_hits.of(edit.target).size();
+    if (!appends) {
+        followed.farthest.reset();
+    }
+    for (const Hit& hit : edit.after) {
+        if (followed.farthest) {
+            *followed.farthest += hit.constants.maxMagnitude;
+        }
+    }
+}
+
+void ColliderFollower::restore(TargetId target) {
+    const auto found = m_targets.find(target);
+    if (found != m_targets.end() && found->second.state) {
+        m_physics.updateTarget(target, 0, found->second.state->vertices());
+    }
+}
+
+void ColliderFollower::beginStep() {
     ++m_steps;
-    bool any = false;
-    for (auto& [target, waiting] : m_waiting) {
-        const float reach = waiting.farthest.value_or(std::numeric_limits<float>::infinity());
-        waiting.isDue =
-            waiting.dueStep && (m_steps >= *waiting.dueStep || m_physics.isApproached(target, reach));
-        any = any || waiting.isDue;
-    }
-    return any;
-}
-
-void ColliderFollower::update(TargetId target, Waiting& waiting, const Vertices& vertices) {
-    const std::span<const DynamicVertex> all = vertices(target);
-    for (const VertexRange& range : waiting.ranges.take()) {
-        if (std::size_t{range.first} + range.count <= all.size()) {
-            m_physics.updateTarget(target, range.first, all.subspan(range.first, range.count));
-        }
+    for (auto& [target, followed] : m_targets) {
+        const float reach = followed.farthest.value_or(std::numeric_limits<float>::infinity());
+        followed.isDue =
+            followed.dueStep && (m_steps >= *followed.dueStep || m_physics.isApproached(target, reach));
     }
 }
 
-void ColliderFollower::updateDue(const Vertices& vertices) {
-    for (auto it = m_waiting.begin(); it != m_waiting.end();) {
-        if (it->second.isDue) {
-            update(it->first, it->second, vertices);
-            it = m_waiting.erase(it);
-        } else {
-            ++it;
-        }
+bool ColliderFollower::update(TargetId target, Followed& followed, const IsTimeUp& isTimeUp) {
+    if (!followed.dueStep) {
+        return true;
     }
+    if (!followed.state->advance(isTimeUp)) {
+        return false;
+    }
+    for (const VertexRange& range : followed.state->takeChanged()) {
+        m_physics.updateTarget(target, range.first,
+                               followed.state->vertices().subspan(range.first, range.count));
+    }
+    followed.dueStep.reset();
+    followed.farthest = 0.0f;
+    followed.isDue = false;
+    return true;
 }
 
-void ColliderFollower::updateAll(const Vertices& vertices) {
-    for (auto& [target, waiting] : m_waiting) {
-        update(target, waiting, vertices);
-    }
+bool ColliderFollower::updateDue(const IsTimeUp& isTimeUp) {
+    return std::all_of(m_targets.begin(), m_targets.end(), [&](auto& entry) {
+        return !entry.second.isDue || update(entry.first, entry.second, isTimeUp);
+    });
+}
+
+bool ColliderFollower::updateAll(const IsTimeUp& isTimeUp) {
+    return std::all_of(m_targets.begin(), m_targets.end(),
+                       [&](auto& entry) { return update(entry.first, entry.second, isTimeUp); });
+}
+
+bool ColliderFollower::isUpToDate() const {
+    return std::none_of(m_targets.begin(), m_targets.end(),
+                        [](const auto& entry) { return entry.second.dueStep.has_value(); });
 }
 
 }  // namespace hitscope

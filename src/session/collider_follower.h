@@ -4,59 +4,66 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "core/ids.h"
-#include "deform/vertex_range.h"
+#include "deform/hits_by_target.h"
+#include "deform/reference.h"
 #include "mesh/render_mesh.h"
 #include "physics/physics_world.h"
 
 namespace hitscope {
 
-/// Decides when colliders take on what hits made of their targets.
+/// Makes colliders follow the history, by the reference deformation: what is struck depends on the hits
+/// alone, not on the renderer, the pipeline and its capacity, or which hits are shown.
 ///
-/// What the pipeline made comes back when the GPU and the window's frames have time for it; a collider that
-/// took it on just then would make the next impacts depend on how fast frames followed each other. So a
-/// collider takes it on at a physics step that depends on the hits and projectiles alone: before a projectile
-/// that has not struck the target comes near it, and kDelay after the hit at the latest. By then it has
-/// usually been read back; where it has not, whoever steps must wait for it (isDue()).
+/// A collider takes its dents on at a physics step that depends on the hits and projectiles alone: before a
+/// projectile that has not struck the target comes near it, and kDelay after the hit at the latest, so that
+/// hits soon after each other are worked on together.
 class ColliderFollower {
 public:
     /// `physics` outlives this.
     explicit ColliderFollower(PhysicsWorld& physics) : m_physics(physics) {}
 
-    /// Vertices of a target will move, by no more than `farthest` metres; nothing: there is no telling.
-    void expect(TargetId target, std::optional<float> farthest);
-    /// These have been read back: current render vertices of the target are there to be taken on.
-    void note(TargetId target, const VertexRange& range);
-    /// The target is gone.
+    /// A target without hits.
+    void add(TargetId target, std::shared_ptr<const RenderMesh> shape);
+    /// The target is gone, and its hits before it.
     void forget(TargetId target);
-    void clear() { m_waiting.clear(); }
+    void clear();
+    /// The history has been edited so, in the order made.
+    void follow(std::span<const HistoryEdit> edits);
+    /// The target's collider has been made anew, from the original shape.
+    void restore(TargetId target);
 
-    /// Before each step: whether colliders must take on now all hits made so far.
-    [[nodiscard]] bool isDue();
-    using Vertices = std::function<std::span<const DynamicVertex>(TargetId)>;
-    /// Those that isDue() found take on what has been noted.
-    void updateDue(const Vertices& vertices);
-    /// All do: right whenever nothing moves that could notice when.
-    void updateAll(const Vertices& vertices);
+    using IsTimeUp = ReferenceDeformation::IsTimeUp;
+    /// Before each step: which colliders it needs up to date.
+    void beginStep();
+    /// Brings those up to date, as far as there is time; returns whether they are.
+    bool updateDue(const IsTimeUp& isTimeUp);
+    /// Likewise all: right whenever nothing moves that could notice when.
+    bool updateAll(const IsTimeUp& isTimeUp = {});
+    [[nodiscard]] bool isUpToDate() const;
 
-    static constexpr double kDelay = 0.05;  ///< seconds of simulated time: three frames at 60 a second
+    static constexpr double kDelay = 0.025;  ///< seconds of simulated time: six steps of the usual length
 
 private:
-    struct Waiting {
-        std::optional<std::int64_t> dueStep;  ///< nothing: nothing is expected
+    struct Followed {
+        std::shared_ptr<const RenderMesh> shape;
+        std::unique_ptr<ReferenceDeformation> state;  ///< null: it has had no hit
+        std::optional<std::int64_t> dueStep;          ///< nothing: it is up to date
+        /// Metres: vertices have moved by no more since it was up to date; nothing: there is no telling.
         std::optional<float> farthest = 0.0f;
-        ChangedRanges ranges;
         bool isDue = false;
     };
-    void update(TargetId target, Waiting& waiting, const Vertices& vertices);
+    void note(const TargetHitsEdit& edit);
+    bool update(TargetId target, Followed& followed, const IsTimeUp& isTimeUp);
 
     PhysicsWorld& m_physics;
-    std::int64_t m_steps = 0;  ///< counted by isDue()
-    std::map<TargetId, Waiting> m_waiting;
+    HitsByTarget m_hits;
+    std::int64_t m_steps = 0;  ///< begun
+    std::map<TargetId, Followed> m_targets;
 };
 
 }  // namespace hitscope

@@ -12,6 +12,10 @@ double paceClock() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+std::function<bool()> timeLimit(double most) {
+    return [begin = paceClock(), most] { return paceClock() - begin >= most; };
+}
+
 void advanceWithin(Session& session, double seconds, double most, const PaceClock& clock) {
     const double aStep = session.physics().step() / session.physics().timeScale();
     const double begin = clock();

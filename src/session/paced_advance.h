@@ -13,6 +13,8 @@ inline constexpr double kMostPhysics = 0.016;
 /// Seconds on a clock that does not go back.
 using PaceClock = std::function<double()>;
 [[nodiscard]] double paceClock();
+/// Says whether `most` seconds have gone by since this was called.
+[[nodiscard]] std::function<bool()> timeLimit(double most = kMostPhysics);
 
 /// session.advance(seconds), but no step is begun, and no shot that is due is fired, once `most` seconds have
 /// gone by: the rest of the time is dropped, so that the scene slows down and not the window, and the next

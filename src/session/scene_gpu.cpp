@@ -138,13 +138,6 @@ Status SceneGpu::sync() {
     return status;
 }
 
-Status SceneGpu::syncPositions() {
-    d->meter.begin();
-    Status status = d->follow(Private::Delivery::Positions);
-    d->meter.end();
-    return status;
-}
-
 void SceneGpu::collectCosts() {
     d->meter.collect();
 }

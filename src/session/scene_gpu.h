@@ -31,9 +31,6 @@ public:
     /// Brings the GPU to the session's state: new targets, pipeline, hits; then waits for what changed to be
     /// read back into the session.
     [[nodiscard]] Status sync();
-    /// Likewise, but what follows from where vertices are, normals above all, is left to the next draw() or
-    /// sync(): for colliders, several times a frame.
-    [[nodiscard]] Status syncPositions();
 
     struct View {
         int width = 0;   ///< pixels

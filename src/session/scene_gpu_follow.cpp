@@ -159,9 +159,6 @@ void SceneGpu::Private::readBack(Delivery delivery) {
     } else {
         pipeline->readBack(take);
     }
-    if (delivery == Delivery::Positions) {
-        return;
-    }
     for (const Session::ChangedNormals& change : session.finishReadBack()) {
         const Target* target = session.target(change.target);
         if (target != nullptr) {

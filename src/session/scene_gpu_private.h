@@ -51,8 +51,7 @@ struct SceneGpu::Private {
     ChangeUpload secondUpload;
     std::unique_ptr<Reapplication> reapplication;  // null: nothing is applied again in slices
 
-    /// Positions: all of them, and nothing that follows from them.
-    enum class Delivery { WhatHasArrived, Positions, All };
+    enum class Delivery { WhatHasArrived, All };
     void followTargets();
     void followMaterials(const Target& target, GpuTarget& gpu);
     void followCover();

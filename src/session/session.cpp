@@ -99,9 +99,6 @@ void Session::setPipeline(PipelineKind kind) {
     if (kind != m_pipeline) {
         m_pipeline = kind;
         m_isBehind = true;
-        for (const std::unique_ptr<Target>& target : m_targets) {
-            m_colliders.expect(target->id, {});
-        }
         Q_EMIT pipelineChanged();
         Q_EMIT pictureChanged();
     }

@@ -173,12 +173,13 @@ public:
     /// A hit without flight, where the ray first meets a target: exact and repeatable. Returns whether there
     /// is one.
     bool hitscan(const Ray& ray);
-    /// Now, whatever its delay says.
+    /// Now, whatever its delay says; or, where an instant one has to wait for colliders, as soon as they are
+    /// there.
     void fire(const ScheduledShot& shot);
     /// The hit that this shot would make if nothing moved meanwhile, as shoot() or, without flight, as
     /// hitscan() makes it. Nothing when it would strike no target.
-    [[nodiscard]] std::optional<Hit> predictedHit(const Ray& ray, bool isInstant) const;
-    [[nodiscard]] std::optional<Hit> predictedHit(const ScheduledShot& shot) const;
+    [[nodiscard]] std::optional<Hit> predictedHit(const Ray& ray, bool isInstant);
+    [[nodiscard]] std::optional<Hit> predictedHit(const ScheduledShot& shot);
     /// Shots that leave by themselves as time goes on.
     void schedule(std::span<const ScheduledShot> shots);
     void cancelScheduled();
@@ -186,9 +187,14 @@ public:
     /// Shots are due that advance() had no time for.
     [[nodiscard]] bool isFiring() const { return m_firing != nullptr; }
     using IsTimeUp = std::function<bool()>;
+    /// What shots strike is the targets with all their dents, by the reference deformation. Colliders take
+    /// them on when something comes near; this does it now, as far as there is time. Returns whether all are
+    /// up to date.
+    bool updateColliders(const IsTimeUp& isTimeUp = {});
     /// Steps the physics; contacts become hits, dynamic targets move. Where time is up before all shots that
-    /// are due have been fired, the step and the rest of `seconds` are dropped and the next call goes on with
-    /// the shots: the hits are the same. One shot is always fired.
+    /// are due have been fired and the colliders have taken on their dents, the step and the rest of
+    /// `seconds` are dropped and the next call goes on with them: the hits are the same. Some of it is always
+    /// done.
     void advance(double seconds, const IsTimeUp& isTimeUp = {});
     void stepOnce();  ///< one physics step, paused or not
     [[nodiscard]] bool isPaused() const { return m_physics.isPaused(); }
@@ -226,9 +232,6 @@ public:
     /// now.
     void setUpToDate() { m_isBehind = false; }
     [[nodiscard]] bool isUpToDate() const { return !m_isBehind; }
-    /// How to bring the CPU copies up to date now, as SceneGpu::syncPositions() does; before a physics step
-    /// that needs to know. None: colliders take on what has been read back so far.
-    void setCatchUp(std::function<void()> catchUp) { m_catchUp = std::move(catchUp); }
     void setCapacity(CapacityReport report);
     [[nodiscard]] const CapacityReport& capacity() const { return m_capacity; }
     /// Hits that the active pipeline no longer applies because its capacity was reached.
@@ -294,9 +297,8 @@ private:
     bool step(const IsTimeUp& isTimeUp);
     void sayWhatShotsDid();
     void sayHowFiringGoes(std::size_t due);
-    void catchUp();
+    bool beginStep(const IsTimeUp& isTimeUp);
     void expectMoves(std::span<const HistoryEdit> edits);
-    [[nodiscard]] ColliderFollower::Vertices currentVertices() const;
     void followDynamicTargets();
     [[nodiscard]] std::optional<std::size_t> indexOf(TargetId id) const;
     [[nodiscard]] std::vector<std::size_t> indicesOf(std::span<const TargetId> ids) const;
@@ -343,7 +345,7 @@ private:
     ColliderFollower m_colliders{m_physics};
     ShotSchedule m_schedule;
     ShotTally m_tally;
-    std::function<void()> m_catchUp;
+    bool m_stepIsBegun = false;                 ///< the next step waits for colliders alone
     bool m_isBehind = false;                    ///< the CPU copies, until setUpToDate()
     std::map<TargetId, QString> m_notHittable;  ///< why
     std::size_t m_disabledHits = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "session/frame_costs.h"
+#include "session/paced_advance.h"
 #include "session/session.h"
 #include "session/task_list.h"
 
@@ -26,10 +27,6 @@ Hit localHit(const Impact& impact) {
 
 constexpr float kWholeWorld = 2.0e7f;  // metres: longer than any line between two usable points
 
-bool keepsAllHits(PipelineKind kind) {
-    return kind != PipelineKind::UniformArray && kind != PipelineKind::UniformArrayCulled;
-}
-
 }  // namespace
 
 // Shots
@@ -45,6 +42,12 @@ bool Session::hitscan(const Ray& ray) {
 }
 
 void Session::fire(const ScheduledShot& shot) {
+    if (shot.isInstant && !isPaused() && !m_colliders.updateAll(timeLimit())) {
+        ScheduledShot next = shot;
+        next.delay = 0.0;
+        schedule({&next, 1});
+        return;
+    }
     fire(shot, 0, m_tally.begin(1));
     sayWhatShotsDid();
     Q_EMIT pictureChanged();
@@ -63,8 +66,7 @@ void Session::fire(const ScheduledShot& shot, int volley, int series) {
 
 /// 0: no hit was made.
 TargetId Session::strikeAtOnce(const Ray& ray, const ProjectileSettings& settings) {
-    catchUp();
-    m_colliders.updateAll(currentVertices());
+    m_colliders.updateAll();
     const auto impact = m_physics.hitscan(ray.origin, ray.direction, settings);
     const std::size_t before = m_history.size();
     if (impact) {
@@ -73,11 +75,12 @@ TargetId Session::strikeAtOnce(const Ray& ray, const ProjectileSettings& setting
     return m_history.size() > before ? impact->target : TargetId{};
 }
 
-std::optional<Hit> Session::predictedHit(const Ray& ray, bool isInstant) const {
+std::optional<Hit> Session::predictedHit(const Ray& ray, bool isInstant) {
     return predictedHit({0.0, ray, m_projectileSettings, isInstant});
 }
 
-std::optional<Hit> Session::predictedHit(const ScheduledShot& shot) const {
+std::optional<Hit> Session::predictedHit(const ScheduledShot& shot) {
+    m_colliders.updateAll();
     const auto impact = m_physics.predict(shot.ray.origin, shot.ray.direction, shot.settings, shot.isInstant);
     return impact ? hitOf(*impact) : std::nullopt;
 }
@@ -127,33 +130,14 @@ void Session::takeImpacts(std::span<const Impact> impacts) {
 
 // Colliders
 
-/// Vertices will move: of the targets whose hits these are, hits added at the end by no more than their caps.
+/// Vertices will move.
 void Session::expectMoves(std::span<const HistoryEdit> edits) {
     m_isBehind = true;
-    const bool dropsHits = !keepsAllHits(m_pipeline);
-    for (const HistoryEdit& edit : edits) {
-        const bool appends = edit.before.empty() && edit.first + edit.after.size() == m_history.size();
-        for (const Hit& hit : edit.before) {
-            m_colliders.expect(hit.target, {});
-        }
-        for (const Hit& hit : edit.after) {
-            m_colliders.expect(
-                hit.target, appends && !dropsHits ? std::optional(hit.constants.maxMagnitude) : std::nullopt);
-        }
-    }
+    m_colliders.follow(edits);
 }
 
-void Session::catchUp() {
-    if (m_isBehind && m_catchUp) {
-        m_catchUp();
-    }
-}
-
-ColliderFollower::Vertices Session::currentVertices() const {
-    return [this](TargetId id) {
-        const Target* of = target(id);
-        return of != nullptr ? of->deformed.vertices() : std::span<const DynamicVertex>();
-    };
+bool Session::updateColliders(const IsTimeUp& isTimeUp) {
+    return m_colliders.updateAll(isTimeUp);
 }
 
 // Time
@@ -165,6 +149,9 @@ bool Session::fireScheduled(const IsTimeUp& isTimeUp) {
     const double length = m_physics.step();
     bool anyFired = false;
     while (m_schedule.isDue(now, length) && !(anyFired && isTimeUp && isTimeUp())) {
+        if (m_schedule.isNextInstant() && !m_colliders.updateAll(isTimeUp)) {
+            break;
+        }
         const ShotSchedule::Due due = m_schedule.takeNext();
         fire(due.shot, due.volley, due.series);
         anyFired = true;
@@ -193,21 +180,32 @@ void Session::sayHowFiringGoes(std::size_t due) {
     m_firing->report(1.0 - static_cast<double>(due) / static_cast<double>(m_mostDue));
 }
 
-/// Returns whether it was made: not before all shots that are due have been fired.
+/// What comes before a step, once. Returns whether all of it is done: all shots that are due have been fired.
+bool Session::beginStep(const IsTimeUp& isTimeUp) {
+    if (!m_stepIsBegun) {
+        if (!fireScheduled(isTimeUp)) {
+            return false;
+        }
+        Q_EMIT aboutToStep();
+        m_colliders.beginStep();
+        m_stepIsBegun = true;
+    }
+    return true;
+}
+
+/// Returns whether it was made: not before all shots that are due have been fired, and the colliders that it
+/// needs have taken on their dents.
 bool Session::step(const IsTimeUp& isTimeUp) {
-    if (!fireScheduled(isTimeUp)) {
+    if (!beginStep(isTimeUp)) {
         sayWhatShotsDid();
         return false;
     }
-    Q_EMIT aboutToStep();
-    if (m_colliders.isDue()) {
-        catchUp();
-    }
     QElapsedTimer clock;
     clock.start();
-    if (m_colliders.isDue()) {
-        m_colliders.updateDue(currentVertices());
+    if (!m_colliders.updateDue(isTimeUp)) {
+        return false;
     }
+    m_stepIsBegun = false;
     const std::vector<Impact> impacts = m_physics.takeStep();
     m_frameCosts->addPhysics(static_cast<double>(clock.nsecsElapsed()) * 1.0e-9);
     takeImpacts(impacts);
@@ -289,7 +287,7 @@ void Session::letCollide(const Target& target) {
         return;
     }
     if (isNew) {
-        m_physics.updateTarget(target.id, 0, target.deformed.vertices());
+        m_colliders.restore(target.id);
     }
 }
 

@@ -83,8 +83,6 @@ void Session::restartReadBack() {
             }
         }
         mesh.reset();
-        m_colliders.note(target->id, {0, static_cast<std::uint32_t>(mesh.vertices().size())});
-        m_colliders.expect(target->id, {});
     }
 }
 
@@ -94,7 +92,6 @@ void Session::takeReadBack(TargetId id, std::uint32_t first, std::span<const Dyn
         return;
     }
     target->deformed.write(first, vertices, m_moved[id]);
-    m_colliders.note(id, {first, static_cast<std::uint32_t>(vertices.size())});
 }
 
 void Session::setExactness(const Exactness& exactness) {
@@ -129,9 +126,6 @@ std::vector<Session::ChangedNormals> Session::finishReadBack() {
         sort(updated);
     });
     const auto announced = std::exchange(m_moved, {});
-    if (!m_physics.isMoving()) {
-        m_colliders.updateAll(currentVertices());
-    }
     for (const ChangedNormals& change : changes) {
         Q_EMIT shadingChanged(change.target, change.renderVertices);
         Q_EMIT verticesMoved(change.target, announced.at(change.target));

@@ -81,6 +81,7 @@ void Session::clearScene() {
     cancelScheduled();
     m_tally.clear();
     m_colliders.clear();
+    m_stepIsBegun = false;
     m_targets.clear();
     m_moved.clear();
     m_notHittable.clear();

@@ -103,6 +103,7 @@ TargetState Session::newTarget(TargetPlan plan) {
 Target& Session::insertTarget(std::size_t index, const TargetState& state) {
     const auto at = m_targets.begin() + static_cast<std::ptrdiff_t>(index);
     Target& target = **m_targets.insert(at, std::make_unique<Target>(state));
+    m_colliders.add(target.id, target.shape.render);
     letCollide(target);
     return target;
 }

@@ -34,7 +34,8 @@ public:
     /// Whether one leaves before the step of `step` seconds that begins `now`.
     [[nodiscard]] bool isDue(double now, double step) const;
     [[nodiscard]] std::size_t countDue(double now, double step) const;
-    [[nodiscard]] Due takeNext();  ///< size() > 0
+    [[nodiscard]] bool isNextInstant() const { return m_waiting.front().due.shot.isInstant; }  ///< size() > 0
+    [[nodiscard]] Due takeNext();                                                              ///< size() > 0
     void clear() { m_waiting.clear(); }
     [[nodiscard]] std::size_t size() const { return m_waiting.size(); }
 

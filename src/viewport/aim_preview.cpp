@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "deform/dent_preview.h"
+#include "session/paced_advance.h"
 #include "session/shown_number.h"
 #include "viewport/viewport.h"
 
@@ -97,6 +98,10 @@ void AimPreview::wait() {
 }
 
 void AimPreview::show() {
+    if (!m_session.updateColliders(timeLimit())) {
+        m_rest.start();
+        return;
+    }
     const ScheduledShot shot = m_viewport.shotAt(m_viewport.navigation().rayAt(m_at));
     const std::optional<Hit> hit = m_session.predictedHit(shot);
     const Target* target = hit ? m_session.target(hit->target) : nullptr;

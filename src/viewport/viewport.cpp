@@ -90,7 +90,6 @@ void Viewport::initializeGL() {
         m_scene = std::move(scene).value();
         m_picker = std::make_unique<ScenePicker>(m_session, *m_scene);
         m_error.clear();
-        m_session.setCatchUp([this] { catchUp(); });
     } else {
         report(scene.error());
     }
@@ -102,7 +101,6 @@ void Viewport::releaseGpu() {
         disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseGpu);
     }
     if (m_scene) {
-        m_session.setCatchUp({});
         makeCurrent();
         Q_EMIT aboutToReleaseGpu();
         m_picker.reset();
@@ -337,13 +335,6 @@ void Viewport::shootAtCrosshair() {
     m_crosshairTimer.start();
     shootAlong(camera().rayThrough({0.0f, 0.0f}, m_navigation.aspect()));
     update();
-}
-
-/// Trouble comes up again with the next frame, and is reported then.
-void Viewport::catchUp() {
-    makeCurrent();
-    static_cast<void>(m_scene->syncPositions());
-    doneCurrent();
 }
 
 Status Viewport::withScene(const std::function<Status(SceneGpu&)>& work) {

@@ -142,7 +142,6 @@ private:
     void followSize();
     [[nodiscard]] SceneInSight sceneInSight() const;
     [[nodiscard]] bool wantsFrames() const;
-    void catchUp();
     void followRefresh();
     void moveOn();      ///< after a frame or a slice: advances what moves by the time since the last
     void startClock();  ///< what begins to move now has moved by the time the next frame is there

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The same shots at the same steps make the same hits, however frames fall between the steps: colliders
-// follow dents that come back from the GPU whenever frames let them.
+// The same shots at the same steps make the same hits, however frames fall between the steps and whatever
+// pipeline draws: colliders follow the history, not what comes back from the GPU.
 #include <QTest>
 #include <cstring>
 #include <random>
 
 #include "deform/hit_history.h"
 #include "gl/render_target.h"
+#include "pipeline/deformation_pipeline.h"
 #include "session/scene_gpu.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
@@ -16,6 +17,7 @@ using namespace hitscope;
 namespace {
 
 constexpr int kShots = 500;
+constexpr int kFewShots = 100;
 constexpr int kStepsBetween = 3;  // 80 shots a second: fresher dents than read-backs are
 constexpr int kLanding = 120;     // steps
 
@@ -24,8 +26,9 @@ using FrameLength = std::function<int(std::mt19937&)>;
 
 class Run {
 public:
-    Run() : m_target(32, 24, 1) {
+    explicit Run(PipelineKind pipeline = PipelineKind::TransformFeedback) : m_target(32, 24, 1) {
         m_session.loadTeapot();
+        m_session.setPipeline(pipeline);
         ProjectileSettings settings = m_session.projectileSettings();
         settings.lifetime = 0.5f;
         settings.bouncesCount = true;
@@ -33,24 +36,26 @@ public:
         auto gpu = SceneGpu::create(m_session);
         if (gpu) {
             m_gpu = std::move(gpu).value();
-            m_session.setCatchUp([this] { m_failed = m_failed || !m_gpu->syncPositions(); });
         }
         m_view.width = 32;
         m_view.height = 24;
         m_view.options.floor = false;
     }
 
-    void shootAll(const FrameLength& frame, std::uint32_t seed) {
+    void shootAll(const FrameLength& frame, std::uint32_t seed, int count = kShots) {
         std::mt19937 frames(seed);
         std::mt19937 random(7);
         int shots = 0;
         int stepsInFrame = 0;
-        for (int step = 0; step < kShots * kStepsBetween + kLanding; ++step) {
-            if (shots < kShots && step % kStepsBetween == 0) {
+        for (int step = 0; step < count * kStepsBetween + kLanding; ++step) {
+            if (shots < count && step % kStepsBetween == 0) {
                 m_session.shoot(aim(random));
                 ++shots;
             }
             m_session.stepOnce();
+            if (m_scrubs && step % 5 == 0) {
+                m_session.showHits(m_session.history().size() / 2);
+            }
             if (--stepsInFrame <= 0) {
                 stepsInFrame = frame(frames);
                 m_failed = m_failed || !m_gpu->draw(m_view, m_target.framebuffer());
@@ -58,6 +63,9 @@ public:
         }
         m_failed = m_failed || !m_gpu->sync();
     }
+
+    /// Shows the first half of the hits now and then.
+    void scrubsWhileShooting(bool on) { m_scrubs = on; }
 
     /// 60 instant shots that are all due at once while others fly, `most` of them a frame at most.
     void shootAtOnce(int most) {
@@ -104,6 +112,7 @@ private:
     std::unique_ptr<SceneGpu> m_gpu;
     SceneGpu::View m_view;
     bool m_failed = false;
+    bool m_scrubs = false;
 };
 
 }  // namespace
@@ -135,6 +144,27 @@ private Q_SLOTS:
             QVERIFY2(histories[1][i] == histories[0][i], qPrintable(QString::number(i)));
             QVERIFY2(histories[2][i] == histories[0][i], qPrintable(QString::number(i)));
         }
+    }
+
+    void everyPipelineGetsTheSameHits() {
+        const FrameLength frame = [](std::mt19937&) { return 8; };
+        std::vector<Hit> expected;
+        for (const PipelineTraits& pipeline : allPipelines()) {
+            if (whyUnavailable(pipeline.kind)) {
+                continue;
+            }
+            Run run(pipeline.kind);
+            run.scrubsWhileShooting(pipeline.kind == PipelineKind::Reference);
+            run.shootAll(frame, 3, kFewShots);
+            QVERIFY(!run.failed());
+            std::vector<Hit> hits = run.hits();
+            for (Hit& hit : hits) {
+                hit.pipeline = 0;  // who drew it is noted
+            }
+            expected = expected.empty() ? hits : expected;
+            QVERIFY2(hits == expected, pipeline.name.data());
+        }
+        QVERIFY(expected.size() > kFewShots / 2);
     }
 
     void shotsFiredInSlicesMakeTheSameHits() {

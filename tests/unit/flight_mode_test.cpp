@@ -107,8 +107,9 @@ private Q_SLOTS:
             const float wanted = 1.36f * shot.mass * -glm::dot(hit.normal, hit.direction) * hit.speed;
             QVERIFY2(std::abs(hit.impulse - wanted) < 0.05f * wanted,
                      qPrintable(QStringLiteral("%1 for %2").arg(hit.impulse).arg(wanted)));
+            session.undo();  // its dent would be in the way
             session.fire({0.0, {from, ahead}, shot, true});
-            QCOMPARE(session.history().size(), ++hits);
+            QCOMPARE(session.history().size(), hits);
             QVERIFY(glm::distance(target.transform.toWorld(session.history().hits().back().point),
                                   met->point) < 1e-5f * (extent + glm::length(met->point)));
         }

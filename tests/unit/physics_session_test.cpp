@@ -117,7 +117,7 @@ private Q_SLOTS:
     }
 
     void sameShotsMakeTheSameHistory() {
-        const auto history = [] {
+        const auto history = [](bool isReadBack) {
             Session session;
             session.loadPaperRow(kDefaultPaperRow);
             Follower follower(session);
@@ -136,17 +136,20 @@ private Q_SLOTS:
                 const glm::vec3 aim = session.targets()[index]->transform.position + random.direction();
                 session.shoot(towards(aim, aim + 6.0f * random.direction()));
                 session.advance(1.0 / 60.0);
-                follower.follow();
+                if (isReadBack) {
+                    follower.follow();
+                }
             }
             play(session, follower, 1);
             const std::span<const Hit> hits = session.history().hits();
             return std::vector<Hit>(hits.begin(), hits.end());
         };
-        const std::vector<Hit> first = history();
+        const std::vector<Hit> first = history(true);
         QVERIFY2(first.size() >= 400, qPrintable(QString::number(first.size())));
         // Bit for bit: ==, over every field.
-        QVERIFY(history() == first);
-        QVERIFY(history() == first);
+        QVERIFY(history(true) == first);
+        // Nor does it matter what a renderer makes of the hits, and when.
+        QVERIFY(history(false) == first);
     }
 
     void recordSaysWhatWasStruck() {
@@ -185,6 +188,7 @@ private Q_SLOTS:
         QCOMPARE(session.history().hits().back().constants.power, power);
         settings.powerFollowsImpulse = true;
         session.setProjectileSettings(settings);
+        session.undo();  // its dent would be struck
         QVERIFY(session.hitscan(ray));
         // Twice the speed of the default shot.
         QVERIFY(std::abs(session.history().hits().back().constants.power - 2.0f * power) < 1e-4f);
@@ -262,7 +266,7 @@ private Q_SLOTS:
         QVERIFY(session.setTargetTransform(ball.id, {{0, 0, 1}, {1, 0, 0, 0}}).ok());
         QVERIFY(session.hitscan({{9, 0, 1}, {-1, 0, 0}}));
         QVERIFY(session.history().hits().back().point.x < depth);
-        session.restartReadBack();
+        session.clearHits();
         QVERIFY(session.hitscan({{9, 0, 1}, {-1, 0, 0}}));
         QVERIFY(std::abs(session.history().hits().back().point.x - 2.5f) < 0.01f);
     }
