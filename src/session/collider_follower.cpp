@@ -8,8 +8,19 @@
 
 namespace hitscope {
 
+namespace {
+
+/// Copying more vertices than these would hold up the frame of the first hit.
+constexpr std::size_t kManyToCopy = 100'000;
+
+}  // namespace
+
 void ColliderFollower::add(TargetId target, std::shared_ptr<const RenderMesh> shape) {
-    m_targets[target] = {std::move(shape), nullptr, {}, 0.0f, false};
+    Followed& followed = m_targets[target];
+    followed = {std::move(shape), nullptr, {}, 0.0f, false};
+    if (followed.shape->vertices.size() > kManyToCopy) {
+        followed.state = std::make_unique<ReferenceDeformation>(*followed.shape);
+    }
 }
 
 void ColliderFollower::forget(TargetId target) {

@@ -7,8 +7,9 @@ namespace hitscope {
 
 class Session;
 
-/// Seconds of the calling thread that a frame's physics may take before the frame comes first.
-inline constexpr double kMostPhysics = 0.016;
+/// Seconds of the calling thread after which a frame's physics begins nothing more: with the shot or step that
+/// is under way then, a frame is held up for 16 ms at most.
+inline constexpr double kMostPhysics = 0.010;
 
 /// Seconds on a clock that does not go back.
 using PaceClock = std::function<double()>;
