@@ -29,8 +29,9 @@ struct ObjExport {
 
 /// Writes FILE.obj. In the source's own folder it refers to the source's MTL files; elsewhere these are
 /// copied as they are, with their pictures. A mesh that has none gets FILE.mtl with its textures, if it has
-/// materials. A vertex that did not move is written with the file's own numbers; one that did so that reading
-/// gives the same float. Normals that are the file's but for their length stay the file's. Only FILE.obj is
+/// materials. A vertex that did not move is written with the file's own numbers, and from an OBJ file with
+/// these in its own characters ("1.500", "+1", "1e3", "-0"); one that did so that reading gives the same
+/// float. Normals that are the file's but for their length stay the file's. Only FILE.obj is
 /// ever replaced. All files are written in full before the first gets its name, the OBJ last, so that the old
 /// ones or the new ones are there whatever happens. Given up, it fails, and all is as it was.
 [[nodiscard]] Status exportObj(const ObjExport& what, const QString& path);

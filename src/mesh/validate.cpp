@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <charconv>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "mesh/mesh_data.h"
 
@@ -77,6 +80,50 @@ Status checkVertices(const MeshData& mesh) {
         }
     }
     return Done{};
+}
+
+/// The number that readers of ours take a text for; nothing if it is none.
+std::optional<double> numberIn(std::string_view text) {
+    if (text.starts_with('+') && !text.starts_with("+-")) {
+        text.remove_prefix(1);
+    }
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (end != text.data() + text.size() || error == std::errc::invalid_argument) {
+        return std::nullopt;
+    }
+    return error == std::errc::result_out_of_range ? 0.0 : value;
+}
+
+/// "X Y Z" of this position, or nothing.
+bool isPositionLine(std::string_view line, const glm::dvec3& position) {
+    if (line.empty()) {
+        return true;
+    }
+    for (int i = 0; i < 3; ++i) {
+        const std::size_t end = i < 2 ? line.find(' ') : line.size();
+        if (end == std::string_view::npos || numberIn(line.substr(0, end)) != position[i]) {
+            return false;
+        }
+        line.remove_prefix(i < 2 ? end + 1 : end);
+    }
+    return true;
+}
+
+Status checkPositionTexts(const MeshData& mesh) {
+    std::string_view rest = mesh.positionTexts;
+    for (std::size_t v = 0; !mesh.positionTexts.empty() && v < mesh.positions.size(); ++v) {
+        const std::size_t end = rest.find('\n');
+        const glm::dvec3 position =
+            mesh.filePositions.empty() ? glm::dvec3(mesh.positions[v]) : mesh.filePositions[v];
+        if (end == std::string_view::npos || !isPositionLine(rest.substr(0, end), position)) {
+            return Error{"The text of its coordinates is not that of its numbers.", nth("vertex", v),
+                         kBroken};
+        }
+        rest.remove_prefix(end + 1);
+    }
+    return rest.empty() ? Status(Done{})
+                        : Error{"There are more texts of coordinates than vertices.", "vertices", kBroken};
 }
 
 Status checkFaceStarts(const MeshData& mesh) {
@@ -209,8 +256,8 @@ Status checkGroupsAndElements(const MeshData& mesh) {
 }  // namespace
 
 Status validate(const MeshData& mesh) {
-    for (const auto check :
-         {checkCounts, checkVertices, checkFaces, checkMaterials, checkGroupsAndElements}) {
+    for (const auto check : {checkCounts, checkVertices, checkPositionTexts, checkFaces, checkMaterials,
+                             checkGroupsAndElements}) {
         if (Status status = check(mesh); !status) {
             return status;
         }

@@ -19,6 +19,7 @@ MeshData everything() {
     mesh.name = "all of it";
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0f, 5, 5}};
     mesh.filePositions = {{10, 10, 10}, {10.1, 10, 10}, {10, 10.1, 10}, {10, 10.5, 10.5}};
+    mesh.positionTexts = "10.0 +10 1e1\n\n10.0 10.1 10\n\n";
     mesh.placement = {{10, 10, 10}, 10.0};
     mesh.colours.assign(4, glm::vec3(0.5f));
     mesh.normals = {{0, 0, 1}};

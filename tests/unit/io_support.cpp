@@ -63,6 +63,7 @@ QStringList differences(const MeshData& a, const MeshData& b) {
     const std::pair<const char*, bool> parts[] = {
         {"positions", same(a.positions, b.positions)},
         {"filePositions", same(a.filePositions, b.filePositions)},
+        {"positionTexts", a.positionTexts == b.positionTexts},
         {"placement", a.placement.centre == b.placement.centre && a.placement.scale == b.placement.scale},
         {"colours", same(a.colours, b.colours)},
         {"normals", same(a.normals, b.normals)},

@@ -6,16 +6,13 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "io/position_texts.h"
+#include "io/readers/obj_numbers.h"
 #include "io/readers/text_cursor.h"
 #include "io/readers/tidy.h"
 
 namespace hitscope {
 namespace {
-
-/// Thrown inside this file alone, and turned into an Error with the line's number.
-struct BadLine {
-    std::string what;
-};
 
 /// Indices that point beyond what has been read so far may still turn out good: the largest is remembered.
 struct LargestIndex {
@@ -95,41 +92,20 @@ std::string_view ObjParser::nextLine(TextCursor& text) {
     return m_joined;
 }
 
-double coordinate(TextCursor& line, const char* of) {
-    line.skipBlanks();
-    const std::optional<double> value = line.number();
-    if (!value) {
-        const std::string_view word = line.word();
-        throw BadLine{word.empty() ? std::string("The ") + of + " has too few numbers."
-                                   : quoted(word) + " is not a number."};
-    }
-    return *value;
-}
-
-/// Numbers after the ones that are needed, until the end of the line, a comment or something else.
-template <std::size_t Most>
-std::size_t optionalNumbers(TextCursor& line, std::array<double, Most>& values) {
-    std::size_t count = 0;
-    while (count < Most) {
-        line.skipBlanks();
-        const std::optional<double> value = line.number();
-        if (!value) {
-            break;
-        }
-        values[count++] = *value;
-    }
-    return count;
-}
-
 void ObjParser::parseVertex(TextCursor& line) {
     glm::dvec3 position;
+    std::array<std::string_view, 3> written;
     for (int i = 0; i < 3; ++i) {
+        line.skipBlanks();
+        const std::size_t start = line.offset();
         position[i] = coordinate(line, "vertex");
+        written[static_cast<std::size_t>(i)] = line.since(start);
         if (!std::isfinite(static_cast<float>(position[i]))) {
             throw BadLine{"A coordinate is not a number, infinite or too large."};
         }
     }
     m_positions.push_back(position);
+    appendPositionLine(m_mesh.positionTexts, written, position);
     std::array<double, 4> more{};
     const std::size_t count = optionalNumbers(line, more);
     if (count >= 3) {  // x y z r g b, or x y z w r g b

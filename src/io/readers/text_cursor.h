@@ -42,6 +42,10 @@ public:
         return there;
     }
     [[nodiscard]] std::size_t offset() const { return static_cast<std::size_t>(m_at - m_begin); }
+    /// From an earlier offset() to the cursor.
+    [[nodiscard]] std::string_view since(std::size_t start) const {
+        return {m_begin + start, offset() - start};
+    }
     [[nodiscard]] std::string_view rest() const { return {m_at, static_cast<std::size_t>(m_end - m_at)}; }
 
     /// The text up to the next blank or line end; empty at the end.
