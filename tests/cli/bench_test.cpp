@@ -50,7 +50,8 @@ private Q_SLOTS:
         }
         QVERIFY(header[QStringLiteral("note")].toString().contains(QStringLiteral("of this renderer")));
         const QJsonArray records = recordsOf(run.out);
-        QCOMPARE(records.size(), 3);  // transform feedback with hits arriving and without
+        // Transform feedback with hits arriving, applied by it and as the paper does, and without.
+        QCOMPARE(records.size(), 4);
         for (const auto& record : records) {
             QCOMPARE(number(record, "row"), 6.0);
             QCOMPARE(number(record, "lp_spheres"), 10.0);
@@ -64,6 +65,27 @@ private Q_SLOTS:
         QCOMPARE(text(records[0], "paper_l2"), QStringLiteral("200-350"));
         QCOMPARE(number(records[1], "hit_every"), 10.0);
         QVERIFY(number(records[1], "time_ratio_to_no_hits") > 0.0);
+        QCOMPARE(text(records[1], "hits_by"), QStringLiteral("pipeline"));
+        QCOMPARE(text(records[1], "paper_ratio_l1"), QStringLiteral("x1.17-2.83"));
+        QCOMPARE(text(records[2], "hits_by"), QStringLiteral("paper"));
+        QCOMPARE(number(records[2], "hit_every"), 10.0);
+        QVERIFY(number(records[2], "time_ratio_to_no_hits") > 0.0);
+        QCOMPARE(number(records[3], "hit_every"), 0.0);
+    }
+
+    // Table 2 has the paper's way beside Hitscope's, and the paper's ratio stands beside the measured ones.
+    void paperStandsBesidePaper() {
+        const CliRun run =
+            runBench(QStringLiteral("paper --quick --rows 6 --size 64x36 --pipelines "
+                                    "uniform-array,transform-feedback"));
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        const QString table2 = run.out.mid(run.out.indexOf(QStringLiteral("Table 2: Transform feedback")));
+        const qsizetype papers = table2.indexOf(QStringLiteral("the paper's way, FPS"));
+        const qsizetype ours = table2.indexOf(QStringLiteral("Hitscope's, FPS"));
+        QVERIFY2(papers > 0 && ours > papers, qPrintable(run.out));
+        QVERIFY2(run.out.contains(QRegularExpression(
+                     QStringLiteral("10 +0 +x1\\.17-2\\.83 +x0\\.429-3\\.80?( +x[0-9.]+){2}( +[0-9.]+){2}"))),
+                 qPrintable(run.out));
     }
 
     void paperPutsTexturesOn() {

@@ -104,6 +104,35 @@ private Q_SLOTS:
         }
         QCOMPARE(gl.errors(), QStringList());
     }
+
+    // What a scene draws is what the paper's way left in its buffers, target by target.
+    void paperWayFillsWhatIsDrawn() {
+        test::GlFixture gl;
+        if (!gl.open()) {
+            return;
+        }
+        const RenderMesh meshes[2] = {buildRenderMesh(makeSphere(5000)), buildRenderMesh(makeSphere(600))};
+        {
+            const TargetBuffers buffers[2] = {TargetBuffers(meshes[0]), TargetBuffers(meshes[1])};
+            const PaperFeedback::Drawn drawn[2] = {{&buffers[0], meshes[0].vertices},
+                                                   {&buffers[1], meshes[1].vertices}};
+            Result<std::vector<PaperFeedback>> papers = PaperFeedback::createOn(drawn);
+            QVERIFY(papers);
+            for (std::size_t target = 0; target < 2; ++target) {
+                ReferenceDeformation reference(meshes[target]);
+                for (const Hit& hit :
+                     RandomHits({{kTarget, &meshes[target]}}, DeformationConstants(), 5).next(20)) {
+                    papers.value()[target].apply(hit);
+                    reference.apply({&hit, 1});
+                }
+                std::vector<DynamicVertex> is(meshes[target].vertices.size());
+                buffers[target].read({0, buffers[target].vertexCount()}, is);
+                QVERIFY(!same(is, meshes[target].vertices));
+                QVERIFY(same(is, reference.vertices()));
+            }
+        }
+        QCOMPARE(gl.errors(), QStringList());
+    }
 };
 
 HITSCOPE_TEST(BenchGlTest, QCoreApplication)

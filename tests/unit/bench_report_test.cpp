@@ -56,6 +56,13 @@ private Q_SLOTS:
                                                        "A note.\n"));
     }
 
+    void paperRatiosHaveTheirRange() {
+        QCOMPARE(paperRatio("60", "20"), QStringLiteral("x3.00"));
+        QCOMPARE(paperRatio("170-270", "15"), QStringLiteral("x11.3-18.0"));
+        QCOMPARE(paperRatio("150-760", "200-350"), QStringLiteral("x0.429-3.80"));
+        QCOMPARE(paperTable1().size(), paperTable2().size());
+    }
+
     void jsonHasAll() {
         const QJsonObject json = QJsonDocument::fromJson(toJson(smallReport())).object();
         QCOMPARE(json[QStringLiteral("benchmark")].toString(), QStringLiteral("small"));

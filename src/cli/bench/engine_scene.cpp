@@ -5,6 +5,7 @@
 
 #include "cli/bench/scene.h"
 #include "cli/bench/texture.h"
+#include "cli/bench_gl/paper_feedback.h"
 #include "gl/context.h"
 
 namespace hitscope::bench {
@@ -41,13 +42,27 @@ public:
         frameTargets();
     }
 
+    /// From now on hits are applied as the paper does.
+    Status useThePapersWay() {
+        std::vector<PaperFeedback::Drawn> drawn;
+        for (std::size_t i = 0; i < m_buffers.size(); ++i) {
+            drawn.push_back({m_buffers[i].get(), m_parts.plans[i].shape.render->vertices});
+        }
+        Result<std::vector<PaperFeedback>> made = PaperFeedback::createOn(drawn);
+        if (!made) {
+            return made.error();
+        }
+        m_papers = std::move(made).value();
+        return Done{};
+    }
+
     void append(std::span<const Hit> hits) override {
         m_arrived.insert(m_arrived.end(), hits.begin(), hits.end());
     }
 
     Status draw() override {
         if (!m_arrived.empty()) {
-            m_pipeline->append(m_arrived);
+            applyArrived();
             ++m_frame.meshRevision;
             m_arrived.clear();
         }
@@ -72,6 +87,16 @@ public:
     std::size_t droppedHits() const override { return m_pipeline->capacity().dropped.size(); }
 
 private:
+    void applyArrived() {
+        if (m_papers.empty()) {
+            m_pipeline->append(m_arrived);
+            return;
+        }
+        for (const Hit& hit : m_arrived) {
+            m_papers[hit.target.value - 1].apply(hit);
+        }
+    }
+
     void addTargets() {
         for (const TargetPlan& plan : m_parts.plans) {
             const TargetId id = idOf(m_buffers.size());
@@ -104,6 +129,7 @@ private:
     const gl::RenderTarget& m_picture;
     std::vector<std::unique_ptr<TargetBuffers>> m_buffers;
     std::unique_ptr<DeformationPipeline> m_pipeline;  // below the buffers it is given, so that it goes first
+    std::vector<PaperFeedback> m_papers;              // empty, or one a target
     std::vector<DeformedMesh> m_copies;
     std::vector<std::uint32_t> m_moved;
     std::vector<DrawItem> m_items;
@@ -131,9 +157,17 @@ std::vector<TargetPlan> planRow(const PaperRow& row, bool textured) {
     return plans;
 }
 
-std::unique_ptr<Scene> makeEngineScene(const RowParts& parts, std::unique_ptr<DeformationPipeline> pipeline,
-                                       Renderer& renderer, const gl::RenderTarget& picture) {
-    return std::make_unique<EngineScene>(parts, std::move(pipeline), renderer, picture);
+Result<std::unique_ptr<Scene>> makeEngineScene(const RowParts& parts,
+                                               std::unique_ptr<DeformationPipeline> pipeline,
+                                               Renderer& renderer, const gl::RenderTarget& picture,
+                                               HitsBy by) {
+    auto scene = std::make_unique<EngineScene>(parts, std::move(pipeline), renderer, picture);
+    if (by == HitsBy::Paper) {
+        if (Status used = scene->useThePapersWay(); !used) {
+            return used.error();
+        }
+    }
+    return std::unique_ptr<Scene>(std::move(scene));
 }
 
 }  // namespace hitscope::bench

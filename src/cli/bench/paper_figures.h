@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
 #include <span>
 
 namespace hitscope::bench {
@@ -16,5 +17,9 @@ struct PaperFigures {
 /// nine entries each, in the order of paperRows(). The paper does not say at which window size.
 [[nodiscard]] std::span<const PaperFigures> paperTable1();
 [[nodiscard]] std::span<const PaperFigures> paperTable2();
+
+/// Of two of these figures, numbers or ranges of them ("60", "170-270"): how many times the frame rate of the
+/// second the first is, from the lowest over the highest to the highest over the lowest; "x2.83-4.5", "x3".
+[[nodiscard]] QString paperRatio(const char* rate, const char* over);
 
 }  // namespace hitscope::bench

@@ -2,6 +2,7 @@
 #include "cli/bench/paper_row.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "cli/bench/texture.h"
@@ -69,29 +70,58 @@ Result<std::vector<std::unique_ptr<RowBench::Entrant>>> RowBench::enter(const Ro
         if (!renderer) {
             return renderer.error();
         }
-        const bool hitsArrive = m_options.hitEvery > 0 && !m_keepsFew.at(kind);
-        for (const int hitEvery : {hitsArrive ? m_options.hitEvery : 0, 0}) {
-            Result<std::unique_ptr<DeformationPipeline>> pipeline = m_room.makePipeline(kind);
-            if (!pipeline) {
-                return pipeline.error();
+        for (const RowFigure& figure : figuresOf(kind)) {
+            Result<std::unique_ptr<Entrant>> entrant = makeEntrant(parts, figure, *renderer.value());
+            if (!entrant) {
+                return entrant.error();
             }
-            auto entrant = std::make_unique<Entrant>();
-            entrant->scene =
-                makeEngineScene(parts, std::move(pipeline).value(), *renderer.value(), m_room.picture());
-            RandomHits hits(entrant->scene->hitTargets(), DeformationConstants(), m_options.seed);
-            entrant->scene->append(hits.next(kPaperHits));
-            entrant->figure.pipeline = kind;
-            entrant->figure.hitEvery = hitEvery;
-            if (hitEvery > 0) {
-                entrant->arriving = std::move(hits);
-            }
-            entrants.push_back(std::move(entrant));
-            if (!hitsArrive) {
-                break;
-            }
+            entrants.push_back(std::move(entrant).value());
         }
     }
     return entrants;
+}
+
+/// What is to be measured of a pipeline.
+std::vector<RowFigure> RowBench::figuresOf(PipelineKind kind) const {
+    const int hitEvery = m_keepsFew.at(kind) ? 0 : m_options.hitEvery;
+    std::vector<RowFigure> figures;
+    const auto add = [&](HitsBy by, int every) {
+        RowFigure& figure = figures.emplace_back();
+        figure.pipeline = kind;
+        figure.by = by;
+        figure.hitEvery = every;
+    };
+    if (hitEvery > 0) {
+        add(HitsBy::Pipeline, hitEvery);
+    }
+    if (hitEvery > 0 && m_options.papersWay && kind == PipelineKind::TransformFeedback) {
+        add(HitsBy::Paper, hitEvery);
+    }
+    add(HitsBy::Pipeline, 0);
+    return figures;
+}
+
+Result<std::unique_ptr<RowBench::Entrant>> RowBench::makeEntrant(const RowParts& parts,
+                                                                 const RowFigure& figure,
+                                                                 Renderer& renderer) {
+    Result<std::unique_ptr<DeformationPipeline>> pipeline = m_room.makePipeline(figure.pipeline);
+    if (!pipeline) {
+        return pipeline.error();
+    }
+    Result<std::unique_ptr<Scene>> scene =
+        makeEngineScene(parts, std::move(pipeline).value(), renderer, m_room.picture(), figure.by);
+    if (!scene) {
+        return scene.error();
+    }
+    auto entrant = std::make_unique<Entrant>();
+    entrant->scene = std::move(scene).value();
+    RandomHits hits(entrant->scene->hitTargets(), DeformationConstants(), m_options.seed);
+    entrant->scene->append(hits.next(kPaperHits));
+    entrant->figure = figure;
+    if (figure.hitEvery > 0) {
+        entrant->arriving = std::move(hits);
+    }
+    return entrant;
 }
 
 Result<std::vector<RowFigure>> RowBench::measure(int row, const std::shared_ptr<const MaterialSet>& materials,
@@ -108,10 +138,12 @@ Result<std::vector<RowFigure>> RowBench::measure(int row, const std::shared_ptr<
         // Blocks of as many frames as lie between two hits, so that with and without are the same but for the
         // hit.
         const int block = m_keepsFew.at(entry->figure.pipeline) ? 1 : std::max(m_options.hitEvery, 1);
-        variants.push_back({pipelineTraits(entry->figure.pipeline).name.data(),
-                            static_cast<double>(block),
-                            {},
-                            [entry, block] { return entry->drawFrames(block); }});
+        const std::string_view name = entry->figure.by == HitsBy::Paper
+                                          ? "The paper's way"
+                                          : pipelineTraits(entry->figure.pipeline).name;
+        variants.push_back({std::string(name), static_cast<double>(block), {}, [entry, block] {
+                                return entry->drawFrames(block);
+                            }});
     }
     Result<std::vector<Samples>> samples = m_room.measure(what, variants, m_options.plan);
     if (!samples) {
@@ -129,8 +161,15 @@ Result<std::vector<RowFigure>> RowBench::measure(int row, const std::shared_ptr<
 
 const RowFigure* findFigure(const std::vector<RowFigure>& figures, PipelineKind pipeline, bool hitsArrive) {
     const auto found = std::find_if(figures.begin(), figures.end(), [&](const RowFigure& figure) {
-        return figure.pipeline == pipeline && (figure.hitEvery > 0) == hitsArrive;
+        return figure.pipeline == pipeline && figure.by == HitsBy::Pipeline &&
+               (figure.hitEvery > 0) == hitsArrive;
     });
+    return found == figures.end() ? nullptr : &*found;
+}
+
+const RowFigure* findPapersWay(const std::vector<RowFigure>& figures) {
+    const auto found = std::find_if(figures.begin(), figures.end(),
+                                    [](const RowFigure& figure) { return figure.by == HitsBy::Paper; });
     return found == figures.end() ? nullptr : &*found;
 }
 

@@ -19,11 +19,13 @@ struct RowOptions {
     int hitEvery = 10;  ///< frames from one hit to the next; 0: none arrive
     std::uint32_t seed = 1;
     Plan plan;
+    bool papersWay = false;  ///< transform feedback also with hits applied as the paper does (HitsBy::Paper)
 };
 
 /// One variant of a row: a pipeline, with hits arriving or without.
 struct RowFigure {
     PipelineKind pipeline = PipelineKind::TransformFeedback;
+    HitsBy by = HitsBy::Pipeline;
     int hitEvery = 0;          ///< frames; 0: none arrived
     std::size_t hitsKept = 0;  ///< of kPaperHits
     Samples frames;            ///< seconds a frame; where hits arrive, the mean over hitEvery frames
@@ -51,6 +53,9 @@ private:
     struct Entrant;
     [[nodiscard]] Result<Renderer*> rendererOf(PipelineKind pipeline);
     [[nodiscard]] Result<std::vector<std::unique_ptr<Entrant>>> enter(const RowParts& parts);
+    [[nodiscard]] std::vector<RowFigure> figuresOf(PipelineKind kind) const;
+    [[nodiscard]] Result<std::unique_ptr<Entrant>> makeEntrant(const RowParts& parts, const RowFigure& figure,
+                                                               Renderer& renderer);
 
     const BenchRoom& m_room;
     RowOptions m_options;
@@ -59,9 +64,11 @@ private:
     std::map<PipelineKind, std::unique_ptr<Renderer>> m_renderers;
 };
 
-/// The figure of a pipeline with hits arriving, or without; null: not measured.
+/// The figure of a pipeline with hits arriving, or without; null: not measured. It applies its hits itself.
 [[nodiscard]] const RowFigure* findFigure(const std::vector<RowFigure>& figures, PipelineKind pipeline,
                                           bool hitsArrive);
+/// The one of hits that arrive and are applied as the paper does; null: not measured.
+[[nodiscard]] const RowFigure* findPapersWay(const std::vector<RowFigure>& figures);
 /// The one that stands for the pipeline: with hits arriving, where it was measured so.
 [[nodiscard]] const RowFigure* findFigure(const std::vector<RowFigure>& figures, PipelineKind pipeline);
 

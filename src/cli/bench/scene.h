@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -48,10 +49,18 @@ struct RowParts {
 /// Targets with or without room for a texture.
 [[nodiscard]] std::vector<TargetPlan> planRow(const PaperRow& row, bool textured);
 
+/// Who applies hits in a scene.
+enum class HitsBy : std::uint8_t {
+    Pipeline,
+    Paper  ///< PaperFeedback, hit by hit; the pipeline draws what it left in the buffers, and keeps vertices
+};
+
 /// The targets straight on pipeline and renderer, without a session: so they can have textures, which a row
 /// of the paper's scene has not. `parts`, `renderer` and `picture` outlive the scene.
-[[nodiscard]] std::unique_ptr<Scene> makeEngineScene(const RowParts& parts,
-                                                     std::unique_ptr<DeformationPipeline> pipeline,
-                                                     Renderer& renderer, const gl::RenderTarget& picture);
+[[nodiscard]] Result<std::unique_ptr<Scene>> makeEngineScene(const RowParts& parts,
+                                                             std::unique_ptr<DeformationPipeline> pipeline,
+                                                             Renderer& renderer,
+                                                             const gl::RenderTarget& picture,
+                                                             HitsBy by = HitsBy::Pipeline);
 
 }  // namespace hitscope::bench

@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "pipeline/target_buffers.h"
-
 namespace hitscope::bench {
 
 namespace {
@@ -24,7 +22,7 @@ void describeAttribute(Attribute attribute, std::size_t offset) {
 
 }  // namespace
 
-Result<PaperFeedback> PaperFeedback::create(std::span<const DynamicVertex> vertices) {
+Result<PaperFeedback::SharedProgram> PaperFeedback::makeProgram() {
     gl::Defines defines = hitArrayDefines(1);
     defines.emplace_back("HITSCOPE_OWN_HITS_ONLY", "1");
     Result<gl::Program> program =
@@ -32,23 +30,53 @@ Result<PaperFeedback> PaperFeedback::create(std::span<const DynamicVertex> verti
     if (!program) {
         return program.error();
     }
-    return PaperFeedback(std::move(program).value(), vertices);
+    return SharedProgram(std::make_shared<gl::Program>(std::move(program).value()));
 }
 
-PaperFeedback::PaperFeedback(gl::Program program, std::span<const DynamicVertex> vertices)
+Result<PaperFeedback> PaperFeedback::create(std::span<const DynamicVertex> vertices) {
+    Result<SharedProgram> program = makeProgram();
+    if (!program) {
+        return program.error();
+    }
+    return PaperFeedback(std::move(program).value(), vertices, nullptr);
+}
+
+Result<std::vector<PaperFeedback>> PaperFeedback::createOn(std::span<const Drawn> targets) {
+    const Result<SharedProgram> program = makeProgram();
+    if (!program) {
+        return program.error();
+    }
+    std::vector<PaperFeedback> all;
+    for (const Drawn& target : targets) {
+        all.push_back(PaperFeedback(program.value(), target.vertices, target.buffers));
+    }
+    return all;
+}
+
+PaperFeedback::PaperFeedback(SharedProgram program, std::span<const DynamicVertex> vertices,
+                             const TargetBuffers* drawn)
     : m_program(std::move(program)),
       m_hit(1),
       m_framebuffer(1, 1),
-      m_buffer(gl::Buffer::make()),
       m_captured(gl::Buffer::make()),
-      m_array(gl::VertexArray::make()),
       m_readBack(vertices.size()) {
+    if (drawn != nullptr) {
+        m_buffer = drawn->dynamicBuffer();
+        m_array = drawn->captureArray();
+    } else {
+        m_ownBuffer = gl::Buffer::make();
+        m_ownArray = gl::VertexArray::make();
+        m_buffer = m_ownBuffer.id();
+        m_array = m_ownArray.id();
+    }
     restore(vertices);
-    glBindVertexArray(m_array.id());
-    glBindBuffer(GL_ARRAY_BUFFER, m_buffer.id());
-    describeAttribute(Attribute::Position, offsetof(DynamicVertex, position));
-    describeAttribute(Attribute::Normal, offsetof(DynamicVertex, normal));
-    glBindVertexArray(0);
+    if (drawn == nullptr) {
+        glBindVertexArray(m_array);
+        glBindBuffer(GL_ARRAY_BUFFER, m_buffer);
+        describeAttribute(Attribute::Position, offsetof(DynamicVertex, position));
+        describeAttribute(Attribute::Normal, offsetof(DynamicVertex, normal));
+        glBindVertexArray(0);
+    }
     glBindBuffer(GL_ARRAY_BUFFER, m_captured.id());
     glBufferData(GL_ARRAY_BUFFER, bytesOf(m_mesh), nullptr, GL_STREAM_READ);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
@@ -77,11 +105,11 @@ void PaperFeedback::capture(const Hit& hit) {
     static_cast<void>(m_hit.add(hit));  // empty arrays have room
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.framebuffer());
     glEnable(GL_RASTERIZER_DISCARD);
-    m_program.use();
-    m_hit.upload(m_program);
-    m_program.set("u_firstHit", 0);
-    m_program.set("u_lastHit", 1);
-    glBindVertexArray(m_array.id());
+    m_program->use();
+    m_hit.upload(*m_program);
+    m_program->set("u_firstHit", 0);
+    m_program->set("u_lastHit", 1);
+    glBindVertexArray(m_array);
     glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, m_captured.id());
     glBeginTransformFeedback(GL_POINTS);
     glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(m_mesh.size()));
@@ -93,7 +121,7 @@ void PaperFeedback::capture(const Hit& hit) {
 }
 
 void PaperFeedback::upload() {
-    glBindBuffer(GL_ARRAY_BUFFER, m_buffer.id());
+    glBindBuffer(GL_ARRAY_BUFFER, m_buffer);
     glBufferData(GL_ARRAY_BUFFER, bytesOf(m_mesh), m_mesh.data(), GL_DYNAMIC_DRAW);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "gl/render_target.h"
 #include "mesh/render_mesh.h"
 #include "pipeline/hit_arrays.h"
+#include "pipeline/target_buffers.h"
 
 namespace hitscope::bench {
 
@@ -22,6 +24,13 @@ class PaperFeedback {
 public:
     /// The error is the driver's.
     [[nodiscard]] static Result<PaperFeedback> create(std::span<const DynamicVertex> vertices);
+    /// Likewise, one a target, each in the buffer that its target is drawn from. The meshes' vertices are in
+    /// these buffers now, and `targets` outlive what is made.
+    struct Drawn {
+        const TargetBuffers* buffers = nullptr;
+        std::span<const DynamicVertex> vertices;
+    };
+    [[nodiscard]] static Result<std::vector<PaperFeedback>> createOn(std::span<const Drawn> targets);
 
     /// Applies one hit; comes back when the new vertices are with the driver.
     void apply(const Hit& hit);
@@ -31,16 +40,20 @@ public:
     void restore(std::span<const DynamicVertex> vertices);
 
 private:
-    PaperFeedback(gl::Program program, std::span<const DynamicVertex> vertices);
+    using SharedProgram = std::shared_ptr<const gl::Program>;
+    [[nodiscard]] static Result<SharedProgram> makeProgram();
+    PaperFeedback(SharedProgram program, std::span<const DynamicVertex> vertices, const TargetBuffers* drawn);
     void capture(const Hit& hit);
     void upload();
 
-    gl::Program m_program;
+    SharedProgram m_program;
     HitArrays m_hit;
     gl::RenderTarget m_framebuffer;
-    gl::Buffer m_buffer;
+    gl::Buffer m_ownBuffer;      ///< none where a target's is used
+    gl::VertexArray m_ownArray;  ///< likewise
+    GLuint m_buffer = 0;
+    GLuint m_array = 0;
     gl::Buffer m_captured;
-    gl::VertexArray m_array;
     std::vector<DynamicVertex> m_mesh;
     std::vector<DynamicVertex> m_readBack;
 };
