@@ -218,6 +218,33 @@ private Q_SLOTS:
         QVERIFY(!m_panel->saveCsv(folder.filePath(QStringLiteral("none/section.csv"))).ok());
     }
 
+    // Its section has no height: the line fills the plot all the same, and what hits do to it is seen.
+    void aFlatTargetFillsThePlot() {
+        showDock();
+        MeshData sheet;
+        sheet.positions = {{-3, 0, -2}, {3, 0, -2}, {3, 0, 2}, {-3, 0, 2}, {-3, 0, 0}, {3, 0, 0}};
+        sheet.faceStarts = {0, 4, 8};
+        sheet.cornerVertices = {0, 4, 5, 1, 4, 3, 2, 5};
+        m_session->loadMesh(sheet);
+        child<QCheckBox>("on")->click();
+        child<QToolButton>("alongX")->click();
+        QTRY_VERIFY_WITH_TIMEOUT(m_actions->sections().section() &&
+                                     m_actions->sections().section()->targets.size() == 1 &&
+                                     !m_actions->sections().isBusy(),
+                                 kPatience);
+        QTest::qWait(50);  // it lays itself out
+        const auto* plot = child<SectionPlot>("plot");
+        const Target& target = *m_session->targets()[0];
+        const QPointF a = plot->pixelOf(target.transform.toWorld({0.0f, 0.0f, -2.0f}));
+        const QPointF b = plot->pixelOf(target.transform.toWorld({0.0f, 0.0f, 2.0f}));
+        QVERIFY(QRectF(plot->rect()).contains(a) && QRectF(plot->rect()).contains(b));
+        QVERIFY(std::abs(a.x() - b.x()) > 0.5 * plot->width());
+        QVERIFY(std::abs(a.y() - b.y()) <= 1.0);
+        QVERIFY(a.y() > 0.2 * plot->height() && a.y() < 0.8 * plot->height());
+        const QPointF dent = plot->pixelOf(target.transform.toWorld({0.0f, -0.3f, 0.0f}));
+        QVERIFY(QRectF(plot->rect()).contains(dent) && dent.y() > a.y() + 3.0);
+    }
+
     void whatIsCutAwayIsNotAimedAt() {
         // The sphere's near half is hidden: what the cursor meets is the inside of the far half.
         QTest::keyClick(&viewport(), Qt::Key_K, Qt::ShiftModifier);

@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kReach = 28.0;   // pixels from the cursor to a line that it still points at
 constexpr double kMargin = 1.12;  // of the room
+constexpr double kLeast = 1.0;    // metres, around what is a single point
 constexpr double kDot = 7.0;      // pixels
 
 QString axisLabel(const SectionView::Axis& axis, const QString& word) {
@@ -157,12 +158,14 @@ void SectionPlot::markDeepest() {
 }
 
 void SectionPlot::fit() {
-    if (m_room.isEmpty()) {
+    if (!m_section || m_section->targets.empty()) {
         return;
     }
+    // The section of a flat target may have no height, no width, or neither.
     const QPointF middle = m_room.center();
-    const double width = kMargin * m_room.width();
-    const double height = kMargin * m_room.height();
+    const bool isPoint = !(m_room.width() > 0.0) && !(m_room.height() > 0.0);
+    const double width = isPoint ? kLeast : kMargin * m_room.width();
+    const double height = isPoint ? kLeast : kMargin * m_room.height();
     const QRect pixels = m_plot->axisRect()->rect();
     const double scale = std::max(width / std::max(1, pixels.width()), height / std::max(1, pixels.height()));
     m_plot->xAxis->setRange(middle.x(), scale * pixels.width(), Qt::AlignCenter);
