@@ -30,12 +30,10 @@ constexpr float kOffSurface = 1.0e-3f;  // of the target's extent
 /// Before that point of a surface, as near as the target wants it and nothing in between.
 Camera cameraBefore(const Session& session, const Target& target, std::uint32_t vertex, Camera camera) {
     const glm::vec3 point = target.transform.toWorld(target.deformed.positions()[vertex]);
-    const auto render = target.deformed.render().renderVerticesOf(vertex);
+    const std::uint32_t drawn = target.deformed.render().renderVerticesOf(vertex).front();
     const float extent = target.extent();
-    glm::vec3 normal(0.0f);
-    if (!render.empty()) {
-        normal = target.transform.directionToWorld(target.trueNormals.normals()[render.front()]);
-    }
+    // Zero for one that no face uses.
+    const glm::vec3 normal = target.transform.directionToWorld(target.trueNormals.normals()[drawn]);
     float yaw = camera.yaw();
     float pitch = camera.pitch();
     if (glm::length(normal) > 0.0f && glm::dot(normal, -camera.forward()) < kFacing) {

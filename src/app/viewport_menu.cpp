@@ -45,12 +45,11 @@ void addEntry(QMenu& menu, const QString& text, const QString& why, std::functio
 
 std::optional<std::size_t> lastHitThatMoved(const Session& session, const VertexRef& vertex) {
     const Target* target = session.target(vertex.target);
-    const auto render = target != nullptr ? target->deformed.render().renderVerticesOf(vertex.vertex)
-                                          : std::span<const std::uint32_t>();
-    if (render.empty()) {
+    if (target == nullptr) {
         return std::nullopt;
     }
-    Attribution attribution(target->deformed.render().vertices[render.front()]);
+    const RenderMesh& mesh = target->deformed.render();
+    Attribution attribution(mesh.vertices[mesh.renderVerticesOf(vertex.vertex).front()]);
     std::optional<std::size_t> last;
     const std::span<const Hit> hits = session.shownHits();
     for (std::size_t index = 0; index < hits.size(); ++index) {

@@ -59,6 +59,14 @@ void makeVertices(const MeshData& mesh, const VertexCorners& vertexCorners,
             render.cornerRenderVertices[corners[i]] = static_cast<std::uint32_t>(render.vertices.size() - 1);
         }
     }
+    render.drawnVertices = static_cast<std::uint32_t>(render.vertices.size());
+    for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
+        if (vertexCorners.of(v).empty()) {
+            render.vertices.push_back({mesh.positions[v], glm::vec3(0.0f)});
+            render.texcoords.emplace_back(0.0f);
+            render.fileVertices.push_back(static_cast<std::uint32_t>(v));
+        }
+    }
 }
 
 template <class T>
@@ -71,22 +79,45 @@ std::vector<T> permuted(const std::vector<T>& values, std::span<const std::uint3
     return result;
 }
 
-void orderVertices(RenderMesh& render) {
+/// Those that are drawn by place, and then the others by place.
+std::vector<std::uint32_t> orderOf(const RenderMesh& render) {
     std::vector<glm::vec3> points;
     points.reserve(render.vertices.size());
     for (const DynamicVertex& vertex : render.vertices) {
         points.push_back(vertex.position);
+    }
+    const auto all = std::span<const glm::vec3>(points);
+    std::vector<std::uint32_t> order = spatialOrder(all.first(render.drawnVertices));
+    for (const std::uint32_t other : spatialOrder(all.subspan(render.drawnVertices))) {
+        order.push_back(render.drawnVertices + other);
+    }
+    return order;
+}
+
+void makeClusters(RenderMesh& render) {
+    const auto count = static_cast<std::uint32_t>(render.vertices.size());
+    for (std::uint32_t first = 0; first < count; first += kClusterVertices) {
+        Cluster cluster{first, std::min(kClusterVertices, count - first), {}};
+        for (const DynamicVertex& vertex : std::span(render.vertices).subspan(first, cluster.count)) {
+            cluster.bounds.add(vertex.position);
+        }
+        render.clusters.push_back(cluster);
+    }
+}
+
+void orderVertices(RenderMesh& render) {
+    const std::vector<std::uint32_t> order = orderOf(render);
+    render.vertices = permuted(render.vertices, order);
+    render.texcoords = permuted(render.texcoords, order);
+    render.fileVertices = permuted(render.fileVertices, order);
+    for (const DynamicVertex& vertex : std::span(render.vertices).first(render.drawnVertices)) {
         render.bounds.add(vertex.position);
     }
-    SpatialOrder spatial = spatialOrder(points);
-    render.vertices = permuted(render.vertices, spatial.order);
-    render.texcoords = permuted(render.texcoords, spatial.order);
-    render.fileVertices = permuted(render.fileVertices, spatial.order);
-    render.clusters = std::move(spatial.clusters);
+    makeClusters(render);
 
-    std::vector<std::uint32_t> placeOf(spatial.order.size());
-    for (std::size_t i = 0; i < spatial.order.size(); ++i) {
-        placeOf[spatial.order[i]] = static_cast<std::uint32_t>(i);
+    std::vector<std::uint32_t> placeOf(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        placeOf[order[i]] = static_cast<std::uint32_t>(i);
     }
     for (std::uint32_t& vertex : render.cornerRenderVertices) {
         vertex = placeOf[vertex];
@@ -170,7 +201,7 @@ void makeEdges(const MeshData& mesh, const VertexCorners& vertexCorners, RenderM
         }
     }
     std::vector<std::uint32_t> neighbours;
-    for (std::uint32_t r = 0; r < render.vertices.size(); ++r) {
+    for (std::uint32_t r = 0; r < render.drawnVertices; ++r) {
         const std::uint32_t v = render.fileVertices[r];
         if (render.renderVerticesOf(v).front() != r) {
             continue;

@@ -35,10 +35,13 @@ struct DynamicVertex {
 static_assert(sizeof(DynamicVertex) == 24);
 
 /// What the GPU draws, made from MeshData: one render vertex for each different (vertex, normal, texture
-/// coordinate) of the faces' corners, ordered so that neighbours in space are neighbours in the buffer.
-/// Vertices no face uses have no render vertex.
+/// coordinate) of the faces' corners, ordered so that neighbours in space are neighbours in the buffer. A
+/// vertex that no face uses has one render vertex, behind all those: hits move it as any other, and no
+/// triangle or edge draws it.
 struct RenderMesh {
-    std::vector<DynamicVertex> vertices;              ///< R entries, original state
+    std::vector<DynamicVertex> vertices;  ///< R entries, original state
+    std::uint32_t drawnVertices =
+        0;  ///< so many of them, the first, are of faces; the others' normal is zero
     std::vector<glm::vec2> texcoords;                 ///< R entries (zero where the file has none)
     std::vector<std::uint32_t> fileVertices;          ///< R entries: index into MeshData::positions
     std::vector<std::uint32_t> cornerRenderVertices;  ///< one a corner of MeshData: its render vertex
@@ -51,9 +54,9 @@ struct RenderMesh {
     std::vector<std::uint32_t> edges;
     std::vector<DrawRange> draws;   ///< cover `triangles`, one a material
     std::vector<Cluster> clusters;  ///< cover `vertices`, in order; all but the last are full
-    Bounds bounds;                  ///< of the original positions
+    Bounds bounds;                  ///< of the original positions that faces use
 
-    /// File vertex -> its render vertices: renderVerticesOf(v) lists them; empty for a vertex no face uses.
+    /// File vertex -> its render vertices: renderVerticesOf(v) lists them, one at least.
     std::vector<std::uint32_t> fileVertexStarts;  ///< V + 1 entries
     std::vector<std::uint32_t> fileVertexRender;  ///< R entries
     [[nodiscard]] std::span<const std::uint32_t> renderVerticesOf(std::uint32_t fileVertex) const {

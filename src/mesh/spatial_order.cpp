@@ -2,6 +2,7 @@
 #include "mesh/spatial_order.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace hitscope {
 namespace {
@@ -16,18 +17,16 @@ Bounds boxAround(std::span<const glm::vec3> points, std::span<const std::uint32_
 
 struct Splitter {
     std::span<const glm::vec3> points;
-    SpatialOrder& result;
+    std::span<std::uint32_t> order;
 
     void split(std::size_t first, std::size_t count) {
-        const auto members = std::span(result.order).subspan(first, count);
+        const auto members = order.subspan(first, count);
         if (count <= kClusterVertices) {
             // Within a cluster the given order stays: it is the file's, and that serves the vertex cache.
             std::sort(members.begin(), members.end());
-            result.clusters.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count),
-                                       boxAround(points, members)});
             return;
         }
-        // The cut is at a multiple of the cluster size, so that all clusters but the last are full.
+        // The cut is at a multiple of the cluster size: each run of that size stays together.
         const std::size_t clusters = (count + kClusterVertices - 1) / kClusterVertices;
         const std::size_t half = clusters / 2 * kClusterVertices;
         const glm::length_t axis = longestAxis(members);
@@ -51,18 +50,13 @@ struct Splitter {
 
 }  // namespace
 
-SpatialOrder spatialOrder(std::span<const glm::vec3> points) {
-    SpatialOrder result;
-    if (points.empty()) {
-        return result;
+std::vector<std::uint32_t> spatialOrder(std::span<const glm::vec3> points) {
+    std::vector<std::uint32_t> order(points.size());
+    std::iota(order.begin(), order.end(), 0u);
+    if (!points.empty()) {
+        Splitter{points, order}.split(0, points.size());
     }
-    result.order.resize(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        result.order[i] = static_cast<std::uint32_t>(i);
-    }
-    result.clusters.reserve(points.size() / kClusterVertices + 1);
-    Splitter{points, result}.split(0, points.size());
-    return result;
+    return order;
 }
 
 }  // namespace hitscope

@@ -8,13 +8,9 @@
 
 namespace hitscope {
 
-/// An order of points in which neighbours in space are neighbours in the order.
-struct SpatialOrder {
-    std::vector<std::uint32_t> order;  ///< order[i]: the point that comes i-th
-    std::vector<Cluster> clusters;     ///< runs of it of at most kClusterVertices; cover it
-};
-
-/// Halves the points on their longest axis again and again. O(n log n) for n points.
-[[nodiscard]] SpatialOrder spatialOrder(std::span<const glm::vec3> points);
+/// An order of points in which neighbours in space are neighbours in the order, above all those of each run
+/// of kClusterVertices. order[i]: the point that comes i-th. Halves the points on their longest axis again
+/// and again: O(n log n) for n points.
+[[nodiscard]] std::vector<std::uint32_t> spatialOrder(std::span<const glm::vec3> points);
 
 }  // namespace hitscope

@@ -58,21 +58,16 @@ void AttributionModel::startOver() {
     m_attribution = {};
     if (m_vertex) {
         const DeformedMesh& mesh = m_session.target(m_vertex->target)->deformed;
-        const auto render = mesh.render().renderVerticesOf(m_vertex->vertex);
-        m_attribution =
-            Attribution(render.empty() ? DynamicVertex{mesh.original().positions[m_vertex->vertex], {}}
-                                       : mesh.render().vertices[render.front()]);
-        if (!render.empty()) {
-            takeHits(m_attribution);
-        }
+        const std::uint32_t drawn = mesh.render().renderVerticesOf(m_vertex->vertex).front();
+        m_attribution = Attribution(mesh.render().vertices[drawn]);
+        takeHits(m_attribution);
     }
     endResetModel();
     Q_EMIT summaryChanged();
     m_summaryTimer.start();
 }
 
-/// Those of the history that it has not gone through. A vertex of no face is never drawn, so no pipeline
-/// moves it.
+/// Those of the history that it has not gone through.
 void AttributionModel::takeHits(Attribution& attribution) {
     const std::span<const Hit> hits = m_session.shownHits();
     for (; m_taken < hits.size(); ++m_taken) {
@@ -85,10 +80,6 @@ void AttributionModel::takeHits(Attribution& attribution) {
 
 void AttributionModel::followHits() {
     if (!m_vertex || m_restartTimer.isActive()) {
-        return;
-    }
-    const DeformedMesh& mesh = m_session.target(m_vertex->target)->deformed;
-    if (mesh.render().renderVerticesOf(m_vertex->vertex).empty()) {
         return;
     }
     Attribution further(m_attribution.vertex());

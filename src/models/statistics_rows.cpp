@@ -174,8 +174,8 @@ const Row kRows[] = {
     {kTopology, "vertices", HITSCOPE_TEXT("Vertices"), "", HITSCOPE_TEXT("As the file has them."), kCount,
      kSame, [](const Sheet& s) { return count(s.all.topology.vertices); }},
     {kTopology, "unreferenced_vertices", HITSCOPE_TEXT("Unreferenced"), "",
-     HITSCOPE_TEXT("Vertices that no face uses. They are not drawn and no hit moves them."), kCount, kSame,
-     [](const Sheet& s) { return count(s.all.topology.unreferencedVertices); }},
+     HITSCOPE_TEXT("Vertices that no face uses. They are not drawn; hits move them as all others."), kCount,
+     kSame, [](const Sheet& s) { return count(s.all.topology.unreferencedVertices); }},
     {kTopology, "places", HITSCOPE_TEXT("Places"), "",
      HITSCOPE_TEXT("Vertices that faces use, those at the very same place counted once: files split vertices "
                    "along seams, but the surface hangs together there. What follows is of this surface."),

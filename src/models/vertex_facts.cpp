@@ -22,6 +22,9 @@ VertexFacts vertexFacts(const DeformedMesh& mesh, std::uint32_t vertex) {
     facts.length = glm::length(glm::dvec3(facts.current) - glm::dvec3(facts.original));
     bool first = true;
     for (const std::uint32_t render : mesh.render().renderVerticesOf(vertex)) {
+        if (render >= mesh.render().drawnVertices) {
+            break;  // of no face
+        }
         const glm::vec3& before = mesh.render().vertices[render].normal;
         const glm::vec3& now = mesh.vertices()[render].normal;
         const double turned = before == now ? 0.0 : angleBetween(before, now);

@@ -101,6 +101,7 @@ private:
 
 TargetBuffers::TargetBuffers(const RenderMesh& mesh)
     : m_vertexCount(static_cast<std::uint32_t>(mesh.vertices.size())),
+      m_drawnVertexCount(mesh.drawnVertices),
       m_triangleIndexCount(static_cast<std::uint32_t>(mesh.triangles.size())),
       m_edgeIndexCount(static_cast<std::uint32_t>(mesh.edges.size())),
       m_draws(mesh.draws),

@@ -52,6 +52,8 @@ public:
     [[nodiscard]] GLuint originalBuffer() const { return m_original.id(); }
 
     [[nodiscard]] std::uint32_t vertexCount() const { return m_vertexCount; }
+    /// The first of them; no face uses the others.
+    [[nodiscard]] std::uint32_t drawnVertexCount() const { return m_drawnVertexCount; }
     [[nodiscard]] std::uint32_t triangleIndexCount() const { return m_triangleIndexCount; }
     [[nodiscard]] std::uint32_t edgeIndexCount() const { return m_edgeIndexCount; }
     [[nodiscard]] std::span<const DrawRange> draws() const { return m_draws; }
@@ -78,6 +80,7 @@ public:
 
 private:
     std::uint32_t m_vertexCount = 0;
+    std::uint32_t m_drawnVertexCount = 0;
     std::uint32_t m_triangleIndexCount = 0;
     std::uint32_t m_edgeIndexCount = 0;
     std::vector<DrawRange> m_draws;

@@ -161,7 +161,7 @@ std::uint32_t needleStep(const FrameContext& context, const DrawItem& item) {
     const float pixels = std::max(item.buffers->usualEdge() * pixelsAt(context, distance), 1.0e-3f);
     const float apart = kNeedlesApart / pixels;
     const auto byPicture = static_cast<std::uint32_t>(std::clamp(apart * apart, 1.0f, 1.0e6f));
-    const std::uint32_t byCount = (item.buffers->vertexCount() + kMostNeedles - 1) / kMostNeedles;
+    const std::uint32_t byCount = (item.buffers->drawnVertexCount() + kMostNeedles - 1) / kMostNeedles;
     return std::min(std::max(byPicture, byCount), kLongestStep);
 }
 
@@ -225,7 +225,7 @@ Status drawDots(const FrameContext& context, DeformationPipeline& pipeline) {
         program->set("u_model", item.model);
         setEdgePixels(*program, context, item);
         glBindVertexArray(item.buffers->surfaceArray());
-        glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(item.buffers->vertexCount()));
+        glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(item.buffers->drawnVertexCount()));
     }
     return Done{};
 }
@@ -249,7 +249,7 @@ Status NeedlePass::draw(const FrameContext& context, DeformationPipeline& pipeli
     glBindVertexArray(m_array.id());
     for (const DrawItem& item : context.frame.targets) {
         const std::uint32_t step = needleStep(context, item);
-        const std::uint32_t count = (item.buffers->vertexCount() + step - 1) / step;
+        const std::uint32_t count = (item.buffers->drawnVertexCount() + step - 1) / step;
         if (count == 0) {
             continue;
         }

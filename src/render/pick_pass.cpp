@@ -137,7 +137,7 @@ Status PickPass::draw(const Frame& frame, DeformationPipeline& pipeline, const P
         glBindVertexArray(item.original ? item.buffers->originalSurfaceArray()
                                         : item.buffers->surfaceArray());
         if (points) {
-            glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(item.buffers->vertexCount()));
+            glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(item.buffers->drawnVertexCount()));
         } else {
             glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(item.buffers->triangleIndexCount()),
                            GL_UNSIGNED_INT, nullptr);

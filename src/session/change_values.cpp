@@ -196,8 +196,9 @@ void ChangeValues::measure(TargetValues& values, std::size_t cluster) {
         const double value = shape ? valueOf(values, *shape, vertex) : 0.0;
         values.values[vertex] = static_cast<float>(value);
         const std::uint32_t fileVertex = render.fileVertices[vertex];
-        // A file vertex that is drawn with several normals counts once.
-        if ((value != 0.0 || (shape && shape->deformed->isChanged(fileVertex))) &&
+        // A file vertex that is drawn with several normals counts once, and one that is not drawn not at all.
+        if (vertex < render.drawnVertices &&
+            (value != 0.0 || (shape && shape->deformed->isChanged(fileVertex))) &&
             render.renderVerticesOf(fileVertex).front() == vertex) {
             summary.add(value);
         }
@@ -353,7 +354,8 @@ void ChangeValues::workOnHistogram() {
             for (std::uint32_t vertex = run.first; vertex < run.first + run.count; ++vertex) {
                 const std::uint32_t fileVertex = render.fileVertices[vertex];
                 const float value = values.values[vertex];
-                if ((value != 0.0f || values.target->deformed.isChanged(fileVertex)) &&
+                if (vertex < render.drawnVertices &&
+                    (value != 0.0f || values.target->deformed.isChanged(fileVertex)) &&
                     render.renderVerticesOf(fileVertex).front() == vertex) {
                     // Rounded to float it may lie just beyond the span.
                     m_growing.add(std::clamp(static_cast<double>(value), m_growing.low, m_growing.high));

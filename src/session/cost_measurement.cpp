@@ -38,7 +38,7 @@ std::vector<Hit> drawHits(const Session& session, std::size_t count) {
     std::mt19937 random(1);
     while (hits.size() < count) {
         const Target& target = *session.targets()[hits.size() % session.targets().size()];
-        const std::span<const DynamicVertex> vertices = target.deformed.vertices();
+        const auto vertices = target.deformed.vertices().first(target.deformed.render().drawnVertices);
         const DynamicVertex& vertex = vertices[random() % vertices.size()];
         Hit hit;
         hit.target = target.id;

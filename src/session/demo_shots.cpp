@@ -21,7 +21,8 @@ float signedUnit(std::mt19937& random) {
 }
 
 std::optional<Ray> shotAt(const Target& target, std::mt19937& random) {
-    const std::span<const DynamicVertex> vertices(target.deformed.render().vertices);
+    const RenderMesh& mesh = target.deformed.render();
+    const auto vertices = std::span(mesh.vertices).first(mesh.drawnVertices);
     if (vertices.empty()) {
         return std::nullopt;
     }

@@ -10,11 +10,8 @@ std::optional<std::size_t> hitThatMovedMost(const Session& session, const Vertex
     if (target == nullptr) {
         return std::nullopt;
     }
-    const auto render = target->deformed.render().renderVerticesOf(vertex.vertex);
-    if (render.empty()) {
-        return std::nullopt;
-    }
-    Attribution attribution(target->deformed.render().vertices[render.front()]);
+    const RenderMesh& mesh = target->deformed.render();
+    Attribution attribution(mesh.vertices[mesh.renderVerticesOf(vertex.vertex).front()]);
     const std::span<const Hit> hits = session.shownHits();
     for (std::size_t index = 0; index < hits.size(); ++index) {
         const Hit& hit = hits[index];

@@ -36,9 +36,7 @@ void SceneMarks::fill(Marks& marks, const Target* target, std::span<const std::u
         indices.reserve(fileVertices.size());
         for (const std::uint32_t vertex : fileVertices) {
             // All of a vertex's render vertices are at one place.
-            if (const auto render = target->deformed.render().renderVerticesOf(vertex); !render.empty()) {
-                indices.push_back(render.front());
-            }
+            indices.push_back(target->deformed.render().renderVerticesOf(vertex).front());
         }
     }
     // Neighbours in number are neighbours in space.

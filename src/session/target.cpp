@@ -8,11 +8,7 @@ namespace hitscope {
 
 Target::Target(TargetState state)
     : TargetState(std::move(state)), deformed(shape.mesh, shape.render), trueNormals(*shape.trueNormals) {
-    Bounds bounds;
-    for (const Cluster& cluster : deformed.render().clusters) {
-        bounds.add(cluster.bounds);
-    }
-    const glm::vec3 size = bounds.size();
+    const glm::vec3 size = deformed.render().bounds.size();
     m_extent = std::max({size.x, size.y, size.z});
 }
 
