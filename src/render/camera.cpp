@@ -19,7 +19,7 @@ constexpr float kLeastNearOfFar =
 constexpr float kFloorOfScene = 2.5f;  // how far the floor goes on, in scene radii or distances
 constexpr float kNearest = 1.0e-3f;    // of the distance to the pivot, in scene radii
 constexpr float kFarthest = 10.0f;     // likewise
-constexpr float kMargin = 1.08f;       // around what is framed
+constexpr float kFrameMargin = 1.08f;  // around what is framed
 
 }  // namespace
 
@@ -161,7 +161,7 @@ void Camera::frame(const Bounds& bounds, float aspect) {
         const float depth = isOrthographic() ? 0.0f : glm::dot(offset, forward());
         const float x = std::abs(glm::dot(offset, right())) / (height * aspect);
         const float y = std::abs(glm::dot(offset, up())) / height;
-        distance = std::max(distance, kMargin * std::max(x, y) - depth);
+        distance = std::max(distance, kFrameMargin * std::max(x, y) - depth);
     }
     m_pivot = centre;
     if (distance > 0.0f) {

@@ -8,7 +8,7 @@ namespace hitscope::render {
 namespace {
 
 constexpr float kBesideShadows = 0.45f;  // strength, where there are real ones too
-constexpr float kSpread = 1.45f;         // of the target's half size
+constexpr float kShadeSpread = 1.45f;    // of the target's half size
 
 }  // namespace
 
@@ -55,7 +55,7 @@ Status drawContactShades(const FrameContext& context) {
             continue;
         }
         contact.set("u_centre", glm::vec3(bounds.centre().x, frame.floorHeight, bounds.centre().z));
-        contact.set("u_reach", kSpread * glm::vec2(half.x, half.z));
+        contact.set("u_reach", kShadeSpread * glm::vec2(half.x, half.z));
         contact.set("u_strength", strength * nearness);
         glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     }

@@ -12,7 +12,7 @@ namespace hitscope {
 
 namespace {
 
-constexpr float kMargin = 1.12f;       // of the box's size
+constexpr float kPlaneMargin = 1.12f;  // of the box's size
 constexpr float kLeastSide = 1.0e-6f;  // metres
 
 }  // namespace
@@ -51,7 +51,7 @@ PlaneFrame planeFrame(const CuttingPlane& plane, const Bounds& bounds) {
     const SectionView view = sectionView(plane.openSide());
     const auto half = [&bounds](const SectionView::Axis& axis) {
         const float reach = glm::dot(glm::abs(axis.direction), 0.5f * bounds.size());
-        const float side = std::max(kMargin * reach, kLeastSide);
+        const float side = std::max(kPlaneMargin * reach, kLeastSide);
         return (axis.mirrored ? -side : side) * axis.direction;
     };
     const float off = plane.offset - glm::dot(plane.normal, bounds.centre());

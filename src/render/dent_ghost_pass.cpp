@@ -6,7 +6,7 @@
 namespace hitscope::render {
 namespace {
 
-constexpr GLuint kPosition = 0;
+constexpr GLuint kGhostPosition = 0;
 constexpr float kFill = 0.30f;
 constexpr float kLine = 0.85f;
 constexpr float kWidth = 1.2f;      // logical pixels
@@ -17,8 +17,8 @@ constexpr double kNearest = 0.001;  // of the depth range: before everything tha
 DentGhostPass::DentGhostPass() : m_vertices(gl::Buffer::make()), m_array(gl::VertexArray::make()) {
     glBindVertexArray(m_array.id());
     glBindBuffer(GL_ARRAY_BUFFER, m_vertices.id());
-    glEnableVertexAttribArray(kPosition);
-    glVertexAttribPointer(kPosition, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
+    glEnableVertexAttribArray(kGhostPosition);
+    glVertexAttribPointer(kGhostPosition, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
     glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
 }

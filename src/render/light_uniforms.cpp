@@ -11,7 +11,7 @@ namespace hitscope::render {
 namespace {
 
 constexpr float kLeastConstant = 1.0e-3f;  // of the attenuation
-constexpr float kLeastEdge = 1.0e-4f;      // difference of cosines from a spotlight's full light to none
+constexpr float kLeastConeEdge = 1.0e-4f;  // difference of cosines from a spotlight's full light to none
 
 glm::vec3 unitOrDown(const glm::vec3& direction) {
     const float length = glm::length(direction);
@@ -52,7 +52,7 @@ void setPoint(const gl::Program& program, const glm::vec3& eye, const PointLight
 void setSpot(const gl::Program& program, const FrameContext& context, const SpotLight& light) {
     const Attenuated shone = attenuated(light.attenuation, light.terms.colour);
     const float outer = std::cos(light.outerAngle);
-    const float edge = std::max(std::cos(light.innerAngle) - outer, kLeastEdge);
+    const float edge = std::max(std::cos(light.innerAngle) - outer, kLeastConeEdge);
     program.set("u_spotPosition", light.position - context.eye);
     program.set("u_spotDirection", light.atEye ? -context.forward : -unitOrDown(light.direction));
     program.set("u_spotAttenuation", shone.factors);

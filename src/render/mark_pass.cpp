@@ -29,7 +29,7 @@ Style styleOf(MarkKind kind) {
     return {4.5f, 0.6f, 1.0f, 0.12f};
 }
 
-constexpr float kAhead = 4.0f;  // pixels' size at their distance: dots lie before the faces they stand on
+constexpr float kDotsAhead = 4.0f;  // pixels' size at their distance: dots lie before the faces they stand on
 
 constexpr GLsizei kFewMarks = 300;  // all drawn, however close they lie
 constexpr float kApart = 1.0f;      // of a mark's size: closer ones would hide each other
@@ -80,7 +80,7 @@ Status drawVertexMarks(const FrameContext& context, DeformationPipeline& pipelin
     program.use();
     program.set("u_viewProjection", context.viewProjection);
     setDrawnPlace(program, context.frame);
-    program.set("u_depthShift", context.depthPerPixel * kAhead);
+    program.set("u_depthShift", context.depthPerPixel * kDotsAhead);
     program.set("u_colour", context.colours.accent);
     program.set("u_lineColour", line);
     const ClipByCut clip(context.frame);

@@ -9,7 +9,7 @@ namespace hitscope::render {
 namespace {
 
 constexpr float kRingOpacity = 0.9f;
-constexpr float kRingWidth = 1.6f;        // logical pixels
+constexpr float kSelectionRing = 1.6f;    // logical pixels
 constexpr float kCrosshairReach = 13.0f;  // logical pixels, with a margin around the arms
 constexpr float kRingMargin = 8.0f;       // pixels around the outline for its width
 
@@ -61,7 +61,7 @@ Status drawHighlightedHit(const FrameContext& context) {
     ring.set("u_right", right * half);
     ring.set("u_up", up * half);
     ring.set("u_radius", outline.radius / half);
-    ring.set("u_width", std::max(1.0f, kRingWidth * frame.pixelRatio));
+    ring.set("u_width", std::max(1.0f, kSelectionRing * frame.pixelRatio));
     ring.set("u_colour", glm::vec4(context.colours.accent, kRingOpacity));
     glDisable(GL_DEPTH_TEST);
     glBindVertexArray(context.emptyArray);

@@ -12,7 +12,7 @@
 namespace hitscope::render {
 namespace {
 
-constexpr GLuint kPosition = 0;
+constexpr GLuint kProjectilePosition = 0;
 constexpr GLuint kInstance = 5;
 static_assert(sizeof(Sphere) == 4 * sizeof(float) && offsetof(Sphere, radius) == 3 * sizeof(float),
               "spheres go to the GPU as they are: centre, radius");
@@ -57,8 +57,8 @@ ProjectilePass::ProjectilePass() : m_instances(gl::Buffer::make()) {
         glBindBuffer(GL_ARRAY_BUFFER, level.vertices.id());
         glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(ball.vertices.size() * sizeof(glm::vec3)),
                      ball.vertices.data(), GL_STATIC_DRAW);
-        glEnableVertexAttribArray(kPosition);
-        glVertexAttribPointer(kPosition, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
+        glEnableVertexAttribArray(kProjectilePosition);
+        glVertexAttribPointer(kProjectilePosition, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
         glEnableVertexAttribArray(kInstance);
         glVertexAttribDivisor(kInstance, 1);
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, level.indices.id());

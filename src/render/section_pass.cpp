@@ -15,7 +15,7 @@ constexpr float kDeformedWidth = 2.2f;  // logical pixels
 constexpr float kEdge = 0.9f;           // logical pixels
 constexpr float kDash = 11.0f;          // logical pixels from one dash to the next, about
 constexpr float kHidden = 0.22f;        // opacity behind surfaces
-constexpr float kAhead = 4.0f;          // pixels' size at their distance: lines lie before the faces they end
+constexpr float kLinesAhead = 4.0f;     // pixels' size at their distance: lines lie before the faces they end
 constexpr float kPaneFill = 0.10f;
 constexpr float kPaneLine = 0.85f;
 constexpr float kPaneWidth = 1.5f;  // logical pixels
@@ -121,7 +121,7 @@ Status SectionPass::draw(const FrameContext& context) {
     const gl::Program& program = *found.value();
     program.use();
     program.set("u_viewProjection", context.viewProjection);
-    program.set("u_depthShift", context.depthPerPixel * kAhead);
+    program.set("u_depthShift", context.depthPerPixel * kLinesAhead);
     program.set("u_halfSize", 0.5f * glm::vec2(frame.width, frame.height));
     program.set("u_edge", kEdge * frame.pixelRatio);
     program.set("u_edgeColour", frame.options.theme == Theme::Dark ? glm::vec3(0.0f) : glm::vec3(1.0f));

@@ -16,9 +16,9 @@ namespace {
 
 constexpr int kSize = 2048;
 constexpr int kSoftwareSize = 1024;
-constexpr float kSpread = 1.6f;     // texels from one look to the next
-constexpr float kMargin = 0.05f;    // of the targets' extent: dents can bulge
-constexpr float kDepthBias = 1.5f;  // texels
+constexpr float kShadowSpread = 1.6f;   // texels from one look to the next
+constexpr float kShadowMargin = 0.05f;  // of the targets' extent: dents can bulge
+constexpr float kDepthBias = 1.5f;      // texels
 
 }  // namespace
 
@@ -68,11 +68,11 @@ glm::mat4 ShadowMap::place(const FrameContext& context) {
         seen.add(glm::vec3(0.0f));
     }
     const float extent = std::max({seen.size().x, seen.size().y, 1.0e-6f});
-    const glm::vec3 grown(kMargin * extent);
+    const glm::vec3 grown(kShadowMargin * extent);
     const glm::vec3 low = seen.min - grown;
     const glm::vec3 high = seen.max + grown;
     const glm::mat4 projection = glm::ortho(low.x, high.x, low.y, high.y, -high.z, -low.z);
-    m_texel = (1.0f + 2.0f * kMargin) * extent / static_cast<float>(m_size);
+    m_texel = (1.0f + 2.0f * kShadowMargin) * extent / static_cast<float>(m_size);
     const float depthBias = kDepthBias * m_texel / (high.z - low.z);
     m_matrix = glm::translate(glm::mat4(1.0f), glm::vec3(0.5f, 0.5f, 0.5f - depthBias)) *
                glm::scale(glm::mat4(1.0f), glm::vec3(0.5f)) * projection * view;
@@ -119,7 +119,7 @@ gl::Defines ShadowMap::defines() const {
 
 void ShadowMap::apply(const gl::Program& program) const {
     program.set("u_shadowMap", 1);
-    program.set("u_shadowSpread", kSpread / static_cast<float>(m_size));
+    program.set("u_shadowSpread", kShadowSpread / static_cast<float>(m_size));
     program.set("u_shadowMatrix", m_matrix);
     program.set("u_shadowTexel", m_texel);
     glActiveTexture(GL_TEXTURE1);

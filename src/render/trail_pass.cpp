@@ -10,7 +10,7 @@
 namespace hitscope::render {
 namespace {
 
-constexpr GLuint kPosition = 0;
+constexpr GLuint kTrailPosition = 0;
 constexpr GLuint kColour = 1;
 constexpr float kOpacity = 0.55f;   // next to the projectile
 constexpr float kHalfWidth = 0.6f;  // of the radius, next to the projectile
@@ -64,8 +64,8 @@ void addTrail(const ProjectileItem& projectile, const Camera& camera, std::vecto
 TrailPass::TrailPass() : m_buffer(gl::Buffer::make()), m_array(gl::VertexArray::make()) {
     glBindVertexArray(m_array.id());
     glBindBuffer(GL_ARRAY_BUFFER, m_buffer.id());
-    glEnableVertexAttribArray(kPosition);
-    glVertexAttribPointer(kPosition, 3, GL_FLOAT, GL_FALSE, sizeof(TrailVertex), nullptr);
+    glEnableVertexAttribArray(kTrailPosition);
+    glVertexAttribPointer(kTrailPosition, 3, GL_FLOAT, GL_FALSE, sizeof(TrailVertex), nullptr);
     glEnableVertexAttribArray(kColour);
     glVertexAttribPointer(kColour, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(TrailVertex),
                           reinterpret_cast<const void*>(offsetof(TrailVertex, colour)));

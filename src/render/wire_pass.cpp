@@ -34,8 +34,11 @@ Status fillDense(const FrameContext& context, DeformationPipeline& pipeline) {
             continue;
         }
         if (program == nullptr) {
-            const auto found = context.programs.get("surface.vert", "dense_wire.frag",
-                                                    targetDefines(context.frame, pipeline));
+            gl::Defines defines = targetDefines(context.frame, pipeline);
+            if (context.frame.options.normals == NormalMode::Paper) {
+                defines.emplace_back("HITSCOPE_PAPER_NORMALS", "1");
+            }
+            const auto found = context.programs.get("surface.vert", "dense_wire.frag", defines);
             if (!found) {
                 return found.error();
             }
