@@ -6,6 +6,7 @@
 #include <QTest>
 #include <array>
 
+#include "gl/pipeline_rows.h"
 #include "gl/render_target.h"
 #include "mesh/primitives.h"
 #include "session/comparison_text.h"
@@ -44,6 +45,7 @@ private Q_SLOTS:
         Session session;
         Comparison comparison(session);
         open(session, comparison);
+        HITSCOPE_NEEDS_EXACT_ARITHMETIC();
         comparison.setOther(static_cast<PipelineKind>(other));
         shootAll(session, demoShots(session, 300, 7));
         QVERIFY(session.history().size() > 200);
@@ -179,6 +181,7 @@ private Q_SLOTS:
         m_view.options.sideBySide = true;
         comparison.setOther(PipelineKind::UniformArray);
         QVERIFY(settled());
+        HITSCOPE_NEEDS_SAMPLES();
         const QString apart = test::differenceFromBaseline(picture(), QStringLiteral("side-by-side"));
         QVERIFY2(apart.isEmpty(), qPrintable(apart));
         m_view.options.sideBySide = false;
@@ -207,6 +210,7 @@ private Q_SLOTS:
         Session session;
         Comparison comparison(session);
         open(session, comparison);
+        HITSCOPE_NEEDS_EXACT_ARITHMETIC();
         comparison.setOther(PipelineKind::UniformArrayCulled);
         shootAll(session, demoShots(session, 20, 3));
         QVERIFY(settled());

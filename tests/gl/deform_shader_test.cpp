@@ -7,6 +7,7 @@
 #include <random>
 
 #include "deform/deform.h"
+#include "gl/pipeline_rows.h"
 #include "gl/pipeline_support.h"
 #include "pipeline/capture_pass.h"
 #include "pipeline/hit_arrays.h"
@@ -89,6 +90,7 @@ private Q_SLOTS:
         if (!m_gl.open()) {
             return;
         }
+        HITSCOPE_NEEDS_EXACT_ARITHMETIC();
         Result<CapturePass> pass = CapturePass::create(hitArrayDefines(kHits));
         QVERIFY2(pass.ok(), pass.ok() ? "" : pass.error().message().c_str());
         m_pass = std::make_unique<CapturePass>(std::move(pass).value());

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "pipeline/deformation_pipeline.h"
+#include "pipeline/exactness.h"
 #include "pipeline/pipeline_kind.h"
 
 /// In a test function with a context: skips the row, with the reason, where this renderer lacks what that
@@ -18,7 +19,24 @@
         }                                                                              \
     } while (false)
 
+/// In initTestCase() with a context, or in a test function: skips what compares bits with the reference where
+/// the renderer's arithmetic is not exact, and says by how much. ExactnessTest holds a renderer to be exact
+/// that is known to be.
+#define HITSCOPE_NEEDS_EXACT_ARITHMETIC()                                          \
+    do {                                                                           \
+        if (const std::string why = hitscope::test::whyNotExact(); !why.empty()) { \
+            QSKIP(why.c_str());                                                    \
+        }                                                                          \
+    } while (false)
+
 namespace hitscope::test {
+
+/// Empty: this renderer is exact. A context is current.
+[[nodiscard]] inline std::string whyNotExact() {
+    const Result<Exactness> measured = measureExactness();
+    return !measured || measured.value().exact ? std::string()
+                                               : "this renderer is " + describe(measured.value());
+}
 
 /// A row of test data for each pipeline, with an int `kind`.
 inline void addPipelines() {

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "deform/reference.h"
+#include "gl/pipeline_rows.h"
 #include "gl/render_target.h"
 #include "mesh/primitives.h"
 #include "session/scene_gpu.h"
@@ -53,6 +54,7 @@ private Q_SLOTS:
         if (!m_gl.open()) {
             return;
         }
+        HITSCOPE_NEEDS_EXACT_ARITHMETIC();
         m_target.emplace(64, 48);
         QVERIFY(m_target->isComplete());
     }

@@ -2,6 +2,7 @@
 #include "support/gl_fixture.h"
 
 #include <epoxy/egl.h>
+#include <epoxy/gl.h>
 
 #include <QTest>
 
@@ -20,6 +21,12 @@ bool GlFixture::open() {
     m_context = std::move(context).value();
     gl::collectDebugMessages();
     return true;
+}
+
+int GlFixture::mostSamples() {
+    GLint samples = 0;
+    glGetIntegerv(GL_MAX_SAMPLES, &samples);
+    return samples;
 }
 
 QStringList GlFixture::errors() {
