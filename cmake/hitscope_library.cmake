@@ -14,6 +14,11 @@ target_compile_options(hitscope_options INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds
     -Wno-subobject-linkage>  # of files compiled as one
   $<$<BOOL:${HITSCOPE_WERROR}>:-Werror>)
+# Programs too, or they cannot use the precompiled headers of libraries: Debian 12's Qt asks for it, Debian 13's does not.
+get_target_property(options_of_qt Qt6::Core INTERFACE_COMPILE_OPTIONS)
+if(NOT "-fPIC" IN_LIST options_of_qt)
+  target_compile_options(hitscope_options INTERFACE -fPIC)
+endif()
 target_compile_definitions(hitscope_options INTERFACE
   GLM_FORCE_CTOR_INIT GLM_ENABLE_EXPERIMENTAL QT_NO_KEYWORDS QT_NO_CAST_FROM_BYTEARRAY
   HITSCOPE_VERSION="${PROJECT_VERSION}")
