@@ -224,15 +224,15 @@ void MainWindow::makeThemeMenus(QMenu& menu) {
                                                        {tr("&Dark"), ThemeChoice::Dark}};
     for (const auto& [name, choice] : choices) {
         addChoice(window, *themes, name, m_settings.theme == choice,
-                  [this, choice = choice] { chooseTheme(choice); });
+                  [this, chosen = choice] { chooseTheme(chosen); });
     }
     QMenu& viewport = *menu.addMenu(tr("Viewport &Background"));
     auto* backgrounds = new QActionGroup(this);
     const std::pair<QString, std::optional<Theme>> shades[] = {
         {tr("Follow &Window"), std::nullopt}, {tr("&Light"), Theme::Light}, {tr("&Dark"), Theme::Dark}};
     for (const auto& [name, shade] : shades) {
-        addChoice(viewport, *backgrounds, name, m_settings.viewportTheme == shade, [this, shade = shade] {
-            m_settings.viewportTheme = shade;
+        addChoice(viewport, *backgrounds, name, m_settings.viewportTheme == shade, [this, chosen = shade] {
+            m_settings.viewportTheme = chosen;
             followViewportTheme();
         });
     }
