@@ -140,13 +140,37 @@ void HitHistoryModelTest::manyHits() {
     Session session;
     session.loadPaperRow(kDefaultPaperRow);
     const HitHistoryModel model(session);
+    const QSignalSpy inserted(&model, &QAbstractItemModel::rowsInserted);
     constexpr int kMany = 100'000;
+    const auto placeOf = [](int i) { return static_cast<float>(i) / 1024.0f; };
     for (int i = 0; i < kMany; ++i) {
-        QVERIFY(session.addHit(hitOn(session, static_cast<std::size_t>(i % 16), 0.0f)).ok());
+        QVERIFY(session.addHit(hitOn(session, static_cast<std::size_t>(i % 16), placeOf(i))).ok());
     }
     QCOMPARE(model.rowCount(), kMany);
+    QCOMPARE(inserted.size(), kMany);
+    QCOMPARE(inserted.last()[1].toInt(), kMany - 1);
     QCOMPARE(model.index(kMany - 1, HitHistoryModel::NumberColumn).data().toString(),
              QStringLiteral("100,000"));
+    // Each row is its own hit, and stays it when another goes.
+    const auto isHit = [&](int row, int hit) {
+        return model.index(row, HitHistoryModel::TargetColumn).data().toString() ==
+                   session.targets()[static_cast<std::size_t>(hit % 16)]->name &&
+               session.history().hits()[static_cast<std::size_t>(row)].point.x == placeOf(hit) &&
+               model.index(row, HitHistoryModel::NumberColumn).data().toString() ==
+                   QLocale().toString(row + 1);
+    };
+    for (int row = 0; row < kMany; row += 997) {
+        QVERIFY2(isHit(row, row), qPrintable(QString::number(row)));
+    }
+    session.removeHit(50'000);
+    QCOMPARE(model.rowCount(), kMany - 1);
+    QVERIFY(isHit(49'999, 49'999));
+    QVERIFY(isHit(50'000, 50'001));
+    QVERIFY(isHit(kMany - 2, kMany - 1));
+    session.undo();
+    QCOMPARE(model.rowCount(), kMany);
+    QVERIFY(isHit(50'000, 50'000));
+    QVERIFY(isHit(kMany - 1, kMany - 1));
 }
 
 void HitHistoryModelTest::checkBoxEnables() {
