@@ -13,10 +13,12 @@ void appendPositionLine(std::string& texts, const std::array<std::string_view, 3
     bool isShortest = true;
     for (int i = 0; i < 3; ++i) {
         const std::string_view text = written[static_cast<std::size_t>(i)];
-        const std::size_t before = texts.size();
-        appendNumber(texts, position[i]);
-        isShortest = isShortest && std::string_view(texts).substr(before) == text;
-        texts.resize(before);
+        if (isShortest) {
+            const std::size_t before = texts.size();
+            appendNumber(texts, position[i]);
+            isShortest = std::string_view(texts).substr(before) == text;
+            texts.resize(before);
+        }
         texts += text;
         texts += ' ';
     }
