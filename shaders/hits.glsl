@@ -5,7 +5,8 @@
 //
 // HITSCOPE_HIT_LISTS      hits come from buffers; for each cluster there is a list of those that may reach it
 // HITSCOPE_UNIFORM_HITS   the number of hits the arrays hold; not defined: no arrays
-// HITSCOPE_HIT_CONSTANTS  the number of different constants they can have
+// HITSCOPE_PACKED_MAGNITUDES  defined: four numbers of the third array stand in a vector
+// HITSCOPE_HITS_IN_BLOCK  defined: the arrays are a uniform block
 // HITSCOPE_OWN_HITS_ONLY  defined: the loop starts and ends with the target's own hits
 
 #if defined(HITSCOPE_UNIFORM_HITS) || defined(HITSCOPE_HIT_LISTS)
@@ -14,11 +15,23 @@
 
 #ifdef HITSCOPE_UNIFORM_HITS
 
-uniform vec3 u_hitPoints[HITSCOPE_UNIFORM_HITS];
-uniform vec3 u_hitDirections[HITSCOPE_UNIFORM_HITS];
-// Constants are kept per hit, but few hits differ in them: a palette and, four to a word, an index for each hit.
-uniform vec3 u_hitConstants[HITSCOPE_HIT_CONSTANTS];
-uniform uint u_hitConstantsIndex[(HITSCOPE_UNIFORM_HITS + 3) / 4];
+// Nine numbers a hit (src/pipeline/hit_arrays.h). Software renderers fetch each for every vertex, and all four of a
+// vector of which one is wanted: where the driver packs floats, they are an array of floats.
+#ifdef HITSCOPE_HITS_IN_BLOCK
+layout(std140) uniform HitArrays {
+    vec4 u_hitPoints[HITSCOPE_UNIFORM_HITS];      // and max_distance
+    vec4 u_hitDirections[HITSCOPE_UNIFORM_HITS];  // and power
+    vec4 u_hitMagnitudes[(HITSCOPE_UNIFORM_HITS + 3) / 4];
+};
+#else
+uniform vec4 u_hitPoints[HITSCOPE_UNIFORM_HITS];
+uniform vec4 u_hitDirections[HITSCOPE_UNIFORM_HITS];
+#ifdef HITSCOPE_PACKED_MAGNITUDES
+uniform vec4 u_hitMagnitudes[(HITSCOPE_UNIFORM_HITS + 3) / 4];
+#else
+uniform float u_hitMagnitudes[HITSCOPE_UNIFORM_HITS];
+#endif
+#endif
 uniform int u_hitCount;  // hits in the arrays
 uniform int u_firstHit;  // this target's are [u_firstHit, u_lastHit)
 uniform int u_lastHit;
@@ -35,8 +48,14 @@ bool applyHits(inout vec3 p, inout vec3 n)
             continue;
         }
 #endif
-        uint index = (u_hitConstantsIndex[i >> 2] >> (8u * (uint(i) & 3u))) & 0xffu;
-        if (deform(p, n, u_hitPoints[i], u_hitDirections[i], u_hitConstants[index])) {
+#ifdef HITSCOPE_PACKED_MAGNITUDES
+        float magnitude = u_hitMagnitudes[i >> 2][i & 3];
+#else
+        float magnitude = u_hitMagnitudes[i];
+#endif
+        vec4 a = u_hitPoints[i];
+        vec4 b = u_hitDirections[i];
+        if (deform(p, n, a.xyz, b.xyz, vec3(a.w, b.w, magnitude))) {
             reached = true;
         }
     }

@@ -13,6 +13,7 @@ struct CapacityReport {
     bool perTarget = false;               ///< the capacity is each target's own, not the scene's
     std::size_t used = 0;                 ///< hits kept now; those of the fullest target if perTarget
     std::vector<std::size_t> dropped;     ///< indices into the history, ascending; enabled hits only
+    bool byDriver = false;                ///< the driver has no room for as many as the pipeline would keep
 
     bool operator==(const CapacityReport&) const = default;
 };

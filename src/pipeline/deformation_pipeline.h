@@ -80,6 +80,8 @@ struct PipelineOptions {
     std::optional<int> vertexUniformComponents;
     /// For programs that include deform.glsl (Exactness::defines()).
     gl::Defines deformDefines;
+    /// As if a uniform block could have so many bytes; for tests.
+    std::optional<int> uniformBlockBytes;
 };
 
 /// The error is why this context cannot run it, or the driver's.

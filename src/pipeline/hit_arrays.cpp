@@ -2,83 +2,102 @@
 #include "pipeline/hit_arrays.h"
 
 #include <algorithm>
-#include <array>
 #include <glm/gtc/type_ptr.hpp>
 #include <string>
 
 namespace hitscope {
 
 namespace {
-constexpr int kMostHits = 600;
+
 constexpr int kLeastHits = 4;
-constexpr int kHitsPerWord = 4;
-constexpr std::size_t kBitsPerIndex = 8;
+constexpr int kComponentsPerHit = 9;
+constexpr std::size_t kPerVector = 4;
+/// Of the last, incomplete vector of magnitudes, and the three numbers that say which hits count, each in the
+/// room of four.
+constexpr int kBesideHits = 3 + 3 * 4;
+constexpr GLuint kBinding = 7;  // of uniform buffers; nothing else here uses any
+
+std::size_t vectorsFor(std::size_t hits) {
+    return (hits + kPerVector - 1) / kPerVector;
+}
+
 }  // namespace
 
-HitArrays::HitArrays(std::size_t capacity) : m_capacity(capacity) {}
-
-bool HitArrays::add(const Hit& hit) {
-    if (m_points.size() >= m_capacity) {
-        return false;
-    }
-    const auto known = std::find(m_constants.begin(), m_constants.end(), hit.constants);
-    const auto index = static_cast<std::size_t>(known - m_constants.begin());
-    if (known == m_constants.end()) {
-        if (m_constants.size() >= kHitConstants) {
-            return false;
-        }
-        m_constants.push_back(hit.constants);
-    }
-    const std::size_t place = m_points.size() % kHitsPerWord;
-    if (place == 0) {
-        m_constantsIndex.push_back(0);
-    }
-    m_constantsIndex.back() |= static_cast<GLuint>(index << (kBitsPerIndex * place));
-    m_points.push_back(hit.point);
-    m_directions.push_back(hit.direction);
-    return true;
+void HitArrays::add(const Hit& hit) {
+    m_points.emplace_back(hit.point, hit.constants.maxDistance);
+    m_directions.emplace_back(hit.direction, hit.constants.power);
+    m_magnitudes.push_back(hit.constants.maxMagnitude);
 }
 
-bool HitArrays::hasRoom(std::span<const Hit> hits) const {
-    std::vector<DeformationConstants> palette = m_constants;
-    for (const Hit& hit : hits) {
-        if (std::find(palette.begin(), palette.end(), hit.constants) == palette.end()) {
-            palette.push_back(hit.constants);
-        }
-    }
-    return m_points.size() + hits.size() <= m_capacity && palette.size() <= kHitConstants;
-}
-
-void HitArrays::upload(const gl::Program& program) const {
+void HitArrays::upload(const gl::Program& program) {
     program.set("u_hitCount", static_cast<int>(m_points.size()));
-    if (m_points.empty()) {
+    if (m_points.empty() || m_room.storage == HitStorage::UniformBlock) {
         return;
     }
     const auto count = static_cast<GLsizei>(m_points.size());
-    glUniform3fv(program.location("u_hitPoints"), count, glm::value_ptr(m_points.front()));
-    glUniform3fv(program.location("u_hitDirections"), count, glm::value_ptr(m_directions.front()));
-    std::array<glm::vec3, kHitConstants> palette{};
-    std::transform(
-        m_constants.begin(), m_constants.end(), palette.begin(),
-        [](const DeformationConstants& c) { return glm::vec3(c.maxDistance, c.power, c.maxMagnitude); });
-    glUniform3fv(program.location("u_hitConstants"), static_cast<GLsizei>(m_constants.size()),
-                 glm::value_ptr(palette.front()));
-    glUniform1uiv(program.location("u_hitConstantsIndex"), static_cast<GLsizei>(m_constantsIndex.size()),
-                  m_constantsIndex.data());
+    glUniform4fv(program.location("u_hitPoints"), count, glm::value_ptr(m_points.front()));
+    glUniform4fv(program.location("u_hitDirections"), count, glm::value_ptr(m_directions.front()));
+    const GLint magnitudes = program.location("u_hitMagnitudes");
+    if (m_room.storage == HitStorage::Floats) {
+        glUniform1fv(magnitudes, count, m_magnitudes.data());
+        return;
+    }
+    std::vector<float> whole = m_magnitudes;
+    whole.resize(kPerVector * vectorsFor(whole.size()));
+    glUniform4fv(magnitudes, static_cast<GLsizei>(whole.size() / kPerVector), whole.data());
 }
 
-gl::Defines hitArrayDefines(std::size_t hits) {
-    return {{"HITSCOPE_UNIFORM_HITS", std::to_string(hits)},
-            {"HITSCOPE_HIT_CONSTANTS", std::to_string(kHitConstants)}};
+/// As std140 has the block of hits.glsl: arrays of vectors, one after the other.
+void HitArrays::fillBuffer() {
+    constexpr std::size_t kVector = sizeof(glm::vec4);
+    const std::size_t bytes = (2 * m_room.hits + vectorsFor(m_room.hits)) * kVector;
+    m_buffer = gl::Buffer::make();
+    glBindBuffer(GL_UNIFORM_BUFFER, m_buffer.id());
+    glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_STATIC_DRAW);
+    const auto put = [this](std::size_t firstVector, const void* numbers, std::size_t size) {
+        glBufferSubData(GL_UNIFORM_BUFFER, static_cast<GLintptr>(firstVector * kVector),
+                        static_cast<GLsizeiptr>(size), numbers);
+    };
+    put(0, m_points.data(), m_points.size() * kVector);
+    put(m_room.hits, m_directions.data(), m_directions.size() * kVector);
+    put(2 * m_room.hits, m_magnitudes.data(), m_magnitudes.size() * sizeof(float));
+    glBindBuffer(GL_UNIFORM_BUFFER, 0);
 }
 
-std::size_t hitsThatFit(int components, UniformPacking packing) {
-    const int vector = packing == UniformPacking::Tight ? 3 : 4;
-    const int scalar = packing == UniformPacking::Tight ? 1 : 4;
-    const int others = kOtherUniforms + static_cast<int>(kHitConstants) * vector + 3 * scalar;
-    const int wordOfHits = kHitsPerWord * 2 * vector + scalar;  // point and direction, and the indices' word
-    const int hits = (components - others) / wordOfHits * kHitsPerWord;
-    return static_cast<std::size_t>(std::clamp(hits, kLeastHits, kMostHits));
+void HitArrays::bind(const gl::Program& program) {
+    if (m_room.storage != HitStorage::UniformBlock) {
+        return;
+    }
+    if (!m_buffer) {
+        fillBuffer();
+    }
+    const GLuint block = glGetUniformBlockIndex(program.id(), "HitArrays");
+    if (block != GL_INVALID_INDEX) {
+        glUniformBlockBinding(program.id(), block, kBinding);
+        glBindBufferBase(GL_UNIFORM_BUFFER, kBinding, m_buffer.id());
+    }
+}
+
+gl::Defines hitArrayDefines(const HitRoom& room) {
+    gl::Defines defines{{"HITSCOPE_UNIFORM_HITS", std::to_string(room.hits)}};
+    if (room.storage != HitStorage::Floats) {
+        defines.emplace_back("HITSCOPE_PACKED_MAGNITUDES", "1");
+    }
+    if (room.storage == HitStorage::UniformBlock) {
+        defines.emplace_back("HITSCOPE_HITS_IN_BLOCK", "1");
+    }
+    return defines;
+}
+
+std::size_t hitsInUniforms(int components) {
+    const int hits = (components - kOtherUniforms - kBesideHits) / kComponentsPerHit;
+    return static_cast<std::size_t>(std::clamp(hits, kLeastHits, static_cast<int>(kMostArrayHits)));
+}
+
+std::size_t hitsInBlock(int bytes) {
+    constexpr int kFloat = sizeof(float);
+    const int hits = (bytes / kFloat - 3) / kComponentsPerHit;
+    return static_cast<std::size_t>(std::clamp(hits, 0, static_cast<int>(kMostArrayHits)));
 }
 
 }  // namespace hitscope

@@ -16,26 +16,18 @@ struct KeptHit {
     Hit hit;
 };
 
-/// The newest hits of a sequence that uniform arrays hold: so many, with no more different constants than the
-/// palette has.
+/// The newest hits of a sequence, as many as uniform arrays hold.
 class HitWindow {
 public:
     explicit HitWindow(std::size_t capacity) : m_capacity(capacity) {}
 
-    /// Takes the next hit; the oldest, if there is no room for all, go to `dropped`.
+    /// Takes the next hit; the oldest, if there is no room for all, goes to `dropped`.
     void push(const KeptHit& hit, std::vector<KeptHit>& dropped);
     [[nodiscard]] const std::deque<KeptHit>& hits() const { return m_hits; }
 
 private:
-    struct Colour {
-        DeformationConstants constants;
-        std::size_t hits = 0;
-    };
-    void dropOldest(std::vector<KeptHit>& dropped);
-
     std::size_t m_capacity;
     std::deque<KeptHit> m_hits;
-    std::vector<Colour> m_palette;
 };
 
 }  // namespace hitscope

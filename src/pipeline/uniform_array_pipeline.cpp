@@ -15,19 +15,33 @@ std::uint64_t nextStamp() {
     return ++last;
 }
 
-int vertexUniformComponents(const PipelineOptions& options) {
-    if (options.vertexUniformComponents) {
-        return *options.vertexUniformComponents;
-    }
-    GLint components = 0;
-    glGetIntegerv(GL_MAX_VERTEX_UNIFORM_COMPONENTS, &components);
-    return components;
+int limit(const std::optional<int>& asIf, GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return asIf.value_or(value);
 }
 
-Result<CapturePass> passFor(std::size_t hits, const gl::Defines& deformDefines) {
-    gl::Defines defines = hitArrayDefines(hits);
+Result<CapturePass> passFor(const HitRoom& room, const gl::Defines& deformDefines) {
+    gl::Defines defines = hitArrayDefines(room);
     defines.insert(defines.end(), deformDefines.begin(), deformDefines.end());
     return CapturePass::create(std::move(defines));
+}
+
+/// Where to try to keep hits, the best first. OpenGL leaves it to the driver how densely arrays are packed.
+std::vector<HitRoom> roomsToTry(const PipelineOptions& options) {
+    const std::size_t uniforms =
+        hitsInUniforms(limit(options.vertexUniformComponents, GL_MAX_VERTEX_UNIFORM_COMPONENTS));
+    const std::size_t block = hitsInBlock(limit(options.uniformBlockBytes, GL_MAX_UNIFORM_BLOCK_SIZE));
+    std::vector<HitRoom> rooms;
+    if (uniforms >= kMostArrayHits) {
+        rooms.push_back({HitStorage::Floats, uniforms});
+    }
+    if (block > uniforms) {
+        rooms.push_back({HitStorage::UniformBlock, block});
+    }
+    rooms.push_back({HitStorage::Floats, uniforms});
+    rooms.push_back({HitStorage::Vectors, uniforms});
+    return rooms;
 }
 
 std::vector<Hit> hitsOf(std::span<const KeptHit> kept) {
@@ -60,28 +74,28 @@ std::vector<Hit> difference(std::span<const KeptHit> a, std::span<const KeptHit>
 
 Result<std::unique_ptr<DeformationPipeline>> UniformArrayPipeline::create(PipelineKind kind,
                                                                           const PipelineOptions& options) {
-    const int components = vertexUniformComponents(options);
-    // OpenGL leaves it to the driver how densely arrays are packed. The capturing program has arrays that
-    // take up the other programs' share as well: if it links, they will.
-    std::size_t capacity = hitsThatFit(components, UniformPacking::Tight);
-    Result<CapturePass> pass = passFor(capacity + kOtherUniformsInHits, options.deformDefines);
-    if (!pass) {
-        capacity = hitsThatFit(components, UniformPacking::Registers);
-        pass = passFor(capacity, options.deformDefines);
+    std::optional<Error> refused;
+    for (const HitRoom& room : roomsToTry(options)) {
+        // The capturing program has arrays that take up the other programs' share as well: if it links, they
+        // will.
+        const bool isBlock = room.storage == HitStorage::UniformBlock;
+        const HitRoom tried{room.storage, room.hits + (isBlock ? 0 : kOtherUniformsInHits)};
+        Result<CapturePass> pass = passFor(tried, options.deformDefines);
+        if (pass) {
+            return std::unique_ptr<DeformationPipeline>(
+                new UniformArrayPipeline(kind, std::move(pass).value(), room, options.deformDefines));
+        }
+        refused = pass.error();
     }
-    if (!pass) {
-        return pass.error();
-    }
-    return std::unique_ptr<DeformationPipeline>(
-        new UniformArrayPipeline(kind, std::move(pass).value(), capacity, options.deformDefines));
+    return *refused;
 }
 
-UniformArrayPipeline::UniformArrayPipeline(PipelineKind kind, CapturePass pass, std::size_t capacity,
+UniformArrayPipeline::UniformArrayPipeline(PipelineKind kind, CapturePass pass, const HitRoom& room,
                                            gl::Defines defines)
-    : m_kind(kind), m_pass(std::move(pass)), m_capacity(capacity), m_deformDefines(std::move(defines)) {}
+    : m_kind(kind), m_pass(std::move(pass)), m_room(room), m_deformDefines(std::move(defines)) {}
 
 CapacityReport UniformArrayPipeline::capacity() const {
-    CapacityReport report{m_capacity, isCulled(), 0, m_dropped};
+    CapacityReport report{m_room.hits, isCulled(), 0, m_dropped, m_room.hits < kMostArrayHits};
     for (const auto& [id, window] : m_windows) {
         report.used = std::max(report.used, window.hits().size());
     }
@@ -126,7 +140,7 @@ void UniformArrayPipeline::follow(const HistoryEdit& edit) {
 }
 
 HitWindow& UniformArrayPipeline::windowOf(TargetId target) {
-    return m_windows.try_emplace(isCulled() ? target : TargetId{}, m_capacity).first->second;
+    return m_windows.try_emplace(isCulled() ? target : TargetId{}, m_room.hits).first->second;
 }
 
 /// Only hits that are enabled and whose target is there take up room.
@@ -227,24 +241,33 @@ void UniformArrayPipeline::reconsider(TargetState& target, std::span<const Hit> 
 /// all fit in one page.
 void UniformArrayPipeline::fillPages() {
     m_pages.clear();
-    m_pages.push_back({HitArrays(m_capacity), nextStamp()});
+    m_pages.push_back({HitArrays(m_room), nextStamp()});
     for (auto& [id, target] : m_targets) {
         std::vector<Hit> hits = hitsOf(target.kept);
         if (isCulled()) {
             std::erase_if(hits,
                           [&target = target](const Hit& hit) { return !target.reach.mayEverReach(hit); });
         }
-        if (!m_pages.back().arrays.hasRoom(hits)) {
-            m_pages.push_back({HitArrays(m_capacity), nextStamp()});
+        if (m_pages.back().arrays.left() < hits.size()) {
+            m_pages.push_back({HitArrays(m_room), nextStamp()});
         }
         HitArrays& arrays = m_pages.back().arrays;
         target.page = m_pages.size() - 1;
         target.firstHit = arrays.size();
         for (const Hit& hit : hits) {
-            static_cast<void>(arrays.add(hit));  // a window's hits fit
+            arrays.add(hit);
         }
         target.lastHit = arrays.size();
     }
+}
+
+/// The program, in use, has that page's hits.
+void UniformArrayPipeline::show(Page& page, const gl::Program& program) {
+    if (program.contentStamp() != page.stamp) {
+        page.arrays.upload(program);
+        program.setContentStamp(page.stamp);
+    }
+    page.arrays.bind(program);
 }
 
 void UniformArrayPipeline::requestReadBack() {
@@ -260,11 +283,7 @@ void UniformArrayPipeline::requestReadBack() {
         m_pass.run(
             *target.buffers, runs,
             [&](const gl::Program& program) {
-                const Page& page = m_pages[target.page];
-                if (program.contentStamp() != page.stamp) {
-                    page.arrays.upload(program);
-                    program.setContentStamp(page.stamp);
-                }
+                show(m_pages[target.page], program);
                 program.set("u_firstHit", static_cast<int>(target.firstHit));
                 program.set("u_lastHit", static_cast<int>(target.lastHit));
             },
@@ -317,7 +336,7 @@ const ClusterReach* UniformArrayPipeline::reach(TargetId target) const {
 }
 
 gl::Defines UniformArrayPipeline::drawDefines() const {
-    gl::Defines defines = hitArrayDefines(m_capacity);
+    gl::Defines defines = hitArrayDefines(m_room);
     if (isCulled()) {
         defines.emplace_back("HITSCOPE_OWN_HITS_ONLY", "1");
     }
@@ -327,11 +346,7 @@ gl::Defines UniformArrayPipeline::drawDefines() const {
 
 void UniformArrayPipeline::prepareDraw(const gl::Program& program, TargetId target) {
     const auto known = m_targets.find(target);
-    const Page& page = m_pages.at(known == m_targets.end() ? 0 : known->second.page);
-    if (program.contentStamp() != page.stamp) {
-        page.arrays.upload(program);
-        program.setContentStamp(page.stamp);
-    }
+    show(m_pages.at(known == m_targets.end() ? 0 : known->second.page), program);
     program.set("u_firstHit", known == m_targets.end() ? 0 : static_cast<int>(known->second.firstHit));
     program.set("u_lastHit", known == m_targets.end() ? 0 : static_cast<int>(known->second.lastHit));
 }

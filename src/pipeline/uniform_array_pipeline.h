@@ -56,7 +56,7 @@ private:
         HitArrays arrays;
         std::uint64_t stamp = 0;  ///< names what is in them, among all pipelines there ever were
     };
-    UniformArrayPipeline(PipelineKind kind, CapturePass pass, std::size_t capacity, gl::Defines defines);
+    UniformArrayPipeline(PipelineKind kind, CapturePass pass, const HitRoom& room, gl::Defines defines);
     [[nodiscard]] bool isCulled() const { return m_kind == PipelineKind::UniformArrayCulled; }
     [[nodiscard]] HitWindow& windowOf(TargetId target);
     void push(std::size_t index, std::vector<KeptHit>& dropped);
@@ -65,12 +65,13 @@ private:
     void keepWhatWindowsHold(const std::set<TargetId>& targets);
     void reconsider(TargetState& target, std::span<const Hit> changed);
     void fillPages();
+    static void show(Page& page, const gl::Program& program);
     void requestReadBack();
     [[nodiscard]] ReadBackQueue::Take delivery(const ReadBackSink& sink);
 
     PipelineKind m_kind;
     CapturePass m_pass;
-    std::size_t m_capacity;
+    HitRoom m_room;
     gl::Defines m_deformDefines;
     std::vector<KeptHit> m_history;  ///< all of it; `index` is set when one is kept
     std::uint64_t m_nextSerial = 1;

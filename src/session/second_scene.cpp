@@ -22,8 +22,8 @@ bool SecondScene::followPipeline(Comparison& comparison, const gl::Defines& defo
     release();
     m_comparison = &comparison;
     m_tried = comparison.other();
-    Result<std::unique_ptr<DeformationPipeline>> made =
-        makePipeline(*m_tried, {.vertexUniformComponents = {}, .deformDefines = deformDefines});
+    Result<std::unique_ptr<DeformationPipeline>> made = makePipeline(
+        *m_tried, {.vertexUniformComponents = {}, .deformDefines = deformDefines, .uniformBlockBytes = {}});
     if (!made) {
         comparison.setFailure(QString::fromStdString(made.error().message()));
         return false;

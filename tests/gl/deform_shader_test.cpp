@@ -33,11 +33,9 @@ struct Run {
 std::vector<DynamicVertex> onGpu(CapturePass& pass, const RenderMesh& mesh, std::span<const Hit> hits,
                                  std::span<const Run> runs) {
     const TargetBuffers buffers(mesh);
-    HitArrays arrays(kHits);
+    HitArrays arrays({HitStorage::Floats, kHits});
     for (const Hit& hit : hits) {
-        if (!arrays.add(hit)) {
-            return {};
-        }
+        arrays.add(hit);
     }
     std::vector<DynamicVertex> result(mesh.vertices.size());
     for (const Run& run : runs) {
@@ -91,7 +89,7 @@ private Q_SLOTS:
             return;
         }
         HITSCOPE_NEEDS_EXACT_ARITHMETIC();
-        Result<CapturePass> pass = CapturePass::create(hitArrayDefines(kHits));
+        Result<CapturePass> pass = CapturePass::create(hitArrayDefines({HitStorage::Floats, kHits}));
         QVERIFY2(pass.ok(), pass.ok() ? "" : pass.error().message().c_str());
         m_pass = std::make_unique<CapturePass>(std::move(pass).value());
     }

@@ -76,11 +76,12 @@ RenderMesh pointCloud(std::uint32_t seed, std::uint32_t count, float extent) {
 
 DeformationConstants testConstants(std::size_t index) {
     const auto step = static_cast<float>(index);
-    return {0.5f + 0.03f * step, 0.05f - 0.002f * step, 0.3f - 0.01f * step};
+    const float share = step / (step + 20.0f);
+    return {0.5f + 0.6f * share, 0.05f - 0.04f * share, 0.3f - 0.25f * share};
 }
 
 std::vector<Hit> randomHits(const TestScene& scene, std::uint32_t seed, std::size_t count,
-                            std::size_t palette) {
+                            std::size_t constants) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> jitter(0.0f, 0.3f);
     std::vector<Hit> hits(count);
@@ -95,7 +96,9 @@ std::vector<Hit> randomHits(const TestScene& scene, std::uint32_t seed, std::siz
         }
         hit.direction = random() % 8 == 0 ? -vertex.normal
                                           : glm::normalize(randomDirection(random) - 0.8f * vertex.normal);
-        hit.constants = testConstants(random() % palette);
+        // As many as hits: each has its own.
+        hit.constants = testConstants(constants == count ? static_cast<std::size_t>(&hit - hits.data())
+                                                         : random() % constants);
     }
     return hits;
 }

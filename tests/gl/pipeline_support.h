@@ -33,9 +33,9 @@ using TestScene = std::vector<TestTarget>;
 /// A pipeline with the scene's targets; null, and a warning, where it cannot be made.
 [[nodiscard]] std::unique_ptr<DeformationPipeline> pipelineOn(PipelineKind kind, TestScene& scene);
 
-/// Hits near the surfaces of random targets of the scene, from all sides, with `palette` different constants.
+/// Hits near the surfaces of random targets of the scene, from all sides, with `constants` different constants.
 [[nodiscard]] std::vector<Hit> randomHits(const TestScene& scene, std::uint32_t seed, std::size_t count,
-                                          std::size_t palette = 1);
+                                          std::size_t constants = 1);
 [[nodiscard]] DeformationConstants testConstants(std::size_t index);
 
 /// What a receiver of readBack() has: every target's vertices, at first the original ones.

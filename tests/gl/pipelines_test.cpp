@@ -38,11 +38,11 @@ private Q_SLOTS:
     void equalsReference_data() {
         QTest::addColumn<int>("kind");
         QTest::addColumn<int>("hits");
-        QTest::addColumn<int>("palette");
+        QTest::addColumn<int>("constants");
         QTest::addColumn<QStringList>("meshes");
-        const auto add = [](const QByteArray& name, PipelineKind kind, int hits, int palette,
+        const auto add = [](const QByteArray& name, PipelineKind kind, int hits, int constants,
                             const QStringList& meshes) {
-            QTest::newRow(name.constData()) << static_cast<int>(kind) << hits << palette << meshes;
+            QTest::newRow(name.constData()) << static_cast<int>(kind) << hits << constants << meshes;
         };
         const QStringList sphere{QStringLiteral("High-poly sphere")};
         const QStringList cube{QStringLiteral("High-poly cube")};
@@ -53,7 +53,7 @@ private Q_SLOTS:
             const bool isLimited =
                 traits.kind == PipelineKind::UniformArray || traits.kind == PipelineKind::UniformArrayCulled;
             add(key + ", sphere", traits.kind, isLimited ? 600 : 1500, 1, sphere);
-            add(key + ", cube, many constants", traits.kind, isLimited ? 600 : 1500, isLimited ? 16 : 20,
+            add(key + ", cube, many constants", traits.kind, isLimited ? 600 : 1500, isLimited ? 600 : 1500,
                 cube);
             add(key + ", four targets", traits.kind, isLimited ? 600 : 2000, 7, four);
         }
@@ -61,14 +61,14 @@ private Q_SLOTS:
     void equalsReference() {
         QFETCH(const int, kind);
         QFETCH(const int, hits);
-        QFETCH(const int, palette);
+        QFETCH(const int, constants);
         QFETCH(const QStringList, meshes);
         HITSCOPE_NEEDS_PIPELINE(kind);
         TestScene scene = makeScene(meshes);
         const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), scene);
         QVERIFY(pipeline);
         const std::vector<Hit> history =
-            randomHits(scene, 7, static_cast<std::size_t>(hits), static_cast<std::size_t>(palette));
+            randomHits(scene, 7, static_cast<std::size_t>(hits), static_cast<std::size_t>(constants));
         Mirror mirror(scene);
         pipeline->reset(history);
         mirror.readBack(*pipeline);

@@ -130,7 +130,7 @@ private Q_SLOTS:
         QFETCH(const QString, file);
         gl::Defines defines;
         if (QByteArray(QTest::currentDataTag()).endsWith("with hits")) {
-            defines = {{"HITSCOPE_UNIFORM_HITS", "64"}, {"HITSCOPE_HIT_CONSTANTS", "16"}};
+            defines = {{"HITSCOPE_UNIFORM_HITS", "64"}};
         }
         const Result<std::string> text = gl::loadShader(file.toStdString(), defines);
         QVERIFY2(text.ok(), text.ok() ? "" : text.error().message().c_str());
@@ -141,7 +141,7 @@ private Q_SLOTS:
         const Result<gl::Program> built =
             gl::Program::build({"capture.vert",
                                 "",
-                                {{"HITSCOPE_UNIFORM_HITS", "8"}, {"HITSCOPE_HIT_CONSTANTS", "2"}},
+                                {{"HITSCOPE_UNIFORM_HITS", "8"}},
                                 {"capturedPosition"}});
         QVERIFY2(built.ok(), built.ok() ? "" : built.error().message().c_str());
         const gl::Program& program = built.value();

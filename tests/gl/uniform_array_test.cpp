@@ -14,10 +14,30 @@ using namespace test;
 
 namespace {
 
-constexpr PipelineOptions kLeastLimits{1024, {}};  // what OpenGL 3.3 guarantees
+constexpr std::size_t kLeastHits = 94;  // that fit into the uniforms that OpenGL 3.3 guarantees
 
-std::unique_ptr<DeformationPipeline> uniformArray(TestScene& scene, const PipelineOptions& limits = {}) {
-    Result<std::unique_ptr<DeformationPipeline>> made = makePipeline(PipelineKind::UniformArray, limits);
+PipelineOptions limits(std::optional<int> components, std::optional<int> blockBytes) {
+    PipelineOptions options;
+    options.vertexUniformComponents = components;
+    options.uniformBlockBytes = blockBytes;
+    return options;
+}
+
+/// As drivers have them: what each makes of the hits is the same.
+struct Limits {
+    const char* name;
+    int components;
+    int blockBytes;
+    std::size_t hits;
+};
+constexpr Limits kDrivers[] = {{"much room", 16384, 65536, 600},
+                               {"uniforms alone", 16384, 0, 600},
+                               {"a block of 64 KiB", 4096, 65536, 600},
+                               {"a block of 16 KiB", 1024, 16384, 454},
+                               {"least uniforms", 1024, 0, kLeastHits}};
+
+std::unique_ptr<DeformationPipeline> uniformArray(TestScene& scene, const PipelineOptions& options = {}) {
+    Result<std::unique_ptr<DeformationPipeline>> made = makePipeline(PipelineKind::UniformArray, options);
     if (!made) {
         qWarning("%s", made.error().message().c_str());
         return nullptr;
@@ -76,29 +96,46 @@ private Q_SLOTS:
         QCOMPARE(m_gl.errors(), QStringList());
     }
 
-    void hitsThatFitInWhatTheDriverHas_data() {
-        QTest::addColumn<int>("components");
-        QTest::addColumn<bool>("registers");
-        QTest::addColumn<std::size_t>("hits");
-        // Tight: 160 + 16 * 3 + 3 others, 25 for four hits. Registers: 160 + 16 * 4 + 12, 36 for four hits.
-        QTest::newRow("least") << 1024 << false << std::size_t{128};
-        QTest::newRow("least, in registers") << 1024 << true << std::size_t{84};
-        QTest::newRow("common") << 4096 << false << std::size_t{600};
-        QTest::newRow("common, in registers") << 4096 << true << std::size_t{428};
-        QTest::newRow("software") << 16384 << false << std::size_t{600};
-        QTest::newRow("below what OpenGL allows") << 10 << false << std::size_t{4};
-    }
     void hitsThatFitInWhatTheDriverHas() {
-        QFETCH(const int, components);
-        QFETCH(const bool, registers);
-        QFETCH(const std::size_t, hits);
-        QCOMPARE(hitsThatFit(components, registers ? UniformPacking::Registers : UniformPacking::Tight),
-                 hits);
+        // 160 for all else, 15 for what goes with the arrays, nine a hit.
+        QCOMPARE(hitsInUniforms(1024), kLeastHits);
+        QCOMPARE(hitsInUniforms(4096), std::size_t{435});
+        QCOMPARE(hitsInUniforms(16384), std::size_t{600});
+        QCOMPARE(hitsInUniforms(10), std::size_t{4});  // below what OpenGL allows
+        QCOMPARE(hitsInBlock(16384), std::size_t{454});
+        QCOMPARE(hitsInBlock(65536), std::size_t{600});
+        QCOMPARE(hitsInBlock(0), std::size_t{0});
+        QVERIFY(kOtherUniformsInHits * 9 >= static_cast<std::size_t>(kOtherUniforms));
     }
 
-    void otherUniformsInHitsAreEnough() {
-        QVERIFY(kOtherUniformsInHits * 25 / 4 >= static_cast<std::size_t>(kOtherUniforms));
-        QVERIFY(kOtherUniformsInHits * 36 / 4 >= static_cast<std::size_t>(kOtherUniforms));
+    void everyHitHasConstantsOfItsOwn_data() {
+        QTest::addColumn<int>("driver");
+        QTest::addColumn<int>("kind");
+        for (int driver = 0; driver < static_cast<int>(std::size(kDrivers)); ++driver) {
+            for (const PipelineKind kind : {PipelineKind::UniformArray, PipelineKind::UniformArrayCulled}) {
+                QTest::addRow("%s, %s", std::string(pipelineTraits(kind).key).c_str(), kDrivers[driver].name)
+                    << driver << static_cast<int>(kind);
+            }
+        }
+    }
+    void everyHitHasConstantsOfItsOwn() {
+        QFETCH(const int, driver);
+        QFETCH(const int, kind);
+        const Limits& has = kDrivers[driver];
+        TestScene scene = makeScene({QStringLiteral("Low-poly sphere")});
+        const auto made =
+            makePipeline(static_cast<PipelineKind>(kind), limits(has.components, has.blockBytes));
+        QVERIFY2(made.ok(), made.ok() ? "" : made.error().message().c_str());
+        DeformationPipeline& pipeline = *made.value();
+        pipeline.addTarget(scene[0].id, *scene[0].buffers);
+        const std::vector<Hit> hits = randomHits(scene, 19, 610, 610);
+        Mirror mirror(scene);
+        pipeline.append(hits);
+        mirror.readBack(pipeline);
+        QCOMPARE(pipeline.capacity().capacity, std::optional(has.hits));
+        QCOMPARE(pipeline.capacity().byDriver, has.hits < 600);
+        QCOMPARE(pipeline.capacity().dropped.size(), hits.size() - has.hits);
+        QCOMPARE(differenceFromReference(mirror, scene, std::span(hits).last(has.hits)), QString());
     }
 
     void keepsTheLastHits_data() {
@@ -110,9 +147,9 @@ private Q_SLOTS:
     void keepsTheLastHits() {
         QFETCH(const int, step);
         TestScene scene = makeScene({QStringLiteral("Low-poly sphere"), QStringLiteral("Low-poly cube")});
-        const auto pipeline = uniformArray(scene, kLeastLimits);
+        const auto pipeline = uniformArray(scene, limits(1024, 0));
         QVERIFY(pipeline);
-        QCOMPARE(pipeline->capacity().capacity, std::optional<std::size_t>(128));
+        QCOMPARE(pipeline->capacity().capacity, std::optional(kLeastHits));
         const std::vector<Hit> hits = randomHits(scene, 17, 400, 3);
         Mirror mirror(scene);
         for (std::size_t done = 0; done < hits.size();) {
@@ -120,7 +157,7 @@ private Q_SLOTS:
             pipeline->append(std::span(hits).subspan(done, count));
             done += count;
             mirror.readBack(*pipeline);
-            const std::size_t kept = std::min<std::size_t>(done, 128);
+            const std::size_t kept = std::min(done, kLeastHits);
             QCOMPARE(pipeline->capacity().dropped.size(), done - kept);
             if (done % 50 == 0 || done == hits.size()) {
                 QCOMPARE(differenceFromReference(mirror, scene, std::span(hits).subspan(done - kept, kept)),
@@ -133,35 +170,18 @@ private Q_SLOTS:
         QCOMPARE(differenceFromReference(mirror, scene, std::span(hits).first(10)), QString());
     }
 
-    // Of the hits with more different constants than the palette holds, the newest count.
-    void keepsHitsWhoseConstantsFit() {
-        TestScene scene = makeScene({QStringLiteral("Low-poly sphere")});
-        const auto pipeline = uniformArray(scene);
-        QVERIFY(pipeline);
-        std::vector<Hit> hits = randomHits(scene, 19, 100);
-        for (std::size_t i = 0; i < hits.size(); ++i) {
-            hits[i].constants = testConstants(i / 5);  // 20 different, 5 hits each
-        }
-        Mirror mirror(scene);
-        pipeline->reset(hits);
-        mirror.readBack(*pipeline);
-        QCOMPARE(pipeline->capacity().dropped.size(), std::size_t{20});
-        QCOMPARE(differenceFromReference(mirror, scene, std::span(hits).subspan(20)), QString());
-        const std::vector<Hit> more(1, hits.back());
-        pipeline->append(more);
-        QCOMPARE(pipeline->capacity().dropped.size(), std::size_t{20});
-    }
-
     // The paper's loop, over all hits of the scene, gives what readBack() reads.
     void drawingProgramsComputeWhatIsRead_data() {
-        QTest::addColumn<bool>("least");
-        QTest::newRow("all that the driver has") << false;
-        QTest::newRow("least limits") << true;
+        QTest::addColumn<int>("driver");
+        for (int driver = 0; driver < static_cast<int>(std::size(kDrivers)); ++driver) {
+            QTest::newRow(kDrivers[driver].name) << driver;
+        }
     }
     void drawingProgramsComputeWhatIsRead() {
-        QFETCH(const bool, least);
+        QFETCH(const int, driver);
         TestScene scene = makeScene({QStringLiteral("Low-poly cube"), QStringLiteral("High-poly sphere")});
-        const auto pipeline = uniformArray(scene, least ? kLeastLimits : PipelineOptions{});
+        const auto pipeline =
+            uniformArray(scene, limits(kDrivers[driver].components, kDrivers[driver].blockBytes));
         QVERIFY(pipeline);
         Result<gl::Program> program = drawingProgram(*pipeline);
         Result<gl::Program> second = drawingProgram(*pipeline);

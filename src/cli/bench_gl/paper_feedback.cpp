@@ -13,6 +13,8 @@ GLsizeiptr bytesOf(const std::vector<DynamicVertex>& vertices) {
     return static_cast<GLsizeiptr>(vertices.size() * sizeof(DynamicVertex));
 }
 
+constexpr HitRoom kOneHit{HitStorage::Floats, 1};
+
 void describeAttribute(Attribute attribute, std::size_t offset) {
     const auto index = static_cast<GLuint>(attribute);
     glEnableVertexAttribArray(index);
@@ -23,7 +25,7 @@ void describeAttribute(Attribute attribute, std::size_t offset) {
 }  // namespace
 
 Result<PaperFeedback::SharedProgram> PaperFeedback::makeProgram() {
-    gl::Defines defines = hitArrayDefines(1);
+    gl::Defines defines = hitArrayDefines(kOneHit);
     defines.emplace_back("HITSCOPE_OWN_HITS_ONLY", "1");
     Result<gl::Program> program =
         gl::Program::build({"capture.vert", {}, std::move(defines), {"capturedPosition", "capturedNormal"}});
@@ -56,7 +58,7 @@ Result<std::vector<PaperFeedback>> PaperFeedback::createOn(std::span<const Drawn
 PaperFeedback::PaperFeedback(SharedProgram program, std::span<const DynamicVertex> vertices,
                              const TargetBuffers* drawn)
     : m_program(std::move(program)),
-      m_hit(1),
+      m_hit(kOneHit),
       m_framebuffer(1, 1),
       m_captured(gl::Buffer::make()),
       m_readBack(vertices.size()) {
@@ -101,8 +103,8 @@ void PaperFeedback::apply(const Hit& hit) {
 }
 
 void PaperFeedback::capture(const Hit& hit) {
-    m_hit = HitArrays(1);
-    static_cast<void>(m_hit.add(hit));  // empty arrays have room
+    m_hit = HitArrays(kOneHit);
+    m_hit.add(hit);
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.framebuffer());
     glEnable(GL_RASTERIZER_DISCARD);
     m_program->use();
