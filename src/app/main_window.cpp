@@ -125,8 +125,10 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     connect(m_hitActions, &HitActions::said, this,
             [this](const QString& text) { statusBar()->showMessage(text, kHintStays); });
     connect(m_hitActions, &HitActions::failed, this, [this](const Error& error) { showError(this, error); });
-    connect(m_viewport, &Viewport::rendererKnown, this,
-            [this] { m_status->setRenderer(m_viewport->rendererName()); });
+    connect(m_viewport, &Viewport::rendererKnown, this, [this] {
+        m_status->setRenderer(m_viewport->rendererName());
+        m_pipelines->leaveInexact();
+    });
     connect(m_viewport, &Viewport::failed, this, [this](const Error& error) { showError(this, error); });
     connect(&m_frameRateTimer, &QTimer::timeout, this, &MainWindow::followFrameRate);
     m_frameRateTimer.setInterval(kFrameRateInterval);

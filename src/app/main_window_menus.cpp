@@ -312,9 +312,8 @@ void MainWindow::makeHelpMenu() {
     m_help->fill(menu);
     menu.addSeparator();
     addAction(menu, tr("&About Hitscope"), {}, [this] {
-        const std::optional<Exactness>& exactness = m_session.exactness();
         showAbout(this, m_viewport->rendererName(), m_viewport->rendererVersion(),
-                  exactness ? QString::fromStdString(describe(*exactness)) : QString());
+                  QString::fromStdString(describe(m_session.verdict(), m_session.pipeline())));
     });
 }
 

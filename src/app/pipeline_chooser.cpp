@@ -21,6 +21,7 @@ PipelineChooser::PipelineChooser(Session& session, QObject* parent)
     connect(&session, &Session::pipelineChanged, this, &PipelineChooser::follow);
     connect(&session, &Session::unavailablePipelinesChanged, this, &PipelineChooser::follow);
     connect(&session, &Session::unavailablePipelinesChanged, this, &PipelineChooser::leaveUnavailable);
+    connect(&session, &Session::verdictChanged, this, &PipelineChooser::follow);
 }
 
 void PipelineChooser::fill(QMenu& menu) {
@@ -30,8 +31,7 @@ void PipelineChooser::fill(QMenu& menu) {
         action->setCheckable(true);
         action->setData(static_cast<int>(traits.kind));
         m_actions->addAction(action);
-        connect(action, &QAction::triggered, this,
-                [this, kind = traits.kind] { m_session.setPipeline(kind); });
+        connect(action, &QAction::triggered, this, [this, kind = traits.kind] { choose(kind); });
     }
     follow();
 }
@@ -43,11 +43,16 @@ QComboBox* PipelineChooser::makeBox(QWidget* parent) {
         m_box->addItem(QString::fromUtf8(traits.name), static_cast<int>(traits.kind));
     }
     connect(m_box, &QComboBox::activated, this, [this](int index) {
-        m_session.setPipeline(static_cast<PipelineKind>(m_box->itemData(index).toInt()));
+        choose(static_cast<PipelineKind>(m_box->itemData(index).toInt()));
         Q_EMIT chosenInBox();
     });
     follow();
     return m_box;
+}
+
+void PipelineChooser::choose(PipelineKind kind) {
+    m_isChosen = true;
+    m_session.setPipeline(kind);
 }
 
 /// Rich text, which is broken into lines.
@@ -56,8 +61,13 @@ QString PipelineChooser::toolTip(const PipelineTraits& traits) const {
         return QStringLiteral("<p>%1</p>").arg(words.toHtmlEscaped());
     };
     const QString reason = m_session.whyUnavailable(traits.kind);
-    return (reason.isEmpty() ? QString() : paragraph(tr("Not available here: %1").arg(reason))) +
-           paragraph(QString::fromUtf8(traits.description)) +
+    const PipelineVerdict* verdict = m_session.verdict().of(traits.kind);
+    const QString found =
+        !reason.isEmpty() ? tr("Not available here: %1").arg(reason)
+        : verdict == nullptr
+            ? tr("Not compared with the reference yet.")
+            : tr("With this graphics driver: %1.").arg(QString::fromStdString(describe(*verdict)));
+    return paragraph(found) + paragraph(QString::fromUtf8(traits.description)) +
            paragraph(tr("Needs %1. Keeps %2.")
                          .arg(QString::fromUtf8(traits.needs), QString::fromUtf8(traits.keeps)));
 }
@@ -80,6 +90,19 @@ void PipelineChooser::follow() {
     }
     m_box->setCurrentIndex(m_box->findData(static_cast<int>(m_session.pipeline())));
     m_box->setToolTip(toolTip(pipelineTraits(m_session.pipeline())));
+}
+
+void PipelineChooser::leaveInexact() {
+    const PipelineTraits& traits = pipelineTraits(m_session.pipeline());
+    const std::optional<PipelineKind> better = m_session.verdict().insteadOf(traits.kind);
+    if (m_isChosen || !better) {
+        return;
+    }
+    const QString found = QString::fromStdString(describe(*m_session.verdict().of(traits.kind)));
+    m_session.setPipeline(*better);
+    Q_EMIT fellBack(
+        tr("The pipeline “%1” is %2.\nUsing “%3” instead; Mesh > Pipeline has all of them.")
+            .arg(QString::fromUtf8(traits.name), found, QString::fromUtf8(pipelineTraits(*better).name)));
 }
 
 void PipelineChooser::leaveUnavailable() {

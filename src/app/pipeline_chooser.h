@@ -21,14 +21,18 @@ public:
 
     void fill(QMenu& menu);                             ///< once
     [[nodiscard]] QComboBox* makeBox(QWidget* parent);  ///< once
+    /// What draws is known: leaves a pipeline that is not exact here for one that is, unless it was chosen
+    /// here.
+    void leaveInexact();
 
 Q_SIGNALS:
     void chosenInBox();
-    /// The pipeline that was set, which is the one remembered from the last time, cannot run here; another
-    /// was chosen. `notice` says it.
+    /// The pipeline that was set, which is the one remembered from the last time, cannot run here or is not
+    /// exact here; another was chosen. `notice` says it.
     void fellBack(const QString& notice);
 
 private:
+    void choose(PipelineKind kind);
     void follow();
     void leaveUnavailable();
     [[nodiscard]] QString toolTip(const PipelineTraits& traits) const;
@@ -36,6 +40,7 @@ private:
     Session& m_session;
     QActionGroup* m_actions = nullptr;
     QComboBox* m_box = nullptr;
+    bool m_isChosen = false;  ///< by a person, since the window opened
 };
 
 }  // namespace hitscope

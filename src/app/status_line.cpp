@@ -42,7 +42,8 @@ StatusLine::StatusLine(const Session& session, QStatusBar& bar, QObject* parent)
     connect(&session, &Session::historyReset, this, &StatusLine::showHits);
     connect(&session, &Session::capacityChanged, this, &StatusLine::showHits);
     connect(&session, &Session::pipelineChanged, this, &StatusLine::showPipeline);
-    connect(&session, &Session::exactnessChanged, this, &StatusLine::showRenderer);
+    connect(&session, &Session::verdictChanged, this, &StatusLine::showRenderer);
+    connect(&session, &Session::pipelineChanged, this, &StatusLine::showRenderer);
     showScene();
     showPipeline();
     showRenderer();
@@ -112,13 +113,21 @@ void StatusLine::setRenderer(const QString& name) {
     showRenderer();
 }
 
+/// "bit-exact" is said of the active pipeline, and only of what was compared.
 void StatusLine::showRenderer() {
-    const std::optional<Exactness>& exactness = m_session.exactness();
+    const RendererVerdict& verdict = m_session.verdict();
+    const PipelineVerdict* active = verdict.of(m_session.pipeline());
     QString text = m_rendererName;
-    QString toolTip = tr("Graphics driver");
-    if (exactness) {
-        text += exactness->exact ? tr(", bit-exact") : tr(", not bit-exact");
-        toolTip += QStringLiteral("\n") + QString::fromStdString(describe(*exactness));
+    if (active != nullptr && active->whyNot.empty()) {
+        text += active->isExact() ? tr(", bit-exact") : tr(", not bit-exact");
+    }
+    QString toolTip = tr("Graphics driver, and how the pipelines compare with the reference on it");
+    for (const PipelineTraits& traits : allPipelines()) {
+        toolTip += QStringLiteral("\n") + QString::fromStdString(describe(verdict, traits.kind));
+    }
+    if (verdict.picking) {
+        toolTip +=
+            QStringLiteral("\n") + tr("Picking: %1").arg(QString::fromStdString(describe(*verdict.picking)));
     }
     m_renderer->setText(text);
     m_renderer->setToolTip(toolTip);
@@ -169,6 +178,9 @@ void StatusLine::showHits() {
         tip += u'\n' + (report.perTarget ? tr("The pipeline keeps the last %1 on each target.")
                                          : tr("The pipeline keeps the last %1 of the scene."))
                            .arg(countText(*report.capacity));
+        if (report.byDriver) {
+            tip += u'\n' + tr("This graphics driver has room for no more.");
+        }
     }
     m_hits->setToolTip(tip);
 }

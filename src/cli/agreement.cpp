@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/agreement.h"
 
+#include <QTextStream>
 #include <algorithm>
 
 #include "deform/fingerprint.h"
@@ -50,6 +51,26 @@ Status usePipeline(Session& session, SceneGpu& gpu, PipelineKind kind) {
     }
     session.setPipeline(kind);
     return gpu.sync();
+}
+
+Status useAskedPipeline(Session& session, SceneGpu& gpu, std::optional<PipelineKind> asked) {
+    const PipelineKind wanted = asked.value_or(PipelineKind::TransformFeedback);
+    if (Status used = usePipeline(session, gpu, wanted); !used) {
+        return used;
+    }
+    const PipelineVerdict* verdict = session.verdict().of(wanted);
+    if (verdict == nullptr || verdict->isExact()) {
+        return Done{};
+    }
+    QTextStream notes(stderr);
+    notes << QString::fromStdString(describe(session.verdict(), wanted));
+    const std::optional<PipelineKind> better = session.verdict().insteadOf(wanted);
+    if (asked || !better) {
+        notes << "\n";
+        return Done{};
+    }
+    notes << "; using " << QString::fromUtf8(pipelineTraits(*better).name) << " instead\n";
+    return usePipeline(session, gpu, *better);
 }
 
 std::optional<ReferenceAgreement> agreementOfActive(const Session& session) {

@@ -12,6 +12,10 @@ namespace hitscope::cli {
 /// The pipeline's own error, or that this driver cannot run it.
 [[nodiscard]] Status usePipeline(Session& session, SceneGpu& gpu, PipelineKind kind);
 
+/// Likewise the pipeline that was asked for; nothing: the usual one, or, where that is not exact on this
+/// renderer, one that is. Says on the standard error what is not exact, and what is used.
+[[nodiscard]] Status useAskedPipeline(Session& session, SceneGpu& gpu, std::optional<PipelineKind> asked);
+
 /// How the active pipeline agrees with the reference, to the last bit; the reference itself is held against
 /// every hit at every vertex. Nothing: it is the reference, and that would take too long. SceneGpu::sync()
 /// has just been called.

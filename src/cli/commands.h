@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <QStringList>
+#include <optional>
 
 #include "core/result.h"
 #include "pipeline/pipeline_kind.h"
@@ -15,10 +16,10 @@ struct DemoOptions {
     QString meshPath;  ///< empty: the paper's scene
     int shots = 50;
     unsigned seed = 1;
-    PipelineKind pipeline = PipelineKind::TransformFeedback;  ///< what is shown and exported
-    NormalMode normals = NormalMode::True;                    ///< of pictures and mesh
-    int width = 1280;                                         ///< pixels
-    int height = 720;                                         ///< pixels
+    std::optional<PipelineKind> pipeline;   ///< what is shown and exported; nothing: the usual one
+    NormalMode normals = NormalMode::True;  ///< of pictures and mesh
+    int width = 1280;                       ///< pixels
+    int height = 720;                       ///< pixels
 };
 
 /// Shoots at the scene with no display, compares all pipelines that run here with the reference, writes

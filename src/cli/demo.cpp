@@ -11,6 +11,7 @@
 #include "io/save_image.h"
 #include "session/demo_shots.h"
 #include "session/export_target.h"
+#include "session/picture.h"
 #include "session/scene_gpu.h"
 #include "session/session.h"
 
@@ -36,7 +37,9 @@ public:
         if (Status status = m_gpu.draw(m_view, m_target.framebuffer()); !status) {
             return status;
         }
-        return savePicture(m_target.read(), path(name));
+        Image image = m_target.read();
+        image.notes = pictureNotes(m_session);
+        return savePicture(image, path(name));
     }
 
     /// Applies the hits with this pipeline; how it agrees with the reference (agreementOfActive()).
@@ -122,10 +125,10 @@ Status runDemo(const DemoOptions& options) {
     if (!compared) {
         return compared.error();
     }
-    const Result<std::optional<ReferenceAgreement>> shown = demo.apply(options.pipeline);
-    if (!shown) {
-        return shown.error();
+    if (Status used = useAskedPipeline(session, *gpu.value(), options.pipeline); !used) {
+        return used;
     }
+    const std::optional<ReferenceAgreement> shown = agreementOfActive(session);
     const Target& exported = mostChangedTarget(session);
     const QString meshPath = demo.path(QStringLiteral("deformed.obj"));
     for (const Status& status : {demo.picture(QStringLiteral("after.png"), WireframeMode::Off),
@@ -140,16 +143,15 @@ Status runDemo(const DemoOptions& options) {
     }
 
     out << "Renderer: " << QString::fromStdString(gl::rendererInfo().renderer);
-    if (session.exactness()) {
-        out << ", " << QString::fromStdString(describe(*session.exactness()));
-    }
-    out << "\n" << options.shots << " shots, " << session.history().size() << " hits\n\n";
+    out << "\n"
+        << QString::fromStdString(describe(session.verdict(), session.pipeline())) << "\n"
+        << options.shots << " shots, " << session.history().size() << " hits\n\n";
     printTable(out, session);
     out << "\n" << compared.value().join(QLatin1Char('\n')) << "\n\n" << fingerprintLines(session);
     out << "\nIn " << QDir::toNativeSeparators(QDir(options.folder).absolutePath())
         << ": before.png, after.png, wireframe.png, deformed.obj (" << exported.name << ")\n";
     out.flush();
-    return exportAgrees(session, shown.value(), meshPath);
+    return exportAgrees(session, shown, meshPath);
 }
 
 }  // namespace hitscope::cli

@@ -6,6 +6,8 @@
 #include "io/import.h"
 #include "mesh/topology.h"
 #include "pipeline/graphics_report.h"
+#include "pipeline/pipeline_trial.h"
+#include "render/picking_trial.h"
 
 namespace hitscope::cli {
 
@@ -99,7 +101,14 @@ Status runRendererInfo() {
     if (!exactness) {
         return exactness.error();
     }
-    QTextStream(stdout) << QString::fromStdString(toText(graphicsReport(exactness.value())));
+    RendererVerdict verdict;
+    PipelineOptions options;
+    options.deformDefines = exactness.value().defines();
+    for (const PipelineTraits& traits : allPipelines()) {
+        verdict.pipelines[traits.kind] = tryPipeline(traits.kind, options);
+    }
+    verdict.picking = tryPicking();
+    QTextStream(stdout) << QString::fromStdString(toText(graphicsReport(exactness.value(), verdict)));
     return Done{};
 }
 

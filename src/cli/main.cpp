@@ -64,7 +64,7 @@ int demo(const QStringList& arguments) {
         return wrongUsage(QStringLiteral("--pipeline takes one of %1.")
                               .arg(hitscope::cli::pipelineWords().join(QStringLiteral(", "))));
     }
-    options.pipeline = *kind;
+    options.pipeline = parser.isSet(pipeline) ? kind : std::nullopt;
     if (parser.value(normals) == QStringLiteral("paper")) {
         options.normals = hitscope::NormalMode::Paper;
     } else if (parser.value(normals) != QStringLiteral("true")) {

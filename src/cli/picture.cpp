@@ -68,7 +68,7 @@ Status open(Studio& studio, const PictureArguments& arguments) {
         return scene.error();
     }
     studio.scene = std::move(scene).value();
-    if (Status used = usePipeline(studio.session, *studio.scene, arguments.pipeline); !used) {
+    if (Status used = useAskedPipeline(studio.session, *studio.scene, arguments.pipeline); !used) {
         return used;
     }
     shootAll(studio.session, demoShots(studio.session, arguments.shots, arguments.seed));

@@ -130,7 +130,9 @@ Result<PictureArguments> PictureOptions::read(const QCommandLineParser& parser) 
     arguments.options.theme = static_cast<Theme>(theme);
     arguments.options.wireframe = static_cast<WireframeMode>(wireframe);
     arguments.options.normals = static_cast<NormalMode>(normals);
-    arguments.pipeline = *pipelineNamed(parser.value(m_pipeline));
+    if (parser.isSet(m_pipeline)) {
+        arguments.pipeline = pipelineNamed(parser.value(m_pipeline));
+    }
     arguments.options.transparent = parser.isSet(m_transparent);
     arguments.options.floor = !parser.isSet(m_noFloor);
     arguments.labels = !parser.isSet(m_noLabels);

@@ -17,7 +17,7 @@ struct PictureArguments {
     QString meshPath;  ///< empty: the paper's scene
     int shots = 0;
     unsigned seed = 1;
-    PipelineKind pipeline = PipelineKind::TransformFeedback;
+    std::optional<PipelineKind> pipeline;
     int width = 1280;  ///< pixels
     int height = 720;  ///< pixels
     DisplayOptions options;

@@ -127,7 +127,7 @@ Status runShoot(const ShootOptions& options) {
     if (!gpu) {
         return gpu.error();
     }
-    if (Status status = usePipeline(session, *gpu.value(), options.pipeline); !status) {
+    if (Status status = useAskedPipeline(session, *gpu.value(), options.pipeline); !status) {
         return status;
     }
     if (Status status = addHits(session, options.hitsPath); !status) {

@@ -23,7 +23,7 @@ struct ShootOptions {
     /// How the burst flies; a script says so itself. Nothing: as in the paper at the paper's scene, quick at
     /// a mesh, which may be of any size.
     std::optional<FlightMode> flight;
-    PipelineKind pipeline = PipelineKind::TransformFeedback;
+    std::optional<PipelineKind> pipeline;
     QString savePath;     ///< where the script goes; empty: nowhere
     QString meshOutPath;  ///< where the deformed mesh goes, that of most changed vertices; empty: nowhere
     QString hitsOutPath;  ///< where all hits go; empty: nowhere

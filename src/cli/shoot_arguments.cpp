@@ -135,7 +135,7 @@ Result<ShootOptions> ShootArguments::read(const QCommandLineParser& parser) cons
             "--pipeline takes one of " + pipelineWords().join(QStringLiteral(", ")).toStdString() + ".", "",
             ""};
     }
-    options.pipeline = *pipeline;
+    options.pipeline = parser.isSet(m_pipeline) ? pipeline : std::nullopt;
     options.shoots = shoots(parser);
     options.hitsPath = parser.value(m_hits);
     options.scriptPath = parser.value(m_script);

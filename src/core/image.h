@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hitscope {
@@ -12,6 +13,8 @@ struct Image {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> pixels;
+    /// What is saved with it where the format has a place for texts: key and text.
+    std::vector<std::pair<std::string, std::string>> notes = {};
 
     [[nodiscard]] bool empty() const { return pixels.empty(); }
 };

@@ -51,8 +51,11 @@ QByteArray encode(const Image& image, const char* format) {
                                  static_cast<std::size_t>(std::max(image.height, 0));
     QByteArray bytes;
     if (!image.empty() && image.pixels.size() == expected) {
-        const QImage view(image.pixels.data(), image.width, image.height, 4 * qsizetype{image.width},
-                          QImage::Format_RGBA8888);
+        QImage view(image.pixels.data(), image.width, image.height, 4 * qsizetype{image.width},
+                    QImage::Format_RGBA8888);
+        for (const auto& [key, text] : image.notes) {
+            view.setText(QString::fromStdString(key), QString::fromStdString(text));
+        }
         const bool isPng = std::string_view(format) == "png";
         const bool isWebp = std::string_view(format) == "webp";
         QBuffer buffer(&bytes);

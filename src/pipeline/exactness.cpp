@@ -4,17 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <random>
-#include <sstream>
 
 #include "deform/deform.h"
 #include "gl/objects.h"
 #include "gl/program.h"
 #include "mesh/render_mesh.h"
 #include "pipeline/keep_capture_state.h"
+#include "pipeline/trial_random.h"
 
 namespace hitscope {
 namespace {
@@ -44,34 +42,15 @@ public:
     }
 
 private:
-    /// [0, 1)
-    float uniform() {
-        constexpr unsigned kUnusedBits = 8;
-        constexpr float kUnit = 0x1p-24f;
-        return static_cast<float>(m_random() >> kUnusedBits) * kUnit;
-    }
-
-    glm::vec3 direction() {
-        glm::vec3 v(0.0f);
-        float length2 = 0.0f;
-        while (length2 < 0.01f || length2 > 1.0f) {
-            for (glm::length_t i = 0; i < 3; ++i) {
-                v[i] = 2.0f * uniform() - 1.0f;
-            }
-            length2 = glm::dot(v, v);
-        }
-        return glm::normalize(v);
-    }
-
     Hit hit(std::size_t index) {
         Hit hit;
         // Around the origin, coordinates near the hit are not rounded to those of the point.
-        hit.point = index % 4 == 0 ? glm::vec3(0.0f) : direction() * (kExtent * uniform());
-        hit.direction = direction();
+        hit.point = index % 4 == 0 ? glm::vec3(0.0f) : m_random.direction() * (kExtent * m_random.uniform());
+        hit.direction = m_random.direction();
         if (index % 2 == 1) {
-            hit.constants.maxDistance = 0.1f + 4.0f * uniform();
-            hit.constants.power = index % 8 == 7 ? 0.0f : uniform();
-            hit.constants.maxMagnitude = uniform();
+            hit.constants.maxDistance = 0.1f + 4.0f * m_random.uniform();
+            hit.constants.power = index % 8 == 7 ? 0.0f : m_random.uniform();
+            hit.constants.maxMagnitude = m_random.uniform();
         }
         return hit;
     }
@@ -81,17 +60,17 @@ private:
         const DeformationConstants& constants = hit.constants;
         float distance = constants.maxDistance;
         if (index % 8 == 4 || index % 8 == 5) {
-            distance *= uniform();
+            distance *= m_random.uniform();
         } else if (index % 8 == 6 && constants.maxMagnitude > 0.0f) {
             distance = std::min(distance, constants.power / constants.maxMagnitude);
         } else if (index % 8 == 7) {
-            distance *= std::pow(10.0f, -16.0f * uniform());
+            distance *= std::pow(10.0f, -16.0f * m_random.uniform());
         }
         DynamicVertex vertex;
-        vertex.position = hit.point + direction() * distance;
-        const auto axis = static_cast<glm::length_t>(m_random() % 3);
-        nudge(vertex.position[axis], static_cast<int>(m_random() % 9) - 4);
-        vertex.normal = direction();
+        vertex.position = hit.point + m_random.direction() * distance;
+        const auto axis = static_cast<glm::length_t>(m_random.below(3));
+        nudge(vertex.position[axis], static_cast<int>(m_random.below(9)) - 4);
+        vertex.normal = m_random.direction();
         if (index % 16 == 5) {
             vertex.normal = -hit.direction;
         } else if (index % 16 == 13) {
@@ -109,7 +88,7 @@ private:
         }
     }
 
-    std::mt19937 m_random{20};
+    TrialRandom m_random{20};
 };
 
 /// The cases' vertices in a buffer, and a buffer for what the shader makes of them.
@@ -179,24 +158,6 @@ std::vector<DynamicVertex> onCpu(const Cases& cases) {
     return vertices;
 }
 
-Exactness compare(const std::vector<DynamicVertex>& actual, const std::vector<DynamicVertex>& expected) {
-    Exactness exactness;
-    exactness.vertices = expected.size();
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-        // Bit for bit: the signs of zero count.
-        // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
-        if (std::memcmp(&actual[i], &expected[i], sizeof(DynamicVertex)) == 0) {
-            continue;
-        }
-        ++exactness.different;
-        const float distance = glm::distance(actual[i].position, expected[i].position);
-        exactness.largest = std::isnan(distance) ? std::numeric_limits<float>::infinity()
-                                                 : std::max(exactness.largest, distance);
-    }
-    exactness.exact = exactness.different == 0;
-    return exactness;
-}
-
 /// The defines' variant held against the expected vertices.
 Result<Exactness> measure(const Rig& rig, const std::vector<DynamicVertex>& expected, gl::Defines defines) {
     const Result<gl::Program> program =
@@ -204,18 +165,9 @@ Result<Exactness> measure(const Rig& rig, const std::vector<DynamicVertex>& expe
     if (!program) {
         return program.error();
     }
-    return compare(rig.run(program.value()), expected);
-}
-
-/// "4,096"
-std::string grouped(std::size_t number) {
-    constexpr std::size_t kDigits = 3;
-    std::string text = std::to_string(number);
-    for (std::size_t at = text.size(); at > kDigits;) {
-        at -= kDigits;
-        text.insert(at, 1, ',');
-    }
-    return text;
+    Exactness exactness;
+    exactness.compared.add(rig.run(program.value()), expected);
+    return exactness;
 }
 
 }  // namespace
@@ -233,13 +185,13 @@ Result<Exactness> measureExactness(const std::vector<std::pair<std::string, std:
     const KeepCaptureState keep;
     const Rig rig(cases);
     Result<Exactness> native = measure(rig, expected, defines);
-    if (!native || native.value().exact) {
+    if (!native || native.value().isExact()) {
         return native;
     }
     gl::Defines withFma = defines;
     withFma.emplace_back("HITSCOPE_EXACT_BY_FMA", "1");
     Result<Exactness> corrected = measure(rig, expected, std::move(withFma));
-    if (!corrected || !corrected.value().exact) {
+    if (!corrected || !corrected.value().isExact()) {
         return native;
     }
     corrected.value().byFma = true;
@@ -247,24 +199,14 @@ Result<Exactness> measureExactness(const std::vector<std::pair<std::string, std:
 }
 
 std::string describe(const Exactness& exactness) {
-    if (exactness.exact) {
-        std::string text = "bit-exact: every vertex as the reference has it";
-        if (exactness.byFma) {
-            text += ", with division and square root corrected";
-        }
-        return text;
+    if (!exactness.isExact()) {
+        return "not bit-exact: " + describe(exactness.compared);
     }
-    std::ostringstream text;
-    text << "not bit-exact: " << grouped(exactness.different) << " of " << grouped(exactness.vertices)
-         << " vertices differ, ";
-    if (exactness.largest > 0.0f) {
-        constexpr int kDigits = 2;
-        text.precision(kDigits);
-        text << "by up to " << exactness.largest << " m";
-    } else {
-        text << "in their normals only";
+    std::string text = "bit-exact in " + grouped(exactness.compared.vertices) + " vertices compared";
+    if (exactness.byFma) {
+        text += ", with division and square root corrected";
     }
-    return text.str();
+    return text;
 }
 
 }  // namespace hitscope

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/result.h"
+#include "pipeline/vertex_difference.h"
 
 namespace hitscope {
 
-/// Whether this renderer deforms as deform() in C++ does, in every bit. The function jumps by 0.1 m at its
-/// rim, so that a division or square root that is one unit in the last place off can show.
+/// Whether this renderer's vertex shaders deform as deform() in C++ does, in every bit. The function jumps by
+/// 0.1 m at its rim, so that a division or square root that is one unit in the last place off can show. It
+/// decides which variant of the function the pipelines are built with; whether they are right with it is
+/// tried end to end (tryPipeline()).
 struct Exactness {
-    bool exact = false;         ///< no vertex differed
-    bool byFma = false;         ///< only with division and square root corrected by fma
-    std::size_t vertices = 0;   ///< compared
-    std::size_t different = 0;  ///< of these, in any bit of position or normal
-    float largest = 0.0f;       ///< metres between a position and the reference's; infinite for a NaN
+    VertexDifference compared;
+    bool byFma = false;  ///< with both corrected by fma; no renderer at hand needs it and has a fused one
 
+    [[nodiscard]] bool isExact() const { return compared.different == 0; }
     bool operator==(const Exactness&) const = default;
 
     /// For every program that includes deform.glsl, as gl::Defines: the variant that was measured.
@@ -34,7 +34,7 @@ struct Exactness {
 [[nodiscard]] Result<Exactness> measureExactness(
     const std::vector<std::pair<std::string, std::string>>& defines = {});
 
-/// "bit-exact: every vertex as the reference has it".
+/// "bit-exact in 8,192 vertices compared".
 /// "not bit-exact: 12 of 4,096 vertices differ, by up to 0.1 m".
 [[nodiscard]] std::string describe(const Exactness& exactness);
 

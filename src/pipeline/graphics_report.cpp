@@ -22,13 +22,9 @@ long long limit(GLenum name) {
     return value;
 }
 
-/// "16,384 bytes": in a report that is copied, as in English.
+/// "16,384 bytes".
 std::string counted(long long count, const std::string& unit) {
-    std::string digits = std::to_string(count);
-    for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3) {
-        digits.insert(static_cast<std::size_t>(at), ",");
-    }
-    return digits + (unit.empty() ? "" : " " + unit);
+    return grouped(static_cast<std::size_t>(std::max(count, 0LL))) + " " + unit;
 }
 
 std::string timerText() {
@@ -54,7 +50,12 @@ std::string computeText(bool isThere) {
 
 std::string arraysText() {
     const auto arrays = makePipeline(PipelineKind::UniformArray);
-    return arrays ? std::to_string(arrays.value()->capacity().capacity.value_or(0)) : arrays.error().what;
+    if (!arrays) {
+        return arrays.error().what;
+    }
+    const CapacityReport report = arrays.value()->capacity();
+    return std::to_string(report.capacity.value_or(0)) +
+           (report.byDriver ? ", which fill what the driver has" : "");
 }
 
 void addLimits(GraphicsReport& report) {
@@ -75,22 +76,37 @@ void addLimits(GraphicsReport& report) {
 
 void addExactness(GraphicsReport& report, const std::optional<Exactness>& exactness) {
     if (!exactness) {
-        report.emplace_back("deformation", "not measured");
+        report.emplace_back("deformation function", "not compared");
         return;
     }
-    report.emplace_back("deformation", describe(*exactness));
+    report.emplace_back("deformation function", describe(*exactness));
     char largest[32];
-    std::snprintf(largest, sizeof largest, "%g m", static_cast<double>(exactness->largest));
-    report.emplace_back("vertices compared", counted(static_cast<long long>(exactness->vertices), {}));
-    report.emplace_back("vertices that differ", counted(static_cast<long long>(exactness->different), {}));
+    std::snprintf(largest, sizeof largest, "%g m", static_cast<double>(exactness->compared.largest));
     report.emplace_back("largest difference", largest);
-    report.emplace_back("division and square root",
-                        exactness->byFma ? "corrected by fma" : "the driver's own");
+    report.emplace_back(
+        "division and square root",
+        exactness->byFma ? "corrected by fma, which has not been tried on a GPU yet" : "the driver's own");
+}
+
+void addVerdict(GraphicsReport& report, const RendererVerdict& verdict,
+                const std::function<std::string(PipelineKind)>& why) {
+    for (const PipelineTraits& traits : allPipelines()) {
+        std::string text = why ? why(traits.kind) : std::string();
+        if (text.empty()) {
+            text = whyUnavailable(traits.kind).value_or(std::string());
+        }
+        if (text.empty()) {
+            const PipelineVerdict* known = verdict.of(traits.kind);
+            text = known != nullptr ? describe(*known) : "not compared yet";
+        }
+        report.emplace_back(std::string(traits.name), text);
+    }
+    report.emplace_back("picking", verdict.picking ? describe(*verdict.picking) : "not compared yet");
 }
 
 }  // namespace
 
-GraphicsReport graphicsReport(const std::optional<Exactness>& exactness,
+GraphicsReport graphicsReport(const std::optional<Exactness>& exactness, const RendererVerdict& verdict,
                               const std::function<std::string(PipelineKind)>& why) {
     const gl::RendererInfo info = gl::rendererInfo();
     const GLubyte* language = glGetString(GL_SHADING_LANGUAGE_VERSION);
@@ -99,13 +115,7 @@ GraphicsReport graphicsReport(const std::optional<Exactness>& exactness,
     report.emplace_back("drawn by", info.isSoftware() ? "the CPU" : "the GPU");
     addLimits(report);
     addExactness(report, exactness);
-    for (const PipelineTraits& traits : allPipelines()) {
-        std::string reason = why ? why(traits.kind) : std::string();
-        if (reason.empty()) {
-            reason = whyUnavailable(traits.kind).value_or("available");
-        }
-        report.emplace_back(std::string(traits.name), reason);
-    }
+    addVerdict(report, verdict, why);
     return report;
 }
 

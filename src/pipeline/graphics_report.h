@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "pipeline/exactness.h"
-#include "pipeline/pipeline_kind.h"
+#include "pipeline/renderer_verdict.h"
 
 namespace hitscope {
 
@@ -16,9 +16,11 @@ namespace hitscope {
 using GraphicsReport = std::vector<std::pair<std::string, std::string>>;
 
 /// What draws and what it can do: names and versions, the limits that matter here, how exactly it deforms,
-/// and which pipelines run. `exactness`: nothing: not measured. `why` may know more reasons than the driver's
-/// version why a pipeline cannot run; empty: it can. A context is current.
+/// which pipelines run, and what came of trying them and picking. `exactness`: nothing: not measured. `why`
+/// may know more reasons than the driver's version why a pipeline cannot run; empty: it can. A context is
+/// current.
 [[nodiscard]] GraphicsReport graphicsReport(const std::optional<Exactness>& exactness,
+                                            const RendererVerdict& verdict,
                                             const std::function<std::string(PipelineKind)>& why = {});
 
 /// A line an entry, "  name    value", the values below one another.

@@ -23,6 +23,7 @@ struct PipelineTraits {
     std::string_view description;  ///< one sentence
     std::string_view needs;        ///< "OpenGL 3.3"
     std::string_view keeps;        ///< "the last 600 hits of the scene"
+    bool keepsAll = true;          ///< any number of hits
 };
 /// Every pipeline there is, in the order the interface lists them.
 [[nodiscard]] std::span<const PipelineTraits> allPipelines();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "render/change_map.h"
 #include "render/cut_away.h"
@@ -90,15 +91,33 @@ Status PickPass::makeRoom(const PixelArea& area) {
     return Done{};
 }
 
-Status PickPass::draw(const Frame& frame, DeformationPipeline& pipeline, const PixelArea& area,
-                      PickElements elements) {
-    const bool points = elements == PickElements::Points;
+void PickPass::setWay(bool byGeometry, gl::Defines defines) {
+    m_byGeometry = byGeometry;
+    m_defines = std::move(defines);
+}
+
+Result<const gl::Program*> PickPass::programFor(const Frame& frame, const DeformationPipeline& pipeline,
+                                                bool points, bool filled) {
     gl::Defines defines = render::targetDefines(frame, pipeline);
-    const bool filled = !points && render::isCutFilled(frame);
+    defines.insert(defines.end(), m_defines.begin(), m_defines.end());
     if (filled) {
         defines.emplace_back("HITSCOPE_CUT_FILLED", "1");
     }
-    const auto found = m_programs.get("surface.vert", "pick.frag", defines);
+    if (!m_byGeometry) {
+        return m_programs.get("surface.vert", "pick.frag", defines);
+    }
+    defines.emplace_back("HITSCOPE_HANDED_ON", "1");
+    if (points) {
+        defines.emplace_back("HITSCOPE_POINTS", "1");
+    }
+    return m_programs.get("surface.vert", "pick.frag", defines, "pick.geom");
+}
+
+Status PickPass::draw(const Frame& frame, DeformationPipeline& pipeline, const PixelArea& area,
+                      PickElements elements) {
+    const bool points = elements == PickElements::Points;
+    const bool filled = !points && render::isCutFilled(frame);
+    const auto found = programFor(frame, pipeline, points, filled);
     if (!found) {
         return found.error();
     }

@@ -23,6 +23,10 @@ public:
     PickPass(const PickPass&) = delete;
     PickPass& operator=(const PickPass&) = delete;
 
+    /// How the programs learn which triangle or vertex it is: `byGeometry`, from a geometry shader
+    /// (pick.geom), where the driver needs it (tryPicking()). `defines` are added to the programs.
+    void setWay(bool byGeometry, gl::Defines defines = {});
+
     /// Draws the frame's targets; its other parts neither show nor hide anything. 0 < area.width, height.
     [[nodiscard]] Status draw(const Frame& frame, DeformationPipeline& pipeline, const PixelArea& area,
                               PickElements elements);
@@ -38,9 +42,14 @@ public:
 
 private:
     [[nodiscard]] Status makeRoom(const PixelArea& area);
+    [[nodiscard]] Result<const gl::Program*> programFor(const Frame& frame,
+                                                        const DeformationPipeline& pipeline, bool points,
+                                                        bool filled);
     void forgetReading();
 
     render::ProgramCache m_programs;
+    bool m_byGeometry = false;
+    gl::Defines m_defines;
     gl::Framebuffer m_framebuffer;
     gl::Renderbuffer m_elements;
     gl::Renderbuffer m_depth;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 
+#include "gl/context.h"
 #include "gl/render_target.h"
 #include "session/change_overlay.h"
 #include "session/change_values.h"
@@ -104,7 +105,15 @@ Result<Image> drawPicture(SceneGpu& scene, const PictureRequest& request) {
     if (request.labels && ChangeOverlay::isNeeded(view)) {
         writeLabels(image, view);
     }
+    image.notes = pictureNotes(scene.session());
     return image;
+}
+
+std::vector<std::pair<std::string, std::string>> pictureNotes(const Session& session) {
+    const gl::RendererInfo info = gl::rendererInfo();
+    return {{"Software", "Hitscope " HITSCOPE_VERSION},
+            {"Renderer", info.renderer + ", OpenGL " + info.version},
+            {"Pipeline", describe(session.verdict(), session.pipeline())}};
 }
 
 }  // namespace hitscope

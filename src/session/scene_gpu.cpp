@@ -5,8 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/pipeline_trial.h"
 #include "render/original_shape.h"
 #include "render/pick_pass.h"
+#include "render/picking_trial.h"
 #include "session/change_values.h"
 #include "session/comparison.h"
 #include "session/picture_part.h"
@@ -49,10 +51,58 @@ Result<std::unique_ptr<SceneGpu>> SceneGpu::create(Session& session) {
     }
     session.setExactness(exactness.value());
     session.setUnavailablePipelines(unavailablePipelines());
+    session.setVerdict({});
     std::unique_ptr<SceneGpu> scene(new SceneGpu(session));
     scene->d->deformDefines = exactness.value().defines();
     scene->d->renderer = std::move(renderer).value();
+    scene->d->tryDefault();
     return scene;
+}
+
+PipelineOptions SceneGpu::Private::options() const {
+    PipelineOptions options;
+    options.deformDefines = deformDefines;
+    return options;
+}
+
+void SceneGpu::Private::tryOut(PipelineKind kind) {
+    if (session.verdict().of(kind) == nullptr) {
+        RendererVerdict verdict = session.verdict();
+        verdict.pipelines[kind] = tryPipeline(kind, options());
+        session.setVerdict(std::move(verdict));
+    }
+}
+
+/// The session's pipeline, and where it fails, others until one is known that can stand in for it.
+void SceneGpu::Private::tryDefault() {
+    tryOut(session.pipeline());
+    for (const PipelineTraits& traits : allPipelines()) {
+        if (session.verdict().of(session.pipeline())->isExact() ||
+            session.verdict().insteadOf(session.pipeline())) {
+            return;
+        }
+        tryOut(traits.kind);
+    }
+}
+
+const PickingVerdict& SceneGpu::Private::pickingVerdict() {
+    if (!session.verdict().picking) {
+        RendererVerdict verdict = session.verdict();
+        verdict.picking = tryPicking();
+        session.setVerdict(std::move(verdict));
+    }
+    return *session.verdict().picking;
+}
+
+bool SceneGpu::tryNext() {
+    for (const PipelineTraits& traits : allPipelines()) {
+        if (d->session.verdict().of(traits.kind) == nullptr) {
+            d->tryOut(traits.kind);
+            return true;
+        }
+    }
+    static_cast<void>(d->pickingVerdict());
+    return false;
 }
 
 std::shared_ptr<const MaterialSet> SceneGpu::Private::materialsOf(const DeformedMesh& mesh) {
@@ -156,6 +206,13 @@ Status SceneGpu::drawElements(const View& view, PickPass& pass, const PixelArea&
     if (!d->pipeline) {
         return Done{};
     }
+    const PickingVerdict& verdict = d->pickingVerdict();
+    if (!verdict.isRight()) {
+        return Error{"What lies under the cursor cannot be told with this graphics driver: picking was " +
+                         describe(verdict) + ".",
+                     "", "Another driver, or LIBGL_ALWAYS_SOFTWARE=1, may do better."};
+    }
+    pass.setWay(verdict.byGeometry);
     std::vector<DrawItem> items = d->drawItems();
     Frame frame;
     frame.width = view.width;

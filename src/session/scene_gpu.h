@@ -51,9 +51,12 @@ public:
     /// one picture into the framebuffer object of that name (0: the default framebuffer).
     [[nodiscard]] Status draw(const View& view, unsigned framebuffer);
     /// What draw() last drew, into `pass`: what lies under the pixels of `area` of that view. Nothing before
-    /// the first draw() or sync().
+    /// the first draw() or sync(). An error too where picking was tried and found wrong.
     [[nodiscard]] Status drawElements(const View& view, PickPass& pass, const PixelArea& area,
                                       PickElements elements);
+    /// Tries what has not been tried yet of the pipelines and of picking on this renderer, one of them, in
+    /// some ten milliseconds; Session::verdict() has what came of it. False: nothing is left.
+    bool tryNext();
     /// Whether the session is behind what was drawn: another draw() or sync() brings it on.
     [[nodiscard]] bool isReadBackPending() const;
     [[nodiscard]] const Session& session() const;

@@ -15,8 +15,10 @@ struct SceneGpuText {
     Q_DECLARE_TR_FUNCTIONS(hitscope::SceneGpu)
 };
 
-Result<std::unique_ptr<DeformationPipeline>> SceneGpu::Private::newPipeline() const {
-    return makePipeline(session.pipeline(), {.vertexUniformComponents = {}, .deformDefines = deformDefines});
+/// Nothing is shown or saved of a pipeline that has not been tried.
+Result<std::unique_ptr<DeformationPipeline>> SceneGpu::Private::newPipeline() {
+    tryOut(session.pipeline());
+    return makePipeline(session.pipeline(), options());
 }
 
 /// The history keeps its large edits for a short while only: they are taken as they come.

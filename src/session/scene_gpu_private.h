@@ -57,7 +57,11 @@ struct SceneGpu::Private {
     void followCover();
     [[nodiscard]] const MaterialSet* materialsToDraw(const Target& target) const;
     [[nodiscard]] std::vector<DrawItem> drawItems() const;
-    [[nodiscard]] Result<std::unique_ptr<DeformationPipeline>> newPipeline() const;
+    [[nodiscard]] Result<std::unique_ptr<DeformationPipeline>> newPipeline();
+    [[nodiscard]] PipelineOptions options() const;
+    void tryOut(PipelineKind kind);
+    void tryDefault();
+    [[nodiscard]] const PickingVerdict& pickingVerdict();
     Status followPipeline(bool& startOver);
     void seeHistory();
     [[nodiscard]] bool hasToStartOver() const;

@@ -18,6 +18,7 @@
 #include "physics/physics_world.h"
 #include "pipeline/capacity_report.h"
 #include "pipeline/exactness.h"
+#include "pipeline/renderer_verdict.h"
 #include "pipeline/pipeline_kind.h"
 #include "render/camera.h"
 #include "render/lights.h"
@@ -217,6 +218,9 @@ public:
     void setExactness(const Exactness& exactness);
     /// Of the renderer that draws; nothing before there is one.
     [[nodiscard]] const std::optional<Exactness>& exactness() const { return m_exactness; }
+    /// What has been tried so far of the pipelines and of picking on that renderer.
+    void setVerdict(RendererVerdict verdict);
+    [[nodiscard]] const RendererVerdict& verdict() const { return m_verdict; }
     /// The pipeline starts over: every target's CPU copy goes back to its original until it is read back.
     void restartReadBack();
     /// What the active pipeline made of a target: vertices [first, first + vertices.size()).
@@ -272,6 +276,7 @@ Q_SIGNALS:
     void shotsWent(const hitscope::ShotCount& count);
     void pipelineChanged();
     void exactnessChanged();
+    void verdictChanged();
     void scheduleChanged();  ///< shotsToCome()
     void aboutToStep();      ///< before each physics step: what is shot now flies with it
     void timeChanged();      ///< paused or not, time scale, physics step
@@ -341,6 +346,7 @@ private:
     FlightMode m_flightMode = FlightMode::Quick;
     PipelineKind m_pipeline = PipelineKind::TransformFeedback;
     std::optional<Exactness> m_exactness;
+    RendererVerdict m_verdict;
     PhysicsWorld m_physics;
     ColliderFollower m_colliders{m_physics};
     ShotSchedule m_schedule;

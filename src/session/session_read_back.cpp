@@ -94,6 +94,13 @@ void Session::takeReadBack(TargetId id, std::uint32_t first, std::span<const Dyn
     target->deformed.write(first, vertices, m_moved[id]);
 }
 
+void Session::setVerdict(RendererVerdict verdict) {
+    if (verdict != m_verdict) {
+        m_verdict = std::move(verdict);
+        Q_EMIT verdictChanged();
+    }
+}
+
 void Session::setExactness(const Exactness& exactness) {
     if (exactness != m_exactness) {
         m_exactness = exactness;

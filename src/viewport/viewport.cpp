@@ -21,6 +21,7 @@ namespace {
 
 constexpr int kCrosshairStays = 1500;   // milliseconds after the last shot with Space
 constexpr int kCostsArrive = 200;       // milliseconds after the last frame of many
+constexpr int kTrialPause = 250;        // milliseconds between two things that are tried, each some ten long
 constexpr qint64 kFiringFrames = 500;   // milliseconds between frames while shots are being fired
 constexpr double kLongestStep = 0.25;   // seconds: a window that stood still does not make the scene jump
 constexpr double kNanosecond = 1.0e-9;  // seconds
@@ -45,6 +46,8 @@ Viewport::Viewport(Session& session, QWidget* parent)
     m_costsTimer.setSingleShot(true);
     m_costsTimer.setInterval(kCostsArrive);
     connect(&m_costsTimer, &QTimer::timeout, this, &Viewport::collectCosts);
+    m_trialTimer.setInterval(kTrialPause);
+    connect(&m_trialTimer, &QTimer::timeout, this, &Viewport::tryNext);
     const auto followRateOfFire = [this] {
         m_repeatTimer.setInterval(qRound(1000.0f / m_session.projectileSettings().rateOfFire));
     };
@@ -90,6 +93,7 @@ void Viewport::initializeGL() {
         m_scene = std::move(scene).value();
         m_picker = std::make_unique<ScenePicker>(m_session, *m_scene);
         m_error.clear();
+        m_trialTimer.start();
     } else {
         report(scene.error());
     }
@@ -101,6 +105,7 @@ void Viewport::releaseGpu() {
         disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseGpu);
     }
     if (m_scene) {
+        m_trialTimer.stop();
         makeCurrent();
         Q_EMIT aboutToReleaseGpu();
         m_picker.reset();
@@ -247,6 +252,18 @@ void Viewport::collectCosts() {
         makeCurrent();
         m_scene->collectCosts();
         doneCurrent();
+    }
+}
+
+/// What the renderer has not been tried with yet, while nothing moves.
+void Viewport::tryNext() {
+    if (m_scene && !wantsFrames()) {
+        makeCurrent();
+        const bool isMore = m_scene->tryNext();
+        doneCurrent();
+        if (!isMore) {
+            m_trialTimer.stop();
+        }
     }
 }
 

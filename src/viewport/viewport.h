@@ -147,6 +147,8 @@ private:
     void startClock();  ///< what begins to move now has moved by the time the next frame is there
     void updateUnlessFiring();
     void collectCosts();  ///< of the last frames, once no more follow
+    void tryNext();
+    void reportPicking(const Error& error);
     [[nodiscard]] SceneGpu::View view() const;
     /// What the ray meets first where targets are shown: for aiming and recentring.
     [[nodiscard]] std::optional<PhysicsWorld::RayHit> aimedAt(const Ray& ray) const;
@@ -168,7 +170,8 @@ private:
     InspectTool* m_inspect;
     QString m_rendererName;
     QString m_rendererVersion;
-    std::string m_error;  ///< the reason there is no picture; empty: there is one
+    std::string m_error;         ///< the reason there is no picture; empty: there is one
+    std::string m_pickingError;  ///< told already
 
     DisplayOptions m_options;
     std::shared_ptr<const std::vector<glm::vec3>> m_ghost;
@@ -186,6 +189,7 @@ private:
     QElapsedTimer m_clock;       ///< since moveOn() last ran; invalid while nothing moves
     QElapsedTimer m_sinceFrame;  ///< since the last frame ended
     QTimer m_costsTimer;
+    QTimer m_trialTimer;          ///< to tryNext(), while something has not been tried
     QTimer m_sliceTimer;          ///< to moveOn() without a frame, while shots are being fired
     bool m_frameFollows = false;  ///< the frame to come was asked for right after the last
 

@@ -16,6 +16,15 @@ glm::vec2 toPixels(const QPointF& position, qreal ratio) {
 
 }  // namespace
 
+/// Once: whoever moves the cursor asks again and again.
+void Viewport::reportPicking(const Error& error) {
+    if (error.message() != m_pickingError) {
+        m_pickingError = error.message();
+        QMetaObject::invokeMethod(
+            this, [this, error] { Q_EMIT failed(error); }, Qt::QueuedConnection);
+    }
+}
+
 std::optional<VertexRef> Viewport::vertexAt(const QPointF& position) {
     if (!m_picker || !syncNow()) {
         return std::nullopt;
@@ -24,7 +33,7 @@ std::optional<VertexRef> Viewport::vertexAt(const QPointF& position) {
     const auto picked = m_picker->pick(view(), toPixels(position, devicePixelRatioF()));
     doneCurrent();
     if (!picked) {
-        report(picked.error());
+        reportPicking(picked.error());
         return std::nullopt;
     }
     return picked.value();
@@ -38,7 +47,7 @@ bool Viewport::requestVertexAt(const QPointF& position) {
     const Status asked = m_picker->request(view(), toPixels(position, devicePixelRatioF()));
     doneCurrent();
     if (!asked) {
-        report(asked.error());
+        reportPicking(asked.error());
     }
     return asked.ok();
 }
@@ -67,7 +76,7 @@ std::map<TargetId, std::vector<std::uint32_t>> Viewport::changedWithin(const QPo
         view(), corners, hiddenToo ? ScenePicker::Depth::Through : ScenePicker::Depth::Visible);
     doneCurrent();
     if (!found) {
-        report(found.error());
+        reportPicking(found.error());
         return {};
     }
     return std::move(found).value();
@@ -75,9 +84,12 @@ std::map<TargetId, std::vector<std::uint32_t>> Viewport::changedWithin(const QPo
 
 Result<QString> Viewport::graphicsReport() {
     QString text;
-    const Status asked = withScene([this, &text](SceneGpu&) -> Status {
+    const Status asked = withScene([this, &text](SceneGpu& scene) -> Status {
+        while (scene.tryNext()) {
+        }
         const auto why = [this](PipelineKind kind) { return m_session.whyUnavailable(kind).toStdString(); };
-        text = QString::fromStdString(toText(hitscope::graphicsReport(m_session.exactness(), why)));
+        text = QString::fromStdString(
+            toText(hitscope::graphicsReport(m_session.exactness(), m_session.verdict(), why)));
         return Done{};
     });
     if (!asked) {

@@ -43,6 +43,9 @@ void PictureTest::sizeAndBackground() {
     const CliRun run = runCli(words("picture --size 321x123 --transparent --no-floor --shots 3") << file);
     QVERIFY2(run.status == 0, qPrintable(run.err));
     const QImage image(file);
+    QVERIFY(image.text(QStringLiteral("Software")).startsWith(QStringLiteral("Hitscope ")));
+    QVERIFY(image.text(QStringLiteral("Renderer")).contains(QStringLiteral("OpenGL ")));
+    QVERIFY(image.text(QStringLiteral("Pipeline")).contains(QStringLiteral(" vertices")));
     QCOMPARE(image.size(), QSize(321, 123));
     QCOMPARE(qAlpha(image.pixel(0, 0)), 0);
     int opaque = 0;

@@ -29,7 +29,7 @@ private Q_SLOTS:
         session.setPipeline(static_cast<PipelineKind>(kind));
         auto gpu = SceneGpu::create(session);
         QVERIFY(gpu.ok());
-        if (!session.exactness()->exact) {
+        if (!session.exactness()->isExact()) {
             QSKIP("this renderer's arithmetic is not exact");
         }
         // More than the uniform arrays hold, so that some are dropped.

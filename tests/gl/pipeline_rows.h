@@ -34,8 +34,8 @@ namespace hitscope::test {
 /// Empty: this renderer is exact. A context is current.
 [[nodiscard]] inline std::string whyNotExact() {
     const Result<Exactness> measured = measureExactness();
-    return !measured || measured.value().exact ? std::string()
-                                               : "this renderer is " + describe(measured.value());
+    return !measured || measured.value().isExact() ? std::string()
+                                                   : "this renderer is " + describe(measured.value());
 }
 
 /// A row of test data for each pipeline, with an int `kind`.

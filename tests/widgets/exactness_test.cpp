@@ -3,10 +3,12 @@
 #include <QAction>
 #include <QApplication>
 #include <QLabel>
+#include <QMenu>
 #include <QMessageBox>
 #include <QSignalSpy>
 #include <QStatusBar>
 
+#include "app/pipeline_chooser.h"
 #include "support/test_program.h"
 #include "widgets/window_support.h"
 
@@ -19,9 +21,16 @@ public:
 
 private Q_SLOTS:
     void theStatusBarSaysIt();
+    void inexactPipelineIsLeft();
     void theAboutBoxSaysIt();
 
 private:
+    /// Of the reference alone.
+    static RendererVerdict referenceVerdict(const VertexDifference& compared) {
+        RendererVerdict verdict;
+        verdict.pipelines[PipelineKind::Reference] = {compared, {}};
+        return verdict;
+    }
     /// The status bar's entry with the renderer's name.
     static QLabel* rendererCell(MainWindow& window) {
         for (QLabel* label : window.statusBar()->findChildren<QLabel*>()) {
@@ -37,22 +46,62 @@ private:
 void ExactnessTest::theStatusBarSaysIt() {
     Session session;
     session.loadPaperRow(0);
-    QVERIFY(!session.exactness());
+    QVERIFY(session.verdict().pipelines.empty());
     MainWindow window(session);
     showReady(window);
     QVERIFY(session.exactness());  // measured on this renderer
+    QVERIFY(session.verdict().of(session.pipeline()) != nullptr);
     const QLabel* cell = rendererCell(window);
     QVERIFY(cell != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(session.verdict().picking.has_value(), kPatience);  // the rest follows
+    QCOMPARE(session.verdict().pipelines.size(), allPipelines().size());
 
-    session.setExactness({.exact = true, .vertices = 4096});
+    session.setPipeline(PipelineKind::Reference);
+    session.setVerdict(referenceVerdict({15000, 0, 0.0f}));
     QCOMPARE(cell->text(), window.viewport().rendererName() + QStringLiteral(", bit-exact"));
-    QVERIFY(cell->toolTip().contains(QStringLiteral("bit-exact: every vertex as the reference has it")));
-    const QSignalSpy changes(&session, &Session::exactnessChanged);
-    session.setExactness({.vertices = 4096, .different = 12, .largest = 0.1f});
-    session.setExactness({.vertices = 4096, .different = 12, .largest = 0.1f});
+    QVERIFY(cell->toolTip().contains(QStringLiteral("Reference: bit-exact in 15,000 vertices compared")));
+    QVERIFY(cell->toolTip().contains(QStringLiteral("Transform feedback: not compared yet")));
+    const QSignalSpy changes(&session, &Session::verdictChanged);
+    session.setVerdict(referenceVerdict({15000, 12, 0.1f}));
+    session.setVerdict(referenceVerdict({15000, 12, 0.1f}));
     QCOMPARE(changes.count(), 1);
     QCOMPARE(cell->text(), window.viewport().rendererName() + QStringLiteral(", not bit-exact"));
-    QVERIFY(cell->toolTip().contains(QStringLiteral("12 of 4,096 vertices differ, by up to 0.1 m")));
+    QVERIFY(cell->toolTip().contains(QStringLiteral("12 of 15,000 vertices differ, by up to 0.1 m")));
+    session.setPipeline(PipelineKind::TransformFeedback);  // nothing is said of what was not tried
+    session.setVerdict(referenceVerdict({15000, 12, 0.1f}));
+    QCOMPARE(cell->text(), window.viewport().rendererName());
+}
+
+/// One that nobody asked for is left where it is not exact; one that was chosen is not.
+void ExactnessTest::inexactPipelineIsLeft() {
+    Session session;
+    session.loadPaperRow(0);
+    session.setPipeline(PipelineKind::TransformFeedback);
+    PipelineChooser chooser(session);
+    QMenu menu;
+    chooser.fill(menu);
+    const QSignalSpy left(&chooser, &PipelineChooser::fellBack);
+    chooser.leaveInexact();
+    QCOMPARE(left.count(), 0);
+    RendererVerdict verdict = referenceVerdict({15000, 0, 0.0f});
+    verdict.pipelines[PipelineKind::TransformFeedback] = {{15000, 870, 3.3f}, {}};
+    session.setVerdict(verdict);
+    QCOMPARE(left.count(), 0);
+    chooser.leaveInexact();
+    QCOMPARE(session.pipeline(), PipelineKind::Reference);
+    QCOMPARE(left.count(), 1);
+    QVERIFY(left.first().first().toString().contains(QStringLiteral("870 of 15,000 vertices differ")));
+    for (QAction* action : menu.actions()) {
+        if (action->text() == QStringLiteral("Transform feedback")) {
+            QVERIFY(action->toolTip().contains(QStringLiteral("870 of 15,000 vertices differ")));
+            QVERIFY(action->isEnabled());
+            action->trigger();
+        }
+    }
+    QCOMPARE(session.pipeline(), PipelineKind::TransformFeedback);
+    chooser.leaveInexact();
+    QCOMPARE(session.pipeline(), PipelineKind::TransformFeedback);
+    QCOMPARE(left.count(), 1);
 }
 
 void ExactnessTest::theAboutBoxSaysIt() {
@@ -60,7 +109,8 @@ void ExactnessTest::theAboutBoxSaysIt() {
     session.loadPaperRow(0);
     MainWindow window(session);
     showReady(window);
-    session.setExactness({.vertices = 4096, .different = 12, .largest = 0.1f});
+    session.setPipeline(PipelineKind::Reference);
+    session.setVerdict(referenceVerdict({4096, 12, 0.1f}));
     for (QAction* action : window.findChildren<QAction*>()) {
         if (action->text() == QStringLiteral("&About Hitscope")) {
             action->trigger();
@@ -68,7 +118,8 @@ void ExactnessTest::theAboutBoxSaysIt() {
     }
     const auto* box = window.findChild<QMessageBox*>();
     QVERIFY(box != nullptr);
-    QVERIFY(box->informativeText().contains(QStringLiteral("12 of 4,096 vertices differ, by up to 0.1 m")));
+    QVERIFY(box->informativeText().contains(
+        QStringLiteral("Reference: not bit-exact: 12 of 4,096 vertices differ, by up to 0.1 m")));
 }
 
 HITSCOPE_TEST(ExactnessTest, QApplication)

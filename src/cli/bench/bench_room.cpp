@@ -37,10 +37,14 @@ Result<std::unique_ptr<BenchRoom>> BenchRoom::open(int width, int height) {
     return room;
 }
 
-Result<std::unique_ptr<DeformationPipeline>> BenchRoom::makePipeline(PipelineKind kind) const {
+PipelineOptions BenchRoom::pipelineOptions() const {
     PipelineOptions options;
     options.deformDefines = m_exactness.defines();
-    return hitscope::makePipeline(kind, options);
+    return options;
+}
+
+Result<std::unique_ptr<DeformationPipeline>> BenchRoom::makePipeline(PipelineKind kind) const {
+    return hitscope::makePipeline(kind, pipelineOptions());
 }
 
 void BenchRoom::say(const QString& what) const {

@@ -22,7 +22,8 @@ public:
     [[nodiscard]] static Result<std::unique_ptr<BenchRoom>> open(int width, int height);
 
     [[nodiscard]] const gl::RenderTarget& picture() const { return *m_picture; }
-    [[nodiscard]] const Exactness& exactness() const { return m_exactness; }
+    /// For pipelines, as the window makes them.
+    [[nodiscard]] PipelineOptions pipelineOptions() const;
     /// As the window makes it. The error says why it cannot run here.
     [[nodiscard]] Result<std::unique_ptr<DeformationPipeline>> makePipeline(PipelineKind kind) const;
 

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "gl/context.h"
+#include "pipeline/pipeline_trial.h"
 
 namespace hitscope::bench {
 
@@ -31,11 +32,10 @@ QString processorName() {
 std::vector<std::pair<QString, QString>> reportHeader(const BenchRoom& room, int width, int height) {
     const gl::RendererInfo renderer = gl::rendererInfo();
     const unsigned threads = std::thread::hardware_concurrency();
-    return {
+    std::vector<std::pair<QString, QString>> header = {
         {QStringLiteral("program"), QStringLiteral("Hitscope " HITSCOPE_VERSION)},
         {QStringLiteral("renderer"), QString::fromStdString(renderer.renderer)},
         {QStringLiteral("OpenGL"), QString::fromStdString(renderer.version)},
-        {QStringLiteral("deformation"), QString::fromStdString(describe(room.exactness()))},
         {QStringLiteral("processor"),
          QStringLiteral("%1, %2 %3")
              .arg(processorName())
@@ -50,6 +50,12 @@ std::vector<std::pair<QString, QString>> reportHeader(const BenchRoom& room, int
              ? QStringLiteral("the figures are of this renderer, which draws on the processor; ratios say "
                               "more than frame rates, and neither speaks for a GPU")
              : QStringLiteral("the figures are of this renderer on this machine")}};
+    for (const PipelineTraits& traits : allPipelines()) {
+        header.emplace_back(
+            QString::fromUtf8(traits.name),
+            QString::fromStdString(describe(tryPipeline(traits.kind, room.pipelineOptions()))));
+    }
+    return header;
 }
 
 }  // namespace hitscope::bench

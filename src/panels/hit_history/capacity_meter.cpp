@@ -54,6 +54,9 @@ void CapacityMeter::read(const Session& session) {
                       ? tr("The %1 keeps the last %2 hits on each target; older ones are dropped.")
                       : tr("The %1 keeps the last %2 hits of the scene; older ones are dropped.");
     tip = tip.arg(pipeline, capacity);
+    if (report.byDriver) {
+        tip += u'\n' + tr("This graphics driver has room for no more.");
+    }
     if (!report.dropped.empty()) {
         tip += u'\n' + tr("Dropped so far: %1. They are grey in the table and count again in a pipeline "
                           "without a limit.")
