@@ -12,12 +12,25 @@ namespace {
 
 /// Copying more vertices than these would hold up the frame of the first hit.
 constexpr std::size_t kManyToCopy = 100'000;
+constexpr std::uint32_t kBetweenLooks = 256 * kClusterVertices;  // about 1 ms
+
+/// The first vertices of the ranges, at most so many; they are taken out of them. `ranges` is not empty.
+VertexRange takeSome(std::deque<VertexRange>& ranges, std::uint32_t most) {
+    VertexRange& next = ranges.front();
+    const VertexRange some{next.first, std::min(next.count, most)};
+    next.first += some.count;
+    next.count -= some.count;
+    if (next.count == 0) {
+        ranges.pop_front();
+    }
+    return some;
+}
 
 }  // namespace
 
 void ColliderFollower::add(TargetId target, std::shared_ptr<const RenderMesh> shape) {
     Followed& followed = m_targets[target];
-    followed = {std::move(shape), nullptr, {}, 0.0f, false};
+    followed = {std::move(shape), nullptr, {}, {}, 0.0f, false};
     if (followed.shape->vertices.size() > kManyToCopy) {
         followed.state = std::make_unique<ReferenceDeformation>(*followed.shape);
     }
@@ -88,9 +101,15 @@ bool ColliderFollower::update(TargetId target, Followed& followed, const IsTimeU
     if (!followed.state->advance(isTimeUp)) {
         return false;
     }
-    for (const VertexRange& range : followed.state->takeChanged()) {
-        m_physics.updateTarget(target, range.first,
-                               followed.state->vertices().subspan(range.first, range.count));
+    const std::vector<VertexRange> changed = followed.state->takeChanged();
+    followed.toTake.insert(followed.toTake.end(), changed.begin(), changed.end());
+    while (!followed.toTake.empty()) {
+        const VertexRange some = takeSome(followed.toTake, kBetweenLooks);
+        m_physics.updateTarget(target, some.first,
+                               followed.state->vertices().subspan(some.first, some.count));
+        if (isTimeUp && isTimeUp() && !followed.toTake.empty()) {
+            return false;
+        }
     }
     followed.dueStep.reset();
     followed.farthest = 0.0f;

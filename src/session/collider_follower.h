@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -52,7 +53,8 @@ private:
     struct Followed {
         std::shared_ptr<const RenderMesh> shape;
         std::unique_ptr<ReferenceDeformation> state;  ///< null: it is small and has had no hit
-        std::optional<std::int64_t> dueStep;          ///< nothing: it is up to date
+        std::deque<VertexRange> toTake;       ///< applied, and not in the collider yet; some may overlap
+        std::optional<std::int64_t> dueStep;  ///< nothing: it is up to date
         /// Metres: vertices have moved by no more since it was up to date; nothing: there is no telling.
         std::optional<float> farthest = 0.0f;
         bool isDue = false;

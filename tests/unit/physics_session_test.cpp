@@ -5,6 +5,7 @@
 #include <map>
 
 #include "deform/reference.h"
+#include "mesh/grid_primitives.h"
 #include "mesh/primitives.h"
 #include "physics_dents.h"
 #include "session/paced_advance.h"
@@ -269,6 +270,46 @@ private Q_SLOTS:
         session.clearHits();
         QVERIFY(session.hitscan({{9, 0, 1}, {-1, 0, 0}}));
         QVERIFY(std::abs(session.history().hits().back().point.x - 2.5f) < 0.01f);
+    }
+
+    void collidersTakeDentsOnInSlices() {
+        Session atOnce;
+        Session sliced;
+        Random random(5);
+        for (Session* session : {&atOnce, &sliced}) {
+            session->loadMesh(makeSheet(200, 200, 5.0f, 5.0f));
+        }
+        const std::span<const DynamicVertex> vertices = atOnce.targets().front()->deformed.vertices();
+        std::vector<Hit> hits(100);
+        for (Hit& hit : hits) {
+            hit.target = atOnce.targets().front()->id;
+            const auto at =
+                static_cast<std::size_t>(random.between(0, static_cast<float>(vertices.size() - 1)));
+            hit.point = vertices[at].position;
+            hit.direction = -vertices[at].normal;
+        }
+        for (Session* session : {&atOnce, &sliced}) {
+            for (Hit& hit : hits) {
+                hit.target = session->targets().front()->id;
+            }
+            QVERIFY(session->addHits(hits).ok());
+        }
+        QVERIFY(atOnce.updateColliders());
+        int slices = 0;
+        while (!sliced.updateColliders([] { return true; })) {
+            ++slices;
+        }
+        QVERIFY2(slices >= 100, qPrintable(QString::number(slices)));
+        for (int i = 0; i < 50; ++i) {
+            const DynamicVertex& vertex = vertices[static_cast<std::size_t>(i) * vertices.size() / 50];
+            const Ray ray{vertex.position + 5.0f * vertex.normal, -vertex.normal};
+            for (Session* session : {&atOnce, &sliced}) {
+                QVERIFY(session->hitscan(ray));
+            }
+            const Hit& a = atOnce.history().hits().back();
+            const Hit& b = sliced.history().hits().back();
+            QVERIFY(a.point == b.point && a.triangle == b.triangle && a.normal == b.normal);
+        }
     }
 
     void slowStepsSlowTheSceneNotTheFrame() {
