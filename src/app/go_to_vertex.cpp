@@ -155,6 +155,7 @@ void GoToVertex::go(const VertexRef& vertex) {
     m_session.selection().setPicked(vertex);
     m_session.selection().select(vertex.target, {vertex.vertex}, VertexSelection::Combine::Replace);
     Navigation& navigation = m_viewport.navigation();
+    m_session.updateColliders();  // what is in the way is asked of them
     navigation.setCamera(cameraBefore(m_session, *target, vertex.vertex, navigation.goal()));
     Q_EMIT arrived();
 }

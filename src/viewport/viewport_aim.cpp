@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "session/paced_advance.h"
 #include "viewport/aim.h"
 #include "viewport/viewport.h"
 
@@ -25,6 +26,7 @@ float largestExtent(const Session& session) {
 }  // namespace
 
 std::optional<PhysicsWorld::RayHit> Viewport::aimedAt(const Ray& ray) const {
+    m_session.updateColliders(timeLimit());
     const float length = kAimLength * (camera().distance() + m_session.sceneBounds().diagonal());
     const std::optional<ShownRay> shown = shownPart(m_options.cut, ray, length);
     if (shown) {
