@@ -149,9 +149,15 @@ private Q_SLOTS:
                     "^Transform feedback: [0-9]+ of 920 vertices differ from the reference, by [0-9.e-]+ m"),
                 QRegularExpression::MultilineOption)),
             qPrintable(verified.out));
-        const CliRun shot = run({"shoot", "--hits", path("in.csv"), "--out", path("wrong.obj")}, true);
+        // Nobody gets it unasked.
+        const CliRun unasked = run({"shoot", "--hits", path("in.csv"), "--out", path("unasked.obj")}, true);
+        QVERIFY2(unasked.status == 0, qPrintable(unasked.err));
+        QCOMPARE(contentOf(path("unasked.obj")), contentOf(path("right.obj")));
+        const CliRun shot = run({"shoot", "--hits", path("in.csv"), "--pipeline", "transform-feedback",
+                                 "--out", path("wrong.obj")},
+                                true);
         QCOMPARE(shot.status, 1);
-        QCOMPARE(shot.err.count(QLatin1Char('\n')), 1);
+        QCOMPARE(shot.err.count(QLatin1Char('\n')), 2);  // what the pipeline is here, and what was written
         QVERIFY2(shot.err.contains(QStringLiteral("wrong.obj: The mesh is not what the reference makes")),
                  qPrintable(shot.err));
         QVERIFY(!contentOf(path("wrong.obj")).isEmpty());
@@ -160,7 +166,8 @@ private Q_SLOTS:
             run({"shoot", "--hits", path("in.csv"), "--pipeline", "reference", "--out", path("r.obj")}, true);
         QVERIFY2(right.status == 0, qPrintable(right.err));
         QCOMPARE(contentOf(path("r.obj")), contentOf(path("right.obj")));
-        const CliRun demo = run({"demo", "--shots", "30", "--out", path("demo")}, true);
+        const CliRun demo =
+            run({"demo", "--shots", "30", "--pipeline", "transform-feedback", "--out", path("demo")}, true);
         QCOMPARE(demo.status, 1);
         QVERIFY2(demo.err.contains(QStringLiteral("deformed.obj: The mesh is not what the reference makes")),
                  qPrintable(demo.err));
