@@ -7,8 +7,8 @@ namespace hitscope {
 
 class Session;
 
-/// Seconds of the calling thread after which a frame's physics begins nothing more: with the shot or step that
-/// is under way then, a frame is held up for 16 ms at most.
+/// Seconds of the calling thread after which a frame's physics begins nothing more: with the shot or step
+/// that is under way then, a frame is held up for 16 ms at most.
 inline constexpr double kMostPhysics = 0.010;
 
 /// Seconds on a clock that does not go back.

@@ -33,7 +33,8 @@ using TestScene = std::vector<TestTarget>;
 /// A pipeline with the scene's targets; null, and a warning, where it cannot be made.
 [[nodiscard]] std::unique_ptr<DeformationPipeline> pipelineOn(PipelineKind kind, TestScene& scene);
 
-/// Hits near the surfaces of random targets of the scene, from all sides, with `constants` different constants.
+/// Hits near the surfaces of random targets of the scene, from all sides, with `constants` different
+/// constants.
 [[nodiscard]] std::vector<Hit> randomHits(const TestScene& scene, std::uint32_t seed, std::size_t count,
                                           std::size_t constants = 1);
 [[nodiscard]] DeformationConstants testConstants(std::size_t index);

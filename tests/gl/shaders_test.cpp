@@ -139,10 +139,7 @@ private Q_SLOTS:
 
     void uniformsArriveAndUnknownOnesAreNoError() {
         const Result<gl::Program> built =
-            gl::Program::build({"capture.vert",
-                                "",
-                                {{"HITSCOPE_UNIFORM_HITS", "8"}},
-                                {"capturedPosition"}});
+            gl::Program::build({"capture.vert", "", {{"HITSCOPE_UNIFORM_HITS", "8"}}, {"capturedPosition"}});
         QVERIFY2(built.ok(), built.ok() ? "" : built.error().message().c_str());
         const gl::Program& program = built.value();
         program.use();

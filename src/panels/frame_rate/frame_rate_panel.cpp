@@ -242,7 +242,8 @@ FrameTimes::Summary FrameRatePanel::summary() {
 
 Status FrameRatePanel::saveCsv(const QString& path) const {
     const bool ofFrames = m_ui->tabs->currentIndex() == 0;
-    const QByteArray csv = ofFrames ? framesCsv(m_graph->frames()) : curvesCsv(m_costView->curves(), m_costView->axis());
+    const QByteArray csv =
+        ofFrames ? framesCsv(m_graph->frames()) : curvesCsv(m_costView->curves(), m_costView->axis());
     return writeWhole(path, {csv.constData(), static_cast<std::size_t>(csv.size())});
 }
 
