@@ -16,6 +16,10 @@ std::function<bool()> timeLimit(double most) {
     return [begin = paceClock(), most] { return paceClock() - begin >= most; };
 }
 
+std::function<bool()> workLimit(int looks) {
+    return [left = looks]() mutable { return --left <= 0; };
+}
+
 void advanceWithin(Session& session, double seconds, double most, const PaceClock& clock) {
     const double aStep = session.physics().step() / session.physics().timeScale();
     const double begin = clock();

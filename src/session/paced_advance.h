@@ -8,7 +8,8 @@ namespace hitscope {
 class Session;
 
 /// Seconds of the calling thread after which a frame's physics begins nothing more: with the shot or step
-/// that is under way then, a frame is held up for 16 ms at most.
+/// that is under way then, a frame is held up for no more than 16 ms; a step in which hundreds of shots
+/// arrive at once takes longer.
 inline constexpr double kMostPhysics = 0.010;
 
 /// Seconds on a clock that does not go back.
@@ -16,6 +17,8 @@ using PaceClock = std::function<double()>;
 [[nodiscard]] double paceClock();
 /// Says whether `most` seconds have gone by since this was called.
 [[nodiscard]] std::function<bool()> timeLimit(double most = kMostPhysics);
+/// Says so from the look numbered `looks` on, whatever the machine: for what must come out the same on all.
+[[nodiscard]] std::function<bool()> workLimit(int looks = 64);
 
 /// session.advance(seconds), but no step is begun, and no shot that is due is fired, once `most` seconds have
 /// gone by: the rest of the time is dropped, so that the scene slows down and not the window, and the next

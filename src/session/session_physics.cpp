@@ -37,12 +37,13 @@ void Session::shoot(const Ray& ray) {
 
 bool Session::hitscan(const Ray& ray) {
     const std::size_t before = m_history.size();
+    m_colliders.updateAll();
     fire({0.0, ray, m_projectileSettings, true});
     return m_history.size() > before;
 }
 
 void Session::fire(const ScheduledShot& shot) {
-    if (shot.isInstant && !isPaused() && !m_colliders.updateAll(timeLimit())) {
+    if (shot.isInstant && !isPaused() && !m_colliders.updateAll(workLimit())) {
         ScheduledShot next = shot;
         next.delay = 0.0;
         schedule({&next, 1});

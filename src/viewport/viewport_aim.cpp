@@ -26,7 +26,7 @@ float largestExtent(const Session& session) {
 }  // namespace
 
 std::optional<PhysicsWorld::RayHit> Viewport::aimedAt(const Ray& ray) const {
-    m_session.updateColliders(timeLimit());
+    m_session.updateColliders(workLimit());
     const float length = kAimLength * (camera().distance() + m_session.sceneBounds().diagonal());
     const std::optional<ShownRay> shown = shownPart(m_options.cut, ray, length);
     if (shown) {
