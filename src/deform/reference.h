@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
+#include "core/time_limit.h"
 #include "deform/cluster_reach.h"
 #include "deform/hits_by_target.h"
 #include "mesh/render_mesh.h"
@@ -34,9 +34,8 @@ public:
     /// Notes a change of the target's enabled hits; advance() applies it.
     void edit(const TargetHitsEdit& edit);
     [[nodiscard]] bool isUpToDate() const { return m_concerned.empty() && m_applied == m_hits.size(); }
-    /// Asked every few thousand vertices; none: there is time for everything.
-    using IsTimeUp = std::function<bool()>;
-    /// Applies what was noted until it is done or time is up. Returns isUpToDate().
+    /// Applies what was noted until it is done or time is up, asking every few thousand vertices. Returns
+    /// isUpToDate().
     bool advance(const IsTimeUp& isTimeUp = {});
     /// The ranges that may have changed since the last call, sorted and merged.
     [[nodiscard]] std::vector<VertexRange> takeChanged() { return m_changed.take(); }

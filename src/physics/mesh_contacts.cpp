@@ -7,6 +7,7 @@
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <vector>
 
@@ -29,16 +30,9 @@ const MeshShape& meshOf(const btCollisionObjectWrapper& body) {
     return static_cast<const MeshShape&>(*body.getCollisionShape());
 }
 
-struct Contact {
-    glm::dvec3 point;   ///< on the mesh
-    glm::dvec3 normal;  ///< unit, towards the sphere's centre
-    double distance;    ///< of the centre
-    std::uint32_t triangle;
-};
-
 /// The nearest contact first, then those that push to other sides.
-std::vector<Contact> contactsOf(const MeshSurface& surface, const glm::dvec3& centre, double reach) {
-    std::vector<Contact> near;
+std::vector<MeshContact> contactsOf(const MeshSurface& surface, const glm::dvec3& centre, double reach) {
+    std::vector<MeshContact> near;
     const auto visit = [&](std::uint32_t index, const Triangle& triangle) {
         const glm::dvec3 point = nearestPoint(triangle, centre);
         const double distance = glm::length(centre - point);
@@ -48,18 +42,35 @@ std::vector<Contact> contactsOf(const MeshSurface& surface, const glm::dvec3& ce
         }
     };
     surface.visitNear(glm::vec3(centre), static_cast<float>(reach), visit);
-    const auto isNearer = [](const Contact& a, const Contact& b) {
+    const auto isNearer = [](const MeshContact& a, const MeshContact& b) {
         return a.distance != b.distance ? a.distance < b.distance : a.triangle < b.triangle;
     };
-    std::vector<Contact> kept;
+    std::vector<MeshContact> kept;
     while (!near.empty() && kept.size() < kMostContacts) {
-        const Contact nearest = *std::min_element(near.begin(), near.end(), isNearer);
+        const MeshContact nearest = *std::min_element(near.begin(), near.end(), isNearer);
         kept.push_back(nearest);
-        std::erase_if(near, [&nearest](const Contact& contact) {
+        std::erase_if(near, [&nearest](const MeshContact& contact) {
             return glm::dot(contact.normal, nearest.normal) > kSameSide;
         });
     }
     return kept;
+}
+
+glm::dvec3 localCentre(const btTransform& ball, const btTransform& mesh, const MeshShape& shape) {
+    return glm::dvec3(fromBullet(mesh.invXform(ball.getOrigin()))) + glm::dvec3(shape.centre());
+}
+
+/// Null: they were not worked out for just there.
+const std::vector<MeshContact>* contactsAhead(const btCollisionObject& ball, const btCollisionObject& mesh,
+                                              const glm::dvec3& centre, double reach) {
+    if (const auto* all = static_cast<const std::vector<ContactsAhead>*>(ball.getUserPointer())) {
+        for (const ContactsAhead& ahead : *all) {
+            if (ahead.mesh == &mesh && ahead.centre == centre && ahead.reach == reach) {
+                return &ahead.contacts;
+            }
+        }
+    }
+    return nullptr;
 }
 
 class SphereMesh : public btActivatingCollisionAlgorithm {
@@ -81,14 +92,17 @@ public:
         const MeshShape& shape = meshOf(mesh);
         const btScalar radius = static_cast<const btSphereShape*>(ball.getCollisionShape())->getRadius();
         const btTransform& where = mesh.getWorldTransform();
-        const btVector3 local = where.invXform(ball.getWorldTransform().getOrigin());
-        const glm::dvec3 centre = glm::dvec3(fromBullet(local)) + glm::dvec3(shape.centre());
+        const glm::dvec3 centre = localCentre(ball.getWorldTransform(), where, shape);
         result->setPersistentManifold(m_manifold);
         // Made anew in each step: a contact kept from the last one would hold a sphere up where the surface
         // was before a dent.
         m_manifold->clearManifold();
         const double reach = radius + m_manifold->getContactBreakingThreshold();
-        for (const Contact& contact : contactsOf(shape.surface(), centre, reach)) {
+        const std::vector<MeshContact>* ahead =
+            contactsAhead(*ball.getCollisionObject(), *mesh.getCollisionObject(), centre, reach);
+        const std::vector<MeshContact> now =
+            ahead == nullptr ? contactsOf(shape.surface(), centre, reach) : std::vector<MeshContact>();
+        for (const MeshContact& contact : ahead == nullptr ? now : *ahead) {
             const auto index = static_cast<int>(contact.triangle);
             const btVector3 normal = where.getBasis() * toBullet(glm::vec3(contact.normal));
             const btScalar depth = static_cast<btScalar>(contact.distance) - radius;
@@ -160,6 +174,26 @@ private:
 };
 
 }  // namespace
+
+void workOutContacts(const btCollisionObject& ball, const btCollisionObject& mesh,
+                     std::vector<ContactsAhead>& ahead) {
+    if (mesh.getCollisionShape()->getShapeType() != CUSTOM_CONCAVE_SHAPE_TYPE) {
+        return;
+    }
+    const auto& shape = static_cast<const MeshShape&>(*mesh.getCollisionShape());
+    const auto& sphere = static_cast<const btSphereShape&>(*ball.getCollisionShape());
+    // As Bullet's dispatcher has it for the two.
+    const btScalar near = std::min(sphere.getContactBreakingThreshold(gContactBreakingThreshold),
+                                   shape.getContactBreakingThreshold(gContactBreakingThreshold));
+    const double reach = sphere.getRadius() + near;
+    const glm::dvec3 centre = localCentre(ball.getWorldTransform(), mesh.getWorldTransform(), shape);
+    const Bounds bounds = shape.surface().bounds();
+    const glm::vec3 at(centre);
+    const glm::vec3 away = glm::max(glm::max(bounds.min - at, at - bounds.max), glm::vec3(0.0f));
+    if (glm::length(away) <= static_cast<float>(reach)) {
+        ahead.push_back({&mesh, centre, reach, contactsOf(shape.surface(), centre, reach)});
+    }
+}
 
 MeshContacts::MeshContacts(btCollisionDispatcher& dispatcher)
     : m_sphere(std::make_unique<ContactCreation<SphereMesh>>()),

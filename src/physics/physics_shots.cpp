@@ -44,6 +44,7 @@ Flight makeFlight(const ProjectileSettings& settings, const glm::vec3& origin, c
     body.setInterpolationWorldTransform(where);
     body.setLinearVelocity(toBullet(glm::normalize(direction) * settings.speed));
     flight.previous = origin;
+    flight.position = origin;
     return flight;
 }
 
@@ -58,6 +59,7 @@ ProjectileId PhysicsWorld::shoot(const glm::vec3& origin, const glm::vec3& direc
     if (!isUsable(origin) || !isDirection(direction)) {
         return {};
     }
+    d->finishStep();
     const ProjectileSettings shot = clamped(settings);
     while (d->flights.size() >= static_cast<std::size_t>(shot.mostAlive)) {
         d->removeFlight(d->flights.begin());
@@ -72,7 +74,8 @@ ProjectileId PhysicsWorld::shoot(const glm::vec3& origin, const glm::vec3& direc
         d->time() + std::max(0.5 * d->stepSeconds, static_cast<double>(shot.lifetime) - 0.5 * d->stepSeconds);
     d->world.addRigidBody(flight.body.get());
     flight.body->setGravity(toBullet(fallOf(shot)));  // the world has just set its own
-    d->flights.emplace(id, std::move(flight));
+    Flight& kept = d->flights.emplace(id, std::move(flight)).first->second;
+    kept.body->setUserPointer(&kept.ahead);
     return id;
 }
 
@@ -91,6 +94,7 @@ void PhysicsWorld::Private::removeFlight(std::map<ProjectileId, Flight>::iterato
 }
 
 void PhysicsWorld::removeProjectiles() {
+    d->finishStep();
     while (!d->flights.empty()) {
         d->removeFlight(d->flights.begin());
     }
@@ -105,8 +109,7 @@ std::vector<ProjectileState> PhysicsWorld::projectiles() const {
     std::vector<ProjectileState> states;
     states.reserve(d->flights.size());
     for (const auto& [id, flight] : d->flights) {
-        const glm::vec3 position = fromBullet(flight.body->getWorldTransform().getOrigin());
-        states.push_back({id, position, glm::mix(flight.previous, position, d->between()),
+        states.push_back({id, flight.position, glm::mix(flight.previous, flight.position, d->between()),
                           fromBullet(flight.body->getLinearVelocity()), flight.settings.radius,
                           flight.settings.colour, std::span(flight.trail).first(flight.trailCount)});
     }
@@ -169,8 +172,7 @@ std::optional<PhysicsWorld::RayHit> PhysicsWorld::castRay(const glm::vec3& origi
 }
 
 std::optional<Strike> PhysicsWorld::Private::castLine(const glm::vec3& origin, const glm::vec3& motion) {
-    noteSurfaces();
-    const auto contact = surfaces.sweep(origin, motion, 0.0f);
+    const auto contact = surfacesNow().sweep(origin, motion, 0.0f);
     if (!contact) {
         return std::nullopt;
     }
@@ -191,6 +193,7 @@ std::optional<Impact> PhysicsWorld::hitscan(const glm::vec3& origin, const glm::
     if (!isUsable(origin) || !isDirection(direction)) {
         return std::nullopt;
     }
+    d->finishStep();
     const auto struck = d->castLine(origin, glm::normalize(direction) * kWholeWorld);
     if (!struck || !struck->target) {
         return std::nullopt;
@@ -226,14 +229,14 @@ std::optional<Impact> PhysicsWorld::predict(const glm::vec3& origin, const glm::
 /// As step() would move it.
 std::optional<Strike> PhysicsWorld::Private::fly(glm::vec3 position, const ProjectileSettings& shot,
                                                  glm::vec3& velocity, double& now) {
-    noteSurfaces();
+    const SweepScene scene = surfacesNow();
     const auto seconds = static_cast<float>(stepSeconds);
     const auto most = static_cast<int>(std::ceil(static_cast<double>(shot.lifetime) / stepSeconds));
     for (int i = 0; i < most && isUsable(position); ++i) {
         velocity += fallOf(shot) * seconds;
         now += stepSeconds;
         const glm::vec3 motion = velocity * seconds;
-        const auto contact = surfaces.sweep(position, motion, shot.radius);
+        const auto contact = scene.sweep(position, motion, shot.radius);
         if (contact && !contact->target) {
             return std::nullopt;
         }

@@ -87,14 +87,15 @@ void PhysicsWorld::Private::followHulls() {
     }
 }
 
-void PhysicsWorld::Private::noteSurfaces() {
-    surfaces.clear();
+SweepScene PhysicsWorld::Private::surfacesNow() const {
+    SweepScene scene;
     for (const auto& [id, target] : targets) {
-        surfaces.addTarget(id, target.body->getWorldTransform(), *target.shape);
+        scene.addTarget(id, target.body->getWorldTransform(), *target.shape);
     }
     if (floor) {
-        surfaces.setFloor(floorShape->getPlaneConstant());
+        scene.setFloor(floorShape->getPlaneConstant());
     }
+    return scene;
 }
 
 /// Looks ahead along the step's motion and puts the projectile where it first touches something, its velocity
@@ -104,7 +105,6 @@ void PhysicsWorld::Private::approach(ProjectileId id, Flight& flight) {
     flight.strike.reset();
     btRigidBody& body = *flight.body;
     flight.velocity = fromBullet(body.getLinearVelocity());
-    flight.previous = fromBullet(body.getWorldTransform().getOrigin());
     if (!body.isActive()) {
         return;
     }
@@ -140,8 +140,18 @@ void PhysicsWorld::Private::approach(ProjectileId id, Flight& flight) {
     moveTo(body, centre);
 }
 
-void PhysicsWorld::Private::strike(ProjectileId id, Flight& flight, TargetId target, const Touch& touch,
-                                   std::vector<Impact>& impacts) {
+/// What Bullet is going to ask for, so that it asks for nothing that takes long.
+void PhysicsWorld::Private::touchAhead(Flight& flight) {
+    flight.ahead.clear();
+    if (!flight.body->isActive()) {
+        return;
+    }
+    for (const auto& [id, target] : targets) {
+        workOutContacts(*flight.body, *target.body, flight.ahead);
+    }
+}
+
+void PhysicsWorld::Private::strike(ProjectileId id, Flight& flight, TargetId target, const Touch& touch) {
     flight.lastStruck = target;
     const float speed = glm::length(flight.velocity);
     const float inwards = -glm::dot(flight.velocity, touch.deepest.normal);
@@ -157,8 +167,7 @@ void PhysicsWorld::Private::strike(ProjectileId id, Flight& flight, TargetId tar
 }
 
 /// `touched`: the projectile's own.
-void PhysicsWorld::Private::collect(ProjectileId id, Flight& flight, std::span<const TouchEntry> touched,
-                                    std::vector<Impact>& impacts) {
+void PhysicsWorld::Private::collect(ProjectileId id, Flight& flight, std::span<const TouchEntry> touched) {
     if (touched.empty() && !flight.strike) {
         flight.touching.clear();
         return;
@@ -179,7 +188,7 @@ void PhysicsWorld::Private::collect(ProjectileId id, Flight& flight, std::span<c
     for (const auto& [target, touch] : touches) {
         touching.push_back(target);
         if (!flight.touches(target)) {
-            strike(id, flight, target, touch, impacts);
+            strike(id, flight, target, touch);
         }
     }
     flight.touching = std::move(touching);
@@ -209,7 +218,7 @@ void PhysicsWorld::Private::removeSpentFlights() {
 void PhysicsWorld::Private::keepTrails() {
     const double apart = kTrailSeconds / static_cast<double>(Flight::kTrailPoints);
     const std::int64_t every = std::max<std::int64_t>(1, std::llround(apart / stepSeconds));
-    if (steps % every == 0) {
+    if ((steps + 1) % every == 0) {
         for (auto& [id, flight] : flights) {
             flight.keepTrail();
         }
@@ -225,24 +234,40 @@ void PhysicsWorld::Private::letBounceSlowly() {
     world.getSolverInfo().m_restitutionVelocityThreshold = kLeastRestitution * size;
 }
 
-void PhysicsWorld::Private::step(std::vector<Impact>& impacts) {
-    ++steps;
+/// Returns whether there is anything to move.
+bool PhysicsWorld::Private::beginStep() {
     bool isMoving = !flights.empty();
     for (auto& [id, target] : targets) {
         target.previous = target.transform;
         isMoving = isMoving || target.physics.isDynamic;
     }
     if (!isMoving) {
-        return;
+        return false;
+    }
+    for (auto& [id, flight] : flights) {
+        flight.previous = flight.position;
     }
     followHulls();
-    noteSurfaces();
-    for (auto& [id, flight] : flights) {
-        approach(id, flight);
+    surfaces = surfacesNow();
+    nextToApproach = {};
+    return true;
+}
+
+bool PhysicsWorld::Private::approachAll(const IsTimeUp& isTimeUp) {
+    for (auto it = flights.lower_bound(nextToApproach); it != flights.end();) {
+        approach(it->first, it->second);
+        touchAhead(it->second);
+        nextToApproach = {it->first.value + 1};
+        ++it;
+        if (isTimeUp && isTimeUp()) {
+            return false;  // after the last one, too: what comes next takes a while
+        }
     }
-    keepTrails();
-    letBounceSlowly();
-    world.stepSimulation(static_cast<btScalar>(stepSeconds), 0);
+    return true;
+}
+
+void PhysicsWorld::Private::endStep() {
+    ++steps;
     collectTouches(dispatcher, contacts);
     auto next = contacts.cbegin();
     for (auto& [id, flight] : flights) {
@@ -250,10 +275,48 @@ void PhysicsWorld::Private::step(std::vector<Impact>& impacts) {
         while (next != contacts.cend() && next->projectile == id) {
             ++next;
         }
-        collect(id, flight, {first, next}, impacts);
+        collect(id, flight, {first, next});
+        flight.position = fromBullet(flight.body->getWorldTransform().getOrigin());
     }
     followDynamicTargets();
     removeSpentFlights();
+}
+
+bool PhysicsWorld::Private::step(const IsTimeUp& isTimeUp) {
+    if (part == StepPart::None) {
+        if (!beginStep()) {
+            ++steps;
+            return true;
+        }
+        part = StepPart::Approach;
+    }
+    if (part == StepPart::Approach) {
+        if (!approachAll(isTimeUp)) {
+            return false;
+        }
+        part = StepPart::Solve;
+    }
+    if (part == StepPart::Solve) {
+        keepTrails();
+        letBounceSlowly();
+        world.stepSimulation(static_cast<btScalar>(stepSeconds), 0);
+        part = StepPart::Move;
+        if (isTimeUp && isTimeUp()) {
+            return false;
+        }
+    }
+    if (!world.move(isTimeUp)) {
+        return false;
+    }
+    endStep();
+    part = StepPart::None;
+    return true;
+}
+
+void PhysicsWorld::Private::finishStep() {
+    if (part != StepPart::None) {
+        isStepToTake = step({});
+    }
 }
 
 }  // namespace hitscope

@@ -120,6 +120,7 @@ PhysicsWorld::~PhysicsWorld() = default;
 
 Status PhysicsWorld::addTarget(TargetId target, const RigidTransform& transform, const Collider& collider,
                                const TargetPhysics& physics) {
+    d->finishStep();
     removeTarget(target);
     const Result<RigidTransform> place = usablePlace(transform);
     if (!place) {
@@ -147,6 +148,7 @@ Status PhysicsWorld::addTarget(TargetId target, const RigidTransform& transform,
 }
 
 void PhysicsWorld::removeTarget(TargetId target) {
+    d->finishStep();
     const auto found = d->targets.find(target);
     if (found == d->targets.end()) {
         return;
@@ -164,6 +166,7 @@ bool PhysicsWorld::hasTarget(TargetId target) const {
 }
 
 Status PhysicsWorld::moveTarget(TargetId target, const RigidTransform& transform) {
+    d->finishStep();
     const Result<RigidTransform> place = usablePlace(transform);
     if (!place) {
         return place.error();
@@ -179,6 +182,7 @@ Status PhysicsWorld::moveTarget(TargetId target, const RigidTransform& transform
 }
 
 Status PhysicsWorld::setTargetPhysics(TargetId target, const TargetPhysics& physics) {
+    d->finishStep();
     const auto found = d->targets.find(target);
     if (found == d->targets.end()) {
         return Done{};
@@ -197,6 +201,7 @@ Status PhysicsWorld::setTargetPhysics(TargetId target, const TargetPhysics& phys
 
 void PhysicsWorld::updateTarget(TargetId target, std::uint32_t first,
                                 std::span<const DynamicVertex> vertices) {
+    d->finishStep();
     const auto found = d->targets.find(target);
     if (found != d->targets.end()) {
         d->reshape(target, found->second, found->second.shape->update(first, vertices));
@@ -204,6 +209,7 @@ void PhysicsWorld::updateTarget(TargetId target, std::uint32_t first,
 }
 
 void PhysicsWorld::resetTarget(TargetId target) {
+    d->finishStep();
     const auto found = d->targets.find(target);
     if (found != d->targets.end()) {
         d->reshape(target, found->second, found->second.shape->reset());
@@ -267,6 +273,7 @@ void PhysicsWorld::setFloor(float y) {
 }
 
 void PhysicsWorld::removeFloor() {
+    d->finishStep();
     if (d->floor) {
         d->world.removeRigidBody(d->floor.get());
         d->floor.reset();
@@ -290,16 +297,27 @@ int PhysicsWorld::stepsDue(double seconds) {
     return count;
 }
 
+std::optional<std::vector<Impact>> PhysicsWorld::takeStep(const IsTimeUp& isTimeUp) {
+    if (!d->isStepToTake && !d->step(isTimeUp)) {
+        return std::nullopt;
+    }
+    d->isStepToTake = false;
+    return std::exchange(d->impacts, {});
+}
+
 std::vector<Impact> PhysicsWorld::takeStep() {
-    std::vector<Impact> impacts;
-    d->step(impacts);
-    return impacts;
+    return takeStep({}).value_or(std::vector<Impact>());
+}
+
+bool PhysicsWorld::isMidStep() const {
+    return d->isStepToTake || d->part != Private::StepPart::None;
 }
 
 std::vector<Impact> PhysicsWorld::advance(double seconds) {
     std::vector<Impact> impacts;
     for (int steps = stepsDue(seconds); steps > 0; --steps) {
-        d->step(impacts);
+        const std::vector<Impact> some = takeStep();
+        impacts.insert(impacts.end(), some.begin(), some.end());
     }
     return impacts;
 }
@@ -325,6 +343,7 @@ double PhysicsWorld::step() const {
 void PhysicsWorld::setStep(double seconds) {
     const ParameterDescriptor& range = stepParameter();
     if (std::isfinite(seconds)) {
+        d->finishStep();
         d->timeBefore = d->time();
         d->steps = 0;
         d->waiting = 0.0;

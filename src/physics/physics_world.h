@@ -9,6 +9,7 @@
 
 #include "core/ids.h"
 #include "core/result.h"
+#include "core/time_limit.h"
 #include "mesh/mesh_data.h"
 #include "mesh/render_mesh.h"
 #include "physics/collider.h"
@@ -123,7 +124,12 @@ public:
     /// The same in parts, for who has to see to things between steps: how many steps it is time for, each
     /// then to be taken by takeStep().
     [[nodiscard]] int stepsDue(double seconds);
+    /// Takes a step, or goes on with the one under way, until time is up: some of it is always done, and a
+    /// step taken in parts comes out the same. Returns its impacts, or nothing while it is under way.
+    /// Whatever else changes the world finishes it first; its impacts are then had by the next call.
+    [[nodiscard]] std::optional<std::vector<Impact>> takeStep(const IsTimeUp& isTimeUp);
     [[nodiscard]] std::vector<Impact> takeStep();
+    [[nodiscard]] bool isMidStep() const;
     /// One step, paused or not.
     [[nodiscard]] std::vector<Impact> stepOnce();
     /// What is drawn until time goes on is the last step, not a place before it.

@@ -27,18 +27,31 @@ void stopAtFirst(const SweepScene& scene, const btRigidBody& body, btTransform& 
 }  // namespace
 
 void SteppedWorld::integrateTransforms(btScalar seconds) {
-    for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i) {
+    m_seconds = seconds;
+    m_toMove.clear();
+    for (int i = m_nonStaticRigidBodies.size() - 1; i >= 0; --i) {
         btRigidBody& body = *m_nonStaticRigidBodies[i];
-        if (!body.isActive() || body.isStaticOrKinematicObject()) {
-            continue;
+        if (body.isActive() && !body.isStaticOrKinematicObject()) {
+            m_toMove.push_back(&body);
         }
+    }
+}
+
+bool SteppedWorld::move(const IsTimeUp& isTimeUp) {
+    while (!m_toMove.empty()) {
+        btRigidBody& body = *m_toMove.back();
+        m_toMove.pop_back();
         btTransform predicted;
-        body.predictIntegratedTransform(seconds, predicted);
+        body.predictIntegratedTransform(m_seconds, predicted);
         if (isKind(body, BodyKind::Projectile)) {
             stopAtFirst(m_scene, body, predicted);
         }
         body.proceedToTransform(predicted);
+        if (!m_toMove.empty() && isTimeUp && isTimeUp()) {
+            break;
+        }
     }
+    return m_toMove.empty();
 }
 
 }  // namespace hitscope::physics

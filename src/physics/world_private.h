@@ -60,7 +60,9 @@ struct Flight {
     std::vector<TargetId> touching;  ///< after the last step; sorted
     glm::vec3 velocity{0.0f};        ///< just before any impact of this step, m/s
     glm::vec3 previous{0.0f};        ///< position before the last step
+    glm::vec3 position{0.0f};        ///< after it; the body's own moves in parts of a step
     std::optional<Strike> strike;
+    std::vector<ContactsAhead> ahead;  ///< of this step; the body's user pointer
     static constexpr std::size_t kTrailPoints = 12;
     std::array<glm::vec3, kTrailPoints> trail;  ///< oldest first
     std::size_t trailCount = 0;
@@ -91,14 +93,19 @@ struct PhysicsWorld::Private {
     Private& operator=(const Private&) = delete;
 
     // physics_step.cpp
-    void step(std::vector<Impact>& impacts);
+    /// Begins a step or goes on with it; returns whether it is over.
+    bool step(const IsTimeUp& isTimeUp);
+    bool beginStep();
+    bool approachAll(const IsTimeUp& isTimeUp);
+    void endStep();
+    /// Before the world changes.
+    void finishStep();
     void followHulls();
-    void noteSurfaces();
+    [[nodiscard]] physics::SweepScene surfacesNow() const;
     void approach(ProjectileId id, physics::Flight& flight);
-    void collect(ProjectileId id, physics::Flight& flight, std::span<const physics::TouchEntry> contacts,
-                 std::vector<Impact>& impacts);
-    void strike(ProjectileId id, physics::Flight& flight, TargetId target, const physics::Touch& touch,
-                std::vector<Impact>& impacts);
+    void touchAhead(physics::Flight& flight);
+    void collect(ProjectileId id, physics::Flight& flight, std::span<const physics::TouchEntry> contacts);
+    void strike(ProjectileId id, physics::Flight& flight, TargetId target, const physics::Touch& touch);
     void followDynamicTargets();
     void removeSpentFlights();
     void keepTrails();
@@ -127,7 +134,7 @@ struct PhysicsWorld::Private {
     btDbvtBroadphase broadphase;
     physics::VolleyFilter volleyFilter;
     btSequentialImpulseConstraintSolver solver;
-    physics::SweepScene surfaces;  ///< as of the last noteSurfaces()
+    physics::SweepScene surfaces;  ///< as of the beginning of the last step
     physics::SteppedWorld world{dispatcher, broadphase, solver, configuration, surfaces};
     std::vector<physics::TouchEntry> contacts;  ///< of the last step
     std::map<TargetId, physics::TargetBody> targets;
@@ -135,6 +142,12 @@ struct PhysicsWorld::Private {
     std::unique_ptr<btStaticPlaneShape> floorShape;
     std::unique_ptr<btRigidBody> floor;
     std::vector<FlightEvent> events;  ///< since they were last taken
+    /// What of a step is under way; what comes first in it is done in parts by projectile.
+    enum class StepPart : std::uint8_t { None, Approach, Solve, Move };
+    StepPart part = StepPart::None;
+    ProjectileId nextToApproach;
+    std::vector<Impact> impacts;  ///< of the step under way, or of one that is over and not taken yet
+    bool isStepToTake = false;    ///< the latter
     std::uint32_t nextProjectile = 1;
     double stepSeconds = kStep;
     double timeBefore = 0.0;  ///< simulated before the step's length was last set

@@ -38,7 +38,6 @@ public:
     /// The target's collider has been made anew, from the original shape.
     void restore(TargetId target);
 
-    using IsTimeUp = ReferenceDeformation::IsTimeUp;
     /// Before each step: which colliders it needs up to date.
     void beginStep();
     /// Brings those up to date, as far as there is time; returns whether they are.

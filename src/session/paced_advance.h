@@ -7,9 +7,8 @@ namespace hitscope {
 
 class Session;
 
-/// Seconds of the calling thread after which a frame's physics begins nothing more: with the shot or step
-/// that is under way then, a frame is held up for no more than 16 ms; a step in which hundreds of shots
-/// arrive at once takes longer.
+/// Seconds after which a frame's physics begins nothing more: with the shot or the part of a step that is
+/// under way then, a frame is held up for no more than 16 ms.
 inline constexpr double kMostPhysics = 0.010;
 
 /// Seconds on a clock that does not go back.

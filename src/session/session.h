@@ -185,9 +185,8 @@ public:
     void schedule(std::span<const ScheduledShot> shots);
     void cancelScheduled();
     [[nodiscard]] std::size_t shotsToCome() const { return m_schedule.size(); }
-    /// Shots are due that advance() had no time for.
-    [[nodiscard]] bool isFiring() const { return m_firing != nullptr; }
-    using IsTimeUp = std::function<bool()>;
+    /// advance() had no time for all that is due: shots to fire, or the rest of a step.
+    [[nodiscard]] bool isCatchingUp() const { return m_firing != nullptr || m_stepIsBegun; }
     /// What shots strike is the targets with all their dents, by the reference deformation. Colliders take
     /// them on when something comes near; this does it now, as far as there is time. Returns whether all are
     /// up to date.
@@ -351,7 +350,7 @@ private:
     ColliderFollower m_colliders{m_physics};
     ShotSchedule m_schedule;
     ShotTally m_tally;
-    bool m_stepIsBegun = false;                 ///< the next step waits for colliders alone
+    bool m_stepIsBegun = false;                 ///< what comes before the next step has been done
     bool m_isBehind = false;                    ///< the CPU copies, until setUpToDate()
     std::map<TargetId, QString> m_notHittable;  ///< why
     std::size_t m_disabledHits = 0;

@@ -203,13 +203,16 @@ bool Session::step(const IsTimeUp& isTimeUp) {
     }
     QElapsedTimer clock;
     clock.start();
-    if (!m_colliders.updateDue(isTimeUp)) {
+    if (!m_physics.isMidStep() && !m_colliders.updateDue(isTimeUp)) {
+        return false;
+    }
+    const std::optional<std::vector<Impact>> impacts = m_physics.takeStep(isTimeUp);
+    m_frameCosts->addPhysics(static_cast<double>(clock.nsecsElapsed()) * 1.0e-9);
+    if (!impacts) {
         return false;
     }
     m_stepIsBegun = false;
-    const std::vector<Impact> impacts = m_physics.takeStep();
-    m_frameCosts->addPhysics(static_cast<double>(clock.nsecsElapsed()) * 1.0e-9);
-    takeImpacts(impacts);
+    takeImpacts(*impacts);
     for (const PhysicsWorld::FlightEvent& event : m_physics.takeFlightEvents()) {
         m_tally.follow(event);
     }

@@ -22,7 +22,7 @@ namespace {
 constexpr int kCrosshairStays = 1500;   // milliseconds after the last shot with Space
 constexpr int kCostsArrive = 200;       // milliseconds after the last frame of many
 constexpr int kTrialPause = 250;        // milliseconds between two things that are tried, each some ten long
-constexpr qint64 kFiringFrames = 500;   // milliseconds between frames while shots are being fired
+constexpr qint64 kCatchUpFrames = 500;  // milliseconds between frames while the session catches up
 constexpr double kLongestStep = 0.25;   // seconds: a window that stood still does not make the scene jump
 constexpr double kNanosecond = 1.0e-9;  // seconds
 
@@ -62,7 +62,7 @@ Viewport::Viewport(Session& session, QWidget* parent)
     m_sliceTimer.setSingleShot(true);
     connect(&m_sliceTimer, &QTimer::timeout, this, &Viewport::moveOn);
     connect(&session, &Session::projectileSettingsChanged, this, followRateOfFire);
-    connect(&session, &Session::pictureChanged, this, &Viewport::updateUnlessFiring);
+    connect(&session, &Session::pictureChanged, this, &Viewport::updateUnlessCatchingUp);
     connect(&session, &Session::pictureChanged, this, &Viewport::startClock);
     const VertexSelection& selection = session.selection();
     connect(&selection, &VertexSelection::hoveredChanged, this, qOverload<>(&QWidget::update));
@@ -212,8 +212,8 @@ void Viewport::startClock() {
     }
 }
 
-void Viewport::updateUnlessFiring() {
-    if (!m_session.isFiring()) {
+void Viewport::updateUnlessCatchingUp() {
+    if (!m_session.isCatchingUp()) {
         update();
     }
 }
@@ -232,9 +232,9 @@ void Viewport::moveOn() {
         advanceWithin(m_session, passed);
     }
     m_navigation.advance(passed);
-    // Many shots are fired in slices, between which events are seen to. A frame for each would take longer
-    // than the shots.
-    if (m_session.isFiring() && m_sinceFrame.isValid() && m_sinceFrame.elapsed() < kFiringFrames) {
+    // Many shots are fired, and steps with many projectiles made, in slices, between which events are seen
+    // to. A frame for each would take longer than the slices.
+    if (m_session.isCatchingUp() && m_sinceFrame.isValid() && m_sinceFrame.elapsed() < kCatchUpFrames) {
         m_sliceTimer.start();
         return;
     }

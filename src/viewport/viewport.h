@@ -145,7 +145,7 @@ private:
     void followRefresh();
     void moveOn();      ///< after a frame or a slice: advances what moves by the time since the last
     void startClock();  ///< what begins to move now has moved by the time the next frame is there
-    void updateUnlessFiring();
+    void updateUnlessCatchingUp();
     void collectCosts();  ///< of the last frames, once no more follow
     void tryNext();
     void reportPicking(const Error& error);
@@ -190,7 +190,7 @@ private:
     QElapsedTimer m_sinceFrame;  ///< since the last frame ended
     QTimer m_costsTimer;
     QTimer m_trialTimer;          ///< to tryNext(), while something has not been tried
-    QTimer m_sliceTimer;          ///< to moveOn() without a frame, while shots are being fired
+    QTimer m_sliceTimer;          ///< to moveOn() without a frame, while the session catches up
     bool m_frameFollows = false;  ///< the frame to come was asked for right after the last
 
     quint64 m_pressTime = 0;     ///< milliseconds, of the event

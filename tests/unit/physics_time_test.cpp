@@ -72,6 +72,75 @@ private Q_SLOTS:
         }
     }
 
+    void partsOfAStepMakeTheSame() {
+        constexpr int kProjectiles = 40;
+        TargetPhysics dynamic;
+        dynamic.isDynamic = true;
+        const auto shootAll = [&dynamic](PhysicsWorld& world) {
+            place(world, {1}, {{7, 0, 0}, {1, 0, 0, 0}}, sphereMesh(2, 40, 20));
+            place(world, {2}, {{-7, 0, 0}, {1, 0, 0, 0}}, sphereMesh(2, 40, 20), dynamic);
+            world.setFloor(-3);
+            Random random(3);
+            for (int i = 0; i < kProjectiles; ++i) {
+                const float side = i % 2 == 0 ? 1.0f : -1.0f;
+                ProjectileSettings shot;
+                shot.bouncesCount = true;
+                world.shoot({0, random.between(-1, 1), random.between(-1, 1)}, {side, 0, 0}, shot, 1);
+            }
+        };
+        PhysicsWorld whole;
+        PhysicsWorld parts;
+        shootAll(whole);
+        shootAll(parts);
+        std::size_t struck = 0;
+        for (int step = 0; step < 400; ++step) {
+            const std::vector<Impact> expected = whole.takeStep();
+            struck += expected.size();
+            std::optional<std::vector<Impact>> impacts;
+            std::size_t calls = 0;
+            for (; !impacts && calls < 1000; ++calls) {
+                impacts = parts.takeStep([] { return true; });
+                QCOMPARE(parts.isMidStep(), !impacts);
+            }
+            QVERIFY(calls > parts.projectileCount());
+            QVERIFY(impacts.has_value());
+            QCOMPARE(impacts->size(), expected.size());
+            for (std::size_t i = 0; i < expected.size(); ++i) {
+                QVERIFY((*impacts)[i].point == expected[i].point &&
+                        (*impacts)[i].impulse == expected[i].impulse &&
+                        (*impacts)[i].projectile == expected[i].projectile);
+            }
+            const auto a = whole.projectiles();
+            const auto b = parts.projectiles();
+            QCOMPARE(a.size(), b.size());
+            for (std::size_t i = 0; i < a.size(); ++i) {
+                QVERIFY(a[i].position == b[i].position && a[i].velocity == b[i].velocity);
+            }
+            QVERIFY(whole.dynamicTargets().front().transform.position ==
+                    parts.dynamicTargets().front().transform.position);
+        }
+        QVERIFY2(struck > std::size_t{kProjectiles / 2}, qPrintable(QString::number(struck)));
+    }
+
+    /// Nothing is seen of half a step, and a change of the world comes after it.
+    void aChangeFinishesTheStep() {
+        PhysicsWorld world;
+        place(world, {1}, {{1, 0, 0}, {1, 0, 0, 0}}, sheet(1));
+        world.shoot({0.8f, 0, 0}, {1, 0, 0}, {}, 1);
+        world.shoot({-5, 0, 0}, {1, 0, 0}, {}, 1);
+        QVERIFY(!world.takeStep([] { return true; }));
+        QVERIFY(world.isMidStep());
+        QCOMPARE(world.projectiles().front().position.x, 0.8f);
+        world.removeTarget({1});
+        QVERIFY(world.isMidStep());  // its impacts are still to be had
+        QVERIFY(world.projectiles().front().position.x != 0.8f);
+        const auto impacts = world.takeStep([] { return true; });
+        QVERIFY(impacts.has_value());
+        QCOMPARE(impacts->size(), std::size_t{1});
+        QVERIFY(!world.isMidStep());
+        QCOMPARE(std::lround(world.time() * 240), 1L);
+    }
+
     void drawnBetweenTheSteps() {
         PhysicsWorld world;
         world.shoot({0, 0, 0}, {1, 0, 0}, withSpeed(24));
