@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "app/theme.h"
-#include "render/display_options.h"
 #include "session/session.h"
+#include "view/display_options.h"
 
 class QSettings;
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "app/keys_lines.h"
-#include "render/camera_text.h"
+#include "view/camera_text.h"
 #include "viewport/axis_gizmo.h"
 #include "viewport/view_label.h"
 #include "viewport/viewport.h"

@@ -5,9 +5,9 @@
 #include <QMenu>
 #include <utility>
 
+#include "analysis/hit_effects.h"
 #include "panels/change/change_panel.h"
 #include "panels/help/help_text.h"
-#include "session/hit_effects.h"
 #include "viewport/viewport.h"
 #include "viewport/wipe_handle.h"
 

@@ -8,9 +8,9 @@
 #include <set>
 #include <vector>
 
-#include "render/display_options.h"
-#include "session/change_values.h"
-#include "session/comparison.h"
+#include "analysis/change_values.h"
+#include "analysis/comparison.h"
+#include "view/display_options.h"
 
 class QAction;
 class QMenu;

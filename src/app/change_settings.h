@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "render/display_options.h"
+#include "view/display_options.h"
 
 class QSettings;
 

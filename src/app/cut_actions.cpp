@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "analysis/comparison.h"
 #include "models/focus_target.h"
 #include "panels/cutting_plane/cutting_plane_panel.h"
 #include "panels/icons/themed_icon.h"
-#include "session/comparison.h"
 #include "session/target.h"
 #include "viewport/cut_handle.h"
 #include "viewport/viewport.h"

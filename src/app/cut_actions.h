@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "session/scene_sections.h"
+#include "analysis/scene_sections.h"
 
 class QAction;
 class QMenu;

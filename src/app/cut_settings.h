@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "render/cutting_plane.h"
+#include "view/cutting_plane.h"
 
 class QSettings;
 

@@ -8,12 +8,12 @@
 #include <memory>
 #include <utility>
 
+#include "analysis/beside.h"
+#include "analysis/hit_files.h"
 #include "app/dialogs.h"
 #include "models/quantity_text.h"
 #include "panels/help/help_text.h"
 #include "panels/hit_history/hit_history_panel.h"
-#include "session/beside.h"
-#include "session/hit_files.h"
 
 namespace hitscope {
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <functional>
 
+#include "analysis/hit_highlight.h"
 #include "io/hit_records.h"
 #include "session/hit_editing.h"
-#include "session/hit_highlight.h"
 
 class QAction;
 class QMenu;

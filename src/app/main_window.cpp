@@ -10,6 +10,7 @@
 #include <QSurfaceFormat>
 #include <algorithm>
 
+#include "analysis/hit_effects.h"
 #include "app/camera_actions.h"
 #include "app/change_actions.h"
 #include "app/cut_actions.h"
@@ -37,7 +38,6 @@
 #include "models/undo_text.h"
 #include "panels/frame_rate/frame_rate_panel.h"
 #include "panels/help/help_text.h"
-#include "session/hit_effects.h"
 #include "viewport/aim_preview.h"
 #include "viewport/hit_handles.h"
 #include "viewport/inspect_tool.h"

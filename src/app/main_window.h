@@ -6,11 +6,11 @@
 #include <functional>
 #include <optional>
 
+#include "analysis/hit_effects.h"
 #include "app/app_settings.h"
 #include "models/hit_history_model.h"
 #include "models/mesh_statistics_model.h"
 #include "models/scene_model.h"
-#include "session/hit_effects.h"
 #include "session/sample_scenes.h"
 #include "session/session.h"
 

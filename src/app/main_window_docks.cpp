@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <algorithm>
 
+#include "analysis/hit_effects.h"
 #include "app/camera_actions.h"
 #include "app/change_actions.h"
 #include "app/cut_actions.h"
@@ -26,7 +27,7 @@
 #include "panels/pipeline_agreement/pipeline_agreement_panel.h"
 #include "panels/scene/scene_panel.h"
 #include "panels/vertex_changes/vertex_changes_panel.h"
-#include "session/hit_effects.h"
+#include "scene/measure_costs.h"
 #include "viewport/hit_handles.h"
 #include "viewport/inspect_tool.h"
 #include "viewport/viewport.h"
@@ -57,7 +58,7 @@ QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWid
 void MainWindow::makeDocks() {
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
-    m_frameRate = new FrameRatePanel(m_session, *m_continuous);
+    m_frameRate = new FrameRatePanel(m_session, *m_continuous, costMeter());
     m_frameRate->costs().setCamera([this] { return m_viewport->camera(); });
     const auto lookAt = [this](const Bounds& bounds) {
         m_viewport->navigation().frame(bounds);

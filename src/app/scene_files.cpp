@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "session/beside.h"
+#include "analysis/beside.h"
 #include "session/task_list.h"
 
 namespace hitscope {

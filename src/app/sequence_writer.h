@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "session/picture_sequence.h"
+#include "scene/picture_sequence.h"
 #include "session/task_list.h"
 
 namespace hitscope {

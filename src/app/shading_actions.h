@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "render/display_options.h"
+#include "view/display_options.h"
 
 class QAction;
 class QMenu;

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "analysis/beside.h"
 #include "mesh/panel_texture.h"
-#include "session/beside.h"
 
 namespace hitscope {
 

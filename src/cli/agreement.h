@@ -4,8 +4,8 @@
 #include <QString>
 #include <optional>
 
-#include "session/reference_agreement.h"
-#include "session/scene_gpu.h"
+#include "analysis/reference_agreement.h"
+#include "scene/scene_gpu.h"
 
 namespace hitscope::cli {
 

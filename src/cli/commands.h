@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "core/result.h"
-#include "pipeline/pipeline_kind.h"
-#include "render/display_options.h"
+#include "deform/pipeline_kind.h"
+#include "view/display_options.h"
 
 namespace hitscope::cli {
 

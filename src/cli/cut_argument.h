@@ -4,7 +4,7 @@
 #include <QString>
 #include <optional>
 
-#include "render/cutting_plane.h"
+#include "view/cutting_plane.h"
 
 namespace hitscope::cli {
 

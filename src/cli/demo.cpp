@@ -9,10 +9,10 @@
 #include "gl/context.h"
 #include "gl/render_target.h"
 #include "io/save_image.h"
+#include "scene/picture.h"
+#include "scene/scene_gpu.h"
 #include "session/demo_shots.h"
 #include "session/export_target.h"
-#include "session/picture.h"
-#include "session/scene_gpu.h"
 #include "session/session.h"
 
 namespace hitscope::cli {

@@ -6,6 +6,7 @@
 #include "io/import.h"
 #include "mesh/topology.h"
 #include "pipeline/graphics_report.h"
+#include "pipeline/measure_exactness.h"
 #include "pipeline/pipeline_trial.h"
 #include "render/picking_trial.h"
 
@@ -103,7 +104,7 @@ Status runRendererInfo() {
     }
     RendererVerdict verdict;
     PipelineOptions options;
-    options.deformDefines = exactness.value().defines();
+    options.deformDefines = definesOf(exactness.value());
     for (const PipelineTraits& traits : allPipelines()) {
         verdict.pipelines[traits.kind] = tryPipeline(traits.kind, options);
     }

@@ -5,6 +5,8 @@
 #include <memory>
 #include <utility>
 
+#include "analysis/change_values.h"
+#include "analysis/hit_effects.h"
 #include "cli/agreement.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
@@ -12,11 +14,9 @@
 #include "cli/picture_arguments.h"
 #include "gl/context.h"
 #include "io/save_image.h"
-#include "render/camera_text.h"
-#include "session/change_values.h"
+#include "scene/picture_sequence.h"
 #include "session/demo_shots.h"
-#include "session/hit_effects.h"
-#include "session/picture_sequence.h"
+#include "view/camera_text.h"
 
 namespace hitscope::cli {
 

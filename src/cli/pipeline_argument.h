@@ -5,7 +5,7 @@
 #include <QStringList>
 #include <optional>
 
-#include "pipeline/pipeline_kind.h"
+#include "deform/pipeline_kind.h"
 
 namespace hitscope::cli {
 

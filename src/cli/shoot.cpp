@@ -7,11 +7,11 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "analysis/hit_files.h"
 #include "cli/agreement.h"
 #include "cli/load_scene.h"
 #include "gl/context.h"
 #include "session/export_target.h"
-#include "session/hit_files.h"
 #include "session/shot_script_file.h"
 
 namespace hitscope::cli {

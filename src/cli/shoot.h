@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/result.h"
-#include "pipeline/pipeline_kind.h"
+#include "deform/pipeline_kind.h"
 #include "session/flight_mode.h"
 
 namespace hitscope::cli {

@@ -4,12 +4,12 @@
 #include <QCommandLineParser>
 #include <QTextStream>
 
+#include "analysis/hit_files.h"
 #include "cli/agreement.h"
 #include "cli/command_line.h"
 #include "cli/load_scene.h"
 #include "deform/fingerprint.h"
 #include "gl/context.h"
-#include "session/hit_files.h"
 
 namespace hitscope::cli {
 

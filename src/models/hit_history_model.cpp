@@ -8,9 +8,9 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/hit_files.h"
 #include "models/quantity_text.h"
 #include "session/frame_costs.h"
-#include "session/hit_files.h"
 #include "session/shown_number.h"
 
 namespace hitscope {

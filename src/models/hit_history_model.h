@@ -4,7 +4,7 @@
 #include <QAbstractTableModel>
 #include <span>
 
-#include "session/hit_effects.h"
+#include "analysis/hit_effects.h"
 
 namespace hitscope {
 

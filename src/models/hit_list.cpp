@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "models/hit_list.h"
-#include "session/beside.h"
+#include "analysis/beside.h"
 
 #include <algorithm>
 #include <limits>

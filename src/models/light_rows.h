@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "render/lights.h"
+#include "view/lights.h"
 
 namespace hitscope {
 

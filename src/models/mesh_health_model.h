@@ -3,7 +3,7 @@
 
 #include <QAbstractTableModel>
 
-#include "session/mesh_measuring.h"
+#include "analysis/mesh_measuring.h"
 
 namespace hitscope {
 

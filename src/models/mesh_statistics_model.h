@@ -3,8 +3,8 @@
 
 #include <QAbstractItemModel>
 
+#include "analysis/mesh_measuring.h"
 #include "models/statistics_rows.h"
-#include "session/mesh_measuring.h"
 
 namespace hitscope {
 

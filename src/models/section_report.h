@@ -6,7 +6,7 @@
 #include <glm/vec2.hpp>
 #include <optional>
 
-#include "session/scene_section.h"
+#include "analysis/scene_section.h"
 
 namespace hitscope {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "session/measured_target.h"
+#include "analysis/measured_target.h"
 
 namespace hitscope {
 

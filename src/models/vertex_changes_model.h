@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
+#include "analysis/hit_effects.h"
 #include "models/vertex_change_order.h"
 #include "models/vertex_changes_csv.h"
 #include "models/vertex_facts.h"
-#include "session/hit_effects.h"
 #include "session/session.h"
 
 namespace hitscope {

@@ -9,12 +9,12 @@
 
 #include "core/ids.h"
 #include "core/result.h"
+#include "deform/capacity_report.h"
 #include "deform/cluster_reach.h"
 #include "deform/hit_history.h"
+#include "deform/pipeline_kind.h"
 #include "gl/program.h"
 #include "mesh/render_mesh.h"
-#include "pipeline/capacity_report.h"
-#include "pipeline/pipeline_kind.h"
 #include "pipeline/target_buffers.h"
 
 namespace hitscope {
@@ -78,7 +78,7 @@ private:
 struct PipelineOptions {
     /// As if the context had so many; for tests.
     std::optional<int> vertexUniformComponents;
-    /// For programs that include deform.glsl (Exactness::defines()).
+    /// For programs that include deform.glsl (definesOf()).
     gl::Defines deformDefines;
     /// As if a uniform block could have so many bytes; for tests.
     std::optional<int> uniformBlockBytes;

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "pipeline/exactness.h"
-#include "pipeline/renderer_verdict.h"
+#include "deform/exactness.h"
+#include "deform/renderer_verdict.h"
 
 namespace hitscope {
 

@@ -10,7 +10,7 @@
 #include "render/drawn_bounds.h"
 #include "render/program_cache.h"
 #include "render/renderer.h"
-#include "render/theme.h"
+#include "view/theme.h"
 
 namespace hitscope::render {
 

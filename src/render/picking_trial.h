@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "deform/renderer_verdict.h"
 #include "gl/program.h"
-#include "pipeline/renderer_verdict.h"
 
 namespace hitscope {
 

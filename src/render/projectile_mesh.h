@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "render/camera.h"
+#include "view/camera.h"
 
 namespace hitscope::render {
 

@@ -14,11 +14,11 @@
 #include "mesh/mesh_data.h"
 #include "pipeline/deformation_pipeline.h"
 #include "pipeline/target_buffers.h"
-#include "render/camera.h"
 #include "render/changed_parts.h"
-#include "render/display_options.h"
-#include "render/lights.h"
 #include "render/vertex_marks.h"
+#include "view/camera.h"
+#include "view/display_options.h"
+#include "view/lights.h"
 
 namespace hitscope {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/ring.h"
-#include "pipeline/pipeline_kind.h"
+#include "deform/pipeline_kind.h"
 
 namespace hitscope {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/camera.h"
 #include "session/session.h"
+#include "view/camera.h"
 
 namespace hitscope {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/result.h"
-#include "render/display_options.h"
 #include "session/target.h"
+#include "view/display_options.h"
 
 namespace hitscope {
 

@@ -14,14 +14,12 @@
 #include "core/image.h"
 #include "core/result.h"
 #include "deform/applied_history.h"
+#include "deform/capacity_report.h"
+#include "deform/exactness.h"
 #include "deform/hit_history.h"
+#include "deform/pipeline_kind.h"
+#include "deform/renderer_verdict.h"
 #include "physics/physics_world.h"
-#include "pipeline/capacity_report.h"
-#include "pipeline/exactness.h"
-#include "pipeline/pipeline_kind.h"
-#include "pipeline/renderer_verdict.h"
-#include "render/camera.h"
-#include "render/lights.h"
 #include "session/collider_follower.h"
 #include "session/constants_setting.h"
 #include "session/flight_mode.h"
@@ -31,6 +29,8 @@
 #include "session/shot_schedule.h"
 #include "session/shot_tally.h"
 #include "session/target.h"
+#include "view/camera.h"
+#include "view/lights.h"
 
 namespace hitscope {
 

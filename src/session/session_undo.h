@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "deform/hit_history.h"
-#include "render/lights.h"
 #include "session/constants_setting.h"
 #include "session/target_state.h"
+#include "view/lights.h"
 
 namespace hitscope {
 

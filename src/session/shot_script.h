@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "physics/projectile_settings.h"
-#include "render/camera.h"
+#include "view/camera.h"
 
 namespace hitscope {
 

@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "render/camera.h"
+#include "view/camera.h"
 
 namespace hitscope {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "render/camera.h"
+#include "view/camera.h"
 
 namespace hitscope {
 

@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "render/change_options.h"
+#include "view/change_options.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "core/bounds.h"
-#include "render/cutting_plane.h"
+#include "view/cutting_plane.h"
 
 namespace hitscope {
 

@@ -8,7 +8,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "render/camera.h"
+#include "view/camera.h"
 #include "viewport/camera_glide.h"
 #include "viewport/fly_keys.h"
 #include "viewport/navigation_preset.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/bounds.h"
-#include "render/camera.h"
+#include "view/camera.h"
 
 namespace hitscope {
 

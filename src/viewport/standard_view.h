@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "render/camera.h"
+#include "view/camera.h"
 
 namespace hitscope {
 

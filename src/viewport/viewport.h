@@ -9,10 +9,10 @@
 #include <memory>
 #include <optional>
 
-#include "session/change_overlay.h"
-#include "session/picture.h"
-#include "session/scene_gpu.h"
-#include "session/scene_picker.h"
+#include "scene/change_overlay.h"
+#include "scene/picture.h"
+#include "scene/scene_gpu.h"
+#include "scene/scene_picker.h"
 #include "viewport/navigation.h"
 
 namespace hitscope {

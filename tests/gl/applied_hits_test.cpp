@@ -4,14 +4,14 @@
 #include <QTest>
 #include <algorithm>
 
+#include "analysis/hit_effects.h"
+#include "analysis/mesh_measuring.h"
+#include "analysis/pipeline_agreement.h"
 #include "deform/attribution.h"
 #include "gl/pipeline_rows.h"
 #include "mesh/primitives.h"
+#include "scene/scene_gpu.h"
 #include "session/demo_shots.h"
-#include "session/hit_effects.h"
-#include "session/mesh_measuring.h"
-#include "session/pipeline_agreement.h"
-#include "session/scene_gpu.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 

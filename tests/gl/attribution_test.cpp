@@ -6,8 +6,8 @@
 #include <cstring>
 
 #include "gl/pipeline_rows.h"
+#include "scene/scene_gpu.h"
 #include "session/demo_shots.h"
-#include "session/scene_gpu.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 

@@ -6,16 +6,16 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "analysis/change_values.h"
+#include "analysis/hit_effects.h"
 #include "deform/deform.h"
 #include "gl/render_target.h"
 #include "mesh/primitives.h"
-#include "render/theme.h"
-#include "session/change_values.h"
+#include "scene/scene_gpu.h"
 #include "session/demo_shots.h"
-#include "session/hit_effects.h"
-#include "session/scene_gpu.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
+#include "view/theme.h"
 
 using namespace hitscope;
 
@@ -51,8 +51,7 @@ std::array<int, 3> colourOf(const ShownChange& change, double value, double faci
     std::array<int, 3> colour{};
     for (std::size_t c = 0; c < 3; ++c) {
         const auto linear = [&](std::size_t entry) {
-            return static_cast<double>(
-                render::toLinear(glm::vec3(static_cast<float>(table[entry][c]) / 255.0f)).x);
+            return static_cast<double>(toLinear(glm::vec3(static_cast<float>(table[entry][c]) / 255.0f)).x);
         };
         const double mixed = std::lerp(linear(first), linear(first + 1), at - static_cast<double>(first));
         colour[c] = static_cast<int>(std::lround(255.0 * encoded(mixed * std::lerp(0.35, 1.0, facing))));

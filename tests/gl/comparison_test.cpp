@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two pipelines beside each other: what the comparison says of them, and the two pictures.
-#include "session/comparison.h"
+#include "analysis/comparison.h"
 
 #include <QElapsedTimer>
 #include <QTest>
 #include <array>
 
+#include "analysis/comparison_text.h"
 #include "gl/pipeline_rows.h"
 #include "gl/render_target.h"
 #include "mesh/primitives.h"
-#include "session/comparison_text.h"
+#include "scene/scene_gpu.h"
 #include "session/demo_shots.h"
-#include "session/scene_gpu.h"
 #include "session/vertex_selection.h"
 #include "support/baseline.h"
 #include "support/gl_fixture.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Frames and hits measured in the background.
-#include "session/cost_measurement.h"
+#include "scene/measure_costs.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -42,7 +42,7 @@ private Q_SLOTS:
         }
         Session session;
         session.loadPaperRow(0);
-        CostMeasurement measurement;
+        CostMeasurement measurement(costMeter());
         const QSignalSpy progressed(&measurement, &CostMeasurement::progressed);
         const QSignalSpy failed(&measurement, &CostMeasurement::failed);
         QSignalSpy finished(&measurement, &CostMeasurement::finished);
@@ -74,7 +74,7 @@ private Q_SLOTS:
         plan.vertices = {500, 4000, 32000};
         plan.hits = 5;
         plan.samples = 2;
-        CostMeasurement measurement;
+        CostMeasurement measurement(costMeter());
         const QSignalSpy progressed(&measurement, &CostMeasurement::progressed);
         const QSignalSpy failed(&measurement, &CostMeasurement::failed);
         QSignalSpy finished(&measurement, &CostMeasurement::finished);
@@ -99,7 +99,7 @@ private Q_SLOTS:
     void isCancelledAndStartedAgain() {
         Session session;
         session.loadPaperRow(0);
-        CostMeasurement measurement;
+        CostMeasurement measurement(costMeter());
         QSignalSpy finished(&measurement, &CostMeasurement::finished);
         CostPlan endless = smallPlan();
         endless.samples = 1'000'000;
@@ -116,7 +116,7 @@ private Q_SLOTS:
 
     void saysWhyThereIsNothingToMeasure() {
         Session session;
-        CostMeasurement measurement;
+        CostMeasurement measurement(costMeter());
         QSignalSpy failed(&measurement, &CostMeasurement::failed);
         measurement.start(session, Camera(), smallPlan());
         QVERIFY(failed.wait(kPatience));

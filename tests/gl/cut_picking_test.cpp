@@ -6,11 +6,11 @@
 #include <random>
 #include <vector>
 
+#include "analysis/comparison.h"
+#include "analysis/scene_section.h"
 #include "gl/picking_support.h"
 #include "gl/pipeline_rows.h"
 #include "gl/render_target.h"
-#include "session/comparison.h"
-#include "session/scene_section.h"
 #include "support/test_program.h"
 
 using namespace hitscope;

@@ -8,7 +8,7 @@
 #include "deform/hit_history.h"
 #include "gl/render_target.h"
 #include "pipeline/deformation_pipeline.h"
-#include "session/scene_gpu.h"
+#include "scene/scene_gpu.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/exactness.h"
+#include "pipeline/measure_exactness.h"
 
 #include <epoxy/gl.h>
 
@@ -61,7 +61,7 @@ private Q_SLOTS:
         }
         QVERIFY2(exactness.isExact(), describe(exactness).c_str());
         QVERIFY(!exactness.byFma);
-        QVERIFY(exactness.defines().empty());
+        QVERIFY(definesOf(exactness).empty());
         QVERIFY(exactness.compared.vertices >= 4096);
         QCOMPARE(exactness.compared.different, std::size_t{0});
         QCOMPARE(exactness.compared.largest, 0.0f);
@@ -80,7 +80,7 @@ private Q_SLOTS:
         QVERIFY2(exactness.isExact(), describe(exactness).c_str());
         QVERIFY(exactness.byFma);
         QCOMPARE(exactness.compared.different, std::size_t{0});
-        QCOMPARE(exactness.defines(), (Defines{{"HITSCOPE_EXACT_BY_FMA", "1"}}));
+        QCOMPARE(definesOf(exactness), (Defines{{"HITSCOPE_EXACT_BY_FMA", "1"}}));
     }
 
     /// What is exact without correction stays so with it.
@@ -102,7 +102,7 @@ private Q_SLOTS:
         const Exactness& exactness = measured.value();
         QVERIFY(!exactness.isExact());
         QVERIFY(!exactness.byFma);
-        QVERIFY(exactness.defines().empty());
+        QVERIFY(definesOf(exactness).empty());
         QVERIFY(exactness.compared.different > exactness.compared.vertices / 10);
         QVERIFY(exactness.compared.different <= exactness.compared.vertices);
         QVERIFY(exactness.compared.largest > 0.0f);

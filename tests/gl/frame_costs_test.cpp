@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "gl/render_target.h"
-#include "session/scene_gpu.h"
+#include "scene/scene_gpu.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 

@@ -5,9 +5,9 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "scene/screen_space.h"
 #include "session/demo_shots.h"
 #include "session/primitive_target.h"
-#include "session/screen_space.h"
 
 namespace hitscope::test {
 

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "gl/context.h"
-#include "session/scene_gpu.h"
-#include "session/scene_picker.h"
+#include "scene/scene_gpu.h"
+#include "scene/scene_picker.h"
 #include "session/target.h"
 
 namespace hitscope::test {

@@ -7,15 +7,15 @@
 #include <random>
 #include <set>
 
+#include "analysis/comparison.h"
 #include "gl/context.h"
 #include "gl/picking_support.h"
 #include "gl/pipeline_rows.h"
 #include "mesh/primitives.h"
-#include "session/comparison.h"
+#include "scene/scene_picker.h"
+#include "scene/screen_space.h"
 #include "session/demo_shots.h"
 #include "session/primitive_target.h"
-#include "session/scene_picker.h"
-#include "session/screen_space.h"
 #include "support/test_program.h"
 
 using namespace hitscope;

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
+#include "deform/pipeline_kind.h"
 #include "pipeline/deformation_pipeline.h"
-#include "pipeline/exactness.h"
-#include "pipeline/pipeline_kind.h"
+#include "pipeline/measure_exactness.h"
 
 /// In a test function with a context: skips the row, with the reason, where this renderer lacks what that
 /// pipeline needs.

@@ -7,7 +7,7 @@
 #include "gl/context.h"
 #include "gl/pipeline_rows.h"
 #include "gl/pipeline_support.h"
-#include "pipeline/exactness.h"
+#include "pipeline/measure_exactness.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
@@ -20,7 +20,7 @@ constexpr std::size_t kCountedWell = 4096;  // vertices of one draw, by some dri
 
 PipelineOptions ownOptions() {
     PipelineOptions options;
-    options.deformDefines = measureExactness().value().defines();
+    options.deformDefines = definesOf(measureExactness().value());
     return options;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Long histories applied in slices: the picture's state stays as it was until all hits are there, and then
 // equals the reference; giving up leaves everything as it was.
-#include "session/reapplication.h"
+#include "scene/reapplication.h"
 
 #include <QTest>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "gl/pipeline_rows.h"
 #include "gl/render_target.h"
 #include "mesh/primitives.h"
-#include "session/scene_gpu.h"
+#include "scene/scene_gpu.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 

@@ -6,8 +6,8 @@
 
 #include "gl/render_target.h"
 #include "mesh/panel_texture.h"
+#include "scene/scene_gpu.h"
 #include "session/primitive_target.h"
-#include "session/scene_gpu.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 

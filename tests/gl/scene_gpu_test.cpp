@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The session followed on the GPU: what the CPU copy holds after every kind of change equals the reference.
-#include "session/scene_gpu.h"
+#include "scene/scene_gpu.h"
 
 #include <QTemporaryDir>
 #include <QTest>

@@ -3,12 +3,12 @@
 #include <QTest>
 #include <random>
 
+#include "analysis/reference_agreement.h"
 #include "deform/reference.h"
 #include "gl/pipeline_rows.h"
 #include "mesh/primitives.h"
+#include "scene/scene_gpu.h"
 #include "session/demo_shots.h"
-#include "session/reference_agreement.h"
-#include "session/scene_gpu.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 

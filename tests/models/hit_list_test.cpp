@@ -9,7 +9,7 @@
 #include <array>
 #include <random>
 
-#include "session/hit_effects.h"
+#include "analysis/hit_effects.h"
 #include "support/test_program.h"
 
 using namespace hitscope;

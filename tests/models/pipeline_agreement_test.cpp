@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is compared comes in through the session's own door for read-back, so that it can be disturbed.
-#include "session/pipeline_agreement.h"
+#include "analysis/pipeline_agreement.h"
 
 #include <QSignalSpy>
 #include <QTest>

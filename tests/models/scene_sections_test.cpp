@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sections of a session's targets, against circles and against cuts made from scratch; what is said of them.
-#include "session/scene_sections.h"
+#include "analysis/scene_sections.h"
 
 #include <QSignalSpy>
 #include <QTest>

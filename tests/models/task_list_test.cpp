@@ -5,7 +5,7 @@
 #include <QTest>
 #include <memory>
 
-#include "session/history_copy.h"
+#include "analysis/history_copy.h"
 #include "session/history_edits.h"
 #include "support/test_program.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/camera.h"
+#include "view/camera.h"
 
 #include <QTest>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "physics_support.h"
-#include "render/camera_text.h"
-#include "render/lights.h"
 #include "support/test_program.h"
+#include "view/camera_text.h"
+#include "view/lights.h"
 
 using namespace hitscope;
 using namespace hitscope::test;

@@ -4,10 +4,10 @@
 #include <QTest>
 #include <memory>
 
+#include "analysis/hit_effects.h"
+#include "analysis/hit_highlight.h"
 #include "session/frame_costs.h"
 #include "session/hit_editing.h"
-#include "session/hit_effects.h"
-#include "session/hit_highlight.h"
 #include "session/vertex_selection.h"
 #include "support/test_program.h"
 

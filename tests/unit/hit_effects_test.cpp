@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a session's hits did, worked out beside it: the same as working it out at once, whatever happens
 // between.
-#include "session/hit_effects.h"
+#include "analysis/hit_effects.h"
 #include "support/test_program.h"
 
 #include <QSemaphore>

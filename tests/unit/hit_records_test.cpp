@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "session/hit_files.h"
+#include "analysis/hit_files.h"
 #include "support/test_program.h"
 
 using namespace hitscope;

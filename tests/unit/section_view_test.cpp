@@ -9,8 +9,8 @@
 
 #include "mesh/primitives.h"
 #include "mesh/render_mesh.h"
-#include "render/cutting_plane.h"
 #include "support/test_program.h"
+#include "view/cutting_plane.h"
 
 using namespace hitscope;
 

@@ -14,8 +14,8 @@
 #include "app/full_view.h"
 #include "app/keys_overlay.h"
 #include "mesh/primitives.h"
-#include "render/camera_text.h"
 #include "support/test_program.h"
+#include "view/camera_text.h"
 #include "viewport/view_label.h"
 #include "widgets/window_support.h"
 

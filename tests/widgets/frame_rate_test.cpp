@@ -18,6 +18,7 @@
 #include "panels/frame_rate/cost_view.h"
 #include "panels/frame_rate/frame_rate_panel.h"
 #include "panels/icons/themed_icon.h"
+#include "scene/measure_costs.h"
 #include "session/session.h"
 #include "support/test_program.h"
 
@@ -76,7 +77,7 @@ private:
 void FrameRateTest::init() {
     m_session = std::make_unique<Session>();
     m_session->frameCosts().setMeasuresGpu(true);
-    m_panel = std::make_unique<FrameRatePanel>(*m_session, m_continuous);
+    m_panel = std::make_unique<FrameRatePanel>(*m_session, m_continuous, costMeter());
     m_panel->resize(480, 260);
     m_panel->show();
     QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
@@ -168,7 +169,7 @@ void FrameRateTest::curvesAreSwitchedAndRemembered() {
     child<QComboBox>("quantity")->setCurrentIndex(1);
     QVERIFY(!child<QToolButton>("curve1")->isEnabled());
     const QByteArray state = m_panel->saveState();
-    FrameRatePanel other(*m_session, m_continuous);
+    FrameRatePanel other(*m_session, m_continuous, costMeter());
     QVERIFY(other.saveState() != state);
     other.restoreState(QByteArray("nonsense, and too long"));
     other.restoreState(state);

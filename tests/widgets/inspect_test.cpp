@@ -11,7 +11,7 @@
 #include "mesh/primitives.h"
 #include "models/attribution_model.h"
 #include "models/vertex_changes_model.h"
-#include "session/screen_space.h"
+#include "scene/screen_space.h"
 #include "session/vertex_selection.h"
 #include "support/test_program.h"
 #include "viewport/inspect_tool.h"

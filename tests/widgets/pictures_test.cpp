@@ -12,11 +12,11 @@
 #include <QSpinBox>
 #include <QStandardPaths>
 
+#include "analysis/change_values.h"
 #include "app/picture_actions.h"
 #include "app/picture_dialog.h"
 #include "mesh/primitives.h"
 #include "panels/change/change_panel.h"
-#include "session/change_values.h"
 #include "session/vertex_selection.h"
 #include "support/baseline.h"
 #include "support/test_program.h"

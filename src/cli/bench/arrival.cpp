@@ -6,7 +6,7 @@
 
 #include "cli/bench/random_hits.h"
 #include "gl/context.h"
-#include "session/scene_gpu.h"
+#include "scene/scene_gpu.h"
 #include "session/session.h"
 
 namespace hitscope::bench {

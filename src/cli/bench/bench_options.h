@@ -7,7 +7,7 @@
 #include "cli/bench/arguments.h"
 #include "cli/bench/harness.h"
 #include "cli/bench/report.h"
-#include "pipeline/pipeline_kind.h"
+#include "deform/pipeline_kind.h"
 
 namespace hitscope::bench {
 

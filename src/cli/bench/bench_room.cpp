@@ -7,6 +7,8 @@
 #include <QTextStream>
 #include <algorithm>
 
+#include "pipeline/measure_exactness.h"
+
 namespace hitscope::bench {
 
 namespace {
@@ -39,7 +41,7 @@ Result<std::unique_ptr<BenchRoom>> BenchRoom::open(int width, int height) {
 
 PipelineOptions BenchRoom::pipelineOptions() const {
     PipelineOptions options;
-    options.deformDefines = m_exactness.defines();
+    options.deformDefines = definesOf(m_exactness);
     return options;
 }
 

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "cli/bench/bench_options.h"
+#include "deform/exactness.h"
 #include "gl/context.h"
 #include "gl/render_target.h"
 #include "pipeline/deformation_pipeline.h"
-#include "pipeline/exactness.h"
 
 namespace hitscope::bench {
 

@@ -4,12 +4,12 @@
 #include <memory>
 #include <vector>
 
+#include "analysis/change_values.h"
+#include "analysis/comparison.h"
 #include "cli/bench/bench_room.h"
 #include "cli/bench/view_modes.h"
-#include "session/change_values.h"
-#include "session/comparison.h"
-#include "session/scene_gpu.h"
-#include "session/scene_picker.h"
+#include "scene/scene_gpu.h"
+#include "scene/scene_picker.h"
 
 namespace hitscope::bench {
 

@@ -3,7 +3,7 @@
 
 #include "cli/bench/physics_cost.h"
 #include "gl/context.h"
-#include "session/scene_gpu.h"
+#include "scene/scene_gpu.h"
 #include "session/session.h"
 
 namespace hitscope::bench {

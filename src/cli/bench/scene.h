@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "cli/bench/random_hits.h"
+#include "deform/pipeline_kind.h"
 #include "gl/render_target.h"
-#include "pipeline/pipeline_kind.h"
 #include "render/renderer.h"
 #include "session/scene_presets.h"
 #include "session/session.h"

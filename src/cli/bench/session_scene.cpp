@@ -3,7 +3,7 @@
 
 #include "cli/bench/scene.h"
 #include "gl/context.h"
-#include "session/scene_gpu.h"
+#include "scene/scene_gpu.h"
 
 namespace hitscope::bench {
 

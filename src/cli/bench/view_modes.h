@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "render/display_options.h"
+#include "view/display_options.h"
 
 namespace hitscope::bench {
 

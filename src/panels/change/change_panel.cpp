@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/comparison_text.h"
 #include "models/quantity_text.h"
 #include "panels/help/help_text.h"
-#include "session/comparison_text.h"
 #include "session/shown_number.h"
 #include "ui_change.h"
 

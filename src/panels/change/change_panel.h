@@ -4,9 +4,9 @@
 #include <QWidget>
 #include <memory>
 
-#include "render/display_options.h"
-#include "session/change_values.h"
-#include "session/comparison.h"
+#include "analysis/change_values.h"
+#include "analysis/comparison.h"
+#include "view/display_options.h"
 
 namespace Ui {
 class Change;

@@ -11,7 +11,7 @@
 #include "models/quantity_text.h"
 #include "panels/plot/custom_plot.h"
 #include "panels/plot/plot_theme.h"
-#include "render/theme.h"
+#include "view/theme.h"
 
 namespace hitscope {
 
@@ -222,7 +222,7 @@ void SectionPlot::applyPalette() {
     const QColor ink = palette().color(QPalette::WindowText);
     // The picture's own colour for it.
     const bool isDark = palette().color(QPalette::Base).lightness() < 128;
-    const glm::vec3 line = render::themeColours(isDark ? Theme::Dark : Theme::Light).accent;
+    const glm::vec3 line = themeColours(isDark ? Theme::Dark : Theme::Light).accent;
     const QColor accent = QColor::fromRgbF(line.r, line.g, line.b);
     QColor dim = ink;
     dim.setAlphaF(0.65f);

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "models/dent_measurement.h"
+#include "analysis/dent_measurement.h"
 
 class QCPCurve;
 class QCPItemStraightLine;

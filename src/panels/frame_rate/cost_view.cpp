@@ -26,8 +26,12 @@ QString nameOf(PipelineKind pipeline) {
 
 }  // namespace
 
-CostView::CostView(Session& session, QWidget* parent)
-    : QWidget(parent), m_session(session), m_ui(std::make_unique<Ui::CostView>()) {
+CostView::CostView(Session& session, const CostMeter& meter, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_ui(std::make_unique<Ui::CostView>()),
+      m_measurement(meter),
+      m_bySize(meter) {
     m_ui->setupUi(this);
     QCustomPlot* plot = m_ui->plot;
     plot->setBufferDevicePixelRatio(plot->devicePixelRatioF());

@@ -6,9 +6,9 @@
 #include <functional>
 #include <memory>
 
+#include "analysis/cost_measurement.h"
 #include "models/costs_csv.h"
 #include "session/cost_curves.h"
-#include "session/cost_measurement.h"
 
 class QCPGraph;
 class QCPItemStraightLine;
@@ -26,7 +26,7 @@ class CostView : public QWidget {
     Q_OBJECT
 public:
     /// `session` outlives the view.
-    explicit CostView(Session& session, QWidget* parent = nullptr);
+    CostView(Session& session, const CostMeter& meter, QWidget* parent = nullptr);
     ~CostView() override;
 
     /// Where "Measure now" looks from.

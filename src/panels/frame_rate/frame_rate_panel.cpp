@@ -60,11 +60,11 @@ QIcon swatch(const QColor& colour, qreal pixelRatio) {
 
 }  // namespace
 
-FrameRatePanel::FrameRatePanel(Session& session, QAction& continuous, QWidget* parent)
+FrameRatePanel::FrameRatePanel(Session& session, QAction& continuous, const CostMeter& meter, QWidget* parent)
     : QWidget(parent), m_session(session), m_ui(std::make_unique<Ui::FrameRate>()) {
     m_ui->setupUi(this);
     m_graph = new FrameGraph(*m_ui->plot, session.frameCosts(), this);
-    m_costView = new CostView(session);
+    m_costView = new CostView(session, meter);
     m_ui->tabs->addTab(m_costView, tr("Cost"));
     m_ui->tabs->setTabToolTip(1, tr("What frames and hits cost against the number of hits, or of vertices"));
     makeReadOuts();

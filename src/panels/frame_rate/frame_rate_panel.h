@@ -24,6 +24,7 @@ class FrameRate;
 namespace hitscope {
 
 class CostView;
+struct CostMeter;
 class Session;
 
 /// The dock "Frame rate": read-outs and a graph of the frames drawn, and what frames and hits cost against
@@ -32,7 +33,7 @@ class FrameRatePanel : public QWidget {
     Q_OBJECT
 public:
     /// `continuous` is offered as a button; both outlive the panel.
-    FrameRatePanel(Session& session, QAction& continuous, QWidget* parent = nullptr);
+    FrameRatePanel(Session& session, QAction& continuous, const CostMeter& meter, QWidget* parent = nullptr);
     ~FrameRatePanel() override;
 
     void clear();

@@ -3,7 +3,7 @@
 
 #include <QColor>
 
-#include "pipeline/pipeline_kind.h"
+#include "deform/pipeline_kind.h"
 
 namespace hitscope {
 

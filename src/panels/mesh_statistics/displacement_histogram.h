@@ -3,7 +3,7 @@
 
 #include <QObject>
 
-#include "session/mesh_measuring.h"
+#include "analysis/mesh_measuring.h"
 
 class QLabel;
 class QPushButton;

@@ -5,7 +5,7 @@
 #include <functional>
 #include <memory>
 
-#include "session/pipeline_agreement.h"
+#include "analysis/pipeline_agreement.h"
 
 namespace Ui {
 class PipelineAgreement;

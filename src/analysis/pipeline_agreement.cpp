@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/pipeline_agreement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <stop_token>
+#include <utility>
+
+#include "analysis/beside.h"
+#include "deform/reference.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr qint64 kInterval = 500;            // milliseconds
+constexpr std::size_t kMostAtOnce = 40'000;  // vertices carried over in one turn of the event loop
+
+}  // namespace
+
+/// One target on the other thread: what the pipeline made, and what the reference makes of the same hits.
+class PipelineAgreement::Copy {
+public:
+    explicit Copy(const Target& target)
+        : m_id(target.id),
+          m_mesh(target.deformed.sharedOriginal()),
+          m_render(target.deformed.sharedRender()),
+          m_positions(m_mesh->positions) {}
+
+    void follow(std::span<const MovedVertex> moved) {
+        for (const MovedVertex& vertex : moved) {
+            m_positions[vertex.vertex] = vertex.position;
+        }
+    }
+
+    /// More hits are applied to what there is; any other change starts over.
+    void apply(std::vector<Hit> hits) {
+        const bool continues = m_reference && hits.size() >= m_applied.size() &&
+                               std::equal(m_applied.begin(), m_applied.end(), hits.begin());
+        if (!continues) {
+            m_reference = std::make_unique<ReferenceDeformation>(*m_render);
+            m_applied.clear();
+        }
+        m_reference->apply(std::span<const Hit>(hits).subspan(m_applied.size()));
+        m_applied = std::move(hits);
+    }
+
+    /// Adds to the report; its rootMeanSquare is the sum of squares until all are in.
+    void compare(AgreementReport& report) const {
+        for (std::uint32_t v = 0; v < m_positions.size(); ++v) {
+            ++report.vertices;
+            const glm::vec3& should = m_reference->vertices()[m_render->renderVerticesOf(v).front()].position;
+            if (m_positions[v] == should) {
+                continue;
+            }
+            ++report.different;
+            const double distance = glm::length(glm::dvec3(m_positions[v]) - glm::dvec3(should));
+            report.rootMeanSquare += distance * distance;
+            if (!report.worst || distance > report.largest) {
+                report.largest = distance;
+                report.worst = VertexRef{m_id, v};
+            }
+        }
+        report.hits += m_applied.size();
+    }
+
+    [[nodiscard]] TargetId id() const { return m_id; }
+
+private:
+    TargetId m_id;
+    std::shared_ptr<const MeshData> m_mesh;
+    std::shared_ptr<const RenderMesh> m_render;
+    std::vector<glm::vec3> m_positions;
+    std::unique_ptr<ReferenceDeformation> m_reference;
+    std::vector<Hit> m_applied;
+};
+
+struct PipelineAgreement::Job {
+    struct Part {
+        std::shared_ptr<Copy> copy;
+        std::vector<MovedVertex> moved;
+    };
+    std::vector<Part> parts;
+    HistoryCopy::Update update;
+    std::shared_ptr<HistoryCopy> history;
+    std::stop_source source;
+    AgreementReport report;
+
+    void run() {
+        history->apply(update);
+        std::map<TargetId, std::vector<Hit>> hits;
+        for (const Hit& hit : history->hits()) {
+            if (hit.enabled) {
+                hits[hit.target].push_back(hit);
+            }
+        }
+        for (const Part& part : parts) {
+            if (source.stop_requested()) {
+                return;
+            }
+            part.copy->follow(part.moved);
+            part.copy->apply(std::move(hits[part.copy->id()]));
+            part.copy->compare(report);
+        }
+        const double vertices = static_cast<double>(std::max<std::size_t>(report.vertices, 1));
+        report.rootMeanSquare = std::sqrt(report.rootMeanSquare / vertices);
+    }
+};
+
+PipelineAgreement::PipelineAgreement(Session& session, QObject* parent)
+    : QObject(parent), m_session(session), m_interval(kInterval) {
+    m_timer.setSingleShot(true);
+    connect(&m_timer, &QTimer::timeout, this, &PipelineAgreement::gather);
+    connect(&session, &Session::sceneReplaced, this, &PipelineAgreement::startOver);
+    connect(&session, &Session::targetRemoved, this, &PipelineAgreement::startOver);
+    connect(&session, &Session::targetAdded, this, &PipelineAgreement::noteChange);
+    connect(&session, &Session::hitsAppended, this, &PipelineAgreement::noteChange);
+    connect(&session, &Session::historyReset, this, &PipelineAgreement::noteChange);
+    connect(&session, &Session::pipelineChanged, this, &PipelineAgreement::noteChange);
+    connect(&session, &Session::shownHitsChanged, this, &PipelineAgreement::noteChange);
+    connect(&session, &Session::verticesMoved, this,
+            [this](TargetId id, const std::vector<std::uint32_t>& vertices) {
+                const Target* target = m_session.target(id);
+                if (target != nullptr && m_copies.contains(id)) {
+                    m_moved.note(*target, vertices);
+                }
+                noteChange();
+            });
+}
+
+PipelineAgreement::~PipelineAgreement() {
+    stop();
+}
+
+void PipelineAgreement::stop() {
+    if (m_job) {
+        m_job->source.request_stop();
+        m_job.reset();
+        m_history.startOver();
+    }
+    m_timer.stop();
+    m_gathered.clear();
+    m_isGathering = false;
+}
+
+void PipelineAgreement::startOver() {
+    const bool wasComparing = isComparing();
+    stop();
+    m_copies.clear();
+    m_moved.clear();
+    m_report.reset();
+    Q_EMIT reported();
+    if (wasComparing) {
+        compare();
+    } else {
+        noteChange();
+    }
+}
+
+void PipelineAgreement::noteChange() {
+    const bool wasOutOfDate = isOutOfDate();
+    m_hasChanged = true;
+    m_isReportOld = true;
+    m_isGathering = false;  // what was taken is of another state: it is brought up to date
+    if (m_continuous && !isComparing()) {
+        const qint64 since = m_sinceStart.isValid() ? m_sinceStart.elapsed() : m_interval;
+        m_timer.start(static_cast<int>(std::max<qint64>(0, m_interval - since)));
+    }
+    if (isOutOfDate() != wasOutOfDate) {
+        Q_EMIT reported();
+    }
+}
+
+void PipelineAgreement::setContinuous(bool on) {
+    if (on != m_continuous) {
+        m_continuous = on;
+        if (on) {
+            compare();
+        }
+    }
+}
+
+void PipelineAgreement::compare() {
+    if (!isComparing()) {
+        m_timer.start(0);
+        Q_EMIT reported();
+    }
+}
+
+/// Carries over what has moved, over several turns of the event loop if it is much, and all of it in one
+/// state of the session; then starts.
+void PipelineAgreement::gather() {
+    if (!m_isGathering) {
+        if (m_sync && !m_sync()) {
+            Q_EMIT reported();
+            return;
+        }
+        m_isGathering = true;
+    }
+    std::size_t room = kMostAtOnce;
+    bool isAll = true;
+    for (const std::unique_ptr<Target>& target : m_session.targets()) {
+        std::shared_ptr<Copy>& copy = m_copies[target->id];
+        if (!copy) {
+            copy = std::make_shared<Copy>(*target);
+            m_moved.note(*target, target->deformed.everChanged());
+        }
+        isAll = m_moved.take(target->id, target->deformed.positions(), room, m_gathered[target->id]) && isAll;
+    }
+    if (isAll) {
+        start();
+    } else {
+        m_timer.start(0);
+    }
+}
+
+void PipelineAgreement::start() {
+    m_isGathering = false;
+    // What m_sync() brought is in this comparison: it is no reason for another beside it.
+    m_timer.stop();
+    m_hasChanged = false;
+    auto job = std::make_shared<Job>();
+    for (const std::unique_ptr<Target>& target : m_session.targets()) {
+        job->parts.push_back({m_copies.at(target->id), std::exchange(m_gathered[target->id], {})});
+    }
+    job->update = m_history.update(m_session.history(), m_session.appliedHits());
+    job->history = m_history.copy();
+    job->report.dropped = m_session.droppedHits();
+    job->report.later = m_session.history().size() - m_session.shownHits().size();
+    job->report.pipeline = m_session.pipeline();
+    m_job = job;
+    m_sinceStart.start();
+    workBeside(
+        this, [job] { job->run(); }, [job](PipelineAgreement& self, bool done) { self.take(*job, done); });
+}
+
+void PipelineAgreement::take(const Job& job, bool done) {
+    if (m_job.get() != &job) {
+        return;  // given up
+    }
+    m_job.reset();
+    m_interval = std::max(kInterval, 4 * m_sinceStart.elapsed());
+    if (done) {
+        m_report = job.report;
+        m_isReportOld = m_hasChanged;
+    } else {
+        m_copies.clear();  // there was no memory
+        m_history.startOver();
+    }
+    if (m_hasChanged && done) {
+        noteChange();
+    }
+    Q_EMIT reported();
+}
+
+}  // namespace hitscope

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deform/vertex_difference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <sstream>
+
+namespace hitscope {
+
+void VertexDifference::add(std::span<const DynamicVertex> actual, std::span<const DynamicVertex> expected) {
+    vertices += expected.size();
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
+        if (std::memcmp(&actual[i], &expected[i], sizeof(DynamicVertex)) == 0) {
+            continue;
+        }
+        ++different;
+        const float distance = glm::distance(actual[i].position, expected[i].position);
+        largest = std::isnan(distance) ? std::numeric_limits<float>::infinity() : std::max(largest, distance);
+    }
+}
+
+std::string describe(const VertexDifference& difference) {
+    std::ostringstream text;
+    text << grouped(difference.different) << " of " << grouped(difference.vertices) << " vertices differ, ";
+    if (difference.largest > 0.0f) {
+        constexpr int kDigits = 2;
+        text.precision(kDigits);
+        text << "by up to " << difference.largest << " m";
+    } else {
+        text << "in their normals only";
+    }
+    return text.str();
+}
+
+std::string grouped(std::size_t number) {
+    constexpr std::size_t kDigits = 3;
+    std::string text = std::to_string(number);
+    for (std::size_t at = text.size(); at > kDigits;) {
+        at -= kDigits;
+        text.insert(at, 1, ',');
+    }
+    return text;
+}
+
+}  // namespace hitscope

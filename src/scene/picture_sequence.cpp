@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/picture_sequence.h"
+
+#include <QDir>
+#include <algorithm>
+#include <glm/gtc/constants.hpp>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "analysis/change_values.h"
+#include "analysis/hit_effects.h"
+#include "analysis/scene_section.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr int kDigits = 4;
+
+/// The session's targets as they were, and its settings, in another session; which targets became which.
+std::map<TargetId, TargetId> copyScene(const Session& from, Session& to) {
+    ScenePlan plan{from.sceneName(), {}, from.floorHeight()};
+    for (const std::unique_ptr<Target>& target : from.targets()) {
+        plan.targets.push_back({target->name, target->shape, target->transform,
+                                target->collider ? *target->collider : Collider{}, target->sourcePath});
+    }
+    to.loadScene(std::move(plan));
+    to.restoreLights(from.lights());
+    to.setCoverTexture(from.coverTexture());
+    to.setPipeline(from.pipeline());
+    to.selectTarget({});
+    std::map<TargetId, TargetId> became;
+    std::vector<TargetId> hidden;
+    for (std::size_t i = 0; i < from.targets().size(); ++i) {
+        const TargetId copy = to.targets()[i]->id;
+        became[from.targets()[i]->id] = copy;
+        if (!from.targets()[i]->visible) {
+            hidden.push_back(copy);
+        }
+    }
+    to.setTargetsVisible(hidden, false);
+    return became;
+}
+
+std::vector<Hit> enabledHits(const Session& session, const std::map<TargetId, TargetId>& became) {
+    std::vector<Hit> hits;
+    for (Hit hit : session.history().hits()) {
+        const auto target = became.find(hit.target);
+        if (hit.enabled && target != became.end()) {
+            hit.target = target->second;
+            hits.push_back(hit);
+        }
+    }
+    return hits;
+}
+
+}  // namespace
+
+struct PictureSequence::Private {
+    PictureRequest request;
+    int count = 0;
+    int drawn = 0;
+    // A replay's own.
+    Session session;
+    std::vector<Hit> hits;
+    std::unique_ptr<ChangeValues> values;
+    std::unique_ptr<HitEffects> effects;  // null: nobody asks for numbers of hits
+    std::unique_ptr<SceneGpu> replayed;
+    SceneGpu* scene = nullptr;
+
+    void ownChange();
+    [[nodiscard]] Status add(const Hit& hit);
+};
+
+/// Colours by what the replay's own vertices do.
+void PictureSequence::Private::ownChange() {
+    request.comparison = nullptr;
+    request.otherSection = nullptr;
+    request.options.sideBySide = false;
+    const ChangeValues* shown = std::exchange(request.changeValues, nullptr);
+    ChangeMapOptions& change = request.options.change;
+    if (!change.on) {
+        return;
+    }
+    change.style().fixed = shownRange(change, shown != nullptr ? shown->summary() : Summary());
+    change.style().automatic = false;
+    values = std::make_unique<ChangeValues>(session);
+    if (change.quantity == ChangeQuantity::HitCount) {
+        effects = std::make_unique<HitEffects>(session);
+        values->setHitCounts([this](TargetId target) { return effects->counts(target); });
+    }
+    values->setQuantity(change.quantity);
+    request.changeValues = values.get();
+}
+
+Status PictureSequence::Private::add(const Hit& hit) {
+    Status added = session.addHit(hit);
+    if (added && effects) {
+        effects->finish();
+        values->touchAll(hit.target);
+    }
+    return added;
+}
+
+PictureSequence::PictureSequence(std::unique_ptr<Private> parts) : d(std::move(parts)) {}
+PictureSequence::PictureSequence(PictureSequence&&) noexcept = default;
+PictureSequence& PictureSequence::operator=(PictureSequence&&) noexcept = default;
+PictureSequence::~PictureSequence() = default;
+
+PictureSequence PictureSequence::turntable(SceneGpu& scene, const PictureRequest& request, int count) {
+    auto parts = std::make_unique<Private>();
+    parts->request = request;
+    parts->count = count;
+    parts->scene = &scene;
+    return PictureSequence(std::move(parts));
+}
+
+Result<PictureSequence> PictureSequence::replay(const Session& session, const PictureRequest& request) {
+    auto parts = std::make_unique<Private>();
+    parts->request = request;
+    parts->request.section = nullptr;
+    parts->hits = enabledHits(session, copyScene(session, parts->session));
+    parts->count = static_cast<int>(parts->hits.size()) + 1;
+    parts->ownChange();
+    Result<std::unique_ptr<SceneGpu>> scene = SceneGpu::create(parts->session);
+    if (!scene) {
+        return scene.error();
+    }
+    parts->replayed = std::move(scene).value();
+    parts->scene = parts->replayed.get();
+    return PictureSequence(std::move(parts));
+}
+
+int PictureSequence::count() const {
+    return d->count;
+}
+
+Result<Image> PictureSequence::next() {
+    const int index = d->drawn++;
+    if (index == 0 && !d->replayed && d->request.options.cut.on) {
+        // The same section in all of them.
+        if (Status current = d->scene->sync(); !current) {
+            return current.error();
+        }
+        d->request.section = sectionLines(d->scene->session(), d->request.options.cut,
+                                          d->request.options.beforeAfter.exaggeration);
+    }
+    PictureRequest request = d->request;
+    if (!d->replayed) {
+        request.camera.orbit(glm::two_pi<float>() * static_cast<float>(index) / static_cast<float>(d->count),
+                             0.0f);
+    } else if (index > 0) {
+        if (Status added = d->add(d->hits[static_cast<std::size_t>(index) - 1]); !added) {
+            return added.error();
+        }
+    }
+    return drawPicture(*d->scene, request);
+}
+
+QString sequencePath(const QString& folder, const QString& base, int number, int count) {
+    const auto digits = std::max(kDigits, static_cast<int>(QString::number(count).size()));
+    return QDir(folder).filePath(
+        QStringLiteral("%1-%2.png").arg(base).arg(number, digits, 10, QLatin1Char('0')));
+}
+
+}  // namespace hitscope

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/scene_gpu.h"
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "analysis/change_values.h"
+#include "analysis/comparison.h"
+#include "pipeline/measure_exactness.h"
+#include "pipeline/pipeline_trial.h"
+#include "render/original_shape.h"
+#include "render/pick_pass.h"
+#include "render/picking_trial.h"
+#include "scene/picture_part.h"
+#include "scene/scene_gpu_private.h"
+
+namespace hitscope {
+
+namespace {
+
+glm::mat4 modelMatrix(const RigidTransform& transform) {
+    glm::mat4 model = glm::mat4_cast(transform.rotation);
+    model[3] = glm::vec4(transform.position, 1.0f);
+    return model;
+}
+
+std::map<PipelineKind, QString> unavailablePipelines() {
+    std::map<PipelineKind, QString> reasons;
+    for (const PipelineTraits& traits : allPipelines()) {
+        if (const std::optional<std::string> reason = whyUnavailable(traits.kind)) {
+            reasons[traits.kind] = QString::fromStdString(*reason);
+        }
+    }
+    return reasons;
+}
+
+}  // namespace
+
+SceneGpu::SceneGpu(Session& session) : d(std::make_unique<Private>(session)) {}
+
+SceneGpu::~SceneGpu() = default;
+
+Result<std::unique_ptr<SceneGpu>> SceneGpu::create(Session& session) {
+    Result<std::unique_ptr<Renderer>> renderer = Renderer::create();
+    if (!renderer) {
+        return renderer.error();
+    }
+    const Result<Exactness> exactness = measureExactness();
+    if (!exactness) {
+        return exactness.error();
+    }
+    session.setExactness(exactness.value());
+    session.setUnavailablePipelines(unavailablePipelines());
+    session.setVerdict({});
+    std::unique_ptr<SceneGpu> scene(new SceneGpu(session));
+    scene->d->deformDefines = definesOf(exactness.value());
+    scene->d->renderer = std::move(renderer).value();
+    scene->d->tryDefault();
+    return scene;
+}
+
+PipelineOptions SceneGpu::Private::options() const {
+    PipelineOptions options;
+    options.deformDefines = deformDefines;
+    return options;
+}
+
+void SceneGpu::Private::tryOut(PipelineKind kind) {
+    if (session.verdict().of(kind) == nullptr) {
+        RendererVerdict verdict = session.verdict();
+        verdict.pipelines[kind] = tryPipeline(kind, options());
+        session.setVerdict(std::move(verdict));
+    }
+}
+
+/// The session's pipeline, and where it fails, others until one is known that can stand in for it.
+void SceneGpu::Private::tryDefault() {
+    tryOut(session.pipeline());
+    for (const PipelineTraits& traits : allPipelines()) {
+        if (session.verdict().of(session.pipeline())->isExact() ||
+            session.verdict().insteadOf(session.pipeline())) {
+            return;
+        }
+        tryOut(traits.kind);
+    }
+}
+
+const PickingVerdict& SceneGpu::Private::pickingVerdict() {
+    if (!session.verdict().picking) {
+        RendererVerdict verdict = session.verdict();
+        verdict.picking = tryPicking();
+        session.setVerdict(std::move(verdict));
+    }
+    return *session.verdict().picking;
+}
+
+bool SceneGpu::tryNext() {
+    for (const PipelineTraits& traits : allPipelines()) {
+        if (d->session.verdict().of(traits.kind) == nullptr) {
+            d->tryOut(traits.kind);
+            return true;
+        }
+    }
+    static_cast<void>(d->pickingVerdict());
+    return false;
+}
+
+std::shared_ptr<const MaterialSet> SceneGpu::Private::materialsOf(const DeformedMesh& mesh) {
+    std::weak_ptr<const MaterialSet>& known = materials[&mesh.original()];
+    std::shared_ptr<const MaterialSet> set = known.lock();
+    if (!set) {
+        set = renderer->makeMaterials(mesh.original());
+        known = set;
+    }
+    return set;
+}
+
+void SceneGpu::Private::followMaterials(const Target& target, GpuTarget& gpu) {
+    if (gpu.dressed != target.deformed.sharedOriginal()) {
+        gpu.dressed = target.deformed.sharedOriginal();
+        gpu.materials = materialsOf(target.deformed);
+    }
+}
+
+void SceneGpu::Private::followTargets() {
+    for (auto it = targets.begin(); it != targets.end();) {
+        if (session.target(it->first) == nullptr) {
+            if (pipeline) {
+                pipeline->removeTarget(it->first);
+            }
+            it = targets.erase(it);
+        } else {
+            ++it;
+        }
+    }
+    std::erase_if(materials, [](const auto& entry) { return entry.second.expired(); });
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        if (const auto known = targets.find(target->id); known != targets.end()) {
+            followMaterials(*target, known->second);
+            continue;
+        }
+        GpuTarget& made =
+            targets
+                .try_emplace(target->id,
+                             GpuTarget{nullptr, nullptr, ChangedParts(target->deformed.sharedRender())})
+                .first->second;
+        made.buffers = std::make_unique<TargetBuffers>(target->deformed.render());
+        made.buffers->writeShadingNormals(0, target->trueNormals.normals());
+        followMaterials(*target, made);
+        if (pipeline) {
+            pipeline->addTarget(target->id, *made.buffers);
+        }
+    }
+}
+
+void SceneGpu::Private::followCover() {
+    if (coverImage != session.coverTexture()) {
+        coverImage = session.coverTexture();
+        cover = coverImage ? renderer->makeCover(*coverImage) : nullptr;
+    }
+}
+
+const MaterialSet* SceneGpu::Private::materialsToDraw(const Target& target) const {
+    const bool covered = cover && !target.deformed.original().cornerTexcoords.empty();
+    return covered ? cover.get() : targets.at(target.id).materials.get();
+}
+
+/// The visible targets that are on the GPU.
+std::vector<DrawItem> SceneGpu::Private::drawItems() const {
+    std::vector<DrawItem> items;
+    items.reserve(session.targets().size());
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        const auto gpu = targets.find(target->id);
+        if (target->visible && gpu != targets.end()) {
+            items.push_back({target->id, gpu->second.buffers.get(), materialsToDraw(*target),
+                             modelMatrix(target->transform),
+                             target->id == session.selectedTarget() && session.targets().size() > 1,
+                             &gpu->second.changed});
+        }
+    }
+    return items;
+}
+
+Status SceneGpu::sync() {
+    d->meter.begin();
+    Status status = d->follow(Private::Delivery::All);
+    d->meter.end();
+    return status;
+}
+
+void SceneGpu::collectCosts() {
+    d->meter.collect();
+}
+
+const Session& SceneGpu::session() const {
+    return d->session;
+}
+
+bool SceneGpu::isReadBackPending() const {
+    return d->reapplication || (d->pipeline && d->pipeline->isReadBackPending()) ||
+           d->second.isReadBackPending();
+}
+
+Status SceneGpu::drawElements(const View& view, PickPass& pass, const PixelArea& area,
+                              PickElements elements) {
+    if (!d->pipeline) {
+        return Done{};
+    }
+    const PickingVerdict& verdict = d->pickingVerdict();
+    if (!verdict.isRight()) {
+        return Error{"What lies under the cursor cannot be told with this graphics driver: picking was " +
+                         describe(verdict) + ".",
+                     "", "Another driver, or LIBGL_ALWAYS_SOFTWARE=1, may do better."};
+    }
+    pass.setWay(verdict.byGeometry);
+    std::vector<DrawItem> items = d->drawItems();
+    Frame frame;
+    frame.width = view.width;
+    frame.height = view.height;
+    frame.camera = view.camera;
+    frame.options = view.options;
+    frame.targets = items;
+    if (!showsOriginals(view)) {
+        return pass.draw(frame, *d->pipeline, area, elements);
+    }
+    for (DrawItem& item : items) {
+        item.original = true;
+    }
+    render::OriginalShape shape;
+    return pass.draw(frame, shape, area, elements);
+}
+
+void SceneGpu::Private::followComparison(const View& view) {
+    Comparison* comparison = view.comparison;
+    second.follow(comparison, deformDefines, SecondScene::Delivery::WhatHasArrived);
+    if (comparison != nullptr) {
+        comparison->setShownQuantity(isSideBySide(view) && view.options.change.on
+                                         ? std::optional(view.options.change.quantity)
+                                         : std::nullopt);
+    }
+    if (second.isReady() && !second.isReadBackPending() && !pipeline->isReadBackPending()) {
+        comparison->settle(second.pipeline().capacity().dropped.size());
+    }
+}
+
+Status SceneGpu::Private::drawAll(Frame& frame, const View& view, unsigned framebuffer) {
+    if (!isSideBySide(view)) {
+        return renderer->draw(frame, *pipeline, framebuffer);
+    }
+    frame.width = view.width / 2;
+    if (Status status = renderer->draw(frame, *pipeline, framebuffer); !status) {
+        return status;
+    }
+    const std::vector<DrawItem> items = second.itemsFor(frame.targets);
+    if (frame.change) {
+        const ChangeValues* own = view.comparison->values();
+        secondUpload.follow(own != nullptr ? own : view.changeValues);
+        for (const DrawItem& item : items) {
+            secondUpload.upload(item.target, second.buffersOf(item.target));
+        }
+    }
+    const std::vector<VertexMarks> secondMarks =
+        view.selectionMarks ? marks.on(items) : std::vector<VertexMarks>();
+    frame.targets = items;
+    frame.marks = secondMarks;
+    frame.section = view.otherSection;
+    frame.left = frame.width;
+    frame.width = view.width - frame.left;
+    return renderer->draw(frame, second.pipeline(), framebuffer);
+}
+
+Status SceneGpu::draw(const View& view, unsigned framebuffer) {
+    d->meter.begin();
+    if (Status status = d->follow(Private::Delivery::WhatHasArrived); !status) {
+        d->meter.end();
+        return status;
+    }
+    d->followComparison(view);
+    if (d->second.isReady()) {
+        d->meter.comparing();
+    }
+    const Session& session = d->session;
+    std::vector<DrawItem> items = d->drawItems();
+    for (DrawItem& item : items) {
+        item.selected = item.selected && view.selectionMarks;
+    }
+    std::vector<ProjectileItem> projectiles;
+    projectiles.reserve(session.physics().projectileCount());
+    for (const ProjectileState& projectile : session.physics().projectiles()) {
+        projectiles.push_back({{projectile.drawn, projectile.radius}, projectile.colour, projectile.trail});
+    }
+
+    Frame frame;
+    frame.width = view.width;
+    frame.height = view.height;
+    frame.pixelRatio = view.pixelRatio;
+    frame.camera = view.camera;
+    frame.lights = session.lights();
+    frame.options = view.options;
+    frame.meshRevision = d->meshRevision;
+    frame.floorHeight = session.floorHeight();
+    frame.targets = items;
+    if (view.options.change.on) {
+        frame.change =
+            shownChange(view.options.change, view.changeValues ? view.changeValues->summary() : Summary());
+        d->changeUpload.follow(view.changeValues);
+        for (const DrawItem& item : items) {
+            d->changeUpload.upload(item.target, *d->targets.at(item.target).buffers);
+        }
+    }
+    d->marks.follow(session);
+    const std::vector<VertexMarks> marks =
+        view.selectionMarks ? d->marks.on(items) : std::vector<VertexMarks>();
+    frame.marks = marks;
+    frame.projectiles = projectiles;
+    frame.ghost = view.ghost;
+    frame.section = view.section;
+    frame.showsCutPlane = view.showsCutPlane;
+    if (view.selectionMarks && session.selectedHit()) {
+        const Hit& hit = session.history().hits()[*session.selectedHit()];
+        if (const Target* target = session.target(hit.target)) {
+            frame.highlightedHit = Sphere{target->transform.toWorld(hit.point), hit.constants.maxDistance};
+        }
+    }
+    Status status = d->drawAll(frame, view, framebuffer);
+    d->meter.endOf(FrameMeter::Part::Drawing);
+    d->meter.end();
+    return status;
+}
+
+}  // namespace hitscope

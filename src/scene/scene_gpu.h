@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <memory>
+#include <vector>
+
+#include "core/result.h"
+#include "render/picked.h"
+#include "session/session.h"
+#include "view/camera.h"
+#include "view/display_options.h"
+
+namespace hitscope {
+
+class ChangeValues;
+class Comparison;
+class PickPass;
+
+/// A session on the GPU: buffers for its targets, the active pipeline, the renderer. Follows the session by
+/// the history's revision; nothing in it is truth, so it can be thrown away with its context and made again.
+/// A context is current for every call and the destructor.
+class SceneGpu {
+public:
+    /// `session` outlives this.
+    [[nodiscard]] static Result<std::unique_ptr<SceneGpu>> create(Session& session);
+    ~SceneGpu();
+    SceneGpu(const SceneGpu&) = delete;
+    SceneGpu& operator=(const SceneGpu&) = delete;
+
+    /// Brings the GPU to the session's state: new targets, pipeline, hits; then waits for what changed to be
+    /// read back into the session.
+    [[nodiscard]] Status sync();
+
+    struct View {
+        int width = 0;   ///< pixels
+        int height = 0;  ///< pixels
+        float pixelRatio = 1.0f;
+        Camera camera;
+        DisplayOptions options;
+        std::shared_ptr<const std::vector<glm::vec3>> ghost = nullptr;  ///< as in Frame
+        std::shared_ptr<const SectionLines> section = nullptr;          ///< likewise
+        std::shared_ptr<const SectionLines> otherSection = nullptr;     ///< of the second of two pipelines
+        bool showsCutPlane = false;                                     ///< likewise
+        /// What a colour map of change takes its range and some values from; it follows the quantity shown.
+        const ChangeValues* changeValues = nullptr;
+        Comparison* comparison = nullptr;  ///< with a second pipeline; null: none
+        bool selectionMarks = true;        ///< vertices, the hit and the target that are selected, as such
+    };
+    /// As sync(), but waits for nothing: what changed comes to the session with one of the next frames. Then
+    /// one picture into the framebuffer object of that name (0: the default framebuffer).
+    [[nodiscard]] Status draw(const View& view, unsigned framebuffer);
+    /// What draw() last drew, into `pass`: what lies under the pixels of `area` of that view. Nothing before
+    /// the first draw() or sync(). An error too where picking was tried and found wrong.
+    [[nodiscard]] Status drawElements(const View& view, PickPass& pass, const PixelArea& area,
+                                      PickElements elements);
+    /// Tries what has not been tried yet of the pipelines and of picking on this renderer, one of them, in
+    /// some ten milliseconds; Session::verdict() has what came of it. False: nothing is left.
+    bool tryNext();
+    /// Whether the session is behind what was drawn: another draw() or sync() brings it on.
+    [[nodiscard]] bool isReadBackPending() const;
+    [[nodiscard]] const Session& session() const;
+    /// Tells the session's FrameCosts what the GPU has taken so far; draw() does so for all but the latest
+    /// frames.
+    void collectCosts();
+
+private:
+    explicit SceneGpu(Session& session);
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+}  // namespace hitscope

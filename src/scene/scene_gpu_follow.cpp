@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What brings the GPU to the session's state: the pipeline, the history's edits, what comes back.
+#include <QCoreApplication>
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "scene/scene_gpu_private.h"
+#include "scene/shading_normals.h"
+
+namespace hitscope {
+
+/// Lends the words to be translated their context.
+struct SceneGpuText {
+    Q_DECLARE_TR_FUNCTIONS(hitscope::SceneGpu)
+};
+
+/// Nothing is shown or saved of a pipeline that has not been tried.
+Result<std::unique_ptr<DeformationPipeline>> SceneGpu::Private::newPipeline() {
+    tryOut(session.pipeline());
+    return makePipeline(session.pipeline(), options());
+}
+
+/// The history keeps its large edits for a short while only: they are taken as they come.
+void SceneGpu::Private::seeHistory() {
+    const HitHistory& history = session.history();
+    if (seenRevision == history.revision()) {
+        return;
+    }
+    std::optional<std::vector<HistoryEdit>> more = history.editsSince(seenRevision);
+    seenRevision = history.revision();
+    if (!unapplied || !more) {
+        unapplied.reset();
+        return;
+    }
+    std::move(more->begin(), more->end(), std::back_inserter(*unapplied));
+    unapplied = withoutUndone(*std::move(unapplied));
+}
+
+/// Whether bringing the pipeline up to date means to apply most of a long history.
+bool SceneGpu::Private::hasToStartOver() const {
+    if (!pipeline || !Reapplication::isWorthSlicing(session.pipeline(), session.shownHits().size())) {
+        return false;
+    }
+    if (pipeline->traits().kind != session.pipeline() || !unapplied) {
+        return true;
+    }
+    return std::any_of(unapplied->begin(), unapplied->end(), [](const HistoryEdit& edit) {
+        return edit.before.size() + edit.after.size() > Reapplication::kWorthSlicing && !edit.before.empty();
+    });
+}
+
+/// Begins, carries on, ends or gives up what is applied in slices.
+Status SceneGpu::Private::followReapplication(Delivery delivery) {
+    if (reapplication && (!hasToStartOver() || reapplication->kind() != session.pipeline() ||
+                          !reapplication->isOfTheseTargets())) {
+        reapplication.reset();
+    }
+    if (!reapplication && delivery == Delivery::WhatHasArrived && hasToStartOver()) {
+        Result<std::unique_ptr<DeformationPipeline>> made = newPipeline();
+        if (!made) {
+            return made.error();
+        }
+        const PipelineKind before = pipeline->traits().kind;
+        const bool isSwitch = before != session.pipeline();
+        const auto cancel = [&followed = session, isSwitch, before, edited = session.history().revision()] {
+            if (isSwitch) {
+                followed.setPipeline(before);
+            } else if (followed.history().revision() == edited) {
+                followed.undo();
+            }
+        };
+        reapplication =
+            std::make_unique<Reapplication>(session, std::move(made).value(), cancel,
+                                            isSwitch ? SceneGpuText::tr("Return to the previous pipeline")
+                                                     : SceneGpuText::tr("Undo the change"));
+    }
+    if (!reapplication) {
+        return Done{};
+    }
+    if (delivery != Delivery::WhatHasArrived) {
+        reapplication->finish();
+        takeReapplied();
+    } else if (reapplication->advance()) {
+        takeReapplied();
+    }
+    return Done{};
+}
+
+/// Everything is applied: from now on this is what is shown.
+void SceneGpu::Private::takeReapplied() {
+    const std::unique_ptr<Reapplication> done = std::move(reapplication);
+    unapplied.emplace();
+    applied.reset(session.shownHits().size());
+    ++meshRevision;
+    Reapplication::Buffers buffers = done->takeBuffers();
+    pipeline = done->takePipeline();
+    for (auto& [id, target] : targets) {
+        target.buffers = std::move(buffers.at(id));
+        target.buffers->writeShadingNormals(0, session.target(id)->trueNormals.normals());
+    }
+    session.restartReadBack();
+    session.setCapacity(pipeline->capacity());
+    done->deliver([this](TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices) {
+        session.takeReadBack(target, first, vertices);
+    });
+    readBack(Delivery::All);
+}
+
+Status SceneGpu::Private::followPipeline(bool& startOver) {
+    startOver = !pipeline || pipeline->traits().kind != session.pipeline();
+    if (!startOver) {
+        return Done{};
+    }
+    Result<std::unique_ptr<DeformationPipeline>> made = newPipeline();
+    if (!made) {
+        return made.error();
+    }
+    pipeline = std::move(made).value();
+    for (auto& [id, target] : targets) {
+        target.buffers->restoreOriginal();
+        pipeline->addTarget(id, *target.buffers);
+    }
+    session.restartReadBack();
+    return Done{};
+}
+
+bool SceneGpu::Private::followHistory(bool startOver) {
+    const HitHistory& history = session.history();
+    const std::span<const Hit> shown = session.shownHits();
+    if (!startOver && unapplied && unapplied->empty() && applied.size() == shown.size()) {
+        return false;
+    }
+    startOver = startOver || !unapplied;
+    if (startOver) {
+        meter.applying(0, shown.size(), false);
+        pipeline->reset(shown);
+        applied.reset(shown.size());
+    } else {
+        const std::vector<HistoryEdit> made =
+            withAppendsJoined(applied.follow(*unapplied, history.hits(), shown.size()));
+        if (made.size() == 1 && isAppend(made.front(), shown.size())) {
+            meter.applying(made.front().first, made.front().after.size(), true);
+        }
+        for (const HistoryEdit& edit : made) {
+            pipeline->edit(edit);
+        }
+    }
+    unapplied.emplace();
+    ++meshRevision;
+    session.setCapacity(pipeline->capacity());
+    return startOver;
+}
+
+void SceneGpu::Private::readBack(Delivery delivery) {
+    const auto take = [this](TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices) {
+        session.takeReadBack(target, first, vertices);
+    };
+    if (delivery == Delivery::WhatHasArrived) {
+        pipeline->pollReadBack(take);
+    } else {
+        pipeline->readBack(take);
+    }
+    for (const Session::ChangedNormals& change : session.finishReadBack()) {
+        const Target* target = session.target(change.target);
+        if (target != nullptr) {
+            GpuTarget& gpu = targets.at(change.target);
+            gpu.changed.note(change.renderVertices);
+            writeShadingNormals(*gpu.buffers, change.renderVertices, target->trueNormals.normals());
+        }
+    }
+}
+
+Status SceneGpu::Private::follow(Delivery delivery) {
+    followTargets();
+    followCover();
+    seeHistory();
+    if (Status status = followReapplication(delivery); !status) {
+        return status;
+    }
+    if (reapplication) {
+        // Until it is done everything stays as it was, also where the session is already further.
+        readBack(Delivery::WhatHasArrived);
+        return Done{};
+    }
+    bool startOver = false;
+    if (Status status = followPipeline(startOver); !status) {
+        return status;
+    }
+    meter.endOf(FrameMeter::Part::Preparation);
+    // Started over, the CPU copy is at the originals: it must not be seen like that for a frame or two.
+    if (followHistory(startOver)) {
+        delivery = Delivery::All;
+    }
+    meter.endOf(FrameMeter::Part::Deformation);
+    readBack(delivery);
+    meter.endOf(FrameMeter::Part::ReadBack);
+    if (!pipeline->isReadBackPending()) {
+        session.setUpToDate();
+    }
+    return Done{};
+}
+
+}  // namespace hitscope

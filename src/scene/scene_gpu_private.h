@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The inside of SceneGpu: for scene_gpu.cpp, which draws, and scene_gpu_follow.cpp, which brings the GPU to
+// the session's state.
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "deform/history_prefix.h"
+#include "render/renderer.h"
+#include "scene/change_upload.h"
+#include "scene/frame_meter.h"
+#include "scene/reapplication.h"
+#include "scene/scene_gpu.h"
+#include "scene/scene_marks.h"
+#include "scene/second_scene.h"
+#include "session/history_edits.h"
+
+namespace hitscope {
+
+struct SceneGpu::Private {
+    explicit Private(Session& followed) : session(followed), meter(followed.frameCosts()), second(followed) {}
+
+    struct GpuTarget {
+        std::unique_ptr<TargetBuffers> buffers;
+        std::shared_ptr<const MaterialSet> materials;
+        ChangedParts changed;
+        std::shared_ptr<const MeshData> dressed = nullptr;  ///< whose materials these are
+    };
+
+    Session& session;
+    FrameMeter meter;
+    std::unique_ptr<Renderer> renderer;
+    std::unordered_map<TargetId, GpuTarget> targets;
+    std::unique_ptr<DeformationPipeline> pipeline;  // below the buffers it is given, so that it goes first
+    std::unordered_map<const MeshData*, std::weak_ptr<const MaterialSet>> materials;
+    std::shared_ptr<const Image> coverImage;  // what `cover` was made of
+    std::shared_ptr<const MaterialSet> cover;
+    SceneMarks marks;
+    std::uint64_t seenRevision = 0;  // of the history
+    /// The edits until then that the pipeline has not got; nothing: they are not known.
+    std::optional<std::vector<HistoryEdit>> unapplied = std::vector<HistoryEdit>();
+    HistoryPrefix applied;  // of the history before those edits
+    std::uint64_t meshRevision = 1;
+    gl::Defines deformDefines;
+    ChangeUpload changeUpload;
+    SecondScene second;
+    ChangeUpload secondUpload;
+    std::unique_ptr<Reapplication> reapplication;  // null: nothing is applied again in slices
+
+    enum class Delivery { WhatHasArrived, All };
+    void followTargets();
+    void followMaterials(const Target& target, GpuTarget& gpu);
+    void followCover();
+    [[nodiscard]] const MaterialSet* materialsToDraw(const Target& target) const;
+    [[nodiscard]] std::vector<DrawItem> drawItems() const;
+    [[nodiscard]] Result<std::unique_ptr<DeformationPipeline>> newPipeline();
+    [[nodiscard]] PipelineOptions options() const;
+    void tryOut(PipelineKind kind);
+    void tryDefault();
+    [[nodiscard]] const PickingVerdict& pickingVerdict();
+    Status followPipeline(bool& startOver);
+    void seeHistory();
+    [[nodiscard]] bool hasToStartOver() const;
+    Status followReapplication(Delivery delivery);
+    void takeReapplied();
+    /// Returns whether the pipeline started over.
+    bool followHistory(bool startOver);
+    void readBack(Delivery delivery);
+    Status follow(Delivery delivery);
+    std::shared_ptr<const MaterialSet> materialsOf(const DeformedMesh& mesh);
+    void followComparison(const View& view);
+    [[nodiscard]] bool isSideBySide(const View& view) const {
+        return second.isReady() && view.options.sideBySide;
+    }
+    /// The picture, or two of them side by side.
+    Status drawAll(Frame& frame, const View& view, unsigned framebuffer);
+};
+
+}  // namespace hitscope

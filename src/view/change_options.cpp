@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "view/change_options.h"
+
+#include <cmath>
+
+namespace hitscope {
+
+namespace {
+
+/// The end of a range that a few hits fill.
+float usualLargest(ChangeQuantity quantity) {
+    switch (quantity) {
+        case ChangeQuantity::NormalRotation:
+        case ChangeQuantity::TrueNormalError:
+            return 45.0f;
+        case ChangeQuantity::HitCount:
+            return 10.0f;
+        case ChangeQuantity::EdgeStretch:
+            return 100.0f;
+        case ChangeQuantity::Difference:
+            return 0.1f;
+        default:
+            return 0.5f;
+    }
+}
+
+}  // namespace
+
+std::array<QuantityStyle, kChangeQuantities> defaultQuantityStyles() {
+    std::array<QuantityStyle, kChangeQuantities> styles;
+    for (const ChangeTraits& traits : allChangeQuantities()) {
+        const float largest = usualLargest(traits.quantity);
+        QuantityStyle& style = styles[static_cast<std::size_t>(traits.quantity)];
+        style.map = traits.isSigned ? ColourMap::CoolWarm : ColourMap::Viridis;
+        style.fixed = {traits.isSigned ? -largest : 0.0f, largest};
+    }
+    return styles;
+}
+
+double niceStep(double low, double high, int parts) {
+    const double least = (high - low) / parts;
+    if (!(least > 0.0) || !std::isfinite(least)) {
+        return 1.0;
+    }
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double factor : {1.0, 2.0, 5.0}) {
+        if (factor * power >= least * (1.0 - 1e-9)) {
+            return factor * power;
+        }
+    }
+    return 10.0 * power;
+}
+
+}  // namespace hitscope

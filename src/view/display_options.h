@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "view/change_options.h"
+#include "view/cutting_plane.h"
+
+namespace hitscope {
+
+enum class WireframeMode : std::uint8_t { Off, Over, Only };
+enum class NormalMode : std::uint8_t {
+    True,
+    Paper
+};  ///< which normals shade (DESIGN: "Deformation, exactly")
+enum class Theme : std::uint8_t { Light, Dark };
+
+/// How the picture is made; the same for window, pictures and measurements.
+struct DisplayOptions {
+    WireframeMode wireframe = WireframeMode::Off;
+    NormalMode normals = NormalMode::True;
+    Theme theme = Theme::Dark;
+    bool floor = true;
+    bool textures = true;
+    bool crosshair = false;
+    ChangeMapOptions change = {};
+    BeforeAfterOptions beforeAfter = {};
+    CuttingPlane cut = {};
+    bool sideBySide = false;  ///< two pictures, where there is a second pipeline to show
+    bool flat = false;        ///< one normal a triangle
+    bool needles = false;     ///< normals
+    bool dots = false;        ///< vertices, seen from close by
+    bool backFaces = false;   ///< tinted
+    bool shadows = false;     ///< of the directional light
+    /// No background: what is not covered stays transparent, and colours are premultiplied by their opacity.
+    bool transparent = false;
+};
+
+}  // namespace hitscope
