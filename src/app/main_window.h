@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "analysis/hit_effects.h"
-#include "app/app_settings.h"
+#include "app/settings/app_settings.h"
 #include "models/hit_history_model.h"
 #include "models/mesh_statistics_model.h"
 #include "models/scene_model.h"

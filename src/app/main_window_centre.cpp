@@ -4,8 +4,8 @@
 #include <QSettings>
 #include <QVBoxLayout>
 
+#include "app/actions/inspect_actions.h"
 #include "app/discard_guard.h"
-#include "app/inspect_actions.h"
 #include "app/main_window.h"
 #include "app/notice_bar.h"
 #include "app/start_card.h"

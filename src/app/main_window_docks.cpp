@@ -8,10 +8,10 @@
 #include <algorithm>
 
 #include "analysis/hit_effects.h"
-#include "app/camera_actions.h"
-#include "app/change_actions.h"
-#include "app/cut_actions.h"
-#include "app/hit_actions.h"
+#include "app/actions/camera_actions.h"
+#include "app/actions/change_actions.h"
+#include "app/actions/cut_actions.h"
+#include "app/actions/hit_actions.h"
 #include "app/main_window.h"
 #include "app/scene_files.h"
 #include "panels/change/change_panel.h"

@@ -14,16 +14,16 @@
 #include <QUrl>
 #include <algorithm>
 
-#include "app/dialogs.h"
+#include "app/actions/hit_actions.h"
+#include "app/actions/picture_actions.h"
+#include "app/dialogs/dialogs.h"
+#include "app/dialogs/texture_locator.h"
 #include "app/discard_guard.h"
-#include "app/hit_actions.h"
 #include "app/main_window.h"
 #include "app/mesh_exporter.h"
 #include "app/notice_bar.h"
-#include "app/picture_actions.h"
 #include "app/scene_files.h"
-#include "app/settings_keeper.h"
-#include "app/texture_locator.h"
+#include "app/settings/settings_keeper.h"
 #include "io/import.h"
 #include "models/focus_target.h"
 #include "panels/help/help_text.h"

@@ -5,15 +5,15 @@
 #include <QSettings>
 #include <QStyle>
 
-#include "app/camera_actions.h"
+#include "app/actions/camera_actions.h"
+#include "app/actions/hit_actions.h"
+#include "app/actions/inspect_actions.h"
+#include "app/dialogs/texture_chooser.h"
 #include "app/discard_guard.h"
 #include "app/full_view.h"
-#include "app/hit_actions.h"
-#include "app/inspect_actions.h"
 #include "app/main_window.h"
 #include "app/scene_files.h"
-#include "app/settings_keeper.h"
-#include "app/texture_chooser.h"
+#include "app/settings/settings_keeper.h"
 #include "panels/frame_rate/frame_rate_panel.h"
 #include "panels/mesh_statistics/mesh_statistics_panel.h"
 #include "viewport/viewport.h"

@@ -9,7 +9,7 @@
 #include <QSlider>
 #include <cmath>
 
-#include "app/change_settings.h"
+#include "app/settings/change_settings.h"
 #include "mesh/primitives.h"
 #include "panels/change/change_panel.h"
 #include "panels/histogram/histogram_plot.h"

@@ -13,9 +13,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/app_settings.h"
-#include "app/cut_actions.h"
-#include "app/cut_settings.h"
+#include "app/actions/cut_actions.h"
+#include "app/settings/app_settings.h"
+#include "app/settings/cut_settings.h"
 #include "mesh/primitives.h"
 #include "panels/cutting_plane/cutting_plane_panel.h"
 #include "panels/cutting_plane/section_plot.h"

@@ -13,8 +13,8 @@
 #include <QTimer>
 #include <QUrl>
 
+#include "app/actions/hit_actions.h"
 #include "app/discard_guard.h"
-#include "app/hit_actions.h"
 #include "support/test_program.h"
 #include "window_support.h"
 

@@ -16,8 +16,8 @@
 #include <QToolButton>
 #include <QToolTip>
 
-#include "app/help_actions.h"
-#include "app/text_window.h"
+#include "app/actions/help_actions.h"
+#include "app/dialogs/text_window.h"
 #include "panels/help/help_text.h"
 #include "session/task_list.h"
 #include "support/test_program.h"

@@ -19,7 +19,7 @@
 #include <QToolButton>
 #include <set>
 
-#include "app/hit_actions.h"
+#include "app/actions/hit_actions.h"
 #include "panels/hit_history/hit_history_panel.h"
 #include "panels/hit_history/time_scrubber.h"
 #include "session/vertex_selection.h"

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/hit_actions.h"
+#include "app/actions/hit_actions.h"
 #include "mesh/primitives.h"
 #include "models/hit_history_model.h"
 #include "panels/hit_inspector/hit_inspector_panel.h"

@@ -8,7 +8,7 @@
 
 #include "app/end_signals.h"
 #include "app/notice_bar.h"
-#include "app/settings_keeper.h"
+#include "app/settings/settings_keeper.h"
 #include "support/test_program.h"
 #include "window_support.h"
 

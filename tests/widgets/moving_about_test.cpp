@@ -10,9 +10,9 @@
 #include <QMenuBar>
 #include <QToolTip>
 
-#include "app/go_to_vertex.h"
+#include "app/actions/viewport_menu.h"
+#include "app/dialogs/go_to_vertex.h"
 #include "app/keys_lines.h"
-#include "app/viewport_menu.h"
 #include "panels/help/help_text.h"
 #include "support/test_program.h"
 #include "viewport/axis_gizmo.h"

@@ -13,8 +13,8 @@
 #include <QStandardPaths>
 
 #include "analysis/change_values.h"
-#include "app/picture_actions.h"
-#include "app/picture_dialog.h"
+#include "app/actions/picture_actions.h"
+#include "app/dialogs/picture_dialog.h"
 #include "mesh/primitives.h"
 #include "panels/change/change_panel.h"
 #include "session/vertex_selection.h"

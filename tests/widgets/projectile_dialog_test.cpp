@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/projectile_dialog.h"
+#include "app/dialogs/projectile_dialog.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -9,7 +9,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "app/app_settings.h"
+#include "app/settings/app_settings.h"
 #include "support/test_program.h"
 #include "window_support.h"
 

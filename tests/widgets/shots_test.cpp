@@ -8,7 +8,7 @@
 #include <QSpinBox>
 #include <cmath>
 
-#include "app/shot_series_dialog.h"
+#include "app/dialogs/shot_series_dialog.h"
 #include "mesh/primitives.h"
 #include "support/test_program.h"
 #include "viewport/aim_preview.h"

@@ -5,8 +5,8 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 
+#include "app/dialogs/texture_locator.h"
 #include "app/notice_bar.h"
-#include "app/texture_locator.h"
 #include "io/import.h"
 #include "mesh/missing_textures.h"
 #include "panels/help/help_text.h"

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <memory>
 
-#include "app/dialogs.h"
+#include "app/dialogs/dialogs.h"
 #include "app/theme.h"
 #include "support/test_program.h"
 #include "window_support.h"

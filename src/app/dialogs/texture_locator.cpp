@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/texture_locator.h"
+#include "app/dialogs/texture_locator.h"
 
 #include <QAction>
 #include <QDir>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/inspect_actions.h"
+#include "app/actions/inspect_actions.h"
 
 #include <QActionGroup>
 #include <QMenu>

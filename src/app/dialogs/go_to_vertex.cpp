@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/go_to_vertex.h"
+#include "app/dialogs/go_to_vertex.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/hit_actions.h"
+#include "app/actions/hit_actions.h"
 
 #include <QAction>
 #include <QFileDialog>
@@ -10,7 +10,7 @@
 
 #include "analysis/beside.h"
 #include "analysis/hit_files.h"
-#include "app/dialogs.h"
+#include "app/dialogs/dialogs.h"
 #include "models/quantity_text.h"
 #include "panels/help/help_text.h"
 #include "panels/hit_history/hit_history_panel.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/texture_chooser.h"
+#include "app/dialogs/texture_chooser.h"
 
 #include <QAction>
 #include <QActionGroup>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/shot_series_dialog.h"
+#include "app/dialogs/shot_series_dialog.h"
 
 #include <QPushButton>
 #include <QSettings>

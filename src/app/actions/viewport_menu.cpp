@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/viewport_menu.h"
+#include "app/actions/viewport_menu.h"
 
 #include <QApplication>
 #include <QContextMenuEvent>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/time_actions.h"
+#include "app/actions/time_actions.h"
 
 #include <QAction>
 #include <QActionGroup>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/picture_actions.h"
+#include "app/actions/picture_actions.h"
 
 #include <QAction>
 #include <QDir>
@@ -11,7 +11,7 @@
 #include <QStandardPaths>
 #include <algorithm>
 
-#include "app/picture_dialog.h"
+#include "app/dialogs/picture_dialog.h"
 #include "io/save_image.h"
 #include "viewport/viewport.h"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/app_settings.h"
+#include "app/settings/app_settings.h"
 
 #include <QSettings>
 #include <cmath>
 
-#include "app/change_settings.h"
-#include "app/cut_settings.h"
-#include "app/light_settings.h"
-#include "app/shading_actions.h"
+#include "app/actions/shading_actions.h"
+#include "app/settings/change_settings.h"
+#include "app/settings/cut_settings.h"
+#include "app/settings/light_settings.h"
 
 namespace hitscope {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/settings_keeper.h"
+#include "app/settings/settings_keeper.h"
 
 #include <QCoreApplication>
 #include <QEvent>

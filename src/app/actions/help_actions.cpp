@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/help_actions.h"
+#include "app/actions/help_actions.h"
 
 #include <QAction>
 #include <QCoreApplication>
@@ -7,8 +7,8 @@
 #include <QFileInfo>
 #include <QMenu>
 
-#include "app/dialogs.h"
-#include "app/text_window.h"
+#include "app/dialogs/dialogs.h"
+#include "app/dialogs/text_window.h"
 #include "panels/help/help_text.h"
 #include "session/session.h"
 #include "session/task_list.h"

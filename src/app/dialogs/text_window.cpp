@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/text_window.h"
+#include "app/dialogs/text_window.h"
 
 #include <QClipboard>
 #include <QDialogButtonBox>
@@ -14,7 +14,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/dialogs.h"
+#include "app/dialogs/dialogs.h"
 
 namespace hitscope {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/shot_actions.h"
+#include "app/actions/shot_actions.h"
 
 #include <QAction>
 #include <QFileDialog>
@@ -10,9 +10,9 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "app/dialogs.h"
+#include "app/dialogs/dialogs.h"
+#include "app/dialogs/shot_series_dialog.h"
 #include "app/flight_chooser.h"
-#include "app/shot_series_dialog.h"
 #include "app/shot_text.h"
 #include "panels/help/help_text.h"
 #include "session/shot_script_file.h"

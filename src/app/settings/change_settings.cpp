@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/change_settings.h"
+#include "app/settings/change_settings.h"
 
 #include <QSettings>
 #include <algorithm>

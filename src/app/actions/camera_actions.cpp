@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/camera_actions.h"
+#include "app/actions/camera_actions.h"
 
 #include <QActionGroup>
 #include <QClipboard>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cut_settings.h"
+#include "app/settings/cut_settings.h"
 
 #include <QSettings>
 #include <QStringList>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/picture_dialog.h"
+#include "app/dialogs/picture_dialog.h"
 #include "panels/help/help_text.h"
 
 #include <QButtonGroup>

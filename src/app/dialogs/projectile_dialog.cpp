@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/projectile_dialog.h"
+#include "app/dialogs/projectile_dialog.h"
 
 #include <QComboBox>
 #include <QPushButton>
