@@ -14,8 +14,8 @@ namespace hitscope {
 
 namespace {
 
-constexpr qint64 kInterval = 500;            // milliseconds
-constexpr std::size_t kMostAtOnce = 40'000;  // vertices carried over in one turn of the event loop
+constexpr qint64 kBetweenTurns = 500;            // milliseconds
+constexpr std::size_t kMostATurn = 40'000;  // vertices carried over in one turn of the event loop
 
 }  // namespace
 
@@ -109,7 +109,7 @@ struct PipelineAgreement::Job {
 };
 
 PipelineAgreement::PipelineAgreement(Session& session, QObject* parent)
-    : QObject(parent), m_session(session), m_interval(kInterval) {
+    : QObject(parent), m_session(session), m_interval(kBetweenTurns) {
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &PipelineAgreement::gather);
     connect(&session, &Session::sceneReplaced, this, &PipelineAgreement::startOver);
@@ -198,7 +198,7 @@ void PipelineAgreement::gather() {
         }
         m_isGathering = true;
     }
-    std::size_t room = kMostAtOnce;
+    std::size_t room = kMostATurn;
     bool isAll = true;
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
         std::shared_ptr<Copy>& copy = m_copies[target->id];
@@ -240,7 +240,7 @@ void PipelineAgreement::take(const Job& job, bool done) {
         return;  // given up
     }
     m_job.reset();
-    m_interval = std::max(kInterval, 4 * m_sinceStart.elapsed());
+    m_interval = std::max(kBetweenTurns, 4 * m_sinceStart.elapsed());
     if (done) {
         m_report = job.report;
         m_isReportOld = m_hasChanged;
