@@ -10,96 +10,130 @@
 
 namespace hitscope {
 
-struct DentMeasurement::Order {
-    QString target;
-    std::shared_ptr<const RenderMesh> render;
-    std::vector<glm::vec3> after;
-    std::vector<Hit> hits;                ///< those applied to the target
-    std::vector<std::size_t> rows;        ///< of the history, where they are
-    std::optional<std::uint32_t> vertex;  ///< else the dent of:
-    std::size_t hit = 0;                  ///< an index into `hits`
-    float angle = 0.0f;
-};
-
-/// What is made once for a mesh, and how it is used.
-class DentMeasurement::Worker {
+/// The target on the other thread: as it was and as it is.
+class DentMeasurement::Copy {
 public:
-    Report measure(const Order& order) {
-        prepare(order);
-        Report report;
-        report.target = order.target;
-        const std::span<const glm::vec3> before = m_before->positions();
-        const std::optional<std::uint32_t> seed = order.vertex ? order.vertex : m_hits.deepestOf(order.hit);
-        const std::vector<std::uint32_t> vertices =
-            seed ? dentAround(*seed, m_before->triangles(), before, order.after)
-                 : std::vector<std::uint32_t>();
-        report.dent = measureDent(vertices, m_before->triangles(), before, order.after);
-        if (!report.dent) {
-            report.why = order.vertex ? DentMeasurement::tr("No hit has moved the picked vertex.")
-                         : seed       ? DentMeasurement::tr("The selected hit's dent is not there any more.")
-                                      : DentMeasurement::tr("The selected hit has moved no vertex.");
-            return report;
-        }
-        nameHits(report, order, vertices);
-        const glm::vec3 deepest = before[report.dent->deepest];
-        const Plane plane = profilePlane(*report.dent, deepest, order.angle);
-        const ProfileFrame frame = profileFrame(*report.dent, plane, vertices, before, order.after);
-        const auto profile = [&](const MeshSections& mesh) {
-            const glm::vec3 at = mesh.positions()[report.dent->deepest];
-            std::vector<ProfilePoint> line =
-                profileLine(mesh.cut(plane), plane, *report.dent, deepest, frame, at);
-            return line.empty() ? Profile() : Profile{std::move(line)};
-        };
-        report.before = profile(*m_before);
-        report.after = profile(*m_after);
-        return report;
-    }
+    explicit Copy(std::shared_ptr<const RenderMesh> render) : m_render(std::move(render)) {}
 
-private:
-    void prepare(const Order& order) {
-        if (m_render != order.render) {
-            m_render = order.render;
+    void follow(std::span<const MovedVertex> moved, std::span<const Hit> hits) {
+        if (!m_before) {
             m_before = std::make_unique<MeshSections>(*m_render);
             m_after = std::make_unique<MeshSections>(*m_before);
         }
-        m_after->setPositions(order.after);
-        m_hits.follow(order.render, order.hits);
+        m_after->move(moved);
+        m_hits.follow(m_render, hits);
     }
+    [[nodiscard]] const MeshSections& before() const { return *m_before; }
+    [[nodiscard]] const MeshSections& after() const { return *m_after; }
+    [[nodiscard]] const DentHits& hits() const { return m_hits; }
 
-    void nameHits(Report& report, const Order& order, std::span<const std::uint32_t> vertices) const {
-        Bounds box;
-        for (const std::uint32_t vertex : vertices) {
-            box.add(m_before->positions()[vertex]);
-            box.add(order.after[vertex]);
-        }
-        const std::vector<std::size_t> all = m_hits.madeBy(vertices, box);
-        if (all.size() < 2) {
-            return;
-        }
-        std::vector<std::size_t> named;
-        for (const std::size_t hit : all) {
-            report.mergedHits.push_back(order.rows[hit]);
-            if (order.vertex || hit != order.hit) {
-                named.push_back(order.rows[hit]);
-            }
-        }
-        report.merged =
-            (order.vertex ? DentMeasurement::tr("Merged dent of %1") : DentMeasurement::tr("Merged with %1"))
-                .arg(hitNumbersText(named));
-    }
-
+private:
     std::shared_ptr<const RenderMesh> m_render;
     std::unique_ptr<MeshSections> m_before;
     std::unique_ptr<MeshSections> m_after;
     DentHits m_hits;
 };
 
-DentMeasurement::DentMeasurement(Session& session, QObject* parent)
-    : QObject(parent), m_session(session), m_worker(std::make_shared<Worker>()) {
-    m_pool.setMaxThreadCount(1);
+struct DentMeasurement::Job {
+    TargetId target;
+    QString name;
+    CopiedTargets<Copy>::Part part;
+    HistoryCopy::Update update;
+    std::shared_ptr<HistoryCopy> history;
+    std::optional<std::uint32_t> vertex;  ///< else the dent of:
+    std::size_t row = 0;                  ///< of the history
+    float angle = 0.0f;
+    Report report;
+
+    void run(const std::stop_token& stop) {
+        history->apply(update);
+        std::vector<Hit> hits;
+        for (std::size_t i = 0; i < history->hits().size(); ++i) {
+            const Hit& hit = history->hits()[i];
+            if (hit.target == target && hit.enabled) {
+                hits.push_back(hit);
+                m_rows.push_back(i);
+            }
+        }
+        m_hit =
+            static_cast<std::size_t>(std::lower_bound(m_rows.begin(), m_rows.end(), row) - m_rows.begin());
+        part.copy->follow(part.moved, hits);
+        if (!stop.stop_requested()) {
+            measure();
+        }
+    }
+
+private:
+    void measure() {
+        report.target = name;
+        const MeshSections& mesh = part.copy->before();
+        const std::span<const glm::vec3> before = mesh.positions();
+        const std::span<const glm::vec3> after = part.copy->after().positions();
+        const bool isApplied = m_hit < m_rows.size() && m_rows[m_hit] == row;
+        const std::optional<std::uint32_t> seed =
+            vertex || !isApplied ? vertex : part.copy->hits().deepestOf(m_hit);
+        const std::vector<std::uint32_t> vertices =
+            seed ? dentAround(*seed, mesh.triangles(), before, after) : std::vector<std::uint32_t>();
+        report.dent = measureDent(vertices, mesh.triangles(), before, after);
+        if (!report.dent) {
+            report.why = vertex ? DentMeasurement::tr("No hit has moved the picked vertex.")
+                         : seed ? DentMeasurement::tr("The selected hit's dent is not there any more.")
+                                : DentMeasurement::tr("The selected hit has moved no vertex.");
+            return;
+        }
+        nameHits(vertices);
+        const glm::vec3 deepest = before[report.dent->deepest];
+        const Plane plane = profilePlane(*report.dent, deepest, angle);
+        const ProfileFrame frame = profileFrame(*report.dent, plane, vertices, before, after);
+        const auto profile = [&](const MeshSections& cut) {
+            const glm::vec3 at = cut.positions()[report.dent->deepest];
+            std::vector<ProfilePoint> line =
+                profileLine(cut.cut(plane), plane, *report.dent, deepest, frame, at);
+            return line.empty() ? Profile() : Profile{std::move(line)};
+        };
+        report.before = profile(part.copy->before());
+        report.after = profile(part.copy->after());
+    }
+
+    void nameHits(std::span<const std::uint32_t> vertices) {
+        Bounds box;
+        for (const std::uint32_t moved : vertices) {
+            box.add(part.copy->before().positions()[moved]);
+            box.add(part.copy->after().positions()[moved]);
+        }
+        const std::vector<std::size_t> all = part.copy->hits().madeBy(vertices, box);
+        if (all.size() < 2) {
+            return;
+        }
+        std::vector<std::size_t> named;
+        for (const std::size_t hit : all) {
+            report.mergedHits.push_back(m_rows[hit]);
+            if (vertex || hit != m_hit) {
+                named.push_back(m_rows[hit]);
+            }
+        }
+        report.merged =
+            (vertex ? DentMeasurement::tr("Merged dent of %1") : DentMeasurement::tr("Merged with %1"))
+                .arg(hitNumbersText(named));
+    }
+
+    std::vector<std::size_t> m_rows;  ///< of the history: the hits applied to the target
+    std::size_t m_hit = 0;            ///< an index into them
+};
+
+DentMeasurement::DentMeasurement(Session& session, QObject* parent) : QObject(parent), m_session(session) {
+    m_timer.setSingleShot(true);
+    m_job.showIn(session.tasks(), tr("Measuring the dent"));
+    connect(&m_timer, &QTimer::timeout, this, &DentMeasurement::gather);
     connect(&session.selection(), &VertexSelection::pickedChanged, this, &DentMeasurement::followPick);
     connect(&session, &Session::hitSelected, this, &DentMeasurement::followHit);
     connect(&session, &Session::meshChanged, this, &DentMeasurement::followMesh);
+    connect(&session, &Session::verticesMoved, this,
+            [this](TargetId id, const std::vector<std::uint32_t>& vertices) {
+                if (const Target* moved = m_session.target(id)) {
+                    m_copies.note(*moved, vertices);
+                }
+            });
     connect(&session, &Session::hitsChanged, this, &DentMeasurement::request);
     connect(&session, &Session::hitsRearranged, this, &DentMeasurement::request);
     connect(&session, &Session::shownHitsChanged, this, &DentMeasurement::request);
@@ -142,7 +176,16 @@ void DentMeasurement::followMesh(TargetId changed) {
     }
 }
 
+/// They may be in use: a job that has them is given up with them.
+void DentMeasurement::dropCopies() {
+    m_timer.stop();
+    m_job.cancel();
+    m_history.startOver();
+    m_copies.clear();
+}
+
 void DentMeasurement::forget() {
+    dropCopies();
     m_source = Source::None;
     m_picked = {};
     refuse(tr("Select a hit, or right-click a dent in the viewport."));
@@ -151,7 +194,7 @@ void DentMeasurement::forget() {
 
 void DentMeasurement::refuse(const QString& why) {
     m_isDue = false;
-    m_isVoid = m_isBusy;
+    m_isVoid = true;
     m_report = {};
     m_report.why = why;
     Q_EMIT reportChanged();
@@ -196,55 +239,73 @@ void DentMeasurement::setAngle(double angle) {
 }
 
 void DentMeasurement::setActive(bool active) {
+    if (active == m_isActive) {
+        return;
+    }
     m_isActive = active;
-    if (active && m_isDue) {
+    if (active) {
         request();
+    } else {
+        dropCopies();
     }
 }
 
+/// Not right here: moved vertices are reported in the middle of drawing a frame.
 void DentMeasurement::request() {
     if (const QString why = whyNotMeasured(); !why.isEmpty()) {
         refuse(why);
         return;
     }
-    const std::optional<TargetId> id = target();
-    const Target* of = id ? m_session.target(*id) : nullptr;
-    m_isDue = of != nullptr;
-    if (of == nullptr || m_isBusy || !m_isActive) {
-        return;
+    m_isDue = target().has_value();
+    if (m_isDue && m_isActive && !isBusy()) {
+        m_timer.start(0);
     }
-    m_isDue = false;
-    m_isBusy = true;
-    const std::span<const glm::vec3> after = of->deformed.positions();
-    auto order = std::make_shared<Order>();
-    order->target = of->name;
-    order->render = of->deformed.sharedRender();
-    order->after.assign(after.begin(), after.end());
-    order->angle = static_cast<float>(m_angle);
-    const std::span<const Hit> hits = m_session.shownHits();
-    for (std::size_t row = 0; row < hits.size(); ++row) {
-        if (hits[row].target == *id && m_session.isApplied(row)) {
-            order->hits.push_back(hits[row]);
-            order->rows.push_back(row);
-        }
-    }
-    if (m_source == Source::Vertex) {
-        order->vertex = m_picked[1]->vertex;
-    } else {
-        order->hit = static_cast<std::size_t>(
-            std::lower_bound(order->rows.begin(), order->rows.end(), *m_session.selectedHit()) -
-            order->rows.begin());
-    }
-    m_pool.start([this, order, worker = m_worker] {
-        Report report = worker->measure(*order);
-        QMetaObject::invokeMethod(this, [this, report] { take(report); });
-    });
 }
 
-void DentMeasurement::take(Report report) {
-    m_isBusy = false;
-    if (!std::exchange(m_isVoid, false) && m_source != Source::None) {
-        m_report = std::move(report);
+/// Carries over what has moved, over several turns of the event loop if it is much; then starts.
+void DentMeasurement::gather() {
+    const std::optional<TargetId> id = target();
+    const Target* of = id ? m_session.target(*id) : nullptr;
+    if (of == nullptr || !m_isDue) {
+        return;
+    }
+    if (!m_copies.contains(*id)) {
+        m_copies.clear();
+    }
+    auto room = m_copies.kATurn;
+    if (m_copies.gather(*of, room, [of] { return std::make_shared<Copy>(of->deformed.sharedRender()); })) {
+        start(*of);
+    } else {
+        m_timer.start(0);
+    }
+}
+
+void DentMeasurement::start(const Target& target) {
+    m_isDue = false;
+    m_isVoid = false;
+    auto job = std::make_shared<Job>();
+    job->target = target.id;
+    job->name = target.name;
+    job->part = m_copies.take(target.id);
+    job->update = m_history.update(m_session.history(), m_session.appliedHits());
+    job->history = m_history.copy();
+    job->angle = static_cast<float>(m_angle);
+    if (m_source == Source::Vertex) {
+        job->vertex = m_picked[1]->vertex;
+    } else {
+        job->row = *m_session.selectedHit();
+    }
+    m_job.start(*this, job, &DentMeasurement::take);
+}
+
+void DentMeasurement::take(Job& job, bool done) {
+    if (!done) {
+        dropCopies();
+        refuse(tr("There is not enough memory to measure this dent."));
+        return;
+    }
+    if (!m_isVoid && m_source != Source::None) {
+        m_report = std::move(job.report);
         Q_EMIT reportChanged();
     }
     if (m_isDue) {

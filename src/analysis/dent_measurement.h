@@ -4,26 +4,29 @@
 #include <QByteArray>
 #include <QObject>
 #include <QString>
-#include <QThreadPool>
+#include <QTimer>
 #include <array>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "analysis/copied_targets.h"
+#include "analysis/history_copy.h"
+#include "analysis/job_beside.h"
 #include "mesh/dent.h"
 #include "session/session.h"
 #include "session/vertex_selection.h"
 
 namespace hitscope {
 
-/// Measures one dent: the one around the vertex picked or the hit selected last. Works off the window's
-/// thread, and again whenever the target changes.
+/// Measures one dent: the one around the vertex picked or the hit selected last. Works beside the window, on
+/// a copy of the target that is carried on by what moves, and again whenever the target changes.
 class DentMeasurement : public QObject {
     Q_OBJECT
 public:
     /// `session` outlives it.
     explicit DentMeasurement(Session& session, QObject* parent = nullptr);
-    ~DentMeasurement() override;  ///< waits for what is being measured
+    ~DentMeasurement() override;
 
     using Profile = std::vector<std::vector<ProfilePoint>>;  ///< lines
     struct Report {
@@ -51,7 +54,7 @@ public:
     void setAngle(double angle);
     /// Not active, it measures nothing: for when nobody looks.
     void setActive(bool active);
-    [[nodiscard]] bool isBusy() const { return m_isBusy; }
+    [[nodiscard]] bool isBusy() const { return m_job.isRunning() || m_timer.isActive(); }
 
     /// A line a figure: name, value, unit. A line names the hits of a merged dent.
     [[nodiscard]] QString text() const;
@@ -65,8 +68,8 @@ Q_SIGNALS:
 
 private:
     enum class Source : std::uint8_t { None, Vertex, Hit };
-    struct Order;
-    class Worker;
+    struct Job;
+    class Copy;
     void followPick();
     void followHit();
     void followMesh(TargetId target);
@@ -76,19 +79,23 @@ private:
     void request();
     [[nodiscard]] QString mergedNumbers() const;
     void refuse(const QString& why);
-    void take(Report report);
+    void gather();
+    void start(const Target& target);
+    void take(Job& job, bool done);
+    void dropCopies();
 
     Session& m_session;
     Source m_source = Source::None;
     std::array<std::optional<VertexRef>, 2> m_picked;  ///< the latest last
     double m_angle = 0.0;
     bool m_isActive = true;
-    bool m_isBusy = false;
-    bool m_isDue = false;
+    bool m_isDue = false;   ///< since the job that runs was started
     bool m_isVoid = false;  ///< what is being measured is not wanted any more
     Report m_report;
-    std::shared_ptr<Worker> m_worker;  ///< in the pool's hands while busy
-    QThreadPool m_pool;                ///< last: its destructor waits
+    HistoryFollower m_history;
+    CopiedTargets<Copy> m_copies;  ///< one at most
+    JobBeside<Job> m_job;
+    QTimer m_timer;
 };
 
 }  // namespace hitscope

@@ -129,7 +129,7 @@ HitEffects::HitEffects(Session& session, QObject* parent)
     connect(&session, &Session::targetRemoved, this, [this](TargetId target) {
         m_counts.erase(target);
         followShape(target);
-        Q_EMIT countsChanged(target);
+        Q_EMIT countsChanged(target, {});
     });
     connect(&session, &Session::hitsAppended, this, &HitEffects::follow);
     connect(&session, &Session::hitsChanged, this, &HitEffects::follow);
@@ -273,7 +273,7 @@ void HitEffects::takeCounts(const HistoryEffects::Changes::Counts& counts) {
             known[counts.vertices[i]] = counts.counts[i];
         }
     }
-    Q_EMIT countsChanged(counts.target);
+    Q_EMIT countsChanged(counts.target, counts.fromZero ? std::vector<std::uint32_t>() : counts.vertices);
 }
 
 std::optional<HitEffect> HitEffects::effect(std::size_t row) const {

@@ -44,7 +44,8 @@ public:
 Q_SIGNALS:
     /// Of hits in the rows [first, last].
     void effectsChanged(int first, int last);
-    void countsChanged(hitscope::TargetId target);
+    /// Of these file vertices; none are named: of any.
+    void countsChanged(hitscope::TargetId target, const std::vector<std::uint32_t>& vertices);
     /// File vertices of `target`, ascending: those that the hit moved which findVertices() asked about. Not
     /// emitted where the history has changed meanwhile.
     void verticesFound(hitscope::TargetId target, const std::vector<std::uint32_t>& vertices);

@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
-#include <map>
 #include <memory>
 #include <optional>
-#include <stop_token>
 #include <vector>
 
+#include "analysis/copied_targets.h"
 #include "analysis/history_copy.h"
+#include "analysis/job_beside.h"
 #include "analysis/measured_target.h"
-#include "analysis/moved_vertices.h"
 #include "session/session.h"
 
 namespace hitscope {
-
-class TaskProgress;
 
 /// Measures targets of a session on another thread, and again when they change: at most five times a second,
 /// and never more than a quarter of the time. Only the vertices that moved are carried over, a bounded number
@@ -40,7 +36,7 @@ public:
     /// The latest; null until the first is there.
     [[nodiscard]] const std::shared_ptr<const MeshMeasurement>& measurement() const { return m_measurement; }
     /// Nothing has changed since that was measured. Otherwise another follows by itself.
-    [[nodiscard]] bool isUpToDate() const { return !m_changed && !m_job; }
+    [[nodiscard]] bool isUpToDate() const { return !m_changed && !m_job.isRunning(); }
 
 Q_SIGNALS:
     void measured();         ///< measurement() is another
@@ -55,7 +51,7 @@ private:
     void announceState();
     void gather();
     void start();
-    void take(const Job& job, bool done);
+    void take(Job& job, bool done);
     void stop();
 
     Session& m_session;
@@ -63,17 +59,11 @@ private:
     bool m_alone = true;
     bool m_active = true;
     float m_stretchLimit = 2.0f;
-    MovedVertices m_moved;
     HistoryFollower m_history;
-    std::map<TargetId, std::shared_ptr<MeasuredTarget>> m_measured;
-    std::map<TargetId, std::vector<MovedVertex>> m_gathered;  ///< for the next job
-    std::shared_ptr<Job> m_job;                               ///< null: none runs
-    std::unique_ptr<TaskProgress> m_progress;
+    CopiedTargets<MeasuredTarget> m_copies;
+    JobBeside<Job> m_job;
     std::shared_ptr<const MeshMeasurement> m_measurement;
     QTimer m_timer;
-    QTimer m_longJob;  ///< runs until a job is worth showing
-    QElapsedTimer m_sinceStart;
-    qint64 m_interval = 0;   ///< milliseconds from one start to the next
     bool m_changed = false;  ///< since the job that runs was started
     bool m_wasUpToDate = true;
 };

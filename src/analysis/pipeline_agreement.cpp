@@ -7,15 +7,13 @@
 #include <stop_token>
 #include <utility>
 
-#include "analysis/beside.h"
 #include "deform/reference.h"
 
 namespace hitscope {
 
 namespace {
 
-constexpr qint64 kBetweenTurns = 500;            // milliseconds
-constexpr std::size_t kMostATurn = 40'000;  // vertices carried over in one turn of the event loop
+constexpr qint64 kBetweenComparisons = 500;  // milliseconds
 
 }  // namespace
 
@@ -77,17 +75,12 @@ private:
 };
 
 struct PipelineAgreement::Job {
-    struct Part {
-        std::shared_ptr<Copy> copy;
-        std::vector<MovedVertex> moved;
-    };
-    std::vector<Part> parts;
+    std::vector<CopiedTargets<Copy>::Part> parts;
     HistoryCopy::Update update;
     std::shared_ptr<HistoryCopy> history;
-    std::stop_source source;
     AgreementReport report;
 
-    void run() {
+    void run(const std::stop_token& stop) {
         history->apply(update);
         std::map<TargetId, std::vector<Hit>> hits;
         for (const Hit& hit : history->hits()) {
@@ -95,8 +88,8 @@ struct PipelineAgreement::Job {
                 hits[hit.target].push_back(hit);
             }
         }
-        for (const Part& part : parts) {
-            if (source.stop_requested()) {
+        for (const auto& part : parts) {
+            if (stop.stop_requested()) {
                 return;
             }
             part.copy->follow(part.moved);
@@ -109,7 +102,8 @@ struct PipelineAgreement::Job {
 };
 
 PipelineAgreement::PipelineAgreement(Session& session, QObject* parent)
-    : QObject(parent), m_session(session), m_interval(kBetweenTurns) {
+    : QObject(parent), m_session(session) {
+    m_job.showIn(session.tasks(), tr("Comparing with the reference"));
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &PipelineAgreement::gather);
     connect(&session, &Session::sceneReplaced, this, &PipelineAgreement::startOver);
@@ -122,33 +116,27 @@ PipelineAgreement::PipelineAgreement(Session& session, QObject* parent)
     connect(&session, &Session::verticesMoved, this,
             [this](TargetId id, const std::vector<std::uint32_t>& vertices) {
                 const Target* target = m_session.target(id);
-                if (target != nullptr && m_copies.contains(id)) {
-                    m_moved.note(*target, vertices);
+                if (target != nullptr) {
+                    m_copies.note(*target, vertices);
                 }
                 noteChange();
             });
 }
 
-PipelineAgreement::~PipelineAgreement() {
-    stop();
-}
+PipelineAgreement::~PipelineAgreement() = default;
 
+/// The copies may be in use: a job that has them is given up with them.
 void PipelineAgreement::stop() {
-    if (m_job) {
-        m_job->source.request_stop();
-        m_job.reset();
-        m_history.startOver();
-    }
     m_timer.stop();
-    m_gathered.clear();
+    m_job.cancel();
+    m_history.startOver();
+    m_copies.clear();
     m_isGathering = false;
 }
 
 void PipelineAgreement::startOver() {
     const bool wasComparing = isComparing();
     stop();
-    m_copies.clear();
-    m_moved.clear();
     m_report.reset();
     Q_EMIT reported();
     if (wasComparing) {
@@ -164,8 +152,7 @@ void PipelineAgreement::noteChange() {
     m_isReportOld = true;
     m_isGathering = false;  // what was taken is of another state: it is brought up to date
     if (m_continuous && !isComparing()) {
-        const qint64 since = m_sinceStart.isValid() ? m_sinceStart.elapsed() : m_interval;
-        m_timer.start(static_cast<int>(std::max<qint64>(0, m_interval - since)));
+        m_timer.start(m_job.pause(kBetweenComparisons));
     }
     if (isOutOfDate() != wasOutOfDate) {
         Q_EMIT reported();
@@ -198,15 +185,10 @@ void PipelineAgreement::gather() {
         }
         m_isGathering = true;
     }
-    std::size_t room = kMostATurn;
+    auto room = m_copies.kATurn;
     bool isAll = true;
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
-        std::shared_ptr<Copy>& copy = m_copies[target->id];
-        if (!copy) {
-            copy = std::make_shared<Copy>(*target);
-            m_moved.note(*target, target->deformed.everChanged());
-        }
-        isAll = m_moved.take(target->id, target->deformed.positions(), room, m_gathered[target->id]) && isAll;
+        isAll = m_copies.gather(*target, room, [&] { return std::make_shared<Copy>(*target); }) && isAll;
     }
     if (isAll) {
         start();
@@ -222,31 +204,22 @@ void PipelineAgreement::start() {
     m_hasChanged = false;
     auto job = std::make_shared<Job>();
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
-        job->parts.push_back({m_copies.at(target->id), std::exchange(m_gathered[target->id], {})});
+        job->parts.push_back(m_copies.take(target->id));
     }
     job->update = m_history.update(m_session.history(), m_session.appliedHits());
     job->history = m_history.copy();
     job->report.dropped = m_session.droppedHits();
     job->report.later = m_session.history().size() - m_session.shownHits().size();
     job->report.pipeline = m_session.pipeline();
-    m_job = job;
-    m_sinceStart.start();
-    workBeside(
-        this, [job] { job->run(); }, [job](PipelineAgreement& self, bool done) { self.take(*job, done); });
+    m_job.start(*this, job, &PipelineAgreement::take);
 }
 
-void PipelineAgreement::take(const Job& job, bool done) {
-    if (m_job.get() != &job) {
-        return;  // given up
-    }
-    m_job.reset();
-    m_interval = std::max(kBetweenTurns, 4 * m_sinceStart.elapsed());
+void PipelineAgreement::take(Job& job, bool done) {
     if (done) {
         m_report = job.report;
         m_isReportOld = m_hasChanged;
     } else {
-        m_copies.clear();  // there was no memory
-        m_history.startOver();
+        stop();  // there was no memory
     }
     if (m_hasChanged && done) {
         noteChange();

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 
+#include "analysis/copied_targets.h"
 #include "analysis/history_copy.h"
-#include "analysis/moved_vertices.h"
+#include "analysis/job_beside.h"
 #include "session/session.h"
 #include "session/vertex_selection.h"
 
@@ -45,7 +44,7 @@ public:
     void compare();
     [[nodiscard]] bool isContinuous() const { return m_continuous; }
     void setContinuous(bool on);  ///< after every change, at most twice a second
-    [[nodiscard]] bool isComparing() const { return m_job != nullptr || m_timer.isActive(); }
+    [[nodiscard]] bool isComparing() const { return m_job.isRunning() || m_timer.isActive(); }
     /// Of the last comparison; nothing before the first, and with a new scene.
     [[nodiscard]] const std::optional<AgreementReport>& report() const { return m_report; }
     /// The report is of an earlier state of the session.
@@ -62,21 +61,17 @@ private:
     void noteChange();
     void gather();
     void start();
-    void take(const Job& job, bool done);
+    void take(Job& job, bool done);
     void stop();
 
     Session& m_session;
     std::function<bool()> m_sync;
     bool m_continuous = false;
-    MovedVertices m_moved;
     HistoryFollower m_history;
-    std::map<TargetId, std::shared_ptr<Copy>> m_copies;
-    std::map<TargetId, std::vector<MovedVertex>> m_gathered;
-    std::shared_ptr<Job> m_job;
+    CopiedTargets<Copy> m_copies;
+    JobBeside<Job> m_job;
     std::optional<AgreementReport> m_report;
     QTimer m_timer;
-    QElapsedTimer m_sinceStart;
-    qint64 m_interval = 0;       ///< milliseconds
     bool m_isGathering = false;  ///< some of the vertices were taken, in this state of the session
     bool m_hasChanged = false;   ///< since the last comparison was started
     bool m_isReportOld = false;  ///< the session has changed since what was reported

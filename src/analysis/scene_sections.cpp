@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/scene_sections.h"
 
-#include <stop_token>
 #include <utility>
 
-#include "analysis/beside.h"
 #include "session/target.h"
 
 namespace hitscope {
 
 namespace {
-
-constexpr std::size_t kMostAtOnce = 40'000;  // vertices carried over in one turn of the event loop
 
 bool isSame(const RigidTransform& a, const RigidTransform& b) {
     return a.position == b.position && a.rotation == b.rotation;
@@ -29,31 +25,29 @@ struct SceneSections::Job {
     struct Part {
         TargetId id;
         QString name;
-        std::shared_ptr<SectionedTarget> target;
-        std::vector<MovedVertex> moved;
-        RigidTransform transform;
-        bool visible = true;
+        CopiedTargets<SectionedTarget>::Part target;
+        Place place;
     };
     std::vector<Part> parts;
     CuttingPlane cut;
     float exaggeration = 1.0f;
-    std::stop_source source;
     std::shared_ptr<const SceneSection> made;  ///< null: it was stopped, or there was no memory
 
-    void run() {
+    void run(const std::stop_token& stop) {
         auto section = std::make_shared<SceneSection>();
         auto lines = std::make_shared<SectionLines>();
         section->cut = cut;
         for (Part& part : parts) {
-            if (source.stop_requested()) {
+            if (stop.stop_requested()) {
                 return;  // the copies are thrown away with it
             }
-            part.target->follow(part.moved);
-            if (!part.visible) {
+            SectionedTarget& target = *part.target.copy;
+            target.follow(part.target.moved);
+            if (!part.place.visible) {
                 continue;
             }
-            TargetSection found = part.target->cut(cut.plane(), part.transform);
-            part.target->addLines(*lines, found, cut.plane(), part.transform, exaggeration);
+            TargetSection found = target.cut(cut.plane(), part.place.transform);
+            target.addLines(*lines, found, cut.plane(), part.place.transform, exaggeration);
             if (!found.original.empty() || !found.deformed.empty()) {
                 found.target = part.id;
                 found.name = part.name;
@@ -82,23 +76,15 @@ SceneSections::SceneSections(Session& session, Shapes shapes, QObject* parent)
     connect(&session, &Session::pictureChanged, this, &SceneSections::followPlaces);
 }
 
-SceneSections::~SceneSections() {
-    if (m_job) {
-        m_job->source.request_stop();
-    }
-}
+SceneSections::~SceneSections() = default;
 
 /// A copy may be in use: the job that has it is given up with it.
 void SceneSections::forget() {
-    if (m_job) {
-        m_job->source.request_stop();
-        m_job.reset();
-    }
+    m_job.cancel();
     m_due = false;
     m_timer.stop();
     m_copies.clear();
-    m_gathered.clear();
-    m_moved.clear();
+    m_places.clear();
     if (m_section) {
         m_section.reset();
         Q_EMIT changed();
@@ -121,17 +107,16 @@ void SceneSections::setCut(const CuttingPlane& cut, float exaggeration) {
 
 void SceneSections::note(TargetId id, const std::vector<std::uint32_t>& vertices) {
     const Target* target = m_session.target(id);
-    if (target != nullptr && m_copies.contains(id)) {
-        m_moved.note(*target, vertices);
+    if (target != nullptr && m_copies.note(*target, vertices)) {
         request();
     }
 }
 
 /// Dynamic targets move without saying so each time.
 void SceneSections::followPlaces() {
-    for (const auto& [id, copy] : m_copies) {
+    for (const auto& [id, place] : m_places) {
         const Target* target = m_session.target(id);
-        if (target != nullptr && !isSame(target->transform, copy.transform)) {
+        if (target != nullptr && !isSame(target->transform, place.transform)) {
             request();
             return;
         }
@@ -144,32 +129,23 @@ void SceneSections::request() {
         return;
     }
     m_due = true;
-    if (!m_job && !m_timer.isActive()) {
+    if (!m_job.isRunning() && !m_timer.isActive()) {
         m_timer.start(0);
     }
 }
 
 /// Carries over what has moved, over several turns of the event loop if it is much; then starts.
 void SceneSections::gather() {
-    if (m_job || !m_due) {
+    if (m_job.isRunning() || !m_due) {
         return;
     }
-    std::size_t room = kMostAtOnce;
+    auto room = m_copies.kATurn;
     bool isAll = true;
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
-        const DeformedMesh* shape = m_shapes(*target);
-        const std::span<const glm::vec3> positions =
-            shape != nullptr ? shape->positions() : target->deformed.original().positions;
-        Copy& copy = m_copies[target->id];
-        if (!copy.target) {
-            copy.target = std::make_shared<SectionedTarget>(target->deformed.sharedRender());
-            if (shape != nullptr) {
-                m_moved.note(*target, shape->everChanged());
-            }
-        }
-        copy.transform = target->transform;
-        copy.visible = target->visible;
-        isAll = m_moved.take(target->id, positions, room, m_gathered[target->id]) && isAll;
+        m_places[target->id] = {target->transform, target->visible};
+        isAll = m_copies.gather(*target, m_shapes(*target), room, [&] {
+            return std::make_shared<SectionedTarget>(target->deformed.sharedRender());
+        }) && isAll;
     }
     if (isAll) {
         start();
@@ -184,23 +160,15 @@ void SceneSections::start() {
     job->cut = m_cut;
     job->exaggeration = m_exaggeration;
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
-        const Copy& copy = m_copies.at(target->id);
-        job->parts.push_back({target->id, target->name, copy.target,
-                              std::exchange(m_gathered[target->id], {}), copy.transform, copy.visible});
+        job->parts.push_back({target->id, target->name, m_copies.take(target->id), m_places.at(target->id)});
     }
-    m_job = job;
-    workBeside(
-        this, [job] { job->run(); }, [job](SceneSections& self, bool done) { self.take(*job, done); });
+    m_job.start(*this, job, &SceneSections::take);
 }
 
-void SceneSections::take(const Job& job, bool done) {
-    if (m_job.get() != &job) {
-        return;  // given up
-    }
-    m_job.reset();
+void SceneSections::take(Job& job, bool done) {
     if (!done) {
         m_copies.clear();  // there is no section; everything else goes on
-        m_moved.clear();
+        m_places.clear();
         m_due = false;
         return;
     }

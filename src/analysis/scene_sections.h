@@ -8,7 +8,8 @@
 #include <memory>
 #include <vector>
 
-#include "analysis/moved_vertices.h"
+#include "analysis/copied_targets.h"
+#include "analysis/job_beside.h"
 #include "analysis/scene_section.h"
 
 namespace hitscope {
@@ -35,15 +36,14 @@ public:
     /// The latest; null: there is no plane, or its first section has not come yet.
     [[nodiscard]] const std::shared_ptr<const SceneSection>& section() const { return m_section; }
     /// Whether a newer one is on its way.
-    [[nodiscard]] bool isBusy() const { return m_job != nullptr || m_due; }
+    [[nodiscard]] bool isBusy() const { return m_job.isRunning() || m_due; }
 
 Q_SIGNALS:
     void changed();  ///< section() is another
 
 private:
     struct Job;
-    struct Copy {
-        std::shared_ptr<SectionedTarget> target;
+    struct Place {
         RigidTransform transform;  ///< when it was last asked for
         bool visible = true;
     };
@@ -53,17 +53,16 @@ private:
     void request();
     void gather();
     void start();
-    void take(const Job& job, bool done);
+    void take(Job& job, bool done);
 
     Session& m_session;
     Shapes m_shapes;
     CuttingPlane m_cut;
     float m_exaggeration = 1.0f;
-    MovedVertices m_moved;
-    std::map<TargetId, Copy> m_copies;
-    std::map<TargetId, std::vector<MovedVertex>> m_gathered;  ///< for the next job
-    std::shared_ptr<Job> m_job;                               ///< null: none runs
-    bool m_due = false;                                       ///< since the job that runs was started
+    CopiedTargets<SectionedTarget> m_copies;
+    std::map<TargetId, Place> m_places;  ///< of those
+    JobBeside<Job> m_job;
+    bool m_due = false;  ///< since the job that runs was started
     QTimer m_timer;
     std::shared_ptr<const SceneSection> m_section;
 };

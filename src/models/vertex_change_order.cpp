@@ -13,6 +13,7 @@ VertexChangeOrder::VertexChangeOrder(std::shared_ptr<const MeshData> original)
       m_current(m_original->positions),
       m_length(m_current.size(), 0.0f),
       m_turned(m_current.size(), 0.0f),
+      m_counts(m_current.size(), 0),
       m_isListed(m_current.size(), 0),
       m_isMoved(m_current.size(), 0) {}
 
@@ -23,6 +24,7 @@ void VertexChangeOrder::take(std::span<const VertexState> moved) {
         m_length[v] = static_cast<float>(
             glm::distance(glm::dvec3(vertex.current), glm::dvec3(m_original->positions[v])));
         m_turned[v] = vertex.turned;
+        m_counts[v] = vertex.hits;
         if (m_isListed[v] == 0) {
             m_isListed[v] = 1;
             m_listed.push_back(v);
@@ -34,19 +36,11 @@ void VertexChangeOrder::take(std::span<const VertexState> moved) {
     }
 }
 
-void VertexChangeOrder::takeCounts(std::vector<std::uint32_t> counts) {
-    m_counts = std::move(counts);
-    if (m_query.key == VertexQuery::Key::Hits) {
-        m_rows.reset();
-    }
-}
-
 VertexChangesTable VertexChangeOrder::table(std::vector<std::uint32_t> vertices) const {
     VertexChangesTable table{m_original, std::move(vertices), {}};
     table.values.reserve(table.rows.size());
     for (const std::uint32_t vertex : table.rows) {
-        table.values.push_back(
-            {m_current[vertex], m_turned[vertex], vertex < m_counts.size() ? m_counts[vertex] : 0});
+        table.values.push_back({m_current[vertex], m_turned[vertex], m_counts[vertex]});
     }
     return table;
 }
@@ -70,7 +64,7 @@ float VertexChangeOrder::keyOf(std::uint32_t vertex, int component) const {
         case VertexQuery::Key::Turned:
             return m_turned[vertex];
         case VertexQuery::Key::Hits:
-            return vertex < m_counts.size() ? static_cast<float>(m_counts[vertex]) : 0.0f;
+            return static_cast<float>(m_counts[vertex]);
         case VertexQuery::Key::Number:
             break;
     }

@@ -13,11 +13,12 @@
 
 namespace hitscope {
 
-/// Where a vertex is now. Metres, local frame; radians.
+/// A vertex as it is now. Metres, local frame; radians.
 struct VertexState {
     std::uint32_t vertex = 0;
     glm::vec3 current{0.0f};
-    float turned = 0.0f;  ///< of its normal
+    float turned = 0.0f;     ///< of its normal
+    std::uint32_t hits = 0;  ///< that moved it
 };
 
 /// Which changed vertices to show and in what order.
@@ -41,8 +42,6 @@ public:
 
     /// Those back at their original are no changed vertices any more.
     void take(std::span<const VertexState> moved);
-    /// Hits that moved each vertex; may be empty.
-    void takeCounts(std::vector<std::uint32_t> counts);
     /// File vertices.
     [[nodiscard]] std::vector<std::uint32_t> rows(const VertexQuery& query);
     /// These vertices, as far as told.

@@ -2,12 +2,10 @@
 #include "models/vertex_changes_model.h"
 
 #include <algorithm>
-#include <glm/trigonometric.hpp>
+#include <mutex>
 #include <utility>
 
 #include "models/focus_target.h"
-#include "models/quantity_text.h"
-#include "session/shown_number.h"
 #include "session/vertex_selection.h"
 
 namespace hitscope {
@@ -21,16 +19,33 @@ float turnedOf(const DeformedMesh& mesh, std::uint32_t vertex) {
     return static_cast<float>(vertexFacts(mesh, vertex).turned);
 }
 
-QVariant listOf(const glm::vec3& vector) {
-    return QVariantList{static_cast<double>(vector.x), static_cast<double>(vector.y),
-                        static_cast<double>(vector.z)};
-}
-
 }  // namespace
+
+/// Saving may go on while rows are worked out, or for a target that is not shown any more.
+struct VertexChangesModel::SharedOrder {
+    explicit SharedOrder(std::shared_ptr<const MeshData> original) : order(std::move(original)) {}
+    std::mutex mutex;
+    VertexChangeOrder order;
+};
+
+struct VertexChangesModel::Job {
+    std::shared_ptr<SharedOrder> shared;
+    std::vector<VertexState> moved;
+    VertexQuery query;
+    bool wantsRows = false;
+    std::vector<std::uint32_t> rows;
+
+    void run(const std::stop_token& /*stop*/) {
+        const std::lock_guard lock(shared->mutex);
+        shared->order.take(moved);
+        if (wantsRows) {
+            rows = shared->order.rows(query);
+        }
+    }
+};
 
 VertexChangesModel::VertexChangesModel(Session& session, HitEffects& effects, QObject* parent)
     : QAbstractTableModel(parent), m_session(session), m_effects(effects) {
-    m_pool.setMaxThreadCount(1);
     m_timer.setSingleShot(true);
     m_timer.setInterval(kPause);
     connect(&m_timer, &QTimer::timeout, this, &VertexChangesModel::work);
@@ -42,14 +57,7 @@ VertexChangesModel::VertexChangesModel(Session& session, HitEffects& effects, QO
     connect(&session, &Session::historyReset, this, &VertexChangesModel::followTarget);
     connect(&session, &Session::verticesMoved, this, &VertexChangesModel::noteMoved);
     connect(&session, &Session::hitSelected, this, &VertexChangesModel::askForHitVertices);
-    connect(&effects, &HitEffects::countsChanged, this, [this](TargetId target) {
-        if (target == m_target) {
-            m_countsPending = true;
-            m_rowsPending = true;
-            schedule();
-            askForHitVertices();
-        }
-    });
+    connect(&effects, &HitEffects::countsChanged, this, &VertexChangesModel::followCounts);
     connect(&effects, &HitEffects::verticesFound, this,
             [this](TargetId target, const std::vector<std::uint32_t>& vertices) {
                 if (m_filter == Filter::MovedBySelectedHit && target == m_target) {
@@ -62,9 +70,7 @@ VertexChangesModel::VertexChangesModel(Session& session, HitEffects& effects, QO
     startOver();
 }
 
-VertexChangesModel::~VertexChangesModel() {
-    m_pool.waitForDone();
-}
+VertexChangesModel::~VertexChangesModel() = default;
 
 // What is shown
 
@@ -80,12 +86,12 @@ void VertexChangesModel::startOver() {
     beginResetModel();
     m_rows.clear();
     m_target = focus != nullptr ? focus->id : TargetId{};
-    ++m_generation;
+    m_job.cancel();
     m_pending.clear();
     m_order.reset();
-    m_countsPending = m_rowsPending = focus != nullptr;
+    m_rowsPending = focus != nullptr;
     if (focus != nullptr) {
-        m_order = std::make_shared<VertexChangeOrder>(focus->deformed.sharedOriginal());
+        m_order = std::make_shared<SharedOrder>(focus->deformed.sharedOriginal());
         const auto changed = focus->deformed.onceChanged();
         m_pending.assign(changed.begin(), changed.end());
     }
@@ -105,6 +111,18 @@ void VertexChangesModel::noteMoved(TargetId target, const std::vector<std::uint3
         m_pending.insert(m_pending.end(), vertices.begin(), vertices.end());
         schedule();
     }
+}
+
+void VertexChangesModel::followCounts(TargetId id, const std::vector<std::uint32_t>& vertices) {
+    const Target* shown = target();
+    if (id != m_target || shown == nullptr) {
+        return;
+    }
+    const auto concerned = vertices.empty() ? shown->deformed.onceChanged() : std::span(vertices);
+    m_pending.insert(m_pending.end(), concerned.begin(), concerned.end());
+    m_rowsPending = true;
+    schedule();
+    askForHitVertices();
 }
 
 void VertexChangesModel::setFilter(Filter filter) {
@@ -167,11 +185,11 @@ void VertexChangesModel::showOnly(std::vector<std::uint32_t> vertices) {
 // Working it out
 
 bool VertexChangesModel::isUpToDate() const {
-    return !m_working && !m_rowsPending && m_pending.empty();
+    return !m_job.isRunning() && !m_rowsPending && m_pending.empty();
 }
 
 void VertexChangesModel::schedule() {
-    if (m_order && !m_working && !m_timer.isActive()) {
+    if (m_order && !m_job.isRunning() && !m_timer.isActive()) {
         m_timer.start();
     }
 }
@@ -188,50 +206,38 @@ std::vector<VertexState> VertexChangesModel::nextMoved() {
     moved.reserve(count);
     for (std::size_t i = m_pending.size() - count; i < m_pending.size(); ++i) {
         const std::uint32_t vertex = m_pending[i];
-        moved.push_back({vertex, shown->deformed.positions()[vertex], turnedOf(shown->deformed, vertex)});
+        moved.push_back(
+            {vertex, shown->deformed.positions()[vertex], turnedOf(shown->deformed, vertex), hitsOf(vertex)});
     }
     m_pending.resize(m_pending.size() - count);
     return moved;
 }
 
 void VertexChangesModel::work() {
-    if (!m_order || m_working || isUpToDate()) {
+    if (!m_order || m_job.isRunning() || isUpToDate()) {
         return;
     }
-    m_working = true;
-    std::vector<VertexState> moved = nextMoved();
-    const bool wantsRows = m_pending.empty();
-    std::optional<std::vector<std::uint32_t>> counts;
-    if (std::exchange(m_countsPending, false)) {
-        const auto known = m_effects.counts(m_target);
-        counts.emplace(known.begin(), known.end());
-    }
-    if (wantsRows) {
+    auto job = std::make_shared<Job>();
+    job->shared = m_order;
+    job->moved = nextMoved();
+    job->query = m_query;
+    job->wantsRows = m_pending.empty();
+    if (job->wantsRows) {
         m_rowsPending = false;
     }
-    m_pool.start([this, order = m_order, generation = m_generation, query = m_query, wantsRows,
-                  moved = std::move(moved), counts = std::move(counts)] {
-        order->take(moved);
-        if (counts) {
-            order->takeCounts(*counts);
-        }
-        std::vector<std::uint32_t> rows;
-        if (wantsRows) {
-            rows = order->rows(query);
-        }
-        QMetaObject::invokeMethod(
-            this,
-            [this, generation, wantsRows, made = std::move(rows)]() mutable {
-                finish(generation, wantsRows, std::move(made));
-            },
-            Qt::QueuedConnection);
-    });
+    m_job.start(*this, job, &VertexChangesModel::take);
 }
 
-void VertexChangesModel::finish(std::uint64_t generation, bool hasRows, std::vector<std::uint32_t> rows) {
-    m_working = false;
-    if (generation == m_generation && hasRows) {
-        adopt(std::move(rows));
+void VertexChangesModel::take(Job& job, bool done) {
+    if (!done) {
+        m_order.reset();  // there is no memory for rows; everything else goes on
+        m_pending.clear();
+        m_rowsPending = false;
+        adopt({});
+        return;
+    }
+    if (job.wantsRows) {
+        adopt(std::move(job.rows));
     }
     if (!m_pending.empty()) {
         work();  // the next slice at once
@@ -299,124 +305,19 @@ void VertexChangesModel::saveCsv(const QString& path) {
     if (!m_order) {
         return;
     }
-    m_pool.start([this, order = m_order, rows = m_rows, path] {
-        const Status status = hitscope::saveCsv(order->table(rows), path);
-        QMetaObject::invokeMethod(
-            this,
-            [this, path, status] {
-                Q_EMIT saved(path, status ? std::nullopt : std::optional(status.error()));
-            },
-            Qt::QueuedConnection);
-    });
-}
-
-// What a view sees
-
-int VertexChangesModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-}
-
-int VertexChangesModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : ColumnCount;
-}
-
-std::uint32_t VertexChangesModel::hitsOf(std::uint32_t vertex) const {
-    const auto counts = m_effects.counts(m_target);
-    return vertex < counts.size() ? counts[vertex] : 0;
-}
-
-QString VertexChangesModel::text(std::uint32_t vertex, int column) const {
-    const VertexFacts facts = vertexFacts(target()->deformed, vertex);
-    switch (column) {
-        case NumberColumn:
-            return vertexNumberText(vertex);
-        case OriginalColumn:
-            return vectorText(facts.original);
-        case CurrentColumn:
-            return vectorText(facts.current);
-        case DisplacementColumn:
-            return vectorText(facts.displacement);
-        case LengthColumn:
-            return quantityText(facts.length);
-        case TurnedColumn:
-            return shownNumber(glm::degrees(facts.turned), 'f', 1);
-        case HitsColumn:
-            return countText(hitsOf(vertex));
-        default:
-            return {};
-    }
-}
-
-QVariant VertexChangesModel::rawValue(std::uint32_t vertex, int column) const {
-    const VertexFacts facts = vertexFacts(target()->deformed, vertex);
-    switch (column) {
-        case NumberColumn:
-            return qulonglong{vertex} + 1;
-        case OriginalColumn:
-            return listOf(facts.original);
-        case CurrentColumn:
-            return listOf(facts.current);
-        case DisplacementColumn:
-            return listOf(facts.displacement);
-        case LengthColumn:
-            return facts.length;
-        case TurnedColumn:
-            return facts.turned;
-        case HitsColumn:
-            return static_cast<qulonglong>(hitsOf(vertex));
-        default:
-            return {};
-    }
-}
-
-QVariant VertexChangesModel::data(const QModelIndex& index, int role) const {
-    if (!index.isValid() || index.row() >= rowCount() || target() == nullptr) {
-        return {};
-    }
-    const std::uint32_t vertex = vertexAt(index.row());
-    switch (role) {
-        case Qt::DisplayRole:
-            return text(vertex, index.column());
-        case Qt::TextAlignmentRole:
-            return QVariant(Qt::AlignRight | Qt::AlignVCenter);
-        case VertexRole:
-            return vertex;
-        case SelectedRole:
-            return m_session.selection().isSelected({m_target, vertex});
-        case PickedRole:
-            return m_session.selection().picked() == VertexRef{m_target, vertex};
-        case RawValueRole:
-            return rawValue(vertex, index.column());
-        default:
-            return {};
-    }
-}
-
-QVariant VertexChangesModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal || section < 0 || section >= ColumnCount) {
-        return {};
-    }
-    const QString titles[ColumnCount] = {
-        tr("Vertex"),           tr("Original (m)"), tr("Current (m)"), tr("Displacement x, y, z (m)"),
-        tr("Displacement (m)"), tr("Normal (°)"),   tr("Hits")};
-    const QString explanations[ColumnCount] = {
-        tr("The vertex's number in the file, counted from 1"),
-        tr("Where it was: x, y, z in the target's own frame"),
-        tr("Where the active pipeline has it"),
-        tr("Displacement: current less original"),
-        tr("Length of the displacement"),
-        tr("By how much its normal has turned, as the pipeline holds it (the paper's equation 2)"),
-        tr("How many hits moved it")};
-    switch (role) {
-        case Qt::DisplayRole:
-            return titles[section];
-        case Qt::ToolTipRole:
-            return explanations[section];
-        case Qt::TextAlignmentRole:
-            return QVariant(Qt::AlignRight | Qt::AlignVCenter);
-        default:
-            return {};
-    }
+    auto status = std::make_shared<Status>(
+        Error{"There is not enough memory for the table.", path.toStdString(), "Show fewer vertices."});
+    workBeside(
+        this,
+        [order = m_order, rows = m_rows, path, status]() mutable {
+            std::unique_lock lock(order->mutex);
+            const VertexChangesTable table = order->order.table(std::move(rows));
+            lock.unlock();
+            *status = hitscope::saveCsv(table, path);
+        },
+        [path, status](VertexChangesModel& self, bool /*done*/) {
+            Q_EMIT self.saved(path, *status ? std::nullopt : std::optional(status->error()));
+        });
 }
 
 }  // namespace hitscope

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <QAbstractTableModel>
-#include <QThreadPool>
 #include <QTimer>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "analysis/hit_effects.h"
+#include "analysis/job_beside.h"
 #include "models/vertex_change_order.h"
 #include "models/vertex_changes_csv.h"
 #include "models/vertex_facts.h"
@@ -79,7 +79,10 @@ Q_SIGNALS:
     void saved(const QString& path, const std::optional<hitscope::Error>& error);
 
 private:
+    struct Job;
+    struct SharedOrder;
     void followTarget();
+    void followCounts(TargetId target, const std::vector<std::uint32_t>& vertices);
     void startOver();
     void noteMoved(TargetId target, const std::vector<std::uint32_t>& vertices);
     void followSelection();
@@ -87,7 +90,7 @@ private:
     void showOnly(std::vector<std::uint32_t> vertices);
     void schedule();
     void work();
-    void finish(std::uint64_t generation, bool hasRows, std::vector<std::uint32_t> rows);
+    void take(Job& job, bool done);
     void adopt(std::vector<std::uint32_t> rows);
     [[nodiscard]] std::vector<VertexState> nextMoved();
     [[nodiscard]] std::uint32_t hitsOf(std::uint32_t vertex) const;
@@ -101,14 +104,11 @@ private:
     VertexQuery m_query;
     Filter m_filter = Filter::AllChanged;
 
-    std::shared_ptr<VertexChangeOrder> m_order;  ///< m_pool's; null: no target
-    std::uint64_t m_generation = 0;              ///< of m_order
-    std::vector<std::uint32_t> m_pending;        ///< file vertices to tell it of
-    bool m_countsPending = false;
+    std::shared_ptr<SharedOrder> m_order;  ///< null: no target
+    std::vector<std::uint32_t> m_pending;  ///< file vertices to tell it of
     bool m_rowsPending = false;
-    bool m_working = false;
+    JobBeside<Job> m_job;
     QTimer m_timer;
-    QThreadPool m_pool;
 };
 
 }  // namespace hitscope
