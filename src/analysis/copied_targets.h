@@ -46,7 +46,7 @@ public:
         if (!copy) {
             copy = make();
             if (shape != nullptr) {
-                m_moved.note(target, shape->everChanged());
+                m_moved.note(target, shape->onceChanged());
             }
         }
         const auto positions =

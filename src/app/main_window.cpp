@@ -7,7 +7,6 @@
 #include <QMenu>
 #include <QSettings>
 #include <QStatusBar>
-#include <QSurfaceFormat>
 #include <algorithm>
 
 #include "analysis/hit_effects.h"
@@ -41,6 +40,7 @@
 #include "viewport/aim_preview.h"
 #include "viewport/hit_handles.h"
 #include "viewport/inspect_tool.h"
+#include "viewport/surface_format.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -53,11 +53,7 @@ constexpr int kHintStays = 20'000;       // milliseconds
 }  // namespace
 
 void MainWindow::setSurfaceFormat() {
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    QSurfaceFormat::setDefaultFormat(format);
+    QSurfaceFormat::setDefaultFormat(baseSurfaceFormat());
 }
 
 MainWindow::MainWindow(Session& session, QWidget* parent)

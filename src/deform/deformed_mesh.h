@@ -44,8 +44,6 @@ public:
     /// Current positions in the file's own order; original().positions.size() entries.
     [[nodiscard]] std::span<const glm::vec3> positions() const { return m_positions; }
     [[nodiscard]] bool isChanged(std::uint32_t fileVertex) const;
-    /// File vertices, each once, among them all changed ones; in no order.
-    [[nodiscard]] std::span<const std::uint32_t> everChanged() const { return m_changed; }
     [[nodiscard]] glm::vec3 displacement(std::uint32_t fileVertex) const;
     /// Every changed vertex, each once and in no order, and perhaps some that are back at their original.
     [[nodiscard]] std::span<const std::uint32_t> onceChanged() const { return m_changed; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deform/exactness.h"
 
+#include "core/grouped.h"
+
 namespace hitscope {
 
 std::string describe(const Exactness& exactness) {

@@ -6,12 +6,10 @@
 #include <sstream>
 #include <string>
 
+#include "core/finite.h"
+
 namespace hitscope {
 namespace {
-
-bool isFinite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 /// Numbers so small that deforming with them could give denormal ones, which some renderers flush to zero,
 /// count as 0 from the start.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deform/renderer_verdict.h"
 
+#include "core/grouped.h"
+
 namespace hitscope {
 
 const PipelineVerdict* RendererVerdict::of(PipelineKind kind) const {

@@ -8,6 +8,8 @@
 #include <limits>
 #include <sstream>
 
+#include "core/grouped.h"
+
 namespace hitscope {
 
 void VertexDifference::add(std::span<const DynamicVertex> actual, std::span<const DynamicVertex> expected) {
@@ -34,16 +36,6 @@ std::string describe(const VertexDifference& difference) {
         text << "in their normals only";
     }
     return text.str();
-}
-
-std::string grouped(std::size_t number) {
-    constexpr std::size_t kDigits = 3;
-    std::string text = std::to_string(number);
-    for (std::size_t at = text.size(); at > kDigits;) {
-        at -= kDigits;
-        text.insert(at, 1, ',');
-    }
-    return text;
 }
 
 }  // namespace hitscope

@@ -24,7 +24,4 @@ struct VertexDifference {
 /// "12 of 4,096 vertices differ, by up to 0.1 m".
 [[nodiscard]] std::string describe(const VertexDifference& difference);
 
-/// "4,096": in reports that are copied, as in English.
-[[nodiscard]] std::string grouped(std::size_t number);
-
 }  // namespace hitscope

@@ -7,14 +7,12 @@
 
 #include "mesh/mesh_data.h"
 
+#include "core/finite.h"
+
 namespace hitscope {
 namespace {
 
 const char* const kBroken = "The mesh is damaged: write the file again with the program it came from.";
-
-bool isFinite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 bool isColour(const glm::vec3& c) {
     return c.x >= 0.0f && c.x <= 1.0f && c.y >= 0.0f && c.y <= 1.0f && c.z >= 0.0f && c.z <= 1.0f;

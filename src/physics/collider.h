@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <variant>
@@ -25,6 +26,12 @@ struct RigidTransform {
         return glm::conjugate(rotation) * world;
     }
     [[nodiscard]] glm::vec3 directionToWorld(const glm::vec3& local) const { return rotation * local; }
+    /// From local to world.
+    [[nodiscard]] glm::mat4 matrix() const {
+        glm::mat4 matrix = glm::mat4_cast(rotation);
+        matrix[3] = glm::vec4(position, 1.0f);
+        return matrix;
+    }
 };
 
 /// Colliders, about the target's local origin. A primitive is exact until its first dent: from then on its

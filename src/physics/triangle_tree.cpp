@@ -5,15 +5,13 @@
 #include <cmath>
 #include <glm/vector_relational.hpp>
 
+#include "core/finite.h"
+
 namespace hitscope::physics {
 namespace {
 
 constexpr std::size_t kLeafTriangles = 4;
 constexpr std::size_t kLeavesAhead = 4;  // whose corners are asked for before they are looked at
-
-bool isFinite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 bool overlap(const Bounds& a, const Bounds& b) {
     return glm::all(glm::lessThanEqual(a.min, b.max)) && glm::all(glm::lessThanEqual(b.min, a.max));

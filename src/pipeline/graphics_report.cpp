@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "core/grouped.h"
 #include "gl/context.h"
 #include "pipeline/deformation_pipeline.h"
 

@@ -19,12 +19,6 @@ namespace hitscope {
 
 namespace {
 
-glm::mat4 modelMatrix(const RigidTransform& transform) {
-    glm::mat4 model = glm::mat4_cast(transform.rotation);
-    model[3] = glm::vec4(transform.position, 1.0f);
-    return model;
-}
-
 std::map<PipelineKind, QString> unavailablePipelines() {
     std::map<PipelineKind, QString> reasons;
     for (const PipelineTraits& traits : allPipelines()) {
@@ -174,7 +168,7 @@ std::vector<DrawItem> SceneGpu::Private::drawItems() const {
         const auto gpu = targets.find(target->id);
         if (target->visible && gpu != targets.end()) {
             items.push_back({target->id, gpu->second.buffers.get(), materialsToDraw(*target),
-                             modelMatrix(target->transform),
+                             target->transform.matrix(),
                              target->id == session.selectedTarget() && session.targets().size() > 1,
                              &gpu->second.changed});
         }

@@ -15,21 +15,13 @@ namespace {
 constexpr int kSamples = 4;
 constexpr std::pair kNeeded(3, 3);  // OpenGL version
 
-QSurfaceFormat baseFormat() {
-    QSurfaceFormat format;
-    format.setVersion(kNeeded.first, kNeeded.second);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    return format;
-}
-
 /// What a context of the base format is; nothing where there is none.
 const std::optional<gl::RendererInfo>& driver() {
     static const std::optional<gl::RendererInfo> info = []() -> std::optional<gl::RendererInfo> {
         QOpenGLContext context;
-        context.setFormat(baseFormat());
+        context.setFormat(baseSurfaceFormat());
         QOffscreenSurface surface;
-        surface.setFormat(baseFormat());
+        surface.setFormat(baseSurfaceFormat());
         surface.create();
         if (!context.create() || !context.makeCurrent(&surface)) {
             return std::nullopt;
@@ -43,8 +35,16 @@ const std::optional<gl::RendererInfo>& driver() {
 
 }  // namespace
 
+QSurfaceFormat baseSurfaceFormat() {
+    QSurfaceFormat format;
+    format.setVersion(kNeeded.first, kNeeded.second);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    return format;
+}
+
 QSurfaceFormat viewportFormat() {
-    QSurfaceFormat format = baseFormat();
+    QSurfaceFormat format = baseSurfaceFormat();
     const bool software = driver() && driver()->isSoftware();
     format.setSamples(software ? 0 : kSamples);
     return format;

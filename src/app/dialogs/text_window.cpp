@@ -9,12 +9,12 @@
 #include <QGuiApplication>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QScreen>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/dialogs/dialogs.h"
+#include "io/staged_files.h"
 
 namespace hitscope {
 
@@ -77,12 +77,8 @@ void TextWindow::offerSaving(const QString& name) {
 }
 
 void TextWindow::saveTo(const QString& path) {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly | QIODevice::Text) || file.write(text().toUtf8()) < 0 ||
-        !file.commit()) {
-        showError(this, Error{"The text cannot be saved: " + file.errorString().toStdString() + ".",
-                              QDir::toNativeSeparators(path).toStdString(),
-                              "Choose a file in a folder you may write to."});
+    if (const Status status = writeWhole(path, text().toStdString()); !status) {
+        showError(this, status.error());
     }
 }
 

@@ -12,12 +12,6 @@ namespace hitscope::bench {
 
 namespace {
 
-glm::mat4 modelMatrix(const RigidTransform& transform) {
-    glm::mat4 model = glm::mat4_cast(transform.rotation);
-    model[3] = glm::vec4(transform.position, 1.0f);
-    return model;
-}
-
 Bounds worldBounds(const TargetPlan& plan) {
     const Bounds& local = plan.shape.render->bounds;
     Bounds world;
@@ -104,7 +98,7 @@ private:
             m_copies.emplace_back(plan.shape.mesh, plan.shape.render);
             m_pipeline->addTarget(id, *m_buffers.back());
             m_items.push_back(
-                {id, m_buffers.back().get(), m_parts.materials.get(), modelMatrix(plan.transform), false});
+                {id, m_buffers.back().get(), m_parts.materials.get(), plan.transform.matrix(), false});
         }
     }
 

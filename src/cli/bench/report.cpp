@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/grouped.h"
+
 namespace hitscope::bench {
 
 namespace {
@@ -130,11 +132,7 @@ QString shortTime(double seconds) {
 }
 
 QString grouped(qulonglong value) {
-    QString text = QString::number(value);
-    for (qsizetype at = text.size() - 3; at > 0; at -= 3) {
-        text.insert(at, QLatin1Char(','));
-    }
-    return text;
+    return QString::fromStdString(hitscope::grouped(value));
 }
 
 }  // namespace hitscope::bench

@@ -9,6 +9,8 @@
 #include "io/readers/tidy.h"
 #include "io/welder.h"
 
+#include "core/finite.h"
+
 namespace hitscope {
 namespace {
 
@@ -20,10 +22,6 @@ constexpr std::size_t kFacetSize = 50;  // normal, three vertices, two bytes of 
 constexpr std::size_t kReportEvery = 1 << 16;
 
 const char* const kCutAdvice = "Save or download it again: it is not whole.";
-
-bool isFinite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 Error badCoordinate(const std::string& where) {
     return {"A coordinate is not a number, infinite or too large.", where,

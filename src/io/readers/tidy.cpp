@@ -4,18 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/finite.h"
+
 namespace hitscope {
 namespace {
-
-template <class Vector>
-bool isFinite(const Vector& v) {
-    for (int i = 0; i < Vector::length(); ++i) {
-        if (!std::isfinite(v[i])) {
-            return false;
-        }
-    }
-    return true;
-}
 
 /// Corners whose value is missing or not finite get kNoIndex; gives their number.
 template <class Vector>
