@@ -22,10 +22,13 @@ endif()
 target_compile_definitions(hitscope_options INTERFACE
   GLM_FORCE_CTOR_INIT GLM_ENABLE_EXPERIMENTAL QT_NO_KEYWORDS QT_NO_CAST_FROM_BYTEARRAY
   HITSCOPE_VERSION="${PROJECT_VERSION}")
-if(HITSCOPE_SANITIZE)
+if(HITSCOPE_SANITIZE STREQUAL "address")
   target_compile_options(hitscope_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
     -fno-omit-frame-pointer)
   target_link_options(hitscope_options INTERFACE -fsanitize=address,undefined)
+elseif(HITSCOPE_SANITIZE STREQUAL "thread")
+  target_compile_options(hitscope_options INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
+  target_link_options(hitscope_options INTERFACE -fsanitize=thread)
 endif()
 
 # hitscope_library(NAME SOURCES ... [LINK PUBLIC-libraries ...] [PRIVATE_LINK ...] [PRECOMPILED std|qt|widgets] [UNITY])
