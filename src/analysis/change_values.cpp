@@ -112,10 +112,7 @@ void ChangeValues::start(const Target& target) {
     const std::optional<Shape> shape = m_shapes(target);
     const std::span<const std::uint32_t> changed =
         shape ? shape->deformed->onceChanged() : std::span<const std::uint32_t>();
-    const bool alone = *m_quantity != ChangeQuantity::EdgeStretch &&
-                       *m_quantity != ChangeQuantity::TrueNormalError &&
-                       *m_quantity != ChangeQuantity::Difference;
-    if (!alone || changed.size() > kManyVertices) {
+    if (!changeTraits(*m_quantity).isAlone || changed.size() > kManyVertices) {
         for (std::size_t cluster = 0; cluster < values->marked.size(); ++cluster) {
             mark(*values, cluster);
         }

@@ -43,10 +43,10 @@ const std::array<ParameterDescriptor, 3>& hitParameters() {
     constexpr double kMostPower = 1.0e18;    // square metres
     static const std::array<ParameterDescriptor, 3> parameters = [] {
         std::array<ParameterDescriptor, 3> wide = deformationParameters();
-        wide[0].minimum = kLeastLength;
-        wide[0].maximum = kMostLength;
-        wide[1].maximum = kMostPower;
-        wide[2].maximum = kMostLength;
+        wide[kMaxDistance].minimum = kLeastLength;
+        wide[kMaxDistance].maximum = kMostLength;
+        wide[kPower].maximum = kMostPower;
+        wide[kMaxMagnitude].maximum = kMostLength;
         return wide;
     }();
     return parameters;
@@ -54,9 +54,9 @@ const std::array<ParameterDescriptor, 3>& hitParameters() {
 
 double parameterValue(const DeformationConstants& constants, std::size_t index) {
     switch (index) {
-        case 0:
+        case kMaxDistance:
             return constants.maxDistance;
-        case 1:
+        case kPower:
             return constants.power;
         default:
             return constants.maxMagnitude;
@@ -66,10 +66,10 @@ double parameterValue(const DeformationConstants& constants, std::size_t index) 
 void setParameterValue(DeformationConstants& constants, std::size_t index, double value) {
     const float number = static_cast<float>(value);
     switch (index) {
-        case 0:
+        case kMaxDistance:
             constants.maxDistance = number;
             break;
-        case 1:
+        case kPower:
             constants.power = number;
             break;
         default:

@@ -16,6 +16,10 @@ struct DeformationConstants {
     bool operator==(const DeformationConstants&) const = default;
 };
 
+/// Which constant: an index into deformationParameters() and hitParameters().
+inline constexpr std::size_t kMaxDistance = 0;
+inline constexpr std::size_t kPower = 1;
+inline constexpr std::size_t kMaxMagnitude = 2;
 /// max_distance, power, max_magnitude, in this order.
 [[nodiscard]] const std::array<ParameterDescriptor, 3>& deformationParameters();
 [[nodiscard]] double parameterValue(const DeformationConstants& constants, std::size_t index);

@@ -23,7 +23,9 @@ struct PipelineTraits {
     std::string_view description;  ///< one sentence
     std::string_view needs;        ///< "OpenGL 3.3"
     std::string_view keeps;        ///< "the last 600 hits of the scene"
-    bool keepsAll = true;          ///< any number of hits
+    bool keepsAll = true;          ///< any number of hits, in the vertices: applying many takes a while
+    bool needsCompute = false;     ///< compute shaders
+    std::uint32_t colour = 0;      ///< 0xrrggbb in plots, told apart on light and on dark
 };
 /// Every pipeline there is, in the order the interface lists them.
 [[nodiscard]] std::span<const PipelineTraits> allPipelines();

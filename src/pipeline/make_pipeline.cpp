@@ -16,7 +16,7 @@ constexpr int kComputeVersion = 43;
 
 std::optional<std::string> whyUnavailable(PipelineKind kind) {
     const int version = epoxy_gl_version();
-    if (kind != PipelineKind::Compute || version >= kComputeVersion) {
+    if (!pipelineTraits(kind).needsCompute || version >= kComputeVersion) {
         return std::nullopt;
     }
     return "Compute shaders need OpenGL 4.3; this graphics driver offers " + std::to_string(version / 10) +

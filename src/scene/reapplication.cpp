@@ -20,8 +20,7 @@ constexpr std::size_t kMostAFrame = 512;  // the GPU may be behind, which the cl
 }  // namespace
 
 bool Reapplication::isWorthSlicing(PipelineKind kind, std::size_t hits) {
-    return hits > kWorthSlicing && kind != PipelineKind::UniformArray &&
-           kind != PipelineKind::UniformArrayCulled;
+    return hits > kWorthSlicing && pipelineTraits(kind).keepsAll;
 }
 
 Reapplication::Reapplication(Session& session, std::unique_ptr<DeformationPipeline> made,

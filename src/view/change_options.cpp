@@ -5,34 +5,12 @@
 
 namespace hitscope {
 
-namespace {
-
-/// The end of a range that a few hits fill.
-float usualLargest(ChangeQuantity quantity) {
-    switch (quantity) {
-        case ChangeQuantity::NormalRotation:
-        case ChangeQuantity::TrueNormalError:
-            return 45.0f;
-        case ChangeQuantity::HitCount:
-            return 10.0f;
-        case ChangeQuantity::EdgeStretch:
-            return 100.0f;
-        case ChangeQuantity::Difference:
-            return 0.1f;
-        default:
-            return 0.5f;
-    }
-}
-
-}  // namespace
-
 std::array<QuantityStyle, kChangeQuantities> defaultQuantityStyles() {
     std::array<QuantityStyle, kChangeQuantities> styles;
     for (const ChangeTraits& traits : allChangeQuantities()) {
-        const float largest = usualLargest(traits.quantity);
         QuantityStyle& style = styles[static_cast<std::size_t>(traits.quantity)];
         style.map = traits.isSigned ? ColourMap::CoolWarm : ColourMap::Viridis;
-        style.fixed = {traits.isSigned ? -largest : 0.0f, largest};
+        style.fixed = {traits.isSigned ? -traits.usualLargest : 0.0f, traits.usualLargest};
     }
     return styles;
 }

@@ -251,7 +251,7 @@ float HitHandles::distanceInPlane(const QPointF& place) const {
 
 void HitHandles::dragSize(const QPointF& to) {
     const float reach = m_before.reach * (distanceInPlane(to) / distanceInPlane(m_from));
-    const float distance = roundedTo(hitParameters()[0], std::max(reach, 0.01f * m_before.reach));
+    const float distance = roundedTo(hitParameters()[kMaxDistance], std::max(reach, 0.01f * m_before.reach));
     m_editing.change(SizePart, [distance](Hit& hit) { hit.constants.maxDistance = distance; });
 }
 
@@ -268,7 +268,7 @@ float HitHandles::alongArrow(const QPointF& place) const {
 void HitHandles::dragDepth(const QPointF& to) {
     const float depth = m_before.depth + alongArrow(to) - alongArrow(m_from);
     if (std::isfinite(depth)) {
-        const float magnitude = roundedTo(hitParameters()[2], std::max(depth, 0.0f));
+        const float magnitude = roundedTo(hitParameters()[kMaxMagnitude], std::max(depth, 0.0f));
         m_editing.change(DepthPart, [magnitude](Hit& hit) { hit.constants.maxMagnitude = magnitude; });
     }
 }

@@ -208,9 +208,8 @@ void ChangePanel::show(const ChangeMapOptions& map) {
     m_ui->map->setCurrentIndex(static_cast<int>(style.map));
     m_ui->isolines->setChecked(map.isolines);
     m_ui->automatic->setChecked(style.automatic);
-    const int decimals = traits.quantity == ChangeQuantity::HitCount ? 0 : traits.unit == "m" ? 4 : 1;
     for (QDoubleSpinBox* box : {m_ui->low, m_ui->high}) {
-        box->setDecimals(decimals);
+        box->setDecimals(traits.decimals);
         enableIf(*box, !style.automatic, tr("The range is automatic."));
     }
     m_ui->histogram->setLabels(titleOf(traits), tr("vertices"));

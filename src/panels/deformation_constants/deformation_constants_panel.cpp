@@ -19,7 +19,6 @@ namespace {
 
 constexpr double kPerCent = 100.0;
 constexpr double kPerSize = 1.0 / static_cast<double>(kUsualExtent);
-constexpr std::size_t kPower = 1;  // of deformationParameters()
 
 enum Size { Relative, InMetres };  // rows of the form's combo box
 

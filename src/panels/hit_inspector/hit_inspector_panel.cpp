@@ -107,7 +107,7 @@ void HitInspectorPanel::makeDirection() {
 
 void HitInspectorPanel::makePoint() {
     m_point = {m_ui->pointX, m_ui->pointY, m_ui->pointZ};
-    const double farthest = hitParameters()[0].maximum;
+    const double farthest = hitParameters()[kMaxDistance].maximum;
     for (int axis = 0; axis < 3; ++axis) {
         NumberBox& box = *m_point[static_cast<std::size_t>(axis)];
         box.setRange(-farthest, farthest);
