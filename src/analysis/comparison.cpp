@@ -72,8 +72,13 @@ std::optional<ChangeValues::Shape> Comparison::shapeOf(const Target& target) con
                : std::optional(ChangeValues::Shape{&known->second->deformed, &known->second->trueNormals});
 }
 
-/// Numbers of hits are those of the history, and a difference is one from either side.
+/// Numbers of hits are those of A, and a difference is one from either side.
 void Comparison::setShownQuantity(std::optional<ChangeQuantity> quantity) {
+    const bool showedCounts = showsCountsOfFirst();
+    m_shown = m_other ? quantity : std::nullopt;
+    if (showsCountsOfFirst() != showedCounts) {
+        Q_EMIT reportChanged();
+    }
     const bool isOwn = m_other && quantity == ChangeQuantity::EdgeStretch;
     m_values.setQuantity(isOwn ? quantity : std::nullopt);
 }
@@ -117,7 +122,7 @@ void Comparison::settle(std::size_t droppedHits) {
     }
     const Summary summary = m_difference.summary();
     const Report now{summary.count, summary.count == 0 ? 0.0 : summary.high, summary.rootMeanSquare(),
-                     droppedHits};
+                     m_session.droppedHits(), droppedHits};
     if (now != m_report) {
         m_report = now;
         Q_EMIT reportChanged();

@@ -27,10 +27,11 @@ public:
 
     /// Of the vertices that moved under A, or are elsewhere under B. Kept from when both had arrived last.
     struct Report {
-        std::size_t vertices = 0;     ///< compared
-        double largest = 0.0;         ///< metres
-        double rootMeanSquare = 0.0;  ///< metres
-        std::size_t droppedHits = 0;  ///< that B no longer keeps
+        std::size_t vertices = 0;        ///< compared
+        double largest = 0.0;            ///< metres
+        double rootMeanSquare = 0.0;     ///< metres
+        std::size_t droppedByFirst = 0;  ///< hits that A no longer keeps
+        std::size_t droppedHits = 0;     ///< that B no longer keeps
         bool operator==(const Report&) const = default;
     };
     [[nodiscard]] const Report& report() const { return m_report; }
@@ -41,6 +42,10 @@ public:
     [[nodiscard]] const ChangeValues* values() const { return m_values.quantity() ? &m_values : nullptr; }
     /// A target as B has it; null: it is as it was.
     [[nodiscard]] const DeformedMesh* deformed(TargetId target) const;
+    /// Both pictures are coloured by numbers of hits, which are those of A, and B keeps others.
+    [[nodiscard]] bool showsCountsOfFirst() const {
+        return m_shown == ChangeQuantity::HitCount && m_report.droppedByFirst + m_report.droppedHits > 0;
+    }
     /// Why there is no B, in words for people; empty: there is.
     [[nodiscard]] const QString& failure() const { return m_failure; }
 
@@ -78,6 +83,7 @@ private:
     std::map<TargetId, std::unique_ptr<Shape>> m_shapes;
     ChangeValues m_difference;
     ChangeValues m_values;
+    std::optional<ChangeQuantity> m_shown;
     Report m_report;
     QString m_failure;
 };

@@ -31,9 +31,16 @@ QString comparisonText(const Comparison& comparison) {
                    .arg(shownNumber(report.largest, 'g', 4), shownNumber(report.rootMeanSquare, 'g', 4),
                         vertices);
     }
+    if (report.droppedByFirst > 0) {
+        text += tr(QT_TRANSLATE_NOOP("hitscope::Comparison", "; A has dropped %1 hits"))
+                    .arg(shownCount(report.droppedByFirst));
+    }
     if (report.droppedHits > 0) {
         text += tr(QT_TRANSLATE_NOOP("hitscope::Comparison", "; B has dropped %1 hits"))
                     .arg(shownCount(report.droppedHits));
+    }
+    if (comparison.showsCountsOfFirst()) {
+        text += tr(QT_TRANSLATE_NOOP("hitscope::Comparison", "; the colours count the hits of A"));
     }
     return text;
 }

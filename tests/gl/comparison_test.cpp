@@ -181,6 +181,14 @@ private Q_SLOTS:
         m_view.options.sideBySide = true;
         comparison.setOther(PipelineKind::UniformArray);
         QVERIFY(settled());
+        const QString plain = comparisonText(comparison);
+        QVERIFY2(
+            plain.contains(QStringLiteral("; B has dropped ")) && !plain.contains(QStringLiteral("; A has")),
+            qPrintable(plain));
+        comparison.setShownQuantity(ChangeQuantity::HitCount);
+        QVERIFY(comparisonText(comparison).endsWith(QStringLiteral("; the colours count the hits of A")));
+        comparison.setShownQuantity(std::nullopt);
+        QCOMPARE(comparisonText(comparison), plain);
         HITSCOPE_NEEDS_SAMPLES();
         const QString apart = test::differenceFromBaseline(picture(), QStringLiteral("side-by-side"));
         QVERIFY2(apart.isEmpty(), qPrintable(apart));
