@@ -47,7 +47,7 @@ ChangeValues::ChangeValues(Session& session, QObject* parent)
               return Shape{&target.deformed, &target.trueNormals};
           },
           parent) {
-    connect(&session, &Session::shadingChanged, this, &ChangeValues::touch);
+    connect(&session.readBack(), &ReadBack::shadingChanged, this, &ChangeValues::touch);
 }
 
 ChangeValues::ChangeValues(Session& session, Shapes shapes, QObject* parent)

@@ -99,18 +99,18 @@ void Comparison::take(TargetId id, std::uint32_t first, std::span<const DynamicV
     shape->deformed.write(first, vertices, shape->moved);
 }
 
-std::vector<Session::ChangedNormals> Comparison::finishReadBack() {
-    std::vector<Session::ChangedNormals> changes;
+std::vector<ReadBack::ChangedNormals> Comparison::finishReadBack() {
+    std::vector<ReadBack::ChangedNormals> changes;
     for (const auto& [id, shape] : m_shapes) {
         if (!shape->moved.empty()) {
-            Session::ChangedNormals change{id, {}};
+            ReadBack::ChangedNormals change{id, {}};
             shape->trueNormals.update(shape->deformed.positions(), shape->moved, change.renderVertices);
             std::sort(change.renderVertices.begin(), change.renderVertices.end());
             shape->moved.clear();
             changes.push_back(std::move(change));
         }
     }
-    for (const Session::ChangedNormals& change : changes) {
+    for (const ReadBack::ChangedNormals& change : changes) {
         Q_EMIT verticesChanged(change.target, change.renderVertices);
     }
     return changes;
@@ -122,7 +122,7 @@ void Comparison::settle(std::size_t droppedHits) {
     }
     const Summary summary = m_difference.summary();
     const Report now{summary.count, summary.count == 0 ? 0.0 : summary.high, summary.rootMeanSquare(),
-                     m_session.droppedHits(), droppedHits};
+                     m_session.readBack().droppedHits(), droppedHits};
     if (now != m_report) {
         m_report = now;
         Q_EMIT reportChanged();

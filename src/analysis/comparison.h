@@ -55,7 +55,7 @@ public:
     void restart();  ///< B is at the originals
     void take(TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices);
     /// As Session::finishReadBack().
-    std::vector<Session::ChangedNormals> finishReadBack();
+    std::vector<ReadBack::ChangedNormals> finishReadBack();
     [[nodiscard]] std::span<const glm::vec3> normals(TargetId target) const;
     void settle(std::size_t droppedHits);  ///< everything has arrived, of both
     void setFailure(const QString& failure);

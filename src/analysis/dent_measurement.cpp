@@ -127,8 +127,8 @@ DentMeasurement::DentMeasurement(Session& session, QObject* parent) : QObject(pa
     connect(&m_timer, &QTimer::timeout, this, &DentMeasurement::gather);
     connect(&session.selection(), &VertexSelection::pickedChanged, this, &DentMeasurement::followPick);
     connect(&session, &Session::hitSelected, this, &DentMeasurement::followHit);
-    connect(&session, &Session::meshChanged, this, &DentMeasurement::followMesh);
-    connect(&session, &Session::verticesMoved, this,
+    connect(&session.readBack(), &ReadBack::meshChanged, this, &DentMeasurement::followMesh);
+    connect(&session.readBack(), &ReadBack::verticesMoved, this,
             [this](TargetId id, const std::vector<std::uint32_t>& vertices) {
                 if (const Target* moved = m_session.target(id)) {
                     m_copies.note(*moved, vertices);
@@ -137,7 +137,7 @@ DentMeasurement::DentMeasurement(Session& session, QObject* parent) : QObject(pa
     connect(&session, &Session::hitsChanged, this, &DentMeasurement::request);
     connect(&session, &Session::hitsRearranged, this, &DentMeasurement::request);
     connect(&session, &Session::shownHitsChanged, this, &DentMeasurement::request);
-    connect(&session, &Session::capacityChanged, this, &DentMeasurement::request);
+    connect(&session.readBack(), &ReadBack::capacityChanged, this, &DentMeasurement::request);
     connect(&session, &Session::sceneReplaced, this, &DentMeasurement::forget);
     connect(&session, &Session::targetRemoved, this, &DentMeasurement::forget);
     forget();

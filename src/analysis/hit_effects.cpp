@@ -135,7 +135,7 @@ HitEffects::HitEffects(Session& session, QObject* parent)
     connect(&session, &Session::hitsChanged, this, &HitEffects::follow);
     connect(&session, &Session::hitsRearranged, this, &HitEffects::follow);
     connect(&session, &Session::shownHitsChanged, this, &HitEffects::followApplied);
-    connect(&session, &Session::capacityChanged, this, &HitEffects::followApplied);
+    connect(&session.readBack(), &ReadBack::capacityChanged, this, &HitEffects::followApplied);
     startOver();
 }
 

@@ -47,7 +47,7 @@ MeshMeasuring::MeshMeasuring(Session& session, QObject* parent) : QObject(parent
     connect(&m_timer, &QTimer::timeout, this, &MeshMeasuring::gather);
     connect(&session, &Session::sceneReplaced, this, &MeshMeasuring::startOver);
     connect(&session, &Session::targetRemoved, this, &MeshMeasuring::forget);
-    connect(&session, &Session::verticesMoved, this,
+    connect(&session.readBack(), &ReadBack::verticesMoved, this,
             [this](TargetId id, const std::vector<std::uint32_t>& vertices) {
                 const Target* target = m_session.target(id);
                 if (m_active && target != nullptr && m_copies.note(*target, vertices) &&

@@ -113,7 +113,7 @@ PipelineAgreement::PipelineAgreement(Session& session, QObject* parent)
     connect(&session, &Session::historyReset, this, &PipelineAgreement::noteChange);
     connect(&session, &Session::pipelineChanged, this, &PipelineAgreement::noteChange);
     connect(&session, &Session::shownHitsChanged, this, &PipelineAgreement::noteChange);
-    connect(&session, &Session::verticesMoved, this,
+    connect(&session.readBack(), &ReadBack::verticesMoved, this,
             [this](TargetId id, const std::vector<std::uint32_t>& vertices) {
                 const Target* target = m_session.target(id);
                 if (target != nullptr) {
@@ -208,7 +208,7 @@ void PipelineAgreement::start() {
     }
     job->update = m_history.update(m_session.history(), m_session.appliedHits());
     job->history = m_history.copy();
-    job->report.dropped = m_session.droppedHits();
+    job->report.dropped = m_session.readBack().droppedHits();
     job->report.later = m_session.history().size() - m_session.shownHits().size();
     job->report.pipeline = m_session.pipeline();
     m_job.start(*this, job, &PipelineAgreement::take);

@@ -62,7 +62,7 @@ struct SceneSections::Job {
 SceneSections::SceneSections(Session& session, QObject* parent)
     : SceneSections(
           session, [](const Target& target) { return &target.deformed; }, parent) {
-    connect(&session, &Session::verticesMoved, this, &SceneSections::note);
+    connect(&session.readBack(), &ReadBack::verticesMoved, this, &SceneSections::note);
 }
 
 SceneSections::SceneSections(Session& session, Shapes shapes, QObject* parent)

@@ -313,7 +313,7 @@ void MainWindow::makeHelpMenu() {
     menu.addSeparator();
     addAction(menu, tr("&About Hitscope"), {}, [this] {
         showAbout(this, m_viewport->rendererName(), m_viewport->rendererVersion(),
-                  QString::fromStdString(describe(m_session.verdict(), m_session.pipeline())));
+                  QString::fromStdString(describe(m_session.readBack().verdict(), m_session.pipeline())));
     });
 }
 

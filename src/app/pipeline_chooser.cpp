@@ -19,9 +19,10 @@ constexpr PipelineKind kFallback = PipelineKind::TransformFeedback;  // what Ope
 PipelineChooser::PipelineChooser(Session& session, QObject* parent)
     : QObject(parent), m_session(session), m_actions(new QActionGroup(this)) {
     connect(&session, &Session::pipelineChanged, this, &PipelineChooser::follow);
-    connect(&session, &Session::unavailablePipelinesChanged, this, &PipelineChooser::follow);
-    connect(&session, &Session::unavailablePipelinesChanged, this, &PipelineChooser::leaveUnavailable);
-    connect(&session, &Session::verdictChanged, this, &PipelineChooser::follow);
+    connect(&session.readBack(), &ReadBack::unavailablePipelinesChanged, this, &PipelineChooser::follow);
+    connect(&session.readBack(), &ReadBack::unavailablePipelinesChanged, this,
+            &PipelineChooser::leaveUnavailable);
+    connect(&session.readBack(), &ReadBack::verdictChanged, this, &PipelineChooser::follow);
 }
 
 void PipelineChooser::fill(QMenu& menu) {
@@ -60,8 +61,8 @@ QString PipelineChooser::toolTip(const PipelineTraits& traits) const {
     const auto paragraph = [](const QString& words) {
         return QStringLiteral("<p>%1</p>").arg(words.toHtmlEscaped());
     };
-    const QString reason = m_session.whyUnavailable(traits.kind);
-    const PipelineVerdict* verdict = m_session.verdict().of(traits.kind);
+    const QString reason = m_session.readBack().whyUnavailable(traits.kind);
+    const PipelineVerdict* verdict = m_session.readBack().verdict().of(traits.kind);
     const QString found =
         !reason.isEmpty() ? tr("Not available here: %1").arg(reason)
         : verdict == nullptr
@@ -76,7 +77,8 @@ void PipelineChooser::follow() {
     for (QAction* action : m_actions->actions()) {
         const auto kind = static_cast<PipelineKind>(action->data().toInt());
         action->setChecked(kind == m_session.pipeline());
-        enableIf(*action, m_session.whyUnavailable(kind).isEmpty(), m_session.whyUnavailable(kind));
+        enableIf(*action, m_session.readBack().whyUnavailable(kind).isEmpty(),
+                 m_session.readBack().whyUnavailable(kind));
         action->setToolTip(toolTip(pipelineTraits(kind)));
     }
     if (m_box == nullptr) {
@@ -85,7 +87,7 @@ void PipelineChooser::follow() {
     const auto* items = qobject_cast<const QStandardItemModel*>(m_box->model());
     for (int row = 0; row < m_box->count(); ++row) {
         const auto kind = static_cast<PipelineKind>(m_box->itemData(row).toInt());
-        items->item(row)->setEnabled(m_session.whyUnavailable(kind).isEmpty());
+        items->item(row)->setEnabled(m_session.readBack().whyUnavailable(kind).isEmpty());
         items->item(row)->setToolTip(toolTip(pipelineTraits(kind)));
     }
     m_box->setCurrentIndex(m_box->findData(static_cast<int>(m_session.pipeline())));
@@ -94,11 +96,11 @@ void PipelineChooser::follow() {
 
 void PipelineChooser::leaveInexact() {
     const PipelineTraits& traits = pipelineTraits(m_session.pipeline());
-    const std::optional<PipelineKind> better = m_session.verdict().insteadOf(traits.kind);
+    const std::optional<PipelineKind> better = m_session.readBack().verdict().insteadOf(traits.kind);
     if (m_isChosen || !better) {
         return;
     }
-    const QString found = QString::fromStdString(describe(*m_session.verdict().of(traits.kind)));
+    const QString found = QString::fromStdString(describe(*m_session.readBack().verdict().of(traits.kind)));
     m_session.setPipeline(*better);
     Q_EMIT fellBack(
         tr("The pipeline “%1” is %2.\nUsing “%3” instead; Mesh > Pipeline has all of them.")
@@ -107,8 +109,8 @@ void PipelineChooser::leaveInexact() {
 
 void PipelineChooser::leaveUnavailable() {
     const PipelineTraits& traits = pipelineTraits(m_session.pipeline());
-    const QString reason = m_session.whyUnavailable(traits.kind);
-    if (reason.isEmpty() || !m_session.whyUnavailable(kFallback).isEmpty()) {
+    const QString reason = m_session.readBack().whyUnavailable(traits.kind);
+    if (reason.isEmpty() || !m_session.readBack().whyUnavailable(kFallback).isEmpty()) {
         return;
     }
     m_session.setPipeline(kFallback);

@@ -40,9 +40,9 @@ StatusLine::StatusLine(const Session& session, QStatusBar& bar, QObject* parent)
     connect(&session, &Session::targetSelected, this, &StatusLine::showTarget);
     connect(&session, &Session::hitsAppended, this, &StatusLine::showHits);
     connect(&session, &Session::historyReset, this, &StatusLine::showHits);
-    connect(&session, &Session::capacityChanged, this, &StatusLine::showHits);
+    connect(&session.readBack(), &ReadBack::capacityChanged, this, &StatusLine::showHits);
     connect(&session, &Session::pipelineChanged, this, &StatusLine::showPipeline);
-    connect(&session, &Session::verdictChanged, this, &StatusLine::showRenderer);
+    connect(&session.readBack(), &ReadBack::verdictChanged, this, &StatusLine::showRenderer);
     connect(&session, &Session::pipelineChanged, this, &StatusLine::showRenderer);
     showScene();
     showPipeline();
@@ -115,7 +115,7 @@ void StatusLine::setRenderer(const QString& name) {
 
 /// "bit-exact" is said of the active pipeline, and only of what was compared.
 void StatusLine::showRenderer() {
-    const RendererVerdict& verdict = m_session.verdict();
+    const RendererVerdict& verdict = m_session.readBack().verdict();
     const PipelineVerdict* active = verdict.of(m_session.pipeline());
     QString text = m_rendererName;
     if (active != nullptr && active->whyNot.empty()) {
@@ -161,7 +161,7 @@ void StatusLine::showTarget() {
 void StatusLine::showHits() {
     const std::size_t hits = m_session.history().size();
     QString text = hits == 1 ? tr("1 hit") : tr("%1 hits").arg(countText(hits));
-    const CapacityReport& report = m_session.capacity();
+    const CapacityReport& report = m_session.readBack().capacity();
     if (report.capacity) {
         text = report.perTarget ? tr("%1, max %2 on a target").arg(text, countText(*report.capacity))
                                 : tr("%1 of %2").arg(text, countText(*report.capacity));
@@ -169,8 +169,8 @@ void StatusLine::showHits() {
     if (m_session.disabledHits() > 0) {
         text += tr(", %1 disabled").arg(countText(m_session.disabledHits()));
     }
-    if (m_session.droppedHits() > 0) {
-        text += tr(", %1 dropped").arg(countText(m_session.droppedHits()));
+    if (m_session.readBack().droppedHits() > 0) {
+        text += tr(", %1 dropped").arg(countText(m_session.readBack().droppedHits()));
     }
     m_hits->setText(text);
     QString tip = tr("Hits made so far");

@@ -34,7 +34,7 @@ VertexLabel::VertexLabel(Session& session, Viewport& viewport)
     setMargin(5);
     hide();
     connect(&session.selection(), &VertexSelection::hoveredChanged, this, &VertexLabel::follow);
-    connect(&session, &Session::meshChanged, this, [this](TargetId target) {
+    connect(&session.readBack(), &ReadBack::meshChanged, this, [this](TargetId target) {
         const auto& hovered = m_session.selection().hovered();
         if (hovered && hovered->target == target) {
             follow();

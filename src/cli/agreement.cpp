@@ -46,7 +46,7 @@ QString differenceText(const ReferenceAgreement& agreement) {
 }  // namespace
 
 Status usePipeline(Session& session, SceneGpu& gpu, PipelineKind kind) {
-    if (const QString unavailable = session.whyUnavailable(kind); !unavailable.isEmpty()) {
+    if (const QString unavailable = session.readBack().whyUnavailable(kind); !unavailable.isEmpty()) {
         return Error{unavailable.toStdString(), "", "Choose another --pipeline."};
     }
     session.setPipeline(kind);
@@ -58,13 +58,13 @@ Status useAskedPipeline(Session& session, SceneGpu& gpu, std::optional<PipelineK
     if (Status used = usePipeline(session, gpu, wanted); !used) {
         return used;
     }
-    const PipelineVerdict* verdict = session.verdict().of(wanted);
+    const PipelineVerdict* verdict = session.readBack().verdict().of(wanted);
     if (verdict == nullptr || verdict->isExact()) {
         return Done{};
     }
     QTextStream notes(stderr);
-    notes << QString::fromStdString(describe(session.verdict(), wanted));
-    const std::optional<PipelineKind> better = session.verdict().insteadOf(wanted);
+    notes << QString::fromStdString(describe(session.readBack().verdict(), wanted));
+    const std::optional<PipelineKind> better = session.readBack().verdict().insteadOf(wanted);
     if (asked || !better) {
         notes << "\n";
         return Done{};
@@ -94,10 +94,11 @@ QString agreementLine(const Session& session, const std::optional<ReferenceAgree
     } else {
         text += QStringLiteral("as the reference in every bit");
     }
-    if (session.droppedHits() > 0) {
-        text += QStringLiteral("; it keeps the last %1 hits%2")
-                    .arg(session.capacity().used)
-                    .arg(session.capacity().perTarget ? QStringLiteral(" on a target") : QString());
+    if (session.readBack().droppedHits() > 0) {
+        text +=
+            QStringLiteral("; it keeps the last %1 hits%2")
+                .arg(session.readBack().capacity().used)
+                .arg(session.readBack().capacity().perTarget ? QStringLiteral(" on a target") : QString());
     }
     return text;
 }

@@ -79,7 +79,7 @@ Result<QStringList> comparePipelines(Demo& demo, const Session& session) {
     QStringList lines;
     for (const PipelineTraits& traits : allPipelines()) {
         const QString name = QString::fromUtf8(traits.name);
-        const QString unavailable = session.whyUnavailable(traits.kind);
+        const QString unavailable = session.readBack().whyUnavailable(traits.kind);
         if (!unavailable.isEmpty()) {
             lines << QStringLiteral("%1: not here. %2").arg(name, unavailable);
             continue;
@@ -144,7 +144,7 @@ Status runDemo(const DemoOptions& options) {
 
     out << "Renderer: " << QString::fromStdString(gl::rendererInfo().renderer);
     out << "\n"
-        << QString::fromStdString(describe(session.verdict(), session.pipeline())) << "\n"
+        << QString::fromStdString(describe(session.readBack().verdict(), session.pipeline())) << "\n"
         << options.shots << " shots, " << session.history().size() << " hits\n\n";
     printTable(out, session);
     out << "\n" << compared.value().join(QLatin1Char('\n')) << "\n\n" << fingerprintLines(session);

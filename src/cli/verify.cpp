@@ -56,7 +56,8 @@ Status verify(const QString& meshPath, const QString& hitsPath) {
     QStringList differing;
     for (const PipelineTraits& traits : allPipelines()) {
         const QString name = QString::fromUtf8(traits.name);
-        if (const QString unavailable = session.whyUnavailable(traits.kind); !unavailable.isEmpty()) {
+        if (const QString unavailable = session.readBack().whyUnavailable(traits.kind);
+            !unavailable.isEmpty()) {
             out << name << ": not here. " << unavailable << "\n";
             continue;
         }

@@ -39,12 +39,12 @@ AttributionModel::AttributionModel(Session& session, QObject* parent)
     connect(&session, &Session::hitsRearranged, this, restart);
     connect(&session, &Session::historyReset, this, restart);
     connect(&session, &Session::shownHitsChanged, this, restart);
-    connect(&session, &Session::capacityChanged, this, [this, restart] {
-        if (m_session.droppedHits() > 0 || !m_session.capacity().capacity) {
+    connect(&session.readBack(), &ReadBack::capacityChanged, this, [this, restart] {
+        if (m_session.readBack().droppedHits() > 0 || !m_session.readBack().capacity().capacity) {
             restart();
         }
     });
-    connect(&session, &Session::meshChanged, this, [this](TargetId target) {
+    connect(&session.readBack(), &ReadBack::meshChanged, this, [this](TargetId target) {
         if (m_vertex && m_vertex->target == target) {
             m_summaryTimer.start();
         }
@@ -112,7 +112,7 @@ QString AttributionModel::summary() const {
     if (isBuffers()) {
         return moved + u' ' + tr("The buffer holds the same: bit-exact.");
     }
-    if (!m_session.isUpToDate()) {
+    if (!m_session.readBack().isUpToDate()) {
         return moved + u' ' + tr("The buffer has not been read back yet.");
     }
     const glm::vec3 off = target->deformed.positions()[m_vertex->vertex] - position();

@@ -95,7 +95,7 @@ HitHistoryModel::HitHistoryModel(Session& session, HitEffects* effects, QObject*
     connect(&session, &Session::sceneReplaced, this, &HitHistoryModel::reset);
     // Its name may have.
     connect(&session, &Session::targetChanged, this, [this] { refresh(0, m_rows - 1); });
-    connect(&session, &Session::capacityChanged, this, [this] { refresh(0, m_rows - 1); });
+    connect(&session.readBack(), &ReadBack::capacityChanged, this, [this] { refresh(0, m_rows - 1); });
     connect(&session, &Session::shownHitsChanged, this, [this] { refresh(0, m_rows - 1); });
     connect(&session.frameCosts(), &FrameCosts::hitCostsChanged, this,
             [this](int first, int last) { refreshColumns(first, last, CpuCostColumn, GpuCostColumn); });
@@ -262,7 +262,7 @@ HitHistoryModel::HitState HitHistoryModel::stateOf(std::size_t row) const {
     if (row >= m_session.shownHits().size()) {
         return Later;
     }
-    return m_session.isDropped(row) ? Dropped : Applied;
+    return m_session.readBack().isDropped(row) ? Dropped : Applied;
 }
 
 QString HitHistoryModel::toolTip(const Hit& hit, std::size_t row) const {
@@ -275,7 +275,7 @@ QString HitHistoryModel::toolTip(const Hit& hit, std::size_t row) const {
     } else if (state == Later) {
         tip.prepend(tr("Later: the targets are shown as they were before this hit.") + u'\n');
     } else if (state == Dropped) {
-        const CapacityReport& report = m_session.capacity();
+        const CapacityReport& report = m_session.readBack().capacity();
         const std::string_view pipeline = pipelineTraits(m_session.pipeline()).name;
         const QString why = report.perTarget
                                 ? tr("Dropped: the pipeline “%1” keeps the last %2 hits on each target.")

@@ -55,7 +55,7 @@ VertexChangesModel::VertexChangesModel(Session& session, HitEffects& effects, QO
     connect(&session, &Session::targetSelected, this, &VertexChangesModel::followTarget);
     connect(&session, &Session::hitsAppended, this, &VertexChangesModel::followTarget);
     connect(&session, &Session::historyReset, this, &VertexChangesModel::followTarget);
-    connect(&session, &Session::verticesMoved, this, &VertexChangesModel::noteMoved);
+    connect(&session.readBack(), &ReadBack::verticesMoved, this, &VertexChangesModel::noteMoved);
     connect(&session, &Session::hitSelected, this, &VertexChangesModel::askForHitVertices);
     connect(&effects, &HitEffects::countsChanged, this, &VertexChangesModel::followCounts);
     connect(&effects, &HitEffects::verticesFound, this,

@@ -44,9 +44,10 @@ Result<std::unique_ptr<SceneGpu>> SceneGpu::create(Session& session) {
     if (!exactness) {
         return exactness.error();
     }
-    session.setExactness(exactness.value());
-    session.setUnavailablePipelines(unavailablePipelines());
-    session.setVerdict({});
+    ReadBack& readBack = session.readBack(ReadBackAccess());
+    readBack.setExactness(exactness.value());
+    readBack.setUnavailablePipelines(unavailablePipelines());
+    readBack.setVerdict({});
     std::unique_ptr<SceneGpu> scene(new SceneGpu(session));
     scene->d->deformDefines = definesOf(exactness.value());
     scene->d->renderer = std::move(renderer).value();
@@ -61,10 +62,10 @@ PipelineOptions SceneGpu::Private::options() const {
 }
 
 void SceneGpu::Private::tryOut(PipelineKind kind) {
-    if (session.verdict().of(kind) == nullptr) {
-        RendererVerdict verdict = session.verdict();
+    if (session.readBack().verdict().of(kind) == nullptr) {
+        RendererVerdict verdict = session.readBack().verdict();
         verdict.pipelines[kind] = tryPipeline(kind, options());
-        session.setVerdict(std::move(verdict));
+        readBack.setVerdict(std::move(verdict));
     }
 }
 
@@ -72,8 +73,8 @@ void SceneGpu::Private::tryOut(PipelineKind kind) {
 void SceneGpu::Private::tryDefault() {
     tryOut(session.pipeline());
     for (const PipelineTraits& traits : allPipelines()) {
-        if (session.verdict().of(session.pipeline())->isExact() ||
-            session.verdict().insteadOf(session.pipeline())) {
+        if (session.readBack().verdict().of(session.pipeline())->isExact() ||
+            session.readBack().verdict().insteadOf(session.pipeline())) {
             return;
         }
         tryOut(traits.kind);
@@ -81,17 +82,17 @@ void SceneGpu::Private::tryDefault() {
 }
 
 const PickingVerdict& SceneGpu::Private::pickingVerdict() {
-    if (!session.verdict().picking) {
-        RendererVerdict verdict = session.verdict();
+    if (!session.readBack().verdict().picking) {
+        RendererVerdict verdict = session.readBack().verdict();
         verdict.picking = tryPicking();
-        session.setVerdict(std::move(verdict));
+        readBack.setVerdict(std::move(verdict));
     }
-    return *session.verdict().picking;
+    return *session.readBack().verdict().picking;
 }
 
 bool SceneGpu::tryNext() {
     for (const PipelineTraits& traits : allPipelines()) {
-        if (d->session.verdict().of(traits.kind) == nullptr) {
+        if (d->session.readBack().verdict().of(traits.kind) == nullptr) {
             d->tryOut(traits.kind);
             return true;
         }

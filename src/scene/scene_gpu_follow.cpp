@@ -99,12 +99,12 @@ void SceneGpu::Private::takeReapplied() {
         target.buffers = std::move(buffers.at(id));
         target.buffers->writeShadingNormals(0, session.target(id)->trueNormals.normals());
     }
-    session.restartReadBack();
-    session.setCapacity(pipeline->capacity());
+    readBack.restart();
+    readBack.setCapacity(pipeline->capacity());
     done->deliver([this](TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices) {
-        session.takeReadBack(target, first, vertices);
+        readBack.take(target, first, vertices);
     });
-    readBack(Delivery::All);
+    fetch(Delivery::All);
 }
 
 Status SceneGpu::Private::followPipeline(bool& startOver) {
@@ -121,7 +121,7 @@ Status SceneGpu::Private::followPipeline(bool& startOver) {
         target.buffers->restoreOriginal();
         pipeline->addTarget(id, *target.buffers);
     }
-    session.restartReadBack();
+    readBack.restart();
     return Done{};
 }
 
@@ -148,20 +148,20 @@ bool SceneGpu::Private::followHistory(bool startOver) {
     }
     unapplied.emplace();
     ++meshRevision;
-    session.setCapacity(pipeline->capacity());
+    readBack.setCapacity(pipeline->capacity());
     return startOver;
 }
 
-void SceneGpu::Private::readBack(Delivery delivery) {
+void SceneGpu::Private::fetch(Delivery delivery) {
     const auto take = [this](TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices) {
-        session.takeReadBack(target, first, vertices);
+        readBack.take(target, first, vertices);
     };
     if (delivery == Delivery::WhatHasArrived) {
         pipeline->pollReadBack(take);
     } else {
         pipeline->readBack(take);
     }
-    for (const Session::ChangedNormals& change : session.finishReadBack()) {
+    for (const ReadBack::ChangedNormals& change : readBack.finish()) {
         const Target* target = session.target(change.target);
         if (target != nullptr) {
             GpuTarget& gpu = targets.at(change.target);
@@ -180,7 +180,7 @@ Status SceneGpu::Private::follow(Delivery delivery) {
     }
     if (reapplication) {
         // Until it is done everything stays as it was, also where the session is already further.
-        readBack(Delivery::WhatHasArrived);
+        fetch(Delivery::WhatHasArrived);
         return Done{};
     }
     bool startOver = false;
@@ -193,10 +193,10 @@ Status SceneGpu::Private::follow(Delivery delivery) {
         delivery = Delivery::All;
     }
     meter.endOf(FrameMeter::Part::Deformation);
-    readBack(delivery);
+    fetch(delivery);
     meter.endOf(FrameMeter::Part::ReadBack);
     if (!pipeline->isReadBackPending()) {
-        session.setUpToDate();
+        readBack.setUpToDate();
     }
     return Done{};
 }

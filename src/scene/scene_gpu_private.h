@@ -22,7 +22,11 @@
 namespace hitscope {
 
 struct SceneGpu::Private {
-    explicit Private(Session& followed) : session(followed), meter(followed.frameCosts()), second(followed) {}
+    explicit Private(Session& followed)
+        : session(followed),
+          readBack(followed.readBack(ReadBackAccess())),
+          meter(followed.frameCosts()),
+          second(followed) {}
 
     struct GpuTarget {
         std::unique_ptr<TargetBuffers> buffers;
@@ -32,6 +36,7 @@ struct SceneGpu::Private {
     };
 
     Session& session;
+    ReadBack& readBack;  ///< the session's
     FrameMeter meter;
     std::unique_ptr<Renderer> renderer;
     std::unordered_map<TargetId, GpuTarget> targets;
@@ -69,7 +74,7 @@ struct SceneGpu::Private {
     void takeReapplied();
     /// Returns whether the pipeline started over.
     bool followHistory(bool startOver);
-    void readBack(Delivery delivery);
+    void fetch(Delivery delivery);
     Status follow(Delivery delivery);
     std::shared_ptr<const MaterialSet> materialsOf(const DeformedMesh& mesh);
     void followComparison(const View& view);

@@ -61,7 +61,7 @@ void SecondScene::readBack(Comparison& comparison, Delivery delivery) {
     } else {
         m_pipeline->pollReadBack(take);
     }
-    for (const Session::ChangedNormals& change : comparison.finishReadBack()) {
+    for (const ReadBack::ChangedNormals& change : comparison.finishReadBack()) {
         GpuTarget& gpu = *m_targets.at(change.target);
         gpu.changed.note(change.renderVertices);
         writeShadingNormals(gpu.buffers, change.renderVertices, comparison.normals(change.target));

@@ -15,7 +15,7 @@ std::optional<std::size_t> hitThatMovedMost(const Session& session, const Vertex
     const std::span<const Hit> hits = session.shownHits();
     for (std::size_t index = 0; index < hits.size(); ++index) {
         const Hit& hit = hits[index];
-        if (hit.target == vertex.target && hit.enabled && !session.isDropped(index)) {
+        if (hit.target == vertex.target && hit.enabled && !session.readBack().isDropped(index)) {
             attribution.add(index, hit);
         }
     }

@@ -13,6 +13,7 @@ namespace hitscope {
 
 Session::Session(QObject* parent)
     : QObject(parent),
+      m_readBack(std::make_unique<ReadBack>(m_targets)),
       m_frameCosts(std::make_unique<FrameCosts>(*this)),
       m_selection(std::make_unique<VertexSelection>(*this)),
       m_tasks(std::make_unique<TaskList>()) {}
@@ -98,22 +99,10 @@ void Session::setFlightMode(FlightMode mode) {
 void Session::setPipeline(PipelineKind kind) {
     if (kind != m_pipeline) {
         m_pipeline = kind;
-        m_isBehind = true;
+        m_readBack->expectMoves();
         Q_EMIT pipelineChanged();
         Q_EMIT pictureChanged();
     }
-}
-
-void Session::setUnavailablePipelines(std::map<PipelineKind, QString> reasons) {
-    if (reasons != m_unavailablePipelines) {
-        m_unavailablePipelines = std::move(reasons);
-        Q_EMIT unavailablePipelinesChanged();
-    }
-}
-
-QString Session::whyUnavailable(PipelineKind kind) const {
-    const auto reason = m_unavailablePipelines.find(kind);
-    return reason == m_unavailablePipelines.end() ? QString() : reason->second;
 }
 
 }  // namespace hitscope

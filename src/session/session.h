@@ -14,16 +14,14 @@
 #include "core/image.h"
 #include "core/result.h"
 #include "deform/applied_history.h"
-#include "deform/capacity_report.h"
-#include "deform/exactness.h"
 #include "deform/hit_history.h"
 #include "deform/pipeline_kind.h"
-#include "deform/renderer_verdict.h"
 #include "physics/physics_world.h"
 #include "session/collider_follower.h"
 #include "session/constants_setting.h"
 #include "session/flight_mode.h"
 #include "session/hit_rows.h"
+#include "session/read_back.h"
 #include "session/scene_presets.h"
 #include "session/session_undo.h"
 #include "session/shot_schedule.h"
@@ -166,8 +164,6 @@ public:
     void setFlightMode(FlightMode mode);
     [[nodiscard]] PipelineKind pipeline() const { return m_pipeline; }
     void setPipeline(PipelineKind kind);
-    /// Why the driver cannot run a pipeline, in words for the interface; empty: it can, as far as is known.
-    [[nodiscard]] QString whyUnavailable(PipelineKind kind) const;
 
     // Time
     void shoot(const Ray& ray);  ///< world
@@ -213,41 +209,16 @@ public:
     /// What frames and hits cost; SceneGpu reports there.
     [[nodiscard]] FrameCosts& frameCosts() const { return *m_frameCosts; }
 
-    // What SceneGpu reports back
-    void setExactness(const Exactness& exactness);
-    /// Of the renderer that draws; nothing before there is one.
-    [[nodiscard]] const std::optional<Exactness>& exactness() const { return m_exactness; }
-    /// What has been tried so far of the pipelines and of picking on that renderer.
-    void setVerdict(RendererVerdict verdict);
-    [[nodiscard]] const RendererVerdict& verdict() const { return m_verdict; }
-    /// The pipeline starts over: every target's CPU copy goes back to its original until it is read back.
-    void restartReadBack();
-    /// What the active pipeline made of a target: vertices [first, first + vertices.size()).
-    void takeReadBack(TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices);
-    struct ChangedNormals {
-        TargetId target;
-        std::vector<std::uint32_t> renderVertices;  ///< sorted, each once
-    };
-    /// The read-back is complete: recomputes true normals around what moved and emits meshChanged() for each
-    /// target concerned. Returns the render vertices whose shading normal changed.
-    std::vector<ChangedNormals> finishReadBack();
-    /// Nothing is on its way any more: the CPU copies are what the pipeline makes of the history as it is
-    /// now.
-    void setUpToDate() { m_isBehind = false; }
-    [[nodiscard]] bool isUpToDate() const { return !m_isBehind; }
-    void setCapacity(CapacityReport report);
-    [[nodiscard]] const CapacityReport& capacity() const { return m_capacity; }
-    /// Hits that the active pipeline no longer applies because its capacity was reached.
-    [[nodiscard]] std::size_t droppedHits() const { return m_capacity.dropped.size(); }
-    [[nodiscard]] bool isDropped(std::size_t index) const;
+    /// What the renderer reports: what it can, and what the active pipeline made of the targets.
+    [[nodiscard]] const ReadBack& readBack() const { return *m_readBack; }
+    [[nodiscard]] ReadBack& readBack(ReadBackAccess /*only SceneGpu has it*/) { return *m_readBack; }
     /// Which hits made what is shown, for all that says something about it: the first ones (showHits()), less
     /// those that the pipeline dropped. Valid until either changes.
     [[nodiscard]] AppliedHits appliedHits() const {
-        return {m_shownHits.value_or(AppliedHits::kAll), m_capacity.dropped};
+        return {m_shownHits.value_or(AppliedHits::kAll), m_readBack->capacity().dropped};
     }
     /// That it is one of them, and enabled; false for one that is not in the history.
     [[nodiscard]] bool isApplied(std::size_t index) const;
-    void setUnavailablePipelines(std::map<PipelineKind, QString> reasons);
 
 Q_SIGNALS:
     void sceneReplaced();  ///< all targets are new, the history is empty
@@ -261,11 +232,6 @@ Q_SIGNALS:
     void hitsChanged(int first, int last);
     void hitsRearranged(const hitscope::HitRows& rows);  ///< removed, put back, moved
     void historyReset();                                 ///< after either of these, and with a new scene
-    void meshChanged(hitscope::TargetId target);         ///< its DeformedMesh did
-    /// Before that: which render vertices moved, or have another true normal. Sorted.
-    void shadingChanged(hitscope::TargetId target, const std::vector<std::uint32_t>& renderVertices);
-    /// Before that: which file vertices are now somewhere else, in no order; some may be repeated.
-    void verticesMoved(hitscope::TargetId target, const std::vector<std::uint32_t>& vertices);
     void constantsChanged();
     void lightsChanged();
     void projectileSettingsChanged();
@@ -274,16 +240,13 @@ Q_SIGNALS:
     /// over.
     void shotsWent(const hitscope::ShotCount& count);
     void pipelineChanged();
-    void exactnessChanged();
-    void verdictChanged();
     void scheduleChanged();  ///< shotsToCome()
     void aboutToStep();      ///< before each physics step: what is shot now flies with it
     void timeChanged();      ///< paused or not, time scale, physics step
     void targetSelected(hitscope::TargetId target);
     void hitSelected();
-    void shownHitsChanged();  ///< showHits(), not the history
-    void capacityChanged();   ///< with either of these appliedHits() are others
-    void unavailablePipelinesChanged();
+    /// showHits(), not the history; with it, or with ReadBack::capacityChanged(), appliedHits() are others.
+    void shownHitsChanged();
     void pictureChanged();  ///< anything that a new frame would show
 
 private:
@@ -344,21 +307,15 @@ private:
     ProjectileSettings m_projectileSettings;
     FlightMode m_flightMode = FlightMode::Quick;
     PipelineKind m_pipeline = PipelineKind::TransformFeedback;
-    std::optional<Exactness> m_exactness;
-    RendererVerdict m_verdict;
     PhysicsWorld m_physics;
     ColliderFollower m_colliders{m_physics};
     ShotSchedule m_schedule;
     ShotTally m_tally;
     bool m_stepIsBegun = false;                 ///< what comes before the next step has been done
-    bool m_isBehind = false;                    ///< the CPU copies, until setUpToDate()
     std::map<TargetId, QString> m_notHittable;  ///< why
     std::size_t m_disabledHits = 0;
-    CapacityReport m_capacity;
-    std::map<PipelineKind, QString> m_unavailablePipelines;
+    std::unique_ptr<ReadBack> m_readBack;
     std::unique_ptr<FrameCosts> m_frameCosts;
-    std::map<TargetId, std::vector<std::uint32_t>>
-        m_moved;  ///< file vertices, since the last finishReadBack()
     std::unique_ptr<VertexSelection> m_selection;
     std::unique_ptr<TaskList> m_tasks;
     std::unique_ptr<TaskProgress> m_firing;  ///< while shots are due that the frame had no time for

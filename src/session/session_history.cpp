@@ -274,17 +274,6 @@ void Session::selectHit(std::optional<std::size_t> index) {
     }
 }
 
-void Session::setCapacity(CapacityReport report) {
-    if (report != m_capacity) {
-        m_capacity = std::move(report);
-        Q_EMIT capacityChanged();
-    }
-}
-
-bool Session::isDropped(std::size_t index) const {
-    return std::binary_search(m_capacity.dropped.begin(), m_capacity.dropped.end(), index);
-}
-
 bool Session::isApplied(std::size_t index) const {
     return index < m_history.size() && m_history.hits()[index].enabled && appliedHits().contains(index);
 }

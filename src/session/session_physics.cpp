@@ -133,7 +133,7 @@ void Session::takeImpacts(std::span<const Impact> impacts) {
 
 /// Vertices will move.
 void Session::expectMoves(std::span<const HistoryEdit> edits) {
-    m_isBehind = true;
+    m_readBack->expectMoves();
     m_colliders.follow(edits);
 }
 

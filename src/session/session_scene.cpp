@@ -83,7 +83,7 @@ void Session::clearScene() {
     m_colliders.clear();
     m_stepIsBegun = false;
     m_targets.clear();
-    m_moved.clear();
+    m_readBack->forgetAll();
     m_notHittable.clear();
     m_history.clear();
     m_undo.clear();
@@ -106,7 +106,7 @@ void Session::announceScene(const QString& name) {
     Q_EMIT historyReset();
     Q_EMIT shownHitsChanged();
     Q_EMIT undoChanged();
-    setCapacity({m_capacity.capacity, m_capacity.perTarget, 0, {}});
+    m_readBack->setCapacity({m_readBack->capacity().capacity, m_readBack->capacity().perTarget, 0, {}});
     Q_EMIT lightsChanged();
     Q_EMIT targetSelected(m_selectedTarget);
     Q_EMIT pictureChanged();

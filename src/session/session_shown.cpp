@@ -46,7 +46,7 @@ std::vector<HistoryEdit> spliceEach(HitHistory& history, std::span<const std::si
 void Session::showHits(std::optional<std::size_t> count) {
     if (count != m_shownHits) {
         m_shownHits = count;
-        m_isBehind = true;
+        m_readBack->expectMoves();
         Q_EMIT shownHitsChanged();
         Q_EMIT pictureChanged();
     }

@@ -112,7 +112,7 @@ void Session::eraseTarget(std::size_t index) {
     const TargetId id = m_targets[index]->id;
     m_physics.removeTarget(id);
     m_colliders.forget(id);
-    m_moved.erase(id);
+    m_readBack->forget(id);
     m_notHittable.erase(id);
     m_targets.erase(m_targets.begin() + static_cast<std::ptrdiff_t>(index));
     if (m_selectedTarget == id) {

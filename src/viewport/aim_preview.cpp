@@ -37,7 +37,7 @@ AimPreview::AimPreview(Session& session, Viewport& viewport)
     connect(&m_rest, &QTimer::timeout, this, &AimPreview::show);
     connect(&viewport.navigation(), &Navigation::cameraChanged, this, &AimPreview::wait);
     connect(&viewport, &Viewport::optionsChanged, this, &AimPreview::wait);
-    connect(&session, &Session::meshChanged, this, &AimPreview::wait);
+    connect(&session.readBack(), &ReadBack::meshChanged, this, &AimPreview::wait);
     connect(&session, &Session::targetAdded, this, &AimPreview::wait);
     connect(&session, &Session::targetRemoved, this, &AimPreview::wait);
     connect(&session, &Session::targetChanged, this, &AimPreview::wait);

@@ -87,9 +87,11 @@ Result<QString> Viewport::graphicsReport() {
     const Status asked = withScene([this, &text](SceneGpu& scene) -> Status {
         while (scene.tryNext()) {
         }
-        const auto why = [this](PipelineKind kind) { return m_session.whyUnavailable(kind).toStdString(); };
-        text = QString::fromStdString(
-            toText(hitscope::graphicsReport(m_session.exactness(), m_session.verdict(), why)));
+        const auto why = [this](PipelineKind kind) {
+            return m_session.readBack().whyUnavailable(kind).toStdString();
+        };
+        text = QString::fromStdString(toText(
+            hitscope::graphicsReport(m_session.readBack().exactness(), m_session.readBack().verdict(), why)));
         return Done{};
     });
     if (!asked) {

@@ -56,7 +56,7 @@ private Q_SLOTS:
         session.setPipeline(static_cast<PipelineKind>(kind));
         auto gpu = SceneGpu::create(session);
         QVERIFY(gpu.ok());
-        if (!session.exactness()->isExact()) {
+        if (!session.readBack().exactness()->isExact()) {
             QSKIP("this renderer's arithmetic is not exact");
         }
         HitEffects effects(session);
@@ -76,12 +76,12 @@ private Q_SLOTS:
             const bool drops =
                 shown.value_or(all) > 600 && (session.pipeline() == PipelineKind::UniformArray ||
                                               session.pipeline() == PipelineKind::UniformArrayCulled);
-            QCOMPARE(session.droppedHits() > 0, drops);
+            QCOMPARE(session.readBack().droppedHits() > 0, drops);
             agreement.compare();
             QTRY_VERIFY(agreement.report() && !agreement.isComparing());
             QCOMPARE(agreement.report()->different, std::size_t{0});
             QCOMPARE(agreement.report()->later, all - shown.value_or(all));
-            QCOMPARE(agreement.report()->hits, shown.value_or(all) - session.droppedHits());
+            QCOMPARE(agreement.report()->hits, shown.value_or(all) - session.readBack().droppedHits());
             effects.finish();
             QCOMPARE(untrue(session, target, effects), std::size_t{0});
             for (std::size_t row = 0; row < all; ++row) {

@@ -29,7 +29,7 @@ private Q_SLOTS:
         session.setPipeline(static_cast<PipelineKind>(kind));
         auto gpu = SceneGpu::create(session);
         QVERIFY(gpu.ok());
-        if (!session.exactness()->isExact()) {
+        if (!session.readBack().exactness()->isExact()) {
             QSKIP("this renderer's arithmetic is not exact");
         }
         // More than the uniform arrays hold, so that some are dropped.
@@ -41,7 +41,7 @@ private Q_SLOTS:
         for (std::size_t v = 0; v < target.deformed.vertices().size(); ++v) {
             Attribution attribution(target.deformed.render().vertices[v]);
             for (std::size_t i = 0; i < session.history().size(); ++i) {
-                if (!session.isDropped(i)) {
+                if (!session.readBack().isDropped(i)) {
                     attribution.add(i, session.history().hits()[i]);
                 }
             }

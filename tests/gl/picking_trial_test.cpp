@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "gl/picking_support.h"
+#include "support/read_back.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -76,9 +77,9 @@ private Q_SLOTS:
             const glm::vec2 at(120.5f + 7.0f * static_cast<float>(i), 200.5f + static_cast<float>(i));
             std::optional<VertexRef> picked[2];
             for (const bool byGeometry : {false, true}) {
-                RendererVerdict verdict = m_session->verdict();
+                RendererVerdict verdict = m_session->readBack().verdict();
                 verdict.picking = PickingVerdict{1, 0, byGeometry, {}};
-                m_session->setVerdict(verdict);
+                test::readBackOf(*m_session).setVerdict(verdict);
                 const auto now = m_picker->pick(view, at);
                 QVERIFY2(now.ok(), now.ok() ? "" : now.error().message().c_str());
                 picked[byGeometry ? 1 : 0] = now.value();
@@ -94,10 +95,11 @@ private Q_SLOTS:
         const SceneGpu::View view = viewOf(1.0f);
         const glm::vec2 middle(0.5f * static_cast<float>(view.width), 0.5f * static_cast<float>(view.height));
         QVERIFY(m_picker->pick(view, middle).ok());
-        QVERIFY(m_session->verdict().picking && m_session->verdict().picking->isRight());
-        RendererVerdict verdict = m_session->verdict();
+        QVERIFY(m_session->readBack().verdict().picking &&
+                m_session->readBack().verdict().picking->isRight());
+        RendererVerdict verdict = m_session->readBack().verdict();
         verdict.picking = PickingVerdict{1000, 7, false, {}};
-        m_session->setVerdict(verdict);
+        test::readBackOf(*m_session).setVerdict(verdict);
         const auto picked = m_picker->pick(view, middle);
         QVERIFY(!picked.ok());
         QVERIFY2(picked.error().what.find("7 of 1,000 pixels") != std::string::npos,
@@ -106,15 +108,15 @@ private Q_SLOTS:
 
     void everythingIsTriedOneAfterTheOther() {
         open(PipelineKind::Reference);
-        QVERIFY(m_session->verdict().of(PipelineKind::Reference) != nullptr);
+        QVERIFY(m_session->readBack().verdict().of(PipelineKind::Reference) != nullptr);
         int steps = 0;
         while (m_gpu->tryNext()) {
             QVERIFY(++steps < 10);
         }
         for (const PipelineTraits& traits : allPipelines()) {
-            QVERIFY(m_session->verdict().of(traits.kind) != nullptr);
+            QVERIFY(m_session->readBack().verdict().of(traits.kind) != nullptr);
         }
-        QVERIFY(m_session->verdict().picking.has_value());
+        QVERIFY(m_session->readBack().verdict().picking.has_value());
         QVERIFY(!m_gpu->tryNext());
     }
 };

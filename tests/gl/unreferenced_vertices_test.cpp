@@ -46,7 +46,7 @@ private Q_SLOTS:
         session.loadMesh(sphereWithLooseVertices());
         Result<std::unique_ptr<SceneGpu>> gpu = SceneGpu::create(session);
         QVERIFY(gpu);
-        if (!session.whyUnavailable(static_cast<PipelineKind>(kind)).isEmpty()) {
+        if (!session.readBack().whyUnavailable(static_cast<PipelineKind>(kind)).isEmpty()) {
             QSKIP("this renderer has no such pipeline");
         }
         session.setPipeline(static_cast<PipelineKind>(kind));

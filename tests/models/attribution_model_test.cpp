@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "models/read_back_support.h"
+#include "support/read_back.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -97,8 +98,8 @@ private Q_SLOTS:
             report.dropped.push_back(i);
         }
         const int before = m_model->rowCount();
-        m_session->setCapacity(report);
-        m_session->restartReadBack();
+        test::readBackOf(*m_session).setCapacity(report);
+        test::readBackOf(*m_session).restart();
         readBack(*m_session);
         QTRY_COMPARE(m_model->rowCount() == before, false);
         QVERIFY(m_model->rowCount() == 0 || row(0).hit > first);
@@ -137,8 +138,8 @@ private Q_SLOTS:
         const std::uint32_t render = target().deformed.render().renderVerticesOf(vertex)[0];
         DynamicVertex off = target().deformed.vertices()[render];
         off.position.x = std::nextafter(off.position.x, 100.0f);
-        m_session->takeReadBack(target().id, render, {&off, 1});
-        m_session->finishReadBack();
+        test::readBackOf(*m_session).take(target().id, render, {&off, 1});
+        test::readBackOf(*m_session).finish();
         QVERIFY(!m_model->isBuffers());
         QVERIFY(!m_model->summary().contains(QStringLiteral("same")));
     }

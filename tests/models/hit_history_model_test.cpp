@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "models/hit_history_model.h"
+#include "support/read_back.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -216,7 +217,7 @@ void HitHistoryModelTest::statesAreTold() {
     const auto tip = [&model](int row) { return model.index(row, 0).data(Qt::ToolTipRole).toString(); };
     const QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
     session.setHitsEnabled(std::array<std::size_t, 1>{2}, false);
-    session.setCapacity({2, false, 2, {0}});
+    test::readBackOf(session).setCapacity({2, false, 2, {0}});
     QCOMPARE(changed.size(), 2);
     QCOMPARE(state(0), static_cast<int>(HitHistoryModel::Dropped));
     QCOMPARE(state(1), static_cast<int>(HitHistoryModel::Applied));
@@ -226,7 +227,7 @@ void HitHistoryModelTest::statesAreTold() {
              qPrintable(tip(0)));
     QVERIFY(tip(1).startsWith(QStringLiteral("Max distance")));
     QVERIFY(tip(2).startsWith(QStringLiteral("Disabled")));
-    session.setCapacity({2, true, 2, {0}});
+    test::readBackOf(session).setCapacity({2, true, 2, {0}});
     QVERIFY(tip(0).contains(QStringLiteral("on each target")));
 }
 
@@ -333,7 +334,7 @@ void HitHistoryModelTest::survivesAnythingWhileHitsStreamIn() {
                 session.redo();
                 break;
             case 5:
-                session.setCapacity({hits / 2, false, hits / 2, {some[0]}});
+                test::readBackOf(session).setCapacity({hits / 2, false, hits / 2, {some[0]}});
                 break;
             default:
                 break;

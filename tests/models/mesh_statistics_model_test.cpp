@@ -13,6 +13,7 @@
 #include "models/mesh_health_model.h"
 #include "models/mesh_statistics_model.h"
 #include "models/statistics_report.h"
+#include "support/read_back.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -39,7 +40,7 @@ Hit hitOn(const Target& target) {
 
 /// What the GPU's side does after a hit, in C++: deform, read back.
 void applyOnCpu(Session& session) {
-    session.restartReadBack();
+    test::readBackOf(session).restart();
     for (const std::unique_ptr<Target>& target : session.targets()) {
         ReferenceDeformation reference(target->deformed.render());
         for (const Hit& hit : session.history().hits()) {
@@ -47,9 +48,9 @@ void applyOnCpu(Session& session) {
                 reference.apply({&hit, 1});
             }
         }
-        session.takeReadBack(target->id, 0, reference.vertices());
+        test::readBackOf(session).take(target->id, 0, reference.vertices());
     }
-    session.finishReadBack();
+    test::readBackOf(session).finish();
 }
 
 }  // namespace
@@ -140,10 +141,10 @@ void MeshStatisticsModelTest::staysConsistentWhileHitsStreamIn() {
         hit.direction = -glm::normalize(hit.point);
         QVERIFY(session.addHit(hit));
         for (const VertexRange& range : reference.apply({&hit, 1})) {
-            session.takeReadBack(target.id, range.first,
-                                 reference.vertices().subspan(range.first, range.count));
+            test::readBackOf(session).take(target.id, range.first,
+                                           reference.vertices().subspan(range.first, range.count));
         }
-        session.finishReadBack();
+        test::readBackOf(session).finish();
         QTest::qWait(5);
     }
     Model fresh(session);

@@ -9,6 +9,7 @@
 
 #include "deform/reference.h"
 #include "mesh/primitives.h"
+#include "support/read_back.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -28,13 +29,13 @@ Hit hitAt(const Target& target, float angle) {
 
 /// What a faultless pipeline would deliver.
 void readBack(Session& session) {
-    session.restartReadBack();
+    test::readBackOf(session).restart();
     for (const std::unique_ptr<Target>& target : session.targets()) {
         ReferenceDeformation reference(target->deformed.render());
         reference.apply(session.history().hitsOn(target->id));
-        session.takeReadBack(target->id, 0, reference.vertices());
+        test::readBackOf(session).take(target->id, 0, reference.vertices());
     }
-    session.finishReadBack();
+    test::readBackOf(session).finish();
 }
 
 }  // namespace
@@ -74,8 +75,8 @@ private Q_SLOTS:
         constexpr std::uint32_t kDisturbed = 1234;
         DynamicVertex vertex = target.deformed.vertices()[kDisturbed];
         vertex.position.y += 0.25f;
-        session.takeReadBack(target.id, kDisturbed, {&vertex, 1});
-        session.finishReadBack();
+        test::readBackOf(session).take(target.id, kDisturbed, {&vertex, 1});
+        test::readBackOf(session).finish();
         agreement.compare();
         QTRY_COMPARE(agreement.report()->different, std::size_t{1});
         QVERIFY(std::abs(agreement.report()->largest - 0.25) < 1e-6);
@@ -121,13 +122,13 @@ private Q_SLOTS:
         CapacityReport report;
         report.capacity = 0;
         report.dropped = {0};
-        session.setCapacity(report);
+        test::readBackOf(session).setCapacity(report);
         PipelineAgreement agreement(session);
         agreement.compare();
         QTRY_VERIFY(agreement.report());
         QCOMPARE(agreement.report()->different, std::size_t{0});
         QCOMPARE(agreement.report()->dropped, std::size_t{1});
-        session.setCapacity({});
+        test::readBackOf(session).setCapacity({});
         agreement.compare();
         QTRY_VERIFY(agreement.report()->different > 0);
     }

@@ -8,6 +8,7 @@
 
 #include "deform/reference.h"
 #include "session/session.h"
+#include "support/read_back.h"
 
 namespace hitscope::test {
 
@@ -23,9 +24,9 @@ inline void readBack(Session& session) {
         }
         ReferenceDeformation reference(target->deformed.render());
         reference.apply(hits);
-        session.takeReadBack(target->id, 0, reference.vertices());
+        test::readBackOf(session).take(target->id, 0, reference.vertices());
     }
-    session.finishReadBack();
+    test::readBackOf(session).finish();
 }
 
 /// Hits on a target's original vertices, from about the direction of its normal.

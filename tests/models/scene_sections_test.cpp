@@ -11,6 +11,7 @@
 #include "mesh/primitives.h"
 #include "models/section_report.h"
 #include "session/primitive_target.h"
+#include "support/read_back.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -22,13 +23,13 @@ constexpr float kRadius = 2.5f;
 
 /// What a faultless pipeline would deliver.
 void readBack(Session& session) {
-    session.restartReadBack();
+    test::readBackOf(session).restart();
     for (const std::unique_ptr<Target>& target : session.targets()) {
         ReferenceDeformation reference(target->deformed.render());
         reference.apply(session.history().hitsOn(target->id));
-        session.takeReadBack(target->id, 0, reference.vertices());
+        test::readBackOf(session).take(target->id, 0, reference.vertices());
     }
-    session.finishReadBack();
+    test::readBackOf(session).finish();
 }
 
 Hit hitAt(const Target& target, const glm::vec3& from) {

@@ -10,6 +10,7 @@
 #include "deform/reference.h"
 #include "mesh/primitives.h"
 #include "session/session.h"
+#include "support/read_back.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -79,10 +80,10 @@ private Q_SLOTS:
             const Hit& made = session.history().hits().back();
             QVERIFY(made == *hit);
             for (const VertexRange& range : reference.apply({&made, 1})) {
-                session.takeReadBack(teapot.id, range.first,
-                                     reference.vertices().subspan(range.first, range.count));
+                test::readBackOf(session).take(teapot.id, range.first,
+                                               reference.vertices().subspan(range.first, range.count));
             }
-            session.finishReadBack();
+            test::readBackOf(session).finish();
             const Made done = difference(mesh, before, reference.vertices());
             QCOMPARE(preview.affectedVertices, done.fileVertices.size());
             QCOMPARE(preview.depth, done.depth);

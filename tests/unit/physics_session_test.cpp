@@ -10,6 +10,7 @@
 #include "physics_dents.h"
 #include "session/paced_advance.h"
 #include "session/session.h"
+#include "support/read_back.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -28,11 +29,11 @@ public:
             const Hit& hit = hits[m_applied];
             ReferenceDeformation& reference = of(hit.target);
             for (const VertexRange& range : reference.apply({&hit, 1})) {
-                m_session.takeReadBack(hit.target, range.first,
-                                       reference.vertices().subspan(range.first, range.count));
+                test::readBackOf(m_session).take(hit.target, range.first,
+                                                 reference.vertices().subspan(range.first, range.count));
             }
         }
-        m_session.finishReadBack();
+        test::readBackOf(m_session).finish();
     }
 
 private:

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "session/session.h"
+#include "support/read_back.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -219,23 +220,26 @@ private Q_SLOTS:
     }
 
     void capacityIsPassedOn() {
-        const QSignalSpy changed(m_session.get(), &Session::capacityChanged);
-        m_session->setCapacity({4, false, 4, {0, 3}});
-        QCOMPARE(m_session->droppedHits(), std::size_t{2});
-        QVERIFY(m_session->isDropped(0) && !m_session->isDropped(1) && m_session->isDropped(3));
-        m_session->setCapacity({4, false, 4, {0, 3}});
+        const QSignalSpy changed(&m_session->readBack(), &ReadBack::capacityChanged);
+        test::readBackOf(*m_session).setCapacity({4, false, 4, {0, 3}});
+        QCOMPARE(m_session->readBack().droppedHits(), std::size_t{2});
+        QVERIFY(m_session->readBack().isDropped(0) && !m_session->readBack().isDropped(1) &&
+                m_session->readBack().isDropped(3));
+        test::readBackOf(*m_session).setCapacity({4, false, 4, {0, 3}});
         QCOMPARE(changed.size(), 1);
         m_session->loadTeapot();
-        QCOMPARE(m_session->droppedHits(), std::size_t{0});
+        QCOMPARE(m_session->readBack().droppedHits(), std::size_t{0});
         QCOMPARE(changed.size(), 2);
     }
 
     void unavailablePipelinesHaveAReason() {
-        const QSignalSpy changed(m_session.get(), &Session::unavailablePipelinesChanged);
-        QVERIFY(m_session->whyUnavailable(PipelineKind::UniformArray).isEmpty());
-        m_session->setUnavailablePipelines({{PipelineKind::UniformArray, QStringLiteral("Too old.")}});
-        QCOMPARE(m_session->whyUnavailable(PipelineKind::UniformArray), QStringLiteral("Too old."));
-        QVERIFY(m_session->whyUnavailable(PipelineKind::TransformFeedback).isEmpty());
+        const QSignalSpy changed(&m_session->readBack(), &ReadBack::unavailablePipelinesChanged);
+        QVERIFY(m_session->readBack().whyUnavailable(PipelineKind::UniformArray).isEmpty());
+        test::readBackOf(*m_session)
+            .setUnavailablePipelines({{PipelineKind::UniformArray, QStringLiteral("Too old.")}});
+        QCOMPARE(m_session->readBack().whyUnavailable(PipelineKind::UniformArray),
+                 QStringLiteral("Too old."));
+        QVERIFY(m_session->readBack().whyUnavailable(PipelineKind::TransformFeedback).isEmpty());
         QCOMPARE(changed.size(), 1);
     }
 

@@ -292,7 +292,7 @@ void ContextTest::idleWindowPaintsNothing() {
     }
     Viewport& viewport = m_window->viewport();
     viewport.setFocus();
-    const QSignalSpy changed(m_session.get(), &Session::verticesMoved);
+    const QSignalSpy changed(&m_session->readBack(), &ReadBack::verticesMoved);
     viewport.shootAtCrosshair();
     QTRY_VERIFY_WITH_TIMEOUT(!changed.isEmpty(), kPatience);
     m_window->statusBar()->clearMessage();  // which would go by itself one day

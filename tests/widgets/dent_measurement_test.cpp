@@ -16,6 +16,7 @@
 #include "mesh/grid_primitives.h"
 #include "mesh/primitives.h"
 #include "panels/dent_measurement/dent_measurement_panel.h"
+#include "support/read_back.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -29,8 +30,8 @@ void applyHits(Session& session) {
     const Target& target = *session.targets().front();
     ReferenceDeformation reference(target.deformed.render());
     reference.apply(session.history().hitsOn(target.id));
-    session.takeReadBack(target.id, 0, reference.vertices());
-    static_cast<void>(session.finishReadBack());
+    test::readBackOf(session).take(target.id, 0, reference.vertices());
+    static_cast<void>(test::readBackOf(session).finish());
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <QStatusBar>
 
 #include "app/pipeline_chooser.h"
+#include "support/read_back.h"
 #include "support/test_program.h"
 #include "widgets/window_support.h"
 
@@ -46,29 +47,30 @@ private:
 void ExactnessTest::theStatusBarSaysIt() {
     Session session;
     session.loadPaperRow(0);
-    QVERIFY(session.verdict().pipelines.empty());
+    QVERIFY(session.readBack().verdict().pipelines.empty());
     MainWindow window(session);
     showReady(window);
-    QVERIFY(session.exactness());  // measured on this renderer
-    QVERIFY(session.verdict().of(session.pipeline()) != nullptr);
+    QVERIFY(session.readBack().exactness());  // measured on this renderer
+    QVERIFY(session.readBack().verdict().of(session.pipeline()) != nullptr);
     const QLabel* cell = rendererCell(window);
     QVERIFY(cell != nullptr);
-    QTRY_VERIFY_WITH_TIMEOUT(session.verdict().picking.has_value(), kPatience);  // the rest follows
-    QCOMPARE(session.verdict().pipelines.size(), allPipelines().size());
+    QTRY_VERIFY_WITH_TIMEOUT(session.readBack().verdict().picking.has_value(),
+                             kPatience);  // the rest follows
+    QCOMPARE(session.readBack().verdict().pipelines.size(), allPipelines().size());
 
     session.setPipeline(PipelineKind::Reference);
-    session.setVerdict(referenceVerdict({15000, 0, 0.0f}));
+    test::readBackOf(session).setVerdict(referenceVerdict({15000, 0, 0.0f}));
     QCOMPARE(cell->text(), window.viewport().rendererName() + QStringLiteral(", bit-exact"));
     QVERIFY(cell->toolTip().contains(QStringLiteral("Reference: bit-exact in 15,000 vertices compared")));
     QVERIFY(cell->toolTip().contains(QStringLiteral("Transform feedback: not compared yet")));
-    const QSignalSpy changes(&session, &Session::verdictChanged);
-    session.setVerdict(referenceVerdict({15000, 12, 0.1f}));
-    session.setVerdict(referenceVerdict({15000, 12, 0.1f}));
+    const QSignalSpy changes(&session.readBack(), &ReadBack::verdictChanged);
+    test::readBackOf(session).setVerdict(referenceVerdict({15000, 12, 0.1f}));
+    test::readBackOf(session).setVerdict(referenceVerdict({15000, 12, 0.1f}));
     QCOMPARE(changes.count(), 1);
     QCOMPARE(cell->text(), window.viewport().rendererName() + QStringLiteral(", not bit-exact"));
     QVERIFY(cell->toolTip().contains(QStringLiteral("12 of 15,000 vertices differ, by up to 0.1 m")));
     session.setPipeline(PipelineKind::TransformFeedback);  // nothing is said of what was not tried
-    session.setVerdict(referenceVerdict({15000, 12, 0.1f}));
+    test::readBackOf(session).setVerdict(referenceVerdict({15000, 12, 0.1f}));
     QCOMPARE(cell->text(), window.viewport().rendererName());
 }
 
@@ -85,7 +87,7 @@ void ExactnessTest::inexactPipelineIsLeft() {
     QCOMPARE(left.count(), 0);
     RendererVerdict verdict = referenceVerdict({15000, 0, 0.0f});
     verdict.pipelines[PipelineKind::TransformFeedback] = {{15000, 870, 3.3f}, {}};
-    session.setVerdict(verdict);
+    test::readBackOf(session).setVerdict(verdict);
     QCOMPARE(left.count(), 0);
     chooser.leaveInexact();
     QCOMPARE(session.pipeline(), PipelineKind::Reference);
@@ -110,7 +112,7 @@ void ExactnessTest::theAboutBoxSaysIt() {
     MainWindow window(session);
     showReady(window);
     session.setPipeline(PipelineKind::Reference);
-    session.setVerdict(referenceVerdict({4096, 12, 0.1f}));
+    test::readBackOf(session).setVerdict(referenceVerdict({4096, 12, 0.1f}));
     for (QAction* action : window.findChildren<QAction*>()) {
         if (action->text() == QStringLiteral("&About Hitscope")) {
             action->trigger();

@@ -20,6 +20,7 @@
 #include "app/dialogs/text_window.h"
 #include "panels/help/help_text.h"
 #include "session/task_list.h"
+#include "support/read_back.h"
 #include "support/test_program.h"
 #include "widgets/window_support.h"
 
@@ -153,7 +154,7 @@ private Q_SLOTS:
         QTest::mouseClick(page->findChild<QPushButton*>(QStringLiteral("copy")), Qt::LeftButton);
         const QString text = QGuiApplication::clipboard()->text();
         QVERIFY(text.contains(m_window->viewport().rendererName()));
-        QVERIFY(text.contains(QString::fromStdString(describe(*m_session->exactness()))));
+        QVERIFY(text.contains(QString::fromStdString(describe(*m_session->readBack().exactness()))));
         // Line for line what the command prints.
         QProcess command;
         command.start(qEnvironmentVariable("HITSCOPE_CLI"),
@@ -174,8 +175,8 @@ private Q_SLOTS:
     }
 
     void graphicsPageSaysWhyAPipelineIsUnavailable() {
-        m_session->setUnavailablePipelines(
-            {{PipelineKind::Compute, QStringLiteral("A reason of this test.")}});
+        test::readBackOf(*m_session)
+            .setUnavailablePipelines({{PipelineKind::Compute, QStringLiteral("A reason of this test.")}});
         find(QStringLiteral("Graphics"))->trigger();
         QVERIFY(m_window->findChild<TextWindow*>(QStringLiteral("graphics"))
                     ->text()

@@ -15,6 +15,7 @@
 
 #include "panels/hit_history/capacity_meter.h"
 #include "panels/hit_history/hit_history_panel.h"
+#include "support/read_back.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -266,17 +267,17 @@ void HitHistoryTest::summaryAndMeter() {
     QCOMPARE(summary->text(), QStringLiteral("6 hits"));
     QVERIFY(!meter->isVisible());
     m_session->setPipeline(PipelineKind::UniformArray);
-    m_session->setCapacity({10, false, 6, {}});
+    test::readBackOf(*m_session).setCapacity({10, false, 6, {}});
     QVERIFY(meter->isVisible());
     QCOMPARE(meter->text(), QStringLiteral("6 of 10 hits in the uniform array"));
     QVERIFY(!meter->isFull());
     m_session->setHitsEnabled(std::vector<std::size_t>{5}, false);
-    m_session->setCapacity({4, false, 4, {0}});
+    test::readBackOf(*m_session).setCapacity({4, false, 4, {0}});
     QCOMPARE(summary->text(), QStringLiteral("6 hits, 1 disabled, 1 dropped"));
     QCOMPARE(meter->text(), QStringLiteral("4 of 4 hits in the uniform array"));
     QVERIFY(meter->isFull());
     QVERIFY(meter->toolTip().contains(QStringLiteral("Dropped so far: 1")));
-    m_session->setCapacity({4, true, 3, {}});
+    test::readBackOf(*m_session).setCapacity({4, true, 3, {}});
     QCOMPARE(meter->text(), QStringLiteral("3 of 4 hits on the fullest target"));
     QVERIFY(!meter->isFull());
     // Full, it is of another colour.
@@ -284,11 +285,11 @@ void HitHistoryTest::summaryAndMeter() {
         auto* drawn = m_panel->findChild<CapacityMeter*>();
         return drawn->grab().toImage().pixelColor(4, drawn->height() / 2);
     };
-    m_session->setCapacity({4, false, 4, {}});
+    test::readBackOf(*m_session).setCapacity({4, false, 4, {}});
     const QColor full = filled();
-    m_session->setCapacity({4, false, 3, {}});
+    test::readBackOf(*m_session).setCapacity({4, false, 3, {}});
     QVERIFY(filled() != full);
-    m_session->setCapacity({});
+    test::readBackOf(*m_session).setCapacity({});
     QVERIFY(!meter->isVisible());
 }
 
@@ -298,7 +299,7 @@ void HitHistoryTest::hitsThatDoNothingAreGrey() {
     const QImage droppedBefore = picture(2);
     const QImage otherBefore = picture(3);
     m_session->setHitsEnabled(std::vector<std::size_t>{1}, false);
-    m_session->setCapacity({4, false, 4, {2}});
+    test::readBackOf(*m_session).setCapacity({4, false, 4, {2}});
     QVERIFY(picture(1) != disabledBefore);
     QVERIFY(picture(2) != droppedBefore);
     QVERIFY(picture(3) == otherBefore);

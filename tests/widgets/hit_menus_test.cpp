@@ -15,6 +15,7 @@
 
 #include "app/notice_bar.h"
 #include "mesh/primitives.h"
+#include "support/read_back.h"
 #include "support/test_program.h"
 #include "widgets/window_support.h"
 
@@ -134,7 +135,7 @@ void HitMenusTest::statusBarCountsHits() {
     QVERIFY(says(QStringLiteral("3 hits")));
     m_session->setHitsEnabled(std::vector<std::size_t>{1}, false);
     QVERIFY(says(QStringLiteral("3 hits, 1 disabled")));
-    m_session->setCapacity({1, false, 1, {0}});
+    test::readBackOf(*m_session).setCapacity({1, false, 1, {0}});
     QVERIFY(says(QStringLiteral("3 hits of 1, 1 disabled, 1 dropped")));
 }
 
@@ -148,7 +149,7 @@ void HitMenusTest::unavailablePipelinesAreGrey() {
     QAction* entry = action(window, QStringLiteral("Uniform array"));
     const QString reason = QStringLiteral("It needs OpenGL 9.9.");
     QVERIFY(items->item(row)->isEnabled() && entry->isEnabled());
-    m_session->setUnavailablePipelines({{PipelineKind::UniformArray, reason}});
+    test::readBackOf(*m_session).setUnavailablePipelines({{PipelineKind::UniformArray, reason}});
     QVERIFY(!items->item(row)->isEnabled() && !entry->isEnabled());
     QVERIFY(items->item(row)->toolTip().contains(reason) && entry->toolTip().contains(reason));
     const PipelineTraits& traits = pipelineTraits(PipelineKind::UniformArray);
@@ -156,7 +157,7 @@ void HitMenusTest::unavailablePipelinesAreGrey() {
         const QString text = QString::fromUtf8(words);
         QVERIFY2(items->item(row)->toolTip().contains(text.toHtmlEscaped()), qPrintable(text));
     }
-    m_session->setUnavailablePipelines({});
+    test::readBackOf(*m_session).setUnavailablePipelines({});
     QVERIFY(items->item(row)->isEnabled() && entry->isEnabled());
 
     entry->trigger();
@@ -173,7 +174,8 @@ void HitMenusTest::rememberedPipelineFallsBack() {
     }
     MainWindow window(*m_session);
     QCOMPARE(m_session->pipeline(), PipelineKind::UniformArray);
-    m_session->setUnavailablePipelines({{PipelineKind::UniformArray, QStringLiteral("Too few uniforms.")}});
+    test::readBackOf(*m_session)
+        .setUnavailablePipelines({{PipelineKind::UniformArray, QStringLiteral("Too few uniforms.")}});
     QCOMPARE(m_session->pipeline(), PipelineKind::TransformFeedback);
     const auto* notice = window.findChild<NoticeBar*>();
     QTRY_VERIFY2(notice->text().contains(QStringLiteral("Too few uniforms.")), qPrintable(notice->text()));

@@ -20,6 +20,7 @@
 #include "panels/histogram/histogram_plot.h"
 #include "session/task_list.h"
 #include "session/vertex_selection.h"
+#include "support/read_back.h"
 #include "support/test_program.h"
 #include "window_support.h"
 
@@ -226,8 +227,8 @@ private Q_SLOTS:
         const Target& target = *scene.session.targets().front();
         DynamicVertex vertex = target.deformed.vertices()[100];
         vertex.position.x += 0.5f;
-        scene.session.takeReadBack(target.id, 100, {&vertex, 1});
-        scene.session.finishReadBack();
+        test::readBackOf(scene.session).take(target.id, 100, {&vertex, 1});
+        test::readBackOf(scene.session).finish();
         QTest::mouseClick(dock->findChild<QPushButton*>(QStringLiteral("compare")), Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(different->text(), QStringLiteral("1"), kPatience);
         QTest::mouseClick(dock->findChild<QToolButton*>(QStringLiteral("worst")), Qt::LeftButton);

@@ -52,7 +52,7 @@ ChangeActions::ChangeActions(Session& session, HitEffects& effects, Viewport& vi
 /// meanwhile.
 void ChangeActions::followCounts(HitEffects& effects) {
     m_values.setHitCounts([&effects](TargetId target) { return effects.counts(target); });
-    connect(&m_session, &Session::shadingChanged, this,
+    connect(&m_session.readBack(), &ReadBack::shadingChanged, this,
             [this](TargetId target, const std::vector<std::uint32_t>& vertices) {
                 if (m_values.quantity() == ChangeQuantity::HitCount) {
                     std::set<std::uint32_t>& clusters = m_recounting[target];
@@ -170,7 +170,7 @@ PipelineKind ChangeActions::usualOther() const {
     const PipelineKind other = m_session.pipeline() == PipelineKind::TransformFeedback
                                    ? PipelineKind::UniformArray
                                    : PipelineKind::TransformFeedback;
-    return m_session.whyUnavailable(other).isEmpty() ? other : PipelineKind::Reference;
+    return m_session.readBack().whyUnavailable(other).isEmpty() ? other : PipelineKind::Reference;
 }
 
 void ChangeActions::fillPipelines(QMenu& menu) {
@@ -186,7 +186,7 @@ void ChangeActions::fillPipelines(QMenu& menu) {
         };
         add(tr("&Off"), std::nullopt);
         for (const PipelineTraits& traits : allPipelines()) {
-            const QString why = m_session.whyUnavailable(traits.kind);
+            const QString why = m_session.readBack().whyUnavailable(traits.kind);
             enableIf(*add(QString::fromUtf8(traits.name), traits.kind), why.isEmpty(), why);
         }
     });

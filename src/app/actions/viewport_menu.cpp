@@ -53,7 +53,8 @@ std::optional<std::size_t> lastHitThatMoved(const Session& session, const Vertex
     std::optional<std::size_t> last;
     const std::span<const Hit> hits = session.shownHits();
     for (std::size_t index = 0; index < hits.size(); ++index) {
-        if (hits[index].target != vertex.target || !hits[index].enabled || session.isDropped(index)) {
+        if (hits[index].target != vertex.target || !hits[index].enabled ||
+            session.readBack().isDropped(index)) {
             continue;
         }
         const glm::vec3 before = attribution.vertex().position;

@@ -49,7 +49,7 @@ public:
         return targets;
     }
 
-    std::size_t droppedHits() const override { return m_session.droppedHits(); }
+    std::size_t droppedHits() const override { return m_session.readBack().droppedHits(); }
 
 private:
     const gl::RenderTarget& m_picture;

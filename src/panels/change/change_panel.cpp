@@ -173,7 +173,7 @@ void ChangePanel::connectComparison() {
             Q_EMIT sideBySideEdited(on);
         }
     });
-    connect(&m_session, &Session::unavailablePipelinesChanged, this, &ChangePanel::listPipelines);
+    connect(&m_session.readBack(), &ReadBack::unavailablePipelinesChanged, this, &ChangePanel::listPipelines);
     connect(&m_session, &Session::pipelineChanged, this, &ChangePanel::showReport);
     connect(&m_comparison, &Comparison::otherChanged, this, &ChangePanel::listPipelines);
     connect(&m_comparison, &Comparison::reportChanged, this, &ChangePanel::showReport);
@@ -184,7 +184,7 @@ void ChangePanel::listPipelines() {
     m_ui->other->clear();
     m_ui->other->addItem(tr("Off"));
     for (const PipelineTraits& traits : allPipelines()) {
-        if (m_session.whyUnavailable(traits.kind).isEmpty()) {
+        if (m_session.readBack().whyUnavailable(traits.kind).isEmpty()) {
             m_ui->other->addItem(QString::fromUtf8(traits.name), static_cast<int>(traits.kind));
         }
         if (m_comparison.other() == traits.kind) {

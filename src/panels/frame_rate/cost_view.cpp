@@ -145,14 +145,14 @@ void CostView::measureOrCancel() {
 void CostView::measureSizes() {
     SizePlan plan = m_sizePlan;
     std::erase_if(plan.pipelines,
-                  [this](PipelineKind kind) { return !m_session.whyUnavailable(kind).isEmpty(); });
+                  [this](PipelineKind kind) { return !m_session.readBack().whyUnavailable(kind).isEmpty(); });
     m_bySize.start(std::move(plan));
 }
 
 void CostView::measureScene() {
     CostPlan plan = m_plan;
     std::erase_if(plan.pipelines,
-                  [this](PipelineKind kind) { return !m_session.whyUnavailable(kind).isEmpty(); });
+                  [this](PipelineKind kind) { return !m_session.readBack().whyUnavailable(kind).isEmpty(); });
     std::size_t vertices = 0;
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
         vertices += target->visible ? target->deformed.original().vertexCount() : 0;

@@ -32,13 +32,13 @@ CapacityMeter::CapacityMeter(QWidget* parent) : QWidget(parent) {
 
 void CapacityMeter::follow(const Session& session) {
     const auto update = [this, &session] { read(session); };
-    connect(&session, &Session::capacityChanged, this, update);
+    connect(&session.readBack(), &ReadBack::capacityChanged, this, update);
     connect(&session, &Session::pipelineChanged, this, update);
     update();
 }
 
 void CapacityMeter::read(const Session& session) {
-    const CapacityReport& report = session.capacity();
+    const CapacityReport& report = session.readBack().capacity();
     setVisible(report.capacity.has_value());
     if (!report.capacity) {
         return;

@@ -104,7 +104,7 @@ void HitHistoryPanel::connectAll() {
     });
     connect(&m_list, &QAbstractItemModel::rowsInserted, this, &HitHistoryPanel::scrollToNewest);
     connect(&m_session, &Session::hitsAppended, this, &HitHistoryPanel::updateSummary);
-    connect(&m_session, &Session::capacityChanged, this, &HitHistoryPanel::updateSummary);
+    connect(&m_session.readBack(), &ReadBack::capacityChanged, this, &HitHistoryPanel::updateSummary);
     connect(&m_session, &Session::historyReset, this, [this] {
         updateSummary();
         updateActions();
@@ -322,8 +322,8 @@ void HitHistoryPanel::updateSummary() {
     if (m_session.disabledHits() > 0) {
         text += tr(", %1 disabled").arg(countText(m_session.disabledHits()));
     }
-    if (m_session.droppedHits() > 0) {
-        text += tr(", %1 dropped").arg(countText(m_session.droppedHits()));
+    if (m_session.readBack().droppedHits() > 0) {
+        text += tr(", %1 dropped").arg(countText(m_session.readBack().droppedHits()));
     }
     m_ui->summary->setText(text);
     enableIf(*m_copy, hits > 0, tr("There are no hits yet."));

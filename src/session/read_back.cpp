@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The way back from the GPU: what the active pipeline made of the targets.
+#include "session/read_back.h"
+
 #include <algorithm>
 #include <atomic>
 #include <numeric>
 #include <system_error>
 #include <thread>
 #include <utility>
-
-#include "session/session.h"
 
 namespace hitscope {
 
@@ -72,7 +71,32 @@ void forEach(std::size_t count, bool isWorthThreads, const Work& work) {
 
 }  // namespace
 
-void Session::restartReadBack() {
+ReadBack::ReadBack(const std::vector<std::unique_ptr<Target>>& targets) : m_targets(targets) {}
+
+void ReadBack::setUnavailablePipelines(std::map<PipelineKind, QString> reasons) {
+    if (reasons != m_unavailablePipelines) {
+        m_unavailablePipelines = std::move(reasons);
+        Q_EMIT unavailablePipelinesChanged();
+    }
+}
+
+QString ReadBack::whyUnavailable(PipelineKind kind) const {
+    const auto reason = m_unavailablePipelines.find(kind);
+    return reason == m_unavailablePipelines.end() ? QString() : reason->second;
+}
+
+void ReadBack::setCapacity(CapacityReport report) {
+    if (report != m_capacity) {
+        m_capacity = std::move(report);
+        Q_EMIT capacityChanged();
+    }
+}
+
+bool ReadBack::isDropped(std::size_t index) const {
+    return std::binary_search(m_capacity.dropped.begin(), m_capacity.dropped.end(), index);
+}
+
+void ReadBack::restart() {
     for (const std::unique_ptr<Target>& target : m_targets) {
         DeformedMesh& mesh = target->deformed;
         const auto vertexCount = static_cast<std::uint32_t>(mesh.positions().size());
@@ -86,7 +110,7 @@ void Session::restartReadBack() {
     }
 }
 
-void Session::takeReadBack(TargetId id, std::uint32_t first, std::span<const DynamicVertex> vertices) {
+void ReadBack::take(TargetId id, std::uint32_t first, std::span<const DynamicVertex> vertices) {
     Target* target = findTarget(m_targets, id);
     if (target == nullptr) {
         return;
@@ -94,21 +118,21 @@ void Session::takeReadBack(TargetId id, std::uint32_t first, std::span<const Dyn
     target->deformed.write(first, vertices, m_moved[id]);
 }
 
-void Session::setVerdict(RendererVerdict verdict) {
+void ReadBack::setVerdict(RendererVerdict verdict) {
     if (verdict != m_verdict) {
         m_verdict = std::move(verdict);
         Q_EMIT verdictChanged();
     }
 }
 
-void Session::setExactness(const Exactness& exactness) {
+void ReadBack::setExactness(const Exactness& exactness) {
     if (exactness != m_exactness) {
         m_exactness = exactness;
         Q_EMIT exactnessChanged();
     }
 }
 
-std::vector<Session::ChangedNormals> Session::finishReadBack() {
+std::vector<ReadBack::ChangedNormals> ReadBack::finish() {
     std::vector<ChangedNormals> changes;
     std::vector<std::pair<Target*, const std::vector<std::uint32_t>*>> work;
     std::size_t vertices = 0;
