@@ -54,7 +54,7 @@ public:
     void setShownQuantity(std::optional<ChangeQuantity> quantity);
     void restart();  ///< B is at the originals
     void take(TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices);
-    /// As Session::finishReadBack().
+    /// As ReadBack::finish().
     std::vector<ReadBack::ChangedNormals> finishReadBack();
     [[nodiscard]] std::span<const glm::vec3> normals(TargetId target) const;
     void settle(std::size_t droppedHits);  ///< everything has arrived, of both

@@ -55,7 +55,7 @@ public:
     [[nodiscard]] Status drawElements(const View& view, PickPass& pass, const PixelArea& area,
                                       PickElements elements);
     /// Tries what has not been tried yet of the pipelines and of picking on this renderer, one of them, in
-    /// some ten milliseconds; Session::verdict() has what came of it. False: nothing is left.
+    /// some ten milliseconds; ReadBack::verdict() has what came of it. False: nothing is left.
     bool tryNext();
     /// Whether the session is behind what was drawn: another draw() or sync() brings it on.
     [[nodiscard]] bool isReadBackPending() const;
