@@ -1,42 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
 
-#include <QAction>
-#include <QActionGroup>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDir>
 #include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QDropEvent>
 #include <QMenu>
+#include <QScreen>
+#include <QSessionManager>
 #include <QSettings>
 #include <QStatusBar>
-#include <algorithm>
+#include <QStyle>
+#include <QVBoxLayout>
 
-#include "analysis/hit_effects.h"
 #include "app/actions/camera_actions.h"
 #include "app/actions/change_actions.h"
 #include "app/actions/cut_actions.h"
+#include "app/actions/display_actions.h"
+#include "app/actions/edit_actions.h"
+#include "app/actions/export_actions.h"
+#include "app/actions/file_actions.h"
 #include "app/actions/help_actions.h"
 #include "app/actions/hit_actions.h"
 #include "app/actions/inspect_actions.h"
+#include "app/actions/light_actions.h"
 #include "app/actions/picture_actions.h"
-#include "app/actions/shading_actions.h"
 #include "app/actions/shot_actions.h"
+#include "app/actions/theme_actions.h"
 #include "app/actions/time_actions.h"
 #include "app/actions/viewport_menu.h"
 #include "app/dialogs/dialogs.h"
 #include "app/dialogs/go_to_vertex.h"
 #include "app/dialogs/texture_chooser.h"
 #include "app/dialogs/texture_locator.h"
+#include "app/discard_guard.h"
 #include "app/full_view.h"
 #include "app/help_tips.h"
 #include "app/key_routing.h"
 #include "app/notice_bar.h"
 #include "app/pipeline_chooser.h"
 #include "app/scene_files.h"
+#include "app/settings/settings_keeper.h"
+#include "app/start_card.h"
 #include "app/status_line.h"
 #include "app/time_badge.h"
 #include "app/vertex_label.h"
-#include "models/undo_text.h"
 #include "panels/frame_rate/frame_rate_panel.h"
-#include "panels/help/help_text.h"
+#include "panels/mesh_statistics/mesh_statistics_panel.h"
+#include "session/frame_costs.h"
 #include "viewport/aim_preview.h"
 #include "viewport/hit_handles.h"
 #include "viewport/inspect_tool.h"
@@ -48,7 +61,9 @@ namespace hitscope {
 namespace {
 
 constexpr int kFrameRateInterval = 500;  // milliseconds between read-outs in the status bar
+constexpr int kMessageStays = 8'000;     // milliseconds in the status bar
 constexpr int kHintStays = 20'000;       // milliseconds
+constexpr int kLayoutVersion = 5;        // docks that are gone or new make an old layout useless
 
 }  // namespace
 
@@ -67,21 +82,32 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_viewport(new Viewport(session, this)),
       m_notice(new NoticeBar(this)),
       m_files(new SceneFiles(session, this)),
-      m_hitActions(new HitActions(session, m_hitEffects, m_settings.folder, this)),
       m_status(new StatusLine(session, *statusBar(), this)),
+      m_textureChooser(new TextureChooser(session, this)),
+      m_textureLocator(new TextureLocator(session, this)),
+      m_pipelines(new PipelineChooser(session, this)),
+      m_fullView(new FullView(*this)),
+      m_viewportMenu(new ViewportMenu(session, *m_viewport, this)),
+      m_goToVertex(new GoToVertex(session, *m_viewport, this)),
+      m_hitActions(new HitActions(session, m_hitEffects, m_settings.folder, this)),
+      m_exports(new ExportActions(session, *m_viewport, m_settings, *this)),
+      m_guard(new DiscardGuard(
+          session, *this,
+          [this](const std::vector<TargetId>& targets) { return m_exports->chooseFor(targets); })),
+      m_fileActions(
+          new FileActions({session, m_settings, *m_files, *m_guard, *m_textureLocator, *m_notice, *this})),
+      m_edit(new EditActions(session, this)),
+      m_display(new DisplayActions(*m_viewport, *m_textureChooser, this)),
+      m_themes(new ThemeActions(m_settings, *m_viewport, this)),
+      m_lights(new LightActions(session, this)),
       m_time(new TimeActions(session, this)),
       m_shots(new ShotActions(session, *m_viewport, *this)),
-      m_pipelines(new PipelineChooser(session, this)),
       m_cameraActions(new CameraActions(*m_viewport, this)),
       m_pictures(new PictureActions(*m_viewport, *this)),
-      m_fullView(new FullView(*this)),
       m_inspect(new InspectActions(session, *m_viewport, this)),
-      m_goToVertex(new GoToVertex(session, *m_viewport, this)),
-      m_help(new HelpActions(session, *m_viewport, this)),
-      m_viewportMenu(new ViewportMenu(session, *m_viewport, this)) {
+      m_help(new HelpActions(session, *m_viewport, this)) {
     new HelpTips(this);
     loadSessionSettings(QSettings(), session);
-    applyTheme(m_settings.theme);
     m_viewport->setOptions(m_settings.display);
     m_change = new ChangeActions(session, m_hitEffects, *m_viewport, this);
     m_cut = new CutActions(session, m_change->comparison(), *m_viewport, this);
@@ -97,50 +123,173 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     makeStartCard();
     new TimeBadge(session, m_viewport);
     m_textureChooser->choose(m_settings.coverTexture);
+    m_cameraActions->load(QSettings());
     connectFiles();
-    connectCameraAndPictures();
-    connectPicking();
-
+    connectMessages();
+    connectViewport();
     connect(&session, &Session::sceneReplaced, this, &MainWindow::followScene);
-    connect(&session, &Session::targetAdded, this, &MainWindow::followTargets);
-    connect(&session, &Session::targetRemoved, this, &MainWindow::followTargets);
-    connect(&session, &Session::undoChanged, this, &MainWindow::followHistory);
-    connect(&session, &Session::hitsAppended, this, &MainWindow::followHistory);
-    connect(&session, &Session::historyReset, this, &MainWindow::followHistory);
-    connect(&session, &Session::lightsChanged, this, &MainWindow::followLights);
+    followScene();
+    m_themes->followWindow();
+    restoreWindow();
+    statusBar()->showMessage(tr("Click shoots, drag orbits, wheel zooms. F1 lists all keys."), kHintStays);
+    m_viewport->setFocus();
+}
+
+MainWindow::~MainWindow() {
+    // The panels go before the models that they show, which are members.
+    hide();
+    qDeleteAll(findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly));
+}
+
+/// The picture, with notices above it and the card of first steps below.
+void MainWindow::makeCentre() {
+    auto* centre = new QWidget(this);
+    centre->setFocusProxy(m_viewport);
+    auto* column = new QVBoxLayout(centre);
+    column->setContentsMargins({});
+    column->setSpacing(0);
+    column->addWidget(m_notice);
+    column->addWidget(m_viewport, 1);
+    setCentralWidget(centre);
+}
+
+void MainWindow::makeStartCard() {
+    m_startCard = new StartCard({.inspect = m_inspect->inspect(),
+                                 .exportMesh = m_exports->exportMesh(),
+                                 .open = m_fileActions->open(),
+                                 .samples = m_fileActions->scenes()},
+                                this);
+    centralWidget()->layout()->addWidget(m_startCard);
+    m_helpMenu->insertAction(m_helpMenu->actions().value(1), m_startCard->toggle());
+    connect(m_viewport, &Viewport::shot, m_startCard, &StartCard::dismiss);
+}
+
+void MainWindow::showFirstSteps() {
+    m_guard->letGo();  // the first scene's dent is not the person's
+    m_startCard->restore(QSettings());
+}
+
+// Files
+
+void MainWindow::connectFiles() {
+    m_guard->letGo();  // of what was there before the window
+    connect(m_exports, &ExportActions::began, m_guard, &DiscardGuard::exportBegins);
+    connect(m_exports, &ExportActions::ended, m_guard, &DiscardGuard::exportEnds);
+    connect(m_hitActions, &HitActions::exportBegan, m_guard, &DiscardGuard::hitsExportBegins);
+    connect(m_hitActions, &HitActions::exported, m_guard, &DiscardGuard::hitsExported);
+    connect(m_fileActions, &FileActions::notYet, this, [this](const QString& text) {
+        m_notice->say(text, tr("Export Deformed Mesh…"), [this] { m_exports->choose(); });
+    });
+    connect(m_display, &DisplayActions::normalsChanged, this,
+            [this] { m_settings.exportNormals.reset(); });  // export follows the screen again
+    m_keeper = new SettingsKeeper([this](QSettings& settings) { saveSettings(settings); }, this);
+    connect(m_fileActions, &FileActions::opened, m_keeper, &SettingsKeeper::lookSoon);
+    connect(m_keeper, &SettingsKeeper::failed, this, [this](const QString& file) {
+        m_notice->say(
+            tr("Settings cannot be saved: %1 cannot be written. Changes last until the window is closed.")
+                .arg(QDir::toNativeSeparators(file)));
+    });
+    // Directly: the desktop waits for the answer.
+    connect(
+        qApp, &QGuiApplication::commitDataRequest, this,
+        [this](QSessionManager& manager) {
+            m_keeper->saveNow();
+            m_guard->answer(manager);
+        },
+        Qt::DirectConnection);
+}
+
+void MainWindow::openFiles(const QStringList& paths) {
+    m_files->open(paths);
+}
+
+void MainWindow::beginExport(const QString& path, std::optional<NormalMode> normals) {
+    m_exports->begin(path, normals);
+}
+
+Status MainWindow::exportTo(const QString& path, std::optional<NormalMode> normals) {
+    return m_exports->write(path, normals);
+}
+
+Status MainWindow::savePictureTo(const QString& path) {
+    return m_pictures->save(path);
+}
+
+void MainWindow::placeMesh(double extent) {
+    m_fileActions->place(extent);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (!FileActions::openable(*event->mimeData()).isEmpty()) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    const QStringList files = FileActions::openable(*event->mimeData());
+    if (!files.isEmpty()) {
+        event->acceptProposedAction();
+        activateWindow();
+        // Later: the program that was dragged from waits for the drop's end.
+        QMetaObject::invokeMethod(
+            this, [this, files] { m_fileActions->askAndOpen(files); }, Qt::QueuedConnection);
+    }
+}
+
+// What is said
+
+void MainWindow::say(const QString& text) {
+    statusBar()->showMessage(text, kMessageStays);
+}
+
+void MainWindow::fail(const Error& error) {
+    showError(this, error);
+}
+
+void MainWindow::connectMessages() {
+    connect(m_fileActions, &FileActions::said, this, &MainWindow::say);
+    connect(m_exports, &ExportActions::said, this, &MainWindow::say);
+    connect(m_shots, &ShotActions::said, this, &MainWindow::say);
+    connect(m_cameraActions, &CameraActions::said, this, &MainWindow::say);
+    connect(m_pictures, &PictureActions::said, this, &MainWindow::say);
+    connect(m_hitActions, &HitActions::said, this,
+            [this](const QString& text) { statusBar()->showMessage(text, kHintStays); });
+    connect(m_textureLocator, &TextureLocator::said, this, [this](const QString& text) {
+        m_notice->clear();  // it may name what has been found
+        say(text);
+    });
+    connect(m_shots, &ShotActions::noticeWanted, this, [this](const QString& text) { m_notice->say(text); });
     // Later: it is found out in the middle of drawing a frame.
     connect(
         m_pipelines, &PipelineChooser::fellBack, this,
         [this](const QString& notice) { m_notice->say(notice); }, Qt::QueuedConnection);
+    connect(m_files, &SceneFiles::failed, this, &MainWindow::fail);
+    connect(m_exports, &ExportActions::failed, this, &MainWindow::fail);
+    connect(m_hitActions, &HitActions::failed, this, &MainWindow::fail);
+    connect(m_cameraActions, &CameraActions::failed, this, &MainWindow::fail);
+    connect(m_pictures, &PictureActions::failed, this, &MainWindow::fail);
+    connect(m_textureLocator, &TextureLocator::failed, this, &MainWindow::fail);
+    connect(m_help, &HelpActions::failed, this, &MainWindow::fail);
+    connect(m_viewport, &Viewport::failed, this, &MainWindow::fail);
+}
+
+void MainWindow::connectViewport() {
     const InspectTool& tool = m_viewport->inspectTool();
     connect(&tool, &InspectTool::toolChanged, this,
             [this, &tool] { m_shots->aimPreview().setClicksShoot(tool.tool() == Tool::Shoot); });
-    connect(m_shots, &ShotActions::said, this,
-            [this](const QString& text) { statusBar()->showMessage(text, kMessageStays); });
-    connect(m_shots, &ShotActions::noticeWanted, this, [this](const QString& text) { m_notice->say(text); });
-    connect(m_hitActions, &HitActions::said, this,
-            [this](const QString& text) { statusBar()->showMessage(text, kHintStays); });
-    connect(m_hitActions, &HitActions::failed, this, [this](const Error& error) { showError(this, error); });
+    connect(m_goToVertex, &GoToVertex::arrived, this, [this] { showDock(QStringLiteral("vertexChanges")); });
+    connect(m_viewportMenu, &ViewportMenu::dockWanted, this, &MainWindow::showDock);
     connect(m_viewport, &Viewport::rendererKnown, this, [this] {
         m_status->setRenderer(m_viewport->rendererName());
         m_pipelines->leaveInexact();
     });
-    connect(m_viewport, &Viewport::failed, this, [this](const Error& error) { showError(this, error); });
     connect(&m_frameRateTimer, &QTimer::timeout, this, &MainWindow::followFrameRate);
     m_frameRateTimer.setInterval(kFrameRateInterval);
-    connect(&session.frameCosts(), &FrameCosts::frameEnded, this, [this] {
+    connect(&m_session.frameCosts(), &FrameCosts::frameEnded, this, [this] {
         if (!m_frameRateTimer.isActive()) {
             m_frameRateTimer.start();
         }
     });
-
-    followScene();
-    followDisplay();
-    followLights();
-    followViewportTheme();
-    restoreWindow();
-    statusBar()->showMessage(tr("Click shoots, drag orbits, wheel zooms. F1 lists all keys."), kHintStays);
-    m_viewport->setFocus();
 }
 
 void MainWindow::followFrameRate() {
@@ -151,128 +300,71 @@ void MainWindow::followFrameRate() {
     }
 }
 
-MainWindow::~MainWindow() {
-    // The panels go before the models that they show, which are members.
-    hide();
-    qDeleteAll(findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly));
-}
-
-void MainWindow::connectCameraAndPictures() {
-    connect(m_cameraActions, &CameraActions::said, this,
-            [this](const QString& text) { statusBar()->showMessage(text, kMessageStays); });
-    connect(m_cameraActions, &CameraActions::failed, this,
-            [this](const Error& error) { showError(this, error); });
-    m_cameraActions->load(QSettings());
-    connect(m_pictures, &PictureActions::said, this,
-            [this](const QString& text) { statusBar()->showMessage(text, kMessageStays); });
-    connect(m_pictures, &PictureActions::failed, this,
-            [this](const Error& error) { showError(this, error); });
-}
-
-void MainWindow::connectPicking() {
-    connect(m_textureLocator, &TextureLocator::said, this, [this](const QString& text) {
-        m_notice->clear();  // it may name what has been found
-        statusBar()->showMessage(text, kMessageStays);
-    });
-    connect(m_textureLocator, &TextureLocator::failed, this,
-            [this](const Error& error) { showError(this, error); });
-    connect(m_help, &HelpActions::failed, this, [this](const Error& error) { showError(this, error); });
-    connect(m_goToVertex, &GoToVertex::arrived, this, [this] { showDock(QStringLiteral("vertexChanges")); });
-    connect(m_viewportMenu, &ViewportMenu::dockWanted, this, &MainWindow::showDock);
-}
-
-void MainWindow::showDock(const QString& name) {
-    if (auto* dock = findChild<QDockWidget*>(name)) {
-        dock->show();
-        dock->raise();
-    }
+void MainWindow::followScene() {
+    setWindowTitle(m_session.sceneName());
+    m_notice->clear();
 }
 
 void MainWindow::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange && m_viewport != nullptr) {
-        followViewportTheme();
+    if (event->type() == QEvent::PaletteChange && m_themes != nullptr) {
+        m_themes->followWindow();
     }
 }
 
-void MainWindow::followScene() {
-    setWindowTitle(m_session.sceneName());
-    m_notice->clear();
-    followTargets();
-    followHistory();
+// What outlives the window, and how it ends
+
+void MainWindow::restoreWindow() {
+    // On a small screen no part of it is out of sight at first.
+    // The desktop's frame comes on top, and is not known before it does.
+    const int frame = style()->pixelMetric(QStyle::PM_TitleBarHeight);
+    resize(QSize(1440, 900).boundedTo(screen()->availableSize() - QSize(0, frame)));
+    m_firstLayout = saveState(kLayoutVersion);
+    const QSettings settings;
+    m_frameRate->restoreState(settings.value(QStringLiteral("window/frameRate")).toByteArray());
+    m_statisticsPanel->restoreState(settings.value(QStringLiteral("window/meshStatistics")).toByteArray());
+    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+    restoreState(settings.value(QStringLiteral("window/layout")).toByteArray(), kLayoutVersion);
 }
 
-void MainWindow::followTargets() {
-    const bool oneMesh = m_session.targets().size() == 1;
-    const QString onlyOne = tr("This is for scenes of one mesh.");
-    enableIf(*m_placeMesh, oneMesh, onlyOne);
-    enableIf(*m_fileCoordinates,
-             oneMesh && !m_session.targets().front()->deformed.original().placement.isIdentity(),
-             oneMesh ? tr("The mesh has its file's own coordinates.") : onlyOne);
-    enableIf(*m_export, !m_session.targets().empty(), tr("There is no target to export."));
+void MainWindow::resetLayout() {
+    restoreState(m_firstLayout, kLayoutVersion);
 }
 
-void MainWindow::followHistory() {
-    const auto name = [](QAction& action, const QString& text, const auto& step, const QString& why) {
-        enableIf(action, step.has_value(), why);
-        action.setText(step ? text + u' ' + undoText(*step) : text);
-    };
-    name(*m_undo, tr("&Undo"), m_session.undoName(), tr("There is nothing to undo."));
-    name(*m_redo, tr("&Redo"), m_session.redoName(), tr("There is nothing to redo."));
-    enableIf(*m_enableAll, m_session.disabledHits() > 0, tr("No hit is disabled."));
-    enableIf(*m_clear, m_session.history().size() > 0, tr("There are no hits yet."));
-}
-
-void MainWindow::followDisplay() {
-    const DisplayOptions& display = m_viewport->options();
-    m_wireframes[static_cast<std::size_t>(display.wireframe)]->setChecked(true);
-    m_normals[static_cast<std::size_t>(display.normals)]->setChecked(true);
-    m_textures->setChecked(display.textures);
-    m_floor->setChecked(display.floor);
-    m_crosshair->setChecked(display.crosshair);
-    m_shading->show(display);
-}
-
-void MainWindow::followLights() {
-    const Lights& lights = m_session.lights();
-    m_lights[0]->setChecked(lights.directional.on);
-    m_lights[1]->setChecked(std::any_of(lights.points.begin(), lights.points.end(),
-                                        [](const PointLight& light) { return light.on; }));
-    m_lights[2]->setChecked(lights.spot.on);
-}
-
-void MainWindow::followViewportTheme() {
-    DisplayOptions display = m_viewport->options();
-    display.theme = m_settings.viewportTheme.value_or(isDark(palette()) ? Theme::Dark : Theme::Light);
-    m_viewport->setOptions(display);
-}
-
-void MainWindow::changeDisplay(const std::function<void(DisplayOptions&)>& change) {
-    DisplayOptions display = m_viewport->options();
-    change(display);
-    if (display.normals != m_viewport->options().normals) {
-        m_settings.exportNormals.reset();  // export follows the screen again
+void MainWindow::saveSettings(QSettings& settings) {
+    if (!m_fullView->isOn()) {  // what is remembered is the window with all its parts
+        settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+        settings.setValue(QStringLiteral("window/layout"), saveState(kLayoutVersion));
     }
-    m_viewport->setOptions(display);
-    followDisplay();
+    settings.setValue(QStringLiteral("window/frameRate"), m_frameRate->saveState());
+    settings.setValue(QStringLiteral("window/meshStatistics"), m_statisticsPanel->saveState());
+    m_cameraActions->save(settings);
+    m_settings.display = m_viewport->options();
+    m_settings.coverTexture = m_textureChooser->chosen();
+    m_settings.stretchLimit = static_cast<double>(m_meshStatistics.measuring().stretchLimit());
+    saveAppSettings(settings, m_settings);
+    m_hitActions->save(settings);
+    saveSessionSettings(settings, m_session);
+    m_inspect->save(settings);
 }
 
-void MainWindow::cycleWireframe() {
-    changeDisplay([](DisplayOptions& display) {
-        display.wireframe = static_cast<WireframeMode>((static_cast<int>(display.wireframe) + 1) % 3);
-    });
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (m_guard->isAtRisk()) {
+        event->ignore();
+        m_guard->ask([this] {
+            m_guard->letGo();
+            close();
+        });
+        return;
+    }
+    endInOrder();
+    event->accept();
 }
 
-void MainWindow::toggleLight(const std::function<void(Lights&)>& change) {
-    Lights lights = m_session.lights();
-    change(lights);
-    m_session.setLights(lights);
-}
-
-void MainWindow::chooseTheme(ThemeChoice choice) {
-    m_settings.theme = choice;
-    applyTheme(choice);
-    followViewportTheme();
+void MainWindow::endInOrder() {
+    m_files->cancel();
+    m_fullView->set(false);
+    m_keeper->saveNow();
 }
 
 }  // namespace hitscope

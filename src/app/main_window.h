@@ -3,7 +3,6 @@
 
 #include <QMainWindow>
 #include <QTimer>
-#include <functional>
 #include <optional>
 
 #include "analysis/hit_effects.h"
@@ -11,10 +10,8 @@
 #include "models/hit_history_model.h"
 #include "models/mesh_statistics_model.h"
 #include "models/scene_model.h"
-#include "session/sample_scenes.h"
 #include "session/session.h"
 
-class QActionGroup;
 class QDockWidget;
 class QSettings;
 class QMenu;
@@ -25,6 +22,10 @@ class CameraActions;
 class ChangeActions;
 class CutActions;
 class DiscardGuard;
+class DisplayActions;
+class EditActions;
+class ExportActions;
+class FileActions;
 class FrameRatePanel;
 class FullView;
 class GoToVertex;
@@ -32,10 +33,10 @@ class HelpActions;
 class HitActions;
 class HitHistoryPanel;
 class InspectActions;
-class MeshExporter;
+class LightActions;
+class MeshStatisticsPanel;
 class NoticeBar;
 class PictureActions;
-class MeshStatisticsPanel;
 class PipelineChooser;
 class SceneFiles;
 class SettingsKeeper;
@@ -44,7 +45,7 @@ class StartCard;
 class StatusLine;
 class TextureChooser;
 class TextureLocator;
-class ShadingActions;
+class ThemeActions;
 class TimeActions;
 class Viewport;
 class ViewportMenu;
@@ -88,76 +89,33 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    static constexpr int kMessageStays = 8000;  // milliseconds in the status bar
-
     // Parts
     void makeCentre();
-    void makeStartCard();
     void makeDocks();
     QDockWidget* makeSceneDock();
     QDockWidget* makeHitDock(const HitHistoryPanel& history);
     QDockWidget* makeVertexChangesDock();
     QDockWidget* addDock(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area);
     void makeMenus();
-    void makeFileMenu();
-    void makeEditMenu();
     void makeViewMenu();
-    void makeDisplayActions(QMenu& menu);
-    void makeThemeMenus(QMenu& menu);
-    void makeMeshMenu();
     void makeShootMenu();
-    void makeLightsMenu();
     void makeHelpMenu();
     void makeToolBar();
-    QMenu* makeWireframeMenu();
+    void makeStartCard();
     void connectFiles();
-    void connectCameraAndPictures();
-    void connectPicking();
+    void connectMessages();
+    void connectViewport();
+
+    // What remains of the window itself
     void showDock(const QString& name);
-    void restoreWindow();
-    void resetLayout();
-
-    // Actions
-    QAction* addAction(QMenu& menu, const QString& text, const QKeySequence& keys, std::function<void()> act,
-                       const QString& icon = {});
-    QAction* addToggle(QMenu& menu, const QString& text, const QKeySequence& keys, bool on,
-                       std::function<void(bool)> act);
-    /// A checkable action in a group of which one is on.
-    QAction* addChoice(QMenu& menu, QActionGroup& group, const QString& text, bool on,
-                       std::function<void()> act);
-    /// An action whose key the viewport handles itself, since it is held down; the menu shows it.
-    QAction* addHeldKey(QMenu& menu, const QString& text, const QString& key, std::function<void()> act);
-
-    // Doing
-    void chooseFile();
-    void askAndOpen(const QStringList& paths);
-    void chooseAddition();
-    QStringList chooseMeshes(const QString& title);
-    void loadSample(SampleScene scene);
-    void chooseExport();
-    QStringList chooseExports(const std::vector<TargetId>& targets);
-    QString chooseExportOf(const Target& target);
-    QStringList exportAllInto(const std::vector<TargetId>& targets);
-    bool beginExportOf(const Target& target, const QString& path, NormalMode normals);
-    void sayNotYet(const QString& text);
-    void choosePlacement();
-    void showRecentFiles();
-    void saidOpened(const QStringList& paths, const QStringList& notes);
-    void cycleWireframe();
-    void changeDisplay(const std::function<void(DisplayOptions&)>& change);
-    void toggleLight(const std::function<void(Lights&)>& change);
-    void chooseTheme(ThemeChoice choice);
     void showProjectileDialog();
     void showKeys();
-
-    // Showing
+    void say(const QString& text);  ///< in the status bar, for a while
+    void fail(const Error& error);
     void followScene();
-    void followTargets();
-    void followHistory();
-    void followDisplay();
-    void followLights();
-    void followViewportTheme();
     void followFrameRate();
+    void restoreWindow();
+    void resetLayout();
     void saveSettings(QSettings& settings);
 
     Session& m_session;
@@ -170,24 +128,28 @@ private:
     NoticeBar* m_notice = nullptr;
     StartCard* m_startCard = nullptr;
     SceneFiles* m_files = nullptr;
-    MeshExporter* m_exporter = nullptr;
-    DiscardGuard* m_guard = nullptr;
     SettingsKeeper* m_keeper = nullptr;
-    HitActions* m_hitActions = nullptr;
     StatusLine* m_status = nullptr;
     TextureChooser* m_textureChooser = nullptr;
     TextureLocator* m_textureLocator = nullptr;
-    TimeActions* m_time = nullptr;
-    ShadingActions* m_shading = nullptr;
-    ShotActions* m_shots = nullptr;
     PipelineChooser* m_pipelines = nullptr;
+    FullView* m_fullView = nullptr;
+    ViewportMenu* m_viewportMenu = nullptr;
+    GoToVertex* m_goToVertex = nullptr;
+    HitActions* m_hitActions = nullptr;
+    ExportActions* m_exports = nullptr;
+    DiscardGuard* m_guard = nullptr;
+    FileActions* m_fileActions = nullptr;
+    EditActions* m_edit = nullptr;
+    DisplayActions* m_display = nullptr;
+    ThemeActions* m_themes = nullptr;
+    LightActions* m_lights = nullptr;
+    TimeActions* m_time = nullptr;
+    ShotActions* m_shots = nullptr;
     CameraActions* m_cameraActions = nullptr;
     PictureActions* m_pictures = nullptr;
-    FullView* m_fullView = nullptr;
     InspectActions* m_inspect = nullptr;
-    GoToVertex* m_goToVertex = nullptr;
     HelpActions* m_help = nullptr;
-    ViewportMenu* m_viewportMenu = nullptr;
     ChangeActions* m_change = nullptr;
     CutActions* m_cut = nullptr;
     FrameRatePanel* m_frameRate = nullptr;
@@ -195,29 +157,11 @@ private:
     QTimer m_frameRateTimer;
     QByteArray m_firstLayout;
 
-    QMenu* m_recentMenu = nullptr;
-    QMenu* m_scenesMenu = nullptr;
     QMenu* m_helpMenu = nullptr;
     QMenu* m_docksMenu = nullptr;
     QMenu* m_meshMenu = nullptr;
-    QMenu* m_wireframeMenu = nullptr;
-    QAction* m_open = nullptr;
-    QAction* m_export = nullptr;
-    QAction* m_undo = nullptr;
-    QAction* m_redo = nullptr;
-    QAction* m_enableAll = nullptr;
-    QAction* m_clear = nullptr;
     QAction* m_frame = nullptr;
     QAction* m_continuous = nullptr;
-    QAction* m_placeMesh = nullptr;
-    QAction* m_fileCoordinates = nullptr;
-    QAction* m_bounces = nullptr;
-    QAction* m_wireframes[3] = {};  ///< by WireframeMode
-    QAction* m_normals[2] = {};     ///< by NormalMode
-    QAction* m_textures = nullptr;
-    QAction* m_floor = nullptr;
-    QAction* m_crosshair = nullptr;
-    QAction* m_lights[3] = {};  ///< directional, points, spot
 };
 
 }  // namespace hitscope

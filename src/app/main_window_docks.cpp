@@ -11,6 +11,7 @@
 #include "app/actions/camera_actions.h"
 #include "app/actions/change_actions.h"
 #include "app/actions/cut_actions.h"
+#include "app/actions/file_actions.h"
 #include "app/actions/hit_actions.h"
 #include "app/main_window.h"
 #include "app/scene_files.h"
@@ -137,7 +138,7 @@ QDockWidget* MainWindow::makeHitDock(const HitHistoryPanel& history) {
 
 QDockWidget* MainWindow::makeSceneDock() {
     auto* panel = new ScenePanel(m_session, m_scene);
-    connect(panel, &ScenePanel::filesWanted, this, &MainWindow::chooseAddition);
+    connect(panel, &ScenePanel::filesWanted, this, [this] { m_fileActions->chooseAddition(); });
     connect(panel, &ScenePanel::targetWanted, this,
             [this](const QString& name, const std::function<TargetPlan()>& make) {
                 m_files->make(name, SceneFiles::Into::ThisScene, [make] { return ScenePlan{{}, {make()}}; });
@@ -153,9 +154,16 @@ QDockWidget* MainWindow::makeVertexChangesDock() {
     auto* changes = new VertexChangesModel(m_session, m_hitEffects, this);
     auto* attribution = new AttributionModel(m_session, this);
     auto* panel = new VertexChangesPanel(m_session, *changes, *attribution);
-    connect(panel, &VertexChangesPanel::failed, this, [this](const Error& error) { showError(this, error); });
+    connect(panel, &VertexChangesPanel::failed, this, &MainWindow::fail);
     connect(panel, &VertexChangesPanel::vertexWanted, m_viewport, &Viewport::lookAt);
     return addDock(QStringLiteral("vertexChanges"), tr("Vertex changes"), panel, Qt::BottomDockWidgetArea);
+}
+
+void MainWindow::showDock(const QString& name) {
+    if (auto* dock = findChild<QDockWidget*>(name)) {
+        dock->show();
+        dock->raise();
+    }
 }
 
 }  // namespace hitscope

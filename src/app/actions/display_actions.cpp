@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/display_actions.h"
+
+#include <QActionGroup>
+#include <QMenu>
+
+#include "app/actions/menu_building.h"
+#include "app/actions/shading_actions.h"
+#include "app/dialogs/texture_chooser.h"
+#include "viewport/viewport.h"
+
+namespace hitscope {
+
+DisplayActions::DisplayActions(Viewport& viewport, TextureChooser& textures, QObject* parent)
+    : QObject(parent), m_viewport(viewport), m_textureChooser(textures) {}
+
+void DisplayActions::fill(QMenu& menu, const std::function<void(QMenu&)>& fillMiddle) {
+    m_wireframeMenu = menu.addMenu(tr("&Wireframe"));
+    makeWireframeMenu(*m_wireframeMenu);
+    m_shading = new ShadingActions(this);
+    m_shading->fill(*menu.addMenu(tr("S&hading")));
+    connect(m_shading, &ShadingActions::switched, this, [this](DisplayOption option, bool on) {
+        change([option, on](DisplayOptions& display) { display.*option = on; });
+    });
+    makeNormalsMenu(*menu.addMenu(tr("&Normals")));
+    QMenu& textures = *menu.addMenu(tr("Te&xture"));
+    m_textureChooser.fill(textures);
+    textures.addSeparator();
+    m_textures = addToggle(textures, tr("&Show Textures"), Qt::Key_T, true, this, [this](bool on) {
+        change([on](DisplayOptions& display) { display.textures = on; });
+    });
+    fillMiddle(menu);
+    m_floor = addToggle(menu, tr("F&loor"), {}, true, this,
+                        [this](bool on) { change([on](DisplayOptions& display) { display.floor = on; }); });
+    m_crosshair = addToggle(menu, tr("&Crosshair"), Qt::Key_C, false, this, [this](bool on) {
+        change([on](DisplayOptions& display) { display.crosshair = on; });
+    });
+    follow();
+}
+
+void DisplayActions::makeWireframeMenu(QMenu& menu) {
+    auto* group = new QActionGroup(this);
+    const std::array<QString, 3> names{tr("&Off"), tr("O&ver the Surface"), tr("O&nly")};
+    for (std::size_t mode = 0; mode < names.size(); ++mode) {
+        m_wireframes[mode] = addChoice(menu, *group, names[mode], false, this, [this, mode] {
+            change([mode](DisplayOptions& display) { display.wireframe = static_cast<WireframeMode>(mode); });
+        });
+    }
+    menu.addSeparator();
+    addAction(menu, tr("Next &Mode"), Qt::Key_L, this, [this] { cycleWireframe(); });
+}
+
+void DisplayActions::makeNormalsMenu(QMenu& menu) {
+    auto* group = new QActionGroup(this);
+    const std::array<QString, 2> names{tr("&True (of the Dented Surface)"), tr("&Paper (Equation 2)")};
+    for (std::size_t mode = 0; mode < names.size(); ++mode) {
+        m_normals[mode] = addChoice(menu, *group, names[mode], false, this, [this, mode] {
+            change([mode](DisplayOptions& display) { display.normals = static_cast<NormalMode>(mode); });
+        });
+    }
+    menu.addSeparator();
+    addAction(menu, tr("&Switch"), Qt::Key_N, this, [this] {
+        change([](DisplayOptions& display) {
+            display.normals = display.normals == NormalMode::True ? NormalMode::Paper : NormalMode::True;
+        });
+    });
+}
+
+void DisplayActions::follow() {
+    const DisplayOptions& display = m_viewport.options();
+    m_wireframes[static_cast<std::size_t>(display.wireframe)]->setChecked(true);
+    m_normals[static_cast<std::size_t>(display.normals)]->setChecked(true);
+    m_textures->setChecked(display.textures);
+    m_floor->setChecked(display.floor);
+    m_crosshair->setChecked(display.crosshair);
+    m_shading->show(display);
+}
+
+void DisplayActions::change(const std::function<void(DisplayOptions&)>& how) {
+    DisplayOptions display = m_viewport.options();
+    how(display);
+    const bool areOtherNormals = display.normals != m_viewport.options().normals;
+    m_viewport.setOptions(display);
+    follow();
+    if (areOtherNormals) {
+        Q_EMIT normalsChanged();
+    }
+}
+
+void DisplayActions::cycleWireframe() {
+    change([](DisplayOptions& display) {
+        display.wireframe = static_cast<WireframeMode>((static_cast<int>(display.wireframe) + 1) % 3);
+    });
+}
+
+}  // namespace hitscope

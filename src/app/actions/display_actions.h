@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <array>
+#include <functional>
+
+#include "view/display_options.h"
+
+class QAction;
+class QMenu;
+
+namespace hitscope {
+
+class ShadingActions;
+class TextureChooser;
+class Viewport;
+
+/// How surfaces are drawn: wireframe, shading, normals, textures, floor, crosshair.
+class DisplayActions : public QObject {
+    Q_OBJECT
+public:
+    /// Both outlive this.
+    DisplayActions(Viewport& viewport, TextureChooser& textures, QObject* parent = nullptr);
+
+    /// `fillMiddle` adds what stands between the targets' looks and the floor. Once.
+    void fill(QMenu& menu, const std::function<void(QMenu&)>& fillMiddle);
+    [[nodiscard]] QMenu* wireframeMenu() const { return m_wireframeMenu; }
+    void cycleWireframe();
+    void follow();  ///< the viewport's options
+
+Q_SIGNALS:
+    void normalsChanged();  ///< other ones are on the screen
+
+private:
+    void makeWireframeMenu(QMenu& menu);
+    void makeNormalsMenu(QMenu& menu);
+    void change(const std::function<void(DisplayOptions&)>& how);
+
+    Viewport& m_viewport;
+    TextureChooser& m_textureChooser;
+    ShadingActions* m_shading = nullptr;
+    QMenu* m_wireframeMenu = nullptr;
+    std::array<QAction*, 3> m_wireframes{};  ///< by WireframeMode
+    std::array<QAction*, 2> m_normals{};     ///< by NormalMode
+    QAction* m_textures = nullptr;
+    QAction* m_floor = nullptr;
+    QAction* m_crosshair = nullptr;
+};
+
+}  // namespace hitscope

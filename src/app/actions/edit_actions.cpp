@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/edit_actions.h"
+
+#include <QAction>
+#include <QMenu>
+
+#include "app/actions/menu_building.h"
+#include "models/undo_text.h"
+#include "panels/help/help_text.h"
+#include "session/session.h"
+
+namespace hitscope {
+
+EditActions::EditActions(Session& session, QObject* parent) : QObject(parent), m_session(session) {}
+
+void EditActions::fill(QMenu& menu) {
+    m_undo = addAction(
+        menu, tr("&Undo"), QKeySequence::Undo, this, [this] { m_session.undo(); }, QStringLiteral("undo"));
+    m_redo = addAction(
+        menu, tr("&Redo"), tr("Ctrl+Shift+Z"), this, [this] { m_session.redo(); }, QStringLiteral("redo"));
+    menu.addSeparator();
+    m_enableAll = addAction(menu, tr("&Enable All Hits"), {}, this, [this] { m_session.enableAllHits(); });
+    m_clear = addAction(
+        menu, tr("&Clear Hits"), tr("Ctrl+Shift+Del"), this, [this] { m_session.clearHits(); },
+        QStringLiteral("remove"));
+    menu.addSeparator();
+    connect(&m_session, &Session::undoChanged, this, &EditActions::follow);
+    connect(&m_session, &Session::hitsAppended, this, &EditActions::follow);
+    connect(&m_session, &Session::historyReset, this, &EditActions::follow);
+    follow();
+}
+
+void EditActions::follow() {
+    const auto name = [](QAction& action, const QString& text, const auto& step, const QString& why) {
+        enableIf(action, step.has_value(), why);
+        action.setText(step ? text + u' ' + undoText(*step) : text);
+    };
+    name(*m_undo, tr("&Undo"), m_session.undoName(), tr("There is nothing to undo."));
+    name(*m_redo, tr("&Redo"), m_session.redoName(), tr("There is nothing to redo."));
+    enableIf(*m_enableAll, m_session.disabledHits() > 0, tr("No hit is disabled."));
+    enableIf(*m_clear, m_session.history().size() > 0, tr("There are no hits yet."));
+}
+
+}  // namespace hitscope

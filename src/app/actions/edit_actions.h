@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+class QAction;
+class QMenu;
+
+namespace hitscope {
+
+class Session;
+
+/// Undo and redo, which say what they would be about, and what concerns all hits.
+class EditActions : public QObject {
+    Q_OBJECT
+public:
+    /// `session` outlives this.
+    explicit EditActions(Session& session, QObject* parent = nullptr);
+
+    void fill(QMenu& menu);  ///< once
+    [[nodiscard]] QAction* undo() const { return m_undo; }
+    [[nodiscard]] QAction* redo() const { return m_redo; }
+
+private:
+    void follow();
+
+    Session& m_session;
+    QAction* m_undo = nullptr;
+    QAction* m_redo = nullptr;
+    QAction* m_enableAll = nullptr;
+    QAction* m_clear = nullptr;
+};
+
+}  // namespace hitscope

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/file_actions.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QMenu>
+#include <QMimeData>
+#include <QUrl>
+#include <algorithm>
+
+#include "app/actions/menu_building.h"
+#include "app/dialogs/dialogs.h"
+#include "app/dialogs/texture_locator.h"
+#include "app/discard_guard.h"
+#include "app/notice_bar.h"
+#include "app/scene_files.h"
+#include "app/settings/app_settings.h"
+#include "io/import.h"
+#include "panels/help/help_text.h"
+#include "session/shown_number.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr float kSmallestExtent = 0.5f;  // metres; projectiles are 0.2 m across
+constexpr float kLargestExtent = 200.0f;
+
+QString allMeshesFilter() {
+    QStringList patterns;
+    for (const QString& suffix : importSuffixes()) {
+        patterns.append(QStringLiteral("*.") + suffix);
+    }
+    return FileActions::tr("Meshes (%1)").arg(patterns.join(u' '));
+}
+
+bool canOpen(const QString& path) {
+    return importSuffixes().contains(QFileInfo(path).suffix().toLower());
+}
+
+}  // namespace
+
+FileActions::FileActions(const Parts& parts) : QObject(&parts.window), m_parts(parts) {
+    connect(&m_parts.files, &SceneFiles::opened, this, &FileActions::takeOpened);
+    connect(&m_parts.files, &SceneFiles::made, this, [this] { Q_EMIT said({}); });
+    connect(&m_parts.files, &SceneFiles::cancelled, this,
+            [this] { Q_EMIT said(tr("Cancelled. The scene is unchanged.")); });
+}
+
+void FileActions::fill(QMenu& menu) {
+    QAction* fresh = addAction(menu, tr("&New Scene"), QKeySequence::New, this, [this] {
+        Q_EMIT notYet(
+            tr("There is no empty scene yet. File > Scenes has ready ones, and File > Open takes a mesh."));
+    });
+    fresh->setStatusTip(tr("Will start an empty scene; there is none yet"));
+    m_open = addAction(
+        menu, tr("&Open…"), QKeySequence::Open, this, [this] { choose(); }, QStringLiteral("open"));
+    m_recent = menu.addMenu(tr("Open &Recent"));
+    m_recent->setToolTipsVisible(true);
+    connect(m_recent, &QMenu::aboutToShow, this, &FileActions::showRecent);
+    addAction(menu, tr("&Add to Scene…"), tr("Ctrl+Shift+O"), this, [this] { chooseAddition(); });
+    menu.addSeparator();
+    m_scenes = menu.addMenu(tr("&Scenes"));
+    fillScenes(*m_scenes);
+    menu.addSeparator();
+    QAction* save = addAction(menu, tr("&Save Session"), QKeySequence::Save, this, [this] {
+        Q_EMIT notYet(
+            tr("Sessions cannot be saved yet. Export the deformed mesh (Ctrl+E), or the hits (File > Export "
+               "Hits), to keep your work."));
+    });
+    save->setStatusTip(tr("Will save meshes, hits and settings in one file; sessions cannot be saved yet"));
+}
+
+void FileActions::fillScenes(QMenu& menu) {
+    QMenu& rows = *menu.addMenu(tr("Paper's &Tables"));
+    for (std::size_t row = 0; row < paperRows().size(); ++row) {
+        addAction(rows, tr("Row %1: %2").arg(row + 1).arg(paperRows()[row].label()), {}, this, [this, row] {
+            m_parts.guard.ask([this, row] { m_parts.session.loadPaperRow(static_cast<int>(row)); });
+        });
+    }
+    addAction(menu, tr("&Utah Teapot"), {}, this,
+              [this] { m_parts.guard.ask([this] { m_parts.session.loadTeapot(); }); });
+    for (const SampleScene sample : allSampleScenes()) {
+        addAction(menu, sampleSceneName(sample), {}, this,
+                  [this, sample] { m_parts.guard.ask([this, sample] { loadSample(sample); }); });
+    }
+}
+
+void FileActions::fillMesh(QMenu& menu) {
+    m_placeMesh = addAction(menu, tr("&Centre and Scale…"), {}, this, [this] { choosePlacement(); });
+    m_fileCoordinates = addAction(menu, tr("File's Own C&oordinates"), {}, this,
+                                  [this] { m_parts.guard.ask([this] { place(0.0); }); });
+    connect(&m_parts.session, &Session::sceneReplaced, this, &FileActions::follow);
+    connect(&m_parts.session, &Session::targetAdded, this, &FileActions::follow);
+    connect(&m_parts.session, &Session::targetRemoved, this, &FileActions::follow);
+    follow();
+}
+
+void FileActions::follow() {
+    const bool oneMesh = m_parts.session.targets().size() == 1;
+    const QString onlyOne = tr("This is for scenes of one mesh.");
+    enableIf(*m_placeMesh, oneMesh, onlyOne);
+    enableIf(*m_fileCoordinates,
+             oneMesh && !m_parts.session.targets().front()->deformed.original().placement.isIdentity(),
+             oneMesh ? tr("The mesh has its file's own coordinates.") : onlyOne);
+}
+
+QStringList FileActions::openable(const QMimeData& data) {
+    QStringList paths;
+    for (const QUrl& url : data.urls()) {
+        if (url.isLocalFile() && canOpen(url.toLocalFile())) {
+            paths.append(url.toLocalFile());
+        }
+    }
+    return paths;
+}
+
+QStringList FileActions::chooseMeshes(const QString& title) {
+    QStringList filters{allMeshesFilter()};
+    filters += importNameFilters();
+    filters += tr("All files (*)");
+    return QFileDialog::getOpenFileNames(&m_parts.window, title, existingFolder(m_parts.settings.folder),
+                                         filters.join(QStringLiteral(";;")));
+}
+
+void FileActions::choose() {
+    askAndOpen(chooseMeshes(tr("Open meshes")));
+}
+
+void FileActions::askAndOpen(const QStringList& paths) {
+    if (!paths.isEmpty()) {
+        m_parts.guard.ask([this, paths] { m_parts.files.open(paths); });
+    }
+}
+
+void FileActions::chooseAddition() {
+    m_parts.files.open(chooseMeshes(tr("Add meshes to the scene")), SceneFiles::Into::ThisScene);
+}
+
+void FileActions::loadSample(SampleScene scene) {
+    m_parts.files.make(sampleSceneName(scene), SceneFiles::Into::NewScene,
+                       [scene] { return planSampleScene(scene); });
+}
+
+void FileActions::takeOpened(const QStringList& paths, const QStringList& allNotes) {
+    for (const QString& path : paths) {
+        m_parts.settings.folder = QFileInfo(path).absolutePath();
+        m_parts.settings.addRecentFile(path);
+    }
+    Q_EMIT opened();
+    QStringList notes = allNotes;
+    for (const QString& texture : m_parts.textures.useRemembered()) {
+        notes.removeIf([&texture](const QString& note) { return note.contains(u'"' + texture + u'"'); });
+    }
+    sayOpened(notes);
+    Q_EMIT said(paths.size() == 1 ? tr("Opened %1").arg(QFileInfo(paths.front()).fileName())
+                                  : tr("Opened %n file(s)", nullptr, static_cast<int>(paths.size())));
+}
+
+/// What was dropped or mended on the way, and whether the mesh's size asks for something.
+void FileActions::sayOpened(const QStringList& notes) {
+    QStringList lines;
+    for (const QString& note : notes.mid(0, 6)) {
+        lines.append(note);
+    }
+    if (notes.size() > lines.size()) {
+        lines.append(tr("and %n more", nullptr, static_cast<int>(notes.size() - lines.size())));
+    }
+    const glm::vec3 size = m_parts.session.sceneBounds().size();
+    const float extent = std::max({size.x, size.y, size.z});
+    const bool oneMesh = m_parts.session.targets().size() == 1;
+    // What goes by the mesh's size fits it.
+    const bool dentFits = m_parts.session.constantsSetting().relative;
+    const bool projectileFits = m_parts.session.flightMode() == FlightMode::Quick ||
+                                m_parts.session.flightMode() == FlightMode::Instant;
+    const bool isUsual = extent >= kSmallestExtent && extent <= kLargestExtent;
+    if (oneMesh && extent > 0.0f && !isUsual && !(dentFits && projectileFits)) {
+        const ProjectileSettings projectile =
+            projectileOf(m_parts.session.flightMode(), m_parts.session.projectileSettings(), extent, extent);
+        const float reach = dentFits ? 2.0f * projectile.radius : m_parts.session.constants().maxDistance;
+        const QString text =
+            dentFits ? tr("This mesh is %1 m across; a projectile is %2 m_parts. With Quick or Instant "
+                          "in the tool bar, it goes by the size of the mesh.")
+                     : tr("This mesh is %1 m across; hits reach %2 m around where they land.");
+        lines.prepend(text.arg(shownNumber(static_cast<double>(extent), 'g', 3),
+                               shownNumber(static_cast<double>(reach), 'g', 3)));
+        m_parts.notice.say(lines.join(u'\n'),
+                           tr("Scale to %1 m").arg(shownNumber(static_cast<double>(kUsualExtent))),
+                           [this] { m_parts.guard.ask([this] { place(kUsualExtent); }); });
+    } else if (m_parts.textures.isAnyMissing()) {
+        m_parts.notice.say(lines.join(u'\n'), tr("Locate…"), [this] { m_parts.textures.locate(); });
+    } else if (!lines.isEmpty()) {
+        m_parts.notice.say(lines.join(u'\n'));
+    }
+}
+
+void FileActions::showRecent() {
+    m_recent->clear();
+    for (const QString& path : m_parts.settings.recentFiles) {
+        QAction* action =
+            m_recent->addAction(QFileInfo(path).fileName(), this, [this, path] { askAndOpen({path}); });
+        action->setToolTip(path);
+    }
+    if (m_parts.settings.recentFiles.isEmpty()) {
+        enableIf(*m_recent->addAction(tr("No files yet")), false,
+                 tr("Files that are opened are listed here."));
+        return;
+    }
+    m_recent->addSeparator();
+    m_recent->addAction(tr("Clear This List"), this, [this] { m_parts.settings.recentFiles.clear(); });
+}
+
+void FileActions::choosePlacement() {
+    bool accepted = false;
+    const double extent = QInputDialog::getDouble(
+        &m_parts.window, tr("Centre and scale"),
+        tr("Largest extent of the mesh, in metres.\nIts hits are cleared; the file's own "
+           "coordinates are kept for export."),
+        kUsualExtent, 0.01, 1000.0, 2, &accepted, {}, 0.5);
+    if (accepted) {
+        m_parts.guard.ask([this, extent] { place(extent); });
+    }
+}
+
+void FileActions::place(double extent) {
+    if (m_parts.session.targets().size() != 1) {
+        return;
+    }
+    const Target& target = *m_parts.session.targets().front();
+    const QString sourcePath = target.sourcePath;
+    MeshData mesh = target.deformed.original();
+    if (extent > 0.0) {
+        hitscope::place(mesh, static_cast<float>(extent));
+    } else if (!mesh.filePositions.empty()) {
+        std::transform(mesh.filePositions.begin(), mesh.filePositions.end(), mesh.positions.begin(),
+                       [](const glm::dvec3& position) { return glm::vec3(position); });
+        mesh.placement = {};
+    }
+    m_parts.session.loadMesh(std::move(mesh), sourcePath);
+}
+
+}  // namespace hitscope
