@@ -15,20 +15,27 @@
 namespace hitscope {
 namespace {
 
+/// What is read here, since releases of tinyobjloader differ in it, or do not tell.
 struct Given {
-    bool diffuse = false;
+    std::string name;      ///< with the blanks inside it, which some cut it at
+    bool diffuse = false;  // which colours there are: a missing one is read as black
     bool specular = false;
     bool ambient = false;
 };
 
-/// Which colours each material gives: tinyobjloader reads a missing one as black.
-std::vector<Given> givenColours(std::string_view text) {
+std::string_view withoutBlanksAtEnd(std::string_view text) {
+    const std::size_t last = text.find_last_not_of(" \t");
+    return text.substr(0, last == std::string_view::npos ? 0 : last + 1);
+}
+
+std::vector<Given> givenOf(std::string_view text) {
     std::vector<Given> given;
     for (TextCursor lines(text); !lines.atEnd();) {
         TextCursor line(lines.line());
         const std::string_view keyword = line.word();
-        if (keyword == "newmtl" && !line.word().empty()) {
-            given.emplace_back();
+        line.skipBlanks();
+        if (keyword == "newmtl" && !line.atEnd()) {
+            given.push_back({std::string(withoutBlanksAtEnd(line.rest()))});
         } else if (!given.empty()) {
             given.back().diffuse = given.back().diffuse || keyword == "Kd";
             given.back().specular = given.back().specular || keyword == "Ks";
@@ -59,7 +66,7 @@ NormalMap normalMapOf(const tinyobj::material_t& from) {
 
 Material convert(const tinyobj::material_t& from, const Given& given) {
     Material material;
-    material.name = from.name;
+    material.name = given.name;
     material.ambient = colour(from.ambient, given.ambient, material.ambient);
     material.diffuse = colour(from.diffuse, given.diffuse, material.diffuse);
     material.specular = colour(from.specular, given.specular, material.specular);
@@ -130,11 +137,11 @@ std::vector<Material> parseMtl(const std::string& text, QStringList* others) {
     std::string error;
     std::istringstream stream(unixText);
     tinyobj::LoadMtl(&index, &parsed, &stream, &warning, &error);
-    const std::vector<Given> given = givenColours(unixText);
+    const std::vector<Given> given = givenOf(unixText);
     std::vector<Material> materials;
     for (std::size_t m = 0; m < parsed.size(); ++m) {
-        if (!parsed[m].name.empty()) {  // a file without newmtl gives one nameless material
-            materials.push_back(convert(parsed[m], m < given.size() ? given[m] : Given{}));
+        if (m < given.size()) {  // a file without newmtl gives one nameless material
+            materials.push_back(convert(parsed[m], given[m]));
             if (others != nullptr) {
                 *others << otherMaps(parsed[m]);
             }
