@@ -15,6 +15,7 @@
 
 #include "app/actions/hit_actions.h"
 #include "app/discard_guard.h"
+#include "session/sample_scenes.h"
 #include "support/test_program.h"
 #include "window_support.h"
 

@@ -12,6 +12,7 @@
 #include "app/scene_files.h"
 #include "mesh/primitives.h"
 #include "panels/scene/scene_panel.h"
+#include "session/sample_scenes.h"
 #include "support/test_program.h"
 #include "window_support.h"
 
