@@ -14,6 +14,8 @@ namespace {
 constexpr float kWireOpacity = 0.55f;
 constexpr float kDenseOpacity = 0.6f;  // of wires that cannot be told apart, of that of a translucent surface
 
+constexpr float kBehind = 1.0f;  // glPolygonOffset's units: the least there is
+
 constexpr std::size_t kIndicesPerVertex = 6;  // of most surfaces
 
 /// Returns how many indices it drew.
@@ -42,6 +44,10 @@ Status drawTranslucent(const FrameContext& originals, float belowEdge, float opa
     program.set("u_colour", glm::vec4(originals.colours.accent, opacity));
     setCut(program, originals.frame);
     const ClipByCut clip(originals.frame);
+    // Where nothing is displaced any more it lies in the surface, and not every renderer calculates the same
+    // depths in two programs.
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(0.0f, kBehind);
     EarlyStart earlyStart(originals);
     for (const DrawItem& item : originals.frame.targets) {
         if (nearestEdgePixels(originals, item) >= belowEdge) {
@@ -51,6 +57,7 @@ Status drawTranslucent(const FrameContext& originals, float belowEdge, float opa
         glBindVertexArray(item.buffers->originalSurfaceArray());
         earlyStart.drawn(drawChanged(item) / kIndicesPerVertex);
     }
+    glDisable(GL_POLYGON_OFFSET_FILL);
     return Done{};
 }
 

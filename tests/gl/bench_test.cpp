@@ -8,6 +8,7 @@
 #include "cli/bench_gl/paper_feedback.h"
 #include "deform/deform.h"
 #include "deform/reference.h"
+#include "pipeline_rows.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
@@ -88,6 +89,7 @@ private Q_SLOTS:
         if (!gl.open()) {
             return;
         }
+        HITSCOPE_NEEDS_EXACT_ARITHMETIC();
         const RenderMesh mesh = buildRenderMesh(makeSphere(7938));
         {
             Result<PaperFeedback> paper = PaperFeedback::create(mesh.vertices);
@@ -111,6 +113,7 @@ private Q_SLOTS:
         if (!gl.open()) {
             return;
         }
+        HITSCOPE_NEEDS_EXACT_ARITHMETIC();
         const RenderMesh meshes[2] = {buildRenderMesh(makeSphere(5000)), buildRenderMesh(makeSphere(600))};
         {
             const TargetBuffers buffers[2] = {TargetBuffers(meshes[0]), TargetBuffers(meshes[1])};

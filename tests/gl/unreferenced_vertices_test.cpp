@@ -49,6 +49,9 @@ private Q_SLOTS:
         if (!session.readBack().whyUnavailable(static_cast<PipelineKind>(kind)).isEmpty()) {
             QSKIP("this renderer has no such pipeline");
         }
+        if (static_cast<PipelineKind>(kind) != PipelineKind::Reference) {
+            HITSCOPE_NEEDS_EXACT_ARITHMETIC();
+        }
         session.setPipeline(static_cast<PipelineKind>(kind));
         shootAll(session, demoShots(session, 40, 5));
         QVERIFY(session.history().size() > 30);
