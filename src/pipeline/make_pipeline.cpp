@@ -19,8 +19,8 @@ std::optional<std::string> whyUnavailable(PipelineKind kind) {
     if (!pipelineTraits(kind).needsCompute || version >= kComputeVersion) {
         return std::nullopt;
     }
-    return "Compute shaders need OpenGL 4.3; this graphics driver offers " + std::to_string(version / 10) +
-           "." + std::to_string(version % 10) + ".";
+    return "Compute shaders need OpenGL 4.3; this graphics driver offers OpenGL " +
+           std::to_string(version / 10) + "." + std::to_string(version % 10) + ".";
 }
 
 Result<std::unique_ptr<DeformationPipeline>> makePipeline(PipelineKind kind, const PipelineOptions& options) {

@@ -10,6 +10,7 @@
 #include "gl/context.h"
 #include "gl/render_target.h"
 #include "mesh/primitives.h"
+#include "pipeline/deformation_pipeline.h"
 #include "scene/scene_gpu.h"
 
 namespace hitscope {
@@ -117,11 +118,17 @@ private:
     std::unique_ptr<SceneGpu> m_gpu;
 };
 
+/// Those that run here, which only a context tells.
+std::vector<PipelineKind> runnable(std::vector<PipelineKind> pipelines) {
+    std::erase_if(pipelines, [](PipelineKind kind) { return whyUnavailable(kind).has_value(); });
+    return pipelines;
+}
+
 Result<std::vector<std::unique_ptr<Subject>>> makeSubjects(const ScenePlan& scene, const CostPlan& plan,
                                                            const DeformationConstants& constants,
                                                            const Lights& lights) {
     std::vector<std::unique_ptr<Subject>> subjects;
-    for (const PipelineKind pipeline : plan.pipelines) {
+    for (const PipelineKind pipeline : runnable(plan.pipelines)) {
         Result<std::unique_ptr<Subject>> made =
             Subject::make(scene, pipeline, constants, lights, std::max<std::size_t>(plan.hits.back(), 1));
         if (!made) {
@@ -195,14 +202,15 @@ Status measureSizes(const SizePlan& plan, const std::atomic<bool>& cancelled,
     SceneGpu::View view;
     view.width = plan.width;
     view.height = plan.height;
-    const int total = static_cast<int>(plan.vertices.size() * plan.pipelines.size()) * plan.samples;
+    const std::vector<PipelineKind> pipelines = runnable(plan.pipelines);
+    const int total = static_cast<int>(plan.vertices.size() * pipelines.size()) * plan.samples;
     int done = 0;
     for (const std::size_t vertices : plan.vertices) {
         const ScenePlan scene = sphereOf(vertices);
         const RenderMesh& mesh = *scene.targets.front().shape.render;
         view.camera.frame(worldBounds(mesh, scene.targets.front().transform),
                           static_cast<float>(plan.width) / static_cast<float>(plan.height));
-        for (const PipelineKind pipeline : plan.pipelines) {
+        for (const PipelineKind pipeline : pipelines) {
             Result<std::unique_ptr<Subject>> subject =
                 Subject::make(scene, pipeline, DeformationConstants{}, defaultLights({}), plan.hits);
             if (!subject) {
