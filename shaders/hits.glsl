@@ -66,7 +66,7 @@ bool applyHits(inout vec3 p, inout vec3 n)
 
 // What the buffers hold: src/pipeline/hit_batch.h.
 uniform samplerBuffer u_hits;  // three texels a hit
-uniform usamplerBuffer u_hitIndices;
+uniform usamplerBuffer u_hitIndices;  // four a texel
 uniform usamplerBuffer u_clusters;  // the batch's: first vertex, vertices, first index, indices
 uniform int u_hitBase;              // where the batch's hits, its indices ...
 uniform int u_indexBase;
@@ -81,7 +81,7 @@ bool applyHits(inout vec3 p, inout vec3 n)
     int last = first + int(cluster.w);
     bool reached = false;
     for (int i = first; i < last; ++i) {
-        int hit = 3 * (u_hitBase + int(texelFetch(u_hitIndices, i).x));
+        int hit = 3 * (u_hitBase + int(texelFetch(u_hitIndices, i >> 2)[i & 3]));
         vec4 a = texelFetch(u_hits, hit);
         vec4 b = texelFetch(u_hits, hit + 1);
         vec4 c = texelFetch(u_hits, hit + 2);

@@ -82,6 +82,9 @@ struct PipelineOptions {
     gl::Defines deformDefines;
     /// As if a uniform block could have so many bytes; for tests.
     std::optional<int> uniformBlockBytes;
+    /// Buffers that are filled piece by piece begin near their end, where some drivers do not read what was
+    /// written; for trials.
+    bool startsBuffersLate = false;
 };
 
 /// The error is why this context cannot run it, or the driver's.

@@ -41,7 +41,6 @@ public:
     explicit HitBatch(std::span<const Cluster> clusters)
         : m_clusters(clusters), m_slotOf(clusters.size(), kNoIndex) {}
 
-    /// What a buffer texture is sure to hold, in texels.
     static constexpr std::size_t kMostIndices = 65536;
     static constexpr std::size_t kMostHits = 4096;
 

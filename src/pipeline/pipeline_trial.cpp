@@ -210,7 +210,9 @@ PipelineVerdict tryPipeline(PipelineKind kind, const PipelineOptions& options) {
     const Trial& trial = theTrial();
     std::vector<TargetBuffers> buffers;
     buffers.reserve(kTargets);
-    Result<std::unique_ptr<DeformationPipeline>> made = makePipeline(kind, options);
+    PipelineOptions late = options;
+    late.startsBuffersLate = true;
+    Result<std::unique_ptr<DeformationPipeline>> made = makePipeline(kind, late);
     if (!made) {
         verdict.whyNot = made.error().what;
         return verdict;

@@ -3,8 +3,8 @@
 
 namespace hitscope {
 
-StreamBuffer::StreamBuffer(std::size_t elementBytes, std::size_t elements)
-    : m_elementBytes(elementBytes), m_elements(elements), m_next(0), m_buffer(gl::Buffer::make()) {
+StreamBuffer::StreamBuffer(std::size_t elementBytes, std::size_t elements, std::size_t first)
+    : m_elementBytes(elementBytes), m_elements(elements), m_next(first), m_buffer(gl::Buffer::make()) {
     glBindBuffer(GL_COPY_WRITE_BUFFER, m_buffer.id());
     glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(elements * elementBytes), nullptr,
                  GL_STREAM_DRAW);
@@ -17,6 +17,7 @@ std::size_t StreamBuffer::write(const void* elements, std::size_t count) {
         glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(m_elements * m_elementBytes), nullptr,
                      GL_STREAM_DRAW);
         m_next = 0;
+        ++m_restarts;
     }
     const std::size_t first = m_next;
     glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(first * m_elementBytes),

@@ -10,25 +10,18 @@ namespace hitscope {
 
 namespace {
 
-constexpr std::size_t kTexels = 65536;  // what a buffer texture is sure to hold
+// Of a buffer texture. OpenGL promises 65,536 and softpipe says so, but reads its first ones again beyond
+// these.
+constexpr std::size_t kTexels = 16384;
+constexpr std::size_t kIndicesPerTexel = 4;
 constexpr std::size_t kTexelsPerHit = sizeof(PackedHit) / (4 * sizeof(float));
-static_assert(HitBatch::kMostHits * kTexelsPerHit <= kTexels && HitBatch::kMostIndices <= kTexels);
+static_assert(HitBatch::kMostHits * kTexelsPerHit <= kTexels &&
+              HitBatch::kMostIndices <= kIndicesPerTexel * kTexels);
 
 // Texture units that nothing else uses, among the 16 that a vertex shader is sure to have.
 constexpr GLint kHitUnit = 13;
 constexpr GLint kIndexUnit = 14;
 constexpr GLint kClusterUnit = 15;
-
-void attach(const gl::Texture& texture, GLenum format, const StreamBuffer& buffer) {
-    glBindTexture(GL_TEXTURE_BUFFER, texture.id());
-    glTexBuffer(GL_TEXTURE_BUFFER, format, buffer.id());
-    glBindTexture(GL_TEXTURE_BUFFER, 0);
-}
-
-void bind(GLint unit, const gl::Texture& texture) {
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_BUFFER, texture.id());
-}
 
 void copyBack(GLuint scratch, GLuint dynamic, std::span<const VertexRange> ranges) {
     glBindBuffer(GL_COPY_READ_BUFFER, scratch);
@@ -54,21 +47,15 @@ Result<std::unique_ptr<DeformationPipeline>> TransformFeedbackPipeline::create(
     if (!pass) {
         return pass.error();
     }
-    return std::unique_ptr<DeformationPipeline>(new TransformFeedbackPipeline(std::move(pass).value()));
+    return std::unique_ptr<DeformationPipeline>(
+        new TransformFeedbackPipeline(std::move(pass).value(), options.startsBuffersLate));
 }
 
-TransformFeedbackPipeline::TransformFeedbackPipeline(CapturePass pass)
+TransformFeedbackPipeline::TransformFeedbackPipeline(CapturePass pass, bool startsLate)
     : m_pass(std::move(pass)),
-      m_hits(sizeof(PackedHit), kTexels / kTexelsPerHit),
-      m_indices(sizeof(std::uint32_t), kTexels),
-      m_clusters(sizeof(ClusterHits), kTexels),
-      m_hitTexture(gl::Texture::make()),
-      m_indexTexture(gl::Texture::make()),
-      m_clusterTexture(gl::Texture::make()) {
-    attach(m_hitTexture, GL_RGBA32F, m_hits);
-    attach(m_indexTexture, GL_R32UI, m_indices);
-    attach(m_clusterTexture, GL_RGBA32UI, m_clusters);
-}
+      m_hits(GL_RGBA32F, sizeof(PackedHit), kTexels / kTexelsPerHit, startsLate),
+      m_indices(GL_RGBA32UI, sizeof(std::uint32_t), kIndicesPerTexel * kTexels, startsLate),
+      m_clusters(GL_RGBA32UI, sizeof(ClusterHits), kTexels, startsLate) {}
 
 const PipelineTraits& TransformFeedbackPipeline::traits() const {
     return pipelineTraits(PipelineKind::TransformFeedback);
@@ -78,9 +65,9 @@ void TransformFeedbackPipeline::prepare(const gl::Program& program, std::size_t 
                                         std::size_t firstIndex) const {
     GLint unit = 0;
     glGetIntegerv(GL_ACTIVE_TEXTURE, &unit);
-    bind(kHitUnit, m_hitTexture);
-    bind(kIndexUnit, m_indexTexture);
-    bind(kClusterUnit, m_clusterTexture);
+    m_hits.bind(kHitUnit);
+    m_indices.bind(kIndexUnit);
+    m_clusters.bind(kClusterUnit);
     glActiveTexture(static_cast<GLenum>(unit));
     program.set("u_hits", kHitUnit);
     program.set("u_hitIndices", kIndexUnit);

@@ -3,7 +3,7 @@
 
 #include "pipeline/capture_pass.h"
 #include "pipeline/kept_vertices_pipeline.h"
-#include "pipeline/stream_buffer.h"
+#include "pipeline/stream_texture.h"
 
 namespace hitscope {
 
@@ -16,7 +16,7 @@ public:
     [[nodiscard]] const PipelineTraits& traits() const override;
 
 private:
-    explicit TransformFeedbackPipeline(CapturePass pass);
+    TransformFeedbackPipeline(CapturePass pass, bool startsLate);
     void deform(TargetId target, TargetBuffers& buffers, const HitBatch& batch) override;
     void learnTarget(TargetId target, TargetBuffers& buffers) override;
     void deformPart(TargetBuffers& buffers, std::span<const ClusterHits> clusters, std::size_t firstHit,
@@ -24,12 +24,9 @@ private:
     void prepare(const gl::Program& program, std::size_t firstHit, std::size_t firstIndex) const;
 
     CapturePass m_pass;
-    StreamBuffer m_hits;
-    StreamBuffer m_indices;
-    StreamBuffer m_clusters;
-    gl::Texture m_hitTexture;
-    gl::Texture m_indexTexture;
-    gl::Texture m_clusterTexture;
+    StreamTexture m_hits;
+    StreamTexture m_indices;
+    StreamTexture m_clusters;
     std::vector<CaptureRun> m_runs;
 };
 
