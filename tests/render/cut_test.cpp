@@ -7,6 +7,7 @@
 #include "mesh/primitives.h"
 #include "open_renderer.h"
 #include "render/pick_pass.h"
+#include "render/picking_trial.h"
 #include "render_support.h"
 #include "support/baseline.h"
 #include "support/gl_fixture.h"
@@ -261,6 +262,7 @@ void CutTest::picksWhatIsSeen() {
     Frame cut = frame();
     cut.options.cut = acrossX(0.3f);
     PickPass pass;
+    pass.setWay(tryPicking().byGeometry);
     const PixelArea all{0, 0, kSide, kSide};
     DeformationPipeline* shown = pipeline.get();
     const auto count = [&](PickElements elements, int from, int to) {
