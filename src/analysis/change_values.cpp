@@ -57,7 +57,7 @@ ChangeValues::ChangeValues(Session& session, Shapes shapes, QObject* parent)
     m_histogramTimer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &ChangeValues::work);
     connect(&m_histogramTimer, &QTimer::timeout, this, &ChangeValues::workOnHistogram);
-    connect(&session, &Session::targetRemoved, this, [this](TargetId id) {
+    connect(&session.targets(), &SessionTargets::removed, this, [this](TargetId id) {
         const auto known = m_targets.find(id);
         if (known != m_targets.end()) {
             m_waiting -= known->second->waiting.size();
@@ -66,7 +66,7 @@ ChangeValues::ChangeValues(Session& session, Shapes shapes, QObject* parent)
         }
     });
     connect(&session, &Session::sceneReplaced, this, &ChangeValues::restart);
-    connect(&session, &Session::targetChanged, this, &ChangeValues::announce);  // it may be hidden
+    connect(&session.targets(), &SessionTargets::changed, this, &ChangeValues::announce);  // it may be hidden
 }
 
 ChangeValues::~ChangeValues() = default;
@@ -126,7 +126,7 @@ void ChangeValues::start(const Target& target) {
 }
 
 void ChangeValues::touch(TargetId id, std::span<const std::uint32_t> renderVertices) {
-    const Target* target = m_session.target(id);
+    const Target* target = m_session.targets().find(id);
     if (!m_quantity || target == nullptr || renderVertices.empty()) {
         return;
     }
@@ -141,7 +141,7 @@ void ChangeValues::touch(TargetId id, std::span<const std::uint32_t> renderVerti
 }
 
 void ChangeValues::touchAll(TargetId id) {
-    const Target* target = m_session.target(id);
+    const Target* target = m_session.targets().find(id);
     if (m_quantity && target != nullptr) {
         start(*target);
         work();

@@ -14,7 +14,8 @@ Comparison::Comparison(Session& session, QObject* parent)
     connect(this, &Comparison::verticesChanged, &m_difference, &ChangeValues::touch);
     connect(this, &Comparison::verticesChanged, &m_values, &ChangeValues::touch);
     connect(&m_values, &ChangeValues::valuesChanged, this, &Comparison::valuesChanged);
-    connect(&session, &Session::targetRemoved, this, [this](TargetId target) { m_shapes.erase(target); });
+    connect(&session.targets(), &SessionTargets::removed, this,
+            [this](TargetId target) { m_shapes.erase(target); });
     connect(&session, &Session::sceneReplaced, this, [this] {
         m_shapes.clear();
         m_report = {};
@@ -55,7 +56,7 @@ std::span<const DynamicVertex> Comparison::vertices(TargetId target) const {
         return known->second->deformed.vertices();
     }
     // Nothing has come: it is as it was.
-    const Target* original = m_other ? m_session.target(target) : nullptr;
+    const Target* original = m_other ? m_session.targets().find(target) : nullptr;
     return original != nullptr ? std::span<const DynamicVertex>(original->deformed.render().vertices)
                                : std::span<const DynamicVertex>();
 }
@@ -88,7 +89,7 @@ std::span<const glm::vec3> Comparison::normals(TargetId target) const {
 }
 
 void Comparison::take(TargetId id, std::uint32_t first, std::span<const DynamicVertex> vertices) {
-    const Target* target = m_session.target(id);
+    const Target* target = m_session.targets().find(id);
     if (target == nullptr) {
         return;
     }

@@ -23,7 +23,7 @@ public:
     /// Nothing: no comparison, and no cost.
     void setOther(std::optional<PipelineKind> other);
     [[nodiscard]] std::optional<PipelineKind> other() const { return m_other; }
-    [[nodiscard]] PipelineKind first() const { return m_session.pipeline(); }  ///< A
+    [[nodiscard]] PipelineKind first() const { return m_session.settings().pipeline(); }  ///< A
 
     /// Of the vertices that moved under A, or are elsewhere under B. Kept from when both had arrived last.
     struct Report {

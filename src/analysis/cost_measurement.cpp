@@ -12,7 +12,7 @@ namespace {
 
 ScenePlan planOf(const Session& session) {
     ScenePlan plan;
-    plan.floorHeight = session.floorHeight();
+    plan.floorHeight = session.targets().floorHeight();
     for (const std::unique_ptr<Target>& target : session.targets()) {
         if (target->visible && !target->deformed.vertices().empty()) {
             plan.targets.push_back({target->name, target->shape, target->transform, *target->collider, {}});
@@ -35,8 +35,9 @@ CostMeasurement::~CostMeasurement() {
 }
 
 void CostMeasurement::start(const Session& session, const Camera& camera, CostPlan plan) {
-    auto order = std::make_shared<const CostOrder>(
-        CostOrder{planOf(session), session.constants(), session.lights(), camera, std::move(plan)});
+    auto order =
+        std::make_shared<const CostOrder>(CostOrder{planOf(session), session.settings().constants(),
+                                                    session.settings().lights(), camera, std::move(plan)});
     run([order, measure = m_meter.scene](const std::atomic<bool>& cancelled,
                                          const CostMeter::Report& report) {
         return measure(*order, cancelled, report);

@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include "analysis/cost_curves.h"
 #include "core/result.h"
-#include "session/cost_curves.h"
 #include "session/session.h"
 #include "view/camera.h"
 

@@ -126,20 +126,20 @@ DentMeasurement::DentMeasurement(Session& session, QObject* parent) : QObject(pa
     m_job.showIn(session.tasks(), tr("Measuring the dent"));
     connect(&m_timer, &QTimer::timeout, this, &DentMeasurement::gather);
     connect(&session.selection(), &VertexSelection::pickedChanged, this, &DentMeasurement::followPick);
-    connect(&session, &Session::hitSelected, this, &DentMeasurement::followHit);
+    connect(&session.hits(), &SessionHits::selectedChanged, this, &DentMeasurement::followHit);
     connect(&session.readBack(), &ReadBack::meshChanged, this, &DentMeasurement::followMesh);
     connect(&session.readBack(), &ReadBack::verticesMoved, this,
             [this](TargetId id, const std::vector<std::uint32_t>& vertices) {
-                if (const Target* moved = m_session.target(id)) {
+                if (const Target* moved = m_session.targets().find(id)) {
                     m_copies.note(*moved, vertices);
                 }
             });
-    connect(&session, &Session::hitsChanged, this, &DentMeasurement::request);
-    connect(&session, &Session::hitsRearranged, this, &DentMeasurement::request);
-    connect(&session, &Session::shownHitsChanged, this, &DentMeasurement::request);
+    connect(&session.hits(), &SessionHits::changed, this, &DentMeasurement::request);
+    connect(&session.hits(), &SessionHits::rearranged, this, &DentMeasurement::request);
+    connect(&session.hits(), &SessionHits::shownChanged, this, &DentMeasurement::request);
     connect(&session.readBack(), &ReadBack::capacityChanged, this, &DentMeasurement::request);
     connect(&session, &Session::sceneReplaced, this, &DentMeasurement::forget);
-    connect(&session, &Session::targetRemoved, this, &DentMeasurement::forget);
+    connect(&session.targets(), &SessionTargets::removed, this, &DentMeasurement::forget);
     forget();
 }
 
@@ -159,7 +159,7 @@ void DentMeasurement::followPick() {
 }
 
 void DentMeasurement::followHit() {
-    if (m_session.selectedHit()) {
+    if (m_session.hits().selected()) {
         m_source = Source::Hit;
     }
     if (m_source == Source::Hit) {
@@ -205,18 +205,18 @@ QString DentMeasurement::whyNotMeasured() const {
     if (m_source != Source::Hit) {
         return {};
     }
-    const std::optional<std::size_t> row = m_session.selectedHit();
+    const std::optional<std::size_t> row = m_session.hits().selected();
     if (!row) {
         return tr("Select a hit, or right-click a dent in the viewport.");
     }
     const QString number = shownCount(*row + 1);
-    if (!m_session.history().hits()[*row].enabled) {
+    if (!m_session.hits().history().hits()[*row].enabled) {
         return tr("Hit %1 is disabled, so it has no dent to measure.").arg(number);
     }
-    if (*row >= m_session.shownHits().size()) {
+    if (*row >= m_session.hits().shown().size()) {
         return tr("Hit %1 comes after the hits that are shown, so it has no dent to measure.").arg(number);
     }
-    return m_session.isApplied(*row)
+    return m_session.hits().isApplied(*row)
                ? QString()
                : tr("The pipeline has dropped hit %1, so it has no dent to measure.").arg(number);
 }
@@ -225,8 +225,8 @@ std::optional<TargetId> DentMeasurement::target() const {
     if (m_source == Source::Vertex && m_picked[1]) {
         return m_picked[1]->target;
     }
-    if (m_source == Source::Hit && m_session.selectedHit()) {
-        return m_session.history().hits()[*m_session.selectedHit()].target;
+    if (m_source == Source::Hit && m_session.hits().selected()) {
+        return m_session.hits().history().hits()[*m_session.hits().selected()].target;
     }
     return std::nullopt;
 }
@@ -265,7 +265,7 @@ void DentMeasurement::request() {
 /// Carries over what has moved, over several turns of the event loop if it is much; then starts.
 void DentMeasurement::gather() {
     const std::optional<TargetId> id = target();
-    const Target* of = id ? m_session.target(*id) : nullptr;
+    const Target* of = id ? m_session.targets().find(*id) : nullptr;
     if (of == nullptr || !m_isDue) {
         return;
     }
@@ -287,13 +287,13 @@ void DentMeasurement::start(const Target& target) {
     job->target = target.id;
     job->name = target.name;
     job->part = m_copies.take(target.id);
-    job->update = m_history.update(m_session.history(), m_session.appliedHits());
+    job->update = m_history.update(m_session.hits().history(), m_session.hits().applied());
     job->history = m_history.copy();
     job->angle = static_cast<float>(m_angle);
     if (m_source == Source::Vertex) {
         job->vertex = m_picked[1]->vertex;
     } else {
-        job->row = *m_session.selectedHit();
+        job->row = *m_session.hits().selected();
     }
     m_job.start(*this, job, &DentMeasurement::take);
 }
@@ -317,8 +317,8 @@ std::optional<DentMeasurement::Distance> DentMeasurement::distance() const {
     if (!m_picked[0] || !m_picked[1]) {
         return std::nullopt;
     }
-    const Target* from = m_session.target(m_picked[0]->target);
-    const Target* to = m_session.target(m_picked[1]->target);
+    const Target* from = m_session.targets().find(m_picked[0]->target);
+    const Target* to = m_session.targets().find(m_picked[1]->target);
     if (from == nullptr || to == nullptr) {
         return std::nullopt;
     }

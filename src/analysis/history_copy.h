@@ -11,7 +11,7 @@
 namespace hitscope {
 
 /// A copy of a session's hits on another thread that is kept up to date at the cost of the edits; hits that
-/// are not applied to what is shown (Session::appliedHits()) are disabled in it. What brings it there,
+/// are not applied to what is shown (SessionHits::applied()) are disabled in it. What brings it there,
 /// HistoryFollower::update(), is made on the session's thread; the copy itself is used by one thread at a
 /// time.
 class HistoryCopy {

@@ -125,16 +125,16 @@ void HitEffects::Worker::run() {
 HitEffects::HitEffects(Session& session, QObject* parent)
     : QObject(parent), m_session(session), m_worker(std::make_shared<Worker>()) {
     connect(&session, &Session::sceneReplaced, this, &HitEffects::startOver);
-    connect(&session, &Session::targetAdded, this, &HitEffects::followShape);
-    connect(&session, &Session::targetRemoved, this, [this](TargetId target) {
+    connect(&session.targets(), &SessionTargets::added, this, &HitEffects::followShape);
+    connect(&session.targets(), &SessionTargets::removed, this, [this](TargetId target) {
         m_counts.erase(target);
         followShape(target);
         Q_EMIT countsChanged(target, {});
     });
-    connect(&session, &Session::hitsAppended, this, &HitEffects::follow);
-    connect(&session, &Session::hitsChanged, this, &HitEffects::follow);
-    connect(&session, &Session::hitsRearranged, this, &HitEffects::follow);
-    connect(&session, &Session::shownHitsChanged, this, &HitEffects::followApplied);
+    connect(&session.hits(), &SessionHits::appended, this, &HitEffects::follow);
+    connect(&session.hits(), &SessionHits::changed, this, &HitEffects::follow);
+    connect(&session.hits(), &SessionHits::rearranged, this, &HitEffects::follow);
+    connect(&session.hits(), &SessionHits::shownChanged, this, &HitEffects::followApplied);
     connect(&session.readBack(), &ReadBack::capacityChanged, this, &HitEffects::followApplied);
     startOver();
 }
@@ -163,26 +163,26 @@ void HitEffects::startOver() {
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
         shapes[target->id] = target->deformed.sharedRender();
     }
-    m_revision = m_session.history().revision();
+    m_revision = m_session.hits().history().revision();
     m_hasToFollow = false;
-    submit({m_applied.startOver(m_session.history().hits(), m_session.appliedHits())}, shapes);
+    submit({m_applied.startOver(m_session.hits().history().hits(), m_session.hits().applied())}, shapes);
 }
 
 void HitEffects::followShape(TargetId id) {
-    const Target* target = m_session.target(id);
+    const Target* target = m_session.targets().find(id);
     submit({}, {{id, target != nullptr ? target->deformed.sharedRender() : nullptr}});
 }
 
 void HitEffects::follow() {
-    std::optional<std::vector<HistoryEdit>> edits = m_session.history().editsSince(m_revision);
+    std::optional<std::vector<HistoryEdit>> edits = m_session.hits().history().editsSince(m_revision);
     if (!edits) {
         startOver();
         return;
     }
-    m_revision = m_session.history().revision();
+    m_revision = m_session.hits().history().revision();
     m_hasToFollow = false;
     std::vector<HistoryEdit> made =
-        m_applied.follow(*edits, m_session.history().hits(), m_session.appliedHits());
+        m_applied.follow(*edits, m_session.hits().history().hits(), m_session.hits().applied());
     if (!made.empty()) {
         submit(std::move(made), {});
     }
@@ -258,7 +258,7 @@ void HitEffects::takeRows(std::vector<HistoryEffects::Changes::Row>& rows) {
 }
 
 void HitEffects::takeCounts(const HistoryEffects::Changes::Counts& counts) {
-    const Target* target = m_session.target(counts.target);
+    const Target* target = m_session.targets().find(counts.target);
     if (target == nullptr) {
         return;
     }
@@ -296,11 +296,11 @@ void HitEffects::finish() {
 }
 
 void HitEffects::findVertices(std::size_t row) {
-    if (row >= m_session.history().size()) {
+    if (row >= m_session.hits().history().size()) {
         return;
     }
     const std::lock_guard lock(m_worker->mutex);
-    m_worker->question = {m_asked, row, m_session.history().hits()[row].target};
+    m_worker->question = {m_asked, row, m_session.hits().history().hits()[row].target};
     m_worker->runIfIdle();
 }
 

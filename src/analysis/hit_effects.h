@@ -16,7 +16,7 @@
 namespace hitscope {
 
 /// What each hit of a session did, and how many hits moved each vertex, by the reference deformation, which
-/// all pipelines agree with. Of the hits that made what is shown (Session::isApplied()).
+/// all pipelines agree with. Of the hits that made what is shown (SessionHits::isApplied()).
 ///
 /// Worked out on a thread of its own, at the cost of what the edits of the history reach; results come
 /// through the event loop, a moment after the edits. Memory: 30 bytes a vertex of the targets that have hits,

@@ -48,7 +48,7 @@ std::vector<std::string> pipelineKeys() {
 }
 
 HitRecords recordsOf(const Session& session, const HitEffects* effects, std::span<const std::size_t> rows) {
-    const std::span<const Hit> hits = session.history().hits();
+    const std::span<const Hit> hits = session.hits().history().hits();
     HitRecords table;
     table.pipelines = pipelineKeys();
     for (const std::unique_ptr<Target>& target : session.targets()) {
@@ -65,7 +65,7 @@ HitRecords recordsOf(const Session& session, const HitEffects* effects, std::spa
 }
 
 HitRecords recordsOf(const Session& session, const HitEffects* effects) {
-    std::vector<std::size_t> rows(session.history().size());
+    std::vector<std::size_t> rows(session.hits().history().size());
     std::iota(rows.begin(), rows.end(), std::size_t{0});
     return recordsOf(session, effects, rows);
 }
@@ -112,7 +112,7 @@ Status appendRecords(Session& session, const HitRecords& table) {
     for (Hit& hit : hits) {
         hit.target = ids[hit.target];
     }
-    return session.addHits(hits);
+    return session.hits().add(hits);
 }
 
 }  // namespace hitscope

@@ -7,13 +7,13 @@ namespace hitscope {
 
 HitHighlight::HitHighlight(Session& session, HitEffects& effects, QObject* parent)
     : QObject(parent), m_session(session), m_effects(effects) {
-    connect(&session, &Session::hitSelected, this, &HitHighlight::followHit);
+    connect(&session.hits(), &SessionHits::selectedChanged, this, &HitHighlight::followHit);
     // The effects have been connected before: what is asked about is the history as it is now.
-    connect(&session, &Session::hitsChanged, this, &HitHighlight::followHistory);
-    connect(&session, &Session::hitsRearranged, this, &HitHighlight::followHistory);
+    connect(&session.hits(), &SessionHits::changed, this, &HitHighlight::followHistory);
+    connect(&session.hits(), &SessionHits::rearranged, this, &HitHighlight::followHistory);
     connect(&effects, &HitEffects::verticesFound, this,
             [this](TargetId target, const std::vector<std::uint32_t>& vertices) {
-                if (m_follows && m_session.selectedHit()) {
+                if (m_follows && m_session.hits().selected()) {
                     light(target, vertices);
                 }
             });
@@ -26,17 +26,17 @@ HitHighlight::HitHighlight(Session& session, HitEffects& effects, QObject* paren
 }
 
 void HitHighlight::followHit() {
-    const std::optional<std::size_t> hit = m_session.selectedHit();
+    const std::optional<std::size_t> hit = m_session.hits().selected();
     m_follows = hit.has_value();
     if (hit) {
         m_effects.findVertices(*hit);
     } else if (m_isLit) {
-        light(m_session.selectedTarget(), {});
+        light(m_session.targets().selected(), {});
     }
 }
 
 void HitHighlight::followHistory() {
-    const std::optional<std::size_t> hit = m_session.selectedHit();
+    const std::optional<std::size_t> hit = m_session.hits().selected();
     if (hit && m_follows) {
         m_effects.findVertices(*hit);
     }

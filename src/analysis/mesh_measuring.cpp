@@ -46,16 +46,16 @@ MeshMeasuring::MeshMeasuring(Session& session, QObject* parent) : QObject(parent
     m_job.showIn(session.tasks(), tr("Measuring the mesh"));
     connect(&m_timer, &QTimer::timeout, this, &MeshMeasuring::gather);
     connect(&session, &Session::sceneReplaced, this, &MeshMeasuring::startOver);
-    connect(&session, &Session::targetRemoved, this, &MeshMeasuring::forget);
+    connect(&session.targets(), &SessionTargets::removed, this, &MeshMeasuring::forget);
     connect(&session.readBack(), &ReadBack::verticesMoved, this,
             [this](TargetId id, const std::vector<std::uint32_t>& vertices) {
-                const Target* target = m_session.target(id);
+                const Target* target = m_session.targets().find(id);
                 if (m_active && target != nullptr && m_copies.note(*target, vertices) &&
                     std::find(m_targets.begin(), m_targets.end(), id) != m_targets.end()) {
                     schedule();
                 }
             });
-    connect(&session, &Session::targetChanged, this, [this] {
+    connect(&session.targets(), &SessionTargets::changed, this, [this] {
         if (!m_alone) {
             schedule();  // it may stand elsewhere
         }
@@ -137,7 +137,7 @@ void MeshMeasuring::gather() {
     auto room = m_copies.kATurn;
     bool isAll = true;
     for (const TargetId id : m_targets) {
-        if (const Target* target = m_session.target(id)) {
+        if (const Target* target = m_session.targets().find(id)) {
             isAll = m_copies.gather(*target, room, [&] {
                 return std::make_shared<MeasuredTarget>(id, target->deformed.sharedOriginal());
             }) && isAll;
@@ -160,11 +160,11 @@ void MeshMeasuring::start() {
     job->alone = m_alone;
     job->stretchLimit = m_stretchLimit;
     for (const TargetId id : m_targets) {
-        if (const Target* target = m_session.target(id)) {
+        if (const Target* target = m_session.targets().find(id)) {
             job->parts.push_back({m_copies.take(id), target->transform});
         }
     }
-    job->update = m_history.update(m_session.history(), m_session.appliedHits());
+    job->update = m_history.update(m_session.hits().history(), m_session.hits().applied());
     job->history = m_history.copy();
     m_job.start(*this, job, &MeshMeasuring::take);
 }

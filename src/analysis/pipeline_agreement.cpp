@@ -107,15 +107,15 @@ PipelineAgreement::PipelineAgreement(Session& session, QObject* parent)
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &PipelineAgreement::gather);
     connect(&session, &Session::sceneReplaced, this, &PipelineAgreement::startOver);
-    connect(&session, &Session::targetRemoved, this, &PipelineAgreement::startOver);
-    connect(&session, &Session::targetAdded, this, &PipelineAgreement::noteChange);
-    connect(&session, &Session::hitsAppended, this, &PipelineAgreement::noteChange);
-    connect(&session, &Session::historyReset, this, &PipelineAgreement::noteChange);
-    connect(&session, &Session::pipelineChanged, this, &PipelineAgreement::noteChange);
-    connect(&session, &Session::shownHitsChanged, this, &PipelineAgreement::noteChange);
+    connect(&session.targets(), &SessionTargets::removed, this, &PipelineAgreement::startOver);
+    connect(&session.targets(), &SessionTargets::added, this, &PipelineAgreement::noteChange);
+    connect(&session.hits(), &SessionHits::appended, this, &PipelineAgreement::noteChange);
+    connect(&session.hits(), &SessionHits::reset, this, &PipelineAgreement::noteChange);
+    connect(&session.settings(), &SessionSettings::pipelineChanged, this, &PipelineAgreement::noteChange);
+    connect(&session.hits(), &SessionHits::shownChanged, this, &PipelineAgreement::noteChange);
     connect(&session.readBack(), &ReadBack::verticesMoved, this,
             [this](TargetId id, const std::vector<std::uint32_t>& vertices) {
-                const Target* target = m_session.target(id);
+                const Target* target = m_session.targets().find(id);
                 if (target != nullptr) {
                     m_copies.note(*target, vertices);
                 }
@@ -206,11 +206,11 @@ void PipelineAgreement::start() {
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
         job->parts.push_back(m_copies.take(target->id));
     }
-    job->update = m_history.update(m_session.history(), m_session.appliedHits());
+    job->update = m_history.update(m_session.hits().history(), m_session.hits().applied());
     job->history = m_history.copy();
     job->report.dropped = m_session.readBack().droppedHits();
-    job->report.later = m_session.history().size() - m_session.shownHits().size();
-    job->report.pipeline = m_session.pipeline();
+    job->report.later = m_session.hits().history().size() - m_session.hits().shown().size();
+    job->report.pipeline = m_session.settings().pipeline();
     m_job.start(*this, job, &PipelineAgreement::take);
 }
 

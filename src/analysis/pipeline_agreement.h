@@ -24,7 +24,7 @@ struct AgreementReport {
     double largest = 0.0;            ///< metres
     double rootMeanSquare = 0.0;     ///< metres, over all that were compared
     std::optional<VertexRef> worst;  ///< where it is largest; nothing while all are equal
-    std::size_t hits = 0;            ///< applied by the reference: as the pipeline (Session::isApplied())
+    std::size_t hits = 0;            ///< applied by the reference: as the pipeline (SessionHits::isApplied())
     std::size_t dropped = 0;         ///< that the pipeline no longer applies, so neither does the reference
     std::size_t later = 0;           ///< that come after those that are shown
 };

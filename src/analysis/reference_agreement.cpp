@@ -16,10 +16,10 @@ namespace hitscope {
 namespace {
 
 std::map<TargetId, std::vector<Hit>> appliedByTarget(const Session& session) {
-    const std::span<const Hit> history = session.history().hits();
+    const std::span<const Hit> history = session.hits().history().hits();
     std::map<TargetId, std::vector<Hit>> hits;
     for (std::size_t i = 0; i < history.size(); ++i) {
-        if (session.isApplied(i)) {
+        if (session.hits().isApplied(i)) {
             hits[history[i].target].push_back(history[i]);
         }
     }
@@ -77,7 +77,7 @@ std::uint64_t hitsFingerprint(const Session& session) {
     for (const std::unique_ptr<Target>& target : session.targets()) {
         targets.push_back(target->id);
     }
-    return hitsFingerprint(session.history().hits(), targets);
+    return hitsFingerprint(session.hits().history().hits(), targets);
 }
 
 std::uint64_t positionsFingerprint(const Session& session) {

@@ -22,7 +22,7 @@ enum class ReferenceMethod : std::uint8_t {
 };
 
 /// Compares the session's read-back (SceneGpu::sync() has just been called) with what the reference makes of
-/// the same hits: those that Session::isApplied(). The pipeline of the reference is that same code: it is
+/// the same hits: those that SessionHits::isApplied(). The pipeline of the reference is that same code: it is
 /// worth comparing with ReferenceMethod::Everywhere only.
 [[nodiscard]] ReferenceAgreement agreementWithReference(const Session& session, ReferenceMethod method);
 

@@ -70,9 +70,9 @@ SceneSections::SceneSections(Session& session, Shapes shapes, QObject* parent)
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &SceneSections::gather);
     connect(&session, &Session::sceneReplaced, this, &SceneSections::forget);
-    connect(&session, &Session::targetRemoved, this, &SceneSections::forget);
-    connect(&session, &Session::targetAdded, this, &SceneSections::request);
-    connect(&session, &Session::targetChanged, this, &SceneSections::request);
+    connect(&session.targets(), &SessionTargets::removed, this, &SceneSections::forget);
+    connect(&session.targets(), &SessionTargets::added, this, &SceneSections::request);
+    connect(&session.targets(), &SessionTargets::changed, this, &SceneSections::request);
     connect(&session, &Session::pictureChanged, this, &SceneSections::followPlaces);
 }
 
@@ -106,7 +106,7 @@ void SceneSections::setCut(const CuttingPlane& cut, float exaggeration) {
 }
 
 void SceneSections::note(TargetId id, const std::vector<std::uint32_t>& vertices) {
-    const Target* target = m_session.target(id);
+    const Target* target = m_session.targets().find(id);
     if (target != nullptr && m_copies.note(*target, vertices)) {
         request();
     }
@@ -115,7 +115,7 @@ void SceneSections::note(TargetId id, const std::vector<std::uint32_t>& vertices
 /// Dynamic targets move without saying so each time.
 void SceneSections::followPlaces() {
     for (const auto& [id, place] : m_places) {
-        const Target* target = m_session.target(id);
+        const Target* target = m_session.targets().find(id);
         if (target != nullptr && !isSame(target->transform, place.transform)) {
             request();
             return;

@@ -57,7 +57,7 @@ std::map<TargetId, DiscardGuard::State> DiscardGuard::states(std::span<const Hit
 
 DiscardGuard::State DiscardGuard::stateOfAll() const {
     State state = kStart;
-    for (const Hit& hit : m_session.history().hits()) {
+    for (const Hit& hit : m_session.hits().history().hits()) {
         mix(state, hit);
     }
     return state;
@@ -65,10 +65,10 @@ DiscardGuard::State DiscardGuard::stateOfAll() const {
 
 std::vector<TargetId> DiscardGuard::targetsAtRisk() const {
     std::vector<TargetId> targets;
-    if (m_session.history().size() == 0 || m_letGo == stateOfAll()) {
+    if (m_session.hits().history().size() == 0 || m_letGo == stateOfAll()) {
         return targets;
     }
-    for (const auto& [target, state] : states(m_session.history().hits())) {
+    for (const auto& [target, state] : states(m_session.hits().history().hits())) {
         const auto exported = m_exported.find(target);
         if (exported == m_exported.end() || exported->second != state) {
             targets.push_back(target);
@@ -79,7 +79,7 @@ std::vector<TargetId> DiscardGuard::targetsAtRisk() const {
 
 std::size_t DiscardGuard::hitsAtRisk() const {
     const std::vector<TargetId> targets = targetsAtRisk();
-    const std::span<const Hit> hits = m_session.history().hits();
+    const std::span<const Hit> hits = m_session.hits().history().hits();
     return static_cast<std::size_t>(std::count_if(hits.begin(), hits.end(), [&targets](const Hit& hit) {
         return std::find(targets.begin(), targets.end(), hit.target) != targets.end();
     }));
@@ -132,7 +132,7 @@ void DiscardGuard::take(QMessageBox& box, const std::function<void()>& then) {
 }
 
 void DiscardGuard::exportAnd(const std::function<void()>& then) {
-    m_session.showHits(std::nullopt);  // all of them
+    m_session.hits().show(std::nullopt);  // all of them
     const QStringList paths = m_beginExport(targetsAtRisk());
     m_awaited = std::set<QString>(paths.begin(), paths.end());
     m_then = then;
@@ -167,7 +167,7 @@ bool DiscardGuard::askAndWait() {
 }
 
 void DiscardGuard::exportBegins(const Target& target, const QString& path) {
-    const std::map<TargetId, State> shown = states(m_session.shownHits());
+    const std::map<TargetId, State> shown = states(m_session.hits().shown());
     const auto state = shown.find(target.id);
     m_writing[path] = {target.id, state != shown.end() ? state->second : kStart};
 }

@@ -31,14 +31,16 @@ QComboBox* makeFlightBox(Session& session, QWidget* parent) {
         box->setItemData(box->count() - 1, flightToolTip(traits), Qt::ToolTipRole);
     }
     const auto follow = [&session, box] {
-        const FlightModeTraits& traits = allFlightModes()[static_cast<std::size_t>(session.flightMode())];
-        box->setCurrentIndex(static_cast<int>(session.flightMode()));
+        const FlightModeTraits& traits =
+            allFlightModes()[static_cast<std::size_t>(session.settings().flightMode())];
+        box->setCurrentIndex(static_cast<int>(session.settings().flightMode()));
         box->setToolTip(QStringLiteral("<p>%1</p>").arg(FlightChooser::tr("How shots fly")) +
                         flightToolTip(traits));
     };
-    QObject::connect(box, &QComboBox::activated, &session,
-                     [&session](int index) { session.setFlightMode(static_cast<FlightMode>(index)); });
-    QObject::connect(&session, &Session::flightModeChanged, box, follow);
+    QObject::connect(box, &QComboBox::activated, &session, [&session](int index) {
+        session.settings().setFlightMode(static_cast<FlightMode>(index));
+    });
+    QObject::connect(&session.settings(), &SessionSettings::flightModeChanged, box, follow);
     follow();
     return box;
 }
@@ -48,12 +50,13 @@ FlightChooser::FlightChooser(Session& session, QObject* parent)
     const QString kept = QSettings().value(kFlightKey).toString();
     for (const FlightModeTraits& traits : allFlightModes()) {
         if (text(traits.key) == kept) {
-            session.setFlightMode(traits.mode);
+            session.settings().setFlightMode(traits.mode);
         }
     }
-    connect(&session, &Session::flightModeChanged, this, [this] {
-        QSettings().setValue(kFlightKey,
-                             text(allFlightModes()[static_cast<std::size_t>(m_session.flightMode())].key));
+    connect(&session.settings(), &SessionSettings::flightModeChanged, this, [this] {
+        QSettings().setValue(
+            kFlightKey,
+            text(allFlightModes()[static_cast<std::size_t>(m_session.settings().flightMode())].key));
         follow();
     });
 }
@@ -67,7 +70,7 @@ void FlightChooser::fill(QMenu& menu) {
         action->setCheckable(true);
         action->setToolTip(flightToolTip(traits));
         connect(action, &QAction::triggered, this,
-                [this, mode = traits.mode] { m_session.setFlightMode(mode); });
+                [this, mode = traits.mode] { m_session.settings().setFlightMode(mode); });
         m_actions->addAction(action);
     }
     follow();
@@ -83,7 +86,7 @@ QComboBox* FlightChooser::makeBox(QWidget* parent) {
 void FlightChooser::follow() {
     const QList<QAction*> actions = m_actions->actions();
     if (!actions.isEmpty()) {
-        actions[static_cast<int>(m_session.flightMode())]->setChecked(true);
+        actions[static_cast<int>(m_session.settings().flightMode())]->setChecked(true);
     }
 }
 

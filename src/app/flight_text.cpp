@@ -30,8 +30,8 @@ QString flightText(const Session& session) {
     const Target* target = focusTarget(session);
     const float extent = target != nullptr ? target->extent() : kUsualExtent;
     const ProjectileSettings shot =
-        projectileOf(session.flightMode(), session.projectileSettings(), extent, 0.0f);
-    switch (session.flightMode()) {
+        projectileOf(session.settings().flightMode(), session.settings().projectile(), extent, 0.0f);
+    switch (session.settings().flightMode()) {
         case FlightMode::Instant:
             return FlightText::tr("No flight: the hit is where the line of sight ends.");
         case FlightMode::Quick:

@@ -94,16 +94,16 @@ void MainWindow::makeShootMenu() {
     m_shots->fill(menu);
     menu.addSeparator();
     QAction* bounces = addToggle(menu, tr("&Bounces Count as Hits"), {},
-                                 m_session.projectileSettings().bouncesCount, this, [this](bool on) {
-                                     ProjectileSettings settings = m_session.projectileSettings();
+                                 m_session.settings().projectile().bouncesCount, this, [this](bool on) {
+                                     ProjectileSettings settings = m_session.settings().projectile();
                                      settings.bouncesCount = on;
-                                     m_session.setProjectileSettings(settings);
+                                     m_session.settings().setProjectile(settings);
                                  });
     hitscope::addAction(menu, tr("&Projectile…"), {}, this, [this] { showProjectileDialog(); });
     menu.addSeparator();
     m_time->fill(menu);
-    connect(&m_session, &Session::projectileSettingsChanged, this,
-            [this, bounces] { bounces->setChecked(m_session.projectileSettings().bouncesCount); });
+    connect(&m_session.settings(), &SessionSettings::projectileChanged, this,
+            [this, bounces] { bounces->setChecked(m_session.settings().projectile().bouncesCount); });
 }
 
 void MainWindow::showProjectileDialog() {
@@ -135,7 +135,8 @@ void MainWindow::makeHelpMenu() {
     menu.addSeparator();
     hitscope::addAction(menu, tr("&About Hitscope"), {}, this, [this] {
         showAbout(this, m_viewport->rendererName(), m_viewport->rendererVersion(),
-                  QString::fromStdString(describe(m_session.readBack().verdict(), m_session.pipeline())));
+                  QString::fromStdString(
+                      describe(m_session.readBack().verdict(), m_session.settings().pipeline())));
     });
 }
 

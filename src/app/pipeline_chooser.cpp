@@ -18,7 +18,7 @@ constexpr PipelineKind kFallback = PipelineKind::TransformFeedback;  // what Ope
 
 PipelineChooser::PipelineChooser(Session& session, QObject* parent)
     : QObject(parent), m_session(session), m_actions(new QActionGroup(this)) {
-    connect(&session, &Session::pipelineChanged, this, &PipelineChooser::follow);
+    connect(&session.settings(), &SessionSettings::pipelineChanged, this, &PipelineChooser::follow);
     connect(&session.readBack(), &ReadBack::unavailablePipelinesChanged, this, &PipelineChooser::follow);
     connect(&session.readBack(), &ReadBack::unavailablePipelinesChanged, this,
             &PipelineChooser::leaveUnavailable);
@@ -53,7 +53,7 @@ QComboBox* PipelineChooser::makeBox(QWidget* parent) {
 
 void PipelineChooser::choose(PipelineKind kind) {
     m_isChosen = true;
-    m_session.setPipeline(kind);
+    m_session.settings().setPipeline(kind);
 }
 
 /// Rich text, which is broken into lines.
@@ -76,7 +76,7 @@ QString PipelineChooser::toolTip(const PipelineTraits& traits) const {
 void PipelineChooser::follow() {
     for (QAction* action : m_actions->actions()) {
         const auto kind = static_cast<PipelineKind>(action->data().toInt());
-        action->setChecked(kind == m_session.pipeline());
+        action->setChecked(kind == m_session.settings().pipeline());
         enableIf(*action, m_session.readBack().whyUnavailable(kind).isEmpty(),
                  m_session.readBack().whyUnavailable(kind));
         action->setToolTip(toolTip(pipelineTraits(kind)));
@@ -90,30 +90,30 @@ void PipelineChooser::follow() {
         items->item(row)->setEnabled(m_session.readBack().whyUnavailable(kind).isEmpty());
         items->item(row)->setToolTip(toolTip(pipelineTraits(kind)));
     }
-    m_box->setCurrentIndex(m_box->findData(static_cast<int>(m_session.pipeline())));
-    m_box->setToolTip(toolTip(pipelineTraits(m_session.pipeline())));
+    m_box->setCurrentIndex(m_box->findData(static_cast<int>(m_session.settings().pipeline())));
+    m_box->setToolTip(toolTip(pipelineTraits(m_session.settings().pipeline())));
 }
 
 void PipelineChooser::leaveInexact() {
-    const PipelineTraits& traits = pipelineTraits(m_session.pipeline());
+    const PipelineTraits& traits = pipelineTraits(m_session.settings().pipeline());
     const std::optional<PipelineKind> better = m_session.readBack().verdict().insteadOf(traits.kind);
     if (m_isChosen || !better) {
         return;
     }
     const QString found = QString::fromStdString(describe(*m_session.readBack().verdict().of(traits.kind)));
-    m_session.setPipeline(*better);
+    m_session.settings().setPipeline(*better);
     Q_EMIT fellBack(
         tr("The pipeline “%1” is %2.\nUsing “%3” instead; Mesh > Pipeline has all of them.")
             .arg(QString::fromUtf8(traits.name), found, QString::fromUtf8(pipelineTraits(*better).name)));
 }
 
 void PipelineChooser::leaveUnavailable() {
-    const PipelineTraits& traits = pipelineTraits(m_session.pipeline());
+    const PipelineTraits& traits = pipelineTraits(m_session.settings().pipeline());
     const QString reason = m_session.readBack().whyUnavailable(traits.kind);
     if (reason.isEmpty() || !m_session.readBack().whyUnavailable(kFallback).isEmpty()) {
         return;
     }
-    m_session.setPipeline(kFallback);
+    m_session.settings().setPipeline(kFallback);
     Q_EMIT fellBack(
         tr("The pipeline “%1” cannot run here: %2\nUsing “%3” instead.")
             .arg(QString::fromUtf8(traits.name), reason, QString::fromUtf8(pipelineTraits(kFallback).name)));

@@ -200,7 +200,7 @@ void SceneFiles::deliver() {
         return;
     }
     if (work->into == Into::ThisScene) {
-        m_session.addTargets(std::move(work->scene.targets));
+        m_session.targets().add(std::move(work->scene.targets));
     } else {
         if (!work->paths.isEmpty()) {
             makeRoom(work->scene.targets, {});

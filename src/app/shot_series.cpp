@@ -49,7 +49,7 @@ ShotScript makeScript(const ShotSeries& series, const Viewport& viewport) {
     ShotScript script;
     script.projectile = viewport.projectileFor(middle);
     script.projectile.mostAlive = std::max(script.projectile.mostAlive, series.count);
-    script.isInstant = series.isInstant || viewport.session().flightMode() == FlightMode::Instant;
+    script.isInstant = series.isInstant || viewport.session().settings().flightMode() == FlightMode::Instant;
     // A burst is raised as one: the cone keeps its shape, and its middle lands where it is aimed at.
     script.shots =
         shotsOf(series, viewport, script.isInstant ? middle : viewport.launched(middle, script.projectile));

@@ -15,7 +15,7 @@ struct ShotText {
 
 QString oneShot(const ShotCount& count, const Session& session) {
     if (count.hits > 0) {
-        const Target* target = session.target(count.lastHit);
+        const Target* target = session.targets().find(count.lastHit);
         return target != nullptr ? ShotText::tr("The shot hit %1.").arg(target->name)
                                  : ShotText::tr("The shot hit.");
     }

@@ -34,16 +34,16 @@ StatusLine::StatusLine(const Session& session, QStatusBar& bar, QObject* parent)
     m_frameRate = addCell(tr("Frames drawn in the last second"));
     setFrameRate({});
     connect(&session, &Session::sceneReplaced, this, &StatusLine::showScene);
-    connect(&session, &Session::targetAdded, this, &StatusLine::showScene);
-    connect(&session, &Session::targetRemoved, this, &StatusLine::showScene);
-    connect(&session, &Session::targetChanged, this, &StatusLine::showTarget);
-    connect(&session, &Session::targetSelected, this, &StatusLine::showTarget);
-    connect(&session, &Session::hitsAppended, this, &StatusLine::showHits);
-    connect(&session, &Session::historyReset, this, &StatusLine::showHits);
+    connect(&session.targets(), &SessionTargets::added, this, &StatusLine::showScene);
+    connect(&session.targets(), &SessionTargets::removed, this, &StatusLine::showScene);
+    connect(&session.targets(), &SessionTargets::changed, this, &StatusLine::showTarget);
+    connect(&session.targets(), &SessionTargets::selectedChanged, this, &StatusLine::showTarget);
+    connect(&session.hits(), &SessionHits::appended, this, &StatusLine::showHits);
+    connect(&session.hits(), &SessionHits::reset, this, &StatusLine::showHits);
     connect(&session.readBack(), &ReadBack::capacityChanged, this, &StatusLine::showHits);
-    connect(&session, &Session::pipelineChanged, this, &StatusLine::showPipeline);
+    connect(&session.settings(), &SessionSettings::pipelineChanged, this, &StatusLine::showPipeline);
     connect(&session.readBack(), &ReadBack::verdictChanged, this, &StatusLine::showRenderer);
-    connect(&session, &Session::pipelineChanged, this, &StatusLine::showRenderer);
+    connect(&session.settings(), &SessionSettings::pipelineChanged, this, &StatusLine::showRenderer);
     showScene();
     showPipeline();
     showRenderer();
@@ -116,7 +116,7 @@ void StatusLine::setRenderer(const QString& name) {
 /// "bit-exact" is said of the active pipeline, and only of what was compared.
 void StatusLine::showRenderer() {
     const RendererVerdict& verdict = m_session.readBack().verdict();
-    const PipelineVerdict* active = verdict.of(m_session.pipeline());
+    const PipelineVerdict* active = verdict.of(m_session.settings().pipeline());
     QString text = m_rendererName;
     if (active != nullptr && active->whyNot.empty()) {
         text += active->isExact() ? tr(", bit-exact") : tr(", not bit-exact");
@@ -150,7 +150,7 @@ void StatusLine::showScene() {
 }
 
 void StatusLine::showTarget() {
-    const Target* target = m_session.target(m_session.selectedTarget());
+    const Target* target = m_session.targets().find(m_session.targets().selected());
     m_target->setText(
         target != nullptr
             ? tr("%1: %2 vertices").arg(target->name, countText(target->deformed.original().vertexCount()))
@@ -159,15 +159,15 @@ void StatusLine::showTarget() {
 }
 
 void StatusLine::showHits() {
-    const std::size_t hits = m_session.history().size();
+    const std::size_t hits = m_session.hits().history().size();
     QString text = hits == 1 ? tr("1 hit") : tr("%1 hits").arg(countText(hits));
     const CapacityReport& report = m_session.readBack().capacity();
     if (report.capacity) {
         text = report.perTarget ? tr("%1, max %2 on a target").arg(text, countText(*report.capacity))
                                 : tr("%1 of %2").arg(text, countText(*report.capacity));
     }
-    if (m_session.disabledHits() > 0) {
-        text += tr(", %1 disabled").arg(countText(m_session.disabledHits()));
+    if (m_session.hits().disabled() > 0) {
+        text += tr(", %1 disabled").arg(countText(m_session.hits().disabled()));
     }
     if (m_session.readBack().droppedHits() > 0) {
         text += tr(", %1 dropped").arg(countText(m_session.readBack().droppedHits()));
@@ -187,7 +187,7 @@ void StatusLine::showHits() {
 
 void StatusLine::showPipeline() {
     for (const PipelineTraits& traits : allPipelines()) {
-        if (traits.kind == m_session.pipeline()) {
+        if (traits.kind == m_session.settings().pipeline()) {
             m_pipeline->setText(QString::fromUtf8(traits.name));
         }
     }

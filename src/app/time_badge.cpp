@@ -34,18 +34,18 @@ TimeBadge::TimeBadge(const Session& session, QWidget* over) : QLabel(over), m_se
     setContentsMargins(6, 2, 6, 2);
     setAttribute(Qt::WA_TransparentForMouseEvents);
     over->installEventFilter(this);
-    connect(&session, &Session::timeChanged, this, &TimeBadge::follow);
-    connect(&session, &Session::scheduleChanged, this, &TimeBadge::follow);
+    connect(&session.simulation(), &Simulation::timeChanged, this, &TimeBadge::follow);
+    connect(&session.simulation(), &Simulation::scheduleChanged, this, &TimeBadge::follow);
     connect(&session, &Session::sceneReplaced, this, &TimeBadge::follow);
     follow();
 }
 
 void TimeBadge::follow() {
     QStringList parts;
-    if (const QString time = timeText(m_session.physics()); !time.isEmpty()) {
+    if (const QString time = timeText(m_session.simulation().physics()); !time.isEmpty()) {
         parts << time;
     }
-    if (const std::size_t toCome = m_session.shotsToCome(); toCome > 0) {
+    if (const std::size_t toCome = m_session.simulation().shotsToCome(); toCome > 0) {
         parts << (toCome == 1 ? tr("1 pending shot") : tr("%1 pending shots").arg(countText(toCome)));
     }
     setText(parts.join(QStringLiteral(" · ")));

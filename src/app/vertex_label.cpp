@@ -64,7 +64,7 @@ QString VertexLabel::describe(const Target& target, std::uint32_t vertex) {
 
 void VertexLabel::follow() {
     const auto& hovered = m_session.selection().hovered();
-    const Target* target = hovered ? m_session.target(hovered->target) : nullptr;
+    const Target* target = hovered ? m_session.targets().find(hovered->target) : nullptr;
     // Hovered in a table, say: there is no cursor to stand beside.
     if (target == nullptr || !m_viewport.underMouse()) {
         hide();

@@ -17,13 +17,13 @@ double stepsEverywhere(const Session& session) {
     double steps = 0.0;
     for (const std::unique_ptr<Target>& target : session.targets()) {
         steps += static_cast<double>(target->deformed.vertices().size()) *
-                 static_cast<double>(session.history().hitsOn(target->id).size());
+                 static_cast<double>(session.hits().history().hitsOn(target->id).size());
     }
     return steps;
 }
 
 QString nameOfActive(const Session& session) {
-    return QString::fromUtf8(pipelineTraits(session.pipeline()).name);
+    return QString::fromUtf8(pipelineTraits(session.settings().pipeline()).name);
 }
 
 /// "870 of 4966 vertices differ from the reference, by 3.3 m at most".
@@ -49,7 +49,7 @@ Status usePipeline(Session& session, SceneGpu& gpu, PipelineKind kind) {
     if (const QString unavailable = session.readBack().whyUnavailable(kind); !unavailable.isEmpty()) {
         return Error{unavailable.toStdString(), "", "Choose another --pipeline."};
     }
-    session.setPipeline(kind);
+    session.settings().setPipeline(kind);
     return gpu.sync();
 }
 
@@ -74,7 +74,7 @@ Status useAskedPipeline(Session& session, SceneGpu& gpu, std::optional<PipelineK
 }
 
 std::optional<ReferenceAgreement> agreementOfActive(const Session& session) {
-    if (session.pipeline() != PipelineKind::Reference) {
+    if (session.settings().pipeline() != PipelineKind::Reference) {
         return agreementWithReference(session, ReferenceMethod::Clusters);
     }
     if (stepsEverywhere(session) > kMostSteps) {
@@ -89,7 +89,7 @@ QString agreementLine(const Session& session, const std::optional<ReferenceAgree
         text += QStringLiteral("what the others are compared with");
     } else if (!agreement->isExact()) {
         text += differenceText(*agreement);
-    } else if (session.pipeline() == PipelineKind::Reference) {
+    } else if (session.settings().pipeline() == PipelineKind::Reference) {
         text += QStringLiteral("as every hit at every vertex, in every bit");
     } else {
         text += QStringLiteral("as the reference in every bit");
@@ -112,7 +112,7 @@ Status exportAgrees(const Session& session, const std::optional<ReferenceAgreeme
                       .arg(nameOfActive(session), differenceText(*agreement)))
                      .toStdString(),
                  path.toStdString(),
-                 session.pipeline() == PipelineKind::Reference
+                 session.settings().pipeline() == PipelineKind::Reference
                      ? "Please report this with the mesh."
                      : "It was written; --pipeline reference writes the right one."};
 }

@@ -28,7 +28,7 @@ public:
         m_view.options.normals = options.normals;
         m_view.width = options.width;
         m_view.height = options.height;
-        m_view.camera.frame(session.sceneBounds(),
+        m_view.camera.frame(session.targets().bounds(),
                             static_cast<float>(options.width) / static_cast<float>(options.height));
     }
 
@@ -68,7 +68,7 @@ void printTable(QTextStream& out, const Session& session) {
         const DisplacementStatistics statistics = target->deformed.statistics();
         out << target->name.leftJustified(nameWidth, QLatin1Char(' '), true)
             << QString::number(target->deformed.original().vertexCount()).rightJustified(10)
-            << QString::number(session.history().hitsOn(target->id).size()).rightJustified(6)
+            << QString::number(session.hits().history().hitsOn(target->id).size()).rightJustified(6)
             << QString::number(statistics.changedVertices).rightJustified(10)
             << QStringLiteral("%1 m\n").arg(statistics.maximum, 20, 'f', 3);
     }
@@ -119,7 +119,7 @@ Status runDemo(const DemoOptions& options) {
         return status;
     }
     shootAll(session, demoShots(session, options.shots, options.seed));
-    session.selectTarget({});
+    session.targets().select({});
 
     const Result<QStringList> compared = comparePipelines(demo, session);
     if (!compared) {
@@ -144,8 +144,9 @@ Status runDemo(const DemoOptions& options) {
 
     out << "Renderer: " << QString::fromStdString(gl::rendererInfo().renderer);
     out << "\n"
-        << QString::fromStdString(describe(session.readBack().verdict(), session.pipeline())) << "\n"
-        << options.shots << " shots, " << session.history().size() << " hits\n\n";
+        << QString::fromStdString(describe(session.readBack().verdict(), session.settings().pipeline()))
+        << "\n"
+        << options.shots << " shots, " << session.hits().history().size() << " hits\n\n";
     printTable(out, session);
     out << "\n" << compared.value().join(QLatin1Char('\n')) << "\n\n" << fingerprintLines(session);
     out << "\nIn " << QDir::toNativeSeparators(QDir(options.folder).absolutePath())

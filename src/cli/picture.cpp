@@ -72,7 +72,7 @@ Status open(Studio& studio, const PictureArguments& arguments) {
         return used;
     }
     shootAll(studio.session, demoShots(studio.session, arguments.shots, arguments.seed));
-    studio.session.selectTarget({});
+    studio.session.targets().select({});
 
     PictureRequest& request = studio.request;
     request.width = arguments.width;
@@ -87,7 +87,7 @@ Status open(Studio& studio, const PictureArguments& arguments) {
             notes << "No fonts are installed here, so there is no colour bar in the picture.\n";
         }
     }
-    const Bounds bounds = studio.session.sceneBounds();
+    const Bounds bounds = studio.session.targets().bounds();
     request.camera.setSceneRadius(bounds.empty() ? 1.0f : bounds.diagonal());
     if (arguments.camera.isEmpty()) {
         request.camera.frame(bounds, static_cast<float>(request.width) / static_cast<float>(request.height));

@@ -22,13 +22,13 @@ ShotScript burstAt(const Session& session, const ShootOptions& options) {
     constexpr float kPicture = 16.0f / 9.0f;
     constexpr float kFarthest = 1.0e7f;  // metres
     Camera camera;
-    camera.frame(session.sceneBounds(), kPicture);
-    const auto met = session.physics().castRay(camera.eye(), camera.forward(), kFarthest);
-    const Target* target = met ? session.target(met->target) : nullptr;
+    camera.frame(session.targets().bounds(), kPicture);
+    const auto met = session.simulation().physics().castRay(camera.eye(), camera.forward(), kFarthest);
+    const Target* target = met ? session.targets().find(met->target) : nullptr;
     const FlightMode flight =
         options.flight.value_or(options.meshPath.isEmpty() ? FlightMode::Paper : FlightMode::Quick);
     ShotScript script;
-    script.projectile = projectileOf(flight, session.projectileSettings(),
+    script.projectile = projectileOf(flight, session.settings().projectile(),
                                      target != nullptr ? target->extent() : kUsualExtent,
                                      met ? glm::distance(met->point, camera.eye()) : camera.distance());
     script.projectile.mostAlive = std::max(script.projectile.mostAlive, options.burst);
@@ -68,7 +68,7 @@ Status addHits(Session& session, const QString& path) {
 
 void printTargets(QTextStream& out, const Session& session) {
     for (const std::unique_ptr<Target>& target : session.targets()) {
-        const std::size_t hits = session.history().hitsOn(target->id).size();
+        const std::size_t hits = session.hits().history().hitsOn(target->id).size();
         if (hits > 0) {
             out << target->name << ": " << hits << " hits, " << target->deformed.statistics().changedVertices
                 << " vertices changed\n";
@@ -101,8 +101,8 @@ Status writeResults(QTextStream& out, Session& session, const ShootOptions& opti
 
 /// Until all shots have left and what they launched has hit or gone.
 void play(Session& session) {
-    while (session.isMoving()) {
-        session.stepOnce();
+    while (session.simulation().isMoving()) {
+        session.simulation().stepOnce();
     }
 }
 
@@ -138,7 +138,7 @@ Status runShoot(const ShootOptions& options) {
     if (Status status = gpu.value()->sync(); !status) {
         return status;
     }
-    out << script.value().shots.size() << " shots, " << session.history().size() << " hits\n";
+    out << script.value().shots.size() << " shots, " << session.hits().history().size() << " hits\n";
     printTargets(out, session);
     return writeResults(out, session, options);
 }

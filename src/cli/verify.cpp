@@ -52,7 +52,8 @@ Status verify(const QString& meshPath, const QString& hitsPath) {
         return added;
     }
     out << "Renderer: " << QString::fromStdString(gl::rendererInfo().renderer) << "\n"
-        << session.history().size() << " hits, fingerprint " << inHex(hitsFingerprint(session)) << "\n";
+        << session.hits().history().size() << " hits, fingerprint " << inHex(hitsFingerprint(session))
+        << "\n";
     QStringList differing;
     for (const PipelineTraits& traits : allPipelines()) {
         const QString name = QString::fromUtf8(traits.name);

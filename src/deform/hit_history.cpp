@@ -13,6 +13,42 @@ namespace {
 constexpr std::size_t kJournalEdits = 1024;
 constexpr std::size_t kJournalHits = 4096;
 
+/// Above this, one edit over all between the first and the last hit concerned costs less than one a run.
+constexpr std::size_t kMostRuns = 64;
+
+/// Neighbouring rows [first, first + count).
+struct Run {
+    std::size_t first = 0;
+    std::size_t count = 0;
+};
+
+std::vector<Run> runsOf(std::span<const std::size_t> sorted) {
+    std::vector<Run> runs;
+    for (const std::size_t row : sorted) {
+        if (runs.empty() || runs.back().first + runs.back().count != row) {
+            runs.push_back({row, 0});
+        }
+        ++runs.back().count;
+    }
+    return runs;
+}
+
+/// The hits [first, last) without those at `sorted`.
+std::vector<Hit> hitsBeside(std::span<const Hit> hits, std::size_t first, std::size_t last,
+                            std::span<const std::size_t> sorted) {
+    std::vector<Hit> others;
+    for (std::size_t row = first; row < last; ++row) {
+        if (!std::binary_search(sorted.begin(), sorted.end(), row)) {
+            others.push_back(hits[row]);
+        }
+    }
+    return others;
+}
+
+bool isNothing(const HistoryEdit& edit) {
+    return edit.before.empty() && edit.after.empty();
+}
+
 }  // namespace
 
 std::vector<Hit> HitHistory::hitsOn(TargetId target) const {
@@ -58,7 +94,7 @@ HistoryEdit HitHistory::splice(std::size_t first, std::size_t count, std::span<c
 }
 
 void HitHistory::redo(const HistoryEdit& edit) {
-    if (edit.before.empty() && edit.after.empty()) {
+    if (isNothing(edit)) {
         return;
     }
     const auto begin = m_hits.begin() + static_cast<std::ptrdiff_t>(edit.first);
@@ -70,51 +106,99 @@ void HitHistory::redo(const HistoryEdit& edit) {
     record(edit);
 }
 
-void HitHistory::undo(const HistoryEdit& edit) {
-    redo({edit.first, edit.after, edit.before});
-}
-
 HistoryEdit HitHistory::append(std::span<const Hit> hits) {
     return splice(size(), 0, hits);
 }
 
-HistoryEdit HitHistory::remove(std::size_t index) {
-    return splice(index, 1, {});
+HistoryEdit HitHistory::clear() {
+    return splice(0, size(), {});
 }
 
-HistoryEdit HitHistory::removeTarget(TargetId target) {
-    std::vector<Hit> kept = m_hits;
-    std::erase_if(kept, [target](const Hit& hit) { return hit.target == target; });
-    return splice(0, size(), kept);
+std::vector<std::size_t> HitHistory::rows(std::span<const std::size_t> indices) const {
+    std::vector<std::size_t> sorted(indices.begin(), indices.end());
+    std::erase_if(sorted, [this](std::size_t index) { return index >= size(); });
+    std::sort(sorted.begin(), sorted.end());
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+    return sorted;
 }
 
-std::vector<HistoryEdit> HitHistory::move(std::size_t from, std::size_t to) {
-    if (from == to) {
-        return {};
+std::vector<HistoryEdit> HitHistory::remove(std::span<const std::size_t> indices) {
+    return removeRows(rows(indices));
+}
+
+std::vector<HistoryEdit> HitHistory::removeRows(std::span<const std::size_t> sorted) {
+    const std::vector<Run> runs = runsOf(sorted);
+    if (runs.size() > kMostRuns) {
+        const std::size_t first = sorted.front();
+        const std::size_t last = sorted.back() + 1;
+        return {splice(first, last - first, hitsBeside(hits(), first, last, sorted))};
     }
-    const Hit moved = m_hits[from];
     std::vector<HistoryEdit> edits;
-    edits.push_back(remove(from));
-    edits.push_back(splice(to, 0, {&moved, 1}));
+    std::for_each(runs.rbegin(), runs.rend(),
+                  [&](const Run& run) { edits.push_back(splice(run.first, run.count, {})); });
     return edits;
 }
 
-HistoryEdit HitHistory::setEnabled(std::size_t index, bool enabled) {
-    Hit hit = m_hits[index];
-    hit.enabled = enabled;
-    return splice(index, 1, {&hit, 1});
-}
-
-HistoryEdit HitHistory::setConstantsOfAll(const std::function<DeformationConstants(const Hit&)>& constants) {
-    std::vector<Hit> changed = m_hits;
-    for (Hit& hit : changed) {
-        hit.constants = withoutTiny(constants(hit));
+std::vector<HistoryEdit> HitHistory::move(std::span<const std::size_t> indices, std::size_t to) {
+    const std::vector<std::size_t> sorted = rows(indices);
+    if (sorted.empty() || to > size()) {
+        return {};
     }
-    return splice(0, size(), changed);
+    const bool together = sorted.back() - sorted.front() + 1 == sorted.size();
+    if (together && to >= sorted.front() && to <= sorted.back() + 1) {
+        return {};  // they stand there
+    }
+    std::vector<Hit> moved;
+    moved.reserve(sorted.size());
+    std::transform(sorted.begin(), sorted.end(), std::back_inserter(moved),
+                   [this](std::size_t row) { return m_hits[row]; });
+    const auto above =
+        static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), to) - sorted.begin());
+    std::vector<HistoryEdit> edits;
+    if (runsOf(sorted).size() > kMostRuns) {
+        const std::size_t first = std::min(sorted.front(), to);
+        const std::size_t last = std::max(sorted.back() + 1, to);
+        std::vector<Hit> after = hitsBeside(hits(), first, last, sorted);
+        after.insert(after.begin() + static_cast<std::ptrdiff_t>(to - above - first), moved.begin(),
+                     moved.end());
+        edits.push_back(splice(first, last - first, after));
+    } else {
+        edits = removeRows(sorted);
+        edits.push_back(splice(to - above, 0, moved));
+    }
+    std::erase_if(edits, isNothing);
+    return edits;
 }
 
-HistoryEdit HitHistory::clear() {
-    return splice(0, size(), {});
+std::vector<HistoryEdit> HitHistory::replace(std::span<const std::size_t> rows, std::span<const Hit> hits) {
+    const std::vector<Run> runs = runsOf(rows);
+    std::vector<HistoryEdit> edits;
+    if (runs.size() > kMostRuns) {
+        std::vector<Hit> after(m_hits.begin() + static_cast<std::ptrdiff_t>(rows.front()),
+                               m_hits.begin() + static_cast<std::ptrdiff_t>(rows.back()) + 1);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            after[rows[i] - rows.front()] = hits[i];
+        }
+        edits.push_back(splice(rows.front(), after.size(), after));
+    } else {
+        for (const Run& run : runs) {
+            edits.push_back(splice(run.first, run.count, hits.first(run.count)));
+            hits = hits.subspan(run.count);
+        }
+    }
+    std::erase_if(edits, isNothing);
+    return edits;
+}
+
+std::vector<HistoryEdit> HitHistory::setEnabled(std::span<const std::size_t> indices, bool enabled) {
+    const std::vector<std::size_t> sorted = rows(indices);
+    std::vector<Hit> after;
+    after.reserve(sorted.size());
+    for (const std::size_t row : sorted) {
+        after.push_back(m_hits[row]);
+        after.back().enabled = enabled;
+    }
+    return replace(sorted, after);
 }
 
 }  // namespace hitscope

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <deque>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -44,24 +43,33 @@ public:
 
     HistoryEdit append(std::span<const Hit> hits);  ///< they have passed checkedHit()
     HistoryEdit append(const Hit& hit) { return append({&hit, 1}); }
-    HistoryEdit remove(std::size_t index);      ///< index < size()
-    HistoryEdit removeTarget(TargetId target);  ///< every hit on it
-    /// Takes the hit out and puts it in so that it comes to stand at `to`. from, to < size(). Two edits, so
-    /// that followers see one hit move and not all between.
-    std::vector<HistoryEdit> move(std::size_t from, std::size_t to);
-    HistoryEdit setEnabled(std::size_t index, bool enabled);  ///< index < size()
-    /// Each gets what `constants` says for it; that is within hitParameters().
-    HistoryEdit setConstantsOfAll(const std::function<DeformationConstants(const Hit&)>& constants);
     HistoryEdit clear();
 
-    /// Makes `edit` undone: what it brought becomes what it took. It was the last edit, or all after it have
-    /// been undone.
-    void undo(const HistoryEdit& edit);
-    /// Makes an undone edit again.
+    /// Those of `indices` that are < size(), in ascending order, each once.
+    [[nodiscard]] std::vector<std::size_t> rows(std::span<const std::size_t> indices) const;
+
+    // Changes of several hits: one edit for each run of neighbours, so that followers see what changed and
+    // not all between; or one edit over everything from the first to the last where there are many runs. The
+    // edits are in the order made, and each changes something.
+
+    /// Indices in any order.
+    std::vector<HistoryEdit> remove(std::span<const std::size_t> indices);
+    /// The hits (indices in any order) come to stand together, in their order, before the hit that is at `to`
+    /// now, or at the end: to <= size(), else nothing moves.
+    std::vector<HistoryEdit> move(std::span<const std::size_t> indices, std::size_t to);
+    /// Puts hits[i] at rows[i]. `rows` ascend and are < size(), each once; `hits` are as many and have passed
+    /// checkedHit().
+    std::vector<HistoryEdit> replace(std::span<const std::size_t> rows, std::span<const Hit> hits);
+    /// Indices in any order.
+    std::vector<HistoryEdit> setEnabled(std::span<const std::size_t> indices, bool enabled);
+
+    /// Makes an undone edit again. The inverse of an edit undoes it. What `edit` says was there before is
+    /// there.
     void redo(const HistoryEdit& edit);
 
 private:
     void record(HistoryEdit edit);
+    std::vector<HistoryEdit> removeRows(std::span<const std::size_t> sorted);
 
     std::vector<Hit> m_hits;
     std::uint64_t m_revision = 0;

@@ -29,16 +29,16 @@ AttributionModel::AttributionModel(Session& session, QObject* parent)
     connect(&m_summaryTimer, &QTimer::timeout, this, &AttributionModel::summaryChanged);
     connect(&m_restartTimer, &QTimer::timeout, this, &AttributionModel::startOver);
     connect(&session.selection(), &VertexSelection::pickedChanged, this, &AttributionModel::startOver);
-    connect(&session, &Session::hitsAppended, this, &AttributionModel::followHits);
+    connect(&session.hits(), &SessionHits::appended, this, &AttributionModel::followHits);
     const auto restart = [this] {
         if (m_vertex) {
             m_restartTimer.start();
         }
     };
-    connect(&session, &Session::hitsChanged, this, restart);
-    connect(&session, &Session::hitsRearranged, this, restart);
-    connect(&session, &Session::historyReset, this, restart);
-    connect(&session, &Session::shownHitsChanged, this, restart);
+    connect(&session.hits(), &SessionHits::changed, this, restart);
+    connect(&session.hits(), &SessionHits::rearranged, this, restart);
+    connect(&session.hits(), &SessionHits::reset, this, restart);
+    connect(&session.hits(), &SessionHits::shownChanged, this, restart);
     connect(&session.readBack(), &ReadBack::capacityChanged, this, [this, restart] {
         if (m_session.readBack().droppedHits() > 0 || !m_session.readBack().capacity().capacity) {
             restart();
@@ -57,7 +57,7 @@ void AttributionModel::startOver() {
     m_taken = 0;
     m_attribution = {};
     if (m_vertex) {
-        const DeformedMesh& mesh = m_session.target(m_vertex->target)->deformed;
+        const DeformedMesh& mesh = m_session.targets().find(m_vertex->target)->deformed;
         const std::uint32_t drawn = mesh.render().renderVerticesOf(m_vertex->vertex).front();
         m_attribution = Attribution(mesh.render().vertices[drawn]);
         takeHits(m_attribution);
@@ -69,10 +69,10 @@ void AttributionModel::startOver() {
 
 /// Those of the history that it has not gone through.
 void AttributionModel::takeHits(Attribution& attribution) {
-    const std::span<const Hit> hits = m_session.shownHits();
+    const std::span<const Hit> hits = m_session.hits().shown();
     for (; m_taken < hits.size(); ++m_taken) {
         const Hit& hit = hits[m_taken];
-        if (hit.target == m_vertex->target && m_session.isApplied(m_taken)) {
+        if (hit.target == m_vertex->target && m_session.hits().isApplied(m_taken)) {
             attribution.add(m_taken, hit);
         }
     }
@@ -94,12 +94,12 @@ void AttributionModel::followHits() {
 }
 
 bool AttributionModel::isBuffers() const {
-    const Target* target = m_vertex ? m_session.target(m_vertex->target) : nullptr;
+    const Target* target = m_vertex ? m_session.targets().find(m_vertex->target) : nullptr;
     return target != nullptr && target->deformed.positions()[m_vertex->vertex] == position();
 }
 
 QString AttributionModel::summary() const {
-    const Target* target = m_vertex ? m_session.target(m_vertex->target) : nullptr;
+    const Target* target = m_vertex ? m_session.targets().find(m_vertex->target) : nullptr;
     if (target == nullptr) {
         return {};
     }

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "session/cost_curves.h"
+#include "analysis/cost_curves.h"
 #include "session/frame_costs.h"
 
 namespace hitscope {

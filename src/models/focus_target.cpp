@@ -4,11 +4,11 @@
 namespace hitscope {
 
 const Target* focusTarget(const Session& session) {
-    if (const Target* selected = session.target(session.selectedTarget())) {
+    if (const Target* selected = session.targets().find(session.targets().selected())) {
         return selected;
     }
-    if (!session.history().hits().empty()) {
-        if (const Target* struck = session.target(session.history().hits().back().target)) {
+    if (!session.hits().history().hits().empty()) {
+        if (const Target* struck = session.targets().find(session.hits().history().hits().back().target)) {
             return struck;
         }
     }

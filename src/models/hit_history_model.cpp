@@ -87,16 +87,16 @@ HitHistoryModel::HitHistoryModel(Session& session, HitEffects* effects, QObject*
     : QAbstractTableModel(parent),
       m_session(session),
       m_effects(effects),
-      m_rows(static_cast<int>(session.history().size())) {
-    connect(&session, &Session::hitsAboutToBeAppended, this, &HitHistoryModel::beginAppend);
-    connect(&session, &Session::hitsAppended, this, &HitHistoryModel::endAppend);
-    connect(&session, &Session::hitsChanged, this, &HitHistoryModel::refresh);
-    connect(&session, &Session::hitsRearranged, this, &HitHistoryModel::rearrange);
+      m_rows(static_cast<int>(session.hits().history().size())) {
+    connect(&session.hits(), &SessionHits::aboutToBeAppended, this, &HitHistoryModel::beginAppend);
+    connect(&session.hits(), &SessionHits::appended, this, &HitHistoryModel::endAppend);
+    connect(&session.hits(), &SessionHits::changed, this, &HitHistoryModel::refresh);
+    connect(&session.hits(), &SessionHits::rearranged, this, &HitHistoryModel::rearrange);
     connect(&session, &Session::sceneReplaced, this, &HitHistoryModel::reset);
     // Its name may have.
-    connect(&session, &Session::targetChanged, this, [this] { refresh(0, m_rows - 1); });
+    connect(&session.targets(), &SessionTargets::changed, this, [this] { refresh(0, m_rows - 1); });
     connect(&session.readBack(), &ReadBack::capacityChanged, this, [this] { refresh(0, m_rows - 1); });
-    connect(&session, &Session::shownHitsChanged, this, [this] { refresh(0, m_rows - 1); });
+    connect(&session.hits(), &SessionHits::shownChanged, this, [this] { refresh(0, m_rows - 1); });
     connect(&session.frameCosts(), &FrameCosts::hitCostsChanged, this,
             [this](int first, int last) { refreshColumns(first, last, CpuCostColumn, GpuCostColumn); });
     if (effects != nullptr) {
@@ -114,7 +114,7 @@ int HitHistoryModel::columnCount(const QModelIndex& parent) const {
 }
 
 QVariant HitHistoryModel::data(const QModelIndex& index, int role) const {
-    const std::span<const Hit> hits = m_session.history().hits();
+    const std::span<const Hit> hits = m_session.hits().history().hits();
     if (!index.isValid() || static_cast<std::size_t>(index.row()) >= hits.size()) {
         return {};
     }
@@ -185,7 +185,7 @@ std::optional<glm::vec3> HitHistoryModel::vector(const Hit& hit, int column) con
         case NormalColumn:
             return hit.normal != glm::vec3(0.0f) ? std::optional(hit.normal) : std::nullopt;
         case WorldPointColumn: {
-            const Target* target = m_session.target(hit.target);
+            const Target* target = m_session.targets().find(hit.target);
             return target != nullptr ? std::optional(target->transform.toWorld(hit.point)) : std::nullopt;
         }
         default:
@@ -208,7 +208,7 @@ QVariant HitHistoryModel::rawValue(const Hit& hit, std::size_t row, int column) 
 }
 
 void HitHistoryModel::sortParts(std::size_t row, int column, double (&parts)[3]) const {
-    const Hit& hit = m_session.history().hits()[row];
+    const Hit& hit = m_session.hits().history().hits()[row];
     constexpr double kUnknown = -std::numeric_limits<double>::infinity();
     if (const std::optional<glm::vec3> v = vector(hit, column)) {
         for (int i = 0; i < 3; ++i) {
@@ -256,10 +256,10 @@ QString HitHistoryModel::text(const Hit& hit, std::size_t row, int column) const
 }
 
 HitHistoryModel::HitState HitHistoryModel::stateOf(std::size_t row) const {
-    if (!m_session.history().hits()[row].enabled) {
+    if (!m_session.hits().history().hits()[row].enabled) {
         return Disabled;
     }
-    if (row >= m_session.shownHits().size()) {
+    if (row >= m_session.hits().shown().size()) {
         return Later;
     }
     return m_session.readBack().isDropped(row) ? Dropped : Applied;
@@ -276,7 +276,7 @@ QString HitHistoryModel::toolTip(const Hit& hit, std::size_t row) const {
         tip.prepend(tr("Later: the targets are shown as they were before this hit.") + u'\n');
     } else if (state == Dropped) {
         const CapacityReport& report = m_session.readBack().capacity();
-        const std::string_view pipeline = pipelineTraits(m_session.pipeline()).name;
+        const std::string_view pipeline = pipelineTraits(m_session.settings().pipeline()).name;
         const QString why = report.perTarget
                                 ? tr("Dropped: the pipeline “%1” keeps the last %2 hits on each target.")
                                 : tr("Dropped: the pipeline “%1” keeps the last %2 hits of the scene.");
@@ -287,7 +287,7 @@ QString HitHistoryModel::toolTip(const Hit& hit, std::size_t row) const {
 }
 
 QString HitHistoryModel::targetName(const Hit& hit) const {
-    const Target* target = m_session.target(hit.target);
+    const Target* target = m_session.targets().find(hit.target);
     return target != nullptr ? target->name : QString();
 }
 
@@ -321,7 +321,7 @@ bool HitHistoryModel::setData(const QModelIndex& index, const QVariant& value, i
         return false;
     }
     const auto row = static_cast<std::size_t>(index.row());
-    m_session.setHitsEnabled({&row, 1}, value.toInt() == Qt::Checked);
+    m_session.hits().setEnabled({&row, 1}, value.toInt() == Qt::Checked);
     return true;
 }
 
@@ -359,7 +359,7 @@ bool HitHistoryModel::dropMimeData(const QMimeData* data, Qt::DropAction action,
             moved.push_back(static_cast<std::size_t>(from));
         }
     }
-    m_session.moveHits(moved, static_cast<std::size_t>(row < 0 ? m_rows : row));  // -1: below the last
+    m_session.hits().move(moved, static_cast<std::size_t>(row < 0 ? m_rows : row));  // -1: below the last
     return true;
 }
 
@@ -407,7 +407,7 @@ void HitHistoryModel::rearrange(const HitRows& rows) {
 
 void HitHistoryModel::reset() {
     beginResetModel();
-    m_rows = static_cast<int>(m_session.history().size());
+    m_rows = static_cast<int>(m_session.hits().history().size());
     endResetModel();
 }
 

@@ -48,7 +48,7 @@ public:
         Applied,
         Disabled,
         Dropped,  ///< enabled, but the pipeline's capacity was reached
-        Later,    ///< enabled, but the targets are shown as they were before it (Session::showHits())
+        Later,    ///< enabled, but the targets are shown as they were before it (SessionHits::show())
     };
 
     /// `session` and `effects` outlive the model; without `effects` what hits did is not known.

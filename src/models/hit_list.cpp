@@ -202,7 +202,7 @@ void HitList::endRearrange() {
 
 /// The hits in [first, end) that the filter lets through, ascending.
 std::vector<std::uint32_t> HitList::accepted(std::uint32_t first, std::uint32_t end) const {
-    const std::span<const Hit> hits = m_session.history().hits();
+    const std::span<const Hit> hits = m_session.hits().history().hits();
     // What the text is in, once for each name and not for each hit.
     std::set<TargetId> targets;
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
@@ -254,7 +254,7 @@ std::vector<HitList::Key> HitList::keysOf(const std::vector<std::uint32_t>& rows
         Key& key = keys.emplace_back();
         key.row = row;
         if (m_column == HitHistoryModel::TargetColumn) {
-            key.parts[0] = ranks[m_session.history().hits()[row].target];
+            key.parts[0] = ranks[m_session.hits().history().hits()[row].target];
         } else {
             m_model.sortParts(row, m_column, key.parts);
         }

@@ -4,7 +4,7 @@
 namespace hitscope {
 
 LightsModel::LightsModel(Session& session, QObject* parent) : QAbstractListModel(parent), m_session(session) {
-    connect(&session, &Session::lightsChanged, this,
+    connect(&session.settings(), &SessionSettings::lightsChanged, this,
             [this] { Q_EMIT dataChanged(index(0), index(LightRowCount - 1)); });
 }
 
@@ -16,7 +16,7 @@ QVariant LightsModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) {
         return {};
     }
-    Lights lights = m_session.lights();
+    Lights lights = m_session.settings().lights();
     const int row = index.row();
     switch (role) {
         case Qt::DisplayRole:
@@ -40,9 +40,9 @@ bool LightsModel::setData(const QModelIndex& index, const QVariant& value, int r
     if (role != Qt::CheckStateRole || !checkIndex(index, CheckIndexOption::IndexIsValid)) {
         return false;
     }
-    Lights lights = m_session.lights();
+    Lights lights = m_session.settings().lights();
     lightOn(lights, index.row()) = value.toInt() == Qt::Checked;
-    m_session.setLights(lights);
+    m_session.settings().setLights(lights);
     return true;
 }
 

@@ -13,7 +13,7 @@ MeshHealthModel::MeshHealthModel(const Session& session, const MeshMeasuring& me
     : QAbstractTableModel(parent), m_session(session), m_measuring(measuring) {
     connect(&measuring, &MeshMeasuring::measured, this, &MeshHealthModel::follow);
     connect(&session, &Session::sceneReplaced, this, &MeshHealthModel::follow);
-    connect(&session, &Session::targetRemoved, this, &MeshHealthModel::follow);
+    connect(&session.targets(), &SessionTargets::removed, this, &MeshHealthModel::follow);
     follow();
 }
 
@@ -99,7 +99,7 @@ QString MeshHealthModel::text(const HarmRow& row, int column) const {
 }
 
 QString MeshHealthModel::toolTip(const HarmRow& row) const {
-    const Target* target = m_session.target(row.target);
+    const Target* target = m_session.targets().find(row.target);
     const QString face =
         tr("Face %1 of %2, counted from 1 as in the file")
             .arg(countText(std::size_t{row.harm.face} + 1), target != nullptr ? target->name : QString());

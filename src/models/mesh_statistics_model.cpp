@@ -39,11 +39,11 @@ MeshStatisticsModel::MeshStatisticsModel(Session& session, QObject* parent)
         Q_EMIT headerDataChanged(Qt::Horizontal, PropertyColumn, PropertyColumn);
     });
     connect(&session, &Session::sceneReplaced, this, &MeshStatisticsModel::follow);
-    connect(&session, &Session::targetSelected, this, &MeshStatisticsModel::follow);
-    connect(&session, &Session::targetAdded, this, &MeshStatisticsModel::follow);
-    connect(&session, &Session::targetRemoved, this, &MeshStatisticsModel::follow);
-    connect(&session, &Session::hitsAppended, this, &MeshStatisticsModel::follow);
-    connect(&session, &Session::historyReset, this, &MeshStatisticsModel::follow);
+    connect(&session.targets(), &SessionTargets::selectedChanged, this, &MeshStatisticsModel::follow);
+    connect(&session.targets(), &SessionTargets::added, this, &MeshStatisticsModel::follow);
+    connect(&session.targets(), &SessionTargets::removed, this, &MeshStatisticsModel::follow);
+    connect(&session.hits(), &SessionHits::appended, this, &MeshStatisticsModel::follow);
+    connect(&session.hits(), &SessionHits::reset, this, &MeshStatisticsModel::follow);
     follow();
 }
 

@@ -9,11 +9,11 @@ namespace hitscope {
 
 SceneModel::SceneModel(Session& session, QObject* parent) : QAbstractTableModel(parent), m_session(session) {
     connect(&session, &Session::sceneReplaced, this, &SceneModel::reset);
-    connect(&session, &Session::targetAdded, this, &SceneModel::add);
-    connect(&session, &Session::targetRemoved, this, &SceneModel::remove);
-    connect(&session, &Session::targetChanged, this, &SceneModel::refresh);
-    connect(&session, &Session::hitsAppended, this, &SceneModel::countNewHits);
-    connect(&session, &Session::hitsRearranged, this, &SceneModel::recountHits);
+    connect(&session.targets(), &SessionTargets::added, this, &SceneModel::add);
+    connect(&session.targets(), &SessionTargets::removed, this, &SceneModel::remove);
+    connect(&session.targets(), &SessionTargets::changed, this, &SceneModel::refresh);
+    connect(&session.hits(), &SessionHits::appended, this, &SceneModel::countNewHits);
+    connect(&session.hits(), &SessionHits::rearranged, this, &SceneModel::recountHits);
     reset();
 }
 
@@ -30,7 +30,7 @@ void SceneModel::reset() {
 }
 
 void SceneModel::add(TargetId target) {
-    const auto targets = m_session.targets();
+    const SessionTargets& targets = m_session.targets();
     const auto at = std::find_if(targets.begin(), targets.end(),
                                  [target](const auto& candidate) { return candidate->id == target; });
     const auto row = std::min(static_cast<int>(at - targets.begin()), rowCount());
@@ -55,7 +55,7 @@ void SceneModel::refresh(TargetId target) {
 
 /// Costs the hits that are new, not those made before.
 void SceneModel::countNewHits() {
-    const std::span<const Hit> hits = m_session.history().hits();
+    const std::span<const Hit> hits = m_session.hits().history().hits();
     for (; m_counted < hits.size(); ++m_counted) {
         ++m_hits[hits[m_counted].target];
     }
@@ -109,7 +109,7 @@ QString SceneModel::toolTip(const Target& target, int column) const {
     if (column == VisibleColumn) {
         return target.visible ? tr("Visible: click to hide it") : tr("Hidden: click to show it");
     }
-    if (const QString reason = m_session.whyNotHittable(target.id);
+    if (const QString reason = m_session.simulation().whyNotHittable(target.id);
         column == NameColumn && !reason.isEmpty()) {
         return tr("Cannot be hit. %1").arg(reason);
     }
@@ -117,7 +117,7 @@ QString SceneModel::toolTip(const Target& target, int column) const {
 }
 
 QVariant SceneModel::data(const QModelIndex& index, int role) const {
-    const Target* target = m_session.target(targetAt(index.row()));
+    const Target* target = m_session.targets().find(targetAt(index.row()));
     if (!index.isValid() || target == nullptr) {
         return {};
     }
@@ -136,7 +136,7 @@ QVariant SceneModel::data(const QModelIndex& index, int role) const {
         case Qt::ToolTipRole:
             return toolTip(*target, column);
         case WhyNotHittableRole:
-            return m_session.whyNotHittable(target->id);
+            return m_session.simulation().whyNotHittable(target->id);
         case VisibleRole:
             return target->visible;
         case RawValueRole:
@@ -186,10 +186,10 @@ bool SceneModel::setData(const QModelIndex& index, const QVariant& value, int ro
         return false;
     }
     if (index.column() == NameColumn && role == Qt::EditRole) {
-        return m_session.renameTarget(target, value.toString()).ok();
+        return m_session.targets().rename(target, value.toString()).ok();
     }
     if (index.column() == VisibleColumn && role == Qt::CheckStateRole) {
-        m_session.setTargetsVisible({&target, 1}, value.toInt() == Qt::Checked);
+        m_session.targets().setVisible({&target, 1}, value.toInt() == Qt::Checked);
         return true;
     }
     return false;

@@ -50,13 +50,13 @@ VertexChangesModel::VertexChangesModel(Session& session, HitEffects& effects, QO
     m_timer.setInterval(kPause);
     connect(&m_timer, &QTimer::timeout, this, &VertexChangesModel::work);
     connect(&session, &Session::sceneReplaced, this, &VertexChangesModel::startOver);
-    connect(&session, &Session::targetRemoved, this, &VertexChangesModel::followTarget);
-    connect(&session, &Session::targetAdded, this, &VertexChangesModel::followTarget);
-    connect(&session, &Session::targetSelected, this, &VertexChangesModel::followTarget);
-    connect(&session, &Session::hitsAppended, this, &VertexChangesModel::followTarget);
-    connect(&session, &Session::historyReset, this, &VertexChangesModel::followTarget);
+    connect(&session.targets(), &SessionTargets::removed, this, &VertexChangesModel::followTarget);
+    connect(&session.targets(), &SessionTargets::added, this, &VertexChangesModel::followTarget);
+    connect(&session.targets(), &SessionTargets::selectedChanged, this, &VertexChangesModel::followTarget);
+    connect(&session.hits(), &SessionHits::appended, this, &VertexChangesModel::followTarget);
+    connect(&session.hits(), &SessionHits::reset, this, &VertexChangesModel::followTarget);
     connect(&session.readBack(), &ReadBack::verticesMoved, this, &VertexChangesModel::noteMoved);
-    connect(&session, &Session::hitSelected, this, &VertexChangesModel::askForHitVertices);
+    connect(&session.hits(), &SessionHits::selectedChanged, this, &VertexChangesModel::askForHitVertices);
     connect(&effects, &HitEffects::countsChanged, this, &VertexChangesModel::followCounts);
     connect(&effects, &HitEffects::verticesFound, this,
             [this](TargetId target, const std::vector<std::uint32_t>& vertices) {
@@ -169,7 +169,7 @@ void VertexChangesModel::askForHitVertices() {
     if (m_filter != Filter::MovedBySelectedHit) {
         return;
     }
-    if (const auto hit = m_session.selectedHit()) {
+    if (const auto hit = m_session.hits().selected()) {
         m_effects.findVertices(*hit);
     } else {
         showOnly({});

@@ -48,7 +48,7 @@ public:
     VertexChangesModel(Session& session, HitEffects& effects, QObject* parent = nullptr);
     ~VertexChangesModel() override;
 
-    [[nodiscard]] const Target* target() const { return m_session.target(m_target); }
+    [[nodiscard]] const Target* target() const { return m_session.targets().find(m_target); }
     [[nodiscard]] std::uint32_t vertexAt(int row) const { return m_rows[static_cast<std::size_t>(row)]; }
     /// -1: it has no row. Costs time in proportion to the rows, about a millisecond for a million.
     [[nodiscard]] int rowOf(std::uint32_t vertex) const;

@@ -29,7 +29,7 @@ std::vector<Hit> drawHits(const Session& session, std::size_t count) {
         hit.target = target.id;
         hit.point = vertex.position;
         hit.direction = -vertex.normal;
-        hit.constants = session.constants();
+        hit.constants = session.settings().constants();
         hits.push_back(hit);
     }
     return hits;
@@ -43,9 +43,9 @@ public:
                                                                const Lights& lights, std::size_t mostHits) {
         std::unique_ptr<Subject> made(new Subject);
         made->m_session.loadScene(scene);
-        made->m_session.setPipeline(pipeline);
-        made->m_session.restoreLights(lights);
-        if (Status status = made->m_session.restoreConstants({constants}); !status) {
+        made->m_session.settings().setPipeline(pipeline);
+        made->m_session.settings().restoreLights(lights);
+        if (Status status = made->m_session.settings().restoreConstants({constants}); !status) {
             return status.error();
         }
         made->m_hits = drawHits(made->m_session, mostHits);
@@ -57,7 +57,7 @@ public:
         return made;
     }
 
-    [[nodiscard]] PipelineKind pipeline() const { return m_session.pipeline(); }
+    [[nodiscard]] PipelineKind pipeline() const { return m_session.settings().pipeline(); }
     /// Seconds until the picture is there.
     Result<double> frame(const SceneGpu::View& view, const gl::RenderTarget& picture) {
         QElapsedTimer clock;
@@ -72,7 +72,7 @@ public:
     Result<double> hit(std::size_t sample) {
         QElapsedTimer clock;
         clock.start();
-        if (Status status = m_session.addHit(m_hits[sample % m_hits.size()]); !status) {
+        if (Status status = m_session.hits().add(m_hits[sample % m_hits.size()]); !status) {
             return status.error();
         }
         if (Status status = m_gpu->sync(); !status) {
@@ -106,11 +106,11 @@ public:
 private:
     Subject() = default;
     Status grow(std::size_t hits) {
-        const std::size_t has = m_session.history().size();
+        const std::size_t has = m_session.hits().history().size();
         if (hits <= has) {
             return Done{};
         }
-        const Status status = m_session.addHits(std::span(m_hits).subspan(has, hits - has));
+        const Status status = m_session.hits().add(std::span(m_hits).subspan(has, hits - has));
         return status ? m_gpu->sync() : status;
     }
     Session m_session;

@@ -113,7 +113,7 @@ std::vector<std::pair<std::string, std::string>> pictureNotes(const Session& ses
     const gl::RendererInfo info = gl::rendererInfo();
     return {{"Software", "Hitscope " HITSCOPE_VERSION},
             {"Renderer", info.renderer + ", OpenGL " + info.version},
-            {"Pipeline", describe(session.readBack().verdict(), session.pipeline())}};
+            {"Pipeline", describe(session.readBack().verdict(), session.settings().pipeline())}};
 }
 
 }  // namespace hitscope

@@ -20,16 +20,16 @@ constexpr int kDigits = 4;
 
 /// The session's targets as they were, and its settings, in another session; which targets became which.
 std::map<TargetId, TargetId> copyScene(const Session& from, Session& to) {
-    ScenePlan plan{from.sceneName(), {}, from.floorHeight()};
+    ScenePlan plan{from.sceneName(), {}, from.targets().floorHeight()};
     for (const std::unique_ptr<Target>& target : from.targets()) {
         plan.targets.push_back({target->name, target->shape, target->transform,
                                 target->collider ? *target->collider : Collider{}, target->sourcePath});
     }
     to.loadScene(std::move(plan));
-    to.restoreLights(from.lights());
-    to.setCoverTexture(from.coverTexture());
-    to.setPipeline(from.pipeline());
-    to.selectTarget({});
+    to.settings().restoreLights(from.settings().lights());
+    to.settings().setCoverTexture(from.settings().coverTexture());
+    to.settings().setPipeline(from.settings().pipeline());
+    to.targets().select({});
     std::map<TargetId, TargetId> became;
     std::vector<TargetId> hidden;
     for (std::size_t i = 0; i < from.targets().size(); ++i) {
@@ -39,13 +39,13 @@ std::map<TargetId, TargetId> copyScene(const Session& from, Session& to) {
             hidden.push_back(copy);
         }
     }
-    to.setTargetsVisible(hidden, false);
+    to.targets().setVisible(hidden, false);
     return became;
 }
 
 std::vector<Hit> enabledHits(const Session& session, const std::map<TargetId, TargetId>& became) {
     std::vector<Hit> hits;
-    for (Hit hit : session.history().hits()) {
+    for (Hit hit : session.hits().history().hits()) {
         const auto target = became.find(hit.target);
         if (hit.enabled && target != became.end()) {
             hit.target = target->second;
@@ -95,7 +95,7 @@ void PictureSequence::Private::ownChange() {
 }
 
 Status PictureSequence::Private::add(const Hit& hit) {
-    Status added = session.addHit(hit);
+    Status added = session.hits().add(hit);
     if (added && effects) {
         effects->finish();
         values->touchAll(hit.target);

@@ -27,7 +27,7 @@ Reapplication::Reapplication(Session& session, std::unique_ptr<DeformationPipeli
                              std::function<void()> cancel, const QString& cancelHelp)
     : m_session(session),
       m_pipeline(std::move(made)),
-      m_revision(session.history().revision()),
+      m_revision(session.hits().history().revision()),
       m_progress(session.tasks(),
                  QCoreApplication::translate("hitscope::Reapplication", "Applying all hits again"),
                  std::move(cancel), cancelHelp) {
@@ -47,13 +47,13 @@ bool Reapplication::isOfTheseTargets() const {
 
 /// What changes among the hits that are still to come needs no attention; among the others, it begins anew.
 void Reapplication::followEdits() {
-    const HitHistory& history = m_session.history();
-    if (m_revision == history.revision() && m_applied <= m_session.shownHits().size()) {
+    const HitHistory& history = m_session.hits().history();
+    if (m_revision == history.revision() && m_applied <= m_session.hits().shown().size()) {
         return;
     }
     const std::optional<std::vector<HistoryEdit>> edits = history.editsSince(m_revision);
     m_revision = history.revision();
-    const bool isBehind = edits && m_applied <= m_session.shownHits().size() &&
+    const bool isBehind = edits && m_applied <= m_session.hits().shown().size() &&
                           std::all_of(edits->begin(), edits->end(),
                                       [this](const HistoryEdit& edit) { return edit.first >= m_applied; });
     if (!isBehind) {
@@ -63,7 +63,7 @@ void Reapplication::followEdits() {
 }
 
 void Reapplication::applySome(std::size_t most) {
-    const std::span<const Hit> hits = m_session.shownHits();
+    const std::span<const Hit> hits = m_session.hits().shown();
     const std::size_t count = std::min(most, hits.size() - m_applied);
     m_pipeline->append(hits.subspan(m_applied, count));
     m_applied += count;
@@ -72,7 +72,7 @@ void Reapplication::applySome(std::size_t most) {
         [this](TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices) {
             Arrived& arrived = m_arrived[target];
             if (arrived.vertices.empty()) {
-                arrived.vertices = m_session.target(target)->deformed.render().vertices;
+                arrived.vertices = m_session.targets().find(target)->deformed.render().vertices;
             }
             std::copy(vertices.begin(), vertices.end(), arrived.vertices.begin() + first);
             const VertexRange range{first, static_cast<std::uint32_t>(vertices.size())};
@@ -90,7 +90,7 @@ void Reapplication::deliver(const ReadBackSink& sink) {
 
 bool Reapplication::advance() {
     followEdits();
-    const std::size_t all = m_session.shownHits().size();
+    const std::size_t all = m_session.hits().shown().size();
     QElapsedTimer clock;
     clock.start();
     const std::size_t before = m_applied;
@@ -103,7 +103,7 @@ bool Reapplication::advance() {
 
 void Reapplication::finish() {
     followEdits();
-    while (m_applied < m_session.shownHits().size()) {
+    while (m_applied < m_session.hits().shown().size()) {
         applySome(kMostAFrame);
     }
 }

@@ -71,10 +71,10 @@ void SceneGpu::Private::tryOut(PipelineKind kind) {
 
 /// The session's pipeline, and where it fails, others until one is known that can stand in for it.
 void SceneGpu::Private::tryDefault() {
-    tryOut(session.pipeline());
+    tryOut(session.settings().pipeline());
     for (const PipelineTraits& traits : allPipelines()) {
-        if (session.readBack().verdict().of(session.pipeline())->isExact() ||
-            session.readBack().verdict().insteadOf(session.pipeline())) {
+        if (session.readBack().verdict().of(session.settings().pipeline())->isExact() ||
+            session.readBack().verdict().insteadOf(session.settings().pipeline())) {
             return;
         }
         tryOut(traits.kind);
@@ -120,7 +120,7 @@ void SceneGpu::Private::followMaterials(const Target& target, GpuTarget& gpu) {
 
 void SceneGpu::Private::followTargets() {
     for (auto it = targets.begin(); it != targets.end();) {
-        if (session.target(it->first) == nullptr) {
+        if (session.targets().find(it->first) == nullptr) {
             if (pipeline) {
                 pipeline->removeTarget(it->first);
             }
@@ -150,8 +150,8 @@ void SceneGpu::Private::followTargets() {
 }
 
 void SceneGpu::Private::followCover() {
-    if (coverImage != session.coverTexture()) {
-        coverImage = session.coverTexture();
+    if (coverImage != session.settings().coverTexture()) {
+        coverImage = session.settings().coverTexture();
         cover = coverImage ? renderer->makeCover(*coverImage) : nullptr;
     }
 }
@@ -170,7 +170,7 @@ std::vector<DrawItem> SceneGpu::Private::drawItems() const {
         if (target->visible && gpu != targets.end()) {
             items.push_back({target->id, gpu->second.buffers.get(), materialsToDraw(*target),
                              target->transform.matrix(),
-                             target->id == session.selectedTarget() && session.targets().size() > 1,
+                             target->id == session.targets().selected() && session.targets().size() > 1,
                              &gpu->second.changed});
         }
     }
@@ -281,8 +281,8 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
         item.selected = item.selected && view.selectionMarks;
     }
     std::vector<ProjectileItem> projectiles;
-    projectiles.reserve(session.physics().projectileCount());
-    for (const ProjectileState& projectile : session.physics().projectiles()) {
+    projectiles.reserve(session.simulation().physics().projectileCount());
+    for (const ProjectileState& projectile : session.simulation().physics().projectiles()) {
         projectiles.push_back({{projectile.drawn, projectile.radius}, projectile.colour, projectile.trail});
     }
 
@@ -291,10 +291,10 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
     frame.height = view.height;
     frame.pixelRatio = view.pixelRatio;
     frame.camera = view.camera;
-    frame.lights = session.lights();
+    frame.lights = session.settings().lights();
     frame.options = view.options;
     frame.meshRevision = d->meshRevision;
-    frame.floorHeight = session.floorHeight();
+    frame.floorHeight = session.targets().floorHeight();
     frame.targets = items;
     if (view.options.change.on) {
         frame.change =
@@ -312,9 +312,9 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
     frame.ghost = view.ghost;
     frame.section = view.section;
     frame.showsCutPlane = view.showsCutPlane;
-    if (view.selectionMarks && session.selectedHit()) {
-        const Hit& hit = session.history().hits()[*session.selectedHit()];
-        if (const Target* target = session.target(hit.target)) {
+    if (view.selectionMarks && session.hits().selected()) {
+        const Hit& hit = session.hits().history().hits()[*session.hits().selected()];
+        if (const Target* target = session.targets().find(hit.target)) {
             frame.highlightedHit = Sphere{target->transform.toWorld(hit.point), hit.constants.maxDistance};
         }
     }

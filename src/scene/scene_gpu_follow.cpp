@@ -17,13 +17,13 @@ struct SceneGpuText {
 
 /// Nothing is shown or saved of a pipeline that has not been tried.
 Result<std::unique_ptr<DeformationPipeline>> SceneGpu::Private::newPipeline() {
-    tryOut(session.pipeline());
-    return makePipeline(session.pipeline(), options());
+    tryOut(session.settings().pipeline());
+    return makePipeline(session.settings().pipeline(), options());
 }
 
 /// The history keeps its large edits for a short while only: they are taken as they come.
 void SceneGpu::Private::seeHistory() {
-    const HitHistory& history = session.history();
+    const HitHistory& history = session.hits().history();
     if (seenRevision == history.revision()) {
         return;
     }
@@ -39,10 +39,11 @@ void SceneGpu::Private::seeHistory() {
 
 /// Whether bringing the pipeline up to date means to apply most of a long history.
 bool SceneGpu::Private::hasToStartOver() const {
-    if (!pipeline || !Reapplication::isWorthSlicing(session.pipeline(), session.shownHits().size())) {
+    if (!pipeline ||
+        !Reapplication::isWorthSlicing(session.settings().pipeline(), session.hits().shown().size())) {
         return false;
     }
-    if (pipeline->traits().kind != session.pipeline() || !unapplied) {
+    if (pipeline->traits().kind != session.settings().pipeline() || !unapplied) {
         return true;
     }
     return std::any_of(unapplied->begin(), unapplied->end(), [](const HistoryEdit& edit) {
@@ -52,7 +53,7 @@ bool SceneGpu::Private::hasToStartOver() const {
 
 /// Begins, carries on, ends or gives up what is applied in slices.
 Status SceneGpu::Private::followReapplication(Delivery delivery) {
-    if (reapplication && (!hasToStartOver() || reapplication->kind() != session.pipeline() ||
+    if (reapplication && (!hasToStartOver() || reapplication->kind() != session.settings().pipeline() ||
                           !reapplication->isOfTheseTargets())) {
         reapplication.reset();
     }
@@ -62,11 +63,12 @@ Status SceneGpu::Private::followReapplication(Delivery delivery) {
             return made.error();
         }
         const PipelineKind before = pipeline->traits().kind;
-        const bool isSwitch = before != session.pipeline();
-        const auto cancel = [&followed = session, isSwitch, before, edited = session.history().revision()] {
+        const bool isSwitch = before != session.settings().pipeline();
+        const auto cancel = [&followed = session, isSwitch, before,
+                             edited = session.hits().history().revision()] {
             if (isSwitch) {
-                followed.setPipeline(before);
-            } else if (followed.history().revision() == edited) {
+                followed.settings().setPipeline(before);
+            } else if (followed.hits().history().revision() == edited) {
                 followed.undo();
             }
         };
@@ -91,13 +93,13 @@ Status SceneGpu::Private::followReapplication(Delivery delivery) {
 void SceneGpu::Private::takeReapplied() {
     const std::unique_ptr<Reapplication> done = std::move(reapplication);
     unapplied.emplace();
-    applied.reset(session.shownHits().size());
+    applied.reset(session.hits().shown().size());
     ++meshRevision;
     Reapplication::Buffers buffers = done->takeBuffers();
     pipeline = done->takePipeline();
     for (auto& [id, target] : targets) {
         target.buffers = std::move(buffers.at(id));
-        target.buffers->writeShadingNormals(0, session.target(id)->trueNormals.normals());
+        target.buffers->writeShadingNormals(0, session.targets().find(id)->trueNormals.normals());
     }
     readBack.restart();
     readBack.setCapacity(pipeline->capacity());
@@ -108,7 +110,7 @@ void SceneGpu::Private::takeReapplied() {
 }
 
 Status SceneGpu::Private::followPipeline(bool& startOver) {
-    startOver = !pipeline || pipeline->traits().kind != session.pipeline();
+    startOver = !pipeline || pipeline->traits().kind != session.settings().pipeline();
     if (!startOver) {
         return Done{};
     }
@@ -126,8 +128,8 @@ Status SceneGpu::Private::followPipeline(bool& startOver) {
 }
 
 bool SceneGpu::Private::followHistory(bool startOver) {
-    const HitHistory& history = session.history();
-    const std::span<const Hit> shown = session.shownHits();
+    const HitHistory& history = session.hits().history();
+    const std::span<const Hit> shown = session.hits().shown();
     if (!startOver && unapplied && unapplied->empty() && applied.size() == shown.size()) {
         return false;
     }
@@ -162,7 +164,7 @@ void SceneGpu::Private::fetch(Delivery delivery) {
         pipeline->readBack(take);
     }
     for (const ReadBack::ChangedNormals& change : readBack.finish()) {
-        const Target* target = session.target(change.target);
+        const Target* target = session.targets().find(change.target);
         if (target != nullptr) {
             GpuTarget& gpu = targets.at(change.target);
             gpu.changed.note(change.renderVertices);

@@ -57,7 +57,7 @@ void SceneMarks::follow(Single& single, const Session& session, const std::optio
     }
     single.vertex = vertex;
     if (vertex) {
-        fill(single.marks, session.target(vertex->target), {&vertex->vertex, 1});
+        fill(single.marks, session.targets().find(vertex->target), {&vertex->vertex, 1});
     }
 }
 
@@ -71,7 +71,7 @@ void SceneMarks::follow(const Session& session) {
     m_revision = selection.revision();
     std::erase_if(m_selected, [&](const auto& entry) { return selection.vertices(entry.first).empty(); });
     for (const TargetId target : selection.targets()) {
-        fill(m_selected[target], session.target(target), selection.vertices(target));
+        fill(m_selected[target], session.targets().find(target), selection.vertices(target));
     }
 }
 

@@ -69,7 +69,7 @@ Question questionAt(const SceneGpu::View& whole, const glm::vec2& at) {
 
 std::optional<VertexRef> nearestCorner(const Session& session, const Question& question,
                                        const PickedElement& picked) {
-    const Target* target = session.target(picked.target);
+    const Target* target = session.targets().find(picked.target);
     if (target == nullptr || 3 * std::size_t{picked.element} >= target->deformed.render().triangles.size()) {
         return std::nullopt;
     }
@@ -96,7 +96,7 @@ std::optional<VertexRef> nearestPoint(const Session& session, const Question& qu
     std::optional<VertexRef> nearest;
     float least = std::pow(ScenePicker::kReach * question.view.pixelRatio, 2.0f);
     for (std::size_t i = 0; i < picked.size(); ++i) {
-        const Target* target = session.target(picked[i].target);
+        const Target* target = session.targets().find(picked[i].target);
         if (target == nullptr || picked[i].element >= target->deformed.render().fileVertices.size()) {
             continue;
         }
@@ -145,7 +145,7 @@ public:
         bool covered = false;
         for (int i = 0; i < 9; ++i) {
             const glm::ivec2 beside = pixel + glm::ivec2(i % 3 - 1, i / 3 - 1);
-            const Target* target = contains(beside) ? m_session.target(at(beside).target) : nullptr;
+            const Target* target = contains(beside) ? m_session.targets().find(at(beside).target) : nullptr;
             if (target == nullptr || isCorner(*target, at(beside), vertex)) {
                 continue;
             }
@@ -155,7 +155,7 @@ public:
             }
             covered = covered || there.covers;
         }
-        const Target* target = m_session.target(at(pixel).target);
+        const Target* target = m_session.targets().find(at(pixel).target);
         return !covered && target != nullptr && isSmall(*target, at(pixel).element) &&
                !isCorner(*target, at(pixel), vertex) &&
                surfaceAt(*target, at(pixel).element, point.at).depth < behind;

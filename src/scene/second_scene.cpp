@@ -35,7 +35,7 @@ bool SecondScene::followPipeline(Comparison& comparison, const gl::Defines& defo
 
 void SecondScene::followTargets() {
     for (auto it = m_targets.begin(); it != m_targets.end();) {
-        if (m_session.target(it->first) == nullptr) {
+        if (m_session.targets().find(it->first) == nullptr) {
             m_pipeline->removeTarget(it->first);
             it = m_targets.erase(it);
         } else {
@@ -78,8 +78,8 @@ void SecondScene::follow(Comparison* comparison, const gl::Defines& deformDefine
         return;
     }
     followTargets();
-    const HitHistory& history = m_session.history();
-    const std::span<const Hit> shown = m_session.shownHits();
+    const HitHistory& history = m_session.hits().history();
+    const std::span<const Hit> shown = m_session.hits().shown();
     if (startOver || m_revision != history.revision() || m_applied.size() != shown.size()) {
         const auto edits = startOver ? std::nullopt : history.editsSince(m_revision);
         if (edits) {

@@ -65,11 +65,11 @@ void shootAll(Session& session, const std::vector<Ray>& shots) {
     constexpr double kBetween = 0.1;  // seconds
     constexpr double kLanding = 1.0;  // seconds, for the last one
     for (const Ray& shot : shots) {
-        session.shoot(shot);
-        session.advance(kBetween);
+        session.simulation().shoot(shot);
+        session.simulation().advance(kBetween);
     }
     for (double waited = 0.0; waited < kLanding; waited += kBetween) {
-        session.advance(kBetween);
+        session.simulation().advance(kBetween);
     }
 }
 

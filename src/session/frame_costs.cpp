@@ -10,7 +10,7 @@ namespace hitscope {
 FrameCosts::FrameCosts(const Session& session) : m_session(session) {
     m_clock.start();
     connect(&session, &Session::sceneReplaced, this, &FrameCosts::clear);
-    connect(&session, &Session::hitsRearranged, this, &FrameCosts::followRows);
+    connect(&session.hits(), &SessionHits::rearranged, this, &FrameCosts::followRows);
 }
 
 double FrameCosts::now() const {
@@ -36,8 +36,8 @@ void FrameCosts::addFrame(FrameCost cost) {
     cost.hits += m_work.hits;
     cost.cpu = cost.physics + cost.deformation + cost.readBack + cost.drawing;
     cost.total = cost.cpu;
-    cost.history = static_cast<std::uint32_t>(m_session.history().size());
-    cost.pipeline = m_session.pipeline();
+    cost.history = static_cast<std::uint32_t>(m_session.hits().history().size());
+    cost.pipeline = m_session.settings().pipeline();
     m_work = {};
     m_frames.push(cost);
 }
@@ -62,13 +62,13 @@ void FrameCosts::addApplied(std::uint64_t frame, std::size_t first, std::size_t 
     if (count == 0) {
         return;
     }
-    if (count == m_session.history().size()) {
+    if (count == m_session.hits().history().size()) {
         m_batches.clear();  // all hits are in the new one
     }
     m_batchOf.resize(std::max(m_batchOf.size(), first + count), kNoBatch);
     std::fill_n(m_batchOf.begin() + static_cast<std::ptrdiff_t>(first), count,
                 static_cast<std::uint32_t>(m_batches.size()));
-    m_batches.push_back({frame, count, cpu, {}, m_session.pipeline()});
+    m_batches.push_back({frame, count, cpu, {}, m_session.settings().pipeline()});
     Q_EMIT hitCostsChanged(static_cast<int>(first), static_cast<int>(first + count) - 1);
 }
 

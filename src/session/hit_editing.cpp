@@ -19,9 +19,9 @@ HitEditing::HitEditing(Session& session, QObject* parent) : QObject(parent), m_s
     m_noFrameTimer.setInterval(kNoFrame);
     connect(&m_noFrameTimer, &QTimer::timeout, this, &HitEditing::frameEnded);
     connect(&session.frameCosts(), &FrameCosts::frameEnded, this, &HitEditing::frameEnded);
-    connect(&session, &Session::hitSelected, this, &HitEditing::followSelected);
-    connect(&session, &Session::hitsChanged, this, &HitEditing::follow);
-    connect(&session, &Session::hitsRearranged, this, [this](const HitRows& rows) {
+    connect(&session.hits(), &SessionHits::selectedChanged, this, &HitEditing::followSelected);
+    connect(&session.hits(), &SessionHits::changed, this, &HitEditing::follow);
+    connect(&session.hits(), &SessionHits::rearranged, this, [this](const HitRows& rows) {
         std::vector<std::size_t> now;
         for (const std::size_t row : m_rows) {
             if (const auto place = rows.now(row)) {
@@ -51,7 +51,7 @@ void HitEditing::select(std::vector<std::size_t> rows) {
 }
 
 void HitEditing::followSelected() {
-    const std::optional<std::size_t> hit = m_session.selectedHit();
+    const std::optional<std::size_t> hit = m_session.hits().selected();
     if (!hit) {
         select({});
     } else if (!std::binary_search(m_rows.begin(), m_rows.end(), *hit)) {
@@ -62,8 +62,9 @@ void HitEditing::followSelected() {
 }
 
 const Hit* HitEditing::current() const {
-    const std::optional<std::size_t> hit = m_session.selectedHit();
-    return hit && *hit < m_session.history().size() ? &m_session.history().hits()[*hit] : nullptr;
+    const std::optional<std::size_t> hit = m_session.hits().selected();
+    return hit && *hit < m_session.hits().history().size() ? &m_session.hits().history().hits()[*hit]
+                                                           : nullptr;
 }
 
 void HitEditing::follow() {
@@ -82,7 +83,7 @@ void HitEditing::change(int part, const Edit& edit, SessionUndo::Kind kind) {
         m_part = part;
         m_before.clear();
         for (const std::size_t row : m_rows) {
-            m_before.push_back(m_session.history().hits()[row]);
+            m_before.push_back(m_session.hits().history().hits()[row]);
         }
     }
     m_pending = edit;
@@ -100,20 +101,20 @@ void HitEditing::apply() {
     std::vector<Hit> hits;
     hits.reserve(m_rows.size());
     for (const std::size_t row : m_rows) {
-        hits.push_back(m_session.history().hits()[row]);
+        hits.push_back(m_session.hits().history().hits()[row]);
         edit(hits.back());
     }
-    if (m_rows.back() >= m_session.shownHits().size()) {
-        m_session.showHits(std::nullopt);  // who edits a hit wants to see it
+    if (m_rows.back() >= m_session.hits().shown().size()) {
+        m_session.hits().show(std::nullopt);  // who edits a hit wants to see it
     }
     m_isApplying = true;
-    const std::uint64_t revision = m_session.history().revision();
-    const Status replaced = m_session.replaceHits(m_rows, hits, m_kind, m_gesture.change(m_part));
+    const std::uint64_t revision = m_session.hits().history().revision();
+    const Status replaced = m_session.hits().replace(m_rows, hits, m_kind, m_gesture.change(m_part));
     m_isApplying = false;
     if (!replaced) {
         Q_EMIT refused(replaced.error());
         Q_EMIT edited();
-    } else if (revision != m_session.history().revision()) {
+    } else if (revision != m_session.hits().history().revision()) {
         m_awaitsFrame = true;
         m_noFrameTimer.start();
     }
@@ -139,7 +140,7 @@ void HitEditing::cancelGesture() {
     m_pending = nullptr;
     if (m_part >= 0 && m_before.size() == m_rows.size()) {
         m_isApplying = true;
-        static_cast<void>(m_session.replaceHits(m_rows, m_before, m_kind, m_gesture.change(m_part)));
+        static_cast<void>(m_session.hits().replace(m_rows, m_before, m_kind, m_gesture.change(m_part)));
         m_isApplying = false;
     }
     endGesture();

@@ -19,11 +19,11 @@ public:
     /// `session` outlives this.
     explicit HitEditing(Session& session, QObject* parent = nullptr);
 
-    /// Selected hits of the history, ascending; Session::selectedHit() is one of them.
+    /// Selected hits of the history, ascending; SessionHits::selected() is one of them.
     [[nodiscard]] std::span<const std::size_t> rows() const { return m_rows; }
-    /// Several at once. Session::selectHit() selects one alone, or none.
+    /// Several at once. SessionHits::select() selects one alone, or none.
     void select(std::vector<std::size_t> rows);
-    /// Session::selectedHit(), with what is about to be changed; null: none is selected.
+    /// SessionHits::selected(), with what is about to be changed; null: none is selected.
     [[nodiscard]] const Hit* current() const;
 
     using Edit = std::function<void(Hit&)>;

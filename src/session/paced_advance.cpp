@@ -21,12 +21,12 @@ std::function<bool()> workLimit(int looks) {
 }
 
 void advanceWithin(Session& session, double seconds, double most, const PaceClock& clock) {
-    const double aStep = session.physics().step() / session.physics().timeScale();
+    const double aStep = session.simulation().physics().step() / session.simulation().physics().timeScale();
     const double begin = clock();
     const auto isTimeUp = [&] { return clock() - begin >= most; };
     double left = seconds;
     do {
-        session.advance(std::min(left, aStep), isTimeUp);
+        session.simulation().advance(std::min(left, aStep), isTimeUp);
         left -= aStep;
     } while (left > 0.0 && !isTimeUp());
 }

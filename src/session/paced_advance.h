@@ -19,10 +19,10 @@ using PaceClock = std::function<double()>;
 /// Says so from the look numbered `looks` on, whatever the machine: for what must come out the same on all.
 [[nodiscard]] std::function<bool()> workLimit(int looks = 64);
 
-/// session.advance(seconds), but no step is begun, and no shot that is due is fired, once `most` seconds have
-/// gone by: the rest of the time is dropped, so that the scene slows down and not the window, and the next
-/// frame has nothing to catch up with. One shot or step is always taken that is due. Hits depend on the steps
-/// alone, so they are the same.
+/// session.simulation().advance(seconds), but no step is begun, and no shot that is due is fired, once `most`
+/// seconds have gone by: the rest of the time is dropped, so that the scene slows down and not the window,
+/// and the next frame has nothing to catch up with. One shot or step is always taken that is due. Hits depend
+/// on the steps alone, so they are the same.
 void advanceWithin(Session& session, double seconds, double most = kMostPhysics,
                    const PaceClock& clock = paceClock);
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/session.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "mesh/teapot.h"
 #include "session/frame_costs.h"
 #include "session/task_list.h"
 #include "session/vertex_selection.h"
@@ -13,96 +12,108 @@ namespace hitscope {
 
 Session::Session(QObject* parent)
     : QObject(parent),
-      m_readBack(std::make_unique<ReadBack>(m_targets)),
+      m_readBack(std::make_unique<ReadBack>(m_targets.m_targets)),
       m_frameCosts(std::make_unique<FrameCosts>(*this)),
       m_selection(std::make_unique<VertexSelection>(*this)),
       m_tasks(std::make_unique<TaskList>()) {}
 
 Session::~Session() = default;
 
-// Settings
+// Scenes
 
-Status Session::setConstants(const ConstantsSetting& setting, SessionUndo::Merge merge) {
-    const ConstantsSetting before = m_constants;
-    if (Status taken = restoreConstants(setting); !taken) {
-        return taken;
-    }
-    recordUndo({{}, before, setting, merge, {SessionUndo::Kind::Constants, 1}});
-    return Done{};
-}
-
-Status Session::restoreConstants(const ConstantsSetting& setting) {
-    if (!isValid(setting.constants)) {
-        return Error{"A deformation constant is out of its range.", "",
-                     "Keep to the ranges the panel shows."};
-    }
-    takeConstants(setting);
-    return Done{};
-}
-
-DeformationConstants Session::constantsOn(const Target& target) const {
-    return hitscope::constantsOn(target.extent(), m_constants);
-}
-
-DeformationConstants Session::constantsOf(const Hit& hit) const {
-    const Target* on = target(hit.target);
-    DeformationConstants constants = on != nullptr ? constantsOn(*on) : m_constants.constants;
-    if (m_projectileSettings.powerFollowsImpulse) {
-        ConstantsSetting most = m_constants;
-        most.constants.power = static_cast<float>(deformationParameters()[1].maximum);
-        const float cap =
-            on != nullptr ? hitscope::constantsOn(on->extent(), most).power : most.constants.power;
-        const float power = constants.power * (hit.impulse / m_projectileSettings.referenceImpulse);
-        constants.power = std::clamp(power, 0.0f, cap);
-    }
-    return constants;
-}
-
-void Session::takeConstants(const ConstantsSetting& constants) {
-    if (constants != m_constants) {
-        m_constants = constants;
-        Q_EMIT constantsChanged();
-    }
-}
-
-void Session::setLights(const Lights& lights, SessionUndo::Merge merge) {
-    const LightsEdit edit{m_lights, lights};
-    restoreLights(lights);
-    recordUndo({{}, m_constants, m_constants, merge, {SessionUndo::Kind::Lights, 1}, {}, {edit}});
-}
-
-void Session::restoreLights(const Lights& lights) {
-    m_lights = lights;
-    Q_EMIT lightsChanged();
+void Session::loadScene(ScenePlan plan) {
+    clearScene();
+    m_targets.replace(std::move(plan.targets), plan.floorHeight);
+    m_sceneName = plan.name;
+    m_simulation.setFloor(m_targets.floorHeight());
+    m_settings.standAround(m_targets.bounds());
+    Q_EMIT sceneReplaced();
+    Q_EMIT m_hits.reset();
+    Q_EMIT m_hits.shownChanged();
+    Q_EMIT undoChanged();
+    m_readBack->setCapacity({m_readBack->capacity().capacity, m_readBack->capacity().perTarget, 0, {}});
+    Q_EMIT m_settings.lightsChanged();
+    Q_EMIT m_targets.selectedChanged(m_targets.selected());
     Q_EMIT pictureChanged();
 }
 
-void Session::setCoverTexture(std::shared_ptr<const Image> texture) {
-    if (texture != m_coverTexture) {
-        m_coverTexture = std::move(texture);
+void Session::clearScene() {
+    m_simulation.clear();
+    m_targets.clear();
+    m_readBack->forgetAll();
+    m_hits.forgetAll();
+    m_undo.clear();
+}
+
+void Session::loadPaperRow(int row) {
+    const PaperRow& preset = paperRows()[static_cast<std::size_t>(row)];
+    loadScene({preset.label(), planPaperRow(preset), 0.0f});
+}
+
+void Session::loadMesh(MeshData mesh, const QString& sourcePath) {
+    loadMesh(prepareMesh(std::move(mesh)), sourcePath);
+}
+
+void Session::loadMesh(const PreparedMesh& mesh, const QString& sourcePath) {
+    ScenePlan plan;
+    plan.targets.push_back(planMesh(mesh, sourcePath));
+    plan.name = plan.targets.front().name;
+    loadScene(std::move(plan));
+}
+
+void Session::loadTeapot() {
+    // Fine enough that a dent of 0.5 m in radius shows its rim.
+    constexpr int kDivisions = 32;
+    loadMesh(makeTeapot(kDivisions));
+}
+
+// Steps to undo
+
+void Session::record(SessionUndo::Change change) {
+    m_undo.record(std::move(change));
+    Q_EMIT undoChanged();
+}
+
+void Session::undo() {
+    if (m_undo.canUndo()) {
+        makeAgain(m_undo.undo());
+    }
+}
+
+void Session::redo() {
+    if (m_undo.canRedo()) {
+        makeAgain(m_undo.redo());
+    }
+}
+
+void Session::makeAgain(const SessionUndo::Change& change) {
+    m_hits.makeAgain(change.edits);
+    m_settings.makeAgain(change);
+    follow(change);
+    Q_EMIT undoChanged();
+}
+
+/// A hit is never on a target that is not there: targets come before their hits, and go after them.
+void Session::follow(const SessionUndo::Change& change) {
+    for (const TargetEdit& edit : change.targets) {
+        if (edit.after) {
+            m_targets.follow(edit);
+        }
+    }
+    m_hits.announce(change.edits);
+    for (const TargetEdit& edit : change.targets) {
+        if (!edit.after) {
+            m_targets.follow(edit);
+        }
+    }
+    if (!change.targets.empty()) {
         Q_EMIT pictureChanged();
     }
 }
 
-void Session::setProjectileSettings(const ProjectileSettings& settings) {
-    m_projectileSettings = clamped(settings);
-    Q_EMIT projectileSettingsChanged();
-}
-
-void Session::setFlightMode(FlightMode mode) {
-    if (mode != m_flightMode) {
-        m_flightMode = mode;
-        Q_EMIT flightModeChanged();
-    }
-}
-
-void Session::setPipeline(PipelineKind kind) {
-    if (kind != m_pipeline) {
-        m_pipeline = kind;
-        m_readBack->expectMoves();
-        Q_EMIT pipelineChanged();
-        Q_EMIT pictureChanged();
-    }
+void Session::expectMoves(std::span<const HistoryEdit> edits) {
+    m_readBack->expectMoves();
+    m_simulation.follow(edits);
 }
 
 }  // namespace hitscope

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The session's targets, one by one: every change of them passes through here.
+#include "session/session_targets.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -44,9 +45,16 @@ std::vector<Bounds> boundsOf(std::span<const std::unique_ptr<Target>> targets) {
 
 }  // namespace
 
+SessionTargets::SessionTargets(Session& session) : m_session(session) {}
+
 // Finding
 
-std::optional<std::size_t> Session::indexOf(TargetId id) const {
+const Target* SessionTargets::find(TargetId id) const {
+    const std::optional<std::size_t> index = indexOf(id);
+    return index ? m_targets[*index].get() : nullptr;
+}
+
+std::optional<std::size_t> SessionTargets::indexOf(TargetId id) const {
     const auto found = std::find_if(m_targets.begin(), m_targets.end(),
                                     [id](const std::unique_ptr<Target>& target) { return target->id == id; });
     return found == m_targets.end() ? std::nullopt
@@ -54,7 +62,7 @@ std::optional<std::size_t> Session::indexOf(TargetId id) const {
 }
 
 /// Ascending, each once.
-std::vector<std::size_t> Session::indicesOf(std::span<const TargetId> ids) const {
+std::vector<std::size_t> SessionTargets::indicesOf(std::span<const TargetId> ids) const {
     std::vector<std::size_t> indices;
     for (const TargetId id : ids) {
         if (const std::optional<std::size_t> index = indexOf(id)) {
@@ -66,18 +74,7 @@ std::vector<std::size_t> Session::indicesOf(std::span<const TargetId> ids) const
     return indices;
 }
 
-std::vector<std::size_t> Session::hitsOn(std::span<const TargetId> ids) const {
-    std::vector<std::size_t> found;
-    const std::span<const Hit> hits = m_history.hits();
-    for (std::size_t i = 0; i < hits.size(); ++i) {
-        if (std::find(ids.begin(), ids.end(), hits[i].target) != ids.end()) {
-            found.push_back(i);
-        }
-    }
-    return found;
-}
-
-std::set<QString> Session::targetNames() const {
+std::set<QString> SessionTargets::names() const {
     std::set<QString> names;
     for (const std::unique_ptr<Target>& target : m_targets) {
         names.insert(target->name);
@@ -85,11 +82,32 @@ std::set<QString> Session::targetNames() const {
     return names;
 }
 
+Bounds SessionTargets::bounds() const {
+    Bounds visible;
+    Bounds all;
+    for (const std::unique_ptr<Target>& target : m_targets) {
+        const Bounds bounds = target->worldBounds();
+        all.add(bounds);
+        if (target->visible) {
+            visible.add(bounds);
+        }
+    }
+    return visible.empty() ? all : visible;
+}
+
+void SessionTargets::select(TargetId id) {
+    if (id != m_selected && (!id || find(id) != nullptr)) {
+        m_selected = id;
+        Q_EMIT selectedChanged(id);
+        Q_EMIT m_session.pictureChanged();
+    }
+}
+
 // Making
 
-TargetState Session::newTarget(TargetPlan plan) {
+TargetState SessionTargets::newTarget(TargetPlan plan) {
     TargetState state;
-    state.id = TargetId{m_nextTarget++};
+    state.id = TargetId{m_next++};
     state.name = std::move(plan.name);
     state.transform = plan.transform;
     state.sourcePath = std::move(plan.sourcePath);
@@ -100,57 +118,52 @@ TargetState Session::newTarget(TargetPlan plan) {
     return state;
 }
 
-Target& Session::insertTarget(std::size_t index, const TargetState& state) {
+Target& SessionTargets::insert(std::size_t index, const TargetState& state) {
     const auto at = m_targets.begin() + static_cast<std::ptrdiff_t>(index);
     Target& target = **m_targets.insert(at, std::make_unique<Target>(state));
-    m_colliders.add(target.id, target.shape.render);
-    letCollide(target);
+    m_session.m_simulation.add(target);
     return target;
 }
 
-void Session::eraseTarget(std::size_t index) {
+void SessionTargets::erase(std::size_t index) {
     const TargetId id = m_targets[index]->id;
-    m_physics.removeTarget(id);
-    m_colliders.forget(id);
-    m_readBack->forget(id);
-    m_notHittable.erase(id);
+    m_session.m_simulation.forget(id);
+    m_session.m_readBack->forget(id);
     m_targets.erase(m_targets.begin() + static_cast<std::ptrdiff_t>(index));
-    if (m_selectedTarget == id) {
-        selectTarget({});
+    if (m_selected == id) {
+        select({});
     }
 }
 
-// Following a change. A hit is never on a target that is not there: targets come before their hits, and go
-// after them. The history has the change already.
+// Following a change
 
-void Session::follow(const SessionUndo::Change& change) {
-    for (const TargetEdit& edit : change.targets) {
-        if (edit.after) {
-            follow(edit);
-        }
-    }
-    announceEdits(change.edits);
-    for (const TargetEdit& edit : change.targets) {
-        if (!edit.after) {
-            follow(edit);
-        }
-    }
-    if (!change.targets.empty()) {
-        Q_EMIT pictureChanged();
-    }
+void SessionTargets::clear() {
+    m_targets.clear();
+    m_selected = {};
 }
 
-void Session::follow(const TargetEdit& edit) {
+void SessionTargets::replace(std::vector<TargetPlan> plans, std::optional<float> floorHeight) {
+    for (TargetPlan& plan : plans) {
+        insert(m_targets.size(), newTarget(std::move(plan)));
+    }
+    if (m_targets.size() == 1) {
+        m_selected = m_targets.front()->id;
+    }
+    const Bounds around = bounds();
+    m_floorHeight = floorHeight.value_or(around.empty() ? 0.0f : around.min.y);
+}
+
+void SessionTargets::follow(const TargetEdit& edit) {
     if (!edit.before) {
-        const TargetId id = insertTarget(edit.index, *edit.after).id;
-        Q_EMIT targetAdded(id);
-        selectTarget(id);
+        const TargetId id = insert(edit.index, *edit.after).id;
+        Q_EMIT added(id);
+        select(id);
         return;
     }
     const TargetId id = edit.before->id;
     if (!edit.after) {
-        eraseTarget(edit.index);
-        Q_EMIT targetRemoved(id);
+        erase(edit.index);
+        Q_EMIT removed(id);
         return;
     }
     Target& target = *m_targets[edit.index];
@@ -160,47 +173,54 @@ void Session::follow(const TargetEdit& edit) {
     const bool moves = edit.before->transform.position != target.transform.position ||
                        edit.before->transform.rotation != target.transform.rotation;
     if (moves || edit.before->visible != target.visible || edit.before->physics != target.physics) {
-        letCollide(target);
+        m_session.m_simulation.letCollide(target);
     } else {
         // Knocked about since the change was noted down.
         target.transform = where;
     }
-    Q_EMIT targetChanged(id);
+    Q_EMIT changed(id);
 }
 
-void Session::changeTargets(std::vector<TargetEdit> targets, SessionUndo::Name name,
+void SessionTargets::moveTo(TargetId id, const RigidTransform& transform) {
+    Target& moved = *m_targets[*indexOf(id)];
+    if (moved.transform.position != transform.position || moved.transform.rotation != transform.rotation) {
+        moved.transform = transform;
+        Q_EMIT changed(id);
+    }
+}
+
+void SessionTargets::change(std::vector<TargetEdit> targets, SessionUndo::Name name,
                             std::vector<HistoryEdit> edits, SessionUndo::Merge merge) {
     if (targets.empty() && edits.empty()) {
         return;
     }
-    const SessionUndo::Change change{std::move(edits),  m_constants, m_constants, merge, name,
-                                     std::move(targets)};
-    recordUndo(change);
-    follow(change);
+    const SessionUndo::Change change{name, merge, std::move(edits), std::move(targets)};
+    m_session.record(change);
+    m_session.follow(change);
 }
 
-void Session::changeTarget(const Target& target, TargetState after, SessionUndo::Name name,
-                           SessionUndo::Merge merge) {
-    changeTargets({{*indexOf(target.id), TargetState(target), std::move(after)}}, name, {}, merge);
+void SessionTargets::change(const Target& target, TargetState after, SessionUndo::Name name,
+                            SessionUndo::Merge merge) {
+    change({{*indexOf(target.id), TargetState(target), std::move(after)}}, name, {}, merge);
 }
 
 // What a person does
 
-void Session::addTargets(std::vector<TargetPlan> plans) {
+void SessionTargets::add(std::vector<TargetPlan> plans) {
     makeRoom(plans, boundsOf(m_targets), m_floorHeight);
-    std::set<QString> names = targetNames();
+    std::set<QString> takenNames = names();
     std::vector<TargetEdit> edits;
     for (TargetPlan& plan : plans) {
-        plan.name = freeName(plan.name, names);
+        plan.name = freeName(plan.name, takenNames);
         edits.push_back({m_targets.size() + edits.size(), std::nullopt, newTarget(std::move(plan))});
     }
     const std::size_t count = edits.size();
-    changeTargets(std::move(edits), {SessionUndo::Kind::AddTarget, count});
+    change(std::move(edits), {SessionUndo::Kind::AddTarget, count});
 }
 
-void Session::duplicateTargets(std::span<const TargetId> ids) {
+void SessionTargets::duplicate(std::span<const TargetId> ids) {
     std::vector<Bounds> taken = boundsOf(m_targets);
-    std::set<QString> names = targetNames();
+    std::set<QString> takenNames = names();
     std::vector<TargetEdit> edits;
     std::vector<Hit> hits;
     for (const std::size_t index : indicesOf(ids)) {
@@ -210,11 +230,11 @@ void Session::duplicateTargets(std::span<const TargetId> ids) {
         place.front().transform = original.transform;
         makeRoom(place, taken);
         TargetState copy = original;
-        copy.id = TargetId{m_nextTarget++};
-        copy.name = freeName(original.name, names);
+        copy.id = TargetId{m_next++};
+        copy.name = freeName(original.name, takenNames);
         copy.transform = place.front().transform;
         taken.push_back(worldBounds(*copy.shape.render, copy.transform));
-        for (const Hit& hit : m_history.hits()) {
+        for (const Hit& hit : m_session.m_hits.history().hits()) {
             if (hit.target == original.id) {
                 hits.push_back(hit);
                 hits.back().target = copy.id;
@@ -228,44 +248,45 @@ void Session::duplicateTargets(std::span<const TargetId> ids) {
     const std::size_t count = edits.size();
     std::vector<HistoryEdit> copied;
     if (!hits.empty()) {
-        copied.push_back(m_history.append(hits));
+        copied.push_back(m_session.m_hits.putIn(hits));
     }
-    changeTargets(std::move(edits), {SessionUndo::Kind::DuplicateTarget, count}, std::move(copied));
+    change(std::move(edits), {SessionUndo::Kind::DuplicateTarget, count}, std::move(copied));
 }
 
-void Session::removeTargets(std::span<const TargetId> ids) {
+void SessionTargets::remove(std::span<const TargetId> ids) {
     const std::vector<std::size_t> indices = indicesOf(ids);
     std::vector<TargetEdit> edits;
     std::for_each(indices.rbegin(), indices.rend(), [&](std::size_t index) {
         edits.push_back({index, TargetState(*m_targets[index]), std::nullopt});
     });
     if (!edits.empty()) {
-        changeTargets(std::move(edits), {SessionUndo::Kind::RemoveTarget, indices.size()},
-                      spliceOut(hitsOn(ids)));
+        change(std::move(edits), {SessionUndo::Kind::RemoveTarget, indices.size()},
+               m_session.m_hits.takeOut(m_session.m_hits.on(ids)));
     }
 }
 
-void Session::resetTargets(std::span<const TargetId> ids) {
-    const std::vector<std::size_t> hits = hitsOn(ids);
+void SessionTargets::reset(std::span<const TargetId> ids) {
+    const std::vector<std::size_t> hits = m_session.m_hits.on(ids);
     if (!hits.empty()) {
-        changeHistory(spliceOut(hits), {SessionUndo::Kind::ResetTarget, indicesOf(ids).size()});
+        m_session.m_hits.record(m_session.m_hits.takeOut(hits),
+                                {SessionUndo::Kind::ResetTarget, indicesOf(ids).size()});
     }
 }
 
-Status Session::renameTarget(TargetId id, const QString& name) {
+Status SessionTargets::rename(TargetId id, const QString& name) {
     const QString trimmed = name.simplified();
     if (trimmed.isEmpty()) {
         return Error{"A target needs a name.", "", "Type at least one letter."};
     }
-    if (const Target* renamed = target(id); renamed != nullptr && renamed->name != trimmed) {
+    if (const Target* renamed = find(id); renamed != nullptr && renamed->name != trimmed) {
         TargetState after = *renamed;
         after.name = trimmed;
-        changeTarget(*renamed, std::move(after), {SessionUndo::Kind::RenameTarget, 1});
+        change(*renamed, std::move(after), {SessionUndo::Kind::RenameTarget, 1});
     }
     return Done{};
 }
 
-void Session::setTargetsVisible(std::span<const TargetId> ids, bool visible) {
+void SessionTargets::setVisible(std::span<const TargetId> ids, bool visible) {
     std::vector<TargetEdit> edits;
     for (const std::size_t index : indicesOf(ids)) {
         const Target& changed = *m_targets[index];
@@ -276,27 +297,28 @@ void Session::setTargetsVisible(std::span<const TargetId> ids, bool visible) {
         }
     }
     const std::size_t count = edits.size();
-    changeTargets(std::move(edits),
-                  {visible ? SessionUndo::Kind::ShowTarget : SessionUndo::Kind::HideTarget, count});
+    change(std::move(edits),
+           {visible ? SessionUndo::Kind::ShowTarget : SessionUndo::Kind::HideTarget, count});
 }
 
-void Session::setTargetMaterials(std::span<const TargetId> ids, const std::shared_ptr<const MeshData>& mesh) {
+void SessionTargets::setMaterials(std::span<const TargetId> ids,
+                                  const std::shared_ptr<const MeshData>& mesh) {
     std::vector<TargetEdit> edits;
     for (const std::size_t index : indicesOf(ids)) {
         TargetState after = *m_targets[index];
         after.shape.mesh = mesh;
         edits.push_back({index, TargetState(*m_targets[index]), std::move(after)});
     }
-    changeTargets(std::move(edits), {SessionUndo::Kind::TargetTexture, 1});
+    change(std::move(edits), {SessionUndo::Kind::TargetTexture, 1});
 }
 
-Status Session::setTargetTransform(TargetId id, const RigidTransform& transform, SessionUndo::Merge merge) {
+Status SessionTargets::setTransform(TargetId id, const RigidTransform& transform, SessionUndo::Merge merge) {
     const float length = glm::length(transform.rotation);
     if (!isFinite(transform) || !(length > 1.0e-6f)) {
         return Error{"A target can only be put where its position and rotation are finite numbers.", "",
                      "Keep to the ranges the Scene panel shows."};
     }
-    const Target* moved = target(id);
+    const Target* moved = find(id);
     if (moved == nullptr) {
         return Done{};
     }
@@ -304,9 +326,25 @@ Status Session::setTargetTransform(TargetId id, const RigidTransform& transform,
     after.transform = {transform.position, transform.rotation / length};
     const bool turned = after.transform.rotation != moved->transform.rotation;
     if (turned || after.transform.position != moved->transform.position) {
-        changeTarget(*moved, std::move(after),
-                     {turned ? SessionUndo::Kind::RotateTarget : SessionUndo::Kind::MoveTarget, 1}, merge);
+        change(*moved, std::move(after),
+               {turned ? SessionUndo::Kind::RotateTarget : SessionUndo::Kind::MoveTarget, 1}, merge);
     }
+    return Done{};
+}
+
+Status SessionTargets::setPhysics(TargetId id, const TargetPhysics& physics) {
+    const Target* target = find(id);
+    if (target == nullptr || target->physics == clamped(physics)) {
+        return Done{};
+    }
+    if (Status status = m_session.m_simulation.setTargetPhysics(id, physics); !status) {
+        return status;
+    }
+    TargetState after = *target;
+    after.physics = clamped(physics);
+    change(*target, std::move(after), {SessionUndo::Kind::TargetPhysics, 1},
+           SessionUndo::Merge::WithSameKind);
+    Q_EMIT m_session.pictureChanged();
     return Done{};
 }
 

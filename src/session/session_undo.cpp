@@ -44,17 +44,34 @@ bool absorbEach(std::vector<HistoryEdit>& earlier, std::vector<HistoryEdit>& lat
     return true;
 }
 
+template <typename Value>
+bool isNothing(const std::optional<SettingEdit<Value>>& edit) {
+    return !edit || edit->before == edit->after;
+}
+
+template <typename Value>
+std::optional<SettingEdit<Value>> inverse(const std::optional<SettingEdit<Value>>& edit) {
+    return edit ? std::optional(SettingEdit<Value>{edit->after, edit->before}) : std::nullopt;
+}
+
+/// Makes `earlier` do what it and then `later` do.
+template <typename Value>
+void absorbSetting(std::optional<SettingEdit<Value>>& earlier, std::optional<SettingEdit<Value>>& later) {
+    if (earlier && later) {
+        earlier->after = std::move(later->after);
+    } else if (later) {
+        earlier = std::move(later);
+    }
+}
+
 bool comesToNothing(const SessionUndo::Change& change) {
-    const auto same = [](const auto& edit) { return edit.before == edit.after; };
-    return change.targets.empty() && change.constantsBefore == change.constantsAfter &&
-           std::all_of(change.edits.begin(), change.edits.end(), same) &&
-           std::all_of(change.lights.begin(), change.lights.end(), same);
+    const auto same = [](const HistoryEdit& edit) { return edit.before == edit.after; };
+    return change.targets.empty() && std::all_of(change.edits.begin(), change.edits.end(), same) &&
+           isNothing(change.constants) && isNothing(change.lights);
 }
 
 SessionUndo::Change inverse(const SessionUndo::Change& change) {
     SessionUndo::Change undone;
-    undone.constantsBefore = change.constantsAfter;
-    undone.constantsAfter = change.constantsBefore;
     undone.name = change.name;
     std::for_each(change.edits.rbegin(), change.edits.rend(), [&undone](const HistoryEdit& edit) {
         undone.edits.push_back({edit.first, edit.after, edit.before});
@@ -62,9 +79,8 @@ SessionUndo::Change inverse(const SessionUndo::Change& change) {
     std::for_each(change.targets.rbegin(), change.targets.rend(), [&undone](const TargetEdit& edit) {
         undone.targets.push_back({edit.index, edit.after, edit.before});
     });
-    std::for_each(change.lights.rbegin(), change.lights.rend(), [&undone](const LightsEdit& edit) {
-        undone.lights.push_back({edit.after, edit.before});
-    });
+    undone.constants = inverse(change.constants);
+    undone.lights = inverse(change.lights);
     return undone;
 }
 
@@ -85,17 +101,11 @@ bool SessionUndo::absorb(Change& change) {
             }
         }
     }
-    for (LightsEdit& edit : change.lights) {
-        if (last.lights.empty()) {
-            last.lights.push_back(std::move(edit));
-        } else {
-            last.lights.back().after = std::move(edit.after);
-        }
-    }
     for (std::size_t i = 0; i < change.targets.size(); ++i) {
         last.targets[i].after = std::move(change.targets[i].after);
     }
-    last.constantsAfter = change.constantsAfter;
+    absorbSetting(last.constants, change.constants);
+    absorbSetting(last.lights, change.lights);
     return true;
 }
 

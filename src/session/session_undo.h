@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "deform/hit_history.h"
@@ -11,10 +12,11 @@
 
 namespace hitscope {
 
-/// The lights were one and became the other.
-struct LightsEdit {
-    Lights before;
-    Lights after;
+/// A setting was one and became the other.
+template <typename Value>
+struct SettingEdit {
+    Value before;
+    Value after;
 };
 
 /// The steps a person can go back and forward through: changes of the hit history, of the deformation
@@ -61,13 +63,12 @@ public:
     };
     /// What one action of a person changed.
     struct Change {
-        std::vector<HistoryEdit> edits;  ///< in the order made
-        ConstantsSetting constantsBefore;
-        ConstantsSetting constantsAfter;
-        Merge merge = Merge::Never;
         Name name = {};
-        std::vector<TargetEdit> targets = {};  ///< in the order made
-        std::vector<LightsEdit> lights = {};   ///< likewise
+        Merge merge = Merge::Never;
+        std::vector<HistoryEdit> edits = {};   ///< in the order made
+        std::vector<TargetEdit> targets = {};  ///< likewise
+        std::optional<SettingEdit<ConstantsSetting>> constants = {};
+        std::optional<SettingEdit<Lights>> lights = {};
     };
     /// Where nothing changed nothing is recorded; steps that merge and come to nothing go.
     void record(Change change);

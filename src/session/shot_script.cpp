@@ -103,7 +103,7 @@ void schedule(Session& session, const ShotScript& script) {
     for (const TimedShot& shot : script.shots) {
         shots.push_back({shot.time, shot.ray, script.projectile, script.isInstant});
     }
-    session.schedule(shots);
+    session.simulation().schedule(shots);
 }
 
 }  // namespace hitscope

@@ -11,11 +11,11 @@ namespace hitscope {
 
 VertexSelection::VertexSelection(Session& session) : m_session(session) {
     connect(&session, &Session::sceneReplaced, this, &VertexSelection::clear);
-    connect(&session, &Session::targetRemoved, this, &VertexSelection::forget);
+    connect(&session.targets(), &SessionTargets::removed, this, &VertexSelection::forget);
 }
 
 std::optional<VertexRef> VertexSelection::existing(const std::optional<VertexRef>& vertex) const {
-    const Target* target = vertex ? m_session.target(vertex->target) : nullptr;
+    const Target* target = vertex ? m_session.targets().find(vertex->target) : nullptr;
     return target != nullptr && vertex->vertex < target->deformed.positions().size() ? vertex : std::nullopt;
 }
 
@@ -56,7 +56,7 @@ void VertexSelection::select(TargetId id, std::vector<std::uint32_t> vertices, C
     if (combine != Combine::Replace) {
         selected = m_selected;
     }
-    const Target* target = m_session.target(id);
+    const Target* target = m_session.targets().find(id);
     const std::size_t count = target != nullptr ? target->deformed.positions().size() : 0;
     std::erase_if(vertices, [count](std::uint32_t vertex) { return vertex >= count; });
     std::sort(vertices.begin(), vertices.end());

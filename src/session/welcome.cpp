@@ -9,10 +9,10 @@ namespace hitscope {
 
 void loadWelcomeScene(Session& session) {
     session.loadTeapot();
-    const Bounds bounds = session.sceneBounds();
+    const Bounds bounds = session.targets().bounds();
     // From beside the eye of the first view, so that light and shade show the dent's depth.
     const glm::vec3 towards = glm::normalize(glm::vec3(-0.35f, -0.15f, -0.9f));
-    session.hitscan({bounds.centre() - bounds.diagonal() * towards, towards});
+    session.simulation().hitscan({bounds.centre() - bounds.diagonal() * towards, towards});
 }
 
 }  // namespace hitscope

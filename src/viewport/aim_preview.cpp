@@ -38,13 +38,13 @@ AimPreview::AimPreview(Session& session, Viewport& viewport)
     connect(&viewport.navigation(), &Navigation::cameraChanged, this, &AimPreview::wait);
     connect(&viewport, &Viewport::optionsChanged, this, &AimPreview::wait);
     connect(&session.readBack(), &ReadBack::meshChanged, this, &AimPreview::wait);
-    connect(&session, &Session::targetAdded, this, &AimPreview::wait);
-    connect(&session, &Session::targetRemoved, this, &AimPreview::wait);
-    connect(&session, &Session::targetChanged, this, &AimPreview::wait);
+    connect(&session.targets(), &SessionTargets::added, this, &AimPreview::wait);
+    connect(&session.targets(), &SessionTargets::removed, this, &AimPreview::wait);
+    connect(&session.targets(), &SessionTargets::changed, this, &AimPreview::wait);
     connect(&session, &Session::sceneReplaced, this, &AimPreview::wait);
-    connect(&session, &Session::constantsChanged, this, &AimPreview::wait);
-    connect(&session, &Session::projectileSettingsChanged, this, &AimPreview::wait);
-    connect(&session, &Session::flightModeChanged, this, &AimPreview::wait);
+    connect(&session.settings(), &SessionSettings::constantsChanged, this, &AimPreview::wait);
+    connect(&session.settings(), &SessionSettings::projectileChanged, this, &AimPreview::wait);
+    connect(&session.settings(), &SessionSettings::flightModeChanged, this, &AimPreview::wait);
 }
 
 void AimPreview::setEnabled(bool on) {
@@ -98,13 +98,13 @@ void AimPreview::wait() {
 }
 
 void AimPreview::show() {
-    if (!m_session.updateColliders(timeLimit())) {
+    if (!m_session.simulation().updateColliders(timeLimit())) {
         m_rest.start();
         return;
     }
     const ScheduledShot shot = m_viewport.shotAt(m_viewport.navigation().rayAt(m_at));
-    const std::optional<Hit> hit = m_session.predictedHit(shot);
-    const Target* target = hit ? m_session.target(hit->target) : nullptr;
+    const std::optional<Hit> hit = m_session.simulation().predictedHit(shot);
+    const Target* target = hit ? m_session.targets().find(hit->target) : nullptr;
     if (target == nullptr) {
         return;
     }
@@ -116,7 +116,7 @@ void AimPreview::show() {
         return;
     }
     const std::vector<std::uint32_t> near =
-        m_session.physics().trianglesNear(target->id, hit->point, distance);
+        m_session.simulation().physics().trianglesNear(target->id, hit->point, distance);
     const DentPreview preview = previewDent(mesh, target->deformed.vertices(), reach, near, *hit);
     auto ghost = std::make_shared<std::vector<glm::vec3>>();
     ghost->reserve(preview.dent.size());

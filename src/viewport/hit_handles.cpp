@@ -86,7 +86,7 @@ HitHandles::HitHandles(Viewport& viewport, Session& session, HitEditing& editing
     connect(&viewport.navigation(), &Navigation::cameraChanged, this, &HitHandles::follow);
     connect(&viewport, &Viewport::framePainted, this, &HitHandles::follow);
     connect(&editing, &HitEditing::edited, this, &HitHandles::follow);
-    connect(&session, &Session::targetChanged, this, &HitHandles::follow);
+    connect(&session.targets(), &SessionTargets::changed, this, &HitHandles::follow);
 }
 
 void HitHandles::connectGrip(HitGrip& grip, void (HitHandles::*drag)(const QPointF&)) {
@@ -103,7 +103,7 @@ void HitHandles::connectGrip(HitGrip& grip, void (HitHandles::*drag)(const QPoin
 
 std::optional<HitHandles::Shape> HitHandles::shape() const {
     const Hit* hit = m_editing.current();
-    const Target* target = hit != nullptr ? m_session.target(hit->target) : nullptr;
+    const Target* target = hit != nullptr ? m_session.targets().find(hit->target) : nullptr;
     if (target == nullptr || !target->visible) {
         return std::nullopt;
     }
@@ -291,7 +291,7 @@ void HitHandles::dragDirection(const QPointF& to) {
     const std::optional<QPointF> tail = placeOf(m_before.point - m_before.reach * m_before.direction);
     const QPointF offset = tail ? *tail - m_from : QPointF();
     const Hit* hit = m_editing.current();
-    const Target* target = hit != nullptr ? m_session.target(hit->target) : nullptr;
+    const Target* target = hit != nullptr ? m_session.targets().find(hit->target) : nullptr;
     if (target == nullptr) {
         return;
     }

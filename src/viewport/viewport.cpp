@@ -49,7 +49,7 @@ Viewport::Viewport(Session& session, QWidget* parent)
     m_trialTimer.setInterval(kTrialPause);
     connect(&m_trialTimer, &QTimer::timeout, this, &Viewport::tryNext);
     const auto followRateOfFire = [this] {
-        m_repeatTimer.setInterval(qRound(1000.0f / m_session.projectileSettings().rateOfFire));
+        m_repeatTimer.setInterval(qRound(1000.0f / m_session.settings().projectile().rateOfFire));
     };
     followRateOfFire();
     connect(&m_repeatTimer, &QTimer::timeout, this, &Viewport::shootAtCrosshair);
@@ -61,7 +61,7 @@ Viewport::Viewport(Session& session, QWidget* parent)
     });
     m_sliceTimer.setSingleShot(true);
     connect(&m_sliceTimer, &QTimer::timeout, this, &Viewport::moveOn);
-    connect(&session, &Session::projectileSettingsChanged, this, followRateOfFire);
+    connect(&session.settings(), &SessionSettings::projectileChanged, this, followRateOfFire);
     connect(&session, &Session::pictureChanged, this, &Viewport::updateUnlessCatchingUp);
     connect(&session, &Session::pictureChanged, this, &Viewport::startClock);
     const VertexSelection& selection = session.selection();
@@ -69,9 +69,9 @@ Viewport::Viewport(Session& session, QWidget* parent)
     connect(&selection, &VertexSelection::pickedChanged, this, qOverload<>(&QWidget::update));
     connect(&selection, &VertexSelection::selectionChanged, this, qOverload<>(&QWidget::update));
     connect(&session, &Session::sceneReplaced, this, &Viewport::followScene);
-    connect(&session, &Session::targetAdded, this, &Viewport::followSize);
-    connect(&session, &Session::targetRemoved, this, &Viewport::followSize);
-    connect(&session, &Session::targetChanged, this, &Viewport::followSize);
+    connect(&session.targets(), &SessionTargets::added, this, &Viewport::followSize);
+    connect(&session.targets(), &SessionTargets::removed, this, &Viewport::followSize);
+    connect(&session.targets(), &SessionTargets::changed, this, &Viewport::followSize);
     new ViewLabel(m_navigation, this);
     followScene();
 }
@@ -194,7 +194,7 @@ void Viewport::paintError() {
 }
 
 bool Viewport::wantsFrames() const {
-    return isVisible() && (m_continuous || m_navigation.isMoving() || m_session.isMoving() ||
+    return isVisible() && (m_continuous || m_navigation.isMoving() || m_session.simulation().isMoving() ||
                            (m_scene && m_scene->isReadBackPending()));
 }
 
@@ -207,13 +207,13 @@ void Viewport::followRefresh() {
 }
 
 void Viewport::startClock() {
-    if (!m_clock.isValid() && m_session.isMoving()) {
+    if (!m_clock.isValid() && m_session.simulation().isMoving()) {
         m_clock.start();
     }
 }
 
 void Viewport::updateUnlessCatchingUp() {
-    if (!m_session.isCatchingUp()) {
+    if (!m_session.simulation().isCatchingUp()) {
         update();
     }
 }
@@ -228,13 +228,14 @@ void Viewport::moveOn() {
         m_clock.isValid() ? std::min(static_cast<double>(m_clock.nsecsElapsed()) * kNanosecond, kLongestStep)
                           : 0.0;
     m_clock.start();
-    if (m_session.isMoving()) {
+    if (m_session.simulation().isMoving()) {
         advanceWithin(m_session, passed);
     }
     m_navigation.advance(passed);
     // Many shots are fired, and steps with many projectiles made, in slices, between which events are seen
     // to. A frame for each would take longer than the slices.
-    if (m_session.isCatchingUp() && m_sinceFrame.isValid() && m_sinceFrame.elapsed() < kCatchUpFrames) {
+    if (m_session.simulation().isCatchingUp() && m_sinceFrame.isValid() &&
+        m_sinceFrame.elapsed() < kCatchUpFrames) {
         m_sliceTimer.start();
         return;
     }
@@ -286,7 +287,7 @@ void Viewport::followScene() {
 }
 
 void Viewport::followSize() {
-    const float size = m_session.sceneBounds().diagonal();
+    const float size = m_session.targets().bounds().diagonal();
     m_navigation.setSceneRadius(size > 0.0f ? size : 1.0f);
 }
 
@@ -296,24 +297,24 @@ SceneInSight Viewport::sceneInSight() const {
         if (!target->visible) {
             continue;
         }
-        if (target->id == m_session.selectedTarget()) {
+        if (target->id == m_session.targets().selected()) {
             scene.selected = scene.targets.size();
         }
         scene.targets.push_back(target->worldBounds());
     }
     if (m_options.floor) {
-        scene.floor = m_session.floorHeight();
+        scene.floor = m_session.targets().floorHeight();
     }
     return scene;
 }
 
 void Viewport::frameAll(Navigation::Arrival arrival) {
-    m_navigation.frame(m_session.sceneBounds(), arrival);
+    m_navigation.frame(m_session.targets().bounds(), arrival);
 }
 
 void Viewport::frameSelection() {
-    const Target* target = m_session.target(m_session.selectedTarget());
-    m_navigation.frame(target != nullptr ? target->worldBounds() : m_session.sceneBounds());
+    const Target* target = m_session.targets().find(m_session.targets().selected());
+    m_navigation.frame(target != nullptr ? target->worldBounds() : m_session.targets().bounds());
 }
 
 Ray Viewport::rayThrough(const QPointF& place) const {

@@ -26,17 +26,18 @@ float largestExtent(const Session& session) {
 }  // namespace
 
 std::optional<PhysicsWorld::RayHit> Viewport::aimedAt(const Ray& ray) const {
-    m_session.updateColliders(workLimit());
-    const float length = kAimLength * (camera().distance() + m_session.sceneBounds().diagonal());
+    m_session.simulation().updateColliders(workLimit());
+    const float length = kAimLength * (camera().distance() + m_session.targets().bounds().diagonal());
     const std::optional<ShownRay> shown = shownPart(m_options.cut, ray, length);
     if (shown) {
-        const auto met = m_session.physics().castRay(shown->ray.origin, shown->ray.direction, shown->length);
+        const auto met =
+            m_session.simulation().physics().castRay(shown->ray.origin, shown->ray.direction, shown->length);
         if (met || !m_options.cut.on) {
             return met;
         }
     }
     // The floor is whole.
-    const auto beyond = m_session.physics().castRay(ray.origin, ray.direction, length);
+    const auto beyond = m_session.simulation().physics().castRay(ray.origin, ray.direction, length);
     return beyond && !beyond->target ? beyond : std::nullopt;
 }
 
@@ -48,7 +49,7 @@ Viewport::Aim Viewport::aim(const Ray& sight) const {
     if (const auto shown = shownPart(m_options.cut, aim.from, std::numeric_limits<float>::max())) {
         aim.from = shown->ray;
     }
-    const Target* target = met ? m_session.target(met->target) : nullptr;
+    const Target* target = met ? m_session.targets().find(met->target) : nullptr;
     aim.extent = target != nullptr ? target->extent() : largestExtent(m_session);
     aim.distance = camera().distance();
     if (met && met->point != aim.from.origin) {
@@ -60,7 +61,8 @@ Viewport::Aim Viewport::aim(const Ray& sight) const {
 
 ProjectileSettings Viewport::projectileFor(const Ray& sight) const {
     const Aim at = aim(sight);
-    return projectileOf(m_session.flightMode(), m_session.projectileSettings(), at.extent, at.distance);
+    return projectileOf(m_session.settings().flightMode(), m_session.settings().projectile(), at.extent,
+                        at.distance);
 }
 
 Ray Viewport::launched(const Ray& sight, const ProjectileSettings& projectile) const {
@@ -74,12 +76,12 @@ Ray Viewport::launched(const Ray& sight, const ProjectileSettings& projectile) c
 
 ScheduledShot Viewport::shotAt(const Ray& sight) const {
     const ProjectileSettings projectile = projectileFor(sight);
-    const bool isInstant = m_session.flightMode() == FlightMode::Instant;
+    const bool isInstant = m_session.settings().flightMode() == FlightMode::Instant;
     return {0.0, isInstant ? aim(sight).from : launched(sight, projectile), projectile, isInstant};
 }
 
 void Viewport::shootAlong(const Ray& sight) {
-    m_session.fire(shotAt(sight));
+    m_session.simulation().fire(shotAt(sight));
     Q_EMIT shot(sight);
 }
 

@@ -57,7 +57,7 @@ void Viewport::click(const QMouseEvent& event) {
 
 void Viewport::selectAt(const QPointF& position) {
     const auto met = aimedAt(m_navigation.rayAt(position));
-    m_session.selectTarget(met ? met->target : TargetId{});
+    m_session.targets().select(met ? met->target : TargetId{});
 }
 
 /// The second press of what the desktop calls a double click is one more click.
@@ -84,9 +84,9 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
             m_repeatTimer.start();
         }
     } else if (plain && event->key() == Qt::Key_Escape) {
-        m_session.selectHit(std::nullopt);
+        m_session.hits().select(std::nullopt);
         m_session.selection().clear();
-        m_session.selectTarget({});
+        m_session.targets().select({});
     } else if (!m_navigation.keyPress(*event)) {
         QOpenGLWidget::keyPressEvent(event);
     }

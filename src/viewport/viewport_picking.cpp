@@ -2,8 +2,8 @@
 // What the viewport shows where: the questions its tools ask.
 #include <vector>
 
+#include "analysis/hit_at.h"
 #include "pipeline/graphics_report.h"
-#include "session/hit_at.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -101,19 +101,19 @@ Result<QString> Viewport::graphicsReport() {
 }
 
 void Viewport::lookAt(const VertexRef& vertex) {
-    if (const Target* target = m_session.target(vertex.target)) {
+    if (const Target* target = m_session.targets().find(vertex.target)) {
         m_navigation.recentre(target->transform.toWorld(target->deformed.positions()[vertex.vertex]));
         update();
     }
 }
 
 void Viewport::selectHitAt(const std::optional<VertexRef>& vertex) {
-    m_session.selectHit(vertex ? hitThatMovedMost(m_session, *vertex) : std::nullopt);
+    m_session.hits().select(vertex ? hitThatMovedMost(m_session, *vertex) : std::nullopt);
 }
 
 void Viewport::selectTargetOf(const VertexRef& vertex) {
     if (m_session.targets().size() > 1) {
-        m_session.selectTarget(vertex.target);
+        m_session.targets().select(vertex.target);
     }
 }
 

@@ -29,10 +29,10 @@ private:
             const std::uint32_t drawn = target.deformed.render().renderVerticesOf(v).front();
             Attribution attribution(target.deformed.render().vertices[drawn]);
             std::uint32_t movedBy = 0;
-            for (std::size_t i = 0; i < session.history().size(); ++i) {
-                if (session.isApplied(i)) {
+            for (std::size_t i = 0; i < session.hits().history().size(); ++i) {
+                if (session.hits().isApplied(i)) {
                     const glm::vec3 before = attribution.vertex().position;
-                    attribution.add(i, session.history().hits()[i]);
+                    attribution.add(i, session.hits().history().hits()[i]);
                     movedBy += attribution.vertex().position != before ? 1 : 0;
                 }
             }
@@ -53,7 +53,7 @@ private Q_SLOTS:
         Session session;
         session.loadMesh(makeUvSphere(20, 20, 1.0f));
         const Target& target = *session.targets().front();
-        session.setPipeline(static_cast<PipelineKind>(kind));
+        session.settings().setPipeline(static_cast<PipelineKind>(kind));
         auto gpu = SceneGpu::create(session);
         QVERIFY(gpu.ok());
         if (!session.readBack().exactness()->isExact()) {
@@ -66,16 +66,16 @@ private Q_SLOTS:
         measuring.setStretchLimit(1.2f);
         measuring.setTargets({target.id}, true);
         shootAll(session, demoShots(session, 700, 21));
-        const std::size_t all = session.history().size();
+        const std::size_t all = session.hits().history().size();
         QVERIFY(all > 620);
         for (const std::optional<std::size_t> shown :
              {std::optional<std::size_t>(), std::optional(all - 1), std::optional<std::size_t>(610),
               std::optional<std::size_t>(40), std::optional<std::size_t>(0), std::optional<std::size_t>()}) {
-            session.showHits(shown);
+            session.hits().show(shown);
             QVERIFY(gpu.value()->sync().ok());
-            const bool drops =
-                shown.value_or(all) > 600 && (session.pipeline() == PipelineKind::UniformArray ||
-                                              session.pipeline() == PipelineKind::UniformArrayCulled);
+            const bool drops = shown.value_or(all) > 600 &&
+                               (session.settings().pipeline() == PipelineKind::UniformArray ||
+                                session.settings().pipeline() == PipelineKind::UniformArrayCulled);
             QCOMPARE(session.readBack().droppedHits() > 0, drops);
             agreement.compare();
             QTRY_VERIFY(agreement.report() && !agreement.isComparing());
@@ -85,11 +85,11 @@ private Q_SLOTS:
             effects.finish();
             QCOMPARE(untrue(session, target, effects), std::size_t{0});
             for (std::size_t row = 0; row < all; ++row) {
-                QCOMPARE(effects.effect(row).has_value(), session.isApplied(row));
+                QCOMPARE(effects.effect(row).has_value(), session.hits().isApplied(row));
             }
             QTRY_VERIFY(measuring.isUpToDate());
             for (const HarmRow& harm : measuring.measurement()->harms) {
-                QVERIFY(harm.hit && session.isApplied(*harm.hit));
+                QVERIFY(harm.hit && session.hits().isApplied(*harm.hit));
             }
             QCOMPARE(measuring.measurement()->harms.empty(), shown == std::optional<std::size_t>(0));
         }

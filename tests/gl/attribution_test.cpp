@@ -26,7 +26,7 @@ private Q_SLOTS:
         HITSCOPE_NEEDS_PIPELINE(kind);
         Session session;
         session.loadTeapot();
-        session.setPipeline(static_cast<PipelineKind>(kind));
+        session.settings().setPipeline(static_cast<PipelineKind>(kind));
         auto gpu = SceneGpu::create(session);
         QVERIFY(gpu.ok());
         if (!session.readBack().exactness()->isExact()) {
@@ -34,15 +34,15 @@ private Q_SLOTS:
         }
         // More than the uniform arrays hold, so that some are dropped.
         shootAll(session, demoShots(session, 700, 21));
-        QVERIFY(session.history().size() > 400);
+        QVERIFY(session.hits().history().size() > 400);
         QVERIFY(gpu.value()->sync().ok());
         const Target& target = *session.targets().front();
         std::size_t contributions = 0;
         for (std::size_t v = 0; v < target.deformed.vertices().size(); ++v) {
             Attribution attribution(target.deformed.render().vertices[v]);
-            for (std::size_t i = 0; i < session.history().size(); ++i) {
+            for (std::size_t i = 0; i < session.hits().history().size(); ++i) {
                 if (!session.readBack().isDropped(i)) {
-                    attribution.add(i, session.history().hits()[i]);
+                    attribution.add(i, session.hits().history().hits()[i]);
                 }
             }
             contributions += attribution.contributions().size();

@@ -78,7 +78,7 @@ private Q_SLOTS:
         const QImage after = picture();
         const int seen = test::differing(ghost, after, 4);
         QVERIFY2(seen > 50 && seen < kWidth * kHeight / 4, qPrintable(QString::number(seen)));
-        session.clearHits();
+        session.hits().clear();
         m_view.options.beforeAfter.ghost = static_cast<GhostMode>(mode);
         picture();
         QCOMPARE(picture(), before);
@@ -128,25 +128,25 @@ private:
 
     void open(Session& session, ScenePlan plan, PipelineKind kind) {
         session.loadScene(std::move(plan));
-        session.selectTarget({});
-        session.setPipeline(kind);
+        session.targets().select({});
+        session.settings().setPipeline(kind);
         auto made = SceneGpu::create(session);
         QVERIFY2(made.ok(), made.ok() ? "" : made.error().message().c_str());
         m_scene = std::move(made).value();
         m_view = {};
         m_view.width = kWidth;
         m_view.height = kHeight;
-        m_view.camera.frame(session.sceneBounds(), static_cast<float>(kWidth) / kHeight);
+        m_view.camera.frame(session.targets().bounds(), static_cast<float>(kWidth) / kHeight);
     }
 
     void dent(Session& session) {
         shootAll(session, demoShots(session, 25, 3));
         // Those that missed would be in the picture.
-        for (int second = 0; second < 60 && session.physics().projectileCount() > 0; ++second) {
-            session.advance(1.0);
+        for (int second = 0; second < 60 && session.simulation().physics().projectileCount() > 0; ++second) {
+            session.simulation().advance(1.0);
         }
-        QCOMPARE(session.physics().projectileCount(), std::size_t{0});
-        session.selectTarget({});
+        QCOMPARE(session.simulation().physics().projectileCount(), std::size_t{0});
+        session.targets().select({});
         QVERIFY(m_scene->sync());
     }
 

@@ -140,14 +140,14 @@ private Q_SLOTS:
         m_values->finish();
         QVERIFY(isRight());
         QVERIFY(m_values->summary().high > three);
-        while (m_session->history().size() > 3) {
+        while (m_session->hits().history().size() > 3) {
             m_session->undo();
         }
         QVERIFY(m_gpu->sync());
         m_values->finish();
         QVERIFY(isRight());
         QCOMPARE(m_values->summary().high, three);
-        m_session->clearHits();
+        m_session->hits().clear();
         QVERIFY(m_gpu->sync());
         m_values->finish();
         QVERIFY(isRight());
@@ -181,7 +181,7 @@ private:
         m_values.reset();
         m_session = std::make_unique<Session>();
         m_session->loadMesh(makeHighPolySphere());
-        m_session->setPipeline(kind);
+        m_session->settings().setPipeline(kind);
         auto made = SceneGpu::create(*m_session);
         QVERIFY2(made.ok(), made.ok() ? "" : made.error().message().c_str());
         m_gpu = std::move(made).value();
@@ -215,7 +215,7 @@ private:
         if (quantity == ChangeQuantity::HitCount) {
             int count = 0;
             DynamicVertex walking = mesh.render().vertices[v];
-            for (const Hit& hit : m_session->history().hits()) {
+            for (const Hit& hit : m_session->hits().history().hits()) {
                 count += deform(walking.position, walking.normal, hit) ? 1 : 0;
             }
             value = count;

@@ -48,7 +48,7 @@ private Q_SLOTS:
         HITSCOPE_NEEDS_EXACT_ARITHMETIC();
         comparison.setOther(static_cast<PipelineKind>(other));
         shootAll(session, demoShots(session, 300, 7));
-        QVERIFY(session.history().size() > 200);
+        QVERIFY(session.hits().history().size() > 200);
         QVERIFY(settled());
         QVERIFY(reports(comparison, session.targets()[0]->deformed.statistics().changedVertices));
         QVERIFY(comparison.report().vertices > 100);
@@ -56,10 +56,10 @@ private Q_SLOTS:
         QCOMPARE(comparison.report().rootMeanSquare, 0.0);
         QVERIFY(comparisonText(comparison).startsWith(QStringLiteral("A and B are equal in all ")));
         session.undo();
-        session.removeHit(3);
+        session.hits().remove(3);
         QVERIFY(settled());
         QCOMPARE(comparison.report().largest, 0.0);
-        session.clearHits();
+        session.hits().clear();
         QVERIFY(settled());
         QVERIFY(reports(comparison, 0));
     }
@@ -174,7 +174,7 @@ private Q_SLOTS:
         Comparison comparison(session);
         open(session, comparison);
         shootAll(session, demoShots(session, 660, 7));
-        QVERIFY(session.history().size() > 620);
+        QVERIFY(session.hits().history().size() > 620);
         ChangeValues values(session);
         values.setOtherVertices([&](TargetId target) { return comparison.vertices(target); });
         m_view.changeValues = &values;
@@ -195,7 +195,7 @@ private Q_SLOTS:
         m_view.options.sideBySide = false;
         m_view.options.change.on = true;
         m_view.options.change.quantity = ChangeQuantity::Difference;
-        m_view.camera.frame(session.sceneBounds(), 1.0f * kWidth / kHeight);
+        m_view.camera.frame(session.targets().bounds(), 1.0f * kWidth / kHeight);
         values.setQuantity(ChangeQuantity::Difference);
         values.finish();
         QVERIFY(values.summary().high > 0.01);
@@ -223,10 +223,10 @@ private Q_SLOTS:
         shootAll(session, demoShots(session, 20, 3));
         QVERIFY(settled());
         const TargetId first = session.targets()[0]->id;
-        session.duplicateTargets(std::array{first});
+        session.targets().duplicate(std::array{first});
         QVERIFY(settled());
         QCOMPARE(comparison.report().largest, 0.0);
-        session.removeTargets(std::array{first});
+        session.targets().remove(std::array{first});
         QVERIFY(settled());
         QCOMPARE(comparison.report().largest, 0.0);
         session.loadMesh(makeLowPolyCube());
@@ -246,7 +246,7 @@ private:
         m_view.width = kWidth;
         m_view.height = kHeight;
         m_view.comparison = &comparison;
-        m_view.camera.frame(session.sceneBounds(), 0.5f * kWidth / kHeight);
+        m_view.camera.frame(session.targets().bounds(), 0.5f * kWidth / kHeight);
     }
 
     QImage picture() {

@@ -65,7 +65,7 @@ private Q_SLOTS:
                 QVERIFY(point.hit.value_or(0.0) > 0.0);
             }
         }
-        QCOMPARE(session.history().size(), std::size_t{0});
+        QCOMPARE(session.hits().history().size(), std::size_t{0});
         QVERIFY(session.frameCosts().frames().empty());
     }
 

@@ -51,7 +51,7 @@ private Q_SLOTS:
             QVERIFY(picked.ok());
             if (const auto& vertex = picked.value()) {
                 ++onTargets;
-                const Target& target = *m_session->target(vertex->target);
+                const Target& target = *m_session->targets().find(vertex->target);
                 QVERIFY(!view.options.cut.hides(
                     target.transform.toWorld(target.deformed.positions()[vertex->vertex])));
             }
@@ -64,7 +64,7 @@ private Q_SLOTS:
     void outlinesHoldNothingThatIsCutAway() {
         open(PipelineKind::TransformFeedback);
         SceneGpu::View view = viewOf(1.0f);
-        view.camera.frame(m_session->sceneBounds(), 640.0f / 480.0f);
+        view.camera.frame(m_session->targets().bounds(), 640.0f / 480.0f);
         view.options.cut = cutOf();
         const std::vector<glm::vec2> all{{0.0f, 0.0f}, {640.0f, 0.0f}, {640.0f, 480.0f}, {0.0f, 480.0f}};
         const auto through = m_picker->changedWithin(view, all, Depth::Through);

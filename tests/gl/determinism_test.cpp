@@ -29,11 +29,11 @@ class Run {
 public:
     explicit Run(PipelineKind pipeline = PipelineKind::TransformFeedback) : m_target(32, 24, 1) {
         m_session.loadTeapot();
-        m_session.setPipeline(pipeline);
-        ProjectileSettings settings = m_session.projectileSettings();
+        m_session.settings().setPipeline(pipeline);
+        ProjectileSettings settings = m_session.settings().projectile();
         settings.lifetime = 0.5f;
         settings.bouncesCount = true;
-        m_session.setProjectileSettings(settings);
+        m_session.settings().setProjectile(settings);
         auto gpu = SceneGpu::create(m_session);
         if (gpu) {
             m_gpu = std::move(gpu).value();
@@ -50,12 +50,12 @@ public:
         int stepsInFrame = 0;
         for (int step = 0; step < count * kStepsBetween + kLanding; ++step) {
             if (shots < count && step % kStepsBetween == 0) {
-                m_session.shoot(aim(random));
+                m_session.simulation().shoot(aim(random));
                 ++shots;
             }
-            m_session.stepOnce();
+            m_session.simulation().stepOnce();
             if (m_scrubs && step % 5 == 0) {
-                m_session.showHits(m_session.history().size() / 2);
+                m_session.hits().show(m_session.hits().history().size() / 2);
             }
             if (--stepsInFrame <= 0) {
                 stepsInFrame = frame(frames);
@@ -75,12 +75,12 @@ public:
         for (int i = 0; i < 90; ++i) {
             const bool isInstant = i % 3 != 0;
             shots.push_back(
-                {isInstant ? 0.1 : i * 0.002, aim(random), m_session.projectileSettings(), isInstant});
+                {isInstant ? 0.1 : i * 0.002, aim(random), m_session.settings().projectile(), isInstant});
         }
-        m_session.schedule(shots);
-        for (int slice = 0; m_session.isMoving(); ++slice) {
+        m_session.simulation().schedule(shots);
+        for (int slice = 0; m_session.simulation().isMoving(); ++slice) {
             int fired = 0;
-            m_session.advance(4.0 / 240.0, [&fired, most] { return ++fired >= most; });
+            m_session.simulation().advance(4.0 / 240.0, [&fired, most] { return ++fired >= most; });
             if (slice % kSlicesAFrame == 0) {
                 m_failed = m_failed || !m_gpu->draw(m_view, m_target.framebuffer());
             }
@@ -94,13 +94,13 @@ public:
     }
     [[nodiscard]] bool failed() const { return m_failed || !m_gpu; }
     [[nodiscard]] std::vector<Hit> hits() const {
-        const std::span<const Hit> hits = m_session.history().hits();
+        const std::span<const Hit> hits = m_session.hits().history().hits();
         return {hits.begin(), hits.end()};
     }
 
 private:
     [[nodiscard]] Ray aim(std::mt19937& random) const {
-        const Bounds bounds = m_session.sceneBounds();
+        const Bounds bounds = m_session.targets().bounds();
         const glm::vec3 centre = 0.5f * (bounds.min + bounds.max);
         std::uniform_real_distribution<float> off(-0.25f, 0.25f);
         Ray ray;

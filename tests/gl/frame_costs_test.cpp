@@ -20,7 +20,7 @@ void addHits(Session& session, int count) {
         hit.target = session.targets().front()->id;
         hit.point = {0.0f, 0.0f, 2.5f};
     }
-    QVERIFY(session.addHits(hits).ok());
+    QVERIFY(session.hits().add(hits).ok());
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ private Q_SLOTS:
         QVERIFY(made);
         addHits(session, 2);
         drawFrame(*made.value());
-        session.setPipeline(PipelineKind::UniformArray);
+        session.settings().setPipeline(PipelineKind::UniformArray);
         addHits(session, 2);
         QVERIFY(made.value()->sync().ok());
         const FrameCosts& costs = session.frameCosts();
@@ -102,7 +102,7 @@ private Q_SLOTS:
         drawFrame(*made.value());
         const std::optional<HitCost> before = session.frameCosts().hitCost(2);
         const std::size_t first = 0;
-        session.setHitsEnabled({&first, 1}, false);
+        session.hits().setEnabled({&first, 1}, false);
         drawFrame(*made.value());
         QCOMPARE(session.frameCosts().hitCost(2)->cpu, before->cpu);
         QCOMPARE(session.frameCosts().frames().back().hits, 0u);

@@ -33,15 +33,15 @@ public:
         const std::size_t index = m_random() % size;
         switch (what) {
             case 4:
-                return {record(history.remove(index))};
+                return {record(history.splice(index, 1, {}))};
             case 5:
-                return history.move(index, m_random() % size);
+                return history.move(std::vector{index}, m_random() % (size + 1));
             case 6:
-                return {record(history.setEnabled(index, !history.hits()[index].enabled))};
+                return toggle(history, index);
             case 7:
                 return {record(history.splice(index, 0, take(2)))};
             case 8:
-                return {history.remove(size - 1)};
+                return history.remove(std::vector{size - 1});
             default:
                 return undoLast(history);
         }
@@ -57,6 +57,12 @@ private:
         m_canUndo = true;
         m_sizeAfter = edit.after.size();
         return edit;
+    }
+    std::vector<HistoryEdit> toggle(HitHistory& history, std::size_t index) {
+        std::vector<HistoryEdit> edits =
+            history.setEnabled(std::vector{index}, !history.hits()[index].enabled);
+        record(edits.front());
+        return edits;
     }
     std::vector<HistoryEdit> undoLast(HitHistory& history) {
         if (!m_canUndo || history.size() < m_last.first + m_sizeAfter ||
@@ -185,7 +191,7 @@ private Q_SLOTS:
         Mirror mirror(scene);
         mirror.readBack(*pipeline);
         for (const std::size_t index : {std::size_t{2500}, std::size_t{0}, std::size_t{4900}}) {
-            pipeline->edit(history.remove(index));
+            pipeline->edit(history.splice(index, 1, {}));
             const std::size_t delivered = mirror.readBack(*pipeline);
             QVERIFY(delivered > 0 && delivered < scene[0].mesh.vertices.size() / 5);
             QCOMPARE(differenceFromReference(mirror, scene, history.hits()), QString());

@@ -117,13 +117,13 @@ void PickedScene::open(PipelineKind kind) {
     plan.targets[1].transform.rotation = glm::angleAxis(0.7f, glm::normalize(glm::vec3(1, 2, 3)));
     plan.targets[2].transform.position = {-4.5f, 0.0f, 1.0f};
     m_session->loadScene(std::move(plan));
-    m_session->setPipeline(kind);
+    m_session->settings().setPipeline(kind);
     auto made = SceneGpu::create(*m_session);
     QVERIFY(made.ok());
     m_gpu = std::move(made).value();
     m_picker = std::make_unique<ScenePicker>(*m_session, *m_gpu);
     shootAll(*m_session, demoShots(*m_session, 120, 11));
-    QVERIFY(m_session->history().size() > 30);
+    QVERIFY(m_session->hits().history().size() > 30);
     QVERIFY(m_gpu->sync().ok());
 }
 
@@ -132,7 +132,7 @@ SceneGpu::View PickedScene::viewOf(float ratio) const {
     view.width = static_cast<int>(640 * ratio);
     view.height = static_cast<int>(480 * ratio);
     view.pixelRatio = ratio;
-    const Bounds bounds = m_session->sceneBounds();
+    const Bounds bounds = m_session->targets().bounds();
     view.camera.setSceneRadius(bounds.diagonal());
     view.camera.frame(bounds, 640.0f / 480.0f);
     view.camera.zoom(0.5f);
@@ -160,7 +160,7 @@ bool PickedScene::isSeenAt(SceneGpu::View view, glm::vec2 at, const std::optiona
 }
 
 bool PickedScene::isInView(const SceneGpu::View& view, const VertexRef& vertex) const {
-    const Target& target = *m_session->target(vertex.target);
+    const Target& target = *m_session->targets().find(vertex.target);
     const glm::vec3 world = target.transform.toWorld(target.deformed.positions()[vertex.vertex]);
     const glm::vec3 eye = view.camera.eye();
     const double distance = static_cast<double>(glm::distance(world, eye));

@@ -173,7 +173,7 @@ private Q_SLOTS:
             QVERIFY(picked.ok());
             QVERIFY(picked.value().has_value());
             // Others may fall nearer to it than a pixel, those of other targets too.
-            const Target& found = *m_session->target(picked.value()->target);
+            const Target& found = *m_session->targets().find(picked.value()->target);
             const auto at = ScreenSpace(view, found.transform)
                                 .project(found.deformed.positions()[picked.value()->vertex]);
             QVERIFY(at && glm::distance(at->at, point->at) < 1.5f);
@@ -186,7 +186,7 @@ private Q_SLOTS:
     void outlinesGiveWhatTheyHold() {
         open(whyUnavailable(PipelineKind::Compute) ? PipelineKind::TransformFeedback : PipelineKind::Compute);
         SceneGpu::View view = viewOf(1.0f);
-        view.camera.frame(m_session->sceneBounds(), 640.0f / 480.0f);
+        view.camera.frame(m_session->targets().bounds(), 640.0f / 480.0f);
         const auto w = static_cast<float>(view.width);
         const auto h = static_cast<float>(view.height);
         const std::vector<glm::vec2> all{{0.0f, 0.0f}, {w, 0.0f}, {w, h}, {0.0f, h}};

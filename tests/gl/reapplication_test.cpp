@@ -64,8 +64,9 @@ private Q_SLOTS:
     void aSwitchOfPipelinesKeepsThePictureUntilItIsDone() {
         Session session;
         SetUp scene(*this, session);
-        const std::vector<Hit> hits(session.history().hits().begin(), session.history().hits().end());
-        session.setPipeline(PipelineKind::Reference);
+        const std::vector<Hit> hits(session.hits().history().hits().begin(),
+                                    session.hits().history().hits().end());
+        session.settings().setPipeline(PipelineKind::Reference);
         QVERIFY(scene.draw());
         QVERIFY(session.tasks().current() != nullptr);
         QCOMPARE(differences(session, hits), std::size_t{0});  // still the old pipeline's
@@ -73,48 +74,49 @@ private Q_SLOTS:
         while (session.tasks().current() != nullptr && frames < 1000) {
             QVERIFY(scene.gpu->isReadBackPending());
             if (frames == 2) {
-                QVERIFY(session.addHit(hits.front()));  // arrives in between
+                QVERIFY(session.hits().add(hits.front()));  // arrives in between
             }
             QVERIFY(scene.draw());
             ++frames;
         }
         QVERIFY(frames > 3);
-        QCOMPARE(session.history().size(), hits.size() + 1);
+        QCOMPARE(session.hits().history().size(), hits.size() + 1);
         QVERIFY(scene.gpu->sync());
-        QCOMPARE(differences(session, session.history().hits()), std::size_t{0});
+        QCOMPARE(differences(session, session.hits().history().hits()), std::size_t{0});
     }
 
     void givingUpASwitchLeavesEverythingAsItWas() {
         Session session;
         SetUp scene(*this, session);
-        session.setPipeline(PipelineKind::Reference);
+        session.settings().setPipeline(PipelineKind::Reference);
         QVERIFY(scene.draw());
         QVERIFY(scene.draw());
         const TaskList::Task* task = session.tasks().current();
         QVERIFY(task != nullptr && task->fraction > 0.0 && task->fraction < 1.0);
         session.tasks().cancel(task->id);
-        QCOMPARE(session.pipeline(), PipelineKind::TransformFeedback);
+        QCOMPARE(session.settings().pipeline(), PipelineKind::TransformFeedback);
         QVERIFY(scene.draw());
         QCOMPARE(session.tasks().current(), nullptr);
-        QCOMPARE(differences(session, session.history().hits()), std::size_t{0});
+        QCOMPARE(differences(session, session.hits().history().hits()), std::size_t{0});
     }
 
     void anEditOfThousandsOfHitsIsSlicedAndCanBeUndone() {
         Session session;
         SetUp scene(*this, session);
-        const std::vector<Hit> before(session.history().hits().begin(), session.history().hits().end());
+        const std::vector<Hit> before(session.hits().history().hits().begin(),
+                                      session.hits().history().hits().end());
         DeformationConstants constants = before.front().constants;
         constants.maxMagnitude = 0.02f;
         constants.power = 0.002f;
-        QVERIFY(session.setConstants(constants));
-        session.giveConstantsToAll();
+        QVERIFY(session.settings().setConstants(constants));
+        session.hits().giveConstantsToAll();
         QVERIFY(scene.draw());
         QVERIFY(session.tasks().current() != nullptr);
         QCOMPARE(differences(session, before), std::size_t{0});
         session.tasks().cancel(session.tasks().current()->id);
         QVERIFY(scene.draw());
         QCOMPARE(session.tasks().current(), nullptr);
-        QVERIFY(std::equal(before.begin(), before.end(), session.history().hits().begin()));
+        QVERIFY(std::equal(before.begin(), before.end(), session.hits().history().hits().begin()));
         QCOMPARE(differences(session, before), std::size_t{0});
 
         session.redo();
@@ -122,7 +124,7 @@ private Q_SLOTS:
         QVERIFY(session.tasks().current() != nullptr);
         QVERIFY(scene.gpu->sync());  // who needs it now does not wait for frames
         QCOMPARE(session.tasks().current(), nullptr);
-        QCOMPARE(differences(session, session.history().hits()), std::size_t{0});
+        QCOMPARE(differences(session, session.hits().history().hits()), std::size_t{0});
         QVERIFY(differences(session, before) > 0);
         QVERIFY(scene.draw());
         QCOMPARE(session.tasks().current(), nullptr);
@@ -131,30 +133,30 @@ private Q_SLOTS:
     void editsMeanwhileAreFollowed() {
         Session session;
         SetUp scene(*this, session);
-        session.setPipeline(PipelineKind::Reference);
+        session.settings().setPipeline(PipelineKind::Reference);
         QVERIFY(scene.draw());
-        session.removeHit(3);
+        session.hits().remove(3);
         QVERIFY(scene.draw());
-        session.removeHit(session.history().size() - 1);
+        session.hits().remove(session.hits().history().size() - 1);
         for (int frame = 0; frame < 1000 && session.tasks().current() != nullptr; ++frame) {
             QVERIFY(scene.draw());
         }
         QVERIFY(scene.gpu->sync());
-        QCOMPARE(differences(session, session.history().hits()), std::size_t{0});
+        QCOMPARE(differences(session, session.hits().history().hits()), std::size_t{0});
     }
 
     void targetsThatComeMeanwhileAreFollowed() {
         Session session;
         SetUp scene(*this, session);
-        session.setPipeline(PipelineKind::Reference);
+        session.settings().setPipeline(PipelineKind::Reference);
         QVERIFY(scene.draw());
-        session.duplicateTargets(std::vector<TargetId>{session.targets().front()->id});
+        session.targets().duplicate(std::vector<TargetId>{session.targets().front()->id});
         for (int frame = 0; frame < 2000 && (frame < 2 || session.tasks().current() != nullptr); ++frame) {
             QVERIFY(scene.draw());
         }
         QVERIFY(scene.gpu->sync());
         const TargetId first = session.targets().front()->id;
-        QCOMPARE(differences(session, session.history().hitsOn(first)), std::size_t{0});
+        QCOMPARE(differences(session, session.hits().history().hitsOn(first)), std::size_t{0});
         QVERIFY(std::equal(session.targets()[0]->deformed.positions().begin(),
                            session.targets()[0]->deformed.positions().end(),
                            session.targets()[1]->deformed.positions().begin()));
@@ -165,10 +167,10 @@ private:
     struct SetUp {
         SetUp(ReapplicationTest& test, Session& session) : fbo(test.m_target->framebuffer()) {
             session.loadMesh(makeHighPolySphere(2.5f));
-            session.setPipeline(PipelineKind::TransformFeedback);
+            session.settings().setPipeline(PipelineKind::TransformFeedback);
             gpu = SceneGpu::create(session).value();
             const std::vector<Hit> hits = manyHits(session.targets().front()->id, 3000);
-            QVERIFY(session.addHits(hits));
+            QVERIFY(session.hits().add(hits));
             QVERIFY(gpu->sync());
         }
         bool draw() {

@@ -50,7 +50,7 @@ private Q_SLOTS:
         QVERIFY(gpu);
         const Image both = draw(session, *gpu.value());
         const TargetId right = session.targets()[1]->id;
-        session.setTargetsVisible(std::array{right}, false);
+        session.targets().setVisible(std::array{right}, false);
         const Image one = draw(session, *gpu.value());
         QVERIFY(differing(both, one, 1) > 500);
         session.undo();
@@ -68,13 +68,13 @@ private Q_SLOTS:
         auto gpu = SceneGpu::create(session);
         QVERIFY(gpu);
         const Image plain = draw(session, *gpu.value());
-        session.setCoverTexture(std::make_shared<const Image>(makePanelTexture(128)));
+        session.settings().setCoverTexture(std::make_shared<const Image>(makePanelTexture(128)));
         const Image covered = draw(session, *gpu.value());
         QVERIFY(differing(plain, covered, 0) > 500);
         QCOMPARE(differing(plain, covered, 1), 0);
-        session.setCoverTexture(std::make_shared<const Image>(makePanelTexture(128, 5)));
+        session.settings().setCoverTexture(std::make_shared<const Image>(makePanelTexture(128, 5)));
         QVERIFY(differing(covered, draw(session, *gpu.value()), 0) > 500);
-        session.setCoverTexture(nullptr);
+        session.settings().setCoverTexture(nullptr);
         QVERIFY(draw(session, *gpu.value()).pixels == plain.pixels);
     }
 

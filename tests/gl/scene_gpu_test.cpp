@@ -24,7 +24,7 @@ std::size_t differences(const Session& session) {
     std::size_t count = 0;
     for (const std::unique_ptr<Target>& target : session.targets()) {
         ReferenceDeformation reference(target->deformed.render());
-        reference.apply(session.history().hitsOn(target->id));
+        reference.apply(session.hits().history().hitsOn(target->id));
         for (std::size_t i = 0; i < reference.vertices().size(); ++i) {
             const DynamicVertex& is = target->deformed.vertices()[i];
             const DynamicVertex& should = reference.vertices()[i];
@@ -61,7 +61,7 @@ private Q_SLOTS:
         HITSCOPE_NEEDS_PIPELINE(kind);
         Session session;
         session.loadPaperRow(kDefaultPaperRow);
-        session.setPipeline(static_cast<PipelineKind>(kind));
+        session.settings().setPipeline(static_cast<PipelineKind>(kind));
         Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
         QVERIFY(made);
         SceneGpu& gpu = *made.value();
@@ -69,7 +69,7 @@ private Q_SLOTS:
         const auto synced = [&] { return gpu.sync().ok() && differences(session) == 0; };
         QVERIFY(synced());
         shootAll(session, demoShots(session, 40, 3));
-        QVERIFY(session.history().size() > 30);
+        QVERIFY(session.hits().history().size() > 30);
         QVERIFY(synced());
         QVERIFY(changed(session) > 100);
 
@@ -78,18 +78,18 @@ private Q_SLOTS:
         QVERIFY(synced());
         session.redo();
         QVERIFY(synced());
-        session.removeHit(4);
+        session.hits().remove(4);
         QVERIFY(synced());
         DeformationConstants constants;
         constants.maxDistance = 0.8f;
         constants.power = 0.08f;
-        QVERIFY(session.setConstants(constants));
-        session.giveConstantsToAll();
+        QVERIFY(session.settings().setConstants(constants));
+        session.hits().giveConstantsToAll();
         QVERIFY(synced());
-        QVERIFY(session.setConstants(DeformationConstants{}));
+        QVERIFY(session.settings().setConstants(DeformationConstants{}));
         shootAll(session, demoShots(session, 10, 4));
         QVERIFY(synced());
-        session.clearHits();
+        session.hits().clear();
         QVERIFY(synced());
         QCOMPARE(changed(session), std::size_t{0});
         session.undo();
@@ -107,7 +107,7 @@ private Q_SLOTS:
         HITSCOPE_NEEDS_PIPELINE(kind);
         Session session;
         session.loadPaperRow(kDefaultPaperRow);
-        session.setPipeline(static_cast<PipelineKind>(kind));
+        session.settings().setPipeline(static_cast<PipelineKind>(kind));
         Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
         QVERIFY(made);
         SceneGpu& gpu = *made.value();
@@ -117,28 +117,28 @@ private Q_SLOTS:
         const std::size_t dented = changed(session);
         const TargetId first = session.targets()[0]->id;
         const TargetId last = session.targets()[15]->id;
-        QVERIFY(!session.history().hitsOn(first).empty());
+        QVERIFY(!session.hits().history().hitsOn(first).empty());
 
-        session.removeTargets(std::array{first, last});
+        session.targets().remove(std::array{first, last});
         QVERIFY(synced());
         QVERIFY(changed(session) < dented);
         session.undo();
         QVERIFY(synced());
         QCOMPARE(changed(session), dented);
         // Gone and back between two frames.
-        session.removeTargets(std::array{first});
+        session.targets().remove(std::array{first});
         session.undo();
         QVERIFY(synced());
         QCOMPARE(changed(session), dented);
-        session.duplicateTargets(std::array{first});
+        session.targets().duplicate(std::array{first});
         QVERIFY(synced());
         QVERIFY(changed(session) > dented);
-        session.resetTargets(std::array{first});
+        session.targets().reset(std::array{first});
         QVERIFY(synced());
         session.undo();
         session.undo();
-        session.removeTargets(std::array{last});
-        session.addTargets({planMesh(makeHighPolySphere())});
+        session.targets().remove(std::array{last});
+        session.targets().add({planMesh(makeHighPolySphere())});
         QVERIFY(synced());
         session.undo();
         session.undo();
@@ -157,7 +157,7 @@ private Q_SLOTS:
                 if (whyUnavailable(traits.kind)) {
                     continue;
                 }
-                session.setPipeline(traits.kind);
+                session.settings().setPipeline(traits.kind);
                 QVERIFY(made.value()->sync());
                 QCOMPARE(differences(session), std::size_t{0});
             }
@@ -177,7 +177,7 @@ private Q_SLOTS:
         headOn.target = target.id;
         headOn.point = {0, 0, 2.5f};
         headOn.direction = {0, 0, -1};
-        QVERIFY(session.addHit(headOn));
+        QVERIFY(session.hits().add(headOn));
         QVERIFY(made.value()->sync());
         QVERIFY(!std::equal(before.begin(), before.end(), target.trueNormals.normals().begin()));
         session.undo();

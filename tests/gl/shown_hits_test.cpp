@@ -23,7 +23,7 @@ private:
         std::size_t count = 0;
         for (const std::unique_ptr<Target>& target : session.targets()) {
             std::vector<Hit> first;
-            for (const Hit& hit : session.history().hits().first(hits)) {
+            for (const Hit& hit : session.hits().history().hits().first(hits)) {
                 if (hit.enabled && hit.target == target->id) {
                     first.push_back(hit);
                 }
@@ -56,46 +56,47 @@ private Q_SLOTS:
         HITSCOPE_NEEDS_PIPELINE(kind);
         Session session;
         session.loadPaperRow(kDefaultPaperRow);
-        session.setPipeline(static_cast<PipelineKind>(kind));
+        session.settings().setPipeline(static_cast<PipelineKind>(kind));
         Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
         QVERIFY(made);
         SceneGpu& gpu = *made.value();
         const auto shows = [&](std::size_t hits) {
-            return gpu.sync().ok() && session.shownHits().size() == hits && differences(session, hits) == 0;
+            return gpu.sync().ok() && session.hits().shown().size() == hits &&
+                   differences(session, hits) == 0;
         };
         shoot(session, 3);
-        const std::size_t all = session.history().size();
+        const std::size_t all = session.hits().history().size();
         QVERIFY(all > 30);
         QVERIFY(shows(all));
         for (const std::size_t at : {all - 1, all - 2, all - 1, std::size_t{0}, all / 2, all / 2 + 1, all}) {
-            session.showHits(at);
+            session.hits().show(at);
             QVERIFY(shows(at));
         }
         // The history changes meanwhile.
-        session.showHits(all / 2);
-        session.setHitsEnabled(std::array<std::size_t, 3>{1, all / 2, all - 1}, false);
+        session.hits().show(all / 2);
+        session.hits().setEnabled(std::array<std::size_t, 3>{1, all / 2, all - 1}, false);
         QVERIFY(shows(all / 2));
-        session.removeHits(std::array<std::size_t, 2>{2, all - 2});
+        session.hits().remove(std::array<std::size_t, 2>{2, all - 2});
         QVERIFY(shows(all / 2));
         session.undo();
         QVERIFY(shows(all / 2));
-        session.setPipeline(PipelineKind::Reference);
+        session.settings().setPipeline(PipelineKind::Reference);
         QVERIFY(shows(all / 2));
-        session.setPipeline(static_cast<PipelineKind>(kind));
+        session.settings().setPipeline(static_cast<PipelineKind>(kind));
         QVERIFY(shows(all / 2));
-        session.showHits(std::nullopt);
+        session.hits().show(std::nullopt);
         QVERIFY(shows(all));
         // Hits that come end it.
-        session.showHits(5);
+        session.hits().show(5);
         QVERIFY(shows(5));
-        const QSignalSpy shown(&session, &Session::shownHitsChanged);
+        const QSignalSpy shown(&session.hits(), &SessionHits::shownChanged);
         shoot(session, 4);
         QCOMPARE(shown.size(), 1);
-        QVERIFY(session.showsAllHits());
-        QVERIFY(shows(session.history().size()));
-        session.showHits(7);
+        QVERIFY(session.hits().showsAll());
+        QVERIFY(shows(session.hits().history().size()));
+        session.hits().show(7);
         session.loadPaperRow(kDefaultPaperRow);
-        QVERIFY(session.showsAllHits());
+        QVERIFY(session.hits().showsAll());
         QVERIFY(shows(0));
     }
 
@@ -105,26 +106,27 @@ private Q_SLOTS:
         Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
         QVERIFY(made);
         shoot(session, 3);
-        const std::vector<Hit> before(session.history().hits().begin(), session.history().hits().end());
-        session.selectHit(4);
+        const std::vector<Hit> before(session.hits().history().hits().begin(),
+                                      session.hits().history().hits().end());
+        session.hits().select(4);
         Hit hit = before[4];
         hit.point += glm::vec3(0.2f, 0.0f, 0.0f);
         hit.direction = {0.0f, -3.0f, 0.0f};
         hit.constants.maxDistance = 0.9f;
-        const QSignalSpy rearranged(&session, &Session::hitsRearranged);
-        QVERIFY(session.replaceHit(4, hit).ok());
-        QVERIFY(session.history().hits()[4].direction == glm::vec3(0.0f, -1.0f, 0.0f));
+        const QSignalSpy rearranged(&session.hits(), &SessionHits::rearranged);
+        QVERIFY(session.hits().replace(4, hit).ok());
+        QVERIFY(session.hits().history().hits()[4].direction == glm::vec3(0.0f, -1.0f, 0.0f));
         QCOMPARE(rearranged.size(), 0);
-        QVERIFY(session.selectedHit() == std::optional<std::size_t>(4));
+        QVERIFY(session.hits().selected() == std::optional<std::size_t>(4));
         QVERIFY(made.value()->sync().ok());
         QCOMPARE(differences(session, before.size()), std::size_t{0});
         session.undo();  // one step
-        QVERIFY(std::ranges::equal(session.history().hits(), before));
+        QVERIFY(std::ranges::equal(session.hits().history().hits(), before));
         QVERIFY(made.value()->sync().ok());
         QCOMPARE(differences(session, before.size()), std::size_t{0});
         hit.point.x = std::numeric_limits<float>::quiet_NaN();
-        QVERIFY(!session.replaceHit(4, hit).ok());
-        QVERIFY(!session.replaceHit(before.size(), before[0]).ok());
+        QVERIFY(!session.hits().replace(4, hit).ok());
+        QVERIFY(!session.hits().replace(before.size(), before[0]).ok());
     }
 
 private:

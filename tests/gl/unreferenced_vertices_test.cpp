@@ -52,13 +52,13 @@ private Q_SLOTS:
         if (static_cast<PipelineKind>(kind) != PipelineKind::Reference) {
             HITSCOPE_NEEDS_EXACT_ARITHMETIC();
         }
-        session.setPipeline(static_cast<PipelineKind>(kind));
+        session.settings().setPipeline(static_cast<PipelineKind>(kind));
         shootAll(session, demoShots(session, 40, 5));
-        QVERIFY(session.history().size() > 30);
+        QVERIFY(session.hits().history().size() > 30);
         QVERIFY(gpu.value()->sync());
         const DeformedMesh& mesh = session.targets()[0]->deformed;
         std::vector<DynamicVertex> should = mesh.render().vertices;
-        deformEverywhere(should, session.history().hits());
+        deformEverywhere(should, session.hits().history().hits());
         std::size_t looseMoved = 0;
         for (std::uint32_t v = 0; v < mesh.original().vertexCount(); ++v) {
             const std::uint32_t r = mesh.render().renderVerticesOf(v).front();
@@ -68,7 +68,7 @@ private Q_SLOTS:
         QVERIFY(looseMoved > 20);
         QVERIFY(agreementWithReference(session, ReferenceMethod::Clusters).isExact());
         session.undo();
-        session.clearHits();
+        session.hits().clear();
         QVERIFY(gpu.value()->sync());
         QCOMPARE(mesh.statistics().changedVertices, std::size_t{0});
     }

@@ -66,9 +66,9 @@ private Q_SLOTS:
         const int before = m_model->rowCount();
         QVERIFY(before > 0);
         QSignalSpy reset(m_model.get(), &QAbstractItemModel::modelReset);
-        Hit again = m_session->history().hits()[row(0).hit];
+        Hit again = m_session->hits().history().hits()[row(0).hit];
         again.point = m_model->position() + glm::vec3(0.0f, 0.1f, 0.0f);
-        QVERIFY(m_session->addHit(again).ok());
+        QVERIFY(m_session->hits().add(again).ok());
         QCOMPARE(m_model->rowCount(), before + 1);
         QCOMPARE(reset.count(), 0);
         readBack(*m_session);
@@ -77,7 +77,7 @@ private Q_SLOTS:
         QVERIFY(said.wait());
 
         const std::size_t disabled = row(0).hit;
-        m_session->setHitsEnabled({&disabled, 1}, false);
+        m_session->hits().setEnabled({&disabled, 1}, false);
         readBack(*m_session);
         QTRY_VERIFY(m_model->rowCount() == 0 || row(0).hit != disabled);
         QVERIFY(m_model->isBuffers());
@@ -114,17 +114,17 @@ private Q_SLOTS:
         const int all = m_model->rowCount();
         QVERIFY(all > 0);
         const std::size_t first = row(0).hit;
-        m_session->showHits(first);
+        m_session->hits().show(first);
         readBack(*m_session);
         QTRY_COMPARE(m_model->rowCount(), 0);
         QVERIFY(m_model->isBuffers());
-        m_session->showHits(first + 1);
+        m_session->hits().show(first + 1);
         QTRY_COMPARE(m_model->rowCount(), 1);
         QVERIFY(!m_model->isBuffers());
         QVERIFY(m_model->summary().contains(QStringLiteral("not been read back yet")));
         readBack(*m_session);
         QVERIFY(m_model->isBuffers());
-        m_session->showHits(std::nullopt);
+        m_session->hits().show(std::nullopt);
         readBack(*m_session);
         QTRY_COMPARE(m_model->rowCount(), all);
         QVERIFY(m_model->isBuffers());
@@ -149,7 +149,7 @@ private Q_SLOTS:
         for (Hit& hit : hits) {
             hit.constants.power = 0.0005f;
         }
-        QVERIFY(m_session->addHits(hits).ok());
+        QVERIFY(m_session->hits().add(hits).ok());
         readBack(*m_session);
         m_session->selection().setPicked(VertexRef{target().id, changedMost()});
         QVERIFY(m_model->rowCount() > 20);
@@ -160,7 +160,7 @@ private:
     [[nodiscard]] const Target& target() const { return *m_session->targets()[10]; }
     [[nodiscard]] const VertexContribution& row(std::size_t at) const { return m_model->contributions()[at]; }
     void hit(std::size_t count, unsigned seed) {
-        QVERIFY(m_session->addHits(randomHits(target(), count, seed)).ok());
+        QVERIFY(m_session->hits().add(randomHits(target(), count, seed)).ok());
         readBack(*m_session);
     }
     [[nodiscard]] std::uint32_t changedMost() const {

@@ -51,7 +51,8 @@ void HitHistoryModelTest::followsEveryChange() {
     QCOMPARE(model.rowCount(), 0);
 
     for (int i = 0; i < 20; ++i) {
-        QVERIFY(session.addHit(hitOn(session, static_cast<std::size_t>(i % 16), 0.1f * static_cast<float>(i)))
+        QVERIFY(session.hits()
+                    .add(hitOn(session, static_cast<std::size_t>(i % 16), 0.1f * static_cast<float>(i)))
                     .ok());
     }
     QCOMPARE(model.rowCount(), 20);
@@ -60,17 +61,17 @@ void HitHistoryModelTest::followsEveryChange() {
     QCOMPARE(model.rowCount(), 18);
     session.redo();
     QCOMPARE(model.rowCount(), 19);
-    session.removeHit(0);
+    session.hits().remove(0);
     QCOMPARE(model.rowCount(), 18);
     QCOMPARE(model.index(0, HitHistoryModel::NumberColumn).data().toString(), QStringLiteral("1"));
     QCOMPARE(model.index(0, HitHistoryModel::TargetColumn).data().toString(), session.targets()[1]->name);
-    session.clearHits();
+    session.hits().clear();
     QCOMPARE(model.rowCount(), 0);
 
-    QVERIFY(session.addHit(hitOn(session, 0, 0.0f)).ok());
+    QVERIFY(session.hits().add(hitOn(session, 0, 0.0f)).ok());
     session.loadPaperRow(0);
     QCOMPARE(model.rowCount(), 0);
-    QVERIFY(session.addHit(hitOn(session, 0, 0.0f)).ok());
+    QVERIFY(session.hits().add(hitOn(session, 0, 0.0f)).ok());
     QCOMPARE(model.rowCount(), 1);
 }
 
@@ -80,8 +81,8 @@ void HitHistoryModelTest::appendsAreRowInsertions() {
     HitHistoryModel model(session);
     const QSignalSpy inserted(&model, &QAbstractItemModel::rowsInserted);
     const QSignalSpy reset(&model, &QAbstractItemModel::modelReset);
-    QVERIFY(session.addHit(hitOn(session, 0, 0.0f)).ok());
-    QVERIFY(session.addHit(hitOn(session, 1, 0.0f)).ok());
+    QVERIFY(session.hits().add(hitOn(session, 0, 0.0f)).ok());
+    QVERIFY(session.hits().add(hitOn(session, 1, 0.0f)).ok());
     QCOMPARE(inserted.size(), 2);
     QCOMPARE(inserted.at(1).at(1).toInt(), 1);
     QCOMPARE(inserted.at(1).at(2).toInt(), 1);
@@ -92,7 +93,7 @@ void HitHistoryModelTest::cellsSayWhatTheHitIs() {
     Session session;
     session.loadPaperRow(kDefaultPaperRow);
     const HitHistoryModel model(session);
-    QVERIFY(session.addHit(hitOn(session, 2, 0.25f)).ok());
+    QVERIFY(session.hits().add(hitOn(session, 2, 0.25f)).ok());
     const auto cell = [&model](int column) { return model.index(0, column).data().toString(); };
     const auto raw = [&model](int column) {
         return model.index(0, column).data(HitHistoryModel::RawValueRole);
@@ -120,14 +121,14 @@ void HitHistoryModelTest::csvIsExactAndQuoted() {
     mesh.cornerVertices = {0, 1, 2};
     session.loadMesh(mesh);
     const HitHistoryModel model(session);
-    QVERIFY(session.addHit(hitOn(session, 0, 0.1f)).ok());
-    QVERIFY(session.addHit(hitOn(session, 0, 2.0f)).ok());
+    QVERIFY(session.hits().add(hitOn(session, 0, 0.1f)).ok());
+    QVERIFY(session.hits().add(hitOn(session, 0, 2.0f)).ok());
     const QString all = model.csv();
     QCOMPARE(all.count(u'\n'), 3);
     QVERIFY(all.section(u'\n', 0, 0).endsWith(QStringLiteral(",enabled")));
     const QString first = all.section(u'\n', 1, 1);
     QVERIFY(first.endsWith(QStringLiteral(",1")));
-    session.setHitsEnabled(std::array<std::size_t, 1>{0}, false);
+    session.hits().setEnabled(std::array<std::size_t, 1>{0}, false);
     QVERIFY(model.csv().section(u'\n', 1, 1).endsWith(QStringLiteral(",0")));
     QVERIFY2(first.startsWith(QStringLiteral("1,1.5,\"a, \"\"quoted\"\" mesh\",0.1,0.5,-1.25,")),
              qPrintable(first));
@@ -145,7 +146,7 @@ void HitHistoryModelTest::manyHits() {
     constexpr int kMany = 100'000;
     const auto placeOf = [](int i) { return static_cast<float>(i) / 1024.0f; };
     for (int i = 0; i < kMany; ++i) {
-        QVERIFY(session.addHit(hitOn(session, static_cast<std::size_t>(i % 16), placeOf(i))).ok());
+        QVERIFY(session.hits().add(hitOn(session, static_cast<std::size_t>(i % 16), placeOf(i))).ok());
     }
     QCOMPARE(model.rowCount(), kMany);
     QCOMPARE(inserted.size(), kMany);
@@ -156,14 +157,14 @@ void HitHistoryModelTest::manyHits() {
     const auto isHit = [&](int row, int hit) {
         return model.index(row, HitHistoryModel::TargetColumn).data().toString() ==
                    session.targets()[static_cast<std::size_t>(hit % 16)]->name &&
-               session.history().hits()[static_cast<std::size_t>(row)].point.x == placeOf(hit) &&
+               session.hits().history().hits()[static_cast<std::size_t>(row)].point.x == placeOf(hit) &&
                model.index(row, HitHistoryModel::NumberColumn).data().toString() ==
                    QLocale().toString(row + 1);
     };
     for (int row = 0; row < kMany; row += 997) {
         QVERIFY2(isHit(row, row), qPrintable(QString::number(row)));
     }
-    session.removeHit(50'000);
+    session.hits().remove(50'000);
     QCOMPARE(model.rowCount(), kMany - 1);
     QVERIFY(isHit(49'999, 49'999));
     QVERIFY(isHit(50'000, 50'001));
@@ -180,7 +181,7 @@ void HitHistoryModelTest::checkBoxEnables() {
     HitHistoryModel model(session);
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     for (int i = 0; i < 3; ++i) {
-        QVERIFY(session.addHit(hitOn(session, 0, 0.1f * static_cast<float>(i))).ok());
+        QVERIFY(session.hits().add(hitOn(session, 0, 0.1f * static_cast<float>(i))).ok());
     }
     const QModelIndex number = model.index(1, HitHistoryModel::NumberColumn);
     const QModelIndex time = model.index(1, HitHistoryModel::TimeColumn);
@@ -191,7 +192,7 @@ void HitHistoryModelTest::checkBoxEnables() {
     const QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
     const QSignalSpy layout(&model, &QAbstractItemModel::layoutChanged);
     QVERIFY(model.setData(number, Qt::Unchecked, Qt::CheckStateRole));
-    QVERIFY(!session.history().hits()[1].enabled);
+    QVERIFY(!session.hits().history().hits()[1].enabled);
     QCOMPARE(number.data(Qt::CheckStateRole).toInt(), static_cast<int>(Qt::Unchecked));
     QCOMPARE(changed.size(), 1);
     QCOMPARE(changed[0][0].toModelIndex().row(), 1);
@@ -206,17 +207,17 @@ void HitHistoryModelTest::checkBoxEnables() {
 void HitHistoryModelTest::statesAreTold() {
     Session session;
     session.loadPaperRow(kDefaultPaperRow);
-    session.setPipeline(PipelineKind::UniformArray);
+    session.settings().setPipeline(PipelineKind::UniformArray);
     HitHistoryModel model(session);
     for (int i = 0; i < 4; ++i) {
-        QVERIFY(session.addHit(hitOn(session, 0, 0.1f * static_cast<float>(i))).ok());
+        QVERIFY(session.hits().add(hitOn(session, 0, 0.1f * static_cast<float>(i))).ok());
     }
     const auto state = [&model](int row) {
         return model.index(row, 0).data(HitHistoryModel::HitStateRole).toInt();
     };
     const auto tip = [&model](int row) { return model.index(row, 0).data(Qt::ToolTipRole).toString(); };
     const QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
-    session.setHitsEnabled(std::array<std::size_t, 1>{2}, false);
+    session.hits().setEnabled(std::array<std::size_t, 1>{2}, false);
     test::readBackOf(session).setCapacity({2, false, 2, {0}});
     QCOMPARE(changed.size(), 2);
     QCOMPARE(state(0), static_cast<int>(HitHistoryModel::Dropped));
@@ -238,7 +239,7 @@ void HitHistoryModelTest::persistentIndexesStayWithTheirHits() {
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     std::vector<QPersistentModelIndex> kept;
     for (int i = 0; i < 8; ++i) {
-        QVERIFY(session.addHit(hitOn(session, 0, static_cast<float>(i))).ok());
+        QVERIFY(session.hits().add(hitOn(session, 0, static_cast<float>(i))).ok());
     }
     for (int i = 0; i < 8; ++i) {
         kept.emplace_back(model.index(i, HitHistoryModel::PointColumn));
@@ -254,10 +255,10 @@ void HitHistoryModelTest::persistentIndexesStayWithTheirHits() {
         }
         return true;
     };
-    session.moveHits(std::array<std::size_t, 2>{1, 6}, 4);
+    session.hits().move(std::array<std::size_t, 2>{1, 6}, 4);
     QVERIFY(allRight());
     QCOMPARE(kept[6].row(), 4);
-    session.removeHits(std::array<std::size_t, 2>{0, 3});
+    session.hits().remove(std::array<std::size_t, 2>{0, 3});
     QVERIFY(allRight());
     QVERIFY(!kept[0].isValid());
     QCOMPARE(kept[7].row(), 5);
@@ -273,11 +274,11 @@ void HitHistoryModelTest::dragsRows() {
     HitHistoryModel model(session);
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     for (int i = 0; i < 5; ++i) {
-        QVERIFY(session.addHit(hitOn(session, 0, static_cast<float>(i))).ok());
+        QVERIFY(session.hits().add(hitOn(session, 0, static_cast<float>(i))).ok());
     }
     const auto xs = [&session] {
         std::vector<float> points;
-        for (const Hit& hit : session.history().hits()) {
+        for (const Hit& hit : session.hits().history().hits()) {
             points.push_back(hit.point.x);
         }
         return points;
@@ -313,18 +314,18 @@ void HitHistoryModelTest::survivesAnythingWhileHitsStreamIn() {
         return static_cast<std::size_t>(seed >> 8) % below;
     };
     for (int i = 0; i < 400; ++i) {
-        QVERIFY(session.addHit(hitOn(session, random(16), static_cast<float>(i))).ok());
-        const std::size_t hits = session.history().size();
+        QVERIFY(session.hits().add(hitOn(session, random(16), static_cast<float>(i))).ok());
+        const std::size_t hits = session.hits().history().size();
         const std::array<std::size_t, 3> some{random(hits), random(hits), random(hits)};
         switch (random(7)) {
             case 0:
-                session.setHitsEnabled(some, random(2) == 0);
+                session.hits().setEnabled(some, random(2) == 0);
                 break;
             case 1:
-                session.moveHits(some, random(hits + 1));
+                session.hits().move(some, random(hits + 1));
                 break;
             case 2:
-                session.removeHit(some[0]);
+                session.hits().remove(some[0]);
                 break;
             case 3:
                 session.undo();
@@ -339,9 +340,9 @@ void HitHistoryModelTest::survivesAnythingWhileHitsStreamIn() {
             default:
                 break;
         }
-        QCOMPARE(static_cast<std::size_t>(model.rowCount()), session.history().size());
-        const std::span<const Hit> now = session.history().hits();
-        QCOMPARE(session.disabledHits(),
+        QCOMPARE(static_cast<std::size_t>(model.rowCount()), session.hits().history().size());
+        const std::span<const Hit> now = session.hits().history().hits();
+        QCOMPARE(session.hits().disabled(),
                  static_cast<std::size_t>(
                      std::count_if(now.begin(), now.end(), [](const Hit& hit) { return !hit.enabled; })));
     }

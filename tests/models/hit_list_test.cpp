@@ -22,11 +22,11 @@ private:
         hit.target = m_session->targets()[target]->id;
         hit.point = {x, 0.0f, 2.5f};
         hit.speed = x;
-        hit.time = static_cast<double>(m_session->history().size());
+        hit.time = static_cast<double>(m_session->hits().history().size());
         hit.enabled = enabled;
         hit.pipeline =
             static_cast<std::uint8_t>(target % 2 == 0 ? PipelineKind::Compute : PipelineKind::Reference);
-        QVERIFY(m_session->addHit(hit).ok());
+        QVERIFY(m_session->hits().add(hit).ok());
     }
     /// The numbers of the hits as they are listed.
     [[nodiscard]] std::vector<int> listed() const {
@@ -93,10 +93,10 @@ private Q_SLOTS:
         add(1, 21.0f);
         QCOMPARE(listed(), (std::vector<int>{1, 4, 7, 10, 13}));
         QCOMPARE(inserted.size(), 1);
-        m_session->setHitsEnabled(std::array<std::size_t, 1>{3}, false);
+        m_session->hits().setEnabled(std::array<std::size_t, 1>{3}, false);
         m_list->setFilter({{}, m_session->targets()[0]->id, true});
         QCOMPARE(listed(), (std::vector<int>{1, 7, 10, 13}));
-        m_session->setHitsEnabled(std::array<std::size_t, 1>{6}, false);
+        m_session->hits().setEnabled(std::array<std::size_t, 1>{6}, false);
         QTRY_COMPARE(listed(), (std::vector<int>{1, 10, 13}));
         m_list->setFilter({});
         QCOMPARE(m_list->rowCount(), 14);
@@ -138,20 +138,21 @@ private Q_SLOTS:
             hit.point.x = 50.0f;
             hit.speed = static_cast<float>(random() % 1000);
         }
-        QVERIFY(m_session->addHits(hits).ok());
+        QVERIFY(m_session->hits().add(hits).ok());
         m_list->sort(HitHistoryModel::SpeedColumn, Qt::AscendingOrder);
         QVERIFY(!m_list->isSettled());
         QTRY_VERIFY(m_list->isSettled());
         float last = -1.0f;
         for (const int number : listed()) {
-            const float speed = m_session->history().hits()[static_cast<std::size_t>(number) - 1].speed;
+            const float speed =
+                m_session->hits().history().hits()[static_cast<std::size_t>(number) - 1].speed;
             QVERIFY(speed >= last);
             last = speed;
         }
         QCOMPARE(m_list->rowCount(), 20'000);
         // Of a sorting that is under way when the rows change nothing comes.
         m_list->sort(HitHistoryModel::SpeedColumn, Qt::DescendingOrder);
-        m_session->clearHits();
+        m_session->hits().clear();
         QTRY_VERIFY(m_list->isSettled());
         QTest::qWait(50);
         QCOMPARE(m_list->rowCount(), 0);
@@ -166,7 +167,7 @@ private Q_SLOTS:
         QVERIFY(m_list->dropMimeData(first.get(), Qt::MoveAction, 2, 0, {}));
         const auto xs = [this] {
             std::vector<int> found;
-            for (const Hit& hit : m_session->history().hits()) {
+            for (const Hit& hit : m_session->hits().history().hits()) {
                 found.push_back(static_cast<int>(hit.point.x));
             }
             return found;
@@ -191,11 +192,11 @@ private Q_SLOTS:
         m_list->setFilter({{}, m_session->targets()[0]->id, false});
         QCOMPARE(third.data().toString(), QStringLiteral("8.00"));
         QVERIFY(!fourth.isValid());
-        m_session->removeHit(0);
+        m_session->hits().remove(0);
         QCOMPARE(third.data().toString(), QStringLiteral("8.00"));
         m_list->setFilter({});
         QCOMPARE(third.data().toString(), QStringLiteral("8.00"));
-        m_session->removeHit(1);
+        m_session->hits().remove(1);
         QVERIFY(!third.isValid());
     }
 
@@ -203,17 +204,17 @@ private Q_SLOTS:
         std::mt19937 random(1);
         for (int step = 0; step < 600; ++step) {
             add(random() % 4, static_cast<float>(random() % 50));
-            const std::size_t hits = m_session->history().size();
+            const std::size_t hits = m_session->hits().history().size();
             const std::array<std::size_t, 3> some{random() % hits, random() % hits, random() % hits};
             switch (random() % 12) {
                 case 0:
-                    m_session->setHitsEnabled(some, random() % 2 == 0);
+                    m_session->hits().setEnabled(some, random() % 2 == 0);
                     break;
                 case 1:
-                    m_session->moveHits(some, random() % (hits + 1));
+                    m_session->hits().move(some, random() % (hits + 1));
                     break;
                 case 2:
-                    m_session->removeHits(some);
+                    m_session->hits().remove(some);
                     break;
                 case 3:
                     m_session->undo();
@@ -235,14 +236,14 @@ private Q_SLOTS:
                     m_list->sort(-1, Qt::AscendingOrder);
                     break;
                 case 8: {
-                    Hit hit = m_session->history().hits()[some[0]];
+                    Hit hit = m_session->hits().history().hits()[some[0]];
                     hit.point.y += 1.0f;
                     hit.constants.power = 0.02f;
-                    QVERIFY(m_session->replaceHit(some[0], hit).ok());
+                    QVERIFY(m_session->hits().replace(some[0], hit).ok());
                     break;
                 }
                 case 9:
-                    m_session->showHits(some[1]);
+                    m_session->hits().show(some[1]);
                     break;
                 default:
                     QCoreApplication::processEvents();
@@ -251,7 +252,7 @@ private Q_SLOTS:
         }
         QTRY_VERIFY(m_list->isSettled());
         m_list->setFilter({});
-        QTRY_COMPARE(static_cast<std::size_t>(m_list->rowCount()), m_session->history().size());
+        QTRY_COMPARE(static_cast<std::size_t>(m_list->rowCount()), m_session->hits().history().size());
     }
 };
 

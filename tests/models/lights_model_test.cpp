@@ -27,11 +27,11 @@ private Q_SLOTS:
             QCOMPARE(index.data(Qt::CheckStateRole).toInt(), int{Qt::Unchecked});
             QCOMPARE(changed.count(), row + 1);
         }
-        QVERIFY(!session.lights().directional.on && !session.lights().points[3].on);
-        QVERIFY(!session.lights().spot.on);
-        Lights lights = session.lights();
+        QVERIFY(!session.settings().lights().directional.on && !session.settings().lights().points[3].on);
+        QVERIFY(!session.settings().lights().spot.on);
+        Lights lights = session.settings().lights();
         lights.points[2].terms.colour = linearColour(1.0f, 0.5f, 0.0f);
-        session.setLights(lights);
+        session.settings().setLights(lights);
         QCOMPARE(model.index(FirstPointRow + 2).data(LightsModel::ColourRole).toString(),
                  QStringLiteral("#ff8000"));
     }
@@ -40,16 +40,18 @@ private Q_SLOTS:
         // What is set by one scene is at the same place of another.
         Session session;
         session.loadTeapot();
-        Lights lights = session.lights();
-        lights.points[0].position = session.lightSpace().centre;
-        lights.points[1].position.y += session.lightSpace().extent;
-        session.setLights(lights);
-        const float left = 1.0f / (1.0f + lights.points[1].attenuation.linear * session.lightSpace().extent);
+        Lights lights = session.settings().lights();
+        lights.points[0].position = session.settings().lightSpace().centre;
+        lights.points[1].position.y += session.settings().lightSpace().extent;
+        session.settings().setLights(lights);
+        const float left =
+            1.0f / (1.0f + lights.points[1].attenuation.linear * session.settings().lightSpace().extent);
         session.loadPaperRow(kDefaultPaperRow);
-        const LightSpace& space = session.lightSpace();
+        const LightSpace& space = session.settings().lightSpace();
         QVERIFY(space.extent > 20.0f);
-        QVERIFY(glm::length(session.lights().points[0].position - space.centre) < 1.0e-3f * space.extent);
-        const PointLight& second = session.lights().points[1];
+        QVERIFY(glm::length(session.settings().lights().points[0].position - space.centre) <
+                1.0e-3f * space.extent);
+        const PointLight& second = session.settings().lights().points[1];
         const Lights placed = defaultLights(space);
         QVERIFY(std::abs(second.position.y - placed.points[1].position.y - space.extent) <
                 1.0e-3f * space.extent);

@@ -43,7 +43,7 @@ void applyOnCpu(Session& session) {
     test::readBackOf(session).restart();
     for (const std::unique_ptr<Target>& target : session.targets()) {
         ReferenceDeformation reference(target->deformed.render());
-        for (const Hit& hit : session.history().hits()) {
+        for (const Hit& hit : session.hits().history().hits()) {
             if (hit.target == target->id) {
                 reference.apply({&hit, 1});
             }
@@ -104,7 +104,7 @@ void MeshStatisticsModelTest::followsHitsAndUndo() {
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     QTRY_COMPARE(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("6,146"));
 
-    QVERIFY(session.addHit(hitOn(*session.targets().front())).ok());
+    QVERIFY(session.hits().add(hitOn(*session.targets().front())).ok());
     applyOnCpu(session);
     std::size_t within = 0;
     for (const glm::vec3& position : session.targets().front()->deformed.original().positions) {
@@ -139,7 +139,7 @@ void MeshStatisticsModelTest::staysConsistentWhileHitsStreamIn() {
         const float angle = 0.3f * static_cast<float>(i);
         hit.point = 2.5f * glm::vec3(std::cos(angle), 0.1f, std::sin(angle));
         hit.direction = -glm::normalize(hit.point);
-        QVERIFY(session.addHit(hit));
+        QVERIFY(session.hits().add(hit));
         for (const VertexRange& range : reference.apply({&hit, 1})) {
             test::readBackOf(session).take(target.id, range.first,
                                            reference.vertices().subspan(range.first, range.count));
@@ -166,15 +166,15 @@ void MeshStatisticsModelTest::followsTheTargetInFocus() {
 
     const QSignalSpy changed(&model, &Model::shownTargetChanged);
     const Target& other = *session.targets()[9];
-    session.selectTarget(other.id);
+    session.targets().select(other.id);
     QCOMPARE(model.shownTarget(), other.id);
     QCOMPARE(changed.size(), 1);
     const QString vertices =
         QLocale(QLocale::English).toString(qulonglong(other.deformed.original().vertexCount()));
     QTRY_COMPARE(cell(model, "vertices", Model::OriginalColumn), vertices);
 
-    QVERIFY(session.addHit(hitOn(*session.targets()[4])).ok());
-    session.selectTarget({});
+    QVERIFY(session.hits().add(hitOn(*session.targets()[4])).ok());
+    session.targets().select({});
     QCOMPARE(model.shownTarget(), session.targets()[4]->id);
     session.loadPaperRow(3);
     QCOMPARE(model.shownTarget(), session.targets().front()->id);
@@ -185,12 +185,12 @@ void MeshStatisticsModelTest::addsUpAllTargets() {
     session.loadMesh(makeLowPolyCube(1.0f));
     std::vector<TargetPlan> more;
     more.push_back(planMesh(makeLowPolyCube(2.0f)));
-    session.addTargets(std::move(more));
+    session.targets().add(std::move(more));
     RigidTransform turned;
     turned.position = {10.0f, 0.0f, 0.0f};
     turned.rotation = glm::angleAxis(0.78539816f, glm::vec3(0.0f, 1.0f, 0.0f));
-    QVERIFY(session.setTargetTransform(session.targets()[1]->id, turned));
-    QVERIFY(session.setTargetTransform(session.targets()[0]->id, RigidTransform{}));
+    QVERIFY(session.targets().setTransform(session.targets()[1]->id, turned));
+    QVERIFY(session.targets().setTransform(session.targets()[0]->id, RigidTransform{}));
     Model model(session);
     model.setShowsAll(true);
     QCOMPARE(model.shownTarget(), TargetId{});
@@ -203,9 +203,9 @@ void MeshStatisticsModelTest::addsUpAllTargets() {
     QVERIFY(std::abs(value(model, "box_min_x", Model::OriginalColumn) + 1.0) < 1e-6);
     // A target that is moved takes the box along.
     turned.position.x = 20.0f;
-    QVERIFY(session.setTargetTransform(session.targets()[1]->id, turned));
+    QVERIFY(session.targets().setTransform(session.targets()[1]->id, turned));
     QTRY_VERIFY(std::abs(value(model, "box_max_x", Model::DeformedColumn) - (20.0 + std::sqrt(8.0))) < 1e-5);
-    session.removeTargets(std::vector<TargetId>{session.targets()[1]->id});
+    session.targets().remove(std::vector<TargetId>{session.targets()[1]->id});
     QTRY_COMPARE(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("386"));
 }
 
@@ -245,7 +245,7 @@ void MeshStatisticsModelTest::measuresOnlyWhileLookedAt() {
     QTRY_VERIFY(model.measuring().measurement());
     model.measuring().setActive(false);
     const QSignalSpy measured(&model.measuring(), &MeshMeasuring::measured);
-    QVERIFY(session.addHit(hitOn(*session.targets().front())).ok());
+    QVERIFY(session.hits().add(hitOn(*session.targets().front())).ok());
     applyOnCpu(session);
     QTest::qWait(400);
     QCOMPARE(measured.size(), 0);
@@ -290,7 +290,7 @@ void MeshStatisticsModelTest::listsHarmedFacesAndTheirHits() {
     Hit harmless = hitOn(target);
     harmless.constants.power = 0.0001f;
     harmless.constants.maxMagnitude = 0.0001f;
-    QVERIFY(session.addHits(std::vector<Hit>{harmless, hitOn(target), harmless}));
+    QVERIFY(session.hits().add(std::vector<Hit>{harmless, hitOn(target), harmless}));
     applyOnCpu(session);
     Model model(session);
     model.measuring().setStretchLimit(1.15f);

@@ -32,7 +32,7 @@ void readBack(Session& session) {
     test::readBackOf(session).restart();
     for (const std::unique_ptr<Target>& target : session.targets()) {
         ReferenceDeformation reference(target->deformed.render());
-        reference.apply(session.history().hitsOn(target->id));
+        reference.apply(session.hits().history().hitsOn(target->id));
         test::readBackOf(session).take(target->id, 0, reference.vertices());
     }
     test::readBackOf(session).finish();
@@ -49,7 +49,7 @@ private Q_SLOTS:
         const Target& target = *session.targets().front();
         PipelineAgreement agreement(session);
         for (int i = 0; i < 20; ++i) {
-            QVERIFY(session.addHit(hitAt(target, 0.4f * static_cast<float>(i))));
+            QVERIFY(session.hits().add(hitAt(target, 0.4f * static_cast<float>(i))));
         }
         readBack(session);
         agreement.compare();
@@ -66,7 +66,7 @@ private Q_SLOTS:
         Session session;
         session.loadMesh(makeHighPolySphere(2.5f));
         const Target& target = *session.targets().front();
-        QVERIFY(session.addHit(hitAt(target, 0.0f)));
+        QVERIFY(session.hits().add(hitAt(target, 0.0f)));
         readBack(session);
         PipelineAgreement agreement(session);
         agreement.compare();
@@ -102,11 +102,11 @@ private Q_SLOTS:
         });
         agreement.setContinuous(true);
         for (int i = 0; i < 8; ++i) {
-            QVERIFY(session.addHit(hitAt(target, 0.4f * static_cast<float>(i))));
+            QVERIFY(session.hits().add(hitAt(target, 0.4f * static_cast<float>(i))));
         }
         QTRY_VERIFY_WITH_TIMEOUT(agreement.report() && agreement.report()->hits == 8, kPatience);
         QCOMPARE(agreement.report()->different, std::size_t{0});
-        session.removeHit(2);
+        session.hits().remove(2);
         QTRY_COMPARE_WITH_TIMEOUT(agreement.report()->hits, std::size_t{7}, kPatience);
         QCOMPARE(agreement.report()->different, std::size_t{0});
         QVERIFY(synced >= 2);
@@ -118,7 +118,7 @@ private Q_SLOTS:
         Session session;
         session.loadMesh(makeHighPolySphere(2.5f));
         const Target& target = *session.targets().front();
-        QVERIFY(session.addHit(hitAt(target, 0.0f)));
+        QVERIFY(session.hits().add(hitAt(target, 0.0f)));
         CapacityReport report;
         report.capacity = 0;
         report.dropped = {0};

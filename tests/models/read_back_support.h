@@ -16,9 +16,9 @@ namespace hitscope::test {
 inline void readBack(Session& session) {
     for (const std::unique_ptr<Target>& target : session.targets()) {
         std::vector<Hit> hits;
-        for (std::size_t i = 0; i < session.history().size(); ++i) {
-            const Hit& hit = session.history().hits()[i];
-            if (hit.target == target->id && session.isApplied(i)) {
+        for (std::size_t i = 0; i < session.hits().history().size(); ++i) {
+            const Hit& hit = session.hits().history().hits()[i];
+            if (hit.target == target->id && session.hits().isApplied(i)) {
                 hits.push_back(hit);
             }
         }

@@ -17,7 +17,7 @@ namespace {
 void hit(Session& session, TargetId target) {
     Hit made;
     made.target = target;
-    QVERIFY(session.addHit(made).ok());
+    QVERIFY(session.hits().add(made).ok());
 }
 
 }  // namespace
@@ -52,13 +52,13 @@ private Q_SLOTS:
         hit(*m_session, third);
         hit(*m_session, m_session->targets()[4]->id);
         QCOMPARE(text(2, SceneModel::HitsColumn), QStringLiteral("2"));
-        m_session->removeHit(0);
+        m_session->hits().remove(0);
         QCOMPARE(text(2, SceneModel::HitsColumn), QStringLiteral("1"));
         m_session->undo();
         QCOMPARE(text(2, SceneModel::HitsColumn), QStringLiteral("2"));
-        m_session->duplicateTargets(std::array{third});
+        m_session->targets().duplicate(std::array{third});
         QCOMPARE(text(16, SceneModel::HitsColumn), QStringLiteral("2"));
-        m_session->resetTargets(std::array{third});
+        m_session->targets().reset(std::array{third});
         QCOMPARE(text(2, SceneModel::HitsColumn), QStringLiteral("0"));
         QCOMPARE(text(4, SceneModel::HitsColumn), QStringLiteral("1"));
         m_session->loadPaperRow(0);
@@ -70,14 +70,14 @@ private Q_SLOTS:
         QSignalSpy removed(m_model.get(), &QAbstractItemModel::rowsRemoved);
         QSignalSpy inserted(m_model.get(), &QAbstractItemModel::rowsInserted);
         const QPersistentModelIndex last(at(15, SceneModel::NameColumn));
-        m_session->removeTargets(std::array{m_session->targets()[3]->id, m_session->targets()[8]->id});
+        m_session->targets().remove(std::array{m_session->targets()[3]->id, m_session->targets()[8]->id});
         QCOMPARE(removed.count(), 2);
         QCOMPARE(last.row(), 13);
         m_session->undo();
         QCOMPARE(inserted.count(), 2);
         QCOMPARE(last.row(), 15);
         QCOMPARE(text(3, SceneModel::NameColumn), QStringLiteral("High-poly cube 1"));
-        m_session->addTargets({planPrimitive({PrimitiveKind::Torus, 9, 2.0f})});
+        m_session->targets().add({planPrimitive({PrimitiveKind::Torus, 9, 2.0f})});
         QCOMPARE(text(16, SceneModel::NameColumn), QStringLiteral("Torus"));
         m_session->redo();  // nothing: adding ended it
         QCOMPARE(m_model->rowCount(), 17);

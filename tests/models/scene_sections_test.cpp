@@ -26,7 +26,7 @@ void readBack(Session& session) {
     test::readBackOf(session).restart();
     for (const std::unique_ptr<Target>& target : session.targets()) {
         ReferenceDeformation reference(target->deformed.render());
-        reference.apply(session.history().hitsOn(target->id));
+        reference.apply(session.hits().history().hitsOn(target->id));
         test::readBackOf(session).take(target->id, 0, reference.vertices());
     }
     test::readBackOf(session).finish();
@@ -134,8 +134,8 @@ private Q_SLOTS:
     void followsHitsUndoAndThePlane() {
         cut(across({0.0f, 0.0f, 1.0f}, target().transform.position.z));
         for (int i = 0; i < 6; ++i) {
-            QVERIFY(m_session->addHit(hitAt(target(), {std::cos(1.1f * static_cast<float>(i)),
-                                                       std::sin(1.1f * static_cast<float>(i)), 0.02f})));
+            QVERIFY(m_session->hits().add(hitAt(target(), {std::cos(1.1f * static_cast<float>(i)),
+                                                           std::sin(1.1f * static_cast<float>(i)), 0.02f})));
             readBack(*m_session);
             QVERIFY(m_sections->isBusy());
         }
@@ -152,14 +152,14 @@ private Q_SLOTS:
         settle();
         QCOMPARE(section().cut.offset, 0.9f);
         compareWithFresh(1.0f);
-        m_session->clearHits();
+        m_session->hits().clear();
         readBack(*m_session);
         settle();
         QCOMPARE(section().targets[0].depths.greatest, 0.0f);
     }
 
     void hitsBeforeThePlaneCountToo() {
-        QVERIFY(m_session->addHit(hitAt(target(), {0.0f, 1.0f, 0.0f})));
+        QVERIFY(m_session->hits().add(hitAt(target(), {0.0f, 1.0f, 0.0f})));
         readBack(*m_session);
         cut(across({1.0f, 0.0f, 0.0f}, target().transform.position.x));
         compareWithFresh(1.0f);
@@ -171,7 +171,7 @@ private Q_SLOTS:
     }
 
     void exaggerationIsForTheEyeOnly() {
-        QVERIFY(m_session->addHit(hitAt(target(), {0.0f, 1.0f, 0.0f})));
+        QVERIFY(m_session->hits().add(hitAt(target(), {0.0f, 1.0f, 0.0f})));
         readBack(*m_session);
         cut(across({1.0f, 0.0f, 0.0f}, target().transform.position.x));
         const float depth = section().targets[0].depths.greatest;
@@ -201,18 +201,18 @@ private Q_SLOTS:
             QVERIFY(std::abs(glm::distance(point, second) - kRadius) < 0.03f);
         }
         const TargetId first = m_session->targets()[0]->id;
-        m_session->setTargetsVisible(std::vector{first}, false);
+        m_session->targets().setVisible(std::vector{first}, false);
         settle();
         QCOMPARE(section().targets.size(), std::size_t{1});
         QVERIFY(section().targets[0].target != first);
-        m_session->removeTargets(std::vector{section().targets[0].target});
+        m_session->targets().remove(std::vector{section().targets[0].target});
         settle();
         QVERIFY(section().targets.empty());
         QVERIFY(section().lines->original.empty());
     }
 
     void readingsAreOfThePlaceUnderTheCursor() {
-        QVERIFY(m_session->addHit(hitAt(target(), {0.0f, 1.0f, 0.0f})));
+        QVERIFY(m_session->hits().add(hitAt(target(), {0.0f, 1.0f, 0.0f})));
         readBack(*m_session);
         const glm::vec3 middle = target().transform.position;
         cut(across({1.0f, 0.0f, 0.0f}, middle.x));
@@ -230,7 +230,7 @@ private Q_SLOTS:
     }
 
     void csvAndTextSayAll() {
-        QVERIFY(m_session->addHit(hitAt(target(), {0.0f, 1.0f, 0.0f})));
+        QVERIFY(m_session->hits().add(hitAt(target(), {0.0f, 1.0f, 0.0f})));
         readBack(*m_session);
         cut(across({1.0f, 0.0f, 0.0f}, target().transform.position.x));
         const QList<QByteArray> lines = sectionCsv(section(), {}).trimmed().split('\n');

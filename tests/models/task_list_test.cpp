@@ -67,9 +67,10 @@ private Q_SLOTS:
             history.append(hit);
         }
         QVERIFY(isSame());
-        history.move(3, 11);
-        history.remove(5);
-        history.setEnabled(7, false);
+        using Rows = std::vector<std::size_t>;
+        history.move(Rows{3}, 12);
+        history.remove(Rows{5});
+        history.setEnabled(Rows{7}, false);
         QVERIFY(isSame());
         follower.startOver();
         QVERIFY(isSame());
@@ -83,11 +84,11 @@ private Q_SLOTS:
             history.append(Hit{});
         }
         const std::uint64_t revision = history.revision();
-        DeformationConstants other;
-        other.power = 0.1f;
-        const HistoryEdit edit = history.setConstantsOfAll([&other](const Hit&) { return other; });
+        Hit other;
+        other.constants.power = 0.1f;
+        const HistoryEdit edit = history.splice(0, 5, std::vector(5, other));
         QCOMPARE(withoutUndone(*history.editsSince(revision)).size(), std::size_t{1});
-        history.undo(edit);
+        history.redo({edit.first, edit.after, edit.before});
         QVERIFY(withoutUndone(*history.editsSince(revision)).empty());
     }
 };

@@ -32,7 +32,7 @@ private Q_SLOTS:
         m_effects.reset();
         m_session = std::make_unique<Session>();
         m_session->loadPaperRow(kDefaultPaperRow);
-        m_session->selectTarget(m_session->targets()[10]->id);
+        m_session->targets().select(m_session->targets()[10]->id);
         m_effects = std::make_unique<HitEffects>(*m_session);
         m_model = std::make_unique<VertexChangesModel>(*m_session, *m_effects);
         m_tester = std::make_unique<QAbstractItemModelTester>(
@@ -73,7 +73,7 @@ private Q_SLOTS:
             QTest::qWait(i * 15);
         }
         QVERIFY(follows());
-        m_session->clearHits();
+        m_session->hits().clear();
         readBack(*m_session);
         QVERIFY(follows());
         QCOMPARE(m_model->rowCount(), 0);
@@ -154,15 +154,15 @@ private Q_SLOTS:
         m_model->setFilter(VertexChangesModel::Filter::MovedBySelectedHit);
         QVERIFY(follows());
         QCOMPARE(m_model->rowCount(), 0);
-        m_session->selectHit(7);
+        m_session->hits().select(7);
         m_effects->finish();
         // By the reference: run up to the hit, then see whom it moves.
         ReferenceDeformation before(target().deformed.render());
-        before.apply(m_session->history().hits().first(7));
+        before.apply(m_session->hits().history().hits().first(7));
         std::set<std::uint32_t> moved;
         for (std::size_t v = 0; v < before.vertices().size(); ++v) {
             DynamicVertex vertex = before.vertices()[v];
-            if (deform(vertex.position, vertex.normal, m_session->history().hits()[7])) {
+            if (deform(vertex.position, vertex.normal, m_session->hits().history().hits()[7])) {
                 moved.insert(target().deformed.render().fileVertices[v]);
             }
         }
@@ -171,7 +171,7 @@ private Q_SLOTS:
         for (int row = 0; row < m_model->rowCount(); ++row) {
             QVERIFY(moved.contains(m_model->vertexAt(row)));
         }
-        m_session->selectHit(std::nullopt);
+        m_session->hits().select(std::nullopt);
         QVERIFY(follows());
         QCOMPARE(m_model->rowCount(), 0);
     }
@@ -195,13 +195,13 @@ private Q_SLOTS:
         QVERIFY(follows());
         QVERIFY(m_model->rowCount() > 0);
         const TargetId first = target().id;
-        m_session->selectTarget(m_session->targets()[11]->id);
+        m_session->targets().select(m_session->targets()[11]->id);
         QVERIFY(follows());
         QCOMPARE(m_model->rowCount(), 0);
-        m_session->selectTarget(first);
+        m_session->targets().select(first);
         QVERIFY(follows());
         QVERIFY(m_model->rowCount() > 0);
-        m_session->removeTargets(std::array{first});
+        m_session->targets().remove(std::array{first});
         QVERIFY(follows());
         QVERIFY(m_model->target()->id != first);
         m_session->loadPaperRow(0);
@@ -257,7 +257,7 @@ private Q_SLOTS:
         everywhere.target = sheet.id;
         everywhere.point = sheet.deformed.positions()[501'000];
         everywhere.constants.maxDistance = 10.0f;
-        QVERIFY(m_session->addHit(everywhere).ok());
+        QVERIFY(m_session->hits().add(everywhere).ok());
         readBack(*m_session);
         m_model->sort(Column::LengthColumn, Qt::DescendingOrder);
         QVERIFY(follows(60'000));
@@ -266,7 +266,7 @@ private Q_SLOTS:
         const std::vector<std::uint32_t> before = topRows(1000);
         everywhere.constants.maxDistance = 0.2f;
         everywhere.point = sheet.deformed.positions()[801'200];
-        QVERIFY(m_session->addHit(everywhere).ok());
+        QVERIFY(m_session->hits().add(everywhere).ok());
         readBack(*m_session);
         QVERIFY(follows(60'000));
         // The second hit moved some to the top, and every row says what its vertex is now.
@@ -281,14 +281,14 @@ private:
         return m_model->index(row, column).data(VertexChangesModel::RawValueRole);
     }
     void hit(std::size_t count, unsigned seed) {
-        QVERIFY(m_session->addHits(randomHits(target(), count, seed)).ok());
+        QVERIFY(m_session->hits().add(randomHits(target(), count, seed)).ok());
         readBack(*m_session);
     }
     [[nodiscard]] qulonglong hitsThatMoved(std::uint32_t vertex) const {
         DynamicVertex moved =
             target().deformed.render().vertices[target().deformed.render().renderVerticesOf(vertex)[0]];
         qulonglong count = 0;
-        for (const Hit& hit : m_session->history().hits()) {
+        for (const Hit& hit : m_session->hits().history().hits()) {
             count += hit.target == target().id && deform(moved.position, moved.normal, hit) ? 1 : 0;
         }
         return count;

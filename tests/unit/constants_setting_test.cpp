@@ -26,19 +26,19 @@ struct Dent {
 Dent dentIn(float diameter, bool relative) {
     Session session;
     session.loadMesh(makeUvSphere(32, 16, 0.5f * diameter));
-    if (!session.setConstants(ConstantsSetting{DeformationConstants{}, relative})) {
+    if (!session.settings().setConstants(ConstantsSetting{DeformationConstants{}, relative})) {
         return {};
     }
-    const Bounds bounds = session.sceneBounds();
+    const Bounds bounds = session.targets().bounds();
     Ray ray;
     ray.origin = bounds.centre() + glm::vec3(0.0f, 0.0f, 3.0f * diameter);
     ray.direction = glm::vec3(0.0f, 0.0f, -1.0f);
-    if (!session.hitscan(ray)) {
+    if (!session.simulation().hitscan(ray)) {
         return {};
     }
     const Target& target = *session.targets().front();
     ReferenceDeformation reference(target.deformed.render());
-    reference.apply(session.history().hits());
+    reference.apply(session.hits().history().hits());
     Dent dent;
     for (std::size_t i = 0; i < reference.vertices().size(); ++i) {
         const double moved =
@@ -69,9 +69,9 @@ private Q_SLOTS:
     void thePapersTargetsHaveThePapersConstants() {
         Session session;
         session.loadPaperRow(kDefaultPaperRow);
-        QVERIFY(session.constantsSetting().relative);
+        QVERIFY(session.settings().constantsSetting().relative);
         for (const std::unique_ptr<Target>& target : session.targets()) {
-            QVERIFY(session.constantsOn(*target) == DeformationConstants{});
+            QVERIFY(session.settings().constantsOn(*target) == DeformationConstants{});
         }
     }
 
@@ -116,18 +116,18 @@ private Q_SLOTS:
         session.loadPaperRow(kDefaultPaperRow);
         Hit hit;
         hit.target = session.targets().front()->id;
-        QVERIFY(session.addHit(hit).ok());
+        QVERIFY(session.hits().add(hit).ok());
         ConstantsSetting setting;
         setting.constants.power = 0.07f;
-        QVERIFY(session.setConstants(setting).ok());
-        QCOMPARE(session.history().hits()[0].constants.power, 0.05f);
-        session.giveConstantsToAll();
-        QCOMPARE(session.history().hits()[0].constants.power, 0.07f);
+        QVERIFY(session.settings().setConstants(setting).ok());
+        QCOMPARE(session.hits().history().hits()[0].constants.power, 0.05f);
+        session.hits().giveConstantsToAll();
+        QCOMPARE(session.hits().history().hits()[0].constants.power, 0.07f);
         session.undo();
-        QCOMPARE(session.history().hits()[0].constants.power, 0.05f);
-        QCOMPARE(session.constants().power, 0.07f);
+        QCOMPARE(session.hits().history().hits()[0].constants.power, 0.05f);
+        QCOMPARE(session.settings().constants().power, 0.07f);
         session.undo();
-        QCOMPARE(session.constants().power, 0.05f);
+        QCOMPARE(session.settings().constants().power, 0.05f);
     }
 };
 

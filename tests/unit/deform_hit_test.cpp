@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "deform/hit.h"
-#include "deform/hit_history.h"
 #include "deform_support.h"
 #include "support/test_program.h"
 
@@ -18,13 +17,6 @@ namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-Hit hitOn(std::uint32_t target, float x = 0.0f) {
-    Hit hit;
-    hit.target = {target};
-    hit.point.x = x;
-    return hit;
-}
 
 }  // namespace
 
@@ -108,135 +100,6 @@ private Q_SLOTS:
             const Hit twice = checkedHit(once).value();
             QVERIFY(std::memcmp(&once.direction, &twice.direction, sizeof(glm::vec3)) == 0);
         }
-    }
-
-    void everyChangeIsAnEditWithItsInverse() {
-        HitHistory history;
-        std::vector<std::vector<Hit>> states;
-        std::vector<HistoryEdit> edits;
-        const auto now = [&history] {
-            return std::vector<Hit>(history.hits().begin(), history.hits().end());
-        };
-        states.push_back(now());
-        const auto made = [&](HistoryEdit edit) {
-            edits.push_back(std::move(edit));
-            states.push_back(now());
-        };
-        for (std::uint32_t i = 0; i < 6; ++i) {
-            made(history.append(hitOn(1 + i % 2, static_cast<float>(i))));
-        }
-        QCOMPARE(history.hits()[1].target.value, 2u);
-        made(history.remove(1));
-        QCOMPARE(history.hits()[1].point.x, 2.0f);
-        made(history.setEnabled(2, false));
-        QVERIFY(!history.hits()[2].enabled);
-        made(history.setConstantsOfAll([](const Hit&) {
-            return DeformationConstants{.maxDistance = 1.0f, .power = 0.2f, .maxMagnitude = 0.4f};
-        }));
-        QCOMPARE(history.hits()[0].constants.power, 0.2f);
-        made(history.removeTarget({1}));
-        QCOMPARE(history.size(), std::size_t{2});
-        const std::vector<Hit> other = {hitOn(3), history.hits()[0], hitOn(4)};
-        made(history.splice(0, 2, other));
-        QCOMPARE(now(), other);
-        made(history.clear());
-        QCOMPARE(history.size(), std::size_t{0});
-        QCOMPARE(history.revision(), edits.size());
-
-        for (std::size_t i = edits.size(); i-- > 0;) {
-            history.undo(edits[i]);
-            QCOMPARE(now(), states[i]);
-        }
-        for (std::size_t i = 0; i < edits.size(); ++i) {
-            history.redo(edits[i]);
-            QCOMPARE(now(), states[i + 1]);
-        }
-    }
-
-    void movingPutsTheHitInItsNewPlace_data() {
-        QTest::addColumn<int>("from");
-        QTest::addColumn<int>("to");
-        QTest::addColumn<QString>("order");
-        QTest::newRow("down") << 1 << 3 << "02314";
-        QTest::newRow("up") << 3 << 0 << "30124";
-        QTest::newRow("to the end") << 0 << 4 << "12340";
-        QTest::newRow("nowhere") << 2 << 2 << "01234";
-    }
-    void movingPutsTheHitInItsNewPlace() {
-        QFETCH(const int, from);
-        QFETCH(const int, to);
-        QFETCH(const QString, order);
-        HitHistory history;
-        for (std::uint32_t i = 0; i < 5; ++i) {
-            history.append(hitOn(1, static_cast<float>(i)));
-        }
-        const std::vector<HistoryEdit> edits =
-            history.move(static_cast<std::size_t>(from), static_cast<std::size_t>(to));
-        QString places;
-        for (const Hit& hit : history.hits()) {
-            places += QString::number(static_cast<int>(hit.point.x));
-        }
-        QCOMPARE(places, order);
-        for (const HistoryEdit& edit : edits) {
-            QCOMPARE(edit.before.size() + edit.after.size(), std::size_t{1});
-        }
-    }
-
-    void whatDoesNotChangeIsNoEdit() {
-        HitHistory history;
-        history.append(hitOn(1, 0.0f));
-        history.append(hitOn(2, 1.0f));
-        const std::uint64_t revision = history.revision();
-        history.removeTarget({77});
-        history.setEnabled(0, true);
-        history.setConstantsOfAll([](const Hit& hit) { return hit.constants; });
-        QCOMPARE(history.revision(), revision);
-        const std::vector<Hit> hits = {history.hits()[0], hitOn(3), history.hits()[1]};
-        const HistoryEdit edit = history.splice(0, 2, hits);
-        QCOMPARE(edit.first, std::size_t{1});
-        QVERIFY(edit.before.empty());
-        QCOMPARE(edit.after.size(), std::size_t{1});
-    }
-
-    void followersSeeEveryEditOrStartOver() {
-        HitHistory history;
-        HitHistory follower;
-        std::uint64_t seen = 0;
-        std::mt19937 random(5);
-        std::size_t startedOver = 0;
-        for (int frame = 0; frame < 200; ++frame) {
-            const int changes = frame == 150 ? 3000 : 3;
-            for (int i = 0; i < changes; ++i) {
-                if (history.size() > 5 && random() % 3 == 0) {
-                    history.move(random() % history.size(), random() % history.size());
-                } else {
-                    history.append(hitOn(1, static_cast<float>(random() % 1000)));
-                }
-            }
-            if (const auto edits = history.editsSince(seen)) {
-                for (const HistoryEdit& edit : *edits) {
-                    follower.redo(edit);
-                }
-            } else {
-                follower.splice(0, follower.size(), history.hits());
-                ++startedOver;
-            }
-            seen = history.revision();
-            QVERIFY(std::equal(history.hits().begin(), history.hits().end(), follower.hits().begin(),
-                               follower.hits().end()));
-        }
-        QCOMPARE(startedOver, std::size_t{1});
-    }
-
-    void disabledHitsAreOnNoTarget() {
-        HitHistory history;
-        history.append(hitOn(1, 0.0f));
-        history.append(hitOn(1, 1.0f));
-        history.append(hitOn(2, 2.0f));
-        history.setEnabled(0, false);
-        const std::vector<Hit> hits = history.hitsOn({1});
-        QCOMPARE(hits.size(), std::size_t{1});
-        QCOMPARE(hits[0].point.x, 1.0f);
     }
 };
 

@@ -66,18 +66,18 @@ private Q_SLOTS:
             const float turn = 0.7f * static_cast<float>(i % 12);
             const glm::vec3 eye = bounds.centre() + 9.0f * glm::vec3(std::cos(turn), 0.3f, std::sin(turn));
             const Ray ray{eye, glm::normalize(bounds.centre() - eye)};
-            const std::optional<Hit> hit = session.predictedHit(ray, true);
+            const std::optional<Hit> hit = session.simulation().predictedHit(ray, true);
             QVERIFY(hit.has_value());
             const std::vector<DynamicVertex> before(reference.vertices().begin(), reference.vertices().end());
             const auto reach =
                 clustersNear(mesh, boxesOf(mesh, before), hit->point, hit->constants.maxDistance);
             QVERIFY(vertexCount(reach) < mesh.vertices.size());
-            const auto near =
-                session.physics().trianglesNear(teapot.id, hit->point, hit->constants.maxDistance);
+            const auto near = session.simulation().physics().trianglesNear(teapot.id, hit->point,
+                                                                           hit->constants.maxDistance);
             const DentPreview preview = previewDent(mesh, before, reach, near, *hit);
 
-            QVERIFY(session.hitscan(ray));
-            const Hit& made = session.history().hits().back();
+            QVERIFY(session.simulation().hitscan(ray));
+            const Hit& made = session.hits().history().hits().back();
             QVERIFY(made == *hit);
             for (const VertexRange& range : reference.apply({&made, 1})) {
                 test::readBackOf(session).take(teapot.id, range.first,

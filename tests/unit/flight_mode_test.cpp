@@ -80,25 +80,26 @@ private Q_SLOTS:
         QFETCH(float, away);
         Session session;
         session.loadMesh(sphere(extent));
-        const Bounds bounds = session.sceneBounds();
+        const Bounds bounds = session.targets().bounds();
         std::size_t hits = 0;
         for (const glm::vec3& side : {glm::vec3(0, 0, 1), glm::vec3(1, 0.5f, 0.2f), glm::vec3(-1, 2, 0.3f)}) {
             const glm::vec3 from = bounds.centre() + glm::normalize(side) * (away * extent);
             const glm::vec3 ahead = -glm::normalize(side);
-            const auto met = session.physics().castRay(from, ahead, 1e7f);
+            const auto met = session.simulation().physics().castRay(from, ahead, 1e7f);
             QVERIFY(met && met->target);
-            const ProjectileSettings shot = projectileOf(FlightMode::Quick, session.projectileSettings(),
+            const ProjectileSettings shot = projectileOf(FlightMode::Quick, session.settings().projectile(),
                                                          extent, glm::distance(from, met->point));
-            while (session.isMoving()) {
-                session.advance(0.25);  // what bounced off before would be in the way
+            while (session.simulation().isMoving()) {
+                session.simulation().advance(0.25);  // what bounced off before would be in the way
             }
-            const double before = session.physics().time();
-            session.fire({0.0, {from, ahead}, shot, false});
-            while (session.history().size() == hits && session.physics().time() < before + 0.5) {
-                session.stepOnce();
+            const double before = session.simulation().physics().time();
+            session.simulation().fire({0.0, {from, ahead}, shot, false});
+            while (session.hits().history().size() == hits &&
+                   session.simulation().physics().time() < before + 0.5) {
+                session.simulation().stepOnce();
             }
-            QCOMPARE(session.history().size(), ++hits);
-            const Hit& hit = session.history().hits().back();
+            QCOMPARE(session.hits().history().size(), ++hits);
+            const Hit& hit = session.hits().history().hits().back();
             QVERIFY(hit.time - before <= 0.12);
             const Target& target = *session.targets().front();
             const float off = glm::distance(target.transform.toWorld(hit.point), met->point);
@@ -108,9 +109,9 @@ private Q_SLOTS:
             QVERIFY2(std::abs(hit.impulse - wanted) < 0.05f * wanted,
                      qPrintable(QStringLiteral("%1 for %2").arg(hit.impulse).arg(wanted)));
             session.undo();  // its dent would be in the way
-            session.fire({0.0, {from, ahead}, shot, true});
-            QCOMPARE(session.history().size(), hits);
-            QVERIFY(glm::distance(target.transform.toWorld(session.history().hits().back().point),
+            session.simulation().fire({0.0, {from, ahead}, shot, true});
+            QCOMPARE(session.hits().history().size(), hits);
+            QVERIFY(glm::distance(target.transform.toWorld(session.hits().history().hits().back().point),
                                   met->point) < 1e-5f * (extent + glm::length(met->point)));
         }
     }

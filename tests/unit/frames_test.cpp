@@ -20,7 +20,7 @@ void addHits(Session& session, int count) {
         hit.target = session.targets().front()->id;
         hit.point = {0.0f, 0.0f, 2.5f};
     }
-    QVERIFY(session.addHits(hits).ok());
+    QVERIFY(session.hits().add(hits).ok());
 }
 
 double cpuOf(const Session& session, std::size_t hit) {
@@ -105,7 +105,7 @@ void FramesTest::framesAddUp() {
     QCOMPARE(first.physics, 0.003);
     QCOMPARE(first.total, 0.04);
     QCOMPARE(first.history, 2u);
-    QCOMPARE(first.pipeline, session.pipeline());
+    QCOMPARE(first.pipeline, session.settings().pipeline());
     QVERIFY(!first.gpu);
     costs.addFrame({});
     QCOMPARE(costs.frames().back().physics, 0.0);
@@ -143,14 +143,14 @@ void FramesTest::costsAreSharedAmongHits() {
     costs.addApplied(frame, 1, 4, 0.008);
     costs.addFrame({});
     QVERIFY(!costs.hitCost(0));
-    QCOMPARE(costs.hitCost(4), std::optional(HitCost{0.002, {}, 4, session.pipeline()}));
+    QCOMPARE(costs.hitCost(4), std::optional(HitCost{0.002, {}, 4, session.settings().pipeline()}));
     QCOMPARE(changed.last(), QList<QVariant>({1, 4}));
     costs.addGpuTimes(frame, 0.5, 0.04);
-    QCOMPARE(costs.hitCost(1), std::optional(HitCost{0.002, 0.01, 4, session.pipeline()}));
+    QCOMPARE(costs.hitCost(1), std::optional(HitCost{0.002, 0.01, 4, session.settings().pipeline()}));
     QCOMPARE(changed.last(), QList<QVariant>({1, 4}));
 
     // Another pipeline applies all of them anew.
-    session.setPipeline(PipelineKind::UniformArray);
+    session.settings().setPipeline(PipelineKind::UniformArray);
     costs.addApplied(costs.nextFrame(), 0, 5, 0.005);
     QCOMPARE(costs.hitCost(3), std::optional(HitCost{0.001, {}, 5, PipelineKind::UniformArray}));
     session.loadPaperRow(0);
@@ -167,14 +167,14 @@ void FramesTest::costsStayWithTheirHits() {
         costs.addApplied(costs.nextFrame(), i, 1, 0.001 * static_cast<double>(i + 1));
         costs.addWork({});
     }
-    session.removeHit(1);
+    session.hits().remove(1);
     QCOMPARE(cpuOf(session, 0), 0.001);
     QCOMPARE(cpuOf(session, 1), 0.003);
     QCOMPARE(cpuOf(session, 2), 0.004);
     session.undo();
     QCOMPARE(cpuOf(session, 1), -1.0);  // put back among the others: its own cost is not known
     QCOMPARE(cpuOf(session, 3), 0.004);
-    session.clearHits();
+    session.hits().clear();
     addHits(session, 1);
     QVERIFY(!costs.hitCost(0));
 }

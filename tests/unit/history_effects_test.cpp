@@ -119,7 +119,8 @@ std::vector<HistoryEdit> randomEdits(std::mt19937& random, HitHistory& history) 
         case 0:
             return {history.splice(first, count, randomHits(random, random() % 4))};
         case 1:
-            return size > 0 ? history.move(random() % size, random() % size) : std::vector<HistoryEdit>{};
+            return size > 0 ? history.move(std::vector{random() % size}, random() % size)
+                            : std::vector<HistoryEdit>{};
         case 2: {  // many change places at once
             std::vector<Hit> some(history.hits().begin() + static_cast<std::ptrdiff_t>(size / 3),
                                   history.hits().end());

@@ -24,7 +24,7 @@ private Q_SLOTS:
             Hit hit;
             hit.target = m_session->targets().front()->id;
             hit.point = {0.4f * static_cast<float>(i), 0.0f, 2.5f};
-            QVERIFY(m_session->addHit(hit));
+            QVERIFY(m_session->hits().add(hit));
         }
     }
     void cleanup() {
@@ -33,7 +33,7 @@ private Q_SLOTS:
     }
 
     void aGestureIsOneStep() {
-        m_session->selectHit(2);
+        m_session->hits().select(2);
         QCOMPARE(m_editing->rows().size(), std::size_t{1});
         for (const float reach : {0.6f, 0.7f, 0.8f}) {
             widen(reach);
@@ -51,8 +51,8 @@ private Q_SLOTS:
     }
 
     void oneEditAFrame() {
-        m_session->selectHit(1);
-        QSignalSpy changed(m_session.get(), &Session::hitsChanged);
+        m_session->hits().select(1);
+        QSignalSpy changed(&m_session->hits(), &SessionHits::changed);
         for (int i = 0; i < 50; ++i) {
             widen(0.5f + 0.01f * static_cast<float>(i + 1));
         }
@@ -68,7 +68,7 @@ private Q_SLOTS:
     }
 
     void aCancelledGestureLeavesNothing() {
-        m_session->selectHit(1);
+        m_session->hits().select(1);
         widen(0.6f);
         widen(0.7f);
         m_editing->cancelGesture();
@@ -77,7 +77,7 @@ private Q_SLOTS:
     }
 
     void severalAreChangedTogether() {
-        m_session->selectHit(3);
+        m_session->hits().select(3);
         m_editing->select({0, 1, 3});
         widen(0.6f);
         Q_EMIT m_session->frameCosts().frameEnded();
@@ -92,13 +92,13 @@ private Q_SLOTS:
         QCOMPARE(reachOf(0), 0.5f);
         QCOMPARE(reachOf(3), 0.5f);
         // They stay selected where hits before them go.
-        m_session->removeHit(0);
+        m_session->hits().remove(0);
         QVERIFY(std::equal(m_editing->rows().begin(), m_editing->rows().end(),
                            std::vector<std::size_t>{0, 2}.begin()));
     }
 
     void aNewSceneForgetsThem() {
-        m_session->selectHit(3);
+        m_session->hits().select(3);
         widen(0.6f);
         widen(0.7f);  // not done yet
         m_session->loadTeapot();
@@ -108,26 +108,26 @@ private Q_SLOTS:
     }
 
     void whatIsEditedIsShown() {
-        m_session->selectHit(3);
-        m_session->showHits(2);
+        m_session->hits().select(3);
+        m_session->hits().show(2);
         widen(0.6f);
-        QVERIFY(m_session->showsAllHits());
+        QVERIFY(m_session->hits().showsAll());
     }
 
     void whatIsRefusedStays() {
-        m_session->selectHit(0);
+        m_session->hits().select(0);
         const QSignalSpy refused(m_editing.get(), &HitEditing::refused);
         m_editing->change(0, [](Hit& hit) { hit.direction = glm::vec3(0.0f); });
         m_editing->endGesture();
         QCOMPARE(refused.size(), 1);
-        QCOMPARE(m_session->history().hits()[0].direction, glm::vec3(0.0f, 0.0f, -1.0f));
+        QCOMPARE(m_session->hits().history().hits()[0].direction, glm::vec3(0.0f, 0.0f, -1.0f));
     }
 
     void litVerticesFollowTheEdit() {
         HitEffects effects(*m_session);
         const HitHighlight highlight(*m_session, effects);
         VertexSelection& selection = m_session->selection();
-        m_session->selectHit(1);
+        m_session->hits().select(1);
         effects.finish();
         const std::size_t before = selection.count();
         QVERIFY(before > 0);
@@ -151,7 +151,9 @@ private:
     void widen(float reach) {
         m_editing->change(0, [reach](Hit& hit) { hit.constants.maxDistance = reach; });
     }
-    float reachOf(std::size_t hit) const { return m_session->history().hits()[hit].constants.maxDistance; }
+    float reachOf(std::size_t hit) const {
+        return m_session->hits().history().hits()[hit].constants.maxDistance;
+    }
 
     std::unique_ptr<Session> m_session;
     std::unique_ptr<HitEditing> m_editing;

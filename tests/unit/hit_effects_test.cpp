@@ -27,7 +27,7 @@ Hit randomHit(const Session& session, std::mt19937& random) {
 
 void shootRandomly(Session& session, std::mt19937& random, int count) {
     for (int i = 0; i < count; ++i) {
-        QVERIFY(session.addHit(randomHit(session, random)).ok());
+        QVERIFY(session.hits().add(randomHit(session, random)).ok());
     }
 }
 
@@ -42,8 +42,8 @@ private:
         QVERIFY(effects.isUpToDate());
         HitEffects fresh(session);
         fresh.finish();
-        for (std::size_t row = 0; row < session.history().size(); ++row) {
-            QCOMPARE(effects.effect(row).has_value(), session.history().hits()[row].enabled);
+        for (std::size_t row = 0; row < session.hits().history().size(); ++row) {
+            QCOMPARE(effects.effect(row).has_value(), session.hits().history().hits()[row].enabled);
             QVERIFY(effects.effect(row) == fresh.effect(row));
         }
         for (const std::unique_ptr<Target>& target : session.targets()) {
@@ -60,18 +60,18 @@ private Q_SLOTS:
         std::uint32_t mostHits = 0;
         for (int step = 0; step < 200; ++step) {
             shootRandomly(session, random, static_cast<int>(random() % 5));
-            const std::size_t size = session.history().size();
+            const std::size_t size = session.hits().history().size();
             const std::array<std::size_t, 3> some{random() % (size + 1), random() % (size + 1),
                                                   random() % (size + 1)};
             switch (random() % 10) {
                 case 0:
-                    session.setHitsEnabled(some, random() % 2 == 0);
+                    session.hits().setEnabled(some, random() % 2 == 0);
                     break;
                 case 1:
-                    session.moveHits(some, random() % (size + 1));
+                    session.hits().move(some, random() % (size + 1));
                     break;
                 case 2:
-                    session.removeHits(some);
+                    session.hits().remove(some);
                     break;
                 case 3:
                 case 4:
@@ -83,13 +83,13 @@ private Q_SLOTS:
                 case 6: {
                     DeformationConstants constants;
                     constants.maxDistance = 0.3f + 0.1f * static_cast<float>(random() % 5);
-                    QVERIFY(session.setConstants(constants));
-                    session.giveConstantsToAll();
+                    QVERIFY(session.settings().setConstants(constants));
+                    session.hits().giveConstantsToAll();
                     break;
                 }
                 case 7: {
                     const std::array<TargetId, 1> id{session.targets()[random() % 2]->id};
-                    session.removeTargets(id);
+                    session.targets().remove(id);
                     session.undo();
                     break;
                 }
@@ -139,15 +139,15 @@ private Q_SLOTS:
         std::mt19937 random(6);
         Hit other = randomHit(session, random);
         other.target = session.targets().back()->id;
-        QVERIFY(session.addHits(std::vector<Hit>(3, other)).ok());
+        QVERIFY(session.hits().add(std::vector<Hit>(3, other)).ok());
         shootRandomly(session, random, 20);
         QThreadPool::globalInstance()->waitForDone();  // worked out, not told yet
-        session.removeHit(1);
+        session.hits().remove(1);
         compare(effects, session);
         shootRandomly(session, random, 20);
         QThreadPool::globalInstance()->waitForDone();
         session.undo();
-        session.removeHits(std::vector<std::size_t>{0, 21, 22, 30});
+        session.hits().remove(std::vector<std::size_t>{0, 21, 22, 30});
         compare(effects, session);
     }
 
@@ -162,7 +162,7 @@ private Q_SLOTS:
         for (int i = 0; i < 20; ++i) {
             Hit hit = randomHit(session, random);
             hit.target = id.front();
-            QVERIFY(session.addHit(hit).ok());
+            QVERIFY(session.hits().add(hit).ok());
         }
         compare(effects, session);
         QVERIFY(!effects.counts(id.front()).empty());
@@ -172,7 +172,7 @@ private Q_SLOTS:
         for (int i = 0; i < threads; ++i) {
             pool->start([&mayGoOn] { mayGoOn.acquire(); });
         }
-        session.removeTargets(id);
+        session.targets().remove(id);
         const bool went = effects.counts(id.front()).empty();
         session.undo();
         mayGoOn.release(threads);
@@ -198,14 +198,14 @@ private Q_SLOTS:
         effects.findVertices(30);
         effects.findVertices(40);
         QTRY_VERIFY(!found.empty());
-        QVERIFY(on == session.history().hits()[40].target);
+        QVERIFY(on == session.hits().history().hits()[40].target);
         QCOMPARE(found.size(), static_cast<std::size_t>(effects.effect(40)->affected));
         QVERIFY(std::binary_search(found.begin(), found.end(), effects.effect(40)->deepest));
         const std::span<const std::uint32_t> counts = effects.counts(on);
         QVERIFY(std::all_of(found.begin(), found.end(), [counts](std::uint32_t v) { return counts[v] > 0; }));
         // An answer about rows that are others by now is not given.
         effects.findVertices(10);
-        session.removeHit(0);
+        session.hits().remove(0);
         found.clear();
         effects.finish();
         QCoreApplication::processEvents();
@@ -220,7 +220,7 @@ private Q_SLOTS:
             HitEffects effects(session);
             std::vector<Hit> hits(500);
             std::generate(hits.begin(), hits.end(), [&] { return randomHit(session, random); });
-            QVERIFY(session.addHits(hits).ok());
+            QVERIFY(session.hits().add(hits).ok());
             if (i % 2 == 0) {
                 session.loadPaperRow(kDefaultPaperRow);
             }

@@ -210,27 +210,28 @@ private Q_SLOTS:
         hit.target = session.targets()[3]->id;
         hit.point = {0.1f, 0.2f, 0.3f};
         hit.pipeline = static_cast<std::uint8_t>(PipelineKind::Compute);
-        QVERIFY(session.addHit(hit).ok());
+        QVERIFY(session.hits().add(hit).ok());
         hit.target = session.targets()[1]->id;
-        QVERIFY(session.addHit(hit).ok());
+        QVERIFY(session.hits().add(hit).ok());
         const std::string text = toCsv(recordsOf(session, nullptr));
-        const std::vector<Hit> before(session.history().hits().begin(), session.history().hits().end());
+        const std::vector<Hit> before(session.hits().history().hits().begin(),
+                                      session.hits().history().hits().end());
 
-        session.clearHits();
+        session.hits().clear();
         const Result<HitRecords> read = readHitRecords(text, pipelineKeys());
         QVERIFY(read.ok());
         QVERIFY(appendRecords(session, read.value()).ok());
-        QVERIFY(std::ranges::equal(session.history().hits(), before));
-        QVERIFY(pipelineOf(session.history().hits()[0]) == PipelineKind::Compute);
+        QVERIFY(std::ranges::equal(session.hits().history().hits(), before));
+        QVERIFY(pipelineOf(session.hits().history().hits()[0]) == PipelineKind::Compute);
         session.undo();  // one step
-        QCOMPARE(session.history().size(), std::size_t{0});
+        QCOMPARE(session.hits().history().size(), std::size_t{0});
 
-        QVERIFY(session.renameTarget(session.targets()[3]->id, QStringLiteral("Other")).ok());
+        QVERIFY(session.targets().rename(session.targets()[3]->id, QStringLiteral("Other")).ok());
         const Status refused = appendRecords(session, read.value());
         QVERIFY(!refused.ok());
         QVERIFY(refused.error().what.find("“" + read.value().targets.at(TargetId{1}) + "”") !=
                 std::string::npos);
-        QCOMPARE(session.history().size(), std::size_t{0});
+        QCOMPARE(session.hits().history().size(), std::size_t{0});
     }
 };
 

@@ -24,7 +24,7 @@ public:
     explicit Follower(Session& session) : m_session(session) {}
 
     void follow() {
-        const std::span<const Hit> hits = m_session.history().hits();
+        const std::span<const Hit> hits = m_session.hits().history().hits();
         for (; m_applied < hits.size(); ++m_applied) {
             const Hit& hit = hits[m_applied];
             ReferenceDeformation& reference = of(hit.target);
@@ -40,7 +40,7 @@ private:
     ReferenceDeformation& of(TargetId id) {
         auto& entry = m_references[id];
         if (!entry) {
-            entry = std::make_unique<ReferenceDeformation>(m_session.target(id)->deformed.render());
+            entry = std::make_unique<ReferenceDeformation>(m_session.targets().find(id)->deformed.render());
         }
         return *entry;
     }
@@ -65,7 +65,7 @@ float distanceFromSurface(const Target& target, const glm::vec3& p) {
 
 void play(Session& session, Follower& follower, double seconds) {
     for (double t = 0; t < seconds; t += 1.0 / 60.0) {
-        session.advance(1.0 / 60.0);
+        session.simulation().advance(1.0 / 60.0);
         follower.follow();
     }
 }
@@ -99,17 +99,17 @@ private Q_SLOTS:
             const glm::vec3 from = bounds.centre() + bounds.diagonal() * random.direction();
             const glm::vec3 aim = bounds.centre() + 0.15f * bounds.diagonal() * random.direction();
             if (instant) {
-                session.hitscan(towards(aim, from));
+                session.simulation().hitscan(towards(aim, from));
             } else {
-                session.shoot(towards(aim, from));
-                while (session.isMoving() && session.history().size() == checked) {
-                    session.advance(PhysicsWorld::kStep);
+                session.simulation().shoot(towards(aim, from));
+                while (session.simulation().isMoving() && session.hits().history().size() == checked) {
+                    session.simulation().advance(PhysicsWorld::kStep);
                 }
             }
             // Before the hit itself dents what it struck.
-            for (; checked < session.history().size(); ++checked) {
-                farthest =
-                    std::max(farthest, distanceFromSurface(teapot, session.history().hits()[checked].point));
+            for (; checked < session.hits().history().size(); ++checked) {
+                farthest = std::max(
+                    farthest, distanceFromSurface(teapot, session.hits().history().hits()[checked].point));
             }
             follower.follow();
         }
@@ -126,24 +126,24 @@ private Q_SLOTS:
             const TargetId knocked = session.targets()[3]->id;
             TargetPhysics physics;
             physics.isDynamic = true;
-            if (!session.setTargetPhysics(knocked, physics)) {
+            if (!session.targets().setPhysics(knocked, physics)) {
                 return std::vector<Hit>();
             }
             ProjectileSettings settings;
             settings.bouncesCount = true;
-            session.setProjectileSettings(settings);
+            session.settings().setProjectile(settings);
             Random random(77);
             for (int shot = 0; shot < 500; ++shot) {
                 const auto index = static_cast<std::size_t>(random.between(0, 15.99f));
                 const glm::vec3 aim = session.targets()[index]->transform.position + random.direction();
-                session.shoot(towards(aim, aim + 6.0f * random.direction()));
-                session.advance(1.0 / 60.0);
+                session.simulation().shoot(towards(aim, aim + 6.0f * random.direction()));
+                session.simulation().advance(1.0 / 60.0);
                 if (isReadBack) {
                     follower.follow();
                 }
             }
             play(session, follower, 1);
-            const std::span<const Hit> hits = session.history().hits();
+            const std::span<const Hit> hits = session.hits().history().hits();
             return std::vector<Hit>(hits.begin(), hits.end());
         };
         const std::vector<Hit> first = history(true);
@@ -158,12 +158,12 @@ private Q_SLOTS:
         Session session;
         session.loadMesh(makeHighPolyCube());
         const Target& cube = *session.targets().front();
-        QVERIFY(
-            session.setTargetTransform(cube.id, {{5, 2, 1}, glm::angleAxis(1.5707963f, glm::vec3(0, 1, 0))})
-                .ok());
-        QVERIFY(session.hitscan({{5, 2, 9}, {0, 0, -1}}));
-        QVERIFY(!session.hitscan({{5, 2, 9}, {0, 0, 1}}));
-        const Hit& hit = session.history().hits().front();
+        QVERIFY(session.targets()
+                    .setTransform(cube.id, {{5, 2, 1}, glm::angleAxis(1.5707963f, glm::vec3(0, 1, 0))})
+                    .ok());
+        QVERIFY(session.simulation().hitscan({{5, 2, 9}, {0, 0, -1}}));
+        QVERIFY(!session.simulation().hitscan({{5, 2, 9}, {0, 0, 1}}));
+        const Hit& hit = session.hits().history().hits().front();
         // What faces +z in the world is its -x side, turned.
         QVERIFY(glm::length(cube.transform.toWorld(hit.point) - glm::vec3(5, 2, 3.5f)) < 1e-4f);
         QVERIFY(glm::length(cube.transform.directionToWorld(hit.normal) - glm::vec3(0, 0, 1)) < 1e-5f);
@@ -173,50 +173,50 @@ private Q_SLOTS:
             const glm::vec3 corner = mesh.vertices[mesh.triangles[3 * hit.triangle + k]].position;
             QVERIFY(glm::length(corner - hit.point) < 0.3f);
         }
-        QCOMPARE(session.history().size(), std::size_t{1});
+        QCOMPARE(session.hits().history().size(), std::size_t{1});
         session.undo();
-        QVERIFY(session.history().hits().empty());
+        QVERIFY(session.hits().history().hits().empty());
     }
 
     void powerFollowsTheImpulseIfAsked() {
         Session session;
         session.loadMesh(makeLowPolyCube());
-        const float power = session.constants().power;
+        const float power = session.settings().constants().power;
         ProjectileSettings settings;
         settings.speed = 60.0f;
-        session.setProjectileSettings(settings);
+        session.settings().setProjectile(settings);
         const Ray ray{{0, 0, 9}, {0, 0, -1}};
-        QVERIFY(session.hitscan(ray));
-        QCOMPARE(session.history().hits().back().constants.power, power);
+        QVERIFY(session.simulation().hitscan(ray));
+        QCOMPARE(session.hits().history().hits().back().constants.power, power);
         settings.powerFollowsImpulse = true;
-        session.setProjectileSettings(settings);
+        session.settings().setProjectile(settings);
         session.undo();  // its dent would be struck
-        QVERIFY(session.hitscan(ray));
+        QVERIFY(session.simulation().hitscan(ray));
         // Twice the speed of the default shot.
-        QVERIFY(std::abs(session.history().hits().back().constants.power - 2.0f * power) < 1e-4f);
+        QVERIFY(std::abs(session.hits().history().hits().back().constants.power - 2.0f * power) < 1e-4f);
         settings.speed = 10000.0f;
         settings.mass = 1e6f;
-        session.setProjectileSettings(settings);
-        QVERIFY(session.hitscan(ray));
-        QVERIFY(isValid(session.history().hits().back().constants));
+        session.settings().setProjectile(settings);
+        QVERIFY(session.simulation().hitscan(ray));
+        QVERIFY(isValid(session.hits().history().hits().back().constants));
     }
 
     void pauseAndSingleStep() {
         Session session;
         session.loadPaperRow(kDefaultPaperRow);
-        QSignalSpy changed(&session, &Session::timeChanged);
-        session.setPaused(true);
-        session.setTimeScale(0.1);
-        session.setPhysicsStep(0.001);
+        QSignalSpy changed(&session.simulation(), &Simulation::timeChanged);
+        session.simulation().setPaused(true);
+        session.simulation().setTimeScale(0.1);
+        session.simulation().setStep(0.001);
         QCOMPARE(changed.count(), 3);
-        session.shoot(towards(session.targets()[0]->transform.position, {0, 9, 0}));
-        QVERIFY(!session.isMoving());
-        session.advance(1);
-        QCOMPARE(session.physics().time(), 0.0);
-        session.stepOnce();
-        QVERIFY(std::abs(session.physics().time() - 0.001) < 1e-12);
-        session.setPaused(false);
-        QVERIFY(session.isMoving());
+        session.simulation().shoot(towards(session.targets()[0]->transform.position, {0, 9, 0}));
+        QVERIFY(!session.simulation().isMoving());
+        session.simulation().advance(1);
+        QCOMPARE(session.simulation().physics().time(), 0.0);
+        session.simulation().stepOnce();
+        QVERIFY(std::abs(session.simulation().physics().time() - 0.001) < 1e-12);
+        session.simulation().setPaused(false);
+        QVERIFY(session.simulation().isMoving());
     }
 
     void knockedAboutTargetTakesItsHitsAlong() {
@@ -226,19 +226,19 @@ private Q_SLOTS:
         TargetPhysics physics;
         physics.isDynamic = true;
         physics.mass = 5.0f;
-        QSignalSpy moved(&session, &Session::targetChanged);
-        QVERIFY(session.setTargetPhysics(ball.id, physics).ok());
+        QSignalSpy moved(&session.targets(), &SessionTargets::changed);
+        QVERIFY(session.targets().setPhysics(ball.id, physics).ok());
         Follower follower(session);
         const glm::vec3 before = ball.transform.position;
-        session.shoot({{-3, 0.1f, 0}, {1, 0, 0}});
+        session.simulation().shoot({{-3, 0.1f, 0}, {1, 0, 0}});
         play(session, follower, 1);
-        QCOMPARE(session.history().size(), std::size_t{1});
+        QCOMPARE(session.hits().history().size(), std::size_t{1});
         QVERIFY(ball.transform.position.x > before.x + 0.5f);
         QVERIFY(moved.count() > 10);
-        const glm::vec3 point = session.history().hits().front().point;
+        const glm::vec3 point = session.hits().history().hits().front().point;
         QVERIFY(std::abs(glm::length(point) - 0.5f) < 1e-3f);
         // It can be made to stay where it is now, and that undone.
-        QVERIFY(session.setTargetPhysics(ball.id, {}).ok());
+        QVERIFY(session.targets().setPhysics(ball.id, {}).ok());
         const glm::vec3 where = ball.transform.position;
         play(session, follower, 0.2);
         QVERIFY(ball.transform.position == where);
@@ -253,24 +253,24 @@ private Q_SLOTS:
         Follower follower(session);
         const Ray ray{{9, 0, 0}, {-1, 0, 0}};
         for (int i = 0; i < 5; ++i) {
-            QVERIFY(session.hitscan(ray));
+            QVERIFY(session.simulation().hitscan(ray));
             follower.follow();
         }
-        const float depth = session.history().hits().back().point.x;
+        const float depth = session.hits().history().hits().back().point.x;
         QVERIFY(depth < 2.2f);
         const TargetId ids[] = {ball.id};
-        session.setTargetsVisible(ids, false);
-        QVERIFY(!session.hitscan(ray));
-        session.setTargetsVisible(ids, true);
-        QVERIFY(session.hitscan(ray));
-        QVERIFY(session.history().hits().back().point.x < depth);
+        session.targets().setVisible(ids, false);
+        QVERIFY(!session.simulation().hitscan(ray));
+        session.targets().setVisible(ids, true);
+        QVERIFY(session.simulation().hitscan(ray));
+        QVERIFY(session.hits().history().hits().back().point.x < depth);
         // Moved, too; and back at the original shape it is whole.
-        QVERIFY(session.setTargetTransform(ball.id, {{0, 0, 1}, {1, 0, 0, 0}}).ok());
-        QVERIFY(session.hitscan({{9, 0, 1}, {-1, 0, 0}}));
-        QVERIFY(session.history().hits().back().point.x < depth);
-        session.clearHits();
-        QVERIFY(session.hitscan({{9, 0, 1}, {-1, 0, 0}}));
-        QVERIFY(std::abs(session.history().hits().back().point.x - 2.5f) < 0.01f);
+        QVERIFY(session.targets().setTransform(ball.id, {{0, 0, 1}, {1, 0, 0, 0}}).ok());
+        QVERIFY(session.simulation().hitscan({{9, 0, 1}, {-1, 0, 0}}));
+        QVERIFY(session.hits().history().hits().back().point.x < depth);
+        session.hits().clear();
+        QVERIFY(session.simulation().hitscan({{9, 0, 1}, {-1, 0, 0}}));
+        QVERIFY(std::abs(session.hits().history().hits().back().point.x - 2.5f) < 0.01f);
     }
 
     void collidersTakeDentsOnInSlices() {
@@ -293,11 +293,11 @@ private Q_SLOTS:
             for (Hit& hit : hits) {
                 hit.target = session->targets().front()->id;
             }
-            QVERIFY(session->addHits(hits).ok());
+            QVERIFY(session->hits().add(hits).ok());
         }
-        QVERIFY(atOnce.updateColliders());
+        QVERIFY(atOnce.simulation().updateColliders());
         int slices = 0;
-        while (!sliced.updateColliders([] { return true; })) {
+        while (!sliced.simulation().updateColliders([] { return true; })) {
             ++slices;
         }
         QVERIFY2(slices >= 99, qPrintable(QString::number(slices)));
@@ -305,10 +305,10 @@ private Q_SLOTS:
             const DynamicVertex& vertex = vertices[static_cast<std::size_t>(i) * vertices.size() / 50];
             const Ray ray{vertex.position + 5.0f * vertex.normal, -vertex.normal};
             for (Session* session : {&atOnce, &sliced}) {
-                QVERIFY(session->hitscan(ray));
+                QVERIFY(session->simulation().hitscan(ray));
             }
-            const Hit& a = atOnce.history().hits().back();
-            const Hit& b = sliced.history().hits().back();
+            const Hit& a = atOnce.hits().history().hits().back();
+            const Hit& b = sliced.hits().history().hits().back();
             QVERIFY(a.point == b.point && a.triangle == b.triangle && a.normal == b.normal);
         }
     }
@@ -316,12 +316,12 @@ private Q_SLOTS:
     void slowStepsSlowTheSceneNotTheFrame() {
         Session session;
         session.loadTeapot();
-        session.shoot({{0, 50, 9}, {0, 0, 1}});
+        session.simulation().shoot({{0, 50, 9}, {0, 0, 1}});
         const auto stepsOf = [&session](double seconds, double perLook) {
             double now = 0.0;
-            const double before = session.physics().time();
+            const double before = session.simulation().physics().time();
             advanceWithin(session, seconds, 0.016, [&] { return now += perLook; });
-            return std::lround((session.physics().time() - before) / PhysicsWorld::kStep);
+            return std::lround((session.simulation().physics().time() - before) / PhysicsWorld::kStep);
         };
         QCOMPARE(stepsOf(4 * PhysicsWorld::kStep, 0.0), 4L);
         QCOMPARE(stepsOf(0.25, 0.0), 60L);
@@ -334,7 +334,7 @@ private Q_SLOTS:
             QVERIFY(calls < 3);
         }
         QCOMPARE(stepsOf(PhysicsWorld::kStep, 0.0), 1L);  // nothing to catch up with
-        session.setTimeScale(0.1);
+        session.simulation().setTimeScale(0.1);
         QCOMPARE(stepsOf(20 * PhysicsWorld::kStep, 0.0), 2L);
     }
 
@@ -345,10 +345,10 @@ private Q_SLOTS:
         line.faceStarts = {0, 3};
         line.cornerVertices = {0, 1, 2};
         session.loadMesh(line);
-        QVERIFY(!session.whyNotHittable(session.targets().front()->id).isEmpty());
-        QVERIFY(!session.hitscan({{0.5f, 5, 0}, {0, -1, 0}}));
+        QVERIFY(!session.simulation().whyNotHittable(session.targets().front()->id).isEmpty());
+        QVERIFY(!session.simulation().hitscan({{0.5f, 5, 0}, {0, -1, 0}}));
         session.loadTeapot();
-        QVERIFY(session.whyNotHittable(session.targets().front()->id).isEmpty());
+        QVERIFY(session.simulation().whyNotHittable(session.targets().front()->id).isEmpty());
     }
 };
 

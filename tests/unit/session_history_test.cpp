@@ -19,15 +19,15 @@ void addHits(Session& session, int count) {
     for (int i = 0; i < count; ++i) {
         Hit hit;
         hit.target = session.targets()[static_cast<std::size_t>(i) % session.targets().size()]->id;
-        hit.point.x = static_cast<float>(session.history().size());
-        QVERIFY(session.addHit(hit).ok());
+        hit.point.x = static_cast<float>(session.hits().history().size());
+        QVERIFY(session.hits().add(hit).ok());
     }
 }
 
 /// The hits by the number they were made with; disabled ones negative, less one.
 std::vector<int> state(const Session& session) {
     std::vector<int> numbers;
-    for (const Hit& hit : session.history().hits()) {
+    for (const Hit& hit : session.hits().history().hits()) {
         const int number = static_cast<int>(hit.point.x);
         numbers.push_back(hit.enabled ? number : -number - 1);
     }
@@ -54,38 +54,38 @@ private Q_SLOTS:
 
     void disablingManyIsOneStep() {
         Session& session = *m_session;
-        const QSignalSpy changed(&session, &Session::hitsChanged);
-        const QSignalSpy rearranged(&session, &Session::hitsRearranged);
-        session.setHitsEnabled(Rows{4, 1, 2, 99, 1}, false);
+        const QSignalSpy changed(&session.hits(), &SessionHits::changed);
+        const QSignalSpy rearranged(&session.hits(), &SessionHits::rearranged);
+        session.hits().setEnabled(Rows{4, 1, 2, 99, 1}, false);
         QCOMPARE(state(session), (std::vector<int>{0, -2, -3, 3, -5, 5}));
-        QCOMPARE(session.disabledHits(), std::size_t{3});
+        QCOMPARE(session.hits().disabled(), std::size_t{3});
         QCOMPARE(changed.size(), 1);
         QCOMPARE(changed[0][0].toInt(), 1);
         QCOMPARE(changed[0][1].toInt(), 4);
         QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::Disable, 3}));
-        session.enableAllHits();
-        QCOMPARE(session.disabledHits(), std::size_t{0});
+        session.hits().enableAll();
+        QCOMPARE(session.hits().disabled(), std::size_t{0});
         QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::Enable, 3}));
         session.undo();
-        QCOMPARE(session.disabledHits(), std::size_t{3});
+        QCOMPARE(session.hits().disabled(), std::size_t{3});
         session.undo();
         QCOMPARE(state(session), upTo(6));
-        QCOMPARE(session.disabledHits(), std::size_t{0});
+        QCOMPARE(session.hits().disabled(), std::size_t{0});
         QCOMPARE(session.redoName(), (SessionUndo::Name{SessionUndo::Kind::Disable, 3}));
         session.redo();
-        QCOMPARE(session.disabledHits(), std::size_t{3});
+        QCOMPARE(session.hits().disabled(), std::size_t{3});
         QCOMPARE(changed.size(), 5);
         QCOMPARE(rearranged.size(), 0);
     }
 
     void disablingTheDisabledIsNoStep() {
-        m_session->setHitsEnabled(Rows{3}, false);
-        const QSignalSpy changed(m_session.get(), &Session::hitsChanged);
-        const QSignalSpy reset(m_session.get(), &Session::historyReset);
-        m_session->setHitsEnabled(Rows{3}, false);
+        m_session->hits().setEnabled(Rows{3}, false);
+        const QSignalSpy changed(&m_session->hits(), &SessionHits::changed);
+        const QSignalSpy reset(&m_session->hits(), &SessionHits::reset);
+        m_session->hits().setEnabled(Rows{3}, false);
         QCOMPARE(changed.size() + reset.size(), 0);
         m_session->undo();
-        QCOMPARE(m_session->disabledHits(), std::size_t{0});
+        QCOMPARE(m_session->hits().disabled(), std::size_t{0});
     }
 
     void movesTogether_data() {
@@ -109,7 +109,7 @@ private Q_SLOTS:
         QFETCH(std::size_t, to);
         QFETCH(std::vector<int>, after);
         Session& session = *m_session;
-        session.moveHits(rows, to);
+        session.hits().move(rows, to);
         QCOMPARE(state(session), after);
         if (after != upTo(6)) {
             QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::Move, rows.size()}));
@@ -124,7 +124,7 @@ private Q_SLOTS:
 
     void removesManyAtOnce() {
         Session& session = *m_session;
-        session.removeHits(Rows{0, 5, 2, 3});
+        session.hits().remove(Rows{0, 5, 2, 3});
         QCOMPARE(state(session), (std::vector<int>{1, 4}));
         QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::Remove, 4}));
         session.undo();
@@ -145,11 +145,11 @@ private Q_SLOTS:
         }
         moved.insert(moved.begin(), odd.begin(), odd.begin() + 100);
         moved.insert(moved.end(), odd.begin() + 100, odd.end());
-        session.moveHits(even, 200);
+        session.hits().move(even, 200);
         QCOMPARE(state(session), moved);
         session.undo();
         QCOMPARE(state(session), upTo(500));
-        session.removeHits(even);
+        session.hits().remove(even);
         QCOMPARE(state(session), odd);
         session.undo();
         QCOMPARE(state(session), upTo(500));
@@ -157,41 +157,41 @@ private Q_SLOTS:
 
     void selectedHitGoesWhereItsHitGoes() {
         Session& session = *m_session;
-        const QSignalSpy selected(&session, &Session::hitSelected);
-        session.selectHit(4);
-        session.moveHits(Rows{4}, 1);
-        QCOMPARE(session.selectedHit(), std::optional<std::size_t>(1));
-        session.removeHit(0);
-        QCOMPARE(session.selectedHit(), std::optional<std::size_t>(0));
+        const QSignalSpy selected(&session.hits(), &SessionHits::selectedChanged);
+        session.hits().select(4);
+        session.hits().move(Rows{4}, 1);
+        QCOMPARE(session.hits().selected(), std::optional<std::size_t>(1));
+        session.hits().remove(0);
+        QCOMPARE(session.hits().selected(), std::optional<std::size_t>(0));
         session.undo();
-        QCOMPARE(session.selectedHit(), std::optional<std::size_t>(1));
+        QCOMPARE(session.hits().selected(), std::optional<std::size_t>(1));
         session.undo();
-        QCOMPARE(session.selectedHit(), std::optional<std::size_t>(4));
-        session.setHitsEnabled(Rows{4}, false);
-        QCOMPARE(session.selectedHit(), std::optional<std::size_t>(4));
+        QCOMPARE(session.hits().selected(), std::optional<std::size_t>(4));
+        session.hits().setEnabled(Rows{4}, false);
+        QCOMPARE(session.hits().selected(), std::optional<std::size_t>(4));
         QCOMPARE(selected.size(), 5);
-        session.removeHit(4);
-        QVERIFY(!session.selectedHit());
+        session.hits().remove(4);
+        QVERIFY(!session.hits().selected());
         QCOMPARE(selected.size(), 6);
     }
 
     void rowsSayWhereEachHitWent() {
         Session& session = *m_session;
         std::optional<HitRows> rows;
-        const auto connection =
-            connect(&session, &Session::hitsRearranged, this, [&rows](const HitRows& now) { rows = now; });
-        session.moveHits(Rows{0, 1}, 4);
+        const auto connection = connect(&session.hits(), &SessionHits::rearranged, this,
+                                        [&rows](const HitRows& now) { rows = now; });
+        session.hits().move(Rows{0, 1}, 4);
         const std::array<std::size_t, 6> after{2, 3, 0, 1, 4, 5};
         for (std::size_t i = 0; i < after.size(); ++i) {
             QCOMPARE(rows->now(i), std::optional(after[i]));
         }
-        session.removeHits(Rows{1, 4});
+        session.hits().remove(Rows{1, 4});
         QCOMPARE(rows->size(), std::size_t{4});
         QVERIFY(!rows->now(1) && !rows->now(4));
         QCOMPARE(rows->now(5), std::optional<std::size_t>(3));
         session.undo();
         QCOMPARE(rows->now(3), std::optional<std::size_t>(5));
-        session.clearHits();
+        session.hits().clear();
         QVERIFY(!rows->now(0));
         disconnect(connection);
     }
@@ -211,10 +211,10 @@ private Q_SLOTS:
         Session& session = *m_session;
         DeformationConstants constants;
         constants.power = 0.2f;
-        QVERIFY(session.setConstants(constants));
-        session.giveConstantsToAll();
+        QVERIFY(session.settings().setConstants(constants));
+        session.hits().giveConstantsToAll();
         QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::HitConstants, 6}));
-        session.clearHits();
+        session.hits().clear();
         QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::Clear, 6}));
         QVERIFY(!session.redoName());
     }

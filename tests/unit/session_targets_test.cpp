@@ -24,7 +24,7 @@ void hit(Session& session, TargetId target, float x) {
     Hit made;
     made.target = target;
     made.point.x = x;
-    QVERIFY(session.addHit(made).ok());
+    QVERIFY(session.hits().add(made).ok());
 }
 
 QStringList names(const Session& session) {
@@ -36,7 +36,7 @@ QStringList names(const Session& session) {
 }
 
 std::vector<Hit> hits(const Session& session) {
-    return {session.history().hits().begin(), session.history().hits().end()};
+    return {session.hits().history().hits().begin(), session.hits().history().hits().end()};
 }
 
 std::vector<RigidTransform> transforms(const Session& session) {
@@ -49,7 +49,7 @@ std::vector<RigidTransform> transforms(const Session& session) {
 
 /// Where a line straight down at x, z meets something, and what.
 TargetId below(const Session& session, float x, float z = 0.0f) {
-    const auto met = session.physics().castRay({x, 100.0f, z}, {0.0f, -1.0f, 0.0f}, 1000.0f);
+    const auto met = session.simulation().physics().castRay({x, 100.0f, z}, {0.0f, -1.0f, 0.0f}, 1000.0f);
     return met ? met->target : TargetId{};
 }
 
@@ -64,19 +64,19 @@ private Q_SLOTS:
         m_session->loadScene({QStringLiteral("Two"),
                               {cubePlan(QStringLiteral("Left")), cubePlan(QStringLiteral("Right"))},
                               -1.0f});
-        QVERIFY(m_session->setTargetTransform(id(1), {{10.0f, 0.0f, 0.0f}, glm::quat(1, 0, 0, 0)}).ok());
+        QVERIFY(m_session->targets().setTransform(id(1), {{10.0f, 0.0f, 0.0f}, glm::quat(1, 0, 0, 0)}).ok());
     }
 
     void addedStandClearUnderNamesOfTheirOwn() {
-        QSignalSpy added(m_session.get(), &Session::targetAdded);
-        m_session->addTargets({cubePlan(QStringLiteral("Left")), cubePlan(QStringLiteral("Left"), 3.0f)});
+        QSignalSpy added(&m_session->targets(), &SessionTargets::added);
+        m_session->targets().add({cubePlan(QStringLiteral("Left")), cubePlan(QStringLiteral("Left"), 3.0f)});
         QCOMPARE(names(*m_session), (QStringList{QStringLiteral("Left"), QStringLiteral("Right"),
                                                  QStringLiteral("Left 2"), QStringLiteral("Left 3")}));
         QCOMPARE(added.count(), 2);
-        QCOMPARE(m_session->selectedTarget(), id(3));
+        QCOMPARE(m_session->targets().selected(), id(3));
         for (std::size_t i = 0; i < 4; ++i) {
             const Bounds a = m_session->targets()[i]->worldBounds();
-            QVERIFY(a.min.y >= m_session->floorHeight() - 1.0e-5f);
+            QVERIFY(a.min.y >= m_session->targets().floorHeight() - 1.0e-5f);
             for (std::size_t j = 0; j < i; ++j) {
                 const Bounds b = m_session->targets()[j]->worldBounds();
                 QVERIFY(a.min.x >= b.max.x || b.min.x >= a.max.x);
@@ -97,11 +97,11 @@ private Q_SLOTS:
         hit(*m_session, id(0), 0.3f);
         const std::vector<Hit> before = hits(*m_session);
         const TargetId left = id(0);
-        QSignalSpy removed(m_session.get(), &Session::targetRemoved);
-        QSignalSpy rearranged(m_session.get(), &Session::hitsRearranged);
-        m_session->removeTargets(std::array{left});
+        QSignalSpy removed(&m_session->targets(), &SessionTargets::removed);
+        QSignalSpy rearranged(&m_session->hits(), &SessionHits::rearranged);
+        m_session->targets().remove(std::array{left});
         QCOMPARE(names(*m_session), QStringList{QStringLiteral("Right")});
-        QCOMPARE(m_session->history().size(), std::size_t{1});
+        QCOMPARE(m_session->hits().history().size(), std::size_t{1});
         QCOMPARE(removed.count(), 1);
         QCOMPARE(rearranged.count(), 1);
         QCOMPARE(below(*m_session, 0.0f), TargetId{});
@@ -112,32 +112,32 @@ private Q_SLOTS:
         QVERIFY(hits(*m_session) == before);
         QCOMPARE(below(*m_session, 0.0f), left);
         m_session->redo();
-        QCOMPARE(m_session->history().size(), std::size_t{1});
+        QCOMPARE(m_session->hits().history().size(), std::size_t{1});
         QCOMPARE(m_session->targets().size(), std::size_t{1});
     }
 
     void removingAllAtOnceIsOneStep() {
         hit(*m_session, id(0), 0.1f);
-        m_session->removeTargets(std::array{id(1), id(0), id(1), TargetId{99}});
+        m_session->targets().remove(std::array{id(1), id(0), id(1), TargetId{99}});
         QVERIFY(m_session->targets().empty());
-        QVERIFY(!m_session->selectedTarget());
+        QVERIFY(!m_session->targets().selected());
         m_session->undo();
         QCOMPARE(names(*m_session), (QStringList{QStringLiteral("Left"), QStringLiteral("Right")}));
-        QCOMPARE(m_session->history().size(), std::size_t{1});
+        QCOMPARE(m_session->hits().history().size(), std::size_t{1});
     }
 
     void aHitIsNeverOnATargetThatIsNotThere() {
         hit(*m_session, id(0), 0.1f);
         bool ok = true;
         const auto check = [&] {
-            for (const Hit& made : m_session->history().hits()) {
-                ok = ok && m_session->target(made.target) != nullptr;
+            for (const Hit& made : m_session->hits().history().hits()) {
+                ok = ok && m_session->targets().find(made.target) != nullptr;
             }
         };
-        connect(m_session.get(), &Session::historyReset, this, check);
-        connect(m_session.get(), &Session::targetRemoved, this, check);
-        m_session->duplicateTargets(std::array{id(0)});
-        m_session->removeTargets(std::array{id(0)});
+        connect(&m_session->hits(), &SessionHits::reset, this, check);
+        connect(&m_session->targets(), &SessionTargets::removed, this, check);
+        m_session->targets().duplicate(std::array{id(0)});
+        m_session->targets().remove(std::array{id(0)});
         for (int i = 0; i < 2; ++i) {
             m_session->undo();
             m_session->undo();
@@ -151,31 +151,31 @@ private Q_SLOTS:
         hit(*m_session, id(0), 0.1f);
         hit(*m_session, id(1), 0.2f);
         hit(*m_session, id(0), 0.3f);
-        m_session->duplicateTargets(std::array{id(0)});
+        m_session->targets().duplicate(std::array{id(0)});
         QCOMPARE(names(*m_session).last(), QStringLiteral("Left 2"));
         const TargetId copy = id(2);
-        QCOMPARE(m_session->selectedTarget(), copy);
-        const std::vector<Hit> copied = m_session->history().hitsOn(copy);
+        QCOMPARE(m_session->targets().selected(), copy);
+        const std::vector<Hit> copied = m_session->hits().history().hitsOn(copy);
         QCOMPARE(copied.size(), std::size_t{2});
         QCOMPARE(copied[1].point.x, 0.3f);
         QVERIFY(&m_session->targets()[2]->deformed.original() ==
                 &m_session->targets()[0]->deformed.original());
         m_session->undo();
         QCOMPARE(m_session->targets().size(), std::size_t{2});
-        QCOMPARE(m_session->history().size(), std::size_t{3});
+        QCOMPARE(m_session->hits().history().size(), std::size_t{3});
         m_session->redo();
         QCOMPARE(id(2), copy);
-        QCOMPARE(m_session->history().hitsOn(copy).size(), std::size_t{2});
+        QCOMPARE(m_session->hits().history().hitsOn(copy).size(), std::size_t{2});
     }
 
     void moveAndTurnCarryTheColliderAlong() {
         const TargetId left = id(0);
-        QVERIFY(m_session->setTargetTransform(left, {{-7.0f, 2.0f, 0.0f}, glm::quat(1, 0, 0, 0)}).ok());
+        QVERIFY(m_session->targets().setTransform(left, {{-7.0f, 2.0f, 0.0f}, glm::quat(1, 0, 0, 0)}).ok());
         QCOMPARE(below(*m_session, -7.0f), left);
         QCOMPARE(below(*m_session, 0.0f), TargetId{});
         // Turned by 45 degrees about y, a corner reaches sqrt(2) along x; the quaternion need not be unit.
-        QVERIFY(m_session
-                    ->setTargetTransform(
+        QVERIFY(m_session->targets()
+                    .setTransform(
                         left, {{-7.0f, 2.0f, 0.0f}, glm::quat(2.0f * 0.9238795f, 0, 2.0f * 0.3826834f, 0)})
                     .ok());
         QVERIFY(std::abs(glm::length(m_session->targets()[0]->transform.rotation) - 1.0f) < 1.0e-6f);
@@ -190,9 +190,9 @@ private Q_SLOTS:
     void transformsOutOfReasonAreRefused() {
         const float nan = std::numeric_limits<float>::quiet_NaN();
         const std::vector<RigidTransform> before = transforms(*m_session);
-        QVERIFY(!m_session->setTargetTransform(id(0), {{nan, 0, 0}, glm::quat(1, 0, 0, 0)}).ok());
-        QVERIFY(!m_session->setTargetTransform(id(0), {{0, 0, 0}, glm::quat(0, 0, 0, 0)}).ok());
-        QVERIFY(!m_session->setTargetTransform(id(0), {{0, 0, 0}, glm::quat(1, nan, 0, 0)}).ok());
+        QVERIFY(!m_session->targets().setTransform(id(0), {{nan, 0, 0}, glm::quat(1, 0, 0, 0)}).ok());
+        QVERIFY(!m_session->targets().setTransform(id(0), {{0, 0, 0}, glm::quat(0, 0, 0, 0)}).ok());
+        QVERIFY(!m_session->targets().setTransform(id(0), {{0, 0, 0}, glm::quat(1, nan, 0, 0)}).ok());
         QCOMPARE(transforms(*m_session)[0].position, before[0].position);
         QCOMPARE(m_session->undoName()->kind, SessionUndo::Kind::MoveTarget);  // the one of init()
     }
@@ -200,18 +200,18 @@ private Q_SLOTS:
     void hiddenAreNotHit() {
         const TargetId left = id(0);
         hit(*m_session, left, 0.1f);
-        QSignalSpy changed(m_session.get(), &Session::targetChanged);
-        m_session->setTargetsVisible(std::array{left}, false);
+        QSignalSpy changed(&m_session->targets(), &SessionTargets::changed);
+        m_session->targets().setVisible(std::array{left}, false);
         QCOMPARE(changed.count(), 1);
         QCOMPARE(below(*m_session, 0.0f), TargetId{});
-        QCOMPARE(m_session->history().size(), std::size_t{1});
-        QCOMPARE(m_session->sceneBounds().min.x, 9.0f);
+        QCOMPARE(m_session->hits().history().size(), std::size_t{1});
+        QCOMPARE(m_session->targets().bounds().min.x, 9.0f);
         // Moved while hidden, it is hit where it then is shown.
-        QVERIFY(m_session->setTargetTransform(left, {{-7.0f, 0.0f, 0.0f}, glm::quat(1, 0, 0, 0)}).ok());
+        QVERIFY(m_session->targets().setTransform(left, {{-7.0f, 0.0f, 0.0f}, glm::quat(1, 0, 0, 0)}).ok());
         QCOMPARE(below(*m_session, -7.0f), TargetId{});
-        m_session->setTargetsVisible(std::array{left}, true);
+        m_session->targets().setVisible(std::array{left}, true);
         QCOMPARE(below(*m_session, -7.0f), left);
-        m_session->setTargetsVisible(std::array{left}, true);  // is so already: no step
+        m_session->targets().setVisible(std::array{left}, true);  // is so already: no step
         QCOMPARE(m_session->undoName(), (SessionUndo::Name{SessionUndo::Kind::ShowTarget, 1}));
         m_session->undo();
         m_session->undo();
@@ -220,9 +220,9 @@ private Q_SLOTS:
     }
 
     void renamesAreTidied() {
-        QVERIFY(m_session->renameTarget(id(0), QStringLiteral("  the  best ")).ok());
+        QVERIFY(m_session->targets().rename(id(0), QStringLiteral("  the  best ")).ok());
         QCOMPARE(names(*m_session).first(), QStringLiteral("the best"));
-        const Status refused = m_session->renameTarget(id(0), QStringLiteral("  "));
+        const Status refused = m_session->targets().rename(id(0), QStringLiteral("  "));
         QVERIFY(!refused.ok());
         m_session->undo();
         QCOMPARE(names(*m_session).first(), QStringLiteral("Left"));
@@ -231,12 +231,12 @@ private Q_SLOTS:
     void resetTakesTheHitsOfOneTarget() {
         hit(*m_session, id(0), 0.1f);
         hit(*m_session, id(1), 0.2f);
-        m_session->resetTargets(std::array{id(0)});
-        QCOMPARE(m_session->history().size(), std::size_t{1});
+        m_session->targets().reset(std::array{id(0)});
+        QCOMPARE(m_session->hits().history().size(), std::size_t{1});
         QCOMPARE(m_session->undoName(), (SessionUndo::Name{SessionUndo::Kind::ResetTarget, 1}));
-        m_session->resetTargets(std::array{id(0)});  // has none: no step
+        m_session->targets().reset(std::array{id(0)});  // has none: no step
         m_session->undo();
-        QCOMPARE(m_session->history().size(), std::size_t{2});
+        QCOMPARE(m_session->hits().history().size(), std::size_t{2});
     }
 
     void anyOrderOfStepsComesBackBitForBit() {
@@ -258,27 +258,27 @@ private Q_SLOTS:
         const std::vector<std::function<void()>> acts = {
             [&] { hit(*m_session, id(0), 0.1f); },
             [&] {
-                m_session->addTargets({cubePlan(), cubePlan()});
+                m_session->targets().add({cubePlan(), cubePlan()});
             },
             [&] { hit(*m_session, id(2), 0.2f); },
             [&] {
-                m_session->duplicateTargets(std::array{id(2), id(0)});
+                m_session->targets().duplicate(std::array{id(2), id(0)});
             },
-            [&] { QVERIFY(m_session->renameTarget(id(4), QStringLiteral("Copy")).ok()); },
+            [&] { QVERIFY(m_session->targets().rename(id(4), QStringLiteral("Copy")).ok()); },
             [&] {
-                m_session->removeTargets(std::array{id(0), id(2)});
+                m_session->targets().remove(std::array{id(0), id(2)});
             },
             [&] { hit(*m_session, id(2), 0.4f); },
             [&] {
-                QVERIFY(m_session->setTargetTransform(id(1), {{1, 2, 3}, glm::quat(0, 1, 0, 0)}).ok());
+                QVERIFY(m_session->targets().setTransform(id(1), {{1, 2, 3}, glm::quat(0, 1, 0, 0)}).ok());
             },
-            [&] { m_session->resetTargets(std::array{id(2)}); },
+            [&] { m_session->targets().reset(std::array{id(2)}); },
             [&] {
-                m_session->setTargetsVisible(std::array{id(0), id(1)}, false);
+                m_session->targets().setVisible(std::array{id(0), id(1)}, false);
             },
-            [&] { m_session->clearHits(); },
+            [&] { m_session->hits().clear(); },
             [&] {
-                m_session->removeTargets(std::array{id(0), id(1), id(2)});
+                m_session->targets().remove(std::array{id(0), id(1), id(2)});
             }};
         for (const auto& act : acts) {
             act();
@@ -295,7 +295,7 @@ private Q_SLOTS:
     }
 
     void aNewSceneForgetsTheSteps() {
-        m_session->addTargets({cubePlan()});
+        m_session->targets().add({cubePlan()});
         m_session->loadPaperRow(0);
         QVERIFY(!m_session->canUndo());
         QVERIFY(!m_session->canRedo());

@@ -39,9 +39,9 @@ private Q_SLOTS:
     void targetsStandOnTheFloorFifteenMetresApart() {
         Session session;
         session.loadPaperRow(kDefaultPaperRow);
-        const std::span<const std::unique_ptr<Target>> targets = session.targets();
+        const std::span<const std::unique_ptr<Target>> targets = session.targets().all();
         for (std::size_t i = 0; i < targets.size(); ++i) {
-            QVERIFY(std::abs(targets[i]->worldBounds().min.y - session.floorHeight()) < 1e-4f);
+            QVERIFY(std::abs(targets[i]->worldBounds().min.y - session.targets().floorHeight()) < 1e-4f);
             for (std::size_t j = 0; j < i; ++j) {
                 QVERIFY(glm::distance(targets[i]->transform.position, targets[j]->transform.position) >
                         14.99f);
@@ -54,16 +54,16 @@ private Q_SLOTS:
         session.loadPaperRow(kDefaultPaperRow);
         const Target& aimedAt = *session.targets()[6];
         const glm::vec3 eye = aimedAt.transform.position + glm::vec3(0, 1, 6);
-        QSignalSpy appended(&session, &Session::hitsAppended);
-        session.shoot({eye, glm::normalize(aimedAt.transform.position - eye)});
-        QVERIFY(session.isMoving());
+        QSignalSpy appended(&session.hits(), &SessionHits::appended);
+        session.simulation().shoot({eye, glm::normalize(aimedAt.transform.position - eye)});
+        QVERIFY(session.simulation().isMoving());
         for (int i = 0; i < 60; ++i) {
-            session.advance(1.0 / 60.0);
+            session.simulation().advance(1.0 / 60.0);
         }
         QCOMPARE(appended.count(), 1);
-        const Hit& hit = session.history().hits()[0];
+        const Hit& hit = session.hits().history().hits()[0];
         QCOMPARE(hit.target, aimedAt.id);
-        QCOMPARE(session.selectedTarget(), aimedAt.id);
+        QCOMPARE(session.targets().selected(), aimedAt.id);
         QVERIFY(std::abs(glm::length(hit.direction) - 1.0f) < 1e-5f);
         QVERIFY(hit.speed > 25.0f && hit.speed < 31.0f);
     }
@@ -71,11 +71,11 @@ private Q_SLOTS:
     void projectilesDisappearAfterTheirLifetime() {
         Session session;
         session.loadTeapot();
-        session.shoot({{0, 10, 0}, {0, 1, 0}});
+        session.simulation().shoot({{0, 10, 0}, {0, 1, 0}});
         for (int i = 0; i < 60 * 6; ++i) {
-            session.advance(1.0 / 60.0);
+            session.simulation().advance(1.0 / 60.0);
         }
-        QVERIFY(!session.isMoving());
+        QVERIFY(!session.simulation().isMoving());
     }
 
     void demoShotsAreRepeatableAndLand() {
@@ -85,11 +85,12 @@ private Q_SLOTS:
         Session second;
         second.loadTeapot();
         shootAll(second, demoShots(second, 50, 7));
-        QVERIFY2(first.history().size() >= 45, qPrintable(QString::number(first.history().size())));
-        QCOMPARE(first.history().size(), second.history().size());
-        for (std::size_t i = 0; i < first.history().size(); ++i) {
-            QCOMPARE(first.history().hits()[i].point, second.history().hits()[i].point);
-            QCOMPARE(first.history().hits()[i].direction, second.history().hits()[i].direction);
+        QVERIFY2(first.hits().history().size() >= 45,
+                 qPrintable(QString::number(first.hits().history().size())));
+        QCOMPARE(first.hits().history().size(), second.hits().history().size());
+        for (std::size_t i = 0; i < first.hits().history().size(); ++i) {
+            QCOMPARE(first.hits().history().hits()[i].point, second.hits().history().hits()[i].point);
+            QCOMPARE(first.hits().history().hits()[i].direction, second.hits().history().hits()[i].direction);
         }
     }
 
@@ -99,14 +100,14 @@ private Q_SLOTS:
         Hit hit;
         hit.target = session.targets()[0]->id;
         hit.direction = glm::vec3(0.0f);
-        QVERIFY(!session.addHit(hit));
+        QVERIFY(!session.hits().add(hit));
         hit.direction = {1, 0, 0};
         hit.point.x = std::nanf("");
-        QVERIFY(!session.addHit(hit));
+        QVERIFY(!session.hits().add(hit));
         hit.point.x = 0.0f;
         hit.target = TargetId{999};
-        QVERIFY(!session.addHit(hit));
-        QCOMPARE(session.history().size(), std::size_t{0});
+        QVERIFY(!session.hits().add(hit));
+        QCOMPARE(session.hits().history().size(), std::size_t{0});
     }
 
     void constantsApplyToPastHitsOnlyWhenAsked() {
@@ -115,19 +116,19 @@ private Q_SLOTS:
         Hit hit;
         hit.target = session.targets()[0]->id;
         hit.direction = {1, 0, 0};
-        QVERIFY(session.addHit(hit));
+        QVERIFY(session.hits().add(hit));
         DeformationConstants constants;
         constants.power = 0.2f;
-        QVERIFY(session.setConstants(constants));
-        QCOMPARE(session.history().hits()[0].constants.power, 0.05f);
-        session.giveConstantsToAll();
-        QCOMPARE(session.history().hits()[0].constants.power,
-                 session.constantsOn(*session.targets().front()).power);
+        QVERIFY(session.settings().setConstants(constants));
+        QCOMPARE(session.hits().history().hits()[0].constants.power, 0.05f);
+        session.hits().giveConstantsToAll();
+        QCOMPARE(session.hits().history().hits()[0].constants.power,
+                 session.settings().constantsOn(*session.targets().front()).power);
         session.undo();
-        QCOMPARE(session.history().hits()[0].constants.power, 0.05f);
+        QCOMPARE(session.hits().history().hits()[0].constants.power, 0.05f);
         constants.power = -1.0f;
-        QVERIFY(!session.setConstants(constants));
-        QCOMPARE(session.history().hits()[0].constants.power, 0.05f);
+        QVERIFY(!session.settings().setConstants(constants));
+        QCOMPARE(session.hits().history().hits()[0].constants.power, 0.05f);
     }
 
     void newSceneStartsAnEmptyHistory() {
@@ -135,9 +136,9 @@ private Q_SLOTS:
         session.loadTeapot();
         Hit hit;
         hit.target = session.targets()[0]->id;
-        QVERIFY(session.addHit(hit));
+        QVERIFY(session.hits().add(hit));
         session.loadMesh(makeLowPolyCube());
-        QCOMPARE(session.history().size(), std::size_t{0});
+        QCOMPARE(session.hits().history().size(), std::size_t{0});
         QVERIFY(!session.canUndo());
         QCOMPARE(session.targets().size(), std::size_t{1});
     }

@@ -8,6 +8,8 @@ using namespace hitscope;
 
 namespace {
 
+using Rows = std::vector<std::size_t>;
+
 Hit hitAt(float x) {
     Hit hit;
     hit.target = TargetId{1};
@@ -28,7 +30,7 @@ DeformationConstants make(HitHistory& history, const SessionUndo::Change& change
     for (const HistoryEdit& edit : change.edits) {
         history.redo(edit);
     }
-    return change.constantsAfter.constants;
+    return change.constants ? change.constants->after.constants : DeformationConstants{};
 }
 
 TargetState targetAt(float x, std::uint32_t id = 1) {
@@ -39,8 +41,7 @@ TargetState targetAt(float x, std::uint32_t id = 1) {
 }
 
 SessionUndo::Change movedTarget(float from, float to, SessionUndo::Merge merge, std::uint32_t id = 1) {
-    return {
-        {}, {}, {}, merge, {SessionUndo::Kind::MoveTarget, 1}, {{0, targetAt(from, id), targetAt(to, id)}}};
+    return {{SessionUndo::Kind::MoveTarget, 1}, merge, {}, {{0, targetAt(from, id), targetAt(to, id)}}};
 }
 
 }  // namespace
@@ -52,13 +53,13 @@ private Q_SLOTS:
     void undoesAndRedoesEveryKindOfChangeInOrder() {
         HitHistory history;
         SessionUndo undo;
-        const auto record = [&](std::vector<HistoryEdit> edits) { undo.record({std::move(edits), {}, {}}); };
+        const auto record = [&](std::vector<HistoryEdit> edits) { undo.record({.edits = std::move(edits)}); };
         record({history.append(hitAt(1))});
         record({history.append(hitAt(2))});
         record({history.append(hitAt(3))});
-        record({history.remove(1)});
+        record(history.remove(Rows{1}));
         record({history.append(hitAt(4))});
-        record(history.move(2, 0));
+        record(history.move(Rows{2}, 0));
         record({history.clear()});
 
         const std::vector<std::vector<float>> states = {{},     {1},       {1, 2},    {1, 2, 3},
@@ -80,17 +81,17 @@ private Q_SLOTS:
     void newChangeEndsRedo() {
         HitHistory history;
         SessionUndo undo;
-        undo.record({{history.append(hitAt(1))}, {}, {}});
+        undo.record({.edits = {history.append(hitAt(1))}});
         make(history, undo.undo());
         QVERIFY(undo.canRedo());
-        undo.record({{history.append(hitAt(2))}, {}, {}});
+        undo.record({.edits = {history.append(hitAt(2))}});
         QVERIFY(!undo.canRedo());
     }
 
     void whatChangesNothingIsNoStep() {
         HitHistory history;
         SessionUndo undo;
-        undo.record({{history.clear()}, {}, {}});
+        undo.record({.edits = {history.clear()}});
         QVERIFY(!undo.canUndo());
     }
 
@@ -99,16 +100,20 @@ private Q_SLOTS:
         SessionUndo undo;
         const ConstantsSetting before;
         ConstantsSetting constants = before;
-        undo.record({{history.append(hitAt(1))}, before, before});
-        undo.record({{history.append(hitAt(2))}, before, before});
+        undo.record({.edits = {history.append(hitAt(1))}});
+        undo.record({.edits = {history.append(hitAt(2))}});
         for (const float power : {0.06f, 0.07f, 0.08f}) {
             ConstantsSetting next = constants;
             next.constants.power = power;
-            undo.record({{history.setConstantsOfAll([&next](const Hit&) { return next.constants; })},
-                         constants,
-                         next,
+            std::vector<Hit> hits(history.hits().begin(), history.hits().end());
+            for (Hit& hit : hits) {
+                hit.constants = next.constants;
+            }
+            undo.record({{SessionUndo::Kind::Constants, 2},
                          SessionUndo::Merge::WithSameKind,
-                         {SessionUndo::Kind::Constants, 2}});
+                         history.replace(Rows{0, 1}, hits),
+                         {},
+                         {{constants, next}}});
             constants = next;
         }
         QCOMPARE(make(history, undo.undo()).power, before.constants.power);
@@ -124,10 +129,10 @@ private Q_SLOTS:
     void aFinishedStepTakesNothingMore() {
         SessionUndo undo;
         const auto dim = [&undo](float before, float after, SessionUndo::Merge merge) {
-            LightsEdit edit;
+            SettingEdit<Lights> edit;
             edit.before.spot.terms.diffuse = before;
             edit.after.spot.terms.diffuse = after;
-            undo.record({{}, {}, {}, merge, {SessionUndo::Kind::Lights, 1}, {}, {edit}});
+            undo.record({.name = {SessionUndo::Kind::Lights, 1}, .merge = merge, .lights = edit});
         };
         UndoGesture gesture;
         dim(0.8f, 0.7f, gesture.change(0));
@@ -136,16 +141,17 @@ private Q_SLOTS:
         undo.finishStep();
         dim(0.5f, 0.4f, SessionUndo::Merge::WithSameKind);
         for (const float before : {0.5f, 0.7f, 0.8f}) {
-            QCOMPARE(undo.undo().lights.at(0).after.spot.terms.diffuse, before);
+            QCOMPARE(undo.undo().lights->after.spot.terms.diffuse, before);
         }
         QVERIFY(!undo.canUndo());
-        QCOMPARE(undo.redo().lights.at(0).after.spot.terms.diffuse, 0.7f);
+        QCOMPARE(undo.redo().lights->after.spot.terms.diffuse, 0.7f);
     }
 
     void thereAndBackIsNoStep() {
         HitHistory history;
         SessionUndo undo;
-        undo.record({{history.append(hitAt(1)), history.append(hitAt(2)), history.append(hitAt(3))}, {}, {}});
+        undo.record(
+            {.edits = {history.append(hitAt(1)), history.append(hitAt(2)), history.append(hitAt(3))}});
         const auto widen = [&](float distance) {
             std::vector<HistoryEdit> edits;
             for (const std::size_t index : {std::size_t{0}, std::size_t{2}}) {
@@ -153,7 +159,7 @@ private Q_SLOTS:
                 hit.constants.maxDistance = distance;
                 edits.push_back(history.splice(index, 1, {&hit, 1}));
             }
-            undo.record({edits, {}, {}, SessionUndo::Merge::WithSameKind, {SessionUndo::Kind::EditHit, 2}});
+            undo.record({{SessionUndo::Kind::EditHit, 2}, SessionUndo::Merge::WithSameKind, edits});
         };
         const float before = history.hits()[0].constants.maxDistance;
         widen(0.7f);
@@ -165,11 +171,9 @@ private Q_SLOTS:
 
     void aTargetsEditIsUndoneByItsInverse() {
         SessionUndo undo;
-        undo.record({{},
-                     {},
-                     {},
+        undo.record({{SessionUndo::Kind::RemoveTarget, 2},
                      SessionUndo::Merge::Never,
-                     {SessionUndo::Kind::RemoveTarget, 2},
+                     {},
                      {{3, targetAt(1, 7), {}}, {1, targetAt(2, 8), {}}}});
         const SessionUndo::Change back = undo.undo();
         QCOMPARE(back.targets.size(), std::size_t{2});
@@ -202,7 +206,7 @@ private Q_SLOTS:
     void undoBringsEveryRevisionForward() {
         HitHistory history;
         SessionUndo undo;
-        undo.record({{history.append(hitAt(1))}, {}, {}});
+        undo.record({.edits = {history.append(hitAt(1))}});
         const std::uint64_t revision = history.revision();
         make(history, undo.undo());
         QVERIFY(history.revision() > revision);

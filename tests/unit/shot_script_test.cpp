@@ -22,7 +22,7 @@ float angle(const glm::vec3& a, const glm::vec3& b) {
 }
 
 std::vector<Hit> hitsOf(const Session& session) {
-    const std::span<const Hit> hits = session.history().hits();
+    const std::span<const Hit> hits = session.hits().history().hits();
     return {hits.begin(), hits.end()};
 }
 
@@ -41,7 +41,7 @@ std::vector<Hit> played(double frame, bool isInstant) {
     script.shots.insert(script.shots.begin(), more.begin(), more.end());
     schedule(session, script);
     for (double t = 0.0; t < 6.0; t += frame) {
-        session.advance(frame);
+        session.simulation().advance(frame);
     }
     return hitsOf(session);
 }
@@ -126,28 +126,28 @@ private Q_SLOTS:
             Session session;
             ShotScript script;
             script.shots = sweep({{0, 50, 0}, {0, 1, 0}}, {{0, 50, 0}, {1, 0, 0}}, 10, 0.1);
-            QSignalSpy changed(&session, &Session::scheduleChanged);
+            QSignalSpy changed(&session.simulation(), &Simulation::scheduleChanged);
             schedule(session, script);
             QCOMPARE(changed.count(), 1);
-            QCOMPARE(session.shotsToCome(), std::size_t{10});
-            QVERIFY(session.isMoving());
-            const auto left = [&session] { return 10 - session.shotsToCome(); };
+            QCOMPARE(session.simulation().shotsToCome(), std::size_t{10});
+            QVERIFY(session.simulation().isMoving());
+            const auto left = [&session] { return 10 - session.simulation().shotsToCome(); };
             double passed = 0.0;
             while (passed < 0.24) {
-                session.advance(frame);
+                session.simulation().advance(frame);
                 passed += frame;
             }
-            const auto steps = std::lround(session.physics().time() * 240.0);
+            const auto steps = std::lround(session.simulation().physics().time() * 240.0);
             // The first step is under way at step 0: shot k leaves before step 24 k.
             QCOMPARE(left(), static_cast<std::size_t>(1 + (steps - 1) / 24));
-            while (session.physics().time() < 0.3 - 1e-9) {
-                session.stepOnce();
+            while (session.simulation().physics().time() < 0.3 - 1e-9) {
+                session.simulation().stepOnce();
             }
             QCOMPARE(left(), std::size_t{3});
-            session.stepOnce();
+            session.simulation().stepOnce();
             QCOMPARE(left(), std::size_t{4});
-            session.cancelScheduled();
-            QCOMPARE(session.shotsToCome(), std::size_t{0});
+            session.simulation().cancelScheduled();
+            QCOMPARE(session.simulation().shotsToCome(), std::size_t{0});
         }
     }
 
@@ -173,9 +173,9 @@ private Q_SLOTS:
         script.shots = burst({{0, 100, 0}, {1, 0, 0}}, 200, 0.05f, 11);
         schedule(session, script);
         for (int i = 0; i < 24; ++i) {
-            session.stepOnce();
+            session.simulation().stepOnce();
         }
-        const auto projectiles = session.physics().projectiles();
+        const auto projectiles = session.simulation().physics().projectiles();
         QCOMPARE(projectiles.size(), std::size_t{200});
         const glm::vec3 fall(0, -9.81f * 0.1f, 0);
         for (std::size_t i = 0; i < projectiles.size(); ++i) {
@@ -186,11 +186,11 @@ private Q_SLOTS:
 
     void trailsAreWhereTheyHaveBeen() {
         Session session;
-        session.shoot({{0, 100, 0}, {1, 0, 0}});
+        session.simulation().shoot({{0, 100, 0}, {1, 0, 0}});
         for (int i = 0; i < 120; ++i) {
-            session.stepOnce();
+            session.simulation().stepOnce();
         }
-        const ProjectileState state = session.physics().projectiles().front();
+        const ProjectileState state = session.simulation().physics().projectiles().front();
         QVERIFY(state.trail.size() >= 8);
         float last = state.position.x;
         for (auto point = state.trail.rbegin(); point != state.trail.rend(); ++point) {
@@ -211,26 +211,26 @@ private Q_SLOTS:
         Session session;
         session.loadMesh(makeHighPolySphere(2.5f));
         const Ray aside{{-8, 3, 1}, glm::normalize(glm::vec3(8, -1.0f, -0.5f))};
-        const auto hit = session.predictedHit(aside, isInstant);
+        const auto hit = session.simulation().predictedHit(aside, isInstant);
         QVERIFY(hit.has_value());
-        QCOMPARE(session.history().size(), std::size_t{0});
-        QCOMPARE(session.physics().time(), 0.0);
+        QCOMPARE(session.hits().history().size(), std::size_t{0});
+        QCOMPARE(session.simulation().physics().time(), 0.0);
         if (isInstant) {
-            QVERIFY(session.hitscan(aside));
+            QVERIFY(session.simulation().hitscan(aside));
         } else {
-            session.shoot(aside);
-            while (session.history().size() == 0 && session.isMoving()) {
-                session.stepOnce();
+            session.simulation().shoot(aside);
+            while (session.hits().history().size() == 0 && session.simulation().isMoving()) {
+                session.simulation().stepOnce();
             }
         }
-        const Hit& made = session.history().hits().front();
+        const Hit& made = session.hits().history().hits().front();
         QVERIFY(glm::length(hit->point - made.point) < 1e-4f);
         QVERIFY(glm::length(hit->direction - made.direction) < 1e-4f);
         QVERIFY(std::abs(hit->time - made.time) < 1e-9);
         QVERIFY(std::abs(hit->impulse - made.impulse) < 0.02f * made.impulse);
         QCOMPARE(hit->target, made.target);
         QVERIFY(hit->constants == made.constants);
-        QVERIFY(!session.predictedHit({{-8, 3, 1}, {-1, 0, 0}}, isInstant).has_value());
+        QVERIFY(!session.simulation().predictedHit({{-8, 3, 1}, {-1, 0, 0}}, isInstant).has_value());
     }
 };
 

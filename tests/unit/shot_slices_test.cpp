@@ -29,7 +29,7 @@ void scheduleBoth(Session& session) {
 }
 
 std::vector<Hit> hitsOf(const Session& session) {
-    const std::span<const Hit> hits = session.history().hits();
+    const std::span<const Hit> hits = session.hits().history().hits();
     return {hits.begin(), hits.end()};
 }
 
@@ -55,18 +55,18 @@ private Q_SLOTS:
         whole.loadMesh(makeHighPolySphere(2.5f));
         scheduleBoth(whole);
         for (int i = 0; i < 1500; ++i) {
-            whole.stepOnce();
+            whole.simulation().stepOnce();
         }
-        QVERIFY(whole.history().size() > 40);
+        QVERIFY(whole.hits().history().size() > 40);
         Session sliced;
         sliced.loadMesh(makeHighPolySphere(2.5f));
         scheduleBoth(sliced);
         std::size_t most = 0;
         int frames = 0;
-        for (; sliced.isMoving(); ++frames) {
-            const std::size_t waiting = sliced.shotsToCome();
+        for (; sliced.simulation().isMoving(); ++frames) {
+            const std::size_t waiting = sliced.simulation().shotsToCome();
             advanceWithin(sliced, 1.0 / 240.0, kMostPhysics, slowClock(each));
-            most = std::max(most, waiting - sliced.shotsToCome());
+            most = std::max(most, waiting - sliced.simulation().shotsToCome());
         }
         QCOMPARE(most, each == 0.1 ? std::size_t{1} : most);
         QVERIFY(each == 0.0 ? most >= 60 : most <= 16);
@@ -83,22 +83,22 @@ private Q_SLOTS:
         QVERIFY(session.tasks().current() == nullptr);
         // The dent of a shot is worked out in slices, too, before the next one strikes it.
         int frames = 0;
-        for (; session.history().size() < 30 && frames < 1000; ++frames) {
-            const std::size_t before = session.history().size();
+        for (; session.hits().history().size() < 30 && frames < 1000; ++frames) {
+            const std::size_t before = session.hits().history().size();
             advanceWithin(session, 1.0 / 240.0, kMostPhysics, slowClock(1.0));
-            QVERIFY(session.history().size() <= before + 1);
+            QVERIFY(session.hits().history().size() <= before + 1);
         }
-        QCOMPARE(session.history().size(), std::size_t{30});
+        QCOMPARE(session.hits().history().size(), std::size_t{30});
         QVERIFY2(frames >= 30, qPrintable(QString::number(frames)));
         const TaskList::Task* task = session.tasks().current();
         QVERIFY(task != nullptr && task->cancel);
         QVERIFY(task->fraction > 0.25 && task->fraction < 0.35);
-        QCOMPARE(session.physics().time(), 0.0);  // no step before all are fired
-        QSignalSpy went(&session, &Session::shotsWent);
+        QCOMPARE(session.simulation().physics().time(), 0.0);  // no step before all are fired
+        QSignalSpy went(&session.simulation(), &Simulation::shotsWent);
         session.tasks().cancel(task->id);
         QVERIFY(session.tasks().current() == nullptr);
-        QCOMPARE(session.shotsToCome(), std::size_t{0});
-        QCOMPARE(session.history().size(), std::size_t{30});
+        QCOMPARE(session.simulation().shotsToCome(), std::size_t{0});
+        QCOMPARE(session.hits().history().size(), std::size_t{30});
         const auto count = went.last().first().value<ShotCount>();
         QVERIFY(count.isOver());
         QCOMPARE(count.shots, std::size_t{30});
@@ -108,51 +108,51 @@ private Q_SLOTS:
     void shotsAreCountedByWhatTheyStrike() {
         Session session;
         session.loadMesh(makeHighPolySphere(2.5f));
-        QSignalSpy went(&session, &Session::shotsWent);
+        QSignalSpy went(&session.simulation(), &Simulation::shotsWent);
         const auto last = [&] { return went.last().first().value<ShotCount>(); };
-        session.shoot(kAxis);
+        session.simulation().shoot(kAxis);
         QCOMPARE(last().flying, std::size_t{1});
         QVERIFY(!last().isOver());
         while (!last().isOver()) {
-            session.stepOnce();
+            session.simulation().stepOnce();
         }
         QCOMPARE(last().hits, std::size_t{1});
         QCOMPARE(last().lastHit, session.targets().front()->id);
         const qsizetype told = went.size();
-        while (session.isMoving()) {
-            session.stepOnce();
+        while (session.simulation().isMoving()) {
+            session.simulation().stepOnce();
         }
         QCOMPARE(went.size(), told);  // where it bounces to is no news
-        session.shoot({{20, 3, 20}, {0, -1, 0}});
+        session.simulation().shoot({{20, 3, 20}, {0, -1, 0}});
         while (last().landed == 0) {
-            session.stepOnce();
+            session.simulation().stepOnce();
         }
         QVERIFY(!last().isOver());
         while (!last().isOver()) {
-            session.stepOnce();
+            session.simulation().stepOnce();
         }
         QCOMPARE(last().landed, std::size_t{1});
-        session.shoot({{20, 900, 20}, {0, 1, 0}});
+        session.simulation().shoot({{20, 900, 20}, {0, 1, 0}});
         while (!last().isOver()) {
-            session.stepOnce();
+            session.simulation().stepOnce();
         }
         QCOMPARE(last().past, std::size_t{1});
-        QVERIFY(!session.hitscan({{20, 3, 20}, {0, 1, 0}}));
+        QVERIFY(!session.simulation().hitscan({{20, 3, 20}, {0, 1, 0}}));
         QCOMPARE(last().past, std::size_t{1});
-        QVERIFY(!session.hitscan({{20, 3, 20}, {0, -1, 0}}));
+        QVERIFY(!session.simulation().hitscan({{20, 3, 20}, {0, -1, 0}}));
         QCOMPARE(last().landed, std::size_t{1});
         // A burst of which some miss; those that are pushed out by later ones are counted as well.
         ShotScript script;
         script.projectile.mostAlive = 50;
         script.shots = burst(kAxis, 120, 0.6f, 9);
-        const std::size_t before = session.history().size();
+        const std::size_t before = session.hits().history().size();
         schedule(session, script);
-        while (session.isMoving()) {
-            session.stepOnce();
+        while (session.simulation().isMoving()) {
+            session.simulation().stepOnce();
         }
         QVERIFY(last().isOver());
         QCOMPARE(last().shots, std::size_t{120});
-        QCOMPARE(last().hits, session.history().size() - before);
+        QCOMPARE(last().hits, session.hits().history().size() - before);
         QCOMPARE(last().hits + last().landed + last().past, std::size_t{120});
     }
 };

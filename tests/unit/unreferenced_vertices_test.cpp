@@ -119,15 +119,15 @@ private Q_SLOTS:
         Session without;
         without.loadMesh(makeUvSphere(24, 12, 1.0f));
         QCOMPARE(with.targets()[0]->extent(), without.targets()[0]->extent());
-        QCOMPARE(with.sceneBounds().max, without.sceneBounds().max);
+        QCOMPARE(with.targets().bounds().max, without.targets().bounds().max);
         const std::vector<Ray> shots = demoShots(with, 40, 6);
         const std::vector<Ray> others = demoShots(without, 40, 6);
         QCOMPARE(shots.size(), others.size());
         for (std::size_t i = 0; i < shots.size(); ++i) {
             QVERIFY(shots[i].origin == others[i].origin && shots[i].direction == others[i].direction);
         }
-        QCOMPARE(with.hitscan(shots[0]), without.hitscan(others[0]));
-        QCOMPARE(with.history().hits()[0].point, without.history().hits()[0].point);
+        QCOMPARE(with.simulation().hitscan(shots[0]), without.simulation().hitscan(others[0]));
+        QCOMPARE(with.hits().history().hits()[0].point, without.hits().history().hits()[0].point);
     }
 
     // They count as vertices that have changed, and are exported where they are.

@@ -59,7 +59,7 @@ private Q_SLOTS:
     void passesOverWhatIsNotThere() {
         VertexSelection& selection = m_session->selection();
         const auto count =
-            static_cast<std::uint32_t>(m_session->target(m_first)->deformed.positions().size());
+            static_cast<std::uint32_t>(m_session->targets().find(m_first)->deformed.positions().size());
         selection.select(m_first, {count, count - 1}, Combine::Replace);
         QCOMPARE(listed(selection.vertices(m_first)), (Vertices{count - 1}));
         selection.select(TargetId{999}, {0}, Combine::Replace);
@@ -91,7 +91,7 @@ private Q_SLOTS:
         selection.select(m_second, {3}, Combine::Add);
         selection.setPicked(VertexRef{m_first, 1});
         selection.setHovered(VertexRef{m_second, 1});
-        m_session->removeTargets(std::array{m_first});
+        m_session->targets().remove(std::array{m_first});
         QVERIFY(selection.vertices(m_first).empty());
         QCOMPARE(selection.count(), std::size_t{1});
         QVERIFY(!selection.picked());

@@ -145,18 +145,18 @@ void CameraWindowTest::middleDragOrbitsInBlendersPreset() {
     drag(Qt::MiddleButton);
     QVERIFY(!near(camera().forward(), before.forward(), 0.05f));
     QTest::mouseClick(&viewport, Qt::LeftButton, {}, centre());
-    QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{1}, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), std::size_t{1}, kPatience);
 }
 
 void CameraWindowTest::orthographicClickShootsWhereItPoints() {
     navigation().setProjection(Projection::Orthographic);
     const QPoint at = centre() + QPoint(40, -50);
     const Ray ray = navigation().rayAt(at);
-    const auto aimed = m_session->physics().castRay(ray.origin, ray.direction, 1.0e4f);
+    const auto aimed = m_session->simulation().physics().castRay(ray.origin, ray.direction, 1.0e4f);
     QVERIFY(aimed.has_value());
     QTest::mouseClick(&m_window->viewport(), Qt::LeftButton, {}, at);
-    QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{1}, kPatience);
-    QVERIFY(near(m_session->history().hits().front().point, aimed->point, 0.15f));
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), std::size_t{1}, kPatience);
+    QVERIFY(near(m_session->hits().history().hits().front().point, aimed->point, 0.15f));
 }
 
 void CameraWindowTest::shiftWheelSaysTheFieldOfView() {

@@ -94,7 +94,7 @@ private Q_SLOTS:
         shootAll(*m_session, demoShots(*m_session, 10, 3));
         auto* plot = child<HistogramPlot>("histogram");
         QTRY_VERIFY_WITH_TIMEOUT(!plot->histogram().counts.empty(), kPatience);
-        m_session->clearHits();
+        m_session->hits().clear();
         QTRY_VERIFY_WITH_TIMEOUT(plot->histogram().counts.empty(), kPatience);
         QCOMPARE(child<QLabel>("numbers")->text(), QStringLiteral("No vertex has changed"));
         m_session->undo();
@@ -115,7 +115,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(static_cast<float>(child<QSlider>("wipeAt")->value()) / 1000.0f - at) < 2e-3f);
         QVERIFY(viewport.camera().eye() == eye);
         QTest::qWait(500);
-        QCOMPARE(m_session->physics().projectileCount(), std::size_t{0});
+        QCOMPARE(m_session->simulation().physics().projectileCount(), std::size_t{0});
     }
 
     void comparingPrintsThatPipelinesAgree() {

@@ -10,6 +10,7 @@
 #include <QOpenGLContext>
 #include <QSignalSpy>
 #include <QStatusBar>
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <random>
@@ -117,10 +118,10 @@ void ContextTest::hitIt() {
     const glm::vec3 toEye = -m_window->viewport().camera().forward();
     for (int i = 0; i < 40; ++i) {
         const glm::vec3 out =
-            glm::normalize(toEye + 0.6f * glm::vec3(between(random), between(random), between(random)));
+            glm::normalize(toEye + 0.6f * glm::vec3{between(random), between(random), between(random)});
         hits.push_back(hitOn(*m_session, out, -out));
     }
-    QVERIFY(m_session->addHits(hits).ok());
+    QVERIFY(m_session->hits().add(hits).ok());
     QVERIFY(m_window->viewport().syncNow().ok());
 }
 
@@ -139,7 +140,7 @@ void ContextTest::anotherContextShowsTheSame() {
             if (const QString why = m_session->readBack().whyUnavailable(traits.kind); !why.isEmpty()) {
                 QSKIP(qPrintable(why));
             }
-            m_session->setPipeline(traits.kind);
+            m_session->settings().setPipeline(traits.kind);
         }
     }
     hitIt();
@@ -170,8 +171,14 @@ void ContextTest::anotherContextShowsTheSame() {
     QVERIFY(shown() == before);
     QVERIFY(sameBits(readBack(*m_session), vertices));
     // And it goes on: one more hit is seen.
+    Hit hit = hitOn(*m_session, {}, -viewport.camera().up());
     const glm::vec3 out = -viewport.camera().forward();
-    QVERIFY(m_session->addHit(hitOn(*m_session, out, -viewport.camera().up())).ok());
+    const auto now = m_session->targets().front()->deformed.vertices();
+    hit.point =
+        std::max_element(now.begin(), now.end(), [&out](const DynamicVertex& a, const DynamicVertex& b) {
+            return glm::dot(a.position, out) < glm::dot(b.position, out);
+        })->position;
+    QVERIFY(m_session->hits().add(hit).ok());
     QVERIFY(viewport.syncNow().ok());
     QVERIFY(!sameBits(readBack(*m_session), vertices));
     QVERIFY(shown() != before);
@@ -241,7 +248,7 @@ void ContextTest::pixelsAndRaysAgree() {
     std::uniform_int_distribution<int> y(3, with.height() - 4);
     const auto meets = [&](const QPointF& pixel) {
         const Ray ray = viewport.navigation().rayAt(pixel / scale);
-        const auto met = m_session->physics().castRay(ray.origin, ray.direction, 1.0e4f);
+        const auto met = m_session->simulation().physics().castRay(ray.origin, ray.direction, 1.0e4f);
         return met && met->target;  // not the floor
     };
     for (int i = 0; i < 600; ++i) {
@@ -256,7 +263,7 @@ void ContextTest::pixelsAndRaysAgree() {
             probes.push_back({pixel, hit});
         }
     }
-    m_session->setTargetsVisible(target, false);
+    m_session->targets().setVisible(target, false);
     const QImage without = shown();
     std::size_t hits = 0;
     std::size_t unseen = 0;

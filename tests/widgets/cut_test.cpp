@@ -97,14 +97,14 @@ private Q_SLOTS:
         QVERIFY(std::abs(cut().offset - before - 1.0f) < 0.05f);
         QVERIFY(viewport().camera().eye() == eye);
         QTest::qWait(500);
-        QCOMPARE(m_session->physics().projectileCount(), std::size_t{0});
+        QCOMPARE(m_session->simulation().physics().projectileCount(), std::size_t{0});
     }
 
     void dragsStayInTheSceneAndSnapAndAreTakenBack() {
         QTest::keyClick(&viewport(), Qt::Key_K);
         const QPointF from = handleAt();
         const QPointF along = placeOf(middle() + glm::vec3(1.0f, 0.0f, 0.0f)) - from;
-        const OffsetRange range = offsetRange(m_session->sceneBounds(), cut().normal);
+        const OffsetRange range = offsetRange(m_session->targets().bounds(), cut().normal);
         mouse(m_handle, QEvent::MouseButtonPress, from, true);
         mouse(m_handle, QEvent::MouseMove, from + 3.9 * along, true);
         QCOMPARE(cut().offset, range.high);
@@ -166,7 +166,7 @@ private Q_SLOTS:
         QCOMPARE(child<QSlider>("offsetSlider")->value(), 750);
         child<QToolButton>("flip")->click();
         QVERIFY(cut().flipped);
-        const glm::vec3 place = planeFrame(cut(), m_session->sceneBounds()).middle;
+        const glm::vec3 place = planeFrame(cut(), m_session->targets().bounds()).middle;
         child<QDoubleSpinBox>("normalX")->setValue(1.0);
         QVERIFY(glm::distance(cut().normal, glm::normalize(glm::vec3(1.0f, 1.0f, 0.0f))) < 1.0e-5f);
         QVERIFY(std::abs(glm::dot(cut().normal, place) - cut().offset) < 1.0e-4f);
@@ -190,7 +190,7 @@ private Q_SLOTS:
         hit.target = m_session->targets()[0]->id;
         hit.point = {0.0f, 2.5f, 0.0f};
         hit.direction = {0.0f, -1.0f, 0.0f};
-        QVERIFY(m_session->addHit(hit).ok());
+        QVERIFY(m_session->hits().add(hit).ok());
         QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("deepest")->text().contains(QStringLiteral("Greatest depth")),
                                  kPatience);
         QVERIFY(!m_actions->sections().isBusy());
@@ -309,7 +309,7 @@ private Q_SLOTS:
 private:
     [[nodiscard]] Viewport& viewport() { return m_window->viewport(); }
     [[nodiscard]] const CuttingPlane& cut() { return viewport().options().cut; }
-    [[nodiscard]] glm::vec3 middle() const { return m_session->sceneBounds().centre(); }
+    [[nodiscard]] glm::vec3 middle() const { return m_session->targets().bounds().centre(); }
     [[nodiscard]] QPointF handleAt() const {
         return m_handle->mapToGlobal(QPointF(m_handle->rect().center()));
     }

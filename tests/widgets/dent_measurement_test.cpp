@@ -29,7 +29,7 @@ constexpr int kPatience = 30'000;  // milliseconds
 void applyHits(Session& session) {
     const Target& target = *session.targets().front();
     ReferenceDeformation reference(target.deformed.render());
-    reference.apply(session.history().hitsOn(target.id));
+    reference.apply(session.hits().history().hitsOn(target.id));
     test::readBackOf(session).take(target.id, 0, reference.vertices());
     static_cast<void>(test::readBackOf(session).finish());
 }
@@ -46,7 +46,7 @@ private Q_SLOTS:
         hit.target = m_session->targets().front()->id;
         hit.point = m_session->targets().front()->deformed.positions()[50 * 101 + 50];
         hit.direction = {0.0f, 0.0f, -1.0f};
-        QVERIFY(m_session->addHit(hit).ok());
+        QVERIFY(m_session->hits().add(hit).ok());
         applyHits(*m_session);
         m_panel = std::make_unique<DentMeasurementPanel>(*m_session);
         m_panel->resize(320, 420);
@@ -60,7 +60,7 @@ private Q_SLOTS:
 
     void theSelectedHitIsMeasured() {
         QVERIFY(label("subject").contains(QStringLiteral("Select a hit")));
-        m_session->selectHit(0);
+        m_session->hits().select(0);
         QTRY_VERIFY_WITH_TIMEOUT(report().dent.has_value(), kPatience);
         // power / r under the cap of 0.3 m, out to 0.5 m.
         QVERIFY(std::abs(report().dent->depth - 0.3) < 1.0e-4);
@@ -90,11 +90,11 @@ private Q_SLOTS:
     }
 
     void followsTheMesh() {
-        m_session->selectHit(0);
+        m_session->hits().select(0);
         QTRY_VERIFY_WITH_TIMEOUT(report().dent.has_value(), kPatience);
         const double before = report().dent->displacedVolume;
         QVERIFY(before > 0.0);
-        QVERIFY(m_session->addHit(m_session->history().hits()[0]).ok());
+        QVERIFY(m_session->hits().add(m_session->hits().history().hits()[0]).ok());
         applyHits(*m_session);
         QTRY_VERIFY_WITH_TIMEOUT(report().dent->displacedVolume > 1.2 * before, kPatience);
         m_session->loadMesh(makeSheet(4, 4, 4.0f, 4.0f));
@@ -107,7 +107,7 @@ private Q_SLOTS:
         addHitAt({0.0f, 0.0f, 1.0f});
         addHitAt({0.0f, 0.0f, -1.0f});  // on the far side
         applyHits(*m_session);
-        m_session->selectHit(0);
+        m_session->hits().select(0);
         QTRY_VERIFY_WITH_TIMEOUT(report().dent.has_value(), kPatience);
         QVERIFY2(report().mergedHits.empty(), qPrintable(report().merged));
         QVERIFY(!label("subject").contains(QStringLiteral("erged")));
@@ -127,13 +127,13 @@ private Q_SLOTS:
         const auto& target = *m_session->targets().front();
         m_session->selection().setPicked(VertexRef{target.id, report().dent->deepest});
         QTRY_VERIFY_WITH_TIMEOUT(label("subject").contains(QStringLiteral("Merged dent of hits")), kPatience);
-        m_session->selectHit(1);
+        m_session->hits().select(1);
         QTRY_VERIFY_WITH_TIMEOUT(report().dent && report().merged.isEmpty(), kPatience);
         for (int i = 0; i < 3; ++i) {
             addHitAt({0.0f, 0.1f * static_cast<float>(i), 1.0f});
         }
         applyHits(*m_session);
-        m_session->selectHit(0);
+        m_session->hits().select(0);
         QTRY_VERIFY_WITH_TIMEOUT(label("subject").contains(QStringLiteral("hits 3, 4, 5, 6 and 7")),
                                  kPatience);
         addHitAt({0.0f, -0.1f, 1.0f});
@@ -143,19 +143,19 @@ private Q_SLOTS:
     }
 
     void aHitThatIsNotAppliedIsRefused() {
-        m_session->selectHit(0);
+        m_session->hits().select(0);
         QTRY_VERIFY_WITH_TIMEOUT(report().dent.has_value(), kPatience);
         const std::array<std::size_t, 1> first = {0};
-        m_session->setHitsEnabled(first, false);
+        m_session->hits().setEnabled(first, false);
         QVERIFY(!report().dent);
         QVERIFY(label("subject").contains(QStringLiteral("Hit 1 is disabled")));
         QCOMPARE(label("depth"), QStringLiteral("–"));
-        m_session->setHitsEnabled(first, true);
+        m_session->hits().setEnabled(first, true);
         QTRY_VERIFY_WITH_TIMEOUT(report().dent.has_value(), kPatience);
-        m_session->showHits(0);
+        m_session->hits().show(0);
         QVERIFY(label("subject").contains(QStringLiteral("comes after the hits that are shown")));
         QVERIFY(!report().dent);
-        m_session->selectHit(std::nullopt);
+        m_session->hits().select(std::nullopt);
         QVERIFY(label("subject").contains(QStringLiteral("Select a hit")));
     }
 
@@ -175,7 +175,7 @@ private Q_SLOTS:
         addHitAt({0.0f, 0.0f, 1.0f});
         addHitAt({0.5f, 0.0f, isSphere ? 0.85f : 1.0f});
         applyHits(*m_session);
-        m_session->selectHit(0);
+        m_session->hits().select(0);
         QTRY_VERIFY_WITH_TIMEOUT(report().dent.has_value(), kPatience);
         const double lowest = -(report().dent->depth + 0.6 * report().dent->rimDiameter);
         for (const int angle : {0, 45, 90}) {
@@ -191,7 +191,7 @@ private Q_SLOTS:
     }
 
     void copiesAndSaves() {
-        m_session->selectHit(0);
+        m_session->hits().select(0);
         QTRY_VERIFY_WITH_TIMEOUT(report().dent.has_value(), kPatience);
         m_panel->findChild<QToolButton*>(QStringLiteral("copy"))->click();
         QVERIFY(QGuiApplication::clipboard()->text().contains(QStringLiteral("Displaced volume\t")));
@@ -212,7 +212,7 @@ private:
         hit.target = m_session->targets().front()->id;
         hit.point = point;
         hit.direction = -glm::normalize(point);
-        QVERIFY(m_session->addHit(hit).ok());
+        QVERIFY(m_session->hits().add(hit).ok());
     }
     [[nodiscard]] const DentMeasurement::Report& report() { return m_panel->measurement().report(); }
     [[nodiscard]] QString label(const char* name) {

@@ -78,8 +78,8 @@ private:
     void hit() {
         Hit hit;
         hit.target = m_session->targets().back()->id;
-        hit.point = {0.0f, 0.1f * static_cast<float>(m_session->history().size()), 2.5f};
-        QVERIFY(m_session->addHit(hit).ok());
+        hit.point = {0.0f, 0.1f * static_cast<float>(m_session->hits().history().size()), 2.5f};
+        QVERIFY(m_session->hits().add(hit).ok());
     }
     void drop(const QString& file) {
         QMimeData data;
@@ -162,12 +162,12 @@ void DiscardTest::asks() {
     QTRY_VERIFY(discardQuestion(*m_window) == nullptr);
     QTest::qWait(100);
     QVERIFY(m_session->targets().front().get() == before);
-    QCOMPARE(m_session->history().size(), std::size_t{2});
+    QCOMPARE(m_session->hits().history().size(), std::size_t{2});
     QVERIFY(m_window->isVisible());
     act();
     QTRY_VERIFY(discardQuestion(*m_window) != nullptr);
     answerQuestion(*m_window, QMessageBox::DestructiveRole);
-    QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{0}, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), std::size_t{0}, kPatience);
     if (!scene.isEmpty()) {
         QCOMPARE(m_session->sceneName().toLower(), scene.toLower());
     }
@@ -190,7 +190,7 @@ void DiscardTest::doesNotAskForNothing() {
     QVERIFY(guard->isAtRisk());
     m_session->undo();
     QVERIFY(!guard->isAtRisk());
-    m_session->setHitsEnabled(std::vector<std::size_t>{0}, false);
+    m_session->hits().setEnabled(std::vector<std::size_t>{0}, false);
     QVERIFY(guard->isAtRisk());
     // A file of all hits keeps them as well.
     auto* hits = m_window->findChild<HitActions*>();
@@ -199,7 +199,7 @@ void DiscardTest::doesNotAskForNothing() {
     QVERIFY(!guard->isAtRisk());
     hit();
     QVERIFY(guard->isAtRisk());
-    m_session->clearHits();
+    m_session->hits().clear();
     QVERIFY(!guard->isAtRisk());
     m_window->close();
     QVERIFY(!m_window->isVisible());
@@ -212,9 +212,9 @@ void DiscardTest::doesNotAskForTheFirstScene() {
         Hit first;
         first.target = session.targets().front()->id;
         first.point = {0.0f, 0.0f, 2.5f};
-        QVERIFY(session.addHit(first).ok());
+        QVERIFY(session.hits().add(first).ok());
     });
-    QCOMPARE(m_session->history().size(), std::size_t{1});
+    QCOMPARE(m_session->hits().history().size(), std::size_t{1});
     m_window->close();
     QVERIFY(!m_window->isVisible());
 }
@@ -240,7 +240,7 @@ void DiscardTest::exportGoesOnWhenItIsWritten() {
     chooseNext({});  // no file: nothing happens
     answerQuestion(*m_window, QMessageBox::AcceptRole);
     QTest::qWait(100);
-    QCOMPARE(m_session->history().size(), std::size_t{1});
+    QCOMPARE(m_session->hits().history().size(), std::size_t{1});
     drop(path("cube.obj"));
     QTRY_VERIFY(discardQuestion(*m_window) != nullptr);
     answerQuestion(*m_window, QMessageBox::RejectRole);
@@ -248,7 +248,7 @@ void DiscardTest::exportGoesOnWhenItIsWritten() {
     QTRY_VERIFY(discardQuestion(*m_window) != nullptr);
     chooseNext(path("gone_on.obj"));
     answerQuestion(*m_window, QMessageBox::AcceptRole);
-    QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{0}, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), std::size_t{0}, kPatience);
     QVERIFY(QFile::exists(path("gone_on.obj")));
     QTRY_COMPARE_WITH_TIMEOUT(m_session->sceneName(), QStringLiteral("cube"), kPatience);
 }
@@ -281,7 +281,7 @@ void DiscardTest::severalTargetsGoIntoAFolder() {
     hit();
     Hit other;
     other.target = m_session->targets().front()->id;
-    QVERIFY(m_session->addHit(other).ok());
+    QVERIFY(m_session->hits().add(other).ok());
     m_window->close();
     chooseNext(m_folder.path());
     answerQuestion(*m_window, QMessageBox::AcceptRole);

@@ -51,14 +51,14 @@ void ExactnessTest::theStatusBarSaysIt() {
     MainWindow window(session);
     showReady(window);
     QVERIFY(session.readBack().exactness());  // measured on this renderer
-    QVERIFY(session.readBack().verdict().of(session.pipeline()) != nullptr);
+    QVERIFY(session.readBack().verdict().of(session.settings().pipeline()) != nullptr);
     const QLabel* cell = rendererCell(window);
     QVERIFY(cell != nullptr);
     QTRY_VERIFY_WITH_TIMEOUT(session.readBack().verdict().picking.has_value(),
                              kPatience);  // the rest follows
     QCOMPARE(session.readBack().verdict().pipelines.size(), allPipelines().size());
 
-    session.setPipeline(PipelineKind::Reference);
+    session.settings().setPipeline(PipelineKind::Reference);
     test::readBackOf(session).setVerdict(referenceVerdict({15000, 0, 0.0f}));
     QCOMPARE(cell->text(), window.viewport().rendererName() + QStringLiteral(", bit-exact"));
     QVERIFY(cell->toolTip().contains(QStringLiteral("Reference: bit-exact in 15,000 vertices compared")));
@@ -69,7 +69,7 @@ void ExactnessTest::theStatusBarSaysIt() {
     QCOMPARE(changes.count(), 1);
     QCOMPARE(cell->text(), window.viewport().rendererName() + QStringLiteral(", not bit-exact"));
     QVERIFY(cell->toolTip().contains(QStringLiteral("12 of 15,000 vertices differ, by up to 0.1 m")));
-    session.setPipeline(PipelineKind::TransformFeedback);  // nothing is said of what was not tried
+    session.settings().setPipeline(PipelineKind::TransformFeedback);  // nothing is said of what was not tried
     test::readBackOf(session).setVerdict(referenceVerdict({15000, 12, 0.1f}));
     QCOMPARE(cell->text(), window.viewport().rendererName());
 }
@@ -78,7 +78,7 @@ void ExactnessTest::theStatusBarSaysIt() {
 void ExactnessTest::inexactPipelineIsLeft() {
     Session session;
     session.loadPaperRow(0);
-    session.setPipeline(PipelineKind::TransformFeedback);
+    session.settings().setPipeline(PipelineKind::TransformFeedback);
     PipelineChooser chooser(session);
     QMenu menu;
     chooser.fill(menu);
@@ -90,7 +90,7 @@ void ExactnessTest::inexactPipelineIsLeft() {
     test::readBackOf(session).setVerdict(verdict);
     QCOMPARE(left.count(), 0);
     chooser.leaveInexact();
-    QCOMPARE(session.pipeline(), PipelineKind::Reference);
+    QCOMPARE(session.settings().pipeline(), PipelineKind::Reference);
     QCOMPARE(left.count(), 1);
     QVERIFY(left.first().first().toString().contains(QStringLiteral("870 of 15,000 vertices differ")));
     for (QAction* action : menu.actions()) {
@@ -100,9 +100,9 @@ void ExactnessTest::inexactPipelineIsLeft() {
             action->trigger();
         }
     }
-    QCOMPARE(session.pipeline(), PipelineKind::TransformFeedback);
+    QCOMPARE(session.settings().pipeline(), PipelineKind::TransformFeedback);
     chooser.leaveInexact();
-    QCOMPARE(session.pipeline(), PipelineKind::TransformFeedback);
+    QCOMPARE(session.settings().pipeline(), PipelineKind::TransformFeedback);
     QCOMPARE(left.count(), 1);
 }
 
@@ -111,7 +111,7 @@ void ExactnessTest::theAboutBoxSaysIt() {
     session.loadPaperRow(0);
     MainWindow window(session);
     showReady(window);
-    session.setPipeline(PipelineKind::Reference);
+    session.settings().setPipeline(PipelineKind::Reference);
     test::readBackOf(session).setVerdict(referenceVerdict({4096, 12, 0.1f}));
     for (QAction* action : window.findChildren<QAction*>()) {
         if (action->text() == QStringLiteral("&About Hitscope")) {

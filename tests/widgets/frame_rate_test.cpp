@@ -185,7 +185,7 @@ void FrameRateTest::curvesAreSwitchedAndRemembered() {
     // Another pipeline, another colour.
     addFrame(*m_session, 0.02);
     const QColor before = m_panel->graph().colour(FrameGraph::Frame);
-    m_session->setPipeline(PipelineKind::UniformArray);
+    m_session->settings().setPipeline(PipelineKind::UniformArray);
     addFrame(*m_session, 0.02);
     QVERIFY(m_panel->graph().colour(FrameGraph::Frame) != before);
 }

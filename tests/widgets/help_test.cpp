@@ -96,7 +96,7 @@ private Q_SLOTS:
     void whatIsDisabledSaysWhy() {
         QFETCH(bool, hits);
         if (hits) {
-            QVERIFY(m_session->hitscan(
+            QVERIFY(m_session->simulation().hitscan(
                 m_window->viewport().navigation().rayAt(m_window->viewport().rect().center())));
             QVERIFY(m_window->viewport().syncNow().ok());
         }
@@ -141,7 +141,7 @@ private Q_SLOTS:
             shownAt(*menu, menu->actionGeometry(undo).center()).contains(QStringLiteral("nothing to undo")));
         menu->close();
         // Enabled, it has nothing to say there.
-        QVERIFY(m_session->hitscan(
+        QVERIFY(m_session->simulation().hitscan(
             m_window->viewport().navigation().rayAt(m_window->viewport().rect().center())));
         QVERIFY(undo->isEnabled());
         QVERIFY(menuHelpOf(*undo).isEmpty());

@@ -24,17 +24,17 @@ namespace {
 
 void addHits(Session& session, int count) {
     for (int i = 0; i < count; ++i) {
-        const std::size_t made = session.history().size();
+        const std::size_t made = session.hits().history().size();
         Hit hit;
         hit.target = session.targets()[made % 4]->id;
         hit.point.x = static_cast<float>(made);
-        QVERIFY(session.addHit(hit).ok());
+        QVERIFY(session.hits().add(hit).ok());
     }
 }
 
 std::vector<int> order(const Session& session) {
     std::vector<int> numbers;
-    for (const Hit& hit : session.history().hits()) {
+    for (const Hit& hit : session.hits().history().hits()) {
         numbers.push_back(static_cast<int>(hit.point.x));
     }
     return numbers;
@@ -116,23 +116,23 @@ void HitHistoryTest::checkBoxByMouse() {
     const QRect box =
         m_table->style()->subElementRect(QStyle::SE_ItemViewItemCheckIndicator, &option, m_table);
     QTest::mouseClick(m_table->viewport(), Qt::LeftButton, {}, box.center());
-    QVERIFY(!m_session->history().hits()[2].enabled);
-    QCOMPARE(m_session->disabledHits(), std::size_t{1});
+    QVERIFY(!m_session->hits().history().hits()[2].enabled);
+    QCOMPARE(m_session->hits().disabled(), std::size_t{1});
     QTest::mouseClick(m_table->viewport(), Qt::LeftButton, {}, box.center());
-    QCOMPARE(m_session->disabledHits(), std::size_t{0});
+    QCOMPARE(m_session->hits().disabled(), std::size_t{0});
 }
 
 void HitHistoryTest::spaceTogglesTheSelection() {
     QTest::mouseClick(m_table->viewport(), Qt::LeftButton, {}, row(1).center());
     QTest::mouseClick(m_table->viewport(), Qt::LeftButton, Qt::ShiftModifier, row(3).center());
     QTest::keyClick(m_table, Qt::Key_Space);
-    QCOMPARE(m_session->disabledHits(), std::size_t{3});
+    QCOMPARE(m_session->hits().disabled(), std::size_t{3});
     QCOMPARE(selected(), (std::vector<int>{1, 2, 3}));
     QTest::keyClick(m_table, Qt::Key_Space);
-    QCOMPARE(m_session->disabledHits(), std::size_t{0});
-    m_session->setHitsEnabled(std::vector<std::size_t>{2}, false);
+    QCOMPARE(m_session->hits().disabled(), std::size_t{0});
+    m_session->hits().setEnabled(std::vector<std::size_t>{2}, false);
     QTest::keyClick(m_table, Qt::Key_Space);  // some are enabled, so all are disabled
-    QCOMPARE(m_session->disabledHits(), std::size_t{3});
+    QCOMPARE(m_session->hits().disabled(), std::size_t{3});
 }
 
 void HitHistoryTest::keysMoveTheSelection() {
@@ -141,7 +141,7 @@ void HitHistoryTest::keysMoveTheSelection() {
     QTest::keyClick(m_table, Qt::Key_Up, Qt::AltModifier);
     QCOMPARE(order(*m_session), (std::vector<int>{0, 2, 3, 1, 4, 5}));
     QCOMPARE(selected(), (std::vector<int>{1, 2}));
-    QCOMPARE(m_session->selectedHit(), std::optional<std::size_t>(2));
+    QCOMPARE(m_session->hits().selected(), std::optional<std::size_t>(2));
     QTest::keyClick(m_table, Qt::Key_Up, Qt::AltModifier);
     QTest::keyClick(m_table, Qt::Key_Up, Qt::AltModifier);  // they are on top
     QCOMPARE(order(*m_session), (std::vector<int>{2, 3, 0, 1, 4, 5}));
@@ -157,7 +157,7 @@ void HitHistoryTest::deleteIsOneStep() {
     QTest::mouseClick(m_table->viewport(), Qt::LeftButton, Qt::ControlModifier, row(4).center());
     QTest::keyClick(m_table, Qt::Key_Delete);
     QCOMPARE(order(*m_session), (std::vector<int>{0, 2, 3, 5}));
-    QVERIFY(!m_session->selectedHit());
+    QVERIFY(!m_session->hits().selected());
     QCOMPARE(m_table->currentIndex().row(), 1);
     m_session->undo();
     QCOMPARE(order(*m_session), (std::vector<int>{0, 1, 2, 3, 4, 5}));
@@ -182,11 +182,11 @@ void HitHistoryTest::contextMenuActs() {
     QContextMenuEvent event(QContextMenuEvent::Mouse, row(3).center(),
                             m_table->viewport()->mapToGlobal(row(3).center()));
     QCoreApplication::sendEvent(m_table->viewport(), &event);
-    QTRY_COMPARE(m_session->disabledHits(), std::size_t{1});
-    QVERIFY(!m_session->history().hits()[3].enabled);
+    QTRY_COMPARE(m_session->hits().disabled(), std::size_t{1});
+    QVERIFY(!m_session->hits().history().hits()[3].enabled);
     QVERIFY(action(QStringLiteral("Disable")) == nullptr);
     action(QStringLiteral("Enable"))->trigger();
-    QCOMPARE(m_session->disabledHits(), std::size_t{0});
+    QCOMPARE(m_session->hits().disabled(), std::size_t{0});
     action(QStringLiteral("Move Up"))->trigger();
     QCOMPARE(order(*m_session), (std::vector<int>{0, 1, 3, 2, 4, 5}));
     m_table->clearSelection();
@@ -223,7 +223,7 @@ void HitHistoryTest::rowsAreDragged() {
     drag(row(1).center(), QPoint(fourth.center().x(), fourth.top() + 1));
     QCOMPARE(order(*m_session), (std::vector<int>{0, 2, 3, 1, 4, 5}));
     QCOMPARE(selected(), (std::vector<int>{3}));
-    QCOMPARE(m_session->selectedHit(), std::optional<std::size_t>(3));
+    QCOMPARE(m_session->hits().selected(), std::optional<std::size_t>(3));
     m_session->undo();
     QCOMPARE(order(*m_session), (std::vector<int>{0, 1, 2, 3, 4, 5}));
 }
@@ -243,18 +243,18 @@ void HitHistoryTest::selectionAndPlaceSurviveChanges() {
     m_table->selectRow(200);
     m_table->scrollTo(m_table->model()->index(200, 0), QAbstractItemView::PositionAtTop);
     const int place = m_table->verticalScrollBar()->value();
-    m_session->setHitsEnabled(std::vector<std::size_t>{200, 300}, false);
+    m_session->hits().setEnabled(std::vector<std::size_t>{200, 300}, false);
     addHits(*m_session, 3);
-    m_session->removeHits(std::vector<std::size_t>{400, 450});
-    m_session->moveHits(std::vector<std::size_t>{480}, 470);
+    m_session->hits().remove(std::vector<std::size_t>{400, 450});
+    m_session->hits().move(std::vector<std::size_t>{480}, 470);
     m_session->undo();
     QCoreApplication::processEvents();
     QCOMPARE(selected(), (std::vector<int>{200}));
-    QCOMPARE(m_session->selectedHit(), std::optional<std::size_t>(200));
+    QCOMPARE(m_session->hits().selected(), std::optional<std::size_t>(200));
     QCOMPARE(m_table->verticalScrollBar()->value(), place);
-    m_session->removeHit(10);
+    m_session->hits().remove(10);
     QCOMPARE(selected(), (std::vector<int>{199}));
-    QCOMPARE(m_session->selectedHit(), std::optional<std::size_t>(199));
+    QCOMPARE(m_session->hits().selected(), std::optional<std::size_t>(199));
 }
 
 void HitHistoryTest::selectsAllOnTheTarget() {
@@ -268,12 +268,12 @@ void HitHistoryTest::summaryAndMeter() {
     const auto* meter = m_panel->findChild<CapacityMeter*>();
     QCOMPARE(summary->text(), QStringLiteral("6 hits"));
     QVERIFY(!meter->isVisible());
-    m_session->setPipeline(PipelineKind::UniformArray);
+    m_session->settings().setPipeline(PipelineKind::UniformArray);
     test::readBackOf(*m_session).setCapacity({10, false, 6, {}});
     QVERIFY(meter->isVisible());
     QCOMPARE(meter->text(), QStringLiteral("6 of 10 hits in the uniform array"));
     QVERIFY(!meter->isFull());
-    m_session->setHitsEnabled(std::vector<std::size_t>{5}, false);
+    m_session->hits().setEnabled(std::vector<std::size_t>{5}, false);
     test::readBackOf(*m_session).setCapacity({4, false, 4, {0}});
     QCOMPARE(summary->text(), QStringLiteral("6 hits, 1 disabled, 1 dropped"));
     QCOMPARE(meter->text(), QStringLiteral("4 of 4 hits in the uniform array"));
@@ -300,7 +300,7 @@ void HitHistoryTest::hitsThatDoNothingAreGrey() {
     const QImage disabledBefore = picture(1);
     const QImage droppedBefore = picture(2);
     const QImage otherBefore = picture(3);
-    m_session->setHitsEnabled(std::vector<std::size_t>{1}, false);
+    m_session->hits().setEnabled(std::vector<std::size_t>{1}, false);
     test::readBackOf(*m_session).setCapacity({4, false, 4, {2}});
     QVERIFY(picture(1) != disabledBefore);
     QVERIFY(picture(2) != droppedBefore);
@@ -311,14 +311,14 @@ void HitHistoryTest::manyRowsAreHandledAtOnce() {
     addHits(*m_session, 20'000);
     m_table->selectAll();
     QTest::keyClick(m_table, Qt::Key_Space);
-    QCOMPARE(m_session->disabledHits(), std::size_t{20'006});
+    QCOMPARE(m_session->hits().disabled(), std::size_t{20'006});
     m_session->undo();
     m_table->selectRow(0);
     action(QStringLiteral("Select All on This Target"))->trigger();
     QTest::keyClick(m_table, Qt::Key_Delete);
-    QCOMPARE(m_session->history().size(), std::size_t{15'004});
+    QCOMPARE(m_session->hits().history().size(), std::size_t{15'004});
     m_session->undo();
-    QCOMPARE(m_session->history().size(), std::size_t{20'006});
+    QCOMPARE(m_session->hits().history().size(), std::size_t{20'006});
 }
 
 HITSCOPE_TEST(HitHistoryTest, QApplication)

@@ -36,12 +36,12 @@ public:
 private:
     void addHits(int count) const {
         for (int i = 0; i < count; ++i) {
-            const std::size_t made = m_session->history().size();
+            const std::size_t made = m_session->hits().history().size();
             Hit hit;
             hit.target = m_session->targets()[made % 4]->id;
             hit.point = {0.1f * static_cast<float>(made % 10), 0.0f, 2.5f};
             hit.speed = static_cast<float>((made * 7) % 13);
-            QVERIFY(m_session->addHit(hit).ok());
+            QVERIFY(m_session->hits().add(hit).ok());
         }
     }
     [[nodiscard]] QRect cell(int row, int column) const {
@@ -52,7 +52,7 @@ private:
         return m_panel->findChild<Widget*>(QString::fromLatin1(name));
     }
     [[nodiscard]] QString summary() const { return part<QLabel>("summary")->text(); }
-    [[nodiscard]] std::size_t shown() const { return m_session->shownHits().size(); }
+    [[nodiscard]] std::size_t shown() const { return m_session->hits().shown().size(); }
     static void press(QToolButton* button) { QTest::mouseClick(button, Qt::LeftButton); }
 
     std::unique_ptr<TestSettings> m_settings;
@@ -101,18 +101,19 @@ private Q_SLOTS:
         QCOMPARE(speed(0), QStringLiteral("12.00"));
         // The row that is chosen is the hit that is.
         QTest::mouseClick(m_table->viewport(), Qt::LeftButton, {}, cell(0, 2).center());
-        const std::size_t hit = *m_session->selectedHit();
-        QCOMPARE(m_session->history().hits()[hit].speed, 12.0f);
+        const std::size_t hit = *m_session->hits().selected();
+        QCOMPARE(m_session->hits().history().hits()[hit].speed, 12.0f);
         QTest::keyClick(m_table, Qt::Key_Space);
-        QVERIFY(!m_session->history().hits()[hit].enabled);
-        const std::vector<Hit> before(m_session->history().hits().begin(), m_session->history().hits().end());
+        QVERIFY(!m_session->hits().history().hits()[hit].enabled);
+        const std::vector<Hit> before(m_session->hits().history().hits().begin(),
+                                      m_session->hits().history().hits().end());
         QTest::keyClick(m_table, Qt::Key_Up, Qt::AltModifier);
-        QVERIFY(std::ranges::equal(m_session->history().hits(), before));
+        QVERIFY(std::ranges::equal(m_session->hits().history().hits(), before));
         click(HitHistoryModel::SpeedColumn);  // a third time: the history's order again
         QCOMPARE(m_table->model()->index(0, 0).data().toString(), QStringLiteral("1"));
         QTest::keyClick(m_table, Qt::Key_Delete);
-        QCOMPARE(m_session->history().size(), std::size_t{11});
-        for (const Hit& left : m_session->history().hits()) {
+        QCOMPARE(m_session->hits().history().size(), std::size_t{11});
+        for (const Hit& left : m_session->hits().history().hits()) {
             QVERIFY(left.speed != 12.0f);
         }
     }
@@ -126,7 +127,7 @@ private Q_SLOTS:
         QTest::keyClicks(text, m_session->targets()[2]->name);
         QCOMPARE(m_table->model()->rowCount(), 3);
         QCOMPARE(summary(), QStringLiteral("3 of 12 listed"));
-        m_session->setHitsEnabled(std::vector<std::size_t>{2}, false);
+        m_session->hits().setEnabled(std::vector<std::size_t>{2}, false);
         QTest::mouseClick(part<QCheckBox>("filterEnabled"), Qt::LeftButton, {}, {8, 8});
         QCOMPARE(m_table->model()->rowCount(), 2);
         QTest::keyClick(text, Qt::Key_Escape);
@@ -159,26 +160,26 @@ private Q_SLOTS:
         QVERIFY(!part<QToolButton>("stepBack")->isEnabled());
         press(part<QToolButton>("stepOn"));
         QCOMPARE(shown(), std::size_t{1});
-        QCOMPARE(m_session->history().size(), std::size_t{12});
+        QCOMPARE(m_session->hits().history().size(), std::size_t{12});
         QVERIFY(m_session->undoName()->kind == SessionUndo::Kind::Hit);  // nothing of it can be undone
         slider->setFocus();
         QTest::keyClick(slider, Qt::Key_Escape);
-        QVERIFY(m_session->showsAllHits());
+        QVERIFY(m_session->hits().showsAll());
         QCOMPARE(summary(), QStringLiteral("12 hits"));
         QTest::keyClick(slider, Qt::Key_PageUp);
         QTest::keyClick(slider, Qt::Key_Home);
         QTest::keyClick(slider, Qt::Key_End);
-        QVERIFY(m_session->showsAllHits());
+        QVERIFY(m_session->hits().showsAll());
     }
 
     void playing() {
         const auto* scrubber = m_panel->findChild<TimeScrubber*>();
         std::vector<std::size_t> seen;
-        connect(m_session.get(), &Session::shownHitsChanged, this, [&] { seen.push_back(shown()); });
+        connect(&m_session->hits(), &SessionHits::shownChanged, this, [&] { seen.push_back(shown()); });
         press(part<QToolButton>("play"));
         QVERIFY(scrubber->isPlaying());
         QTRY_VERIFY_WITH_TIMEOUT(!scrubber->isPlaying(), kPatience);
-        QVERIFY(m_session->showsAllHits());
+        QVERIFY(m_session->hits().showsAll());
         QCOMPARE(seen.size(), std::size_t{13});
         QVERIFY(std::is_sorted(seen.begin(), seen.end()));
         press(part<QToolButton>("play"));
@@ -191,7 +192,7 @@ private Q_SLOTS:
         QVERIFY(shown() >= stopped);
         addHits(1);  // who shoots wants to see it
         QVERIFY(!scrubber->isPlaying());
-        QVERIFY(m_session->showsAllHits());
+        QVERIFY(m_session->hits().showsAll());
     }
 
     void editingIsAskedFor() {
@@ -199,7 +200,7 @@ private Q_SLOTS:
         QTest::mouseClick(m_table->viewport(), Qt::LeftButton, {}, cell(5, 2).center());
         QTest::keyClick(m_table, Qt::Key_F2);
         QCOMPARE(wanted.size(), 1);
-        QCOMPARE(m_session->selectedHit(), std::optional<std::size_t>(5));
+        QCOMPARE(m_session->hits().selected(), std::optional<std::size_t>(5));
     }
 
     void doubleClickFlies() {
@@ -208,8 +209,8 @@ private Q_SLOTS:
         QTest::mouseDClick(m_table->viewport(), Qt::LeftButton, {}, cell(3, 2).center());
         QCOMPARE(flown.size(), 1);
         const auto part = flown[0][0].value<Bounds>();
-        const Hit& hit = m_session->history().hits()[3];
-        const glm::vec3 point = m_session->target(hit.target)->transform.toWorld(hit.point);
+        const Hit& hit = m_session->hits().history().hits()[3];
+        const glm::vec3 point = m_session->targets().find(hit.target)->transform.toWorld(hit.point);
         QVERIFY(glm::length(part.centre() - point) < 1e-3f);
         QTest::keyClick(m_table, Qt::Key_Return);
         QCOMPARE(flown.size(), 2);
@@ -260,8 +261,8 @@ private Q_SLOTS:
             mutable std::size_t calls = 0;
             mutable std::set<int> rows;
         };
-        std::vector<Hit> hits(100'000, m_session->history().hits()[0]);
-        QVERIFY(m_session->addHits(hits).ok());
+        std::vector<Hit> hits(100'000, m_session->hits().history().hits()[0]);
+        QVERIFY(m_session->hits().add(hits).ok());
         Counting model(*m_session);
         HitHistoryPanel panel(*m_session, model);
         panel.resize(900, 300);
@@ -286,7 +287,7 @@ private Q_SLOTS:
         table->viewport()->repaint();
         model.rows.clear();
         for (int i = 0; i < 50; ++i) {
-            QVERIFY(m_session->addHit(hits[0]).ok());
+            QVERIFY(m_session->hits().add(hits[0]).ok());
             QCoreApplication::processEvents();
         }
         for (const int row : model.rows) {
@@ -306,7 +307,7 @@ private Q_SLOTS:
                 Hit hit;
                 hit.target = session.targets()[0]->id;
                 hit.point = {0.2f * static_cast<float>(i), 0.0f, 2.5f};
-                QVERIFY(session.addHit(hit).ok());
+                QVERIFY(session.hits().add(hit).ok());
             }
             auto* table = window.findChild<HitHistoryPanel*>()->findChild<QTableView*>();
             const auto text = [table](int row, int column) {
@@ -329,17 +330,18 @@ private Q_SLOTS:
             // Out, and in again.
             auto* actions = window.findChild<HitActions*>();
             QSignalSpy failed(actions, &HitActions::failed);
-            const std::vector<Hit> before(session.history().hits().begin(), session.history().hits().end());
+            const std::vector<Hit> before(session.hits().history().hits().begin(),
+                                          session.hits().history().hits().end());
             for (const char* name : {"hits.csv", "hits.json"}) {
                 const QString path = folder.filePath(QString::fromLatin1(name));
                 actions->exportTo(path);
                 QVERIFY(actions->isBusy());
                 QTRY_VERIFY(!actions->isBusy());
-                session.clearHits();
+                session.hits().clear();
                 actions->importFrom(path);
                 QTRY_VERIFY(!actions->isBusy());
                 QCOMPARE(failed.size(), 0);
-                QVERIFY(std::ranges::equal(session.history().hits(), before));
+                QVERIFY(std::ranges::equal(session.hits().history().hits(), before));
             }
             QFile bad(folder.filePath(QStringLiteral("bad.csv")));
             QVERIFY(bad.open(QIODevice::WriteOnly));
@@ -359,9 +361,9 @@ private Q_SLOTS:
             QVERIFY(QTest::qWaitForWindowActive(&window, kPatience));
             window.viewport().setFocus();
             QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
-            QCOMPARE(session.history().size(), std::size_t{0});
+            QCOMPARE(session.hits().history().size(), std::size_t{0});
             QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-            QCOMPARE(session.history().size(), std::size_t{5});
+            QCOMPARE(session.hits().history().size(), std::size_t{5});
             table->horizontalHeader()->resizeSection(HitHistoryModel::TargetColumn, 181);
             closeAndDiscard(window);
         }

@@ -41,8 +41,8 @@ public:
 private Q_SLOTS:
     void init() {
         makeWindow();
-        QVERIFY(m_session->hitscan(viewport().rayThrough({0.5, 0.5})));
-        QVERIFY(m_session->hitscan(viewport().rayThrough({0.56, 0.5})));
+        QVERIFY(m_session->simulation().hitscan(viewport().rayThrough({0.5, 0.5})));
+        QVERIFY(m_session->simulation().hitscan(viewport().rayThrough({0.56, 0.5})));
         QVERIFY(viewport().syncNow().ok());
         dock()->raise();
     }
@@ -53,17 +53,17 @@ private Q_SLOTS:
         QVERIFY(!child<QWidget>("fields")->isEnabled());
         viewport().inspectTool().setTool(Tool::Inspect);
         QTest::mouseClick(&viewport(), Qt::LeftButton, {}, viewport().rect().center());
-        QCOMPARE(m_session->selectedHit(), std::optional<std::size_t>(0));
+        QCOMPARE(m_session->hits().selected(), std::optional<std::size_t>(0));
         QVERIFY(child<QLabel>("title")->text().startsWith(QStringLiteral("Hit 1 on")));
         QVERIFY(child<QWidget>("fields")->isEnabled());
         QVERIFY(grip("hitSize")->isVisible());
         QTest::mouseClick(&viewport(), Qt::LeftButton, {}, QPoint(8, viewport().height() - 8));
-        QVERIFY(!m_session->selectedHit());
+        QVERIFY(!m_session->hits().selected());
         QVERIFY(!grip("hitSize")->isVisible());
     }
 
     void aSliderChangesThePictureAtOnce() {
-        m_session->selectHit(1);
+        m_session->hits().select(1);
         const QList<QSlider*> sliders = dock()->findChildren<QSlider*>();
         const auto found = std::find_if(sliders.begin(), sliders.end(), [](const QSlider* one) {
             return one->accessibleName() == QLatin1String("Max distance");
@@ -88,7 +88,7 @@ private Q_SLOTS:
     }
 
     void aNumberIsTyped() {
-        m_session->selectHit(0);
+        m_session->hits().select(0);
         auto* box = child<QDoubleSpinBox>("max_magnitude");
         box->setFocus();
         box->findChild<QLineEdit*>()->selectAll();
@@ -102,7 +102,7 @@ private Q_SLOTS:
     }
 
     void presetsAndSeveralHits() {
-        m_session->selectHit(1);
+        m_session->hits().select(1);
         HitEditing& editing = m_window->findChild<HitActions*>()->editing();
         auto* preset = child<QComboBox>("preset");
         QCOMPARE(preset->currentText(), QStringLiteral("Paper"));
@@ -128,7 +128,7 @@ private Q_SLOTS:
     }
 
     void theDirectionIsTurnedAndBack() {
-        m_session->selectHit(1);
+        m_session->hits().select(1);
         const glm::vec3 shot = hit(1).direction;
         QVERIFY(child<QToolButton>("asShot")->isChecked());
         QTest::mouseClick(child<QToolButton>("intoSurface"), Qt::LeftButton);
@@ -153,9 +153,9 @@ private Q_SLOTS:
     }
     void handlesAreDragged() {
         QFETCH(QString, name);
-        m_session->selectHit(1);
+        m_session->hits().select(1);
         const Hit before = hit(1);
-        const std::size_t hits = m_session->history().size();
+        const std::size_t hits = m_session->hits().history().size();
         const glm::vec3 eye = viewport().camera().eye();
         drag(name, 30);
         Hit after = hit(1);
@@ -174,7 +174,7 @@ private Q_SLOTS:
             after.flight = before.flight;
         }
         QVERIFY(after == before);  // and nothing else changed
-        QCOMPARE(m_session->history().size(), hits);
+        QCOMPARE(m_session->hits().history().size(), hits);
         QVERIFY(viewport().camera().eye() == eye);
         m_session->undo();
         QVERIFY(hit(1) == before);
@@ -187,8 +187,8 @@ private Q_SLOTS:
 
     void valuesAreAsPeopleWriteThem() {
         makeWindow([](Session& session) { session.loadMesh(makeUvSphere(32, 16, 0.225f)); });
-        QVERIFY(m_session->hitscan(viewport().rayThrough({0.5, 0.5})));
-        m_session->selectHit(0);
+        QVERIFY(m_session->simulation().hitscan(viewport().rayThrough({0.5, 0.5})));
+        m_session->hits().select(0);
         QCOMPARE(child<QDoubleSpinBox>("max_magnitude")->text(), QStringLiteral("0.027 m"));
         QCOMPARE(child<QDoubleSpinBox>("max_distance")->text(), QStringLiteral("0.045 m"));
         HitHistoryModel model(*m_session);
@@ -206,7 +206,7 @@ private:
         return dock()->findChild<Widget*>(QString::fromLatin1(name));
     }
     HitGrip* grip(const QString& name) { return viewport().findChild<HitGrip*>(name); }
-    const Hit& hit(std::size_t index) const { return m_session->history().hits()[index]; }
+    const Hit& hit(std::size_t index) const { return m_session->hits().history().hits()[index]; }
     std::size_t changed() const {
         return m_session->targets().front()->deformed.statistics().changedVertices;
     }

@@ -65,7 +65,7 @@ void HitMenusTest::addHits(int count) {
         hit.target = m_session->targets().front()->id;
         hit.point = {0.1f * static_cast<float>(i), 0.0f, 2.5f};
         hit.direction = {0.6f, 0.0f, -0.8f};
-        QVERIFY(m_session->addHit(hit).ok());
+        QVERIFY(m_session->hits().add(hit).ok());
     }
 }
 
@@ -87,27 +87,27 @@ void HitMenusTest::undoNamesTheStep() {
     QVERIFY(!undo->isEnabled());
     addHits(5);
     QCOMPARE(undo->text(), QStringLiteral("&Undo Hit"));
-    m_session->removeHits(std::vector<std::size_t>{0, 2, 3});
+    m_session->hits().remove(std::vector<std::size_t>{0, 2, 3});
     QCOMPARE(undo->text(), QStringLiteral("&Undo Remove 3 Hits"));
-    m_session->moveHits(std::vector<std::size_t>{0}, 2);
+    m_session->hits().move(std::vector<std::size_t>{0}, 2);
     QCOMPARE(undo->text(), QStringLiteral("&Undo Move Hit"));
-    m_session->setHitsEnabled(std::vector<std::size_t>{0, 1}, false);
+    m_session->hits().setEnabled(std::vector<std::size_t>{0, 1}, false);
     QCOMPARE(undo->text(), QStringLiteral("&Undo Disable 2 Hits"));
     DeformationConstants constants;
     constants.power = 0.1f;
-    QVERIFY(m_session->setConstants(constants).ok());
+    QVERIFY(m_session->settings().setConstants(constants).ok());
     QCOMPARE(undo->text(), QStringLiteral("&Undo Constants for Next Hit"));
     QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(undo->text(), QStringLiteral("&Undo Disable 2 Hits"));
     QCOMPARE(redo->text(), QStringLiteral("&Redo Constants for Next Hit"));
     QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
-    QCOMPARE(m_session->disabledHits(), std::size_t{0});
+    QCOMPARE(m_session->hits().disabled(), std::size_t{0});
     QCOMPARE(redo->text(), QStringLiteral("&Redo Disable 2 Hits"));
     QTest::keyClick(&window, Qt::Key_H);
-    QVERIFY(!m_session->lights().points[0].on);
+    QVERIFY(!m_session->settings().lights().points[0].on);
     QCOMPARE(undo->text(), QStringLiteral("&Undo Lights"));
     QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(m_session->lights().points[0].on);
+    QVERIFY(m_session->settings().lights().points[0].on);
 }
 
 void HitMenusTest::enablesAll() {
@@ -116,10 +116,10 @@ void HitMenusTest::enablesAll() {
     addHits(3);
     QAction* enable = action(window, QStringLiteral("&Enable All"));
     QVERIFY(!enable->isEnabled());
-    m_session->setHitsEnabled(std::vector<std::size_t>{0, 2}, false);
+    m_session->hits().setEnabled(std::vector<std::size_t>{0, 2}, false);
     QVERIFY(enable->isEnabled());
     enable->trigger();
-    QCOMPARE(m_session->disabledHits(), std::size_t{0});
+    QCOMPARE(m_session->hits().disabled(), std::size_t{0});
     QVERIFY(!enable->isEnabled());
 }
 
@@ -133,7 +133,7 @@ void HitMenusTest::statusBarCountsHits() {
     };
     addHits(3);
     QVERIFY(says(QStringLiteral("3 hits")));
-    m_session->setHitsEnabled(std::vector<std::size_t>{1}, false);
+    m_session->hits().setEnabled(std::vector<std::size_t>{1}, false);
     QVERIFY(says(QStringLiteral("3 hits, 1 disabled")));
     test::readBackOf(*m_session).setCapacity({1, false, 1, {0}});
     QVERIFY(says(QStringLiteral("3 hits of 1, 1 disabled, 1 dropped")));
@@ -161,7 +161,7 @@ void HitMenusTest::unavailablePipelinesAreGrey() {
     QVERIFY(items->item(row)->isEnabled() && entry->isEnabled());
 
     entry->trigger();
-    QCOMPARE(m_session->pipeline(), PipelineKind::UniformArray);
+    QCOMPARE(m_session->settings().pipeline(), PipelineKind::UniformArray);
     QCOMPARE(box->currentIndex(), row);
 }
 
@@ -169,14 +169,14 @@ void HitMenusTest::rememberedPipelineFallsBack() {
     {
         MainWindow window(*m_session);
         showReady(window);
-        m_session->setPipeline(PipelineKind::UniformArray);
+        m_session->settings().setPipeline(PipelineKind::UniformArray);
         window.close();
     }
     MainWindow window(*m_session);
-    QCOMPARE(m_session->pipeline(), PipelineKind::UniformArray);
+    QCOMPARE(m_session->settings().pipeline(), PipelineKind::UniformArray);
     test::readBackOf(*m_session)
         .setUnavailablePipelines({{PipelineKind::UniformArray, QStringLiteral("Too few uniforms.")}});
-    QCOMPARE(m_session->pipeline(), PipelineKind::TransformFeedback);
+    QCOMPARE(m_session->settings().pipeline(), PipelineKind::TransformFeedback);
     const auto* notice = window.findChild<NoticeBar*>();
     QTRY_VERIFY2(notice->text().contains(QStringLiteral("Too few uniforms.")), qPrintable(notice->text()));
     QVERIFY(notice->text().contains(QStringLiteral("Uniform array")));

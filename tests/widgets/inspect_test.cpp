@@ -27,23 +27,23 @@ public:
 private Q_SLOTS:
     void init() {
         makeWindow();
-        QVERIFY(m_session->hitscan(ray(centre())));
-        QVERIFY(m_session->hitscan(ray(centre() + QPoint(60, 10))));
+        QVERIFY(m_session->simulation().hitscan(ray(centre())));
+        QVERIFY(m_session->simulation().hitscan(ray(centre() + QPoint(60, 10))));
         QVERIFY(viewport().syncNow().ok());
         QVERIFY(target().deformed.statistics().changedVertices > 20);
     }
     void cleanup() { dropWindow(); }
 
     void altClickPicksAndShootsNothing() {
-        const std::size_t hits = m_session->history().size();
+        const std::size_t hits = m_session->hits().history().size();
         QTest::mouseClick(&viewport(), Qt::LeftButton, Qt::AltModifier, centre());
         const auto picked = selection().picked();
         QVERIFY(picked.has_value());
         QCOMPARE(selection().count(), std::size_t{1});
         QVERIFY(distanceTo(*picked, centre()) < 25.0);
         QTest::qWait(500);
-        QCOMPARE(m_session->history().size(), hits);
-        QVERIFY(!m_session->isMoving());
+        QCOMPARE(m_session->hits().history().size(), hits);
+        QVERIFY(!m_session->simulation().isMoving());
         QTest::keyClick(&viewport(), Qt::Key_Escape);
         QVERIFY(!selection().picked());
         QCOMPARE(selection().count(), std::size_t{0});
@@ -51,7 +51,7 @@ private Q_SLOTS:
 
     void plainClickStillShoots() {
         QTest::mouseClick(&viewport(), Qt::LeftButton, {}, centre());
-        QTRY_VERIFY_WITH_TIMEOUT(m_session->isMoving(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(m_session->simulation().isMoving(), kPatience);
         QVERIFY(!selection().picked());
     }
 
@@ -69,7 +69,7 @@ private Q_SLOTS:
         QTest::mouseClick(&viewport(), Qt::LeftButton, {}, QPoint(8, viewport().height() - 8));
         QCOMPARE(selection().count(), std::size_t{0});
         QVERIFY(!selection().picked());
-        QCOMPARE(m_session->history().size(), std::size_t{2});
+        QCOMPARE(m_session->hits().history().size(), std::size_t{2});
     }
 
     void hoverSaysWhatIsUnderTheCursor() {
@@ -97,7 +97,7 @@ private Q_SLOTS:
         for (const std::uint32_t vertex : selection().vertices(target().id)) {
             QVERIFY(target().deformed.isChanged(vertex));
         }
-        QCOMPARE(m_session->history().size(), std::size_t{2});
+        QCOMPARE(m_session->hits().history().size(), std::size_t{2});
         // A lasso around the first dent's middle takes some away.
         viewport().inspectTool().setOutline(Outline::Lasso);
         drag({centre() + QPoint(-12, -12), centre() + QPoint(12, -12), centre() + QPoint(12, 12),
@@ -182,7 +182,7 @@ private Q_SLOTS:
         const QPoint cell = table->visualRect(model.index(0, 1)).center();
         QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, cell);
         QTest::mouseDClick(table->viewport(), Qt::LeftButton, {}, cell);
-        QCOMPARE(m_session->selectedHit(), std::optional(model.contributions()[0].hit));
+        QCOMPARE(m_session->hits().selected(), std::optional(model.contributions()[0].hit));
         auto* sum = m_window->findChild<QLabel*>(QStringLiteral("attributionSum"));
         QVERIFY(sum->text().contains(QStringLiteral("bit-exact")));
     }

@@ -23,7 +23,7 @@ private Q_SLOTS:
         Hit hit;
         hit.target = m_session->targets().front()->id;
         hit.point = {0.0f, 0.0f, 2.5f};
-        QVERIFY(m_session->addHit(hit));
+        QVERIFY(m_session->hits().add(hit));
     }
     void cleanup() { dropWindow(); }
 
@@ -53,7 +53,7 @@ private Q_SLOTS:
         QTest::keyClick(box, Qt::Key_L);
         QCOMPARE(viewport().options().wireframe, wireframe);
         QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
-        QCOMPARE(m_session->history().size(), std::size_t{1});
+        QCOMPARE(m_session->hits().history().size(), std::size_t{1});
         // Return: the number is in force, and the picture has the focus.
         editor->selectAll();
         QTest::keyClicks(box, QStringLiteral("0.75"));
@@ -69,14 +69,14 @@ private Q_SLOTS:
         while (m_session->canUndo()) {
             QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
         }
-        QCOMPARE(m_session->history().size(), std::size_t{0});
+        QCOMPARE(m_session->hits().history().size(), std::size_t{0});
         QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-        QCOMPARE(m_session->history().size(), std::size_t{1});
+        QCOMPARE(m_session->hits().history().size(), std::size_t{1});
         QTest::keyClick(box, Qt::Key_I);
         QCOMPARE(viewport().inspectTool().tool(), Tool::Inspect);
-        m_session->selectHit(0);
+        m_session->hits().select(0);
         QTest::keyClick(box, Qt::Key_Escape);
-        QVERIFY(!m_session->selectedHit());
+        QVERIFY(!m_session->hits().selected());
         QVERIFY(viewport().hasFocus());
 
         // The keys that fly take the focus along; digits are the box's.
@@ -110,9 +110,9 @@ private Q_SLOTS:
         table->setFocus();
         table->selectRow(0);
         QTest::keyClick(table, Qt::Key_Space);
-        QCOMPARE(m_session->disabledHits(), std::size_t{1});
+        QCOMPARE(m_session->hits().disabled(), std::size_t{1});
         QTest::keyClick(table, Qt::Key_Escape);
-        QVERIFY(!m_session->selectedHit());
+        QVERIFY(!m_session->hits().selected());
         QVERIFY(viewport().hasFocus());
     }
 
@@ -122,7 +122,7 @@ private:
         auto* widget = m_window->findChild<QWidget*>(parent);
         widget->show();
         widget->raise();
-        m_session->selectTarget(m_session->targets().front()->id);
+        m_session->targets().select(m_session->targets().front()->id);
         auto* box = widget->findChild<QAbstractSpinBox*>(name);
         if (box == nullptr || !QTest::qWaitFor([box] { return box->isVisible(); }, 2000)) {
             return nullptr;

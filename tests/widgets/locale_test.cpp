@@ -112,15 +112,15 @@ void LocaleTest::allNumbersOfTheWindowHaveCommas() {
     hit.speed = 30.25f;
     for (int i = 0; i < 3; ++i) {
         hit.point.x = 0.3f * static_cast<float>(i);
-        QVERIFY(m_session->addHit(hit).ok());
+        QVERIFY(m_session->hits().add(hit).ok());
     }
     for (QDockWidget* dock : m_window->findChildren<QDockWidget*>()) {
         dock->show();
         dock->raise();
         QTest::qWait(30);
     }
-    m_session->selectHit(1);
-    m_session->setTimeScale(0.25);
+    m_session->hits().select(1);
+    m_session->simulation().setTimeScale(0.25);
     QTRY_VERIFY_WITH_TIMEOUT(m_session->targets().front()->deformed.statistics().changedVertices > 0,
                              kPatience);
     QTest::qWait(1000);  // for what is worked out beside the window

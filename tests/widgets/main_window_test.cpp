@@ -117,9 +117,9 @@ void MainWindowTest::openClickInspectExport() {
     QVERIFY(shown != deformed.original().positions);
 
     // A hit that no frame has shown yet is in the file all the same.
-    Hit unseen = session.history().hits().front();
+    Hit unseen = session.hits().history().hits().front();
     unseen.point = {0.0f, 2.5f, 0.0f};
-    QVERIFY(session.addHit(unseen).ok());
+    QVERIFY(session.hits().add(unseen).ok());
     QVERIFY(window.exportTo(saved).ok());
     const Result<ImportedMesh> last = importMesh(saved);
     QVERIFY(last.ok());
@@ -133,15 +133,15 @@ void MainWindowTest::undoAndRedoByKey() {
     showReady(window);
     const Target& cube = *session.targets().front();
     clickCentre(window);
-    QTRY_COMPARE_WITH_TIMEOUT(session.history().size(), std::size_t{1}, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(session.hits().history().size(), std::size_t{1}, kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(cube.deformed.statistics().changedVertices > 0, kPatience);
     const std::size_t dented = cube.deformed.statistics().changedVertices;
 
     QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
-    QCOMPARE(session.history().size(), std::size_t{0});
+    QCOMPARE(session.hits().history().size(), std::size_t{0});
     QTRY_COMPARE_WITH_TIMEOUT(cube.deformed.statistics().changedVertices, std::size_t{0}, kPatience);
     QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-    QCOMPARE(session.history().size(), std::size_t{1});
+    QCOMPARE(session.hits().history().size(), std::size_t{1});
     QTRY_COMPARE_WITH_TIMEOUT(cube.deformed.statistics().changedVertices, dented, kPatience);
 }
 
@@ -152,7 +152,8 @@ void MainWindowTest::pipelinesGiveTheSameMesh() {
     showReady(window);
     for (int i = 0; i < 3; ++i) {
         clickCentre(window, {25 * i, -20 * i});
-        QTRY_COMPARE_WITH_TIMEOUT(session.history().size(), static_cast<std::size_t>(i) + 1, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(session.hits().history().size(), static_cast<std::size_t>(i) + 1,
+                                  kPatience);
     }
     const auto positions = [&] {
         [&] { QVERIFY(window.viewport().syncNow().ok()); }();
@@ -160,8 +161,9 @@ void MainWindowTest::pipelinesGiveTheSameMesh() {
         return std::vector<glm::vec3>(shown.begin(), shown.end());
     };
     const std::vector<glm::vec3> first = positions();
-    session.setPipeline(session.pipeline() == PipelineKind::UniformArray ? PipelineKind::TransformFeedback
-                                                                         : PipelineKind::UniformArray);
+    session.settings().setPipeline(session.settings().pipeline() == PipelineKind::UniformArray
+                                       ? PipelineKind::TransformFeedback
+                                       : PipelineKind::UniformArray);
     QVERIFY(positions() == first);
 }
 
@@ -246,16 +248,16 @@ void MainWindowTest::placesTheMeshOnRequest() {
     writeObj(far, path(QStringLiteral("far.obj")));
     window.openFiles({path(QStringLiteral("far.obj"))});
     QTRY_COMPARE_WITH_TIMEOUT(session.targets().size(), std::size_t{1}, kPatience);
-    QCOMPARE(session.sceneBounds().size().x, 100.0f);
+    QCOMPARE(session.targets().bounds().size().x, 100.0f);
     window.placeMesh(5.0);
-    QCOMPARE(session.sceneBounds().size().x, 5.0f);
-    QCOMPARE(session.sceneBounds().centre().x, 0.0f);
+    QCOMPARE(session.targets().bounds().size().x, 5.0f);
+    QCOMPARE(session.targets().bounds().centre().x, 0.0f);
     QVERIFY(window.exportTo(path(QStringLiteral("again.obj"))).ok());
     const Result<ImportedMesh> again = importMesh(path(QStringLiteral("again.obj")));
     QVERIFY(again.ok());
     QVERIFY(again.value().mesh.positions == far.positions);
     window.placeMesh(0.0);
-    QCOMPARE(session.sceneBounds().size().x, 100.0f);
+    QCOMPARE(session.targets().bounds().size().x, 100.0f);
 }
 
 void MainWindowTest::layoutIsRemembered() {
@@ -288,21 +290,21 @@ void MainWindowTest::settingsAreRemembered() {
         session.loadPaperRow(kDefaultPaperRow);
         MainWindow window(session);
         showReady(window);
-        QVERIFY(session.setConstants(constants).ok());
-        session.setPipeline(PipelineKind::UniformArray);
+        QVERIFY(session.settings().setConstants(constants).ok());
+        session.settings().setPipeline(PipelineKind::UniformArray);
         QTest::keyClick(&window, Qt::Key_L);
         QTest::keyClick(&window, Qt::Key_H);
-        QVERIFY(!session.lights().points[2].on);
+        QVERIFY(!session.settings().lights().points[2].on);
         QCOMPARE(window.viewport().options().wireframe, WireframeMode::Over);
         window.close();
     }
     Session session;
     session.loadPaperRow(kDefaultPaperRow);
     MainWindow window(session);
-    QVERIFY(session.constants() == constants);
-    QCOMPARE(session.pipeline(), PipelineKind::UniformArray);
-    QVERIFY(!session.lights().points[2].on);
-    QVERIFY(session.lights().spot.on);
+    QVERIFY(session.settings().constants() == constants);
+    QCOMPARE(session.settings().pipeline(), PipelineKind::UniformArray);
+    QVERIFY(!session.settings().lights().points[2].on);
+    QVERIFY(session.settings().lights().spot.on);
     QCOMPARE(window.viewport().options().wireframe, WireframeMode::Over);
 }
 

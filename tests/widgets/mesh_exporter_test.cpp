@@ -119,7 +119,7 @@ private Q_SLOTS:
         hit.target = target(session).id;
         hit.point = {0.0f, 2.5f, 0.0f};
         hit.direction = {0.0f, -1.0f, 0.0f};
-        QVERIFY(session.addHit(hit).ok());  // no frame has shown it yet
+        QVERIFY(session.hits().add(hit).ok());  // no frame has shown it yet
         window.beginExport(path("window.obj"));
         QTRY_VERIFY_WITH_TIMEOUT(window.statusBar()->currentMessage().contains(path("window.obj")),
                                  kPatience);

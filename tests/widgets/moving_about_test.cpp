@@ -61,8 +61,9 @@ private Q_SLOTS:
             clickEnd(axes, view);
             QVERIFY(glm::dot(viewport().camera().forward(), forward) < -0.9999f);
         }
-        QCOMPARE(m_session->shotsToCome() + m_session->physics().projectileCount(), std::size_t{0});
-        QCOMPARE(m_session->history().size(), std::size_t{0});
+        QCOMPARE(m_session->simulation().shotsToCome() + m_session->simulation().physics().projectileCount(),
+                 std::size_t{0});
+        QCOMPARE(m_session->hits().history().size(), std::size_t{0});
     }
 
     void axesNameViewAndKey() {
@@ -132,15 +133,15 @@ private Q_SLOTS:
 
     void menuNamesAndRemovesTheLastHitHere() {
         const Ray ray = viewport().navigation().rayAt(centre());
-        QVERIFY(m_session->hitscan(ray));
+        QVERIFY(m_session->simulation().hitscan(ray));
         QVERIFY(viewport().syncNow().ok());
         QMenu* menu = openMenu(centre());
         QAction* remove = entry(*menu, QStringLiteral("Remove Hit 1"));
         QVERIFY(remove != nullptr && remove->isEnabled());
         menu->close();
         // Another one far from there: it is not the last that moved this vertex.
-        const glm::vec3 middle = m_session->sceneBounds().centre();
-        QVERIFY(m_session->hitscan({middle + glm::vec3(0, 9, 0), {0, -1, 0}}));
+        const glm::vec3 middle = m_session->targets().bounds().centre();
+        QVERIFY(m_session->simulation().hitscan({middle + glm::vec3(0, 9, 0), {0, -1, 0}}));
         QVERIFY(viewport().syncNow().ok());
         menu = openMenu(centre());
         entry(*menu, QStringLiteral("Measure Dent Here"))->trigger();
@@ -150,9 +151,9 @@ private Q_SLOTS:
         QVERIFY(remove != nullptr);
         remove->trigger();
         menu->close();
-        QCOMPARE(m_session->history().size(), std::size_t{1});
+        QCOMPARE(m_session->hits().history().size(), std::size_t{1});
         m_session->undo();
-        QCOMPARE(m_session->history().size(), std::size_t{2});
+        QCOMPARE(m_session->hits().history().size(), std::size_t{2});
     }
 
     void menuSaysWhyAnEntryIsDisabled() {
@@ -206,7 +207,7 @@ private Q_SLOTS:
     }
 
     void goToVertexGivesViewRowAndAttribution() {
-        QVERIFY(m_session->hitscan(viewport().navigation().rayAt(centre())));
+        QVERIFY(m_session->simulation().hitscan(viewport().navigation().rayAt(centre())));
         QVERIFY(viewport().syncNow().ok());
         const Target& target = *m_session->targets().front();
         // The far side, which is not to be seen from here, and a dented one.
@@ -236,7 +237,7 @@ private Q_SLOTS:
     }
 
     void goToVertexSaysTheRange() {
-        m_session->duplicateTargets(std::array{m_session->targets().front()->id});
+        m_session->targets().duplicate(std::array{m_session->targets().front()->id});
         GoToVertexDialog dialog(*m_session, m_window.get());
         dialog.show();
         const std::size_t count = m_session->targets().front()->deformed.positions().size();

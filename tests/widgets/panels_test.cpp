@@ -35,7 +35,7 @@ void addHits(Session& session, int count) {
         Hit hit;
         hit.target = session.targets()[static_cast<std::size_t>(i) % session.targets().size()]->id;
         hit.point = {0.0f, static_cast<float>(i), 2.5f};
-        QVERIFY(session.addHit(hit).ok());
+        QVERIFY(session.hits().add(hit).ok());
     }
 }
 
@@ -66,11 +66,11 @@ void PanelsTest::historySelectsRemovesAndCopies() {
     addHits(session, 5);
     auto* table = panel.findChild<QTableView*>();
     table->selectRow(2);
-    QCOMPARE(session.selectedHit(), std::optional<std::size_t>(2));
-    QCOMPARE(session.selectedTarget(), session.targets()[2]->id);
-    session.selectHit(std::nullopt);
+    QCOMPARE(session.hits().selected(), std::optional<std::size_t>(2));
+    QCOMPARE(session.targets().selected(), session.targets()[2]->id);
+    session.hits().select(std::nullopt);
     QVERIFY(!table->selectionModel()->hasSelection());
-    session.selectHit(3);
+    session.hits().select(3);
     QVERIFY(table->selectionModel()->isRowSelected(3));
 
     table->setFocus();
@@ -79,12 +79,12 @@ void PanelsTest::historySelectsRemovesAndCopies() {
     QCOMPARE(copied.count(u'\n'), 2);
     QVERIFY(copied.section(u'\n', 1, 1).startsWith(QStringLiteral("4,")));
     QTest::keyClick(table, Qt::Key_Delete);
-    QCOMPARE(session.history().size(), std::size_t{4});
-    QCOMPARE(session.history().hits()[3].point.y, 4.0f);
+    QCOMPARE(session.hits().history().size(), std::size_t{4});
+    QCOMPARE(session.hits().history().hits()[3].point.y, 4.0f);
 
     table->selectAll();
     QTest::keyClick(table, Qt::Key_Delete);
-    QCOMPARE(session.history().size(), std::size_t{0});
+    QCOMPARE(session.hits().history().size(), std::size_t{0});
 }
 
 void PanelsTest::constantsApplyToThePastOnRequest() {
@@ -97,11 +97,11 @@ void PanelsTest::constantsApplyToThePastOnRequest() {
     auto* selected = panel.findChild<QPushButton*>(QStringLiteral("applyToSelected"));
     auto* all = panel.findChild<QPushButton*>(QStringLiteral("applyToAll"));
     const auto powerOf = [&session](std::size_t hit) {
-        return session.history().hits()[hit].constants.power;
+        return session.hits().history().hits()[hit].constants.power;
     };
     QCOMPARE(power->value(), 0.2);  // per cent of (5 m)²
     power->setValue(0.4);
-    QCOMPARE(session.constants().power, 0.1f);
+    QCOMPARE(session.settings().constants().power, 0.1f);
     QCOMPARE(powerOf(0), 0.05f);
     QVERIFY(!selected->isEnabled());
     editing.select({1});
@@ -119,7 +119,7 @@ void PanelsTest::constantsApplyToThePastOnRequest() {
     auto* preset = panel.findChild<QComboBox*>(QStringLiteral("preset"));
     QCOMPARE(preset->currentIndex(), -1);
     QTest::keyClick(preset, Qt::Key_Home);
-    QVERIFY(session.constants() == DeformationConstants{});
+    QVERIFY(session.settings().constants() == DeformationConstants{});
     QCOMPARE(power->value(), 0.2);
     QCOMPARE(powerOf(1), 0.1f);
 }
@@ -143,9 +143,9 @@ void PanelsTest::constantsShowWhatIsTrue() {
     // Of two sizes, and none selected, no number is in force.
     std::vector<TargetPlan> more;
     more.push_back(planMesh(prepareMesh(makeUvSphere(16, 8, 2.5f)), {}));
-    session.addTargets(std::move(more));
+    session.targets().add(std::move(more));
     QVERIFY(inForce->text().contains(QStringLiteral("max distance 500 mm")));  // the new one is selected
-    session.selectTarget({});
+    session.targets().select({});
     QVERIFY2(inForce->text().contains(QStringLiteral("differ in size")), qPrintable(inForce->text()));
     QVERIFY(!inForce->text().contains(QStringLiteral("mm")));
     // In metres the boxes are what is in force.
@@ -169,17 +169,17 @@ void PanelsTest::constantsForTheNextHitCanBeUndone() {
     slider->setSliderDown(true);
     slider->setValue(300);
     slider->setSliderDown(false);
-    QVERIFY(session.constants().maxDistance < 0.5f);
+    QVERIFY(session.settings().constants().maxDistance < 0.5f);
     session.undo();
-    QVERIFY(session.constants().maxDistance > 0.5f);
+    QVERIFY(session.settings().constants().maxDistance > 0.5f);
     QVERIFY(session.undoName()->kind == SessionUndo::Kind::Constants);
     session.undo();
-    QCOMPARE(session.constants().maxDistance, 0.5f);
+    QCOMPARE(session.settings().constants().maxDistance, 0.5f);
     QVERIFY(!session.canUndo());
     QTest::keyClick(panel.findChild<QComboBox*>(QStringLiteral("size")), Qt::Key_End);
-    QVERIFY(!session.constantsSetting().relative);
+    QVERIFY(!session.settings().constantsSetting().relative);
     session.undo();
-    QVERIFY(session.constantsSetting().relative);
+    QVERIFY(session.settings().constantsSetting().relative);
 }
 
 void PanelsTest::constantsSliderCoversTheRange() {
@@ -191,9 +191,9 @@ void PanelsTest::constantsSliderCoversTheRange() {
     const ParameterDescriptor& distance = deformationParameters()[0];
     QCOMPARE(sliders[0]->value(), (sliders[0]->maximum() + 1) / 2);
     sliders[0]->setValue(sliders[0]->maximum());
-    QCOMPARE(session.constants().maxDistance, static_cast<float>(distance.maximum));
+    QCOMPARE(session.settings().constants().maxDistance, static_cast<float>(distance.maximum));
     sliders[0]->setValue(0);
-    QCOMPARE(session.constants().maxDistance, static_cast<float>(distance.minimum));
+    QCOMPARE(session.settings().constants().maxDistance, static_cast<float>(distance.minimum));
 }
 
 void PanelsTest::lightsSwitchAndTint() {
@@ -203,44 +203,44 @@ void PanelsTest::lightsSwitchAndTint() {
     auto* list = panel.findChild<QListView*>(QStringLiteral("list"));
     QCOMPARE(list->model()->rowCount(), 6);
     QVERIFY(list->model()->setData(list->model()->index(2, 0), Qt::Unchecked, Qt::CheckStateRole));
-    QVERIFY(session.lights().points[0].on && !session.lights().points[1].on);
-    QVERIFY(session.lights().directional.on);
+    QVERIFY(session.settings().lights().points[0].on && !session.settings().lights().points[1].on);
+    QVERIFY(session.settings().lights().directional.on);
 
     const auto box = [&panel](const char* name) {
         return panel.findChild<QDoubleSpinBox*>(QLatin1String(name));
     };
     list->setCurrentIndex(list->model()->index(1, 0));
-    const PointLight before = session.lights().points[0];
+    const PointLight before = session.settings().lights().points[0];
     QVERIFY(box("positionX")->isVisibleTo(&panel) && !box("directionX")->isVisibleTo(&panel));
     box("positionY")->setValue(7.25);
-    QCOMPARE(session.lights().points[0].position,
+    QCOMPARE(session.settings().lights().points[0].position,
              glm::vec3(before.position.x, 7.25f, before.position.z));  // and nothing else is rounded
     box("linear")->setValue(0.5);
-    QCOMPARE(session.lights().points[0].attenuation.linear, 0.5f);
+    QCOMPARE(session.settings().lights().points[0].attenuation.linear, 0.5f);
 
     list->setCurrentIndex(list->model()->index(5, 0));
     box("diffuse")->setValue(0.5);
-    QCOMPARE(session.lights().spot.terms.diffuse, 0.5f);
+    QCOMPARE(session.settings().lights().spot.terms.diffuse, 0.5f);
     QVERIFY(!box("directionX")->isVisibleTo(&panel));
     panel.findChild<QCheckBox*>(QStringLiteral("atEye"))->click();
-    QVERIFY(!session.lights().spot.atEye && box("directionX")->isVisibleTo(&panel));
+    QVERIFY(!session.settings().lights().spot.atEye && box("directionX")->isVisibleTo(&panel));
     box("innerAngle")->setValue(40.0);
-    QVERIFY(session.lights().spot.outerAngle > session.lights().spot.innerAngle);
+    QVERIFY(session.settings().lights().spot.outerAngle > session.settings().lights().spot.innerAngle);
 
-    Lights lights = session.lights();
+    Lights lights = session.settings().lights();
     lights.directional.on = false;
-    session.setLights(lights);
+    session.settings().setLights(lights);
     QCOMPARE(list->model()->index(0, 0).data(Qt::CheckStateRole).toInt(), int{Qt::Unchecked});
     panel.findChild<QPushButton*>(QStringLiteral("reset"))->click();
-    QVERIFY(session.lights().directional.on && session.lights().points[1].on);
-    QVERIFY(session.lights().spot.atEye);
-    QCOMPARE(session.lights().points[0].position, before.position);
+    QVERIFY(session.settings().lights().directional.on && session.settings().lights().points[1].on);
+    QVERIFY(session.settings().lights().spot.atEye);
+    QCOMPARE(session.settings().lights().points[0].position, before.position);
 }
 
 void PanelsTest::lightsCanBeUndone() {
     Session session;
     session.loadPaperRow(kDefaultPaperRow);
-    const Lights before = session.lights();
+    const Lights before = session.settings().lights();
     LightsPanel panel(session);
     auto* list = panel.findChild<QListView*>(QStringLiteral("list"));
     auto* diffuse = panel.findChild<QDoubleSpinBox*>(QStringLiteral("diffuse"));
@@ -250,17 +250,17 @@ void PanelsTest::lightsCanBeUndone() {
     QTest::keyClick(diffuse, Qt::Key_Return);
     diffuse->setValue(0.2);
     session.undo();
-    QCOMPARE(session.lights().directional.terms.diffuse, 0.3f);
+    QCOMPARE(session.settings().lights().directional.terms.diffuse, 0.3f);
     QCOMPARE(diffuse->value(), 0.3);
     session.undo();
-    QCOMPARE(session.lights().directional.terms.diffuse, before.directional.terms.diffuse);
-    QVERIFY(!session.lights().points[1].on);
+    QCOMPARE(session.settings().lights().directional.terms.diffuse, before.directional.terms.diffuse);
+    QVERIFY(!session.settings().lights().points[1].on);
     QVERIFY(session.undoName()->kind == SessionUndo::Kind::Lights);
     session.undo();
-    QVERIFY(session.lights() == before);
+    QVERIFY(session.settings().lights() == before);
     QVERIFY(!session.canUndo());
     session.redo();
-    QVERIFY(!session.lights().points[1].on);
+    QVERIFY(!session.settings().lights().points[1].on);
 }
 
 void PanelsTest::statisticsChooseTheTarget() {
@@ -270,10 +270,10 @@ void PanelsTest::statisticsChooseTheTarget() {
     MeshStatisticsPanel panel(session, model);
     auto* box = panel.findChild<QComboBox*>(QStringLiteral("target"));
     QCOMPARE(box->count(), 18);  // a line and all together below them
-    session.selectTarget(session.targets()[7]->id);
+    session.targets().select(session.targets()[7]->id);
     QCOMPARE(box->currentIndex(), 7);
     Q_EMIT box->activated(3);
-    QCOMPARE(session.selectedTarget(), session.targets()[3]->id);
+    QCOMPARE(session.targets().selected(), session.targets()[3]->id);
     Q_EMIT box->activated(17);
     QVERIFY(model.showsAll());
     QCOMPARE(panel.title(), QStringLiteral("All targets"));

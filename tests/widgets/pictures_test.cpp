@@ -98,7 +98,7 @@ void PicturesTest::addHits() {
         hit.target = target;
         hit.point = 2.5f * out;
         hit.direction = -out;
-        QVERIFY(m_session->addHit(hit).ok());
+        QVERIFY(m_session->hits().add(hit).ok());
     }
 }
 
@@ -119,7 +119,7 @@ void PicturesTest::selectionMarksAreLeftOut() {
     addHits();
     const QImage plain = saved(request(320, 240));
     const QImage shown = m_window->viewport().grabFramebuffer();
-    m_session->selectHit(1);
+    m_session->hits().select(1);
     m_session->selection().select(m_session->targets().front()->id, {10, 20, 30},
                                   VertexSelection::Combine::Replace);
     m_session->selection().setPicked(VertexRef{m_session->targets().front()->id, 10});
@@ -130,7 +130,7 @@ void PicturesTest::selectionMarksAreLeftOut() {
     QVERIFY(m_window->viewport().grabFramebuffer() != shown);
     // Esc takes the ring away as well, and the vertices.
     QTest::keyClick(&m_window->viewport(), Qt::Key_Escape);
-    QVERIFY(!m_session->selectedHit());
+    QVERIFY(!m_session->hits().selected());
     QCOMPARE(m_window->viewport().grabFramebuffer(), shown);
 }
 
@@ -181,15 +181,15 @@ void PicturesTest::turntableGoesOnceAround() {
 void PicturesTest::replayShowsHitsOneByOne() {
     addHits();
     const std::size_t disabled[] = {1};
-    m_session->setHitsEnabled(disabled, false);
-    const std::uint64_t revision = m_session->history().revision();
+    m_session->hits().setEnabled(disabled, false);
+    const std::uint64_t revision = m_session->hits().history().revision();
     const QSignalSpy ended(&pictures().sequences(), &SequenceWriter::ended);
     pictures().writeSequence({request(160, 120), 0, m_folder->path(), QStringLiteral("replay")});
     QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, kPatience);
     QCOMPARE(files().size(), 3);  // before, and after each of two
     QVERIFY(QImage(path(files()[0])) != QImage(path(files()[1])));
     QVERIFY(QImage(path(files()[1])) != QImage(path(files()[2])));
-    QCOMPARE(m_session->history().revision(), revision);  // the session was left alone
+    QCOMPARE(m_session->hits().history().revision(), revision);  // the session was left alone
     // The last one is what the viewport shows.
     QCOMPARE(saved(request(160, 120)), QImage(path(QStringLiteral("replay-0003.png"))));
 }

@@ -53,29 +53,30 @@ private Q_SLOTS:
             box->selectAll();
             QTest::keyClicks(box, box->locale().toString(wanted, 'f', box->decimals()));
             QTest::keyClick(box, Qt::Key_Enter);
-            QVERIFY2(std::abs(parameterValue(session.projectileSettings(), i) - wanted) < 1e-3, kFields[i]);
+            QVERIFY2(std::abs(parameterValue(session.settings().projectile(), i) - wanted) < 1e-3,
+                     kFields[i]);
         }
         auto* follows = dialog.findChild<QCheckBox*>("powerFollowsImpulse");
         auto* reference = dialog.findChild<QDoubleSpinBox*>("referenceImpulse");
         QVERIFY(!follows->isChecked());
         follows->click();
-        QVERIFY(session.projectileSettings().powerFollowsImpulse);
+        QVERIFY(session.settings().projectile().powerFollowsImpulse);
         QVERIFY(reference->isEnabled());
         dialog.findChild<QCheckBox*>("bounces")->click();
-        QVERIFY(session.projectileSettings().bouncesCount);
+        QVERIFY(session.settings().projectile().bouncesCount);
         dialog.findChild<QDialogButtonBox*>("buttons")->button(QDialogButtonBox::RestoreDefaults)->click();
-        QVERIFY(session.projectileSettings() == ProjectileSettings{});
+        QVERIFY(session.settings().projectile() == ProjectileSettings{});
         QVERIFY(!follows->isChecked() && !reference->isEnabled());
     }
 
     void showsWhatIsSetElsewhere() {
         Session session;
         ProjectileDialog dialog(session);
-        QSignalSpy changed(&session, &Session::projectileSettingsChanged);
+        QSignalSpy changed(&session.settings(), &SessionSettings::projectileChanged);
         ProjectileSettings settings;
         settings.speed = 77.0f;
         settings.mostAlive = 2000;
-        session.setProjectileSettings(settings);
+        session.settings().setProjectile(settings);
         QCOMPARE(dialog.findChild<QDoubleSpinBox*>("speed")->value(), 77.0);
         QCOMPARE(dialog.findChild<QDoubleSpinBox*>("mostAlive")->value(), 2000.0);
         // Showing is not setting.
@@ -91,13 +92,13 @@ private Q_SLOTS:
         settings.powerFollowsImpulse = true;
         {
             Session session;
-            session.setProjectileSettings(settings);
+            session.settings().setProjectile(settings);
             QSettings values;
             saveSessionSettings(values, session);
         }
         Session session;
         loadSessionSettings(QSettings(), session);
-        QVERIFY(session.projectileSettings() == settings);
+        QVERIFY(session.settings().projectile() == settings);
     }
 };
 

@@ -74,7 +74,7 @@ void SceneFilesTest::severalFilesAreOneScene() {
     const Bounds first = session.targets()[0]->worldBounds();
     const Bounds second = session.targets()[1]->worldBounds();
     QVERIFY(second.min.x > first.max.x);  // they would overlap
-    QCOMPARE(session.floorHeight(), -1.0f);
+    QCOMPARE(session.targets().floorHeight(), -1.0f);
 }
 
 void SceneFilesTest::whatCannotBeReadIsLeftOut() {
@@ -156,7 +156,7 @@ void SceneFilesTest::sampleScenesAreMade() {
         }
     }
     QVERIFY(triangles == 0 || made == triangles);
-    QVERIFY(std::abs(session.sceneBounds().min.y) < 1.0e-3f);
+    QVERIFY(std::abs(session.targets().bounds().min.y) < 1.0e-3f);
 }
 
 void SceneFilesTest::deleteInTheViewportRemovesTheTarget() {
@@ -166,7 +166,7 @@ void SceneFilesTest::deleteInTheViewportRemovesTheTarget() {
     showReady(window);
     auto* dock = window.findChild<QDockWidget*>(QStringLiteral("scene"));
     QVERIFY(dock != nullptr && !dock->isHidden());
-    session.selectTarget(session.targets()[3]->id);
+    session.targets().select(session.targets()[3]->id);
     window.viewport().setFocus();
     QTest::keyClick(&window.viewport(), Qt::Key_Delete);
     QCOMPARE(session.targets().size(), std::size_t{15});

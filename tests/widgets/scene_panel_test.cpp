@@ -84,19 +84,19 @@ void ScenePanelTest::init() {
 
 void ScenePanelTest::selectionIsOneWithTheSessions() {
     click(2);
-    QCOMPARE(m_session->selectedTarget(), id(2));
+    QCOMPARE(m_session->targets().selected(), id(2));
     QTest::keyClick(m_table, Qt::Key_Down);
-    QCOMPARE(m_session->selectedTarget(), id(3));
-    m_session->selectTarget(id(9));
+    QCOMPARE(m_session->targets().selected(), id(3));
+    m_session->targets().select(id(9));
     QCOMPARE(m_table->currentIndex().row(), 9);
     QVERIFY(m_table->selectionModel()->isRowSelected(9));
-    m_session->selectTarget({});
+    m_session->targets().select({});
     QVERIFY(!m_table->selectionModel()->hasSelection());
     QVERIFY(!child<QDoubleSpinBox>("positionX").isEnabled());
     // A hit selects what it is on.
     Hit hit;
     hit.target = id(4);
-    QVERIFY(m_session->addHit(hit).ok());
+    QVERIFY(m_session->hits().add(hit).ok());
     QVERIFY(m_table->selectionModel()->isRowSelected(4));
 }
 
@@ -160,7 +160,7 @@ void ScenePanelTest::duplicateAndRemoveByKey() {
     QTest::keyClick(m_table, Qt::Key_D, Qt::ControlModifier);
     QCOMPARE(m_session->targets().size(), std::size_t{17});
     QCOMPARE(m_table->currentIndex().row(), 16);
-    QCOMPARE(m_session->selectedTarget(), id(16));
+    QCOMPARE(m_session->targets().selected(), id(16));
     click(0);
     click(2, SceneModel::NameColumn, Qt::ControlModifier);
     QTest::keyClick(m_table, Qt::Key_Delete);
@@ -188,10 +188,10 @@ void ScenePanelTest::resetIsOfferedWhereThereAreHits() {
     QVERIFY(!child<QToolButton>("reset").isEnabled());
     Hit hit;
     hit.target = id(5);
-    QVERIFY(m_session->addHit(hit).ok());
+    QVERIFY(m_session->hits().add(hit).ok());
     QVERIFY(child<QToolButton>("reset").isEnabled());
     QTest::mouseClick(&child<QToolButton>("reset"), Qt::LeftButton);
-    QCOMPARE(m_session->history().size(), std::size_t{0});
+    QCOMPARE(m_session->hits().history().size(), std::size_t{0});
     QVERIFY(!child<QToolButton>("reset").isEnabled());
 }
 
@@ -270,8 +270,8 @@ void ScenePanelTest::whatCannotBeHitHasAWarning() {
     const QString name = QStringLiteral("Same");
     MeshData ball = makeHighPolySphere(1.0f);
     m_session->loadMesh(ball);
-    QVERIFY(m_session->renameTarget(id(0), name).ok());
-    m_session->selectTarget({});
+    QVERIFY(m_session->targets().rename(id(0), name).ok());
+    m_session->targets().select({});
     m_table->clearFocus();
     QVERIFY(
         m_model->index(0, SceneModel::NameColumn).data(SceneModel::WhyNotHittableRole).toString().isEmpty());
@@ -279,8 +279,8 @@ void ScenePanelTest::whatCannotBeHitHasAWarning() {
     // All of it in one point: nothing has an area.
     ball.positions.assign(ball.positions.size(), glm::vec3(0.0f, 1.0f, 0.0f));
     m_session->loadMesh(ball);
-    QVERIFY(m_session->renameTarget(id(0), name).ok());
-    m_session->selectTarget({});
+    QVERIFY(m_session->targets().rename(id(0), name).ok());
+    m_session->targets().select({});
     const QModelIndex index = m_model->index(0, SceneModel::NameColumn);
     const QString reason = index.data(SceneModel::WhyNotHittableRole).toString();
     QVERIFY(!reason.isEmpty());

@@ -100,10 +100,10 @@ void ShootingTest::clickDentsAMeshOfAnySize() {
         m_session->loadMesh(std::move(mesh));
         std::size_t hits = 0;
         for (const FlightMode mode : {FlightMode::Quick, FlightMode::Instant}) {
-            m_session->setFlightMode(mode);
+            m_session->settings().setFlightMode(mode);
             click(centre() + QPoint(mode == FlightMode::Quick ? -60 : 60, 0));
             ++hits;
-            QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), hits, kPatience);
+            QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), hits, kPatience);
             QVERIFY(viewport().syncNow().ok());
             const auto depth =
                 static_cast<float>(m_session->targets().front()->deformed.statistics().maximum);
@@ -114,7 +114,7 @@ void ShootingTest::clickDentsAMeshOfAnySize() {
 }
 
 void ShootingTest::instantDentIsThereInTwoFrames() {
-    m_session->setFlightMode(FlightMode::Instant);
+    m_session->settings().setFlightMode(FlightMode::Instant);
     for (const bool large : {false, true}) {
         if (large) {
             m_session->loadMesh(makeUvSphere(1000, 1001, 2.5f));  // 1,000,000 vertices
@@ -127,7 +127,7 @@ void ShootingTest::instantDentIsThereInTwoFrames() {
             pictures.push_back(viewport().grabFramebuffer());  // what is being drawn: nothing is drawn again
         });
         click(centre());
-        QCOMPARE(m_session->history().size(), std::size_t{1});
+        QCOMPARE(m_session->hits().history().size(), std::size_t{1});
         const auto firstWithTheDent = [&] {
             const auto found = std::find_if(pictures.begin(), pictures.end(), [&](const QImage& picture) {
                 return difference(picture, before) > 500;
@@ -146,21 +146,21 @@ void ShootingTest::quickShotArrivesInTime() {
         for (int i = 0; i < std::abs(notches); ++i) {
             viewport().navigation().flyStep({0.0f, 0.0f, notches > 0 ? 0.6f : -2.0f});
         }
-        m_session->clearHits();
-        const double before = m_session->physics().time();
+        m_session->hits().clear();
+        const double before = m_session->simulation().physics().time();
         click(centre());
-        QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{1}, kPatience);
-        QVERIFY(m_session->history().hits().front().time - before <= 0.12);
+        QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), std::size_t{1}, kPatience);
+        QVERIFY(m_session->hits().history().hits().front().time - before <= 0.12);
         waitUntilIdle();
     }
 }
 
 void ShootingTest::firstFrameAfterIdlenessMovesOn() {
     waitUntilIdle();
-    const double before = m_session->physics().time();
+    const double before = m_session->simulation().physics().time();
     std::vector<double> times;
     connect(&viewport(), &Viewport::framePainted, this,
-            [&] { times.push_back(m_session->physics().time() - before); });
+            [&] { times.push_back(m_session->simulation().physics().time() - before); });
     click(centre());
     QTRY_VERIFY_WITH_TIMEOUT(times.size() >= 2, kPatience);
     QVERIFY(times[1] > 0.0);
@@ -178,17 +178,17 @@ void ShootingTest::noFrameIsHiddenByTheProjectile_data() {
 void ShootingTest::noFrameIsHiddenByTheProjectile() {
     QFETCH(FlightMode, mode);
     QFETCH(float, strides);
-    m_session->setFlightMode(mode);
-    ProjectileSettings settings = m_session->projectileSettings();
+    m_session->settings().setFlightMode(mode);
+    ProjectileSettings settings = m_session->settings().projectile();
     settings.colour = {1.0f, 0.0f, 1.0f};
-    m_session->setProjectileSettings(settings);
+    m_session->settings().setProjectile(settings);
     viewport().navigation().flyStep({0.0f, 0.0f, strides});
     waitUntilIdle();
-    m_session->setPaused(true);
+    m_session->simulation().setPaused(true);
     click(centre());
     double most = projectilePart(viewport().grabFramebuffer());
     for (int step = 0; step < 30; ++step) {
-        m_session->stepOnce();
+        m_session->simulation().stepOnce();
         most = std::max(most, projectilePart(viewport().grabFramebuffer()));
     }
     QVERIFY2(most < 0.15, qPrintable(QString::number(most)));
@@ -196,18 +196,18 @@ void ShootingTest::noFrameIsHiddenByTheProjectile() {
 }
 
 void ShootingTest::statusBarSaysWhatShotsDid() {
-    m_session->setFlightMode(FlightMode::Paper);
+    m_session->settings().setFlightMode(FlightMode::Paper);
     const QString name = m_session->targets().front()->name;
     click(centre());
     QCOMPARE(said(), QStringLiteral("The shot is on its way."));
     QTRY_COMPARE_WITH_TIMEOUT(said(), QStringLiteral("The shot hit %1.").arg(name), kPatience);
-    m_session->setFlightMode(FlightMode::Quick);
+    m_session->settings().setFlightMode(FlightMode::Quick);
     click({centre().x() + 200, viewport().height() - 40});
     QTRY_COMPARE_WITH_TIMEOUT(said(), QStringLiteral("The shot struck the floor."), kPatience);
     click({8, 8});
     QCOMPARE(said(), QStringLiteral("The shot is on its way."));
     QTRY_COMPARE_WITH_TIMEOUT(said(), QStringLiteral("The shot went past everything."), kPatience);
-    m_session->setFlightMode(FlightMode::Instant);
+    m_session->settings().setFlightMode(FlightMode::Instant);
     click(centre());
     QCOMPARE(said(), QStringLiteral("The shot hit %1.").arg(name));
     click({8, 8});
@@ -228,18 +228,18 @@ void ShootingTest::choiceInTheToolBarIsKept() {
     const auto action = [this](const char* key) {
         return m_window->findChild<QAction*>(QStringLiteral("flight/") + QLatin1String(key));
     };
-    QCOMPARE(m_session->flightMode(), FlightMode::Quick);
+    QCOMPARE(m_session->settings().flightMode(), FlightMode::Quick);
     QVERIFY(action("quick")->isChecked());
     QVERIFY(!box()->toolTip().isEmpty());
     box()->setFocus();
     QTest::keyClick(box(), Qt::Key_Down);
-    QCOMPARE(m_session->flightMode(), FlightMode::Instant);
+    QCOMPARE(m_session->settings().flightMode(), FlightMode::Instant);
     QVERIFY(action("instant")->isChecked());
     QVERIFY(viewport().hasFocus());
     // At once: a window that is killed closes nothing.
     QCOMPARE(QSettings().value(QStringLiteral("shooting/flight")).toString(), QStringLiteral("instant"));
     makeWindow();
-    QCOMPARE(m_session->flightMode(), FlightMode::Instant);
+    QCOMPARE(m_session->settings().flightMode(), FlightMode::Instant);
     QCOMPARE(box()->currentText(), QStringLiteral("Instant"));
     action("paper")->trigger();
     QCOMPARE(box()->currentText(), QStringLiteral("As in the paper"));

@@ -75,7 +75,7 @@ void ShotsTest::restingCursorForetells() {
     moveTo(centre);
     QTRY_COMPARE_WITH_TIMEOUT(label().text(), foretold, kPatience);
     QTest::mouseClick(&m_window->viewport(), Qt::LeftButton, {}, centre);
-    QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{1}, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), std::size_t{1}, kPatience);
     QVERIFY(m_window->viewport().syncNow().ok());
     const auto made = m_session->targets().front()->deformed.statistics();
     QCOMPARE(foretold,
@@ -105,16 +105,17 @@ void ShotsTest::burstFromTheDialog() {
     QTest::mouseClick(instant, Qt::LeftButton, {}, {8, instant->height() / 2});
     QVERIFY(instant->isChecked());
     QTest::mouseClick(dialog->findChild<QPushButton*>("shoot"), Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{30}, kPatience);
-    const std::vector<Hit> first(m_session->history().hits().begin(), m_session->history().hits().end());
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), std::size_t{30}, kPatience);
+    const std::vector<Hit> first(m_session->hits().history().hits().begin(),
+                                 m_session->hits().history().hits().end());
     // Again from here onto the whole target: the same.
-    m_session->clearHits();
+    m_session->hits().clear();
     QVERIFY(m_window->viewport().syncNow().ok());
     QTest::mouseClick(dialog->findChild<QPushButton*>("shoot"), Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{30}, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), std::size_t{30}, kPatience);
     for (std::size_t i = 0; i < first.size(); ++i) {
-        QVERIFY(m_session->history().hits()[i].point == first[i].point);
-        QVERIFY(m_session->history().hits()[i].direction == first[i].direction);
+        QVERIFY(m_session->hits().history().hits()[i].point == first[i].point);
+        QVERIFY(m_session->hits().history().hits()[i].direction == first[i].direction);
     }
 }
 
@@ -130,10 +131,10 @@ void ShotsTest::sequenceAlongALine() {
     dialog->findChild<QPushButton*>("shoot")->click();
     QVERIFY(m_window->findChild<QAction*>("stopShots")->isEnabled());
     QVERIFY(m_window->findChild<QLabel*>("timeBadge")->text().contains(QStringLiteral("5 pending shots")));
-    QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{5}, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), std::size_t{5}, kPatience);
     QVERIFY(!m_window->findChild<QAction*>("stopShots")->isEnabled());
     // A tenth of a second apart, and from left to right.
-    const std::span<const Hit> hits = m_session->history().hits();
+    const std::span<const Hit> hits = m_session->hits().history().hits();
     const glm::vec3 right = m_window->viewport().camera().right();
     for (std::size_t i = 1; i < hits.size(); ++i) {
         QVERIFY(std::abs(hits[i].time - hits[i - 1].time - 0.1) < 0.05);
@@ -143,7 +144,7 @@ void ShotsTest::sequenceAlongALine() {
 
 void ShotsTest::targetIsMadeDynamicAndBack() {
     const Target& target = *m_session->targets().front();
-    m_session->selectTarget(target.id);
+    m_session->targets().select(target.id);
     auto* dynamic = m_window->findChild<QCheckBox*>("dynamic");
     auto* mass = m_window->findChild<QDoubleSpinBox*>("mass");
     QVERIFY(!dynamic->isChecked() && !mass->isEnabled());

@@ -26,7 +26,7 @@ private Q_SLOTS:
 
     void firstSceneHasOneDent() {
         QCOMPARE(m_session->targets().size(), std::size_t{1});
-        QCOMPARE(m_session->history().size(), std::size_t{1});
+        QCOMPARE(m_session->hits().history().size(), std::size_t{1});
         const DeformedMesh& mesh = m_session->targets().front()->deformed;
         QTRY_VERIFY_WITH_TIMEOUT(
             mesh.vertices().size() == mesh.render().vertices.size() && movedVertices(mesh) > 50, kPatience);

@@ -40,7 +40,7 @@ struct Scene {
         hit.target = session.targets().front()->id;
         hit.point = {0.0f, 2.5f, 0.0f};
         hit.direction = {0.0f, -1.0f, 0.0f};
-        QVERIFY(session.addHit(hit).ok());
+        QVERIFY(session.hits().add(hit).ok());
     }
 
     template <class Widget>
@@ -92,7 +92,7 @@ private Q_SLOTS:
             hit.target = scene.session.targets().front()->id;
             hit.point = {x, 0.4f * x, 2.5f};
             hit.direction = {0.3f, -0.1f, -0.95f};
-            QVERIFY(scene.session.addHit(hit).ok());
+            QVERIFY(scene.session.hits().add(hit).ok());
         }
         QTRY_VERIFY_WITH_TIMEOUT(scene.number("changed_vertices").toInt() > 100, kPatience);
         const auto* numbers = scene.find<QTreeView>("numbers");
@@ -150,9 +150,9 @@ private Q_SLOTS:
                              Qt::white);
         numbers->setPalette(light);
         const int current = ink();
-        Hit hit = scene.session.history().hits()[0];
+        Hit hit = scene.session.hits().history().hits()[0];
         hit.point.x = 1.5f;
-        QVERIFY(scene.session.addHit(hit).ok());
+        QVERIFY(scene.session.hits().add(hit).ok());
         QVERIFY(scene.window->viewport().syncNow().ok());
         // What is measured comes by the event loop.
         QVERIFY(cell.data(MeshStatisticsModel::OutOfDateRole).toBool());
@@ -207,7 +207,7 @@ private Q_SLOTS:
         QVERIFY(scene.session.selection().count() >= 3);
         QTest::mouseDClick(harms->viewport(), Qt::LeftButton, {}, row);
         QTRY_VERIFY(scene.window->viewport().camera().distance() < 0.5f * before);
-        QCOMPARE(scene.session.selectedHit(), std::optional<std::size_t>(0));
+        QCOMPARE(scene.session.hits().selected(), std::optional<std::size_t>(0));
     }
 
     void thePipelineAgrees() {

@@ -67,7 +67,7 @@ private:
         hit.target = m_session->targets().front()->id;
         hit.point = {0.0f, 2.5f, 0.0f};
         hit.direction = {0.0f, -1.0f, 0.0f};
-        QVERIFY(m_session->addHit(hit).ok());
+        QVERIFY(m_session->hits().add(hit).ok());
         QTRY_VERIFY_WITH_TIMEOUT(m_session->targets().front()->deformed.render().vertices.size() > 0,
                                  kPatience);
         settle();

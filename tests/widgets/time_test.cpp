@@ -26,7 +26,7 @@ private Q_SLOTS:
 
 private:
     [[nodiscard]] QLabel& badge() const { return *m_window->findChild<QLabel*>("timeBadge"); }
-    [[nodiscard]] double time() const { return m_session->physics().time(); }
+    [[nodiscard]] double time() const { return m_session->simulation().physics().time(); }
 };
 
 void TimeTest::init() {
@@ -35,28 +35,28 @@ void TimeTest::init() {
 
 void TimeTest::pauseKeyStopsAFlight() {
     QVERIFY(!badge().isVisible());
-    m_session->shoot({{0, 50, 0}, {0, 1, 0}});
+    m_session->simulation().shoot({{0, 50, 0}, {0, 1, 0}});
     QTRY_VERIFY_WITH_TIMEOUT(time() > 0.05, kPatience);
     QTest::keyClick(&m_window->viewport(), Qt::Key_P);
-    QVERIFY(m_session->isPaused());
+    QVERIFY(m_session->simulation().isPaused());
     QVERIFY(badge().isVisible());
     QCOMPARE(badge().text(), QStringLiteral("Paused"));
     const double stopped = time();
     QTest::qWait(200);
     QCOMPARE(time(), stopped);
     QTest::keyClick(&m_window->viewport(), Qt::Key_P);
-    QVERIFY(!m_session->isPaused());
+    QVERIFY(!m_session->simulation().isPaused());
     QVERIFY(!badge().isVisible());
     QTRY_VERIFY_WITH_TIMEOUT(time() > stopped, kPatience);
 }
 
 void TimeTest::stepKeyMakesOneStepAndPauses() {
-    m_session->shoot({{0, 50, 0}, {0, 1, 0}});
+    m_session->simulation().shoot({{0, 50, 0}, {0, 1, 0}});
     QTest::keyClick(&m_window->viewport(), Qt::Key_Period);
-    QVERIFY(m_session->isPaused());
+    QVERIFY(m_session->simulation().isPaused());
     const double before = time();
     QTest::keyClick(&m_window->viewport(), Qt::Key_Period);
-    QVERIFY(std::abs(time() - before - m_session->physics().step()) < 1e-12);
+    QVERIFY(std::abs(time() - before - m_session->simulation().physics().step()) < 1e-12);
     QVERIFY(m_window->findChild<QAction*>("pauseTime")->isChecked());
 }
 
@@ -64,22 +64,22 @@ void TimeTest::slowMotionAndScale() {
     auto* box = m_window->findChild<QDoubleSpinBox*>("timeScale");
     QVERIFY(box != nullptr && box->isVisible());
     QTest::keyClick(&m_window->viewport(), Qt::Key_Comma);
-    QCOMPARE(m_session->physics().timeScale(), 0.1);
+    QCOMPARE(m_session->simulation().physics().timeScale(), 0.1);
     QCOMPARE(box->value(), 0.1);
     QVERIFY(badge().text().contains(QStringLiteral("0.1")));
     QTest::keyClick(&m_window->viewport(), Qt::Key_Comma);
-    QCOMPARE(m_session->physics().timeScale(), 1.0);
+    QCOMPARE(m_session->simulation().physics().timeScale(), 1.0);
     box->setFocus();
     box->selectAll();
     QTest::keyClicks(box, box->locale().toString(2.5, 'f', 2));
     QTest::keyClick(box, Qt::Key_Return);
-    QCOMPARE(m_session->physics().timeScale(), 2.5);
+    QCOMPARE(m_session->simulation().physics().timeScale(), 2.5);
     QVERIFY(badge().text().contains(QStringLiteral("2.5")));
     QVERIFY(m_window->viewport().hasFocus());
 }
 
 void TimeTest::whatIsSetIsRemembered() {
-    m_session->setPhysicsStep(1.0 / 1000.0);
+    m_session->simulation().setStep(1.0 / 1000.0);
     QAction* texture = nullptr;
     for (QAction* action : m_window->findChildren<QAction*>()) {
         texture = action->text().contains(QStringLiteral("1K")) ? action : texture;
@@ -90,9 +90,9 @@ void TimeTest::whatIsSetIsRemembered() {
     m_window.reset();
     m_session = std::make_unique<Session>();
     m_window = std::make_unique<MainWindow>(*m_session);
-    QVERIFY(std::abs(m_session->physics().step() - 0.001) < 1e-12);
-    QTRY_VERIFY_WITH_TIMEOUT(m_session->coverTexture() != nullptr, kPatience);
-    QCOMPARE(m_session->coverTexture()->width, 1024);
+    QVERIFY(std::abs(m_session->simulation().physics().step() - 0.001) < 1e-12);
+    QTRY_VERIFY_WITH_TIMEOUT(m_session->settings().coverTexture() != nullptr, kPatience);
+    QCOMPARE(m_session->settings().coverTexture()->width, 1024);
 }
 
 HITSCOPE_TEST(TimeTest, QApplication)

@@ -48,7 +48,7 @@ private Q_SLOTS:
 private:
     [[nodiscard]] QPoint centre() const { return m_window->viewport().rect().center(); }
     void drag(Qt::MouseButton button, Qt::KeyboardModifiers keys, const QPoint& by);
-    [[nodiscard]] std::size_t flying() const { return m_session->physics().projectileCount(); }
+    [[nodiscard]] std::size_t flying() const { return m_session->simulation().physics().projectileCount(); }
 };
 
 void ViewportTest::init() {
@@ -70,11 +70,11 @@ void ViewportTest::clickShootsWhereItPoints() {
     const Viewport& viewport = m_window->viewport();
     const Camera& camera = viewport.camera();
     // Before: the dent would be in its way.
-    const auto aimed = m_session->physics().castRay(camera.eye(), camera.forward(), 100.0f);
+    const auto aimed = m_session->simulation().physics().castRay(camera.eye(), camera.forward(), 100.0f);
     QVERIFY(aimed.has_value());
     QTest::mouseClick(&m_window->viewport(), Qt::LeftButton, {}, centre());
-    QTRY_COMPARE_WITH_TIMEOUT(m_session->history().size(), std::size_t{1}, kPatience);
-    const Hit& hit = m_session->history().hits().front();
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), std::size_t{1}, kPatience);
+    const Hit& hit = m_session->hits().history().hits().front();
     QVERIFY(near(hit.point, aimed->point, 0.1f));
     QVERIFY(glm::dot(hit.direction, camera.forward()) > 0.97f);
 }
@@ -108,7 +108,7 @@ void ViewportTest::dragOrbitsAndShootsNothing() {
 
 void ViewportTest::draggingFromTheFloorOrbitsTheTarget() {
     Viewport& viewport = m_window->viewport();
-    const glm::vec3 centre = m_session->sceneBounds().centre();
+    const glm::vec3 centre = m_session->targets().bounds().centre();
     const auto placeOf = [&viewport](const glm::vec3& point) {
         const Camera& camera = viewport.camera();
         const glm::vec3 away = point - camera.eye();
@@ -116,8 +116,8 @@ void ViewportTest::draggingFromTheFloorOrbitsTheTarget() {
                glm::dot(away, camera.forward());
     };
     const QPoint floor(viewport.width() - 30, viewport.height() - 10);
-    const auto met = m_session->physics().castRay(viewport.camera().eye(),
-                                                  viewport.navigation().rayAt(floor).direction, 1000.0f);
+    const auto met = m_session->simulation().physics().castRay(
+        viewport.camera().eye(), viewport.navigation().rayAt(floor).direction, 1000.0f);
     QVERIFY(met && !met->target);
     const Camera before = viewport.camera();
     const glm::vec2 place = placeOf(centre);
@@ -187,7 +187,7 @@ void ViewportTest::middleClickRecentresAndShootsNothing() {
     QVERIFY(!viewport.navigation().isMoving());
     QVERIFY(near(viewport.camera().pivot(), there, 0.05f));
     QCOMPARE(flying(), std::size_t{0});
-    QCOMPARE(m_session->history().size(), std::size_t{0});
+    QCOMPARE(m_session->hits().history().size(), std::size_t{0});
 }
 
 void ViewportTest::twoQuickClicksAreTwoShots() {
@@ -199,30 +199,30 @@ void ViewportTest::twoQuickClicksAreTwoShots() {
     const QPoint aside = centre() + QPoint(2, 0);
     QTest::mouseDClick(&viewport, Qt::LeftButton, {}, aside);
     QTest::mouseRelease(&viewport, Qt::LeftButton, {}, aside);
-    QTRY_VERIFY_WITH_TIMEOUT(m_session->history().size() >= 2, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(m_session->hits().history().size() >= 2, kPatience);
     QVERIFY(near(viewport.camera().pivot(), before));
 }
 
 void ViewportTest::spaceShootsRepeatedlyWhileHeld() {
     Viewport& viewport = m_window->viewport();
     QTest::keyPress(&viewport, Qt::Key_Space);
-    QTRY_VERIFY_WITH_TIMEOUT(flying() + m_session->history().size() >= 3, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(flying() + m_session->hits().history().size() >= 3, kPatience);
     QTest::keyRelease(&viewport, Qt::Key_Space);
     const std::size_t shot = flying();
-    QTest::qWait(qRound(4000.0f / m_session->projectileSettings().rateOfFire));
+    QTest::qWait(qRound(4000.0f / m_session->settings().projectile().rateOfFire));
     QVERIFY(flying() <= shot);
 }
 
 void ViewportTest::controlClickSelectsAndShootsNothing() {
     Viewport& viewport = m_window->viewport();
-    m_session->selectTarget({});
+    m_session->targets().select({});
     QTest::mouseClick(&viewport, Qt::LeftButton, Qt::ControlModifier, centre());
-    QCOMPARE(m_session->selectedTarget(), m_session->targets().front()->id);
+    QCOMPARE(m_session->targets().selected(), m_session->targets().front()->id);
     QTest::mouseClick(&viewport, Qt::LeftButton, Qt::ControlModifier, {4, 4});
-    QVERIFY(!m_session->selectedTarget());
+    QVERIFY(!m_session->targets().selected());
     QTest::qWait(500);
     QCOMPARE(flying(), std::size_t{0});
-    QCOMPARE(m_session->history().size(), std::size_t{0});
+    QCOMPARE(m_session->hits().history().size(), std::size_t{0});
 }
 
 void ViewportTest::flyKeysMoveWhileHeld() {

@@ -167,7 +167,7 @@ void ChangeActions::chooseOther(std::optional<PipelineKind> other) {
 
 /// The paper's two beside each other, where the driver has them.
 PipelineKind ChangeActions::usualOther() const {
-    const PipelineKind other = m_session.pipeline() == PipelineKind::TransformFeedback
+    const PipelineKind other = m_session.settings().pipeline() == PipelineKind::TransformFeedback
                                    ? PipelineKind::UniformArray
                                    : PipelineKind::TransformFeedback;
     return m_session.readBack().whyUnavailable(other).isEmpty() ? other : PipelineKind::Reference;

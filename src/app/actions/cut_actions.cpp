@@ -76,9 +76,9 @@ CutActions::CutActions(Session& session, Comparison& comparison, Viewport& viewp
     // Exaggeration is changed elsewhere: lines follow it.
     connect(&viewport, &Viewport::optionsChanged, this, &CutActions::cutTargets);
     followComparison();
-    connect(&session, &Session::targetAdded, this, &CutActions::follow);
-    connect(&session, &Session::targetRemoved, this, &CutActions::follow);
-    connect(&session, &Session::targetChanged, this, &CutActions::follow);
+    connect(&session.targets(), &SessionTargets::added, this, &CutActions::follow);
+    connect(&session.targets(), &SessionTargets::removed, this, &CutActions::follow);
+    connect(&session.targets(), &SessionTargets::changed, this, &CutActions::follow);
     connect(&session, &Session::sceneReplaced, this, &CutActions::followScene);
     follow();
 }
@@ -90,7 +90,7 @@ void CutActions::followComparison() {
     connect(&m_comparison, &Comparison::otherChanged, this, &CutActions::cutTargets);
     connect(&m_comparison, &Comparison::verticesChanged, this,
             [this](TargetId id, const std::vector<std::uint32_t>& renderVertices) {
-                if (const Target* target = m_session.target(id)) {
+                if (const Target* target = m_session.targets().find(id)) {
                     m_otherSections.note(id, fileVerticesOf(target->deformed.render(), renderVertices));
                 }
             });
@@ -115,12 +115,13 @@ void CutActions::change(const std::function<void(CuttingPlane&)>& edit) {
 /// them.
 float CutActions::middleAlong(const glm::vec3& normal) const {
     const Target* target = focusTarget(m_session);
-    return offsetRange(target != nullptr ? target->worldBounds() : m_session.sceneBounds(), normal).middle();
+    return offsetRange(target != nullptr ? target->worldBounds() : m_session.targets().bounds(), normal)
+        .middle();
 }
 
 void CutActions::setOn(bool on) {
     change([this, on](CuttingPlane& cut) {
-        const OffsetRange range = offsetRange(m_session.sceneBounds(), cut.normal);
+        const OffsetRange range = offsetRange(m_session.targets().bounds(), cut.normal);
         cut.on = on;
         if (on && (!m_isPlaced || !range.contains(cut.offset))) {
             cut.offset = middleAlong(cut.normal);
@@ -157,7 +158,7 @@ void CutActions::followScene() {
 
 void CutActions::follow() {
     const DisplayOptions& options = m_viewport.options();
-    const Bounds bounds = m_session.sceneBounds();
+    const Bounds bounds = m_session.targets().bounds();
     m_panel->setCut(options.cut, bounds);
     m_handle->setBounds(bounds);
     m_on->setChecked(options.cut.on);

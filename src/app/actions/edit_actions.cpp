@@ -19,14 +19,14 @@ void EditActions::fill(QMenu& menu) {
     m_redo = addAction(
         menu, tr("&Redo"), tr("Ctrl+Shift+Z"), this, [this] { m_session.redo(); }, QStringLiteral("redo"));
     menu.addSeparator();
-    m_enableAll = addAction(menu, tr("&Enable All Hits"), {}, this, [this] { m_session.enableAllHits(); });
+    m_enableAll = addAction(menu, tr("&Enable All Hits"), {}, this, [this] { m_session.hits().enableAll(); });
     m_clear = addAction(
-        menu, tr("&Clear Hits"), tr("Ctrl+Shift+Del"), this, [this] { m_session.clearHits(); },
+        menu, tr("&Clear Hits"), tr("Ctrl+Shift+Del"), this, [this] { m_session.hits().clear(); },
         QStringLiteral("remove"));
     menu.addSeparator();
     connect(&m_session, &Session::undoChanged, this, &EditActions::follow);
-    connect(&m_session, &Session::hitsAppended, this, &EditActions::follow);
-    connect(&m_session, &Session::historyReset, this, &EditActions::follow);
+    connect(&m_session.hits(), &SessionHits::appended, this, &EditActions::follow);
+    connect(&m_session.hits(), &SessionHits::reset, this, &EditActions::follow);
     follow();
 }
 
@@ -37,8 +37,8 @@ void EditActions::follow() {
     };
     name(*m_undo, tr("&Undo"), m_session.undoName(), tr("There is nothing to undo."));
     name(*m_redo, tr("&Redo"), m_session.redoName(), tr("There is nothing to redo."));
-    enableIf(*m_enableAll, m_session.disabledHits() > 0, tr("No hit is disabled."));
-    enableIf(*m_clear, m_session.history().size() > 0, tr("There are no hits yet."));
+    enableIf(*m_enableAll, m_session.hits().disabled() > 0, tr("No hit is disabled."));
+    enableIf(*m_clear, m_session.hits().history().size() > 0, tr("There are no hits yet."));
 }
 
 }  // namespace hitscope

@@ -60,8 +60,8 @@ void ExportActions::fill(QMenu& menu) {
         menu, tr("&Export Deformed Mesh…"), tr("Ctrl+E"), this, [this] { choose(); },
         QStringLiteral("export"));
     connect(&m_session, &Session::sceneReplaced, this, &ExportActions::follow);
-    connect(&m_session, &Session::targetAdded, this, &ExportActions::follow);
-    connect(&m_session, &Session::targetRemoved, this, &ExportActions::follow);
+    connect(&m_session.targets(), &SessionTargets::added, this, &ExportActions::follow);
+    connect(&m_session.targets(), &SessionTargets::removed, this, &ExportActions::follow);
     follow();
 }
 
@@ -101,7 +101,7 @@ QStringList ExportActions::chooseFor(const std::vector<TargetId>& targets) {
     if (targets.size() != 1) {
         return chooseFolder(targets);
     }
-    const Target* target = m_session.target(targets.front());
+    const Target* target = m_session.targets().find(targets.front());
     const QString path = target != nullptr ? chooseOne(*target) : QString();
     return path.isEmpty() ? QStringList() : QStringList{path};
 }
@@ -115,7 +115,7 @@ QStringList ExportActions::chooseFolder(const std::vector<TargetId>& targets) {
     }
     m_settings.folder = folder;
     for (const TargetId id : targets) {
-        const Target* target = m_session.target(id);
+        const Target* target = m_session.targets().find(id);
         if (target == nullptr) {
             continue;
         }

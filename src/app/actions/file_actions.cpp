@@ -93,8 +93,8 @@ void FileActions::fillMesh(QMenu& menu) {
     m_fileCoordinates = addAction(menu, tr("File's Own C&oordinates"), {}, this,
                                   [this] { m_parts.guard.ask([this] { place(0.0); }); });
     connect(&m_parts.session, &Session::sceneReplaced, this, &FileActions::follow);
-    connect(&m_parts.session, &Session::targetAdded, this, &FileActions::follow);
-    connect(&m_parts.session, &Session::targetRemoved, this, &FileActions::follow);
+    connect(&m_parts.session.targets(), &SessionTargets::added, this, &FileActions::follow);
+    connect(&m_parts.session.targets(), &SessionTargets::removed, this, &FileActions::follow);
     follow();
 }
 
@@ -168,20 +168,21 @@ void FileActions::sayOpened(const QStringList& notes) {
     if (notes.size() > lines.size()) {
         lines.append(tr("and %n more", nullptr, static_cast<int>(notes.size() - lines.size())));
     }
-    const glm::vec3 size = m_parts.session.sceneBounds().size();
+    const glm::vec3 size = m_parts.session.targets().bounds().size();
     const float extent = std::max({size.x, size.y, size.z});
     const bool oneMesh = m_parts.session.targets().size() == 1;
     // What goes by the mesh's size fits it.
-    const bool dentFits = m_parts.session.constantsSetting().relative;
-    const bool projectileFits = m_parts.session.flightMode() == FlightMode::Quick ||
-                                m_parts.session.flightMode() == FlightMode::Instant;
+    const bool dentFits = m_parts.session.settings().constantsSetting().relative;
+    const bool projectileFits = m_parts.session.settings().flightMode() == FlightMode::Quick ||
+                                m_parts.session.settings().flightMode() == FlightMode::Instant;
     const bool isUsual = extent >= kSmallestExtent && extent <= kLargestExtent;
     if (oneMesh && extent > 0.0f && !isUsual && !(dentFits && projectileFits)) {
-        const ProjectileSettings projectile =
-            projectileOf(m_parts.session.flightMode(), m_parts.session.projectileSettings(), extent, extent);
-        const float reach = dentFits ? 2.0f * projectile.radius : m_parts.session.constants().maxDistance;
+        const ProjectileSettings projectile = projectileOf(
+            m_parts.session.settings().flightMode(), m_parts.session.settings().projectile(), extent, extent);
+        const float reach =
+            dentFits ? 2.0f * projectile.radius : m_parts.session.settings().constants().maxDistance;
         const QString text =
-            dentFits ? tr("This mesh is %1 m across; a projectile is %2 m_parts. With Quick or Instant "
+            dentFits ? tr("This mesh is %1 m across; a projectile is %2 m. With Quick or Instant "
                           "in the tool bar, it goes by the size of the mesh.")
                      : tr("This mesh is %1 m across; hits reach %2 m around where they land.");
         lines.prepend(text.arg(shownNumber(static_cast<double>(extent), 'g', 3),

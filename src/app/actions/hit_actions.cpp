@@ -33,8 +33,8 @@ HitActions::HitActions(Session& session, HitEffects& effects, QString& folder, Q
       m_window(window),
       m_highlight(session, effects),
       m_editing(session) {
-    connect(&session, &Session::hitsAppended, this, &HitActions::follow);
-    connect(&session, &Session::historyReset, this, &HitActions::follow);
+    connect(&session.hits(), &SessionHits::appended, this, &HitActions::follow);
+    connect(&session.hits(), &SessionHits::reset, this, &HitActions::follow);
     connect(&session, &Session::sceneReplaced, this, [this] { ++m_scene; });
 }
 
@@ -54,7 +54,7 @@ void HitActions::adopt(HitHistoryPanel& panel) {
     panel.addHitActions({m_import, m_export});
     connect(&panel, &HitHistoryPanel::rowsSelected, &m_editing, [this](const std::vector<std::size_t>& rows) {
         // A hit that the list does not show can be selected too, alone.
-        const std::optional<std::size_t> hit = m_session.selectedHit();
+        const std::optional<std::size_t> hit = m_session.hits().selected();
         if (!rows.empty() || !hit) {
             m_editing.select(rows);
         }
@@ -70,7 +70,7 @@ void HitActions::save(QSettings& settings) const {
 void HitActions::follow() {
     if (m_export != nullptr) {
         const QString busy = tr("Another file of hits is being read or written.");
-        enableIf(*m_export, !m_isBusy && m_session.history().size() > 0,
+        enableIf(*m_export, !m_isBusy && m_session.hits().history().size() > 0,
                  m_isBusy ? busy : tr("There are no hits yet."));
         enableIf(*m_import, !m_isBusy, busy);
     }

@@ -110,7 +110,7 @@ void InspectActions::fill(QToolBar& bar) {
 /// Of the selected target, or of all.
 void InspectActions::selectAllChanged() {
     VertexSelection& selection = m_session.selection();
-    const TargetId only = m_session.selectedTarget();
+    const TargetId only = m_session.targets().selected();
     auto combine = VertexSelection::Combine::Replace;
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
         if (only && target->id != only) {

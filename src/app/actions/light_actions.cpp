@@ -25,18 +25,18 @@ void LightActions::fill(QMenu& menu) {
     });
     m_spot = addToggle(menu, tr("&Spotlight"), Qt::Key_J, true, this,
                        [this](bool on) { change([on](Lights& lights) { lights.spot.on = on; }); });
-    connect(&m_session, &Session::lightsChanged, this, &LightActions::follow);
+    connect(&m_session.settings(), &SessionSettings::lightsChanged, this, &LightActions::follow);
     follow();
 }
 
 void LightActions::change(const std::function<void(Lights&)>& how) {
-    Lights lights = m_session.lights();
+    Lights lights = m_session.settings().lights();
     how(lights);
-    m_session.setLights(lights);
+    m_session.settings().setLights(lights);
 }
 
 void LightActions::follow() {
-    const Lights& lights = m_session.lights();
+    const Lights& lights = m_session.settings().lights();
     m_directional->setChecked(lights.directional.on);
     m_points->setChecked(std::any_of(lights.points.begin(), lights.points.end(),
                                      [](const PointLight& light) { return light.on; }));

@@ -156,7 +156,7 @@ void PictureActions::chooseSequence() {
     const PictureRequest shown = m_viewport.pictureRequest();
     const Session& session = m_viewport.session();
     PictureDialog dialog(PictureDialog::Kind::Sequence, {shown.width, shown.height},
-                         session.history().size() - session.disabledHits(), &m_window);
+                         session.hits().history().size() - session.hits().disabled(), &m_window);
     QSettings settings;
     dialog.load(settings);
     if (dialog.exec() != QDialog::Accepted) {

@@ -51,10 +51,10 @@ ShotActions::ShotActions(Session& session, Viewport& viewport, QWidget& window)
       m_flight(new FlightChooser(session, this)) {
     m_aimPreview->setEnabled(QSettings().value(kPreviewKey, true).toBool());
     connect(&viewport, &Viewport::shot, this, &ShotActions::explainPass);
-    connect(&session, &Session::scheduleChanged, this, &ShotActions::follow);
+    connect(&session.simulation(), &Simulation::scheduleChanged, this, &ShotActions::follow);
     connect(&session, &Session::sceneReplaced, this, &ShotActions::follow);
     connect(m_flight, &FlightChooser::chosenInBox, this, &ShotActions::chosenInBox);
-    connect(&session, &Session::shotsWent, this, [this](const ShotCount& count) {
+    connect(&session.simulation(), &Simulation::shotsWent, this, [this](const ShotCount& count) {
         if (const QString text = shotText(count, m_session); !text.isEmpty()) {
             Q_EMIT said(text);
         }
@@ -70,7 +70,8 @@ void ShotActions::fill(QMenu& menu) {
     menu.addAction(tr("B&urst…"), tr("Ctrl+B"), this, [this] { showSeries(ShotSeries::Pattern::Burst); });
     menu.addAction(tr("Se&quence…"), this, [this] { showSeries(ShotSeries::Pattern::Line); });
     menu.addAction(tr("&Run Shot Script…"), this, &ShotActions::runScript);
-    m_stop = menu.addAction(tr("&Cancel Pending Shots"), &m_session, &Session::cancelScheduled);
+    m_stop =
+        menu.addAction(tr("&Cancel Pending Shots"), &m_session.simulation(), &Simulation::cancelScheduled);
     m_stop->setObjectName(QStringLiteral("stopShots"));
     menu.addSeparator();
     QAction* preview = menu.addAction(tr("Aim Pre&view"));
@@ -92,9 +93,9 @@ void ShotActions::showSeries(ShotSeries::Pattern pattern) {
         connect(dialog, &ShotSeriesDialog::shotsWanted, this, &ShotActions::shoot);
         connect(dialog, &ShotSeriesDialog::saveWanted, this, &ShotActions::save);
         const auto followFlight = [this, dialog] {
-            dialog->setShotsFly(m_session.flightMode() != FlightMode::Instant);
+            dialog->setShotsFly(m_session.settings().flightMode() != FlightMode::Instant);
         };
-        connect(&m_session, &Session::flightModeChanged, dialog, followFlight);
+        connect(&m_session.settings(), &SessionSettings::flightModeChanged, dialog, followFlight);
         followFlight();
     }
     dialog->setPattern(pattern);
@@ -134,10 +135,10 @@ void ShotActions::runScript() {
 }
 
 void ShotActions::explainPass(const Ray& ray) {
-    const auto met = m_session.physics().castRay(ray.origin, ray.direction, kFarthest);
+    const auto met = m_session.simulation().physics().castRay(ray.origin, ray.direction, kFarthest);
     const float first = met ? glm::distance(ray.origin, met->point) : kFarthest;
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
-        const QString reason = m_session.whyNotHittable(target->id);
+        const QString reason = m_session.simulation().whyNotHittable(target->id);
         if (target->visible && !reason.isEmpty() && distanceTo(target->worldBounds(), ray) < first) {
             Q_EMIT noticeWanted(tr("%1 cannot be hit. %2").arg(target->name, reason));
             return;
@@ -147,7 +148,7 @@ void ShotActions::explainPass(const Ray& ray) {
 
 void ShotActions::follow() {
     if (m_stop != nullptr) {
-        enableIf(*m_stop, m_session.shotsToCome() > 0, tr("No shots are to come."));
+        enableIf(*m_stop, m_session.simulation().shotsToCome() > 0, tr("No shots are to come."));
     }
 }
 

@@ -42,11 +42,11 @@ TimeActions::TimeActions(Session& session, QObject* parent)
     m_pause->setToolTip(withKey(tr("Pause the simulation"), *m_pause));
     m_step->setToolTip(withKey(tr("One physics step, then pause"), *m_step));
     m_slow->setToolTip(withKey(tr("Slow motion: a tenth of real time"), *m_slow));
-    connect(m_pause, &QAction::triggered, &session, &Session::setPaused);
+    connect(m_pause, &QAction::triggered, &session.simulation(), &Simulation::setPaused);
     connect(m_step, &QAction::triggered, this, &TimeActions::stepOnce);
     connect(m_slow, &QAction::triggered, this,
-            [this](bool on) { m_session.setTimeScale(on ? kSlowMotion : 1.0); });
-    connect(&session, &Session::timeChanged, this, &TimeActions::follow);
+            [this](bool on) { m_session.simulation().setTimeScale(on ? kSlowMotion : 1.0); });
+    connect(&session.simulation(), &Simulation::timeChanged, this, &TimeActions::follow);
 }
 
 QAction* TimeActions::makeAction(const QString& text, const QKeySequence& key, const QString& icon) {
@@ -76,7 +76,8 @@ void TimeActions::fillStepMenu(QMenu& menu) {
         action->setData(seconds);
         action->setToolTip(tr("Shorter steps follow flights and bounces more closely, and cost more"));
         m_steps->addAction(action);
-        connect(action, &QAction::triggered, this, [this, seconds] { m_session.setPhysicsStep(seconds); });
+        connect(action, &QAction::triggered, this,
+                [this, seconds] { m_session.simulation().setStep(seconds); });
     }
 }
 
@@ -93,7 +94,7 @@ void TimeActions::fill(QToolBar& bar) {
     m_scale->setSuffix(tr("×"));
     m_scale->setKeyboardTracking(false);
     m_scale->setToolTip(tr("Time scale: simulated time over real time"));
-    connect(m_scale, &QDoubleSpinBox::valueChanged, &m_session, &Session::setTimeScale);
+    connect(m_scale, &QDoubleSpinBox::valueChanged, &m_session.simulation(), &Simulation::setTimeScale);
     connect(m_scale->findChild<QLineEdit*>(), &QLineEdit::returnPressed, this, &TimeActions::numberTyped);
     bar.addWidget(m_scale);
     follow();
@@ -101,16 +102,16 @@ void TimeActions::fill(QToolBar& bar) {
 
 /// A step is something to look at: time does not run away after it.
 void TimeActions::stepOnce() {
-    m_session.setPaused(true);
-    m_session.stepOnce();
+    m_session.simulation().setPaused(true);
+    m_session.simulation().stepOnce();
 }
 
 void TimeActions::follow() {
-    const double scale = m_session.physics().timeScale();
-    m_pause->setChecked(m_session.isPaused());
+    const double scale = m_session.simulation().physics().timeScale();
+    m_pause->setChecked(m_session.simulation().isPaused());
     m_slow->setChecked(isNear(scale, kSlowMotion));
     for (QAction* action : m_steps->actions()) {
-        action->setChecked(isNear(action->data().toDouble(), m_session.physics().step()));
+        action->setChecked(isNear(action->data().toDouble(), m_session.simulation().physics().step()));
     }
     if (m_scale != nullptr) {
         const QSignalBlocker quiet(m_scale);

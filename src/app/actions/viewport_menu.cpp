@@ -44,14 +44,14 @@ void addEntry(QMenu& menu, const QString& text, const QString& why, std::functio
 }  // namespace
 
 std::optional<std::size_t> lastHitThatMoved(const Session& session, const VertexRef& vertex) {
-    const Target* target = session.target(vertex.target);
+    const Target* target = session.targets().find(vertex.target);
     if (target == nullptr) {
         return std::nullopt;
     }
     const RenderMesh& mesh = target->deformed.render();
     Attribution attribution(mesh.vertices[mesh.renderVerticesOf(vertex.vertex).front()]);
     std::optional<std::size_t> last;
-    const std::span<const Hit> hits = session.shownHits();
+    const std::span<const Hit> hits = session.hits().shown();
     for (std::size_t index = 0; index < hits.size(); ++index) {
         if (hits[index].target != vertex.target || !hits[index].enabled ||
             session.readBack().isDropped(index)) {
@@ -106,7 +106,7 @@ void ViewportMenu::open(const QPointF& position) {
     place.position = position;
     place.vertex = m_viewport.vertexAt(position);
     place.solid = m_viewport.metAt(position);
-    place.target = m_session.target(place.vertex ? place.vertex->target : TargetId{});
+    place.target = m_session.targets().find(place.vertex ? place.vertex->target : TargetId{});
     auto* menu = new QMenu(&m_viewport);
     menu->setObjectName(QStringLiteral("viewportMenu"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -129,9 +129,9 @@ void ViewportMenu::addTargets(QMenu& menu, const Place& place) {
     const QString none = place.target != nullptr ? QString() : tr("There is no target here.");
     const QString name = place.target != nullptr ? plainName(place.target->name) : tr("Target");
     const TargetId id = place.target != nullptr ? place.target->id : TargetId{};
-    const bool isSelected = id && m_session.selectedTarget() == id;
+    const bool isSelected = id && m_session.targets().selected() == id;
     addEntry(menu, tr("&Select %1").arg(name), isSelected ? tr("It is selected already.") : none,
-             [this, id] { m_session.selectTarget(id); });
+             [this, id] { m_session.targets().select(id); });
     int visible = 0;
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
         visible += target->visible ? 1 : 0;
@@ -167,7 +167,7 @@ void ViewportMenu::addDents(QMenu& menu, const Place& place) {
     });
     const QString remove =
         last ? tr("&Remove Hit %1, the Last One Here").arg(countText(*last + 1)) : tr("&Remove Dent Here");
-    addEntry(menu, remove, why, [this, last] { m_session.removeHit(*last); });
+    addEntry(menu, remove, why, [this, last] { m_session.hits().remove(*last); });
     addEntry(menu, tr("S&hoot Here"), {}, [this, at = place.position] { m_viewport.shootAt(at); });
 }
 
@@ -185,7 +185,7 @@ void ViewportMenu::isolate(TargetId id) {
             others.push_back(target->id);
         }
     }
-    m_session.setTargetsVisible(others, false);
+    m_session.targets().setVisible(others, false);
 }
 
 void ViewportMenu::showAll() {
@@ -195,7 +195,7 @@ void ViewportMenu::showAll() {
             hidden.push_back(target->id);
         }
     }
-    m_session.setTargetsVisible(hidden, true);
+    m_session.targets().setVisible(hidden, true);
 }
 
 }  // namespace hitscope

@@ -44,7 +44,8 @@ Camera cameraBefore(const Session& session, const Target& target, std::uint32_t 
     camera.setPivot(point, yaw, pitch, distance);
     const glm::vec3 from =
         point + normal * (kOffSurface * extent) - camera.forward() * (kOffSurface * extent);
-    if (const auto other = session.physics().castRay(from, -camera.forward(), camera.distance())) {
+    if (const auto other =
+            session.simulation().physics().castRay(from, -camera.forward(), camera.distance())) {
         distance = kBeforeOther * glm::distance(other->point, point);
         camera.setPivot(point, yaw, pitch, distance);
     }
@@ -92,14 +93,14 @@ TargetId GoToVertexDialog::target() const {
 }
 
 void GoToVertexDialog::followTarget() {
-    const Target* shown = m_session.target(target());
+    const Target* shown = m_session.targets().find(target());
     m_range->setText(shown == nullptr
                          ? tr("There is no target.")
                          : tr("1 to %1").arg(countText(shown->deformed.original().positions.size())));
 }
 
 std::optional<VertexRef> GoToVertexDialog::vertex() const {
-    const Target* shown = m_session.target(target());
+    const Target* shown = m_session.targets().find(target());
     QString digits = m_number->text().simplified().remove(QLatin1Char(' '));
     digits.remove(QLocale().groupSeparator());
     digits.remove(QLatin1Char(','));
@@ -118,7 +119,7 @@ void GoToVertexDialog::accept() {
         QDialog::accept();
         return;
     }
-    const Target* shown = m_session.target(target());
+    const Target* shown = m_session.targets().find(target());
     if (shown != nullptr) {
         const QString range = countText(shown->deformed.original().positions.size());
         m_range->setText(m_number->text().trimmed().isEmpty()
@@ -147,7 +148,7 @@ void GoToVertex::ask() {
 }
 
 void GoToVertex::go(const VertexRef& vertex) {
-    const Target* target = m_session.target(vertex.target);
+    const Target* target = m_session.targets().find(vertex.target);
     if (target == nullptr || vertex.vertex >= target->deformed.positions().size()) {
         return;
     }
@@ -155,7 +156,7 @@ void GoToVertex::go(const VertexRef& vertex) {
     m_session.selection().setPicked(vertex);
     m_session.selection().select(vertex.target, {vertex.vertex}, VertexSelection::Combine::Replace);
     Navigation& navigation = m_viewport.navigation();
-    m_session.updateColliders();  // what is in the way is asked of them
+    m_session.simulation().updateColliders();  // what is in the way is asked of them
     navigation.setCamera(cameraBefore(m_session, *target, vertex.vertex, navigation.goal()));
     Q_EMIT arrived();
 }

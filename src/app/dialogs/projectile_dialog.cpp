@@ -44,17 +44,16 @@ ProjectileDialog::ProjectileDialog(Session& session, QWidget* parent)
     }
     connect(m_ui->buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     connect(m_ui->buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
-            [this] { m_session.setProjectileSettings(ProjectileSettings{}); });
+            [this] { m_session.settings().setProjectile(ProjectileSettings{}); });
     QComboBox* flight = makeFlightBox(session, this);
     m_ui->flightPlace->addWidget(flight);
     m_ui->flightLabel->setBuddy(flight);
-    connect(&session, &Session::projectileSettingsChanged, this, &ProjectileDialog::showSettings);
-    for (const auto signal : {&Session::flightModeChanged, &Session::sceneReplaced}) {
-        connect(&session, signal, this, &ProjectileDialog::showInForce);
-    }
-    connect(&session, &Session::targetSelected, this, &ProjectileDialog::showInForce);
-    connect(&session, &Session::targetAdded, this, &ProjectileDialog::showInForce);
-    connect(&session, &Session::targetRemoved, this, &ProjectileDialog::showInForce);
+    connect(&session.settings(), &SessionSettings::projectileChanged, this, &ProjectileDialog::showSettings);
+    connect(&session.settings(), &SessionSettings::flightModeChanged, this, &ProjectileDialog::showInForce);
+    connect(&session, &Session::sceneReplaced, this, &ProjectileDialog::showInForce);
+    connect(&session.targets(), &SessionTargets::selectedChanged, this, &ProjectileDialog::showInForce);
+    connect(&session.targets(), &SessionTargets::added, this, &ProjectileDialog::showInForce);
+    connect(&session.targets(), &SessionTargets::removed, this, &ProjectileDialog::showInForce);
     showSettings();
     showInForce();
 }
@@ -62,7 +61,7 @@ ProjectileDialog::ProjectileDialog(Session& session, QWidget* parent)
 ProjectileDialog::~ProjectileDialog() = default;
 
 void ProjectileDialog::showSettings() {
-    const ProjectileSettings settings = m_session.projectileSettings();
+    const ProjectileSettings settings = m_session.settings().projectile();
     m_showing = true;
     for (std::size_t i = 0; i < m_numbers.size(); ++i) {
         m_numbers[i]->setValue(parameterValue(settings, i));
@@ -78,7 +77,7 @@ void ProjectileDialog::showSettings() {
 
 /// The numbers that the flight decides: as set, or in words.
 void ProjectileDialog::showInForce() {
-    const FlightMode mode = m_session.flightMode();
+    const FlightMode mode = m_session.settings().flightMode();
     for (QWidget* field : {m_ui->speed, m_ui->radius, m_ui->lifetime, m_ui->gravity}) {
         m_ui->form->setRowVisible(field, mode == FlightMode::Own);
     }
@@ -90,7 +89,7 @@ void ProjectileDialog::apply() {
     if (m_showing) {
         return;
     }
-    ProjectileSettings settings = m_session.projectileSettings();
+    ProjectileSettings settings = m_session.settings().projectile();
     for (std::size_t i = 0; i < m_numbers.size(); ++i) {
         setParameterValue(settings, i, m_numbers[i]->value());
     }
@@ -98,7 +97,7 @@ void ProjectileDialog::apply() {
     settings.colour = {colour.redF(), colour.greenF(), colour.blueF()};
     settings.bouncesCount = m_ui->bounces->isChecked();
     settings.powerFollowsImpulse = m_ui->powerFollowsImpulse->isChecked();
-    m_session.setProjectileSettings(settings);
+    m_session.settings().setProjectile(settings);
 }
 
 }  // namespace hitscope

@@ -43,7 +43,7 @@ void TextureChooser::choose(int size) {
     (*wanted)->setChecked(true);
     m_chosen = size;
     if (size == 0) {
-        m_session.setCoverTexture(nullptr);
+        m_session.settings().setCoverTexture(nullptr);
         return;
     }
     auto image = std::make_shared<Image>();
@@ -58,7 +58,7 @@ void TextureChooser::choose(int size) {
 
 void TextureChooser::take(int size, const std::shared_ptr<const Image>& image) {
     if (size == m_chosen) {
-        m_session.setCoverTexture(image);
+        m_session.settings().setCoverTexture(image);
     }
 }
 

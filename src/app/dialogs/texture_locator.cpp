@@ -27,8 +27,8 @@ QString fileNameOf(const std::string& name) {
 
 TextureLocator::TextureLocator(Session& session, QWidget* parent)
     : QObject(parent), m_session(session), m_parent(parent) {
-    for (const auto signal : {&Session::targetAdded, &Session::targetRemoved, &Session::targetChanged}) {
-        connect(&session, signal, this, &TextureLocator::follow);
+    for (const auto signal : {&SessionTargets::added, &SessionTargets::removed, &SessionTargets::changed}) {
+        connect(&session.targets(), signal, this, &TextureLocator::follow);
     }
     connect(&session, &Session::sceneReplaced, this, &TextureLocator::follow);
 }
@@ -111,8 +111,8 @@ Status TextureLocator::use(const Missing& what, const QString& path) {
     if (!image) {
         return image.error();
     }
-    const Target* target = m_session.target(what.targets.front());
-    m_session.setTargetMaterials(
+    const Target* target = m_session.targets().find(what.targets.front());
+    m_session.targets().setMaterials(
         what.targets,
         std::make_shared<MeshData>(withTexture(*target->shape.mesh, what.name, std::move(image).value())));
     m_located[{what.file, what.name}] = path;

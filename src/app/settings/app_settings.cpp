@@ -51,7 +51,7 @@ void readNumber(const QSettings& settings, const QString& key, float lowest, flo
 }
 
 void loadProjectile(const QSettings& settings, Session& session) {
-    ProjectileSettings projectile = session.projectileSettings();
+    ProjectileSettings projectile = session.settings().projectile();
     const auto& parameters = projectileParameters();
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         auto value = static_cast<float>(parameterValue(projectile, i));
@@ -66,11 +66,11 @@ void loadProjectile(const QSettings& settings, Session& session) {
         settings.value(QStringLiteral("projectile/powerFollowsImpulse"), projectile.powerFollowsImpulse)
             .toBool();
     readColour(settings, QStringLiteral("projectile/colour"), projectile.colour);
-    session.setProjectileSettings(projectile);
+    session.settings().setProjectile(projectile);
     bool isNumber = false;
     const double step = settings.value(QStringLiteral("physicsStep")).toDouble(&isNumber);
     if (isNumber && stepParameter().accepts(step)) {
-        session.setPhysicsStep(step);
+        session.simulation().setStep(step);
     }
 }
 
@@ -150,7 +150,7 @@ void loadSessionSettings(const QSettings& settings, Session& session) {
     const QString pipeline = settings.value(QStringLiteral("pipeline")).toString();
     for (const PipelineTraits& traits : allPipelines()) {
         if (QString::fromUtf8(traits.key) == pipeline) {
-            session.setPipeline(traits.kind);
+            session.settings().setPipeline(traits.kind);
         }
     }
     loadLights(settings, session);
@@ -169,13 +169,13 @@ void loadSessionSettings(const QSettings& settings, Session& session) {
     // Each value was checked against the same ranges, so this is not refused.
     const bool relative =
         settings.value(QStringLiteral("constants/relative"), ConstantsSetting{}.relative).toBool();
-    static_cast<void>(session.restoreConstants(ConstantsSetting{constants, relative}));
+    static_cast<void>(session.settings().restoreConstants(ConstantsSetting{constants, relative}));
     loadProjectile(settings, session);
 }
 
 void saveSessionSettings(QSettings& settings, const Session& session) {
     for (const PipelineTraits& traits : allPipelines()) {
-        if (traits.kind == session.pipeline()) {
+        if (traits.kind == session.settings().pipeline()) {
             settings.setValue(QStringLiteral("pipeline"), QString::fromUtf8(traits.key));
         }
     }
@@ -183,10 +183,10 @@ void saveSessionSettings(QSettings& settings, const Session& session) {
     const auto& parameters = deformationParameters();
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         settings.setValue(QStringLiteral("constants/") + QString::fromUtf8(parameters[i].key),
-                          QString::number(parameterValue(session.constants(), i), 'g', 9));
+                          QString::number(parameterValue(session.settings().constants(), i), 'g', 9));
     }
-    settings.setValue(QStringLiteral("constants/relative"), session.constantsSetting().relative);
-    const ProjectileSettings& projectile = session.projectileSettings();
+    settings.setValue(QStringLiteral("constants/relative"), session.settings().constantsSetting().relative);
+    const ProjectileSettings& projectile = session.settings().projectile();
     const auto& shot = projectileParameters();
     for (std::size_t i = 0; i < shot.size(); ++i) {
         settings.setValue(QStringLiteral("projectile/") + QString::fromUtf8(shot[i].key),
@@ -195,7 +195,8 @@ void saveSessionSettings(QSettings& settings, const Session& session) {
     settings.setValue(QStringLiteral("projectile/bouncesCount"), projectile.bouncesCount);
     settings.setValue(QStringLiteral("projectile/powerFollowsImpulse"), projectile.powerFollowsImpulse);
     writeColour(settings, QStringLiteral("projectile/colour"), projectile.colour);
-    settings.setValue(QStringLiteral("physicsStep"), QString::number(session.physics().step(), 'g', 17));
+    settings.setValue(QStringLiteral("physicsStep"),
+                      QString::number(session.simulation().physics().step(), 'g', 17));
 }
 
 }  // namespace hitscope

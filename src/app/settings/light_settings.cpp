@@ -91,13 +91,13 @@ void visitLights(const Visit& visit, AllLights& lights) {
 }  // namespace
 
 void loadLights(const QSettings& settings, Session& session) {
-    Lights lights = moved(session.lights(), session.lightSpace(), LightSpace{});
+    Lights lights = moved(session.settings().lights(), session.settings().lightSpace(), LightSpace{});
     visitLights(Reader{settings}, lights);
-    session.restoreLights(moved(lights, LightSpace{}, session.lightSpace()));
+    session.settings().restoreLights(moved(lights, LightSpace{}, session.settings().lightSpace()));
 }
 
 void saveLights(QSettings& settings, const Session& session) {
-    const Lights lights = moved(session.lights(), session.lightSpace(), LightSpace{});
+    const Lights lights = moved(session.settings().lights(), session.settings().lightSpace(), LightSpace{});
     visitLights(Writer{settings}, lights);
 }
 

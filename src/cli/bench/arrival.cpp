@@ -32,7 +32,7 @@ struct Arrival {
     /// Hits arrive between frames: a picture is drawn before them, and what it leaves in the caches is what
     /// they meet.
     Status prepare() {
-        session.clearHits();
+        session.hits().clear();
         hits = random->next(hitsAtOnce);
         if (Status status = settle(); !status) {
             return status;
@@ -43,7 +43,7 @@ struct Arrival {
     }
 
     Status arrive() {
-        if (Status status = session.addHits(hits); !status) {
+        if (Status status = session.hits().add(hits); !status) {
             return status;
         }
         return settle();
@@ -57,14 +57,15 @@ Result<std::unique_ptr<Arrival>> makeArrival(const BenchRoom& room, const StillS
     arrival->view.width = room.picture().width();
     arrival->view.height = room.picture().height();
     scene.load(arrival->session);
-    arrival->session.setPipeline(pipeline);
+    arrival->session.settings().setPipeline(pipeline);
     Result<std::unique_ptr<SceneGpu>> gpu = SceneGpu::create(arrival->session);
     if (!gpu) {
         return gpu.error();
     }
     arrival->gpu = std::move(gpu).value();
-    arrival->view.camera.frame(arrival->session.sceneBounds(), static_cast<float>(arrival->view.width) /
-                                                                   static_cast<float>(arrival->view.height));
+    arrival->view.camera.frame(
+        arrival->session.targets().bounds(),
+        static_cast<float>(arrival->view.width) / static_cast<float>(arrival->view.height));
     std::vector<HitTarget> targets;
     for (const std::unique_ptr<Target>& target : arrival->session.targets()) {
         targets.push_back({target->id, &target->deformed.render()});

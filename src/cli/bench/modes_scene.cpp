@@ -18,7 +18,7 @@ constexpr float kEdge = 0.1f;              // metres, of the high-poly meshes, a
 constexpr float kCloseEdgePixels = 16.0f;  // of an edge, seen from close by
 
 std::shared_ptr<const std::vector<glm::vec3>> dentOf(const Session& session, const Hit& hit) {
-    const Target& target = *session.target(hit.target);
+    const Target& target = *session.targets().find(hit.target);
     const RenderMesh& mesh = target.deformed.render();
     std::vector<std::uint32_t> triangles(mesh.triangles.size() / 3);
     std::iota(triangles.begin(), triangles.end(), 0U);
@@ -41,7 +41,7 @@ ModesScene::~ModesScene() = default;
 
 Status ModesScene::open(int row, PipelineKind pipeline, std::uint32_t seed) {
     m_session.loadPaperRow(row);
-    m_session.setPipeline(pipeline);
+    m_session.settings().setPipeline(pipeline);
     Result<std::unique_ptr<SceneGpu>> gpu = SceneGpu::create(m_session);
     if (!gpu) {
         return gpu.error();
@@ -53,8 +53,8 @@ Status ModesScene::open(int row, PipelineKind pipeline, std::uint32_t seed) {
         targets.push_back({target->id, &target->deformed.render()});
     }
     m_hits = RandomHits(targets, DeformationConstants(), seed).next(kHits);
-    static_cast<void>(m_session.addHits(m_hits));  // made on the session's own targets
-    m_session.selectTarget({});                    // a selected target is drawn with an outline
+    static_cast<void>(m_session.hits().add(m_hits));  // made on the session's own targets
+    m_session.targets().select({});                   // a selected target is drawn with an outline
     m_view.width = m_picture.width();
     m_view.height = m_picture.height();
     m_view.changeValues = &m_values;
@@ -63,15 +63,15 @@ Status ModesScene::open(int row, PipelineKind pipeline, std::uint32_t seed) {
 
 void ModesScene::look(ViewMode::Place place) {
     m_view.camera = Camera();
-    m_view.camera.setSceneRadius(m_session.sceneBounds().diagonal());
+    m_view.camera.setSceneRadius(m_session.targets().bounds().diagonal());
     if (place == ViewMode::Place::Overview) {
-        m_view.camera.frame(m_session.sceneBounds(),
+        m_view.camera.frame(m_session.targets().bounds(),
                             static_cast<float>(m_view.width) / static_cast<float>(m_view.height));
         return;
     }
     const Hit& hit = m_hits.back();
     const float pixels = static_cast<float>(m_view.height) / m_view.camera.heightAt(1.0f);
-    m_view.camera.setPivot(m_session.target(hit.target)->transform.toWorld(hit.point),
+    m_view.camera.setPivot(m_session.targets().find(hit.target)->transform.toWorld(hit.point),
                            std::atan2(-hit.direction.x, -hit.direction.z), 0.0f,
                            pixels * kEdge / kCloseEdgePixels);
 }

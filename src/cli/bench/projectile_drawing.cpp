@@ -19,7 +19,7 @@ public:
 
     Status open(bool withProjectiles) {
         m_session.loadPaperRow(kDefaultPaperRow);
-        m_session.setPipeline(PipelineKind::TransformFeedback);
+        m_session.settings().setPipeline(PipelineKind::TransformFeedback);
         if (withProjectiles) {
             launch();
         }
@@ -30,7 +30,7 @@ public:
         m_gpu = std::move(gpu).value();
         m_view.width = m_room.picture().width();
         m_view.height = m_room.picture().height();
-        m_view.camera.frame(m_session.sceneBounds(),
+        m_view.camera.frame(m_session.targets().bounds(),
                             static_cast<float>(m_view.width) / static_cast<float>(m_view.height));
         return m_gpu->sync();
     }
@@ -46,8 +46,8 @@ private:
     void launch() {
         ProjectileSettings settings;
         settings.mostAlive = kProjectiles;
-        m_session.setProjectileSettings(settings);
-        const Bounds bounds = m_session.sceneBounds();
+        m_session.settings().setProjectile(settings);
+        const Bounds bounds = m_session.targets().bounds();
         constexpr int kRow = 50;
         for (int i = 0; i < kProjectiles; ++i) {
             const int row = i / kRow;
@@ -55,9 +55,9 @@ private:
                                   static_cast<float>(row) * kRow / kProjectiles);
             glm::vec3 origin = bounds.min + share * bounds.size();
             origin.y = bounds.max.y + 1.0f;
-            m_session.shoot({origin, {0.0f, 1.0f, 0.0f}});
+            m_session.simulation().shoot({origin, {0.0f, 1.0f, 0.0f}});
         }
-        m_session.advance(kStepsToFullTrails * PhysicsWorld::kStep);
+        m_session.simulation().advance(kStepsToFullTrails * PhysicsWorld::kStep);
     }
 
     const BenchRoom& m_room;

@@ -15,8 +15,8 @@ public:
 
     Status open(const std::function<void(Session&)>& load, PipelineKind pipeline) {
         load(m_session);
-        m_session.setPipeline(pipeline);
-        m_session.selectTarget({});
+        m_session.settings().setPipeline(pipeline);
+        m_session.targets().select({});
         Result<std::unique_ptr<SceneGpu>> gpu = SceneGpu::create(m_session);
         if (!gpu) {
             return gpu.error();
@@ -25,14 +25,14 @@ public:
         m_view.width = m_picture.width();
         m_view.height = m_picture.height();
         m_view.options.normals = NormalMode::Paper;
-        m_view.camera.frame(m_session.sceneBounds(),
+        m_view.camera.frame(m_session.targets().bounds(),
                             static_cast<float>(m_view.width) / static_cast<float>(m_view.height));
         return m_gpu->sync();
     }
 
     void append(std::span<const Hit> hits) override {
-        static_cast<void>(m_session.addHits(hits));  // made on the session's own targets
-        m_session.selectTarget({});                  // a selected target is drawn with an outline
+        static_cast<void>(m_session.hits().add(hits));  // made on the session's own targets
+        m_session.targets().select({});                 // a selected target is drawn with an outline
     }
 
     Status draw() override {

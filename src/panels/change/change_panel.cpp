@@ -174,7 +174,7 @@ void ChangePanel::connectComparison() {
         }
     });
     connect(&m_session.readBack(), &ReadBack::unavailablePipelinesChanged, this, &ChangePanel::listPipelines);
-    connect(&m_session, &Session::pipelineChanged, this, &ChangePanel::showReport);
+    connect(&m_session.settings(), &SessionSettings::pipelineChanged, this, &ChangePanel::showReport);
     connect(&m_comparison, &Comparison::otherChanged, this, &ChangePanel::listPipelines);
     connect(&m_comparison, &Comparison::reportChanged, this, &ChangePanel::showReport);
     showReport();

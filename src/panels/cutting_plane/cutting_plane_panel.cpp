@@ -137,7 +137,7 @@ void CuttingPlanePanel::connectReadOut() {
         }
     });
     connect(m_ui->csv, &QToolButton::clicked, this, &CuttingPlanePanel::chooseCsv);
-    connect(&m_session, &Session::targetSelected, this, &CuttingPlanePanel::showSection);
+    connect(&m_session.targets(), &SessionTargets::selectedChanged, this, &CuttingPlanePanel::showSection);
 }
 
 void CuttingPlanePanel::setCut(const CuttingPlane& cut, const Bounds& bounds) {
@@ -206,7 +206,7 @@ void CuttingPlanePanel::setSection(std::shared_ptr<const SceneSection> section) 
 QRectF CuttingPlanePanel::room() const {
     Bounds bounds;
     for (const TargetSection& section : m_section->targets) {
-        const Target* target = m_scope.holds(section) ? m_session.target(section.target) : nullptr;
+        const Target* target = m_scope.holds(section) ? m_session.targets().find(section.target) : nullptr;
         if (target != nullptr) {
             bounds.add(target->worldBounds());
         }
@@ -225,7 +225,7 @@ void CuttingPlanePanel::showSection() {
         m_ui->plot->setSection(nullptr, {}, {});
         return;
     }
-    m_scope = sectionScope(*m_section, m_session.selectedTarget());
+    m_scope = sectionScope(*m_section, m_session.targets().selected());
     m_ui->plot->setSection(m_section, m_scope, room());
     const auto deepest = deepestOf(*m_section, m_scope);
     const SectionView view = sectionView(m_section->cut.openSide());

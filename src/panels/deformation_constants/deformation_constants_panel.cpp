@@ -63,21 +63,24 @@ DeformationConstantsPanel::DeformationConstantsPanel(Session& session, HitEditin
     makePresetMenu();
     connect(m_ui->preset, &QComboBox::activated, this, &DeformationConstantsPanel::choosePreset);
     connect(m_ui->size, &QComboBox::activated, this, [this](int row) {
-        apply({m_session.constants(), row == Relative});
+        apply({m_session.settings().constants(), row == Relative});
     });
     connect(m_ui->applyToSelected, &QPushButton::clicked, this,
-            [this] { m_session.giveConstants(m_editing.rows()); });
-    connect(m_ui->applyToAll, &QPushButton::clicked, &session, &Session::giveConstantsToAll);
+            [this] { m_session.hits().giveConstants(m_editing.rows()); });
+    connect(m_ui->applyToAll, &QPushButton::clicked, &session.hits(), &SessionHits::giveConstantsToAll);
     connect(&editing, &HitEditing::rowsChanged, this, &DeformationConstantsPanel::showHits);
-    connect(&session, &Session::hitsAppended, this, &DeformationConstantsPanel::showHits);
-    connect(&session, &Session::historyReset, this, &DeformationConstantsPanel::showHits);
-    connect(&session, &Session::projectileSettingsChanged, this, &DeformationConstantsPanel::showInForce);
-    connect(&session, &Session::constantsChanged, this, &DeformationConstantsPanel::showConstants);
-    connect(&session, &Session::targetSelected, this, &DeformationConstantsPanel::showInForce);
+    connect(&session.hits(), &SessionHits::appended, this, &DeformationConstantsPanel::showHits);
+    connect(&session.hits(), &SessionHits::reset, this, &DeformationConstantsPanel::showHits);
+    connect(&session.settings(), &SessionSettings::projectileChanged, this,
+            &DeformationConstantsPanel::showInForce);
+    connect(&session.settings(), &SessionSettings::constantsChanged, this,
+            &DeformationConstantsPanel::showConstants);
+    connect(&session.targets(), &SessionTargets::selectedChanged, this,
+            &DeformationConstantsPanel::showInForce);
     connect(&session, &Session::sceneReplaced, this, &DeformationConstantsPanel::showInForce);
-    connect(&session, &Session::targetAdded, this, &DeformationConstantsPanel::showInForce);
-    connect(&session, &Session::targetRemoved, this, &DeformationConstantsPanel::showInForce);
-    connect(&session, &Session::targetChanged, this, &DeformationConstantsPanel::showInForce);
+    connect(&session.targets(), &SessionTargets::added, this, &DeformationConstantsPanel::showInForce);
+    connect(&session.targets(), &SessionTargets::removed, this, &DeformationConstantsPanel::showInForce);
+    connect(&session.targets(), &SessionTargets::changed, this, &DeformationConstantsPanel::showInForce);
     listPresets();
     showConstants();
     showHits();
@@ -91,7 +94,7 @@ void DeformationConstantsPanel::makeEditors() {
         auto* editor =
             new ParameterEditor(parameters[i], parameters[i], *m_ui->parameters, static_cast<int>(i), this);
         connect(editor, &ParameterEditor::edited, this, [this, i](double value) {
-            ConstantsSetting setting = m_session.constantsSetting();
+            ConstantsSetting setting = m_session.settings().constantsSetting();
             setParameterValue(setting.constants, i, value);
             apply(setting, m_gesture.change(static_cast<int>(i)));
         });
@@ -118,14 +121,14 @@ void DeformationConstantsPanel::listPresets() {
 }
 
 void DeformationConstantsPanel::showConstants() {
-    const bool relative = m_session.constantsSetting().relative;
+    const bool relative = m_session.settings().constantsSetting().relative;
     for (std::size_t i = 0; i < m_editors.size(); ++i) {
         const bool isPower = i == kPower;
         m_editors[i]->setUnit(relative ? kPerCent * (isPower ? kPerSize * kPerSize : kPerSize) : 1.0,
                               relative ? tr("%") : QString::fromUtf8(deformationParameters()[i].unit));
-        m_editors[i]->setValue(parameterValue(m_session.constants(), i));
+        m_editors[i]->setValue(parameterValue(m_session.settings().constants(), i));
     }
-    const std::optional<std::size_t> preset = m_presets.find(m_session.constants());
+    const std::optional<std::size_t> preset = m_presets.find(m_session.settings().constants());
     m_ui->preset->setCurrentIndex(preset ? static_cast<int>(*preset) : -1);
     m_ui->size->setCurrentIndex(relative ? Relative : InMetres);
     enableIf(*m_delete, preset && !m_presets.all()[*preset].isOurs,
@@ -134,18 +137,19 @@ void DeformationConstantsPanel::showConstants() {
 }
 
 void DeformationConstantsPanel::showInForce() {
-    const bool relative = m_session.constantsSetting().relative;
-    const Target* selected = m_session.target(m_session.selectedTarget());
+    const bool relative = m_session.settings().constantsSetting().relative;
+    const Target* selected = m_session.targets().find(m_session.targets().selected());
     const Target* target = selected != nullptr ? selected : ofOneSize(m_session);
     if (relative && target == nullptr) {
         // Power is per cent of a square: in these units of length it is a hundred times as much.
-        m_ui->falloff->show(scaled(m_session.constants(), static_cast<float>(kPerCent * kPerSize)),
+        m_ui->falloff->show(scaled(m_session.settings().constants(), static_cast<float>(kPerCent * kPerSize)),
                             FalloffPlot::Unit::PerCentOfTarget);
     } else {
-        m_ui->falloff->show(target != nullptr ? m_session.constantsOn(*target) : m_session.constants());
+        m_ui->falloff->show(target != nullptr ? m_session.settings().constantsOn(*target)
+                                              : m_session.settings().constants());
     }
     QString text = inForceText();
-    const ProjectileSettings& projectile = m_session.projectileSettings();
+    const ProjectileSettings& projectile = m_session.settings().projectile();
     if (projectile.powerFollowsImpulse) {
         text += u' ' + tr("Power follows the impulse: it is this at %1 N·s.")
                            .arg(shownFloat(projectile.referenceImpulse));
@@ -154,10 +158,10 @@ void DeformationConstantsPanel::showInForce() {
 }
 
 QString DeformationConstantsPanel::inForceText() const {
-    if (!m_session.constantsSetting().relative) {
+    if (!m_session.settings().constantsSetting().relative) {
         return tr("In force: these numbers, on every target.");
     }
-    const Target* selected = m_session.target(m_session.selectedTarget());
+    const Target* selected = m_session.targets().find(m_session.targets().selected());
     const Target* target = selected != nullptr ? selected : ofOneSize(m_session);
     if (target == nullptr) {
         return m_session.targets().empty()
@@ -169,7 +173,7 @@ QString DeformationConstantsPanel::inForceText() const {
     if (const QString counted = lengthText(sizeFactor(target->extent()) * kUsualExtent); counted != size) {
         size = tr("%1, counted as %2").arg(size, counted);
     }
-    const DeformationConstants constants = m_session.constantsOn(*target);
+    const DeformationConstants constants = m_session.settings().constantsOn(*target);
     const bool isOnly = selected != nullptr || m_session.targets().size() == 1;
     return tr("In force on %1 (%2): max distance %3, power %4 m², max magnitude %5.")
         .arg(isOnly ? target->name : tr("every target"), size, lengthText(constants.maxDistance),
@@ -178,7 +182,7 @@ QString DeformationConstantsPanel::inForceText() const {
 
 void DeformationConstantsPanel::showHits() {
     const std::size_t selected = m_editing.rows().size();
-    const std::size_t all = m_session.history().size();
+    const std::size_t all = m_session.hits().history().size();
     m_ui->applyToSelected->setText(tr("Selected (%1)").arg(shownCount(selected)));
     enableIf(*m_ui->applyToSelected, selected > 0, tr("No hit is selected."));
     m_ui->applyToAll->setText(tr("All (%1)").arg(shownCount(all)));
@@ -187,13 +191,14 @@ void DeformationConstantsPanel::showHits() {
 
 void DeformationConstantsPanel::apply(const ConstantsSetting& setting, SessionUndo::Merge merge) {
     // The editors keep to the ranges that the session checks; should it refuse, they show what holds.
-    if (!m_session.setConstants(setting, merge)) {
+    if (!m_session.settings().setConstants(setting, merge)) {
         showConstants();
     }
 }
 
 void DeformationConstantsPanel::choosePreset(int row) {
-    apply({m_presets.all()[static_cast<std::size_t>(row)].constants, m_session.constantsSetting().relative});
+    apply({m_presets.all()[static_cast<std::size_t>(row)].constants,
+           m_session.settings().constantsSetting().relative});
 }
 
 void DeformationConstantsPanel::savePreset() {
@@ -203,7 +208,7 @@ void DeformationConstantsPanel::savePreset() {
     if (!accepted) {
         return;
     }
-    if (Status status = m_presets.save(name, m_session.constants()); !status) {
+    if (Status status = m_presets.save(name, m_session.settings().constants()); !status) {
         QMessageBox::warning(this, tr("Save as Preset"), QString::fromStdString(status.error().message()));
         return;
     }
@@ -214,7 +219,7 @@ void DeformationConstantsPanel::savePreset() {
 }
 
 void DeformationConstantsPanel::deletePreset() {
-    const std::optional<std::size_t> preset = m_presets.find(m_session.constants());
+    const std::optional<std::size_t> preset = m_presets.find(m_session.settings().constants());
     if (preset) {
         m_presets.remove(*preset);
         QSettings settings;

@@ -50,8 +50,8 @@ CostView::CostView(Session& session, const CostMeter& meter, QWidget* parent)
     follow(m_measurement);
     follow(m_bySize);
     connect(&session, &Session::sceneReplaced, this, &CostView::followScene);
-    connect(&session, &Session::targetAdded, this, &CostView::followScene);
-    connect(&session, &Session::targetRemoved, this, &CostView::followScene);
+    connect(&session.targets(), &SessionTargets::added, this, &CostView::followScene);
+    connect(&session.targets(), &SessionTargets::removed, this, &CostView::followScene);
     followAxis();
     applyPalette();
 }

@@ -6,9 +6,9 @@
 #include <functional>
 #include <memory>
 
+#include "analysis/cost_curves.h"
 #include "analysis/cost_measurement.h"
 #include "models/costs_csv.h"
-#include "session/cost_curves.h"
 
 class QCPGraph;
 class QCPItemStraightLine;

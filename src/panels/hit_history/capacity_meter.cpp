@@ -33,7 +33,7 @@ CapacityMeter::CapacityMeter(QWidget* parent) : QWidget(parent) {
 void CapacityMeter::follow(const Session& session) {
     const auto update = [this, &session] { read(session); };
     connect(&session.readBack(), &ReadBack::capacityChanged, this, update);
-    connect(&session, &Session::pipelineChanged, this, update);
+    connect(&session.settings(), &SessionSettings::pipelineChanged, this, update);
     update();
 }
 
@@ -45,7 +45,7 @@ void CapacityMeter::read(const Session& session) {
     }
     const QString used = countText(report.used);
     const QString capacity = countText(*report.capacity);
-    const QString pipeline = nameInside(session.pipeline());
+    const QString pipeline = nameInside(session.settings().pipeline());
     m_capacity = std::max(1, static_cast<int>(*report.capacity));
     m_used = std::min(m_capacity, static_cast<int>(report.used));
     m_text = report.perTarget ? tr("%1 of %2 hits on the fullest target").arg(used, capacity)

@@ -39,8 +39,8 @@ HitFilterBar::HitFilterBar(Session& session, HitList& list, QWidget* parent)
     m_target->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_enabled->setObjectName(QStringLiteral("filterEnabled"));
     m_enabled->setToolTip(tr("Leave out hits that are disabled"));
-    for (const auto signal : {&Session::targetAdded, &Session::targetRemoved, &Session::targetChanged}) {
-        connect(&session, signal, this, &HitFilterBar::followTargets);
+    for (const auto signal : {&SessionTargets::added, &SessionTargets::removed, &SessionTargets::changed}) {
+        connect(&session.targets(), signal, this, &HitFilterBar::followTargets);
     }
     connect(&session, &Session::sceneReplaced, this, &HitFilterBar::followTargets);
     connect(m_text, &QLineEdit::textChanged, this, &HitFilterBar::apply);

@@ -85,10 +85,10 @@ void HitHistoryPanel::connectAll() {
     const QItemSelectionModel* selection = m_ui->table->selectionModel();
     connect(selection, &QItemSelectionModel::selectionChanged, this, &HitHistoryPanel::followSelection);
     connect(selection, &QItemSelectionModel::currentChanged, this, &HitHistoryPanel::followSelection);
-    connect(&m_session, &Session::hitSelected, this, &HitHistoryPanel::showSelectedHit);
+    connect(&m_session.hits(), &SessionHits::selectedChanged, this, &HitHistoryPanel::showSelectedHit);
     connect(&m_list, &QAbstractItemModel::modelReset, this, &HitHistoryPanel::showSelectedHit);
     connect(&m_list, &HitList::listed, this, &HitHistoryPanel::updateActions);
-    connect(&m_session, &Session::shownHitsChanged, this, &HitHistoryPanel::updateSummary);
+    connect(&m_session.hits(), &SessionHits::shownChanged, this, &HitHistoryPanel::updateSummary);
     connect(m_ui->table, &QAbstractItemView::doubleClicked, this, &HitHistoryPanel::flyToCurrent);
     connect(m_filterBar, &HitFilterBar::opened, this, [this](bool isOpen) {
         m_filter->setChecked(isOpen);
@@ -103,9 +103,9 @@ void HitHistoryPanel::connectAll() {
         m_atNewest = bar->value() == bar->maximum();
     });
     connect(&m_list, &QAbstractItemModel::rowsInserted, this, &HitHistoryPanel::scrollToNewest);
-    connect(&m_session, &Session::hitsAppended, this, &HitHistoryPanel::updateSummary);
+    connect(&m_session.hits(), &SessionHits::appended, this, &HitHistoryPanel::updateSummary);
     connect(&m_session.readBack(), &ReadBack::capacityChanged, this, &HitHistoryPanel::updateSummary);
-    connect(&m_session, &Session::historyReset, this, [this] {
+    connect(&m_session.hits(), &SessionHits::reset, this, [this] {
         updateSummary();
         updateActions();
     });
@@ -172,18 +172,18 @@ std::vector<std::size_t> HitHistoryPanel::selectedRows() const {
 std::optional<std::size_t> HitHistoryPanel::currentHit() const {
     const QModelIndex current = m_list.mapToSource(m_ui->table->currentIndex());
     const auto hit = static_cast<std::size_t>(current.row());
-    return current.isValid() && hit < m_session.history().size() ? std::optional(hit) : std::nullopt;
+    return current.isValid() && hit < m_session.hits().history().size() ? std::optional(hit) : std::nullopt;
 }
 
 bool HitHistoryPanel::isAnyEnabled(const std::vector<std::size_t>& rows) const {
-    const std::span<const Hit> hits = m_session.history().hits();
+    const std::span<const Hit> hits = m_session.hits().history().hits();
     return std::any_of(rows.begin(), rows.end(),
                        [hits](std::size_t row) { return row < hits.size() && hits[row].enabled; });
 }
 
 void HitHistoryPanel::toggleSelected() {
     const std::vector<std::size_t> rows = selectedRows();
-    m_session.setHitsEnabled(rows, !isAnyEnabled(rows));
+    m_session.hits().setEnabled(rows, !isAnyEnabled(rows));
 }
 
 void HitHistoryPanel::moveSelectedUp() {
@@ -195,13 +195,13 @@ void HitHistoryPanel::moveSelectedUp() {
 
 void HitHistoryPanel::moveSelectedDown() {
     const std::vector<std::size_t> rows = selectedRows();
-    if (!rows.empty() && rows.back() + 1 < m_session.history().size()) {
+    if (!rows.empty() && rows.back() + 1 < m_session.hits().history().size()) {
         moveSelected(rows.back() + 2);
     }
 }
 
 void HitHistoryPanel::moveSelected(std::size_t to) {
-    m_session.moveHits(selectedRows(), to);
+    m_session.hits().move(selectedRows(), to);
     m_ui->table->scrollTo(m_ui->table->currentIndex());
 }
 
@@ -213,7 +213,7 @@ void HitHistoryPanel::removeSelected() {
     }
     const int place = m_list.mapFromSource(m_model.index(static_cast<int>(rows.front()), 0)).row();
     m_ui->table->clearSelection();  // following it row by row into nothing would cost time
-    m_session.removeHits(rows);
+    m_session.hits().remove(rows);
     const int next = std::min(place, m_list.rowCount() - 1);
     m_ui->table->selectionModel()->setCurrentIndex(m_list.index(next, 0), QItemSelectionModel::NoUpdate);
 }
@@ -224,9 +224,10 @@ void HitHistoryPanel::copySelected() {
 
 void HitHistoryPanel::flyToCurrent() {
     const std::optional<std::size_t> index = currentHit();
-    const Target* target = index ? m_session.target(m_session.history().hits()[*index].target) : nullptr;
+    const Target* target =
+        index ? m_session.targets().find(m_session.hits().history().hits()[*index].target) : nullptr;
     if (target != nullptr) {
-        const Hit& hit = m_session.history().hits()[*index];
+        const Hit& hit = m_session.hits().history().hits()[*index];
         const glm::vec3 point = target->transform.toWorld(hit.point);
         const float reach = kSurroundings * hit.constants.maxDistance;
         Bounds part;
@@ -245,7 +246,7 @@ void HitHistoryPanel::toggleFilter() {
 }
 
 void HitHistoryPanel::selectTargetsHits() {
-    const std::span<const Hit> hits = m_session.history().hits();
+    const std::span<const Hit> hits = m_session.hits().history().hits();
     const std::optional<std::size_t> current = currentHit();
     if (!current) {
         return;
@@ -275,10 +276,11 @@ void HitHistoryPanel::followSelection() {
     m_following = true;
     const std::optional<std::size_t> hit = currentHit();
     if (hit && m_ui->table->selectionModel()->isSelected(m_ui->table->currentIndex())) {
-        m_session.selectTarget(m_session.history().hits()[*hit].target);  // the statistics are about it
-        m_session.selectHit(hit);
+        m_session.targets().select(
+            m_session.hits().history().hits()[*hit].target);  // the statistics are about it
+        m_session.hits().select(hit);
     } else {
-        m_session.selectHit(std::nullopt);
+        m_session.hits().select(std::nullopt);
     }
     updateActions();
     m_following = false;
@@ -289,7 +291,7 @@ void HitHistoryPanel::showSelectedHit() {
         return;
     }
     m_following = true;
-    const std::optional<std::size_t> hit = m_session.selectedHit();
+    const std::optional<std::size_t> hit = m_session.hits().selected();
     const QModelIndex current = m_ui->table->currentIndex();
     const QModelIndex row =
         hit ? m_list.mapFromSource(m_model.index(static_cast<int>(*hit), 0)) : QModelIndex();
@@ -309,18 +311,18 @@ void HitHistoryPanel::scrollToNewest() {
 }
 
 void HitHistoryPanel::updateSummary() {
-    const std::size_t hits = m_session.history().size();
+    const std::size_t hits = m_session.hits().history().size();
     QString text = hits == 0   ? tr("No hits yet: click on a target")
                    : hits == 1 ? tr("1 hit")
                                : tr("%1 hits").arg(countText(hits));
-    if (!m_session.showsAllHits()) {
-        text = tr("After hit %1 of %2").arg(countText(m_session.shownHits().size()), countText(hits));
+    if (!m_session.hits().showsAll()) {
+        text = tr("After hit %1 of %2").arg(countText(m_session.hits().shown().size()), countText(hits));
     } else if (!m_list.filter().isAll()) {
         text = tr("%1 of %2 listed")
                    .arg(countText(static_cast<std::size_t>(m_list.rowCount())), countText(hits));
     }
-    if (m_session.disabledHits() > 0) {
-        text += tr(", %1 disabled").arg(countText(m_session.disabledHits()));
+    if (m_session.hits().disabled() > 0) {
+        text += tr(", %1 disabled").arg(countText(m_session.hits().disabled()));
     }
     if (m_session.readBack().droppedHits() > 0) {
         text += tr(", %1 dropped").arg(countText(m_session.readBack().droppedHits()));

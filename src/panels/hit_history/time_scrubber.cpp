@@ -40,8 +40,8 @@ TimeScrubber::TimeScrubber(Session& session, QWidget* parent)
         play(false);
         show(hits);
     });
-    for (const auto signal : {&Session::hitsAppended, &Session::historyReset, &Session::shownHitsChanged}) {
-        connect(&session, signal, this, &TimeScrubber::follow);
+    for (const auto signal : {&SessionHits::appended, &SessionHits::reset, &SessionHits::shownChanged}) {
+        connect(&session.hits(), signal, this, &TimeScrubber::follow);
     }
     follow();
 }
@@ -78,7 +78,7 @@ void TimeScrubber::follow() {
 
 void TimeScrubber::show(int hits) {
     m_isShowing = true;
-    m_session.showHits(hits >= all() ? std::nullopt : std::optional(static_cast<std::size_t>(hits)));
+    m_session.hits().show(hits >= all() ? std::nullopt : std::optional(static_cast<std::size_t>(hits)));
     follow();
     m_isShowing = false;  // last: for anybody else's moment follow() stops the replay
 }
@@ -128,7 +128,7 @@ void TimeScrubber::stepOn() {
 }
 
 void TimeScrubber::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape && !m_session.showsAllHits()) {
+    if (event->key() == Qt::Key_Escape && !m_session.hits().showsAll()) {
         play(false);
         show(all());
         return;

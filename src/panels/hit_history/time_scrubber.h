@@ -38,8 +38,8 @@ private:
     void playOn();
     void stepBack();
     void stepOn();
-    [[nodiscard]] int shown() const { return static_cast<int>(m_session.shownHits().size()); }
-    [[nodiscard]] int all() const { return static_cast<int>(m_session.history().size()); }
+    [[nodiscard]] int shown() const { return static_cast<int>(m_session.hits().shown().size()); }
+    [[nodiscard]] int all() const { return static_cast<int>(m_session.hits().history().size()); }
 
     Session& m_session;
     QToolButton* m_play = nullptr;

@@ -67,8 +67,8 @@ HitInspectorPanel::HitInspectorPanel(Session& session, HitEditing& editing, QWid
     connect(&editing, &HitEditing::edited, this, &HitInspectorPanel::show);
     connect(&editing, &HitEditing::refused, this,
             [this](const Error& error) { m_ui->problem->setText(QString::fromStdString(error.what)); });
-    connect(&session, &Session::targetChanged, this, &HitInspectorPanel::showTitle);
-    connect(&session, &Session::constantsChanged, this, &HitInspectorPanel::show);
+    connect(&session.targets(), &SessionTargets::changed, this, &HitInspectorPanel::showTitle);
+    connect(&session.settings(), &SessionSettings::constantsChanged, this, &HitInspectorPanel::show);
     show();
 }
 
@@ -133,7 +133,7 @@ void HitInspectorPanel::listPresets() {
 
 template <class Value>
 bool HitInspectorPanel::isSame(const Hit& hit, const Value& part) const {
-    const std::span<const Hit> hits = m_session.history().hits();
+    const std::span<const Hit> hits = m_session.hits().history().hits();
     const std::span<const std::size_t> rows = m_editing.rows();
     return std::all_of(rows.begin(), rows.end(),
                        [&](std::size_t row) { return row >= hits.size() || part(hits[row]) == part(hit); });
@@ -162,18 +162,18 @@ void HitInspectorPanel::showTitle() {
         m_ui->title->setText(
             tr("%1 hits are selected. A change applies to all of them.").arg(shownCount(count)));
     } else {
-        const Target* target = m_session.target(hit->target);
+        const Target* target = m_session.targets().find(hit->target);
         const QString name = target != nullptr ? target->name : QString();
-        const QString number = shownCount(*m_session.selectedHit() + 1);
+        const QString number = shownCount(*m_session.hits().selected() + 1);
         m_ui->title->setText(hit->enabled ? tr("Hit %1 on %2").arg(number, name)
                                           : tr("Hit %1 on %2, disabled").arg(number, name));
     }
 }
 
 void HitInspectorPanel::showConstants(const Hit& hit) {
-    const Target* target = m_session.target(hit.target);
+    const Target* target = m_session.targets().find(hit.target);
     const double size = target != nullptr ? static_cast<double>(sizeFactor(target->extent())) : 1.0;
-    const DeformationConstants next = m_session.constantsOf(hit);
+    const DeformationConstants next = m_session.hits().constantsOf(hit);
     for (std::size_t i = 0; i < m_editors.size(); ++i) {
         const auto value = [i](const Hit& one) { return parameterValue(one.constants, i); };
         m_editors[i]->setSpan(i == 1 ? size * size : size);
@@ -186,9 +186,10 @@ void HitInspectorPanel::showConstants(const Hit& hit) {
 }
 
 DeformationConstants HitInspectorPanel::presetFor(const ConstantsPreset& preset, const Hit& hit) const {
-    const Target* target = m_session.target(hit.target);
+    const Target* target = m_session.targets().find(hit.target);
     return target != nullptr
-               ? constantsOn(target->extent(), {preset.constants, m_session.constantsSetting().relative})
+               ? constantsOn(target->extent(),
+                             {preset.constants, m_session.settings().constantsSetting().relative})
                : preset.constants;
 }
 
@@ -208,7 +209,7 @@ void HitInspectorPanel::choosePreset(int row) {
         once(Preset,
              [this, chosen = m_presets.all()[preset]](Hit& hit) { hit.constants = presetFor(chosen, hit); });
     } else {
-        once(Preset, [this](Hit& hit) { hit.constants = m_session.constantsOf(hit); });
+        once(Preset, [this](Hit& hit) { hit.constants = m_session.hits().constantsOf(hit); });
     }
     show();
 }

@@ -41,8 +41,8 @@ LightsPanel::LightsPanel(Session& session, QWidget* parent)
     connect(m_ui->atEye, &QCheckBox::toggled, this,
             [this](bool on) { change([on](Lights& lights) { lights.spot.atEye = on; }); });
     connect(m_ui->reset, &QPushButton::clicked, this,
-            [this] { m_session.setLights(defaultLights(m_session.lightSpace())); });
-    connect(&session, &Session::lightsChanged, this, &LightsPanel::showLight);
+            [this] { m_session.settings().setLights(defaultLights(m_session.settings().lightSpace())); });
+    connect(&session.settings(), &SessionSettings::lightsChanged, this, &LightsPanel::showLight);
     showLight();
 }
 
@@ -95,9 +95,9 @@ void LightsPanel::addField(QDoubleSpinBox* box, Value value, double scale) {
 }
 
 void LightsPanel::change(const std::function<void(Lights&)>& change, SessionUndo::Merge merge) {
-    Lights lights = m_session.lights();
+    Lights lights = m_session.settings().lights();
     change(lights);
-    m_session.setLights(lights, merge);
+    m_session.settings().setLights(lights, merge);
 }
 
 void LightsPanel::changeField(const Field& field, double shown) {
@@ -118,7 +118,7 @@ void LightsPanel::changeField(const Field& field, double shown) {
 }
 
 void LightsPanel::showLight() {
-    Lights lights = m_session.lights();
+    Lights lights = m_session.settings().lights();
     for (const Field& field : m_fields) {
         const float* value = field.value(lights, row());
         // What is being typed is not replaced by its rounded self.
@@ -128,7 +128,7 @@ void LightsPanel::showLight() {
         }
     }
     for (QDoubleSpinBox* box : {m_ui->positionX, m_ui->positionY, m_ui->positionZ}) {
-        box->setSingleStep(static_cast<double>(m_session.lightSpace().extent) / kStepsToScene);
+        box->setSingleStep(static_cast<double>(m_session.settings().lightSpace().extent) / kStepsToScene);
     }
     m_ui->colour->setColour(QColor(colourName(lightTerms(lights, row()).colour)));
     const QSignalBlocker quiet(m_ui->atEye);

@@ -71,9 +71,9 @@ MeshStatisticsPanel::MeshStatisticsPanel(Session& session, MeshStatisticsModel& 
 
     connect(&model, &MeshStatisticsModel::shownTargetChanged, this, &MeshStatisticsPanel::showTarget);
     connect(&session, &Session::sceneReplaced, this, &MeshStatisticsPanel::listTargets);
-    connect(&session, &Session::targetAdded, this, &MeshStatisticsPanel::listTargets);
-    connect(&session, &Session::targetRemoved, this, &MeshStatisticsPanel::listTargets);
-    connect(&session, &Session::targetChanged, this, &MeshStatisticsPanel::listTargets);
+    connect(&session.targets(), &SessionTargets::added, this, &MeshStatisticsPanel::listTargets);
+    connect(&session.targets(), &SessionTargets::removed, this, &MeshStatisticsPanel::listTargets);
+    connect(&session.targets(), &SessionTargets::changed, this, &MeshStatisticsPanel::listTargets);
     connect(m_ui->target, &QComboBox::activated, this, &MeshStatisticsPanel::chooseTarget);
 }
 
@@ -220,7 +220,7 @@ void MeshStatisticsPanel::chooseTarget(int index) {
     const quint32 chosen = m_ui->target->itemData(index).toUInt();
     m_model.setShowsAll(chosen == kAllTargets);
     if (chosen != kAllTargets) {
-        m_session.selectTarget(TargetId{chosen});
+        m_session.targets().select(TargetId{chosen});
     }
 }
 
@@ -242,7 +242,7 @@ void MeshStatisticsPanel::selectHarm(const QModelIndex& index) {
         return;
     }
     const HarmRow row = m_health.harmAt(index.row());
-    const Target* target = m_session.target(row.target);
+    const Target* target = m_session.targets().find(row.target);
     if (target != nullptr) {
         const std::span<const std::uint32_t> face = target->deformed.original().face(row.harm.face);
         m_session.selection().select(row.target, {face.begin(), face.end()},
@@ -255,12 +255,12 @@ void MeshStatisticsPanel::lookAtHarm(const QModelIndex& index) {
         return;
     }
     const HarmRow row = m_health.harmAt(index.row());
-    const Target* target = m_session.target(row.target);
+    const Target* target = m_session.targets().find(row.target);
     if (target == nullptr) {
         return;
     }
     if (row.hit) {
-        m_session.selectHit(*row.hit);
+        m_session.hits().select(*row.hit);
     }
     // The face and as much around it as shows where it is.
     constexpr float kAround = 0.25f;  // metres

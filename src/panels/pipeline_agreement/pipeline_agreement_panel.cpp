@@ -61,7 +61,8 @@ void PipelineAgreementPanel::showReport() {
     m_ui->largest->setText(report ? metres(report->largest) : nothing);
     m_ui->rms->setText(report ? metres(report->rootMeanSquare) : nothing);
     m_ui->different->setText(report ? countText(report->different) : nothing);
-    const Target* target = report && report->worst ? m_session.target(report->worst->target) : nullptr;
+    const Target* target =
+        report && report->worst ? m_session.targets().find(report->worst->target) : nullptr;
     enableIf(*m_ui->worst, target != nullptr,
              report ? tr("No vertex differs.") : tr("Nothing has been compared yet."));
     m_ui->worst->setText(
@@ -72,7 +73,8 @@ void PipelineAgreementPanel::showReport() {
 
 void PipelineAgreementPanel::lookAtWorst() {
     const std::optional<AgreementReport>& report = m_agreement.report();
-    const Target* target = report && report->worst ? m_session.target(report->worst->target) : nullptr;
+    const Target* target =
+        report && report->worst ? m_session.targets().find(report->worst->target) : nullptr;
     if (target == nullptr) {
         return;
     }

@@ -32,9 +32,9 @@ PhysicsFields::PhysicsFields(Session& session, QCheckBox& dynamic, const Boxes& 
     }
     connect(&m_dynamic, &QCheckBox::toggled, this, &PhysicsFields::apply);
     connect(&session, &Session::sceneReplaced, this, &PhysicsFields::show);
-    connect(&session, &Session::targetSelected, this, &PhysicsFields::show);
-    connect(&session, &Session::targetChanged, this, [this](TargetId id) {
-        if (id == m_session.selectedTarget()) {
+    connect(&session.targets(), &SessionTargets::selectedChanged, this, &PhysicsFields::show);
+    connect(&session.targets(), &SessionTargets::changed, this, [this](TargetId id) {
+        if (id == m_session.targets().selected()) {
             show();
         }
     });
@@ -42,7 +42,7 @@ PhysicsFields::PhysicsFields(Session& session, QCheckBox& dynamic, const Boxes& 
 }
 
 void PhysicsFields::show() {
-    const Target* target = m_session.target(m_session.selectedTarget());
+    const Target* target = m_session.targets().find(m_session.targets().selected());
     const TargetPhysics physics = target != nullptr ? target->physics : TargetPhysics{};
     const QSignalBlocker quiet(m_dynamic);
     enableIf(m_dynamic, target != nullptr, QObject::tr("Select a target first."));
@@ -55,13 +55,13 @@ void PhysicsFields::show() {
                  target == nullptr ? QObject::tr("Select a target first.")
                                    : QObject::tr("Only a dynamic target has a mass."));
     }
-    const QString reason = target != nullptr ? m_session.whyNotHittable(target->id) : QString();
+    const QString reason = target != nullptr ? m_session.simulation().whyNotHittable(target->id) : QString();
     m_trouble.setText(reason);
     m_trouble.setVisible(!reason.isEmpty());
 }
 
 void PhysicsFields::apply() {
-    const Target* target = m_session.target(m_session.selectedTarget());
+    const Target* target = m_session.targets().find(m_session.targets().selected());
     if (target == nullptr) {
         return;
     }
@@ -70,7 +70,7 @@ void PhysicsFields::apply() {
     for (std::size_t i = 0; i < m_boxes.size(); ++i) {
         setParameterValue(physics, i, m_boxes[i]->value());
     }
-    if (const Status set = m_session.setTargetPhysics(target->id, physics); !set) {
+    if (const Status set = m_session.targets().setPhysics(target->id, physics); !set) {
         show();
         m_trouble.setText(QString::fromStdString(set.error().message()));
         m_trouble.show();

@@ -45,7 +45,7 @@ ScenePanel::ScenePanel(Session& session, SceneModel& model, QWidget* parent)
     const QItemSelectionModel* selection = m_ui->table->selectionModel();
     connect(selection, &QItemSelectionModel::selectionChanged, this, &ScenePanel::followSelection);
     connect(selection, &QItemSelectionModel::currentChanged, this, &ScenePanel::followSelection);
-    connect(&session, &Session::targetSelected, this, &ScenePanel::showSelectedTarget);
+    connect(&session.targets(), &SessionTargets::selectedChanged, this, &ScenePanel::showSelectedTarget);
     connect(&model, &QAbstractItemModel::modelReset, this, &ScenePanel::showSelectedTarget);
     connect(&model, &QAbstractItemModel::rowsInserted, this, &ScenePanel::updateActions);
     connect(&model, &QAbstractItemModel::rowsRemoved, this, &ScenePanel::updateActions);
@@ -145,7 +145,7 @@ std::vector<TargetId> ScenePanel::selectedTargets() const {
 
 bool ScenePanel::isAnyVisible(const std::vector<TargetId>& targets) const {
     return std::any_of(targets.begin(), targets.end(), [this](TargetId id) {
-        const Target* target = m_session.target(id);
+        const Target* target = m_session.targets().find(id);
         return target != nullptr && target->visible;
     });
 }
@@ -161,7 +161,7 @@ void ScenePanel::addPrimitive(PrimitiveKind kind) {
 }
 
 void ScenePanel::duplicateSelected() {
-    m_session.duplicateTargets(selectedTargets());
+    m_session.targets().duplicate(selectedTargets());
 }
 
 /// The cursor stays at the place, so that the arrow keys go on from there.
@@ -171,19 +171,19 @@ void ScenePanel::removeSelected() {
         return;
     }
     const int first = m_model.rowOf(targets.front());
-    m_session.removeTargets(targets);
+    m_session.targets().remove(targets);
     const int next = std::min(first, m_model.rowCount() - 1);
     m_ui->table->selectionModel()->setCurrentIndex(m_model.index(next, SceneModel::NameColumn),
                                                    QItemSelectionModel::NoUpdate);
 }
 
 void ScenePanel::resetSelected() {
-    m_session.resetTargets(selectedTargets());
+    m_session.targets().reset(selectedTargets());
 }
 
 void ScenePanel::toggleSelected() {
     const std::vector<TargetId> targets = selectedTargets();
-    m_session.setTargetsVisible(targets, !isAnyVisible(targets));
+    m_session.targets().setVisible(targets, !isAnyVisible(targets));
 }
 
 void ScenePanel::renameCurrent() {
@@ -202,7 +202,7 @@ void ScenePanel::followSelection() {
     m_following = true;
     const QModelIndex current = m_ui->table->selectionModel()->currentIndex();
     const bool chosen = m_ui->table->selectionModel()->isSelected(current);
-    m_session.selectTarget(chosen ? m_model.targetAt(current.row()) : TargetId{});
+    m_session.targets().select(chosen ? m_model.targetAt(current.row()) : TargetId{});
     m_following = false;
     updateActions();
 }
@@ -212,7 +212,7 @@ void ScenePanel::showSelectedTarget() {
         return;
     }
     m_following = true;
-    const int row = m_model.rowOf(m_session.selectedTarget());
+    const int row = m_model.rowOf(m_session.targets().selected());
     const QModelIndex current = m_ui->table->currentIndex();
     if (row < 0) {
         m_ui->table->clearSelection();

@@ -34,12 +34,12 @@ TransformFields::TransformFields(Session& session, const Boxes& boxes, QObject* 
         connect(&box, &QDoubleSpinBox::editingFinished, this, [this] { m_stepping = -1; });
     }
     connect(&session, &Session::sceneReplaced, this, &TransformFields::show);
-    connect(&session, &Session::targetSelected, this, [this] {
+    connect(&session.targets(), &SessionTargets::selectedChanged, this, [this] {
         m_stepping = -1;
         show();
     });
-    connect(&session, &Session::targetChanged, this, [this](TargetId id) {
-        if (id == m_session.selectedTarget()) {
+    connect(&session.targets(), &SessionTargets::changed, this, [this](TargetId id) {
+        if (id == m_session.targets().selected()) {
             show();
         }
     });
@@ -47,7 +47,7 @@ TransformFields::TransformFields(Session& session, const Boxes& boxes, QObject* 
 }
 
 void TransformFields::show() {
-    const Target* target = m_session.target(m_session.selectedTarget());
+    const Target* target = m_session.targets().find(m_session.targets().selected());
     const RigidTransform transform = target != nullptr ? target->transform : RigidTransform{};
     m_angles = toAngles(transform.rotation, m_angles);
     for (int field = 0; field < 2 * kAxes; ++field) {
@@ -60,7 +60,7 @@ void TransformFields::show() {
 }
 
 void TransformFields::apply(int field, double value) {
-    const Target* target = m_session.target(m_session.selectedTarget());
+    const Target* target = m_session.targets().find(m_session.targets().selected());
     if (target == nullptr) {
         return;
     }
@@ -73,7 +73,7 @@ void TransformFields::apply(int field, double value) {
     }
     const auto merge = m_stepping == field ? SessionUndo::Merge::WithSameKind : SessionUndo::Merge::Never;
     m_stepping = field;
-    if (!m_session.setTargetTransform(target->id, transform, merge).ok()) {
+    if (!m_session.targets().setTransform(target->id, transform, merge).ok()) {
         show();
     }
 }

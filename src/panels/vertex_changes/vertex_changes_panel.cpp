@@ -161,7 +161,7 @@ void VertexChangesPanel::hover(std::optional<int> row) {
 }
 
 void VertexChangesPanel::chooseHit(const QModelIndex& index) {
-    m_session.selectHit(static_cast<std::size_t>(index.data(AttributionModel::HitRole).toULongLong()));
+    m_session.hits().select(static_cast<std::size_t>(index.data(AttributionModel::HitRole).toULongLong()));
 }
 
 // Session to table
@@ -182,7 +182,7 @@ void VertexChangesPanel::updateSummary() {
     const Target* target = m_changes.target();
     const int rows = m_changes.rowCount();
     const bool needsHit =
-        m_changes.filter() == VertexChangesModel::Filter::MovedBySelectedHit && !m_session.selectedHit();
+        m_changes.filter() == VertexChangesModel::Filter::MovedBySelectedHit && !m_session.hits().selected();
     QString text;
     if (needsHit) {
         text = tr("Select a hit in the hit history");
@@ -201,7 +201,7 @@ void VertexChangesPanel::updateSummary() {
 
 void VertexChangesPanel::updateAttribution() {
     const auto& vertex = m_attribution.vertex();
-    const Target* target = vertex ? m_session.target(vertex->target) : nullptr;
+    const Target* target = vertex ? m_session.targets().find(vertex->target) : nullptr;
     m_ui->attributionTitle->setText(
         target == nullptr
             ? tr("Which hits moved it: pick a vertex here, or right-click it in the viewport")

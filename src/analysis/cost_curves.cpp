@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/cost_curves.h"
+#include "analysis/cost_curves.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The session's physics: shots, time, what collides and what is knocked about.
+#include "session/simulation.h"
+
 #include <QElapsedTimer>
 #include <algorithm>
 
@@ -29,20 +30,24 @@ constexpr float kWholeWorld = 2.0e7f;  // metres: longer than any line between t
 
 }  // namespace
 
+Simulation::Simulation(Session& session) : m_session(session) {}
+
+Simulation::~Simulation() = default;
+
 // Shots
 
-void Session::shoot(const Ray& ray) {
-    fire({0.0, ray, m_projectileSettings, false});
+void Simulation::shoot(const Ray& ray) {
+    fire({0.0, ray, m_session.m_settings.projectile(), false});
 }
 
-bool Session::hitscan(const Ray& ray) {
-    const std::size_t before = m_history.size();
+bool Simulation::hitscan(const Ray& ray) {
+    const std::size_t before = m_session.m_hits.history().size();
     m_colliders.updateAll();
-    fire({0.0, ray, m_projectileSettings, true});
-    return m_history.size() > before;
+    fire({0.0, ray, m_session.m_settings.projectile(), true});
+    return m_session.m_hits.history().size() > before;
 }
 
-void Session::fire(const ScheduledShot& shot) {
+void Simulation::fire(const ScheduledShot& shot) {
     if (shot.isInstant && !isPaused() && !m_colliders.updateAll(workLimit())) {
         ScheduledShot next = shot;
         next.delay = 0.0;
@@ -51,10 +56,10 @@ void Session::fire(const ScheduledShot& shot) {
     }
     fire(shot, 0, m_tally.begin(1));
     sayWhatShotsDid();
-    Q_EMIT pictureChanged();
+    Q_EMIT m_session.pictureChanged();
 }
 
-void Session::fire(const ScheduledShot& shot, int volley, int series) {
+void Simulation::fire(const ScheduledShot& shot, int volley, int series) {
     const Ray& ray = shot.ray;
     if (!shot.isInstant) {
         m_tally.launched(series, m_physics.shoot(ray.origin, ray.direction, shot.settings, volley));
@@ -66,36 +71,36 @@ void Session::fire(const ScheduledShot& shot, int volley, int series) {
 }
 
 /// 0: no hit was made.
-TargetId Session::strikeAtOnce(const Ray& ray, const ProjectileSettings& settings) {
+TargetId Simulation::strikeAtOnce(const Ray& ray, const ProjectileSettings& settings) {
     m_colliders.updateAll();
     const auto impact = m_physics.hitscan(ray.origin, ray.direction, settings);
-    const std::size_t before = m_history.size();
+    const std::size_t before = m_session.m_hits.history().size();
     if (impact) {
         takeImpacts({&*impact, 1});
     }
-    return m_history.size() > before ? impact->target : TargetId{};
+    return m_session.m_hits.history().size() > before ? impact->target : TargetId{};
 }
 
-std::optional<Hit> Session::predictedHit(const Ray& ray, bool isInstant) {
-    return predictedHit({0.0, ray, m_projectileSettings, isInstant});
+std::optional<Hit> Simulation::predictedHit(const Ray& ray, bool isInstant) {
+    return predictedHit({0.0, ray, m_session.m_settings.projectile(), isInstant});
 }
 
-std::optional<Hit> Session::predictedHit(const ScheduledShot& shot) {
+std::optional<Hit> Simulation::predictedHit(const ScheduledShot& shot) {
     m_colliders.updateAll();
     const auto impact = m_physics.predict(shot.ray.origin, shot.ray.direction, shot.settings, shot.isInstant);
     return impact ? hitOf(*impact) : std::nullopt;
 }
 
-void Session::schedule(std::span<const ScheduledShot> shots) {
+void Simulation::schedule(std::span<const ScheduledShot> shots) {
     if (!shots.empty()) {
         m_schedule.add(shots, m_physics.time(), m_tally.begin(shots.size()));
         sayWhatShotsDid();
     }
     Q_EMIT scheduleChanged();
-    Q_EMIT pictureChanged();
+    Q_EMIT m_session.pictureChanged();
 }
 
-void Session::cancelScheduled() {
+void Simulation::cancelScheduled() {
     m_schedule.clear();
     m_tally.stopFiring();
     sayHowFiringGoes(0);
@@ -103,22 +108,23 @@ void Session::cancelScheduled() {
     Q_EMIT scheduleChanged();
 }
 
-void Session::sayWhatShotsDid() {
+void Simulation::sayWhatShotsDid() {
     for (const ShotCount& count : m_tally.takeChanged()) {
         Q_EMIT shotsWent(count);
     }
 }
 
 /// Nothing for an impact that no hit can be made of.
-std::optional<Hit> Session::hitOf(const Impact& impact) const {
+std::optional<Hit> Simulation::hitOf(const Impact& impact) const {
     Hit hit = localHit(impact);
-    hit.constants = constantsOf(hit);
-    hit.pipeline = static_cast<std::uint8_t>(m_pipeline);
+    hit.constants = m_session.m_hits.constantsOf(hit);
+    hit.pipeline = static_cast<std::uint8_t>(m_session.m_settings.pipeline());
     Result<Hit> checked = checkedHit(hit);
-    return checked && target(impact.target) != nullptr ? std::optional(checked.value()) : std::nullopt;
+    return checked && m_session.m_targets.find(impact.target) != nullptr ? std::optional(checked.value())
+                                                                         : std::nullopt;
 }
 
-void Session::takeImpacts(std::span<const Impact> impacts) {
+void Simulation::takeImpacts(std::span<const Impact> impacts) {
     std::vector<Hit> hits;
     for (const Impact& impact : impacts) {
         if (const std::optional<Hit> hit = hitOf(impact)) {
@@ -126,18 +132,12 @@ void Session::takeImpacts(std::span<const Impact> impacts) {
             m_tally.hit(impact.projectile, impact.target);
         }
     }
-    appendHits(hits);
+    m_session.m_hits.append(hits);
 }
 
 // Colliders
 
-/// Vertices will move.
-void Session::expectMoves(std::span<const HistoryEdit> edits) {
-    m_readBack->expectMoves();
-    m_colliders.follow(edits);
-}
-
-bool Session::updateColliders(const IsTimeUp& isTimeUp) {
+bool Simulation::updateColliders(const IsTimeUp& isTimeUp) {
     return m_colliders.updateAll(isTimeUp);
 }
 
@@ -145,7 +145,7 @@ bool Session::updateColliders(const IsTimeUp& isTimeUp) {
 
 /// Between steps, so that an instant shot finds the dents of those before it. Returns whether all that are
 /// due have been fired.
-bool Session::fireScheduled(const IsTimeUp& isTimeUp) {
+bool Simulation::fireScheduled(const IsTimeUp& isTimeUp) {
     const double now = m_physics.time();
     const double length = m_physics.step();
     bool anyFired = false;
@@ -166,7 +166,7 @@ bool Session::fireScheduled(const IsTimeUp& isTimeUp) {
 }
 
 /// `due`: shots that the frame had no time for.
-void Session::sayHowFiringGoes(std::size_t due) {
+void Simulation::sayHowFiringGoes(std::size_t due) {
     if (due == 0) {
         m_firing.reset();
         return;
@@ -174,7 +174,7 @@ void Session::sayHowFiringGoes(std::size_t due) {
     if (!m_firing) {
         m_mostDue = due;
         m_firing = std::make_unique<TaskProgress>(
-            *m_tasks, tr("Shooting"), [this] { cancelScheduled(); },
+            *m_session.m_tasks, tr("Shooting"), [this] { cancelScheduled(); },
             tr("Pending shots are dropped; hits made so far stay."));
     }
     m_mostDue = std::max(m_mostDue, due);
@@ -182,7 +182,7 @@ void Session::sayHowFiringGoes(std::size_t due) {
 }
 
 /// What comes before a step, once. Returns whether all of it is done: all shots that are due have been fired.
-bool Session::beginStep(const IsTimeUp& isTimeUp) {
+bool Simulation::beginStep(const IsTimeUp& isTimeUp) {
     if (!m_stepIsBegun) {
         if (!fireScheduled(isTimeUp)) {
             return false;
@@ -196,7 +196,7 @@ bool Session::beginStep(const IsTimeUp& isTimeUp) {
 
 /// Returns whether it was made: not before all shots that are due have been fired, and the colliders that it
 /// needs have taken on their dents.
-bool Session::step(const IsTimeUp& isTimeUp) {
+bool Simulation::step(const IsTimeUp& isTimeUp) {
     if (!beginStep(isTimeUp)) {
         sayWhatShotsDid();
         return false;
@@ -207,7 +207,7 @@ bool Session::step(const IsTimeUp& isTimeUp) {
         return false;
     }
     const std::optional<std::vector<Impact>> impacts = m_physics.takeStep(isTimeUp);
-    m_frameCosts->addPhysics(static_cast<double>(clock.nsecsElapsed()) * 1.0e-9);
+    m_session.m_frameCosts->addPhysics(static_cast<double>(clock.nsecsElapsed()) * 1.0e-9);
     if (!impacts) {
         return false;
     }
@@ -220,60 +220,81 @@ bool Session::step(const IsTimeUp& isTimeUp) {
     return true;
 }
 
-void Session::advance(double seconds, const IsTimeUp& isTimeUp) {
+void Simulation::advance(double seconds, const IsTimeUp& isTimeUp) {
     const bool wasMoving = isMoving();
     for (int steps = m_physics.stepsDue(seconds); steps > 0 && step(isTimeUp); --steps) {
     }
     if (wasMoving) {
         followDynamicTargets();
-        Q_EMIT pictureChanged();
+        Q_EMIT m_session.pictureChanged();
     }
 }
 
-void Session::stepOnce() {
+void Simulation::stepOnce() {
     m_physics.showLastStep();
     step({});
     followDynamicTargets();
-    Q_EMIT pictureChanged();
+    Q_EMIT m_session.pictureChanged();
 }
 
-void Session::setPaused(bool paused) {
+void Simulation::setPaused(bool paused) {
     if (paused != m_physics.isPaused()) {
         m_physics.setPaused(paused);
         Q_EMIT timeChanged();
-        Q_EMIT pictureChanged();
+        Q_EMIT m_session.pictureChanged();
     }
 }
 
-void Session::setTimeScale(double scale) {
+void Simulation::setTimeScale(double scale) {
     m_physics.setTimeScale(scale);
     Q_EMIT timeChanged();
 }
 
-void Session::setPhysicsStep(double seconds) {
+void Simulation::setStep(double seconds) {
     m_physics.setStep(seconds);
     Q_EMIT timeChanged();
 }
 
-bool Session::isMoving() const {
+bool Simulation::isMoving() const {
     return !m_physics.isPaused() && (m_physics.isMoving() || m_schedule.size() > 0);
 }
 
-void Session::followDynamicTargets() {
+void Simulation::followDynamicTargets() {
     for (const TargetPose& pose : m_physics.dynamicTargets()) {
-        Target& moved = *m_targets[*indexOf(pose.id)];
-        if (moved.transform.position != pose.drawn.position ||
-            moved.transform.rotation != pose.drawn.rotation) {
-            moved.transform = pose.drawn;
-            Q_EMIT targetChanged(pose.id);
-        }
+        m_session.m_targets.moveTo(pose.id, pose.drawn);
     }
 }
 
 // Targets
 
-/// Puts it where it is now, or takes it out if it is hidden.
-void Session::letCollide(const Target& target) {
+void Simulation::clear() {
+    for (const std::unique_ptr<Target>& target : m_session.m_targets) {
+        m_physics.removeTarget(target->id);
+    }
+    m_physics.removeProjectiles();
+    cancelScheduled();
+    m_tally.clear();
+    m_colliders.clear();
+    m_stepIsBegun = false;
+    m_notHittable.clear();
+}
+
+void Simulation::setFloor(float height) {
+    m_physics.setFloor(height);
+}
+
+void Simulation::add(const Target& target) {
+    m_colliders.add(target.id, target.shape.render);
+    letCollide(target);
+}
+
+void Simulation::forget(TargetId target) {
+    m_physics.removeTarget(target);
+    m_colliders.forget(target);
+    m_notHittable.erase(target);
+}
+
+void Simulation::letCollide(const Target& target) {
     m_notHittable.erase(target.id);
     if (!target.visible) {
         m_physics.removeTarget(target.id);
@@ -295,23 +316,11 @@ void Session::letCollide(const Target& target) {
     }
 }
 
-Status Session::setTargetPhysics(TargetId id, const TargetPhysics& physics) {
-    const Target* changed = target(id);
-    if (changed == nullptr || changed->physics == clamped(physics)) {
-        return Done{};
-    }
-    if (Status status = m_physics.setTargetPhysics(id, physics); !status) {
-        return status;
-    }
-    TargetState after = *changed;
-    after.physics = clamped(physics);
-    changeTarget(*changed, std::move(after), {SessionUndo::Kind::TargetPhysics, 1},
-                 SessionUndo::Merge::WithSameKind);
-    Q_EMIT pictureChanged();
-    return Done{};
+Status Simulation::setTargetPhysics(TargetId id, const TargetPhysics& physics) {
+    return m_physics.setTargetPhysics(id, physics);
 }
 
-QString Session::whyNotHittable(TargetId id) const {
+QString Simulation::whyNotHittable(TargetId id) const {
     const auto reason = m_notHittable.find(id);
     return reason == m_notHittable.end() ? QString() : reason->second;
 }

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/hit_at.h"
+#include "analysis/hit_at.h"
 
 #include "deform/attribution.h"
 
 namespace hitscope {
 
 std::optional<std::size_t> hitThatMovedMost(const Session& session, const VertexRef& vertex) {
-    const Target* target = session.target(vertex.target);
+    const Target* target = session.targets().find(vertex.target);
     if (target == nullptr) {
         return std::nullopt;
     }
     const RenderMesh& mesh = target->deformed.render();
     Attribution attribution(mesh.vertices[mesh.renderVerticesOf(vertex.vertex).front()]);
-    const std::span<const Hit> hits = session.shownHits();
+    const std::span<const Hit> hits = session.hits().shown();
     for (std::size_t index = 0; index < hits.size(); ++index) {
         const Hit& hit = hits[index];
         if (hit.target == vertex.target && hit.enabled && !session.readBack().isDropped(index)) {

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "core/bounds.h"
+#include "core/result.h"
+#include "session/session_undo.h"
+#include "session/target.h"
+
+namespace hitscope {
+
+class Session;
+
+/// The targets of a session, in their order: what stands in the scene, and which one is selected. Each change
+/// is one step to undo; ids of no target are passed over.
+class SessionTargets : public QObject {
+    Q_OBJECT
+public:
+    explicit SessionTargets(Session& session);  ///< `session` owns it
+
+    using List = std::vector<std::unique_ptr<Target>>;
+    [[nodiscard]] std::span<const std::unique_ptr<Target>> all() const { return m_targets; }
+    [[nodiscard]] List::const_iterator begin() const { return m_targets.begin(); }
+    [[nodiscard]] List::const_iterator end() const { return m_targets.end(); }
+    [[nodiscard]] std::size_t size() const { return m_targets.size(); }
+    [[nodiscard]] bool empty() const { return m_targets.empty(); }
+    [[nodiscard]] const std::unique_ptr<Target>& operator[](std::size_t index) const {
+        return m_targets[index];  // index < size()
+    }
+    [[nodiscard]] const std::unique_ptr<Target>& front() const { return m_targets.front(); }
+    [[nodiscard]] const std::unique_ptr<Target>& back() const { return m_targets.back(); }
+    [[nodiscard]] const Target* find(TargetId id) const;  ///< null: no such target
+
+    /// World, original shapes; of the hidden ones only if there are no others.
+    [[nodiscard]] Bounds bounds() const;
+    [[nodiscard]] float floorHeight() const { return m_floorHeight; }  ///< metres, world y
+
+    [[nodiscard]] TargetId selected() const { return m_selected; }
+    void select(TargetId id);
+
+    /// Adds them where they are clear of the others and of the floor (makeRoom()), under names of their own.
+    /// The last one is selected.
+    void add(std::vector<TargetPlan> plans);
+    /// Adds copies as they are now, hits included, beside the others.
+    void duplicate(std::span<const TargetId> ids);
+    void remove(std::span<const TargetId> ids);  ///< and their hits
+    void reset(std::span<const TargetId> ids);   ///< to their original shape: removes their hits
+    /// Spaces at the ends are dropped; an empty name is refused.
+    [[nodiscard]] Status rename(TargetId id, const QString& name);
+    void setVisible(std::span<const TargetId> ids, bool visible);
+    /// Gives them `mesh`, which is theirs but for materials and pictures.
+    void setMaterials(std::span<const TargetId> ids, const std::shared_ptr<const MeshData>& mesh);
+    /// Hits go along, since they are kept in the local frame. The rotation is made unit. Refused when a
+    /// number is not finite or the rotation is none.
+    [[nodiscard]] Status setTransform(TargetId id, const RigidTransform& transform,
+                                      SessionUndo::Merge merge = SessionUndo::Merge::Never);
+    /// Refused for a target too large to be dynamic.
+    [[nodiscard]] Status setPhysics(TargetId id, const TargetPhysics& physics);
+
+Q_SIGNALS:
+    void added(hitscope::TargetId target);
+    void removed(hitscope::TargetId target);  ///< its hits went before it
+    void changed(hitscope::TargetId target);  ///< name, transform or visibility
+    void selectedChanged(hitscope::TargetId target);
+
+private:
+    friend class Session;
+    friend class Simulation;
+
+    void clear();
+    /// `floorHeight`: nothing: under the lowest target.
+    void replace(std::vector<TargetPlan> plans, std::optional<float> floorHeight);
+    /// A change has been made, undone or made again.
+    void follow(const TargetEdit& edit);
+    /// The physics has moved it.
+    void moveTo(TargetId id, const RigidTransform& transform);
+
+    TargetState newTarget(TargetPlan plan);
+    Target& insert(std::size_t index, const TargetState& state);
+    void erase(std::size_t index);
+    [[nodiscard]] std::optional<std::size_t> indexOf(TargetId id) const;
+    [[nodiscard]] std::vector<std::size_t> indicesOf(std::span<const TargetId> ids) const;
+    [[nodiscard]] std::set<QString> names() const;
+    void change(std::vector<TargetEdit> targets, SessionUndo::Name name, std::vector<HistoryEdit> edits = {},
+                SessionUndo::Merge merge = SessionUndo::Merge::Never);
+    void change(const Target& target, TargetState after, SessionUndo::Name name,
+                SessionUndo::Merge merge = SessionUndo::Merge::Never);
+
+    Session& m_session;
+    List m_targets;
+    std::uint32_t m_next = 1;  ///< id of the next one that is made
+    float m_floorHeight = 0.0f;
+    TargetId m_selected;
+};
+
+}  // namespace hitscope
