@@ -50,7 +50,7 @@ FlightChooser::FlightChooser(Session& session, QObject* parent)
     const QString kept = QSettings().value(kFlightKey).toString();
     for (const FlightModeTraits& traits : allFlightModes()) {
         if (text(traits.key) == kept) {
-            session.settings().setFlightMode(traits.mode);
+            session.settings().restoreProjectile(session.settings().projectile(), traits.mode);
         }
     }
     connect(&session.settings(), &SessionSettings::flightModeChanged, this, [this] {

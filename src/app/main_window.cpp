@@ -122,7 +122,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     makeToolBar();
     makeStartCard();
     new TimeBadge(session, m_viewport);
-    m_textureChooser->choose(m_settings.coverTexture);
+    m_textureChooser->restore(m_settings.coverTexture);
     m_cameraActions->load(QSettings());
     connectFiles();
     connectMessages();

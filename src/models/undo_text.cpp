@@ -98,6 +98,16 @@ QString undoText(const SessionUndo::Name& name) {
             return translated(TEXT("Constants for Next Hit"));
         case SessionUndo::Kind::Lights:
             return translated(TEXT("Lights"));
+        case SessionUndo::Kind::Projectile:
+            return translated(TEXT("Projectile"));
+        case SessionUndo::Kind::FlightMode:
+            return translated(TEXT("Flight"));
+        case SessionUndo::Kind::CoverTexture:
+            return translated(TEXT("Texture on All Targets"));
+        case SessionUndo::Kind::LoadScene:
+            return translated(TEXT("Load Scene"));
+        case SessionUndo::Kind::PlaceMesh:
+            return translated(TEXT("Place Mesh"));
     }
 #undef TEXT
     return name.count == 1 ? translated(one) : translated(many).arg(countText(name.count));

@@ -27,7 +27,7 @@ std::map<TargetId, TargetId> copyScene(const Session& from, Session& to) {
     }
     to.loadScene(std::move(plan));
     to.settings().restoreLights(from.settings().lights());
-    to.settings().setCoverTexture(from.settings().coverTexture());
+    to.settings().restoreCoverTexture(from.settings().coverTexture());
     to.settings().setPipeline(from.settings().pipeline());
     to.targets().select({});
     std::map<TargetId, TargetId> became;

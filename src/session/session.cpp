@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/session.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "mesh/teapot.h"
@@ -21,12 +22,55 @@ Session::~Session() = default;
 
 // Scenes
 
-void Session::loadScene(ScenePlan plan) {
+void Session::loadScene(ScenePlan plan, SessionUndo::Kind kind) {
+    const bool isFirst = m_targets.empty();
+    SceneState before = isFirst ? SceneState{} : scene();
     clearScene();
     m_targets.replace(std::move(plan.targets), plan.floorHeight);
     m_sceneName = plan.name;
+    const Bounds bounds = m_targets.bounds();
+    const glm::vec3 size = bounds.size();
+    m_settings.standAround({bounds.centre(), std::max({size.x, size.y, size.z})});
+    if (isFirst) {
+        m_undo.clear();
+    } else {
+        m_undo.record({.name = {kind, 1},
+                       .scene = std::make_shared<const ValueEdit<SceneState>>(
+                           ValueEdit<SceneState>{std::move(before), scene()})});
+    }
+    announceScene();
+}
+
+void Session::restoreScene(const SceneState& scene) {
+    m_undo.clear();
+    show(scene);
+    Q_EMIT undoChanged();
+}
+
+SceneState Session::scene() const {
+    SceneState state;
+    state.name = m_sceneName;
+    state.floorHeight = m_targets.floorHeight();
+    state.lightSpace = m_settings.lightSpace();
+    state.lights = m_settings.lights();
+    state.selected = m_targets.selected();
+    const std::span<const Hit> hits = m_hits.history().hits();
+    state.hits.assign(hits.begin(), hits.end());
+    for (const std::unique_ptr<Target>& target : m_targets) {
+        state.targets.push_back(*target);
+    }
+    return state;
+}
+
+void Session::clearScene() {
+    m_simulation.clear();
+    m_targets.clear();
+    m_readBack->forgetAll();
+    m_hits.forgetAll();
+}
+
+void Session::announceScene() {
     m_simulation.setFloor(m_targets.floorHeight());
-    m_settings.standAround(m_targets.bounds());
     Q_EMIT sceneReplaced();
     Q_EMIT m_hits.reset();
     Q_EMIT m_hits.shownChanged();
@@ -37,12 +81,14 @@ void Session::loadScene(ScenePlan plan) {
     Q_EMIT pictureChanged();
 }
 
-void Session::clearScene() {
-    m_simulation.clear();
-    m_targets.clear();
-    m_readBack->forgetAll();
-    m_hits.forgetAll();
-    m_undo.clear();
+/// Who follows the session sees a scene without hits, and then hits that are appended.
+void Session::show(const SceneState& scene) {
+    clearScene();
+    m_sceneName = scene.name;
+    m_targets.restore(scene.targets, scene.floorHeight, scene.selected);
+    m_settings.stand(scene.lights, scene.lightSpace);
+    announceScene();
+    m_hits.bringBack(scene.hits);
 }
 
 void Session::loadPaperRow(int row) {
@@ -86,9 +132,23 @@ void Session::redo() {
     }
 }
 
+void Session::goToStep(std::size_t done) {
+    while (m_undo.done() > done && m_undo.canUndo()) {
+        undo();
+    }
+    while (m_undo.done() < done && m_undo.canRedo()) {
+        redo();
+    }
+}
+
 void Session::makeAgain(const SessionUndo::Change& change) {
+    if (change.scene) {
+        show(change.scene->after);
+    }
     m_hits.makeAgain(change.edits);
-    m_settings.makeAgain(change);
+    if (change.settings) {
+        m_settings.take(change.settings->after);
+    }
     follow(change);
     Q_EMIT undoChanged();
 }

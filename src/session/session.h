@@ -49,16 +49,21 @@ public:
     [[nodiscard]] const ReadBack& readBack() const { return *m_readBack; }
     [[nodiscard]] ReadBack& readBack(ReadBackAccess /*only SceneGpu has it*/) { return *m_readBack; }
 
-    void loadScene(ScenePlan plan);  ///< replaces targets and history
-    void loadPaperRow(int row);      ///< likewise; 0 <= row < paperRows().size()
-    /// Replaces targets and history by one mesh standing on the floor. `mesh` has passed validate().
+    /// Replaces targets and history. One step to undo, unless there was no target before. `kind` names it.
+    void loadScene(ScenePlan plan, SessionUndo::Kind kind = SessionUndo::Kind::LoadScene);
+    void loadPaperRow(int row);  ///< likewise; 0 <= row < paperRows().size()
+    /// Likewise by one mesh standing on the floor. `mesh` has passed validate().
     void loadMesh(MeshData mesh, const QString& sourcePath = {});
     void loadMesh(const PreparedMesh& mesh, const QString& sourcePath = {});
+    /// As a file has it; nothing can be undone after it. All hits are on these targets, and have passed
+    /// checkedHit().
+    void restoreScene(const SceneState& scene);
     void loadTeapot();
     [[nodiscard]] QString sceneName() const { return m_sceneName; }  ///< for the window's title
 
     /// Undo and redo cover every change of the history (hits made, removed, moved, disabled, cleared,
-    /// edited), of the constants of hits to come, of the targets and of the lights.
+    /// edited), of the targets and of the settings, and other scenes.
+    [[nodiscard]] const SessionUndo& steps() const { return m_undo; }
     [[nodiscard]] bool canUndo() const { return m_undo.canUndo(); }
     [[nodiscard]] bool canRedo() const { return m_undo.canRedo(); }
     /// What undo() and redo() would be about; nothing when they would do nothing.
@@ -66,11 +71,12 @@ public:
     [[nodiscard]] std::optional<SessionUndo::Name> redoName() const { return nameOf(m_undo.toRedo()); }
     void undo();
     void redo();
+    void goToStep(std::size_t done);  ///< undoes or redoes until so many steps are done
     /// A gesture has ended: what is done next is another step to undo, whatever it would merge with.
     void finishUndoStep() { m_undo.finishStep(); }
 
 Q_SIGNALS:
-    void sceneReplaced();   ///< all targets are new, the history is empty
+    void sceneReplaced();   ///< all targets are new, the history is empty; hits may follow
     void undoChanged();     ///< what there is to undo or redo
     void pictureChanged();  ///< anything that a new frame would show
 
@@ -80,7 +86,11 @@ private:
     friend class SessionTargets;
     friend class Simulation;
 
+    [[nodiscard]] SceneState scene() const;
     void clearScene();
+    /// The scene is another; its hits come after it.
+    void announceScene();
+    void show(const SceneState& scene);
     /// What was done, and has been announced.
     void record(SessionUndo::Change change);
     /// Vertices will move: the history has these edits.

@@ -42,16 +42,31 @@ void SessionHits::append(std::span<const Hit> hits) {
     if (hits.empty()) {
         return;
     }
-    const int first = static_cast<int>(m_history.size());
-    Q_EMIT aboutToBeAppended(first, first + static_cast<int>(hits.size()) - 1);
-    const HistoryEdit edit = m_history.append(hits);
-    m_session.expectMoves({&edit, 1});
+    const HistoryEdit edit = appendQuietly(hits);
     m_session.record({{SessionUndo::Kind::Hit, hits.size()}, SessionUndo::Merge::Never, {edit}});
     m_disabled += countDisabled(hits);
     Q_EMIT appended();
     show(std::nullopt);
     m_session.m_targets.select(hits.back().target);
     Q_EMIT m_session.pictureChanged();
+}
+
+void SessionHits::bringBack(std::span<const Hit> hits) {
+    if (!hits.empty()) {
+        appendQuietly(hits);
+        m_disabled += countDisabled(hits);
+        Q_EMIT appended();
+        Q_EMIT m_session.pictureChanged();
+    }
+}
+
+/// All that comes before appended().
+HistoryEdit SessionHits::appendQuietly(std::span<const Hit> hits) {
+    const int first = static_cast<int>(m_history.size());
+    Q_EMIT aboutToBeAppended(first, first + static_cast<int>(hits.size()) - 1);
+    HistoryEdit edit = m_history.append(hits);
+    m_session.expectMoves({&edit, 1});
+    return edit;
 }
 
 void SessionHits::record(std::vector<HistoryEdit> edits, SessionUndo::Name name, SessionUndo::Merge merge) {

@@ -83,6 +83,9 @@ private:
     friend class Simulation;
 
     void forgetAll();
+    /// As append(), and nothing to undo. Into a history without hits.
+    void bringBack(std::span<const Hit> hits);
+    HistoryEdit appendQuietly(std::span<const Hit> hits);
     void append(std::span<const Hit> hits);  ///< they have passed checkedHit(), on targets that there are
     /// The history has these edits already.
     void record(std::vector<HistoryEdit> edits, SessionUndo::Name name,

@@ -10,16 +10,45 @@ namespace hitscope {
 
 SessionSettings::SessionSettings(Session& session) : m_session(session) {}
 
+void SessionSettings::change(const SettingsState& after, SessionUndo::Kind kind, SessionUndo::Merge merge) {
+    const auto edit =
+        std::make_shared<const ValueEdit<SettingsState>>(ValueEdit<SettingsState>{m_now, after});
+    take(after);
+    m_session.record({.name = {kind, 1}, .merge = merge, .settings = edit});
+}
+
+void SessionSettings::take(const SettingsState& state) {
+    const SettingsState before = std::exchange(m_now, state);
+    if (before.constants != m_now.constants) {
+        Q_EMIT constantsChanged();
+    }
+    if (before.projectile != m_now.projectile) {
+        Q_EMIT projectileChanged();
+    }
+    if (before.flightMode != m_now.flightMode) {
+        Q_EMIT flightModeChanged();
+    }
+    if (before.coverTexture != m_now.coverTexture) {
+        Q_EMIT coverTextureChanged();
+    }
+    if (!(before.lights == m_now.lights)) {
+        Q_EMIT lightsChanged();
+    }
+    if (!(before.lights == m_now.lights) || before.coverTexture != m_now.coverTexture) {
+        Q_EMIT m_session.pictureChanged();
+    }
+}
+
 // Constants
 
 Status SessionSettings::setConstants(const ConstantsSetting& setting, SessionUndo::Merge merge) {
-    const ConstantsSetting before = m_constants;
-    if (Status taken = restoreConstants(setting); !taken) {
-        return taken;
+    if (!isValid(setting.constants)) {
+        return Error{"A deformation constant is out of its range.", "",
+                     "Keep to the ranges the panel shows."};
     }
-    SessionUndo::Change change{{SessionUndo::Kind::Constants, 1}, merge};
-    change.constants = {before, setting};
-    m_session.record(std::move(change));
+    SettingsState after = m_now;
+    after.constants = setting;
+    change(after, SessionUndo::Kind::Constants, merge);
     return Done{};
 }
 
@@ -28,71 +57,71 @@ Status SessionSettings::restoreConstants(const ConstantsSetting& setting) {
         return Error{"A deformation constant is out of its range.", "",
                      "Keep to the ranges the panel shows."};
     }
-    takeConstants(setting);
+    SettingsState after = m_now;
+    after.constants = setting;
+    take(after);
     return Done{};
 }
 
 DeformationConstants SessionSettings::constantsOn(const Target& target) const {
-    return hitscope::constantsOn(target.extent(), m_constants);
-}
-
-void SessionSettings::takeConstants(const ConstantsSetting& constants) {
-    if (constants != m_constants) {
-        m_constants = constants;
-        Q_EMIT constantsChanged();
-    }
+    return hitscope::constantsOn(target.extent(), m_now.constants);
 }
 
 // Lights
 
 void SessionSettings::setLights(const Lights& lights, SessionUndo::Merge merge) {
-    SessionUndo::Change change{{SessionUndo::Kind::Lights, 1}, merge};
-    change.lights = {m_lights, lights};
-    restoreLights(lights);
-    m_session.record(std::move(change));
+    SettingsState after = m_now;
+    after.lights = lights;
+    change(after, SessionUndo::Kind::Lights, merge);
 }
 
 void SessionSettings::restoreLights(const Lights& lights) {
-    m_lights = lights;
-    Q_EMIT lightsChanged();
-    Q_EMIT m_session.pictureChanged();
+    SettingsState after = m_now;
+    after.lights = lights;
+    take(after);
 }
 
-void SessionSettings::standAround(const Bounds& bounds) {
-    const glm::vec3 size = bounds.size();
-    const LightSpace space{bounds.centre(), std::max({size.x, size.y, size.z})};
-    m_lights = moved(m_lights, m_lightSpace, space);
+void SessionSettings::standAround(const LightSpace& space) {
+    m_now.lights = moved(m_now.lights, m_lightSpace, space);
     m_lightSpace = space;
 }
 
-void SessionSettings::makeAgain(const SessionUndo::Change& change) {
-    if (change.constants) {
-        takeConstants(change.constants->after);
-    }
-    if (change.lights) {
-        restoreLights(change.lights->after);
-    }
+void SessionSettings::stand(const Lights& lights, const LightSpace& space) {
+    m_now.lights = lights;
+    m_lightSpace = space;
 }
 
 // Others
 
 void SessionSettings::setCoverTexture(std::shared_ptr<const Image> texture) {
-    if (texture != m_coverTexture) {
-        m_coverTexture = std::move(texture);
-        Q_EMIT m_session.pictureChanged();
-    }
+    SettingsState after = m_now;
+    after.coverTexture = std::move(texture);
+    change(after, SessionUndo::Kind::CoverTexture);
+}
+
+void SessionSettings::restoreCoverTexture(std::shared_ptr<const Image> texture) {
+    SettingsState after = m_now;
+    after.coverTexture = std::move(texture);
+    take(after);
 }
 
 void SessionSettings::setProjectile(const ProjectileSettings& settings) {
-    m_projectile = clamped(settings);
-    Q_EMIT projectileChanged();
+    SettingsState after = m_now;
+    after.projectile = clamped(settings);
+    change(after, SessionUndo::Kind::Projectile, SessionUndo::Merge::WithSameKind);
 }
 
 void SessionSettings::setFlightMode(FlightMode mode) {
-    if (mode != m_flightMode) {
-        m_flightMode = mode;
-        Q_EMIT flightModeChanged();
-    }
+    SettingsState after = m_now;
+    after.flightMode = mode;
+    change(after, SessionUndo::Kind::FlightMode);
+}
+
+void SessionSettings::restoreProjectile(const ProjectileSettings& settings, FlightMode mode) {
+    SettingsState after = m_now;
+    after.projectile = clamped(settings);
+    after.flightMode = mode;
+    take(after);
 }
 
 void SessionSettings::setPipeline(PipelineKind kind) {

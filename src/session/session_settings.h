@@ -25,21 +25,21 @@ class SessionSettings : public QObject {
 public:
     explicit SessionSettings(Session& session);  ///< `session` owns it
 
-    [[nodiscard]] const DeformationConstants& constants() const { return m_constants.constants; }
-    [[nodiscard]] const ConstantsSetting& constantsSetting() const { return m_constants; }
+    [[nodiscard]] const DeformationConstants& constants() const { return m_now.constants.constants; }
+    [[nodiscard]] const ConstantsSetting& constantsSetting() const { return m_now.constants; }
     /// Those that a hit on this target is made with now.
     [[nodiscard]] DeformationConstants constantsOn(const Target& target) const;
     /// Constants of the hits to come; those made keep theirs. One step to undo. Refused when out of range.
     [[nodiscard]] Status setConstants(const DeformationConstants& constants,
                                       SessionUndo::Merge merge = SessionUndo::Merge::Never) {
-        return setConstants(ConstantsSetting{constants, m_constants.relative}, merge);
+        return setConstants(ConstantsSetting{constants, m_now.constants.relative}, merge);
     }
     [[nodiscard]] Status setConstants(const ConstantsSetting& setting,
                                       SessionUndo::Merge merge = SessionUndo::Merge::Never);
     /// Likewise, and nothing to undo: as they were when the program ended.
     [[nodiscard]] Status restoreConstants(const ConstantsSetting& setting);
 
-    [[nodiscard]] const Lights& lights() const { return m_lights; }
+    [[nodiscard]] const Lights& lights() const { return m_now.lights; }
     /// One step to undo.
     void setLights(const Lights& lights, SessionUndo::Merge merge = SessionUndo::Merge::Never);
     void restoreLights(const Lights& lights);  ///< and nothing to undo
@@ -47,14 +47,17 @@ public:
     [[nodiscard]] const LightSpace& lightSpace() const { return m_lightSpace; }
 
     /// A picture on all targets that have texture coordinates, instead of their own materials; null: none.
-    [[nodiscard]] const std::shared_ptr<const Image>& coverTexture() const { return m_coverTexture; }
-    void setCoverTexture(std::shared_ptr<const Image> texture);
+    [[nodiscard]] const std::shared_ptr<const Image>& coverTexture() const { return m_now.coverTexture; }
+    void setCoverTexture(std::shared_ptr<const Image> texture);      ///< one step to undo
+    void restoreCoverTexture(std::shared_ptr<const Image> texture);  ///< and nothing to undo
 
-    [[nodiscard]] const ProjectileSettings& projectile() const { return m_projectile; }
-    void setProjectile(const ProjectileSettings& settings);  ///< clamped to projectileParameters()
+    [[nodiscard]] const ProjectileSettings& projectile() const { return m_now.projectile; }
+    /// Clamped to projectileParameters(). Changes of one after the other are one step to undo.
+    void setProjectile(const ProjectileSettings& settings);
     /// How shots by hand fly; what is shot by Simulation::shoot() and hitscan() goes by projectile() alone.
-    [[nodiscard]] FlightMode flightMode() const { return m_flightMode; }
-    void setFlightMode(FlightMode mode);
+    [[nodiscard]] FlightMode flightMode() const { return m_now.flightMode; }
+    void setFlightMode(FlightMode mode);                                          ///< one step to undo
+    void restoreProjectile(const ProjectileSettings& settings, FlightMode mode);  ///< and nothing to undo
 
     [[nodiscard]] PipelineKind pipeline() const { return m_pipeline; }
     void setPipeline(PipelineKind kind);
@@ -64,23 +67,23 @@ Q_SIGNALS:
     void lightsChanged();
     void projectileChanged();
     void flightModeChanged();
+    void coverTextureChanged();
     void pipelineChanged();
 
 private:
     friend class Session;
 
-    void makeAgain(const SessionUndo::Change& change);
+    /// Announces what is another.
+    void take(const SettingsState& state);
+    void change(const SettingsState& after, SessionUndo::Kind kind,
+                SessionUndo::Merge merge = SessionUndo::Merge::Never);
     /// The lights stand around the new scene as they stood around the one before; announces nothing.
-    void standAround(const Bounds& bounds);
-    void takeConstants(const ConstantsSetting& constants);
+    void standAround(const LightSpace& space);
+    void stand(const Lights& lights, const LightSpace& space);  ///< likewise
 
     Session& m_session;
-    ConstantsSetting m_constants;
     LightSpace m_lightSpace;
-    Lights m_lights = defaultLights(m_lightSpace);
-    std::shared_ptr<const Image> m_coverTexture;
-    ProjectileSettings m_projectile;
-    FlightMode m_flightMode = FlightMode::Quick;
+    SettingsState m_now{.lights = defaultLights(m_lightSpace)};
     PipelineKind m_pipeline = PipelineKind::TransformFeedback;
 };
 

@@ -153,6 +153,15 @@ void SessionTargets::replace(std::vector<TargetPlan> plans, std::optional<float>
     m_floorHeight = floorHeight.value_or(around.empty() ? 0.0f : around.min.y);
 }
 
+void SessionTargets::restore(std::span<const TargetState> states, float floorHeight, TargetId selected) {
+    for (const TargetState& state : states) {
+        insert(m_targets.size(), state);
+        m_next = std::max(m_next, state.id.value + 1);
+    }
+    m_floorHeight = floorHeight;
+    m_selected = selected;
+}
+
 void SessionTargets::follow(const TargetEdit& edit) {
     if (!edit.before) {
         const TargetId id = insert(edit.index, *edit.after).id;

@@ -78,6 +78,7 @@ private:
     void clear();
     /// `floorHeight`: nothing: under the lowest target.
     void replace(std::vector<TargetPlan> plans, std::optional<float> floorHeight);
+    void restore(std::span<const TargetState> states, float floorHeight, TargetId selected);
     /// A change has been made, undone or made again.
     void follow(const TargetEdit& edit);
     /// The physics has moved it.

@@ -45,29 +45,46 @@ bool absorbEach(std::vector<HistoryEdit>& earlier, std::vector<HistoryEdit>& lat
 }
 
 template <typename Value>
-bool isNothing(const std::optional<SettingEdit<Value>>& edit) {
-    return !edit || edit->before == edit->after;
-}
-
-template <typename Value>
-std::optional<SettingEdit<Value>> inverse(const std::optional<SettingEdit<Value>>& edit) {
-    return edit ? std::optional(SettingEdit<Value>{edit->after, edit->before}) : std::nullopt;
-}
-
-/// Makes `earlier` do what it and then `later` do.
-template <typename Value>
-void absorbSetting(std::optional<SettingEdit<Value>>& earlier, std::optional<SettingEdit<Value>>& later) {
-    if (earlier && later) {
-        earlier->after = std::move(later->after);
-    } else if (later) {
-        earlier = std::move(later);
-    }
+std::shared_ptr<const ValueEdit<Value>> inverse(const std::shared_ptr<const ValueEdit<Value>>& edit) {
+    return edit ? std::make_shared<const ValueEdit<Value>>(ValueEdit<Value>{edit->after, edit->before})
+                : nullptr;
 }
 
 bool comesToNothing(const SessionUndo::Change& change) {
     const auto same = [](const HistoryEdit& edit) { return edit.before == edit.after; };
     return change.targets.empty() && std::all_of(change.edits.begin(), change.edits.end(), same) &&
-           isNothing(change.constants) && isNothing(change.lights);
+           (!change.settings || change.settings->before == change.settings->after) && !change.scene;
+}
+
+/// Meshes are shared by the steps they are in; they count where a step may be the last to hold them.
+std::size_t bytesOf(const TargetState& target) {
+    constexpr std::size_t kAVertex = 100;    // position, normal, file's own number
+    constexpr std::size_t kATriangle = 100;  // corners, edges, the collider's tree
+    return target.shape.mesh == nullptr ? 0
+                                        : target.shape.mesh->positions.size() * kAVertex +
+                                              target.shape.render->triangles.size() / 3 * kATriangle;
+}
+
+std::size_t bytesOf(const SceneState& scene) {
+    std::size_t bytes = scene.hits.size() * sizeof(Hit);
+    for (const TargetState& target : scene.targets) {
+        bytes += bytesOf(target);
+    }
+    return bytes;
+}
+
+std::size_t bytesOf(const SessionUndo::Change& change) {
+    std::size_t bytes = sizeof(change);
+    for (const HistoryEdit& edit : change.edits) {
+        bytes += sizeof(edit) + (edit.before.size() + edit.after.size()) * sizeof(Hit);
+    }
+    for (const TargetEdit& edit : change.targets) {
+        const TargetState* only = edit.before && !edit.after ? &*edit.before : nullptr;
+        only = edit.after && !edit.before ? &*edit.after : only;
+        bytes += sizeof(edit) + (only != nullptr ? bytesOf(*only) : 0);
+    }
+    bytes += change.settings ? sizeof(*change.settings) : 0;
+    return bytes + (change.scene ? bytesOf(change.scene->before) + bytesOf(change.scene->after) : 0);
 }
 
 SessionUndo::Change inverse(const SessionUndo::Change& change) {
@@ -79,8 +96,8 @@ SessionUndo::Change inverse(const SessionUndo::Change& change) {
     std::for_each(change.targets.rbegin(), change.targets.rend(), [&undone](const TargetEdit& edit) {
         undone.targets.push_back({edit.index, edit.after, edit.before});
     });
-    undone.constants = inverse(change.constants);
-    undone.lights = inverse(change.lights);
+    undone.settings = inverse(change.settings);
+    undone.scene = inverse(change.scene);
     return undone;
 }
 
@@ -104,8 +121,10 @@ bool SessionUndo::absorb(Change& change) {
     for (std::size_t i = 0; i < change.targets.size(); ++i) {
         last.targets[i].after = std::move(change.targets[i].after);
     }
-    absorbSetting(last.constants, change.constants);
-    absorbSetting(last.lights, change.lights);
+    if (last.settings && change.settings) {
+        last.settings = std::make_shared<const ValueEdit<SettingsState>>(
+            ValueEdit<SettingsState>{last.settings->before, change.settings->after});
+    }
     return true;
 }
 
@@ -115,15 +134,41 @@ void SessionUndo::record(Change change) {
     if (comesToNothing(change)) {
         return;
     }
+    for (const Step& step : m_redo) {
+        m_bytes -= step.bytes;
+    }
     m_redo.clear();
     if (absorb(change)) {
-        if (comesToNothing(m_undo.back().change)) {
+        Step& last = m_undo.back();
+        m_bytes -= last.bytes;
+        if (comesToNothing(last.change)) {
             m_undo.pop_back();
             finishStep();
+            return;
         }
+        last.number = ++m_last;
+        last.bytes = bytesOf(last.change);
+        m_bytes += last.bytes;
         return;
     }
-    m_undo.push_back({std::move(change)});
+    const std::size_t bytes = bytesOf(change);
+    m_bytes += bytes;
+    m_undo.push_back({std::move(change), false, ++m_last, bytes});
+    forgetOldest();
+}
+
+/// The last step is kept however large it is.
+void SessionUndo::forgetOldest() {
+    while (m_bytes > m_most && m_undo.size() > 1) {
+        m_bytes -= m_undo.front().bytes;
+        m_first = m_undo.front().number;
+        m_undo.pop_front();
+        ++m_forgotten;
+    }
+}
+
+const SessionUndo::Name& SessionUndo::name(std::size_t step) const {
+    return step < m_undo.size() ? m_undo[step].change.name : m_redo[size() - 1 - step].change.name;
 }
 
 void SessionUndo::finishStep() {
@@ -140,7 +185,8 @@ SessionUndo::Change SessionUndo::undo() {
 
 SessionUndo::Change SessionUndo::redo() {
     // Undone and made again, it is finished: a later change is a step of its own.
-    m_undo.push_back({std::move(m_redo.back().change), true});
+    m_undo.push_back(std::move(m_redo.back()));
+    m_undo.back().finished = true;
     m_redo.pop_back();
     return m_undo.back().change;
 }
@@ -148,6 +194,9 @@ SessionUndo::Change SessionUndo::redo() {
 void SessionUndo::clear() {
     m_undo.clear();
     m_redo.clear();
+    m_first = ++m_last;
+    m_bytes = 0;
+    m_forgotten = 0;
 }
 
 }  // namespace hitscope

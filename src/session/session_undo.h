@@ -1,28 +1,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
 #include <cstdint>
-#include <optional>
+#include <deque>
+#include <memory>
 #include <vector>
 
+#include "core/image.h"
 #include "deform/hit_history.h"
+#include "physics/projectile_settings.h"
 #include "session/constants_setting.h"
+#include "session/flight_mode.h"
 #include "session/target_state.h"
 #include "view/lights.h"
 
 namespace hitscope {
 
-/// A setting was one and became the other.
+/// What a person sets in a session, apart from its scene.
+struct SettingsState {
+    ConstantsSetting constants = {};
+    Lights lights = {};
+    ProjectileSettings projectile = {};
+    FlightMode flightMode = FlightMode::Quick;
+    std::shared_ptr<const Image> coverTexture = {};
+
+    bool operator==(const SettingsState&) const = default;
+};
+
+/// A whole scene with its hits: enough to come back to it.
+struct SceneState {
+    QString name;
+    float floorHeight = 0.0f;  ///< metres, world y
+    LightSpace lightSpace;
+    Lights lights;  ///< as they stand there
+    std::vector<TargetState> targets;
+    TargetId selected;
+    std::vector<Hit> hits;
+};
+
+/// It was one and became the other.
 template <typename Value>
-struct SettingEdit {
+struct ValueEdit {
     Value before;
     Value after;
 };
 
-/// The steps a person can go back and forward through: changes of the hit history, of the deformation
-/// constants of hits to come, of the targets and of the lights. A step costs what changed, not what there is.
+/// The steps a person can go back and forward through: changes of the hit history, of the targets, of the
+/// settings, and other scenes. A step costs what changed, not what there is; the oldest are forgotten when
+/// all together take more than kMostBytes.
 class SessionUndo {
 public:
+    static constexpr std::size_t kMostBytes = std::size_t{512} << 20U;
+    explicit SessionUndo(std::size_t mostBytes = kMostBytes) : m_most(mostBytes) {}
+
     [[nodiscard]] bool canUndo() const { return !m_undo.empty(); }
     [[nodiscard]] bool canRedo() const { return !m_redo.empty(); }
 
@@ -52,7 +83,12 @@ public:
         HideTarget,
         ResetTarget,
         TargetPhysics,
-        TargetTexture
+        TargetTexture,
+        Projectile,
+        FlightMode,
+        CoverTexture,
+        LoadScene,
+        PlaceMesh
     };
     /// What a step is called where it is offered to be undone.
     struct Name {
@@ -65,13 +101,22 @@ public:
     struct Change {
         Name name = {};
         Merge merge = Merge::Never;
-        std::vector<HistoryEdit> edits = {};   ///< in the order made
-        std::vector<TargetEdit> targets = {};  ///< likewise
-        std::optional<SettingEdit<ConstantsSetting>> constants = {};
-        std::optional<SettingEdit<Lights>> lights = {};
+        std::vector<HistoryEdit> edits = {};                            ///< in the order made
+        std::vector<TargetEdit> targets = {};                           ///< likewise
+        std::shared_ptr<const ValueEdit<SettingsState>> settings = {};  ///< null: they stay
+        std::shared_ptr<const ValueEdit<SceneState>> scene = {};        ///< null: it stays
     };
     /// Where nothing changed nothing is recorded; steps that merge and come to nothing go.
     void record(Change change);
+    /// Of the state that the steps have led to: two of the same number are equal. Never 0.
+    [[nodiscard]] std::uint64_t state() const { return m_undo.empty() ? m_first : m_undo.back().number; }
+    /// All steps in the order made: those that can be undone, then those that can be made again.
+    [[nodiscard]] std::size_t size() const { return m_undo.size() + m_redo.size(); }
+    [[nodiscard]] std::size_t done() const { return m_undo.size(); }  ///< how many can be undone
+    [[nodiscard]] const Name& name(std::size_t step) const;           ///< step < size()
+    /// About what all steps together take, and how many were forgotten to keep within kMostBytes.
+    [[nodiscard]] std::size_t bytes() const { return m_bytes; }
+    [[nodiscard]] std::size_t forgotten() const { return m_forgotten; }
     /// Nothing merges with the last step any more.
     void finishStep();
     /// What undo() or redo() would take back or make again; null: nothing.
@@ -88,11 +133,19 @@ private:
     struct Step {
         Change change;
         bool finished = false;  ///< nothing merges with it any more
+        std::uint64_t number = 0;
+        std::size_t bytes = 0;
     };
     bool absorb(Change& change);
+    void forgetOldest();
 
-    std::vector<Step> m_undo;
+    std::size_t m_most;
+    std::deque<Step> m_undo;
     std::vector<Step> m_redo;
+    std::uint64_t m_last = 1;   ///< number given
+    std::uint64_t m_first = 1;  ///< of the state before the first step
+    std::size_t m_bytes = 0;
+    std::size_t m_forgotten = 0;
 };
 
 /// Makes one step of what a person does in one go: the first change of a part begins a step, further ones of

@@ -294,11 +294,15 @@ private Q_SLOTS:
         }
     }
 
-    void aNewSceneForgetsTheSteps() {
+    void aNewSceneIsAStep() {
+        const std::size_t before = m_session->targets().size();
         m_session->targets().add({cubePlan()});
         m_session->loadPaperRow(0);
-        QVERIFY(!m_session->canUndo());
         QVERIFY(!m_session->canRedo());
+        m_session->undo();
+        QCOMPARE(m_session->targets().size(), before + 1);
+        m_session->undo();
+        QCOMPARE(m_session->targets().size(), before);
     }
 
 private:

@@ -30,7 +30,12 @@ DeformationConstants make(HitHistory& history, const SessionUndo::Change& change
     for (const HistoryEdit& edit : change.edits) {
         history.redo(edit);
     }
-    return change.constants ? change.constants->after.constants : DeformationConstants{};
+    return change.settings ? change.settings->after.constants.constants : DeformationConstants{};
+}
+
+std::shared_ptr<const ValueEdit<SettingsState>> settingsEdit(const SettingsState& before,
+                                                             const SettingsState& after) {
+    return std::make_shared<const ValueEdit<SettingsState>>(ValueEdit<SettingsState>{before, after});
 }
 
 TargetState targetAt(float x, std::uint32_t id = 1) {
@@ -113,7 +118,7 @@ private Q_SLOTS:
                          SessionUndo::Merge::WithSameKind,
                          history.replace(Rows{0, 1}, hits),
                          {},
-                         {{constants, next}}});
+                         settingsEdit({.constants = constants}, {.constants = next})});
             constants = next;
         }
         QCOMPARE(make(history, undo.undo()).power, before.constants.power);
@@ -129,10 +134,12 @@ private Q_SLOTS:
     void aFinishedStepTakesNothingMore() {
         SessionUndo undo;
         const auto dim = [&undo](float before, float after, SessionUndo::Merge merge) {
-            SettingEdit<Lights> edit;
-            edit.before.spot.terms.diffuse = before;
-            edit.after.spot.terms.diffuse = after;
-            undo.record({.name = {SessionUndo::Kind::Lights, 1}, .merge = merge, .lights = edit});
+            SettingsState was;
+            SettingsState is;
+            was.lights.spot.terms.diffuse = before;
+            is.lights.spot.terms.diffuse = after;
+            undo.record(
+                {.name = {SessionUndo::Kind::Lights, 1}, .merge = merge, .settings = settingsEdit(was, is)});
         };
         UndoGesture gesture;
         dim(0.8f, 0.7f, gesture.change(0));
@@ -141,10 +148,10 @@ private Q_SLOTS:
         undo.finishStep();
         dim(0.5f, 0.4f, SessionUndo::Merge::WithSameKind);
         for (const float before : {0.5f, 0.7f, 0.8f}) {
-            QCOMPARE(undo.undo().lights->after.spot.terms.diffuse, before);
+            QCOMPARE(undo.undo().settings->after.lights.spot.terms.diffuse, before);
         }
         QVERIFY(!undo.canUndo());
-        QCOMPARE(undo.redo().lights->after.spot.terms.diffuse, 0.7f);
+        QCOMPARE(undo.redo().settings->after.lights.spot.terms.diffuse, 0.7f);
     }
 
     void thereAndBackIsNoStep() {

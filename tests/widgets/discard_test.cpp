@@ -68,6 +68,7 @@ private Q_SLOTS:
     void doesNotAskForNothing();
     void doesNotAskForTheFirstScene();
     void closingAsks();
+    void placingIsUndone();
     void exportGoesOnWhenItIsWritten();
     void staysWhenAnExportFails();
     void severalTargetsGoIntoAFolder();
@@ -137,15 +138,6 @@ void DiscardTest::asks_data() {
         auto* menu = qobject_cast<QMenu*>(actionNamed(*m_window, QStringLiteral("Open Recent"))->menu());
         Q_EMIT menu->aboutToShow();
         menu->actions().constFirst()->trigger();
-    });
-    row("own coordinates", {}, [this] { trigger("File's Own Coordinates"); });
-    row("scale", {}, [this] {
-        QTimer::singleShot(0, m_window.get(), [] {
-            auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-            QVERIFY(dialog != nullptr);
-            dialog->accept();
-        });
-        trigger("Centre and Scale…");
     });
 }
 
@@ -231,6 +223,24 @@ void DiscardTest::closingAsks() {
     trigger("Quit");
     answerQuestion(*m_window, QMessageBox::DestructiveRole);
     QVERIFY(!m_window->isVisible());
+}
+
+/// Placing a mesh takes its hits; they come back.
+void DiscardTest::placingIsUndone() {
+    hit();
+    hit();
+    trigger("File's Own Coordinates");
+    QCOMPARE(m_session->hits().history().size(), std::size_t{0});
+    QTimer::singleShot(0, m_window.get(), [] {
+        auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        QVERIFY(dialog != nullptr);
+        dialog->accept();
+    });
+    trigger("Centre and Scale…");
+    QVERIFY(discardQuestion(*m_window) == nullptr);
+    m_session->undo();
+    m_session->undo();
+    QCOMPARE(m_session->hits().history().size(), std::size_t{2});
 }
 
 void DiscardTest::exportGoesOnWhenItIsWritten() {

@@ -90,8 +90,7 @@ void FileActions::fillScenes(QMenu& menu) {
 
 void FileActions::fillMesh(QMenu& menu) {
     m_placeMesh = addAction(menu, tr("&Centre and Scale…"), {}, this, [this] { choosePlacement(); });
-    m_fileCoordinates = addAction(menu, tr("File's Own C&oordinates"), {}, this,
-                                  [this] { m_parts.guard.ask([this] { place(0.0); }); });
+    m_fileCoordinates = addAction(menu, tr("File's Own C&oordinates"), {}, this, [this] { place(0.0); });
     connect(&m_parts.session, &Session::sceneReplaced, this, &FileActions::follow);
     connect(&m_parts.session.targets(), &SessionTargets::added, this, &FileActions::follow);
     connect(&m_parts.session.targets(), &SessionTargets::removed, this, &FileActions::follow);
@@ -181,15 +180,15 @@ void FileActions::sayOpened(const QStringList& notes) {
             m_parts.session.settings().flightMode(), m_parts.session.settings().projectile(), extent, extent);
         const float reach =
             dentFits ? 2.0f * projectile.radius : m_parts.session.settings().constants().maxDistance;
-        const QString text =
-            dentFits ? tr("This mesh is %1 m across; a projectile is %2 m. With Quick or Instant "
-                          "in the tool bar, it goes by the size of the mesh.")
-                     : tr("This mesh is %1 m across; hits reach %2 m around where they land.");
+        const QString text = dentFits
+                                 ? tr("This mesh is %1 m across; a projectile is %2 m. With Quick or Instant "
+                                      "in the tool bar, it goes by the size of the mesh.")
+                                 : tr("This mesh is %1 m across; hits reach %2 m around where they land.");
         lines.prepend(text.arg(shownNumber(static_cast<double>(extent), 'g', 3),
                                shownNumber(static_cast<double>(reach), 'g', 3)));
         m_parts.notice.say(lines.join(u'\n'),
                            tr("Scale to %1 m").arg(shownNumber(static_cast<double>(kUsualExtent))),
-                           [this] { m_parts.guard.ask([this] { place(kUsualExtent); }); });
+                           [this] { place(kUsualExtent); });
     } else if (m_parts.textures.isAnyMissing()) {
         m_parts.notice.say(lines.join(u'\n'), tr("Locate…"), [this] { m_parts.textures.locate(); });
     } else if (!lines.isEmpty()) {
@@ -215,13 +214,13 @@ void FileActions::showRecent() {
 
 void FileActions::choosePlacement() {
     bool accepted = false;
-    const double extent = QInputDialog::getDouble(
-        &m_parts.window, tr("Centre and scale"),
-        tr("Largest extent of the mesh, in metres.\nIts hits are cleared; the file's own "
-           "coordinates are kept for export."),
-        kUsualExtent, 0.01, 1000.0, 2, &accepted, {}, 0.5);
+    const double extent = QInputDialog::getDouble(&m_parts.window, tr("Centre and scale"),
+                                                  tr("Largest extent of the mesh, in metres.\nIts hits are "
+                                                     "cleared, which can be undone; the file's own "
+                                                     "coordinates are kept for export."),
+                                                  kUsualExtent, 0.01, 1000.0, 2, &accepted, {}, 0.5);
     if (accepted) {
-        m_parts.guard.ask([this, extent] { place(extent); });
+        place(extent);
     }
 }
 
@@ -239,7 +238,11 @@ void FileActions::place(double extent) {
                        [](const glm::dvec3& position) { return glm::vec3(position); });
         mesh.placement = {};
     }
-    m_parts.session.loadMesh(std::move(mesh), sourcePath);
+    ScenePlan plan;
+    plan.targets.push_back(planMesh(std::move(mesh), sourcePath));
+    plan.name = plan.targets.front().name;
+    m_parts.session.loadScene(std::move(plan), SessionUndo::Kind::PlaceMesh);
+    Q_EMIT said(tr("Placed the mesh. Undo (Ctrl+Z) brings back how it was, with its hits."));
 }
 
 }  // namespace hitscope

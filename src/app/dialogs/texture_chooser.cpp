@@ -13,7 +13,9 @@
 namespace hitscope {
 
 TextureChooser::TextureChooser(Session& session, QObject* parent)
-    : QObject(parent), m_session(session), m_actions(new QActionGroup(this)) {}
+    : QObject(parent), m_session(session), m_actions(new QActionGroup(this)) {
+    connect(&session.settings(), &SessionSettings::coverTextureChanged, this, &TextureChooser::follow);
+}
 
 void TextureChooser::fill(QMenu& menu) {
     menu.setToolTipsVisible(true);
@@ -31,8 +33,16 @@ void TextureChooser::fill(QMenu& menu) {
     }
 }
 
-/// What was chosen last wins, whichever picture is ready first.
 void TextureChooser::choose(int size) {
+    choose(size, &SessionSettings::setCoverTexture);
+}
+
+void TextureChooser::restore(int size) {
+    choose(size, &SessionSettings::restoreCoverTexture);
+}
+
+/// What was chosen last wins, whichever picture is ready first.
+void TextureChooser::choose(int size, Take take) {
     const QList<QAction*> offered = m_actions->actions();
     const auto wanted = std::find_if(offered.begin(), offered.end(), [size](const QAction* action) {
         return action->data().toInt() == size;
@@ -43,22 +53,25 @@ void TextureChooser::choose(int size) {
     (*wanted)->setChecked(true);
     m_chosen = size;
     if (size == 0) {
-        m_session.settings().setCoverTexture(nullptr);
+        (m_session.settings().*take)(nullptr);
         return;
     }
     auto image = std::make_shared<Image>();
     workBeside(
         this, [image, size] { *image = makePanelTexture(size); },
-        [image, size](TextureChooser& self, bool done) {
-            if (done) {  // else the targets stay as they are
-                self.take(size, image);
+        [image, size, take](TextureChooser& self, bool done) {
+            if (done && size == self.m_chosen) {  // else the targets stay as they are
+                (self.m_session.settings().*take)(image);
             }
         });
 }
 
-void TextureChooser::take(int size, const std::shared_ptr<const Image>& image) {
-    if (size == m_chosen) {
-        m_session.settings().setCoverTexture(image);
+/// Undone, say.
+void TextureChooser::follow() {
+    const std::shared_ptr<const Image>& cover = m_session.settings().coverTexture();
+    m_chosen = cover ? cover->width : 0;
+    for (QAction* action : m_actions->actions()) {
+        action->setChecked(action->data().toInt() == m_chosen);
     }
 }
 

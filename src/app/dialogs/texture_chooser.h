@@ -23,10 +23,14 @@ public:
     void fill(QMenu& menu);  ///< once
     /// Pixels each way, one of those in the menu; 0: the targets' own. Others are passed over.
     void choose(int size);
+    void restore(int size);  ///< likewise, and nothing to undo: as it was when the program ended
     [[nodiscard]] int chosen() const { return m_chosen; }
 
 private:
-    void take(int size, const std::shared_ptr<const Image>& image);
+    /// What gives the targets their picture, or takes it.
+    using Take = void (SessionSettings::*)(std::shared_ptr<const Image>);
+    void choose(int size, Take take);
+    void follow();
 
     Session& m_session;
     QActionGroup* m_actions = nullptr;

@@ -66,7 +66,7 @@ void loadProjectile(const QSettings& settings, Session& session) {
         settings.value(QStringLiteral("projectile/powerFollowsImpulse"), projectile.powerFollowsImpulse)
             .toBool();
     readColour(settings, QStringLiteral("projectile/colour"), projectile.colour);
-    session.settings().setProjectile(projectile);
+    session.settings().restoreProjectile(projectile, session.settings().flightMode());
     bool isNumber = false;
     const double step = settings.value(QStringLiteral("physicsStep")).toDouble(&isNumber);
     if (isNumber && stepParameter().accepts(step)) {
