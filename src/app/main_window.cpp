@@ -63,7 +63,7 @@ namespace {
 constexpr int kFrameRateInterval = 500;  // milliseconds between read-outs in the status bar
 constexpr int kMessageStays = 8'000;     // milliseconds in the status bar
 constexpr int kHintStays = 20'000;       // milliseconds
-constexpr int kLayoutVersion = 5;        // docks that are gone or new make an old layout useless
+constexpr int kLayoutVersion = 6;        // docks that are gone or new make an old layout useless
 
 }  // namespace
 

@@ -27,6 +27,7 @@
 #include "panels/mesh_statistics/mesh_statistics_panel.h"
 #include "panels/pipeline_agreement/pipeline_agreement_panel.h"
 #include "panels/scene/scene_panel.h"
+#include "panels/undo_history/undo_history_panel.h"
 #include "panels/vertex_changes/vertex_changes_panel.h"
 #include "scene/measure_costs.h"
 #include "viewport/hit_handles.h"
@@ -98,6 +99,8 @@ void MainWindow::makeDocks() {
     connect(m_cut, &CutActions::switchedOn, cut, &QDockWidget::raise);
     QDockWidget* agreement = addDock(QStringLiteral("pipelineAgreement"), tr("Pipeline agreement"),
                                      agreementPanel, Qt::BottomDockWidgetArea);
+    QDockWidget* steps = addDock(QStringLiteral("undoHistory"), tr("Undo history"),
+                                 new UndoHistoryPanel(m_session), Qt::RightDockWidgetArea);
     tabifyDockWidget(frameRate, agreement);
     frameRate->raise();
     tabifyDockWidget(statistics, scene);
@@ -114,6 +117,7 @@ void MainWindow::makeDocks() {
     }
     tabifyDockWidget(constants, hit);
     tabifyDockWidget(hit, lights);
+    tabifyDockWidget(lights, steps);
     constants->raise();
     statistics->raise();
     const int width = std::max(isLow ? 408 : 378, m_statisticsPanel->minimumSizeHint().width());
