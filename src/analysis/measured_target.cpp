@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <glm/gtc/quaternion.hpp>
 #include <numeric>
+#include <utility>
 
 #include "deform/deform.h"
+#include "mesh/connectivity.h"
 #include "mesh/face_measure.h"
-#include "mesh/topology.h"
 
 namespace hitscope {
 
@@ -87,7 +88,7 @@ void MeasuredTarget::follow(std::span<const MovedVertex> moved, const std::stop_
         if (!m_topology) {
             return;
         }
-        m_refusedFaces = computeTopology(*m_mesh).nonManifoldFaces;
+        m_refusedFaces = connect(*m_mesh).refused;
     }
     if (!m_measurer) {
         auto measurer = std::make_unique<SurfaceMeasurer>(m_mesh, m_topology, stop);
@@ -144,6 +145,15 @@ void MeasuredTarget::addTo(MeshMeasurement& sum, const RigidTransform& transform
     }
     sum.original.add(original);
     sum.deformed.add(deformed);
+}
+
+MeshMeasurement measure(std::shared_ptr<const MeshData> mesh) {
+    MeasuredTarget target({}, std::move(mesh));
+    target.follow({}, {});
+    MeshMeasurement measurement;
+    target.addTo(measurement, {}, true);
+    conclude(measurement);
+    return measurement;
 }
 
 void conclude(MeshMeasurement& measurement) {

@@ -26,7 +26,7 @@ struct HarmRow {
 struct MeshMeasurement {
     std::vector<TargetId> targets;  ///< whose these numbers are
     SurfaceStatistics topology;
-    std::size_t refusedFaces = 0;  ///< that half-edges cannot hold (computeTopology())
+    std::size_t refusedFaces = 0;  ///< that half-edges cannot hold (connect())
     /// Of one target: local frame. Of all: world, and volumes are positive whichever way the faces look.
     SurfaceMeasures original;
     SurfaceMeasures deformed;
@@ -67,6 +67,10 @@ private:
     std::vector<HarmRow> m_harms;
     std::size_t m_harmsFound = 0;
 };
+
+/// What a mesh measures that no hit has changed: what the mesh statistics show of it, and `hitscope-cli
+/// info`.
+[[nodiscard]] MeshMeasurement measure(std::shared_ptr<const MeshData> mesh);
 
 /// Summary and histogram over what was added.
 void conclude(MeshMeasurement& measurement);

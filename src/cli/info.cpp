@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTextStream>
+#include <memory>
+#include <utility>
 
+#include "analysis/measured_target.h"
 #include "cli/commands.h"
 #include "gl/context.h"
 #include "io/import.h"
-#include "mesh/topology.h"
 #include "pipeline/graphics_report.h"
 #include "pipeline/measure_exactness.h"
 #include "pipeline/pipeline_trial.h"
@@ -32,39 +34,48 @@ private:
     QTextStream& m_out;
 };
 
-QString vectorText(const glm::vec3& v) {
-    return QStringLiteral("%1  %2  %3")
-        .arg(static_cast<double>(v.x), 0, 'g', 6)
-        .arg(static_cast<double>(v.y), 0, 'g', 6)
-        .arg(static_cast<double>(v.z), 0, 'g', 6);
+QString vectorText(const glm::dvec3& v) {
+    return QStringLiteral("%1  %2  %3").arg(v.x, 0, 'g', 6).arg(v.y, 0, 'g', 6).arg(v.z, 0, 'g', 6);
 }
 
-void printTopology(Table& table, const TopologyStatistics& topology) {
-    table.row(QStringLiteral("vertices"), topology.vertices);
-    table.rowUnlessZero(QStringLiteral("  used by no face"), topology.unreferencedVertices);
-    table.row(QStringLiteral("edges"), topology.edges);
-    table.rowUnlessZero(QStringLiteral("  on a boundary"), topology.boundaryEdges);
-    table.row(QStringLiteral("faces"), topology.faces);
-    table.rowUnlessZero(QStringLiteral("  triangles"), topology.triangles);
-    table.rowUnlessZero(QStringLiteral("  quads"), topology.quads);
-    table.rowUnlessZero(QStringLiteral("  larger polygons"), topology.largerPolygons);
-    table.rowUnlessZero(QStringLiteral("  degenerate"), topology.degenerateFaces);
-    table.rowUnlessZero(QStringLiteral("  non-manifold"), topology.nonManifoldFaces);
-    table.row(QStringLiteral("connected components"), topology.components);
-    table.row(QStringLiteral("Euler characteristic"),
-              topology.eulerCharacteristic ? QString::number(*topology.eulerCharacteristic)
-                                           : QStringLiteral("undefined: some faces cannot be connected"));
+void printTopology(Table& table, const MeshMeasurement& measurement) {
+    const SurfaceStatistics& surface = measurement.topology;
+    table.row(QStringLiteral("vertices"), surface.vertices);
+    table.rowUnlessZero(QStringLiteral("  used by no face"), surface.unreferencedVertices);
+    table.rowUnlessZero(QStringLiteral("  at another's place"),
+                        surface.vertices - surface.unreferencedVertices - surface.places);
+    table.row(QStringLiteral("edges"), surface.edges);
+    table.rowUnlessZero(QStringLiteral("  on a boundary"), surface.boundaryEdges);
+    table.rowUnlessZero(QStringLiteral("  non-manifold"), surface.nonManifoldEdges);
+    table.rowUnlessZero(QStringLiteral("  of opposite faces"), surface.opposedEdges);
+    table.row(QStringLiteral("faces"), surface.faces);
+    table.rowUnlessZero(QStringLiteral("  triangles"), surface.triangles);
+    table.rowUnlessZero(QStringLiteral("  quads"), surface.quads);
+    table.rowUnlessZero(QStringLiteral("  larger polygons"), surface.largerPolygons);
+    table.rowUnlessZero(QStringLiteral("  degenerate"), measurement.original.degenerateFaces);
+    table.rowUnlessZero(QStringLiteral("  collapsed"), surface.collapsedFaces);
+    table.rowUnlessZero(QStringLiteral("  not half-edge"), measurement.refusedFaces);
+    table.rowUnlessZero(QStringLiteral("non-manifold vertices"), surface.nonManifoldVertices);
+    table.row(QStringLiteral("connected components"), surface.components);
+    table.rowUnlessZero(QStringLiteral("holes"), surface.holes);
+    table.row(QStringLiteral("Euler characteristic"), QString::number(surface.eulerCharacteristic));
+    if (surface.genus) {
+        table.row(QStringLiteral("genus"), QString::number(*surface.genus));
+    }
     table.row(QStringLiteral("watertight"),
-              topology.watertight ? QStringLiteral("yes") : QStringLiteral("no"));
+              surface.watertight ? QStringLiteral("yes") : QStringLiteral("no"));
 }
 
-void printGeometry(Table& table, const GeometryStatistics& geometry) {
-    table.row(QStringLiteral("smallest coordinates"), vectorText(geometry.bounds.min));
-    table.row(QStringLiteral("largest coordinates"), vectorText(geometry.bounds.max));
-    table.row(QStringLiteral("size"), vectorText(geometry.bounds.size()));
-    table.row(QStringLiteral("surface area"), QString::number(geometry.surfaceArea, 'g', 6));
-    if (geometry.volume) {
-        table.row(QStringLiteral("volume"), QString::number(*geometry.volume, 'g', 6));
+void printGeometry(Table& table, const MeshMeasurement& measurement) {
+    const SurfaceMeasures& measures = measurement.original;
+    if (!measures.box.empty()) {
+        table.row(QStringLiteral("smallest coordinates"), vectorText(measures.box.min));
+        table.row(QStringLiteral("largest coordinates"), vectorText(measures.box.max));
+    }
+    table.row(QStringLiteral("size"), vectorText(measures.box.size()));
+    table.row(QStringLiteral("surface area"), QString::number(measures.faceArea.sum, 'g', 6));
+    if (measurement.topology.isSolid()) {
+        table.row(QStringLiteral("volume"), QString::number(measures.volume(), 'g', 6));
     }
 }
 
@@ -75,13 +86,14 @@ Status runInfo(const QString& meshPath) {
     if (!imported) {
         return imported.error();
     }
-    const MeshData& mesh = imported.value().mesh;
+    const auto shared = std::make_shared<const MeshData>(std::move(imported.value().mesh));
+    const MeshData& mesh = *shared;
     QTextStream out(stdout);
     out << meshPath << "\n";
     Table table(out);
-    const TopologyStatistics topology = computeTopology(mesh);
-    printTopology(table, topology);
-    printGeometry(table, computeGeometry(mesh, mesh.positions, topology));
+    const MeshMeasurement measurement = measure(shared);
+    printTopology(table, measurement);
+    printGeometry(table, measurement);
     table.row(QStringLiteral("texture coordinates"), mesh.texcoords.size());
     table.row(QStringLiteral("normals"), mesh.normals.size());
     table.rowUnlessZero(QStringLiteral("groups"), mesh.groups.size());

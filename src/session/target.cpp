@@ -12,20 +12,6 @@ Target::Target(TargetState state)
     m_extent = std::max({size.x, size.y, size.z});
 }
 
-const TopologyStatistics& Target::topology() const {
-    if (!m_topology) {
-        m_topology = computeTopology(deformed.original());
-    }
-    return *m_topology;
-}
-
-const GeometryStatistics& Target::originalGeometry() const {
-    if (!m_originalGeometry) {
-        m_originalGeometry = computeGeometry(deformed.original(), deformed.original().positions, topology());
-    }
-    return *m_originalGeometry;
-}
-
 Bounds Target::worldBounds() const {
     return hitscope::worldBounds(deformed.render(), transform);
 }

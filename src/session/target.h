@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
-
 #include "deform/deformed_mesh.h"
-#include "mesh/topology.h"
 #include "mesh/true_normals.h"
 #include "session/target_plan.h"
 #include "session/target_state.h"
@@ -18,15 +15,11 @@ struct Target : TargetState {
     DeformedMesh deformed;
     TrueNormals trueNormals;
 
-    [[nodiscard]] const TopologyStatistics& topology() const;          ///< computed when first asked for
-    [[nodiscard]] const GeometryStatistics& originalGeometry() const;  ///< likewise
     [[nodiscard]] float extent() const { return m_extent; }  ///< of the original: its largest, metres
     [[nodiscard]] Bounds worldBounds() const;                ///< of the original shape
 
 private:
     float m_extent = 0.0f;
-    mutable std::optional<TopologyStatistics> m_topology;
-    mutable std::optional<GeometryStatistics> m_originalGeometry;
 };
 
 }  // namespace hitscope

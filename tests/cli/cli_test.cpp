@@ -3,6 +3,7 @@
 #include <QImage>
 #include <QTemporaryDir>
 #include <QTest>
+#include <array>
 
 #include "cli/run_cli.h"
 #include "gl/context.h"
@@ -38,6 +39,35 @@ QString whyNotExact() {
         }
     }
     return {};
+}
+
+/// What `info` prints in the row of that name; empty: there is no such row.
+QString valueOf(const CliRun& run, const QString& name) {
+    const QRegularExpression row(QStringLiteral("^ *%1  +(.*)$").arg(name),
+                                 QRegularExpression::MultilineOption);
+    return row.match(run.out).captured(1).trimmed();
+}
+
+/// The unit cube as OBJ, each side with four vertices of its own.
+QByteArray splitCube() {
+    QByteArray text;
+    for (int side = 0; side < 6; ++side) {
+        const int axis = side / 2;
+        const bool isFar = side % 2 == 1;
+        for (int corner = 0; corner < 4; ++corner) {
+            std::array<int, 3> place{};
+            const auto along = [&](int shift) -> int& {
+                return place[static_cast<std::size_t>((axis + shift) % 3)];
+            };
+            along(0) = isFar ? 1 : 0;
+            along(isFar ? 1 : 2) = corner == 1 || corner == 2 ? 1 : 0;
+            along(isFar ? 2 : 1) = corner >= 2 ? 1 : 0;
+            text += "v " + QByteArray::number(place[0]) + ' ' + QByteArray::number(place[1]) + ' ' +
+                    QByteArray::number(place[2]) + '\n';
+        }
+        text += "f -4 -3 -2 -1\n";
+    }
+    return text;
 }
 
 bool isPicture(const QString& path) {
@@ -128,17 +158,30 @@ private Q_SLOTS:
                       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 9 9 9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
         const CliRun run = runCli({QStringLiteral("info"), mesh});
         QVERIFY2(run.status == 0, qPrintable(run.err));
-        const auto value = [&run](const QString& name) {
-            const QRegularExpression row(QStringLiteral("^ *%1  +(.*)$").arg(name),
-                                         QRegularExpression::MultilineOption);
-            return row.match(run.out).captured(1).trimmed();
-        };
+        const auto value = [&run](const QString& name) { return valueOf(run, name); };
         QCOMPARE(value(QStringLiteral("vertices")), QStringLiteral("5"));
         QCOMPARE(value(QStringLiteral("used by no face")), QStringLiteral("1"));
         QCOMPARE(value(QStringLiteral("edges")), QStringLiteral("6"));
         QCOMPARE(value(QStringLiteral("faces")), QStringLiteral("4"));
         QCOMPARE(value(QStringLiteral("watertight")), QStringLiteral("yes"));
         QCOMPARE(value(QStringLiteral("volume")), QStringLiteral("0.166667"));
+    }
+
+    /// A cube of six sheets that share no vertex encloses a volume all the same.
+    void infoWeldsSplitVertices() {
+        const QTemporaryDir folder;
+        const QString mesh = writeFile(folder, QStringLiteral("split.obj"), splitCube());
+        const CliRun run = runCli({QStringLiteral("info"), mesh});
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        QCOMPARE(valueOf(run, QStringLiteral("vertices")), QStringLiteral("24"));
+        QCOMPARE(valueOf(run, QStringLiteral("at another's place")), QStringLiteral("16"));
+        QCOMPARE(valueOf(run, QStringLiteral("edges")), QStringLiteral("12"));
+        QCOMPARE(valueOf(run, QStringLiteral("on a boundary")), QString());
+        QCOMPARE(valueOf(run, QStringLiteral("connected components")), QStringLiteral("1"));
+        QCOMPARE(valueOf(run, QStringLiteral("Euler characteristic")), QStringLiteral("2"));
+        QCOMPARE(valueOf(run, QStringLiteral("genus")), QStringLiteral("0"));
+        QCOMPARE(valueOf(run, QStringLiteral("watertight")), QStringLiteral("yes"));
+        QCOMPARE(valueOf(run, QStringLiteral("volume")), QStringLiteral("1"));
     }
 
     void badInputFailsWithOneMessage_data() {

@@ -63,6 +63,7 @@ private Q_SLOTS:
     void staysConsistentWhileHitsStreamIn();
     void followsTheTargetInFocus();
     void addsUpAllTargets();
+    void sharesItsNumbersWithTheCommandLine();
     void saysWhyThereIsNoVolume();
     void measuresOnlyWhileLookedAt();
     void reportsAreWhatIsShown();
@@ -207,6 +208,30 @@ void MeshStatisticsModelTest::addsUpAllTargets() {
     QTRY_VERIFY(std::abs(value(model, "box_max_x", Model::DeformedColumn) - (20.0 + std::sqrt(8.0))) < 1e-5);
     session.targets().remove(std::vector<TargetId>{session.targets()[1]->id});
     QTRY_COMPARE(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("386"));
+}
+
+/// Of a cube whose vertices are split along every edge, as files with seams have it.
+void MeshStatisticsModelTest::sharesItsNumbersWithTheCommandLine() {
+    const MeshData cube = makeLowPolyCube(2.5f);
+    MeshData split;
+    split.faceStarts = cube.faceStarts;
+    for (const std::uint32_t vertex : cube.cornerVertices) {
+        split.cornerVertices.push_back(static_cast<std::uint32_t>(split.positions.size()));
+        split.positions.push_back(cube.positions[vertex]);
+    }
+    Session session;
+    session.loadMesh(split);
+    Model model(session);
+    QTRY_COMPARE(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("1,536"));
+    QCOMPARE(cell(model, "components", Model::OriginalColumn), QStringLiteral("1"));
+    QCOMPARE(cell(model, "watertight", Model::OriginalColumn), QStringLiteral("yes"));
+    const MeshMeasurement measurement = measure(std::make_shared<const MeshData>(split));
+    for (const StatisticsRow& row : statisticsRows()) {
+        const std::optional<double> measured = statisticsValue(row, measurement, StatisticsSide::Original);
+        const QVariant shown = model.find(row.key, Model::OriginalColumn).data(Model::ValueRole);
+        QCOMPARE(shown.isValid(), measured.has_value());
+        QCOMPARE(shown.toDouble(), measured.value_or(0.0));
+    }
 }
 
 void MeshStatisticsModelTest::saysWhyThereIsNoVolume() {

@@ -5,7 +5,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "mesh/primitives.h"
-#include "mesh/topology.h"
+#include "mesh/surface_topology.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
@@ -13,6 +13,10 @@ using namespace hitscope;
 Q_DECLARE_METATYPE(hitscope::MeshData)
 
 namespace {
+
+SurfaceStatistics statisticsOf(const MeshData& mesh) {
+    return SurfaceTopology::build(mesh)->statistics();
+}
 
 glm::vec3 faceNormal(const MeshData& mesh, std::size_t f) {
     const auto face = mesh.face(f);
@@ -55,9 +59,9 @@ private Q_SLOTS:
         QVERIFY(validate(mesh).ok());
         QCOMPARE(mesh.vertexCount(), vertices);
         QCOMPARE(mesh.faceCount(), faces);
-        const TopologyStatistics topology = computeTopology(mesh);
-        QVERIFY(topology.watertight);
-        QCOMPARE(topology.eulerCharacteristic.value_or(0), 2LL);
+        const SurfaceStatistics topology = statisticsOf(mesh);
+        QVERIFY(topology.isSolid());
+        QCOMPARE(topology.eulerCharacteristic, 2LL);
         QCOMPARE(topology.components, std::size_t{1});
         for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
             QVERIFY(glm::dot(faceNormal(mesh, f), faceCentre(mesh, f)) > 0.0f);
@@ -130,13 +134,13 @@ private Q_SLOTS:
         QVERIFY(sphere.positions.front() == glm::vec3(0.0f, 2.0f, 0.0f));
         QVERIFY(sphere.positions.back() == glm::vec3(0.0f, -2.0f, 0.0f));
         QVERIFY(std::abs(sphere.positions[1].y - 2.0f * std::cos(glm::radians(9.0f))) < 1e-6f);
-        QCOMPARE(computeTopology(sphere).triangles, std::size_t{40});
+        QCOMPARE(statisticsOf(sphere).triangles, std::size_t{40});
     }
 
     void splittingMakesOnlyQuads() {
         const MeshData once = splitIntoQuadsOnSphere(makeUvSphere(32, 16, 1.0f), 1.0f);
         QCOMPARE(once.vertexCount(), std::size_t{482 + 992 + 512});
-        const TopologyStatistics topology = computeTopology(once);
+        const SurfaceStatistics topology = statisticsOf(once);
         QCOMPARE(topology.quads, topology.faces);
         QCOMPARE(topology.faces, std::size_t{448 * 4 + 64 * 3});
     }

@@ -8,7 +8,7 @@
 
 #include "mesh/geodesic_sphere.h"
 #include "mesh/grid_primitives.h"
-#include "mesh/topology.h"
+#include "mesh/surface_measurer.h"
 #include "session/primitive_target.h"
 #include "support/test_program.h"
 
@@ -64,13 +64,16 @@ private Q_SLOTS:
         QVERIFY(validate(mesh).ok());
         QCOMPARE(mesh.vertexCount(), vertices);
         QCOMPARE(mesh.faceCount(), faces);
-        const TopologyStatistics topology = computeTopology(mesh);
-        QCOMPARE(topology.watertight, watertight);
-        QCOMPARE(topology.eulerCharacteristic.value_or(99), euler);
-        QCOMPARE(topology.nonManifoldFaces, std::size_t{0});
+        const auto shared = std::make_shared<const MeshData>(mesh);
+        const SurfaceMeasurer measurer(shared, SurfaceTopology::build(mesh));
+        const SurfaceStatistics& topology = measurer.topology().statistics();
+        QCOMPARE(topology.isSolid(), watertight);
+        QCOMPARE(topology.eulerCharacteristic, euler);
+        QVERIFY(topology.isManifold());
+        QCOMPARE(topology.opposedEdges, std::size_t{0});
         QCOMPARE(topology.unreferencedVertices, std::size_t{0});
         if (volume > 0.0) {
-            const double made = computeGeometry(mesh, mesh.positions, topology).volume.value_or(0.0);
+            const double made = measurer.measures().volume();
             QVERIFY2(std::abs(made / volume - 1.0) < 0.03, qPrintable(QString::number(made)));
         }
         for (std::size_t f = 0; f < mesh.faceCount(); ++f) {

@@ -147,6 +147,12 @@ private Q_SLOTS:
         QVERIFY(near(m.centreOfMass().x, 3.0, 1e-9));
     }
 
+    void concavePolygonsKeepTheirArea() {
+        // An arrowhead whose fan about the first corner covers part of it twice.
+        const MeshData arrow = polygon({{0, 2}, {0, 0}, {-2, 0}, {0, -4}, {2, 0}});
+        QCOMPARE(measurerOf(arrow).measures().faceArea.sum, 10.0);
+    }
+
     void aspectIsOneForRegularPolygons() {
         for (std::uint32_t n = 3; n < 12; ++n) {
             std::vector<glm::vec2> outline;
