@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "analysis/dent_hits.h"
+#include "io/csv_writer.h"
 #include "mesh/dent_profile.h"
 #include "session/shown_number.h"
 
@@ -367,23 +368,23 @@ QString DentMeasurement::text() const {
 }
 
 QByteArray DentMeasurement::profileCsv() const {
-    QByteArray csv;
+    constexpr int kDigits = 9;
+    CsvWriter csv;
     if (!m_report.mergedHits.empty()) {
-        csv += "# merged dent of hits " + mergedNumbers().toUtf8() + '\n';
+        csv.comment("merged dent of hits " + mergedNumbers().toStdString());
     }
-    csv += "state,line,along_m,height_m\n";
+    csv.row({"state", "line", "along_m", "height_m"});
     const auto add = [&csv](const char* state, const Profile& lines) {
         for (std::size_t line = 0; line < lines.size(); ++line) {
             for (const ProfilePoint& point : lines[line]) {
-                csv += QByteArray(state) + ',' + QByteArray::number(static_cast<qulonglong>(line)) + ',' +
-                       QByteArray::number(point.along, 'g', 9) + ',' +
-                       QByteArray::number(point.height, 'g', 9) + '\n';
+                csv.text(state).count(line).general(point.along, kDigits).general(point.height, kDigits);
+                csv.endRow();
             }
         }
     };
     add("original", m_report.before);
     add("deformed", m_report.after);
-    return csv;
+    return QByteArray::fromStdString(csv.take());
 }
 
 }  // namespace hitscope

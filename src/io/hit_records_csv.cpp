@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/csv_writer.h"
 #include "io/hit_records_fields.h"
 
 namespace hitscope {
@@ -10,21 +11,6 @@ namespace hitscope {
 namespace {
 
 using namespace hit_fields;
-
-void appendField(std::string& text, const std::string& value) {
-    if (value.find_first_of("\",\r\n") == std::string::npos) {
-        text += value;
-        return;
-    }
-    text += '"';
-    for (const char c : value) {
-        text += c;
-        if (c == '"') {
-            text += '"';
-        }
-    }
-    text += '"';
-}
 
 /// Takes a file apart into rows of fields.
 class CsvRows {
@@ -138,18 +124,18 @@ Status readRow(RecordReader& reader, const std::vector<Field>& columns,
 }  // namespace
 
 std::string toCsv(const HitRecords& table) {
-    std::string text;
+    CsvWriter csv;
     for (const FieldName& column : kFields) {
-        text += column.name;
-        text += column.field == kFields.back().field ? '\n' : ',';
+        csv.text(column.name);
     }
+    csv.endRow();
     for (std::size_t i = 0; i < table.hits.size(); ++i) {
         for (const FieldName& column : kFields) {
-            appendField(text, valueOf(table, i, column.field));
-            text += column.field == kFields.back().field ? '\n' : ',';
+            csv.text(valueOf(table, i, column.field));
         }
+        csv.endRow();
     }
-    return text;
+    return csv.take();
 }
 
 Result<HitRecords> hit_fields::readCsv(std::string_view text, std::vector<std::string> pipelines) {

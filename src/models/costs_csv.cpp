@@ -1,56 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "models/costs_csv.h"
 
-#include <initializer_list>
-
+#include "io/csv_writer.h"
 #include "models/quantity_text.h"
 
 namespace hitscope {
 
 namespace {
 
-QByteArray milliseconds(std::optional<double> seconds) {
-    return seconds ? QByteArray::number(*seconds * kMilliseconds, 'g', 9) : QByteArray();
-}
+constexpr int kDigits = 9;
 
-QByteArray keyOf(PipelineKind pipeline) {
-    const std::string_view key = pipelineTraits(pipeline).key;
-    return {key.data(), static_cast<qsizetype>(key.size())};
-}
-
-void appendLine(QByteArray& csv, std::initializer_list<QByteArray> cells) {
-    csv += QByteArrayList(cells).join(',');
-    csv += '\n';
+std::optional<double> milliseconds(std::optional<double> seconds) {
+    return seconds ? std::optional(*seconds * kMilliseconds) : std::nullopt;
 }
 
 }  // namespace
 
 QByteArray framesCsv(std::span<const FrameCost> frames) {
-    QByteArray csv =
-        "frame,end_s,pipeline,history_hits,arrived_hits,frame_ms,cpu_ms,gpu_ms,physics_ms,"
-        "deformation_cpu_ms,deformation_gpu_ms,read_back_ms,drawing_ms,pipelines\n";
+    CsvWriter csv;
+    csv.row({"frame", "end_s", "pipeline", "history_hits", "arrived_hits", "frame_ms", "cpu_ms", "gpu_ms",
+             "physics_ms", "deformation_cpu_ms", "deformation_gpu_ms", "read_back_ms", "drawing_ms",
+             "pipelines"});
     for (const FrameCost& frame : frames) {
-        appendLine(csv, {QByteArray::number(static_cast<qulonglong>(frame.number)),
-                         QByteArray::number(frame.end, 'f', 6), keyOf(frame.pipeline),
-                         QByteArray::number(frame.history), QByteArray::number(frame.hits),
-                         milliseconds(frame.total), milliseconds(frame.cpu), milliseconds(frame.gpu),
-                         milliseconds(frame.physics), milliseconds(frame.deformation),
-                         milliseconds(frame.gpuDeformation), milliseconds(frame.readBack),
-                         milliseconds(frame.drawing), QByteArray::number(static_cast<int>(frame.pipelines))});
+        csv.count(frame.number).fixed(frame.end, 6).text(pipelineTraits(frame.pipeline).key);
+        csv.count(frame.history).count(frame.hits);
+        for (const std::optional<double> part :
+             {std::optional(frame.total), std::optional(frame.cpu), frame.gpu, std::optional(frame.physics),
+              std::optional(frame.deformation), frame.gpuDeformation, std::optional(frame.readBack),
+              std::optional(frame.drawing)}) {
+            csv.general(milliseconds(part), kDigits);
+        }
+        csv.count(static_cast<std::uint64_t>(frame.pipelines));
+        csv.endRow();
     }
-    return csv;
+    return QByteArray::fromStdString(csv.take());
 }
 
 QByteArray curvesCsv(std::span<const NamedCurve> curves, CostAxis axis) {
-    QByteArray csv = axis == CostAxis::Hits ? "pipeline,history_hits,frame_ms,hit_ms\n"
-                                            : "pipeline,vertices,frame_ms,hit_ms\n";
+    CsvWriter csv;
+    csv.row({"pipeline", axis == CostAxis::Hits ? "history_hits" : "vertices", "frame_ms", "hit_ms"});
     for (const NamedCurve& curve : curves) {
         for (const CostPoint& point : curve.points) {
-            appendLine(csv, {keyOf(curve.pipeline), QByteArray::number(point.at, 'g', 9),
-                             milliseconds(point.frame), milliseconds(point.hit)});
+            csv.text(pipelineTraits(curve.pipeline).key).general(point.at, kDigits);
+            csv.general(milliseconds(point.frame), kDigits).general(milliseconds(point.hit), kDigits);
+            csv.endRow();
         }
     }
-    return csv;
+    return QByteArray::fromStdString(csv.take());
 }
 
 }  // namespace hitscope

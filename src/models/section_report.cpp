@@ -7,7 +7,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <optional>
 
+#include "io/csv_writer.h"
 #include "models/quantity_text.h"
 #include "session/shown_number.h"
 
@@ -75,30 +77,23 @@ QString coordinateText(const SectionView::Axis& axis, const QString& word, doubl
     return name + u' ' + shownNumber(value, 'f', 3);
 }
 
-QByteArray quoted(const QString& text) {
-    QString safe = text;
-    return (u'"' + safe.replace(u'"', QStringLiteral("\"\"")) + u'"').toUtf8();
-}
-
-void addCsv(QByteArray& csv, const char* state, const TargetSection& section, const SectionView& view,
+void addCsv(CsvWriter& csv, const char* state, const TargetSection& section, const SectionView& view,
             const std::vector<SectionCurve>& curves, const SectionDepths* depths) {
-    const auto number = [&csv](double value) { csv += ',' + QByteArray::number(value, 'g', 9); };
+    constexpr int kDigits = 9;
+    const std::string name = section.name.toStdString();
     for (std::size_t line = 0; line < curves.size(); ++line) {
         for (std::size_t i = 0; i < curves[line].points.size(); ++i) {
             const glm::vec3& point = curves[line].points[i];
-            csv += QByteArray(state) + ',' + quoted(section.name) + ',' +
-                   QByteArray::number(static_cast<qulonglong>(line)) + (curves[line].closed ? ",1" : ",0");
+            csv.text(state).quoted(name).count(line).count(curves[line].closed ? 1 : 0);
             for (int axis = 0; axis < 3; ++axis) {
-                number(static_cast<double>(point[axis]));
+                csv.general(static_cast<double>(point[axis]), kDigits);
             }
             const glm::dvec2 flat = view(point);
-            number(flat.x);
-            number(flat.y);
-            csv += ',';
-            if (depths != nullptr) {
-                csv += QByteArray::number(static_cast<double>(depths->depths[line][i]), 'g', 9);
-            }
-            csv += '\n';
+            csv.general(flat.x, kDigits).general(flat.y, kDigits);
+            csv.general(depths != nullptr ? std::optional(static_cast<double>(depths->depths[line][i]))
+                                          : std::nullopt,
+                        kDigits);
+            csv.endRow();
         }
     }
 }
@@ -171,7 +166,8 @@ QString sectionText(const SceneSection& section, const SectionScope& scope) {
 }
 
 QByteArray sectionCsv(const SceneSection& section, const SectionScope& scope) {
-    QByteArray csv = "state,target,line,closed,x_m,y_m,z_m,right_m,up_m,depth_m\n";
+    CsvWriter csv;
+    csv.row({"state", "target", "line", "closed", "x_m", "y_m", "z_m", "right_m", "up_m", "depth_m"});
     const SectionView view = sectionView(section.cut.openSide());
     for (const TargetSection& target : section.targets) {
         if (scope.holds(target)) {
@@ -179,7 +175,7 @@ QByteArray sectionCsv(const SceneSection& section, const SectionScope& scope) {
             addCsv(csv, "deformed", target, view, target.deformed, &target.depths);
         }
     }
-    return csv;
+    return QByteArray::fromStdString(csv.take());
 }
 
 }  // namespace hitscope

@@ -5,6 +5,8 @@
 #include <QStringList>
 #include <array>
 
+#include "io/csv_writer.h"
+
 namespace hitscope {
 
 namespace {
@@ -34,15 +36,6 @@ QString padded(const Cells& cells, const std::array<qsizetype, 4>& widths) {
         line.chop(1);
     }
     return line + u'\n';
-}
-
-QString quoted(QString text) {
-    const bool isPlain = !text.contains(u',') && !text.contains(u'"') && !text.contains(u'\n');
-    return isPlain ? text : u'"' + text.replace(u'"', QLatin1String("\"\"")) + u'"';
-}
-
-QString digits(const std::optional<double>& value) {
-    return value ? QString::number(*value, 'g', 17) : QString();
 }
 
 }  // namespace
@@ -93,23 +86,21 @@ QString statisticsAsMarkdown(const QString& title, const MeshMeasurement& measur
 }
 
 QString statisticsAsCsv(const MeshMeasurement& measurement) {
-    QString text = QStringLiteral("section,key,property,unit,original,deformed,change,note\r\n");
+    constexpr int kDigits = 17;
+    CsvWriter csv(CsvWriter::LineEnd::CrLf);
+    csv.row({"section", "key", "property", "unit", "original", "deformed", "change", "note"});
     for (const StatisticsRow& row : statisticsRows()) {
-        const QStringList cells{sectionName(row.section),
-                                QString::fromLatin1(row.key),
-                                QCoreApplication::translate("hitscope::StatisticsRow", row.name),
-                                QString::fromUtf8(row.unit),
-                                digits(statisticsValue(row, measurement, StatisticsSide::Original)),
-                                digits(statisticsValue(row, measurement, StatisticsSide::Deformed)),
-                                digits(statisticsValue(row, measurement, StatisticsSide::Change)),
-                                whyNot(row, measurement)};
-        QStringList written;
-        for (const QString& cell : cells) {
-            written << quoted(cell);
+        csv.text(sectionName(row.section).toStdString()).text(row.key);
+        csv.text(QCoreApplication::translate("hitscope::StatisticsRow", row.name).toStdString());
+        csv.text(row.unit);
+        for (const StatisticsSide side :
+             {StatisticsSide::Original, StatisticsSide::Deformed, StatisticsSide::Change}) {
+            csv.general(statisticsValue(row, measurement, side), kDigits);
         }
-        text += written.join(u',') + QStringLiteral("\r\n");
+        csv.text(whyNot(row, measurement).toStdString());
+        csv.endRow();
     }
-    return text;
+    return QString::fromStdString(csv.take());
 }
 
 }  // namespace hitscope

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/grouped.h"
+#include "io/csv_writer.h"
 
 namespace hitscope::bench {
 
@@ -52,16 +53,6 @@ QString tableText(const Table& table) {
     return text;
 }
 
-QString csvCell(const QJsonValue& value) {
-    QString text = value.toVariant().toString();
-    if (text.contains(QLatin1Char('"')) || text.contains(QLatin1Char(',')) ||
-        text.contains(QLatin1Char('\n'))) {
-        text.replace(QLatin1String("\""), QLatin1String("\"\""));
-        return QLatin1Char('"') + text + QLatin1Char('"');
-    }
-    return text;
-}
-
 }  // namespace
 
 QString toText(const Report& report) {
@@ -96,22 +87,25 @@ QByteArray toJson(const Report& report) {
 }
 
 QByteArray toCsv(const Report& report) {
-    QString text = QStringLiteral("# benchmark: %1\n").arg(report.benchmark);
+    CsvWriter csv;
+    csv.comment("benchmark: " + report.benchmark.toStdString());
     for (const auto& [name, value] : report.header) {
-        text += QStringLiteral("# %1: %2\n").arg(name, value);
+        csv.comment((name + QStringLiteral(": ") + value).toStdString());
     }
     for (const QString& note : report.notes) {
-        text += QStringLiteral("# ") + note + QLatin1Char('\n');
+        csv.comment(note.toStdString());
     }
-    text += report.fields.join(QLatin1Char(',')) + QLatin1Char('\n');
+    for (const QString& field : report.fields) {
+        csv.text(field.toStdString());
+    }
+    csv.endRow();
     for (const QJsonObject& record : report.records) {
-        QStringList cells;
         for (const QString& field : report.fields) {
-            cells << csvCell(record.value(field));
+            csv.text(record.value(field).toVariant().toString().toStdString());
         }
-        text += cells.join(QLatin1Char(',')) + QLatin1Char('\n');
+        csv.endRow();
     }
-    return text.toUtf8();
+    return QByteArray::fromStdString(csv.take());
 }
 
 QString shortNumber(double value) {
