@@ -20,9 +20,7 @@ namespace hitscope {
 struct CostPlan {
     int width = 960;   ///< pixels
     int height = 540;  ///< pixels
-    std::vector<PipelineKind> pipelines = {PipelineKind::UniformArray, PipelineKind::TransformFeedback,
-                                           PipelineKind::UniformArrayCulled, PipelineKind::Compute,
-                                           PipelineKind::Reference};
+    std::vector<PipelineKind> pipelines = pipelinesPapersFirst();
     std::vector<std::size_t> hits = {0, 25, 50, 100, 150, 200, 300, 400, 500, 600};  ///< ascending
     int samples = 5;  ///< of a frame and of a hit, each
 };

@@ -16,6 +16,7 @@ std::span<const PipelineTraits> allPipelines() {
          .needs = "OpenGL 3.3",
          .keeps = "the last 600 hits of the scene, or what the driver has room for",
          .keepsAll = false,
+         .isPapers = true,
          .colour = 0xe07b2a},
         {.kind = PipelineKind::UniformArrayCulled,
          .key = "uniform-array-culled",
@@ -33,6 +34,7 @@ std::span<const PipelineTraits> allPipelines() {
                         "paper's method 2).",
          .needs = "OpenGL 3.3",
          .keeps = "all hits",
+         .isPapers = true,
          .colour = 0x3b82d6},
         {.kind = PipelineKind::Compute,
          .key = "compute",
@@ -57,6 +59,16 @@ const PipelineTraits& pipelineTraits(PipelineKind kind) {
     const std::span<const PipelineTraits> all = allPipelines();
     return *std::find_if(all.begin(), all.end(),
                          [kind](const PipelineTraits& traits) { return traits.kind == kind; });
+}
+
+std::vector<PipelineKind> pipelinesPapersFirst() {
+    std::vector<PipelineKind> kinds;
+    for (const PipelineTraits& traits : allPipelines()) {
+        kinds.push_back(traits.kind);
+    }
+    std::stable_partition(kinds.begin(), kinds.end(),
+                          [](PipelineKind kind) { return pipelineTraits(kind).isPapers; });
+    return kinds;
 }
 
 }  // namespace hitscope

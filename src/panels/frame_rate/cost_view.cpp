@@ -39,8 +39,8 @@ CostView::CostView(Session& session, const CostMeter& meter, QWidget* parent)
     plot->yAxis->setLabel(tr("ms"));
     plot->yAxis->setLabelPadding(1);
     plot->axisRect()->setMinimumMargins(QMargins(4, 6, 8, 0));
-    for (Curves& curves : m_curves) {
-        curves = {plot->addGraph(), plot->addGraph()};
+    for (const PipelineKind pipeline : pipelinesPapersFirst()) {
+        m_curves.push_back({pipeline, plot->addGraph(), plot->addGraph()});
     }
     m_crossover = new QCPItemStraightLine(plot);
     m_ui->progress->hide();
@@ -97,11 +97,11 @@ void CostView::followAxis() {
 
 void CostView::applyPalette() {
     applyPlotTheme(*m_ui->plot, *this);
-    for (std::size_t i = 0; i < kPipelines.size(); ++i) {
-        const QColor colour = pipelineColour(kPipelines[i]);
-        m_curves[i].frame->setPen(QPen(colour, 1.5));
-        m_curves[i].hit->setPen(QPen(colour, 1.5, Qt::DashLine));
-        for (QCPGraph* graph : {m_curves[i].frame, m_curves[i].hit}) {
+    for (const Curves& curves : m_curves) {
+        const QColor colour = pipelineColour(curves.pipeline);
+        curves.frame->setPen(QPen(colour, 1.5));
+        curves.hit->setPen(QPen(colour, 1.5, Qt::DashLine));
+        for (QCPGraph* graph : {curves.frame, curves.hit}) {
             graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, colour, 4));
         }
     }
@@ -111,8 +111,8 @@ void CostView::applyPalette() {
             .arg(pipelineColour(kind).name(), nameOf(kind));
     };
     QStringList swatches;
-    for (const PipelineKind pipeline : kPipelines) {
-        swatches << swatch(pipeline);
+    for (const Curves& curves : m_curves) {
+        swatches << swatch(curves.pipeline);
     }
     m_ui->legend->setText(tr("%1  (– frame, -- hit)").arg(swatches.join(QStringLiteral("  "))));
     m_isDue = true;
@@ -232,12 +232,12 @@ const CostCurves& CostView::shown() const {
 }
 
 std::vector<NamedCurve> CostView::curves() const {
-    std::vector<NamedCurve> curves;
-    curves.reserve(std::size(kPipelines));
-    for (const PipelineKind pipeline : kPipelines) {
-        curves.push_back({pipeline, shown().points(pipeline)});
+    std::vector<NamedCurve> named;
+    named.reserve(m_curves.size());
+    for (const Curves& curves : m_curves) {
+        named.push_back({curves.pipeline, shown().points(curves.pipeline)});
     }
-    return curves;
+    return named;
 }
 
 void CostView::refresh() {
@@ -252,10 +252,10 @@ void CostView::draw() {
     double most = 0.0;
     double mostTime = 0.0;
     double leastTime = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < kPipelines.size(); ++i) {
-        m_curves[i].frame->data()->clear();
-        m_curves[i].hit->data()->clear();
-        for (const CostPoint& point : shown().points(kPipelines[i])) {
+    for (const Curves& curves : m_curves) {
+        curves.frame->data()->clear();
+        curves.hit->data()->clear();
+        for (const CostPoint& point : shown().points(curves.pipeline)) {
             most = std::max(most, point.at);
             const auto add = [&](QCPGraph& graph, std::optional<double> seconds) {
                 if (seconds) {
@@ -264,8 +264,8 @@ void CostView::draw() {
                     leastTime = std::min(leastTime, *seconds * kMilliseconds);
                 }
             };
-            add(*m_curves[i].frame, point.frame);
-            add(*m_curves[i].hit, point.hit);
+            add(*curves.frame, point.frame);
+            add(*curves.hit, point.hit);
         }
     }
     drawAxes(most, mostTime, std::min(leastTime, mostTime));

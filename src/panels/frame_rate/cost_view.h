@@ -2,9 +2,9 @@
 #pragma once
 
 #include <QWidget>
-#include <array>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "analysis/cost_curves.h"
 #include "analysis/cost_measurement.h"
@@ -62,10 +62,6 @@ private:
     [[nodiscard]] std::optional<double> crossoverOf(CostOf what) const;
     [[nodiscard]] const CostCurves& shown() const;
 
-    static constexpr std::array<PipelineKind, 5> kPipelines = {
-        PipelineKind::UniformArray, PipelineKind::TransformFeedback, PipelineKind::UniformArrayCulled,
-        PipelineKind::Compute, PipelineKind::Reference};
-
     Session& m_session;
     std::unique_ptr<Ui::CostView> m_ui;
     std::function<Camera()> m_camera;
@@ -81,10 +77,11 @@ private:
     bool m_isDue = true;
     std::uint64_t m_nextToCollect = 0;  ///< frame number
     struct Curves {
+        PipelineKind pipeline = PipelineKind::TransformFeedback;
         QCPGraph* frame = nullptr;
         QCPGraph* hit = nullptr;
     };
-    std::array<Curves, kPipelines.size()> m_curves;  ///< by kPipelines
+    std::vector<Curves> m_curves;  ///< one a pipeline
     QCPItemStraightLine* m_crossover = nullptr;
 };
 
