@@ -2,14 +2,12 @@
 #pragma once
 
 #include <QString>
-#include <cstdint>
 #include <span>
 
 #include "session/target_plan.h"
+#include "session/target_source.h"
 
 namespace hitscope {
-
-enum class PrimitiveKind : std::uint8_t { Cube, UvSphere, GeodesicSphere, Torus, Cylinder, Sheet };
 
 struct PrimitiveTraits {
     PrimitiveKind kind = PrimitiveKind::Cube;
@@ -22,13 +20,6 @@ struct PrimitiveTraits {
 [[nodiscard]] std::span<const PrimitiveTraits> allPrimitives();
 [[nodiscard]] const PrimitiveTraits& traitsOf(PrimitiveKind kind);
 [[nodiscard]] QString primitiveName(PrimitiveKind kind);
-
-/// A shape that can be made in any fineness.
-struct Primitive {
-    PrimitiveKind kind = PrimitiveKind::Cube;
-    int resolution = 32;  ///< within the kind's range, or it is brought there
-    float size = 5.0f;    ///< metres: its largest extent, > 0
-};
 
 [[nodiscard]] std::size_t vertexCount(const Primitive& primitive);
 /// Standing on y = 0. Cubes and spheres collide exactly, the others with their triangles. Takes seconds for
