@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "deform/fingerprint.h"
+#include "document/document_section.h"
 #include "document/fields.h"
 #include "document/session_document.h"
 #include "document/view_fields.h"
@@ -334,24 +335,6 @@ private:
         }
     }
 };
-
-/// What stands at the top of a session file, in its order; a journal replaces each as a whole.
-enum class Section : std::uint8_t {
-    Scene,
-    Targets,
-    Constants,
-    Projectile,
-    Simulation,
-    Lights,
-    Cameras,
-    Display,
-    Selection,
-    Positions,
-    Hits,
-};
-inline constexpr std::array<std::string_view, 11> kSections{
-    "scene",   "targets", "constants", "projectile", "simulation", "lights",
-    "cameras", "display", "selection", "positions",  "hits"};
 
 template <class Visit, class Document>
 void visitSection(Visit& visit, Document& document, Section section) {

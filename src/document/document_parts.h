@@ -2,6 +2,7 @@
 // What session file and journal share; for the files of this folder.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,12 @@ void appendDocument(std::string& text, const SessionDocument& document, FieldWri
 
 /// A document in a text that has passed checkJson(); what it says of itself has not been checked.
 [[nodiscard]] Result<SessionDocument> documentOf(std::string_view text, const JsonValue& value);
+
+/// Makes a section of `to` what it is in `from`.
+void moveSection(Section section, SessionDocument& from, SessionDocument& to);
+
+/// That no two have the same.
+[[nodiscard]] Status checkIds(std::span<const SavedTarget> targets);
 
 /// That what names a target or a hit names one that is there, and that no two targets have the same id.
 [[nodiscard]] Status checkReferences(const SessionDocument& document);

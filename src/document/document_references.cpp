@@ -2,6 +2,7 @@
 // What in a document names something else in it.
 #include <algorithm>
 #include <unordered_set>
+#include <utility>
 
 #include "document/document_parts.h"
 
@@ -56,14 +57,60 @@ Status checkSelection(const SavedSelection& selection, const Ids& ids, std::size
 
 }  // namespace
 
-Status checkReferences(const SessionDocument& document) {
+Status checkIds(std::span<const SavedTarget> targets) {
     Ids ids;
-    for (std::size_t i = 0; i < document.targets.size(); ++i) {
-        if (!ids.insert(document.targets[i].id).second) {
-            return Error{"Another target has the id " + number(document.targets[i].id) + " too.",
-                         place("target", i), kAdvice};
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        if (!ids.insert(targets[i].id).second) {
+            return Error{"Another target has the id " + number(targets[i].id) + " too.", place("target", i),
+                         kAdvice};
         }
     }
+    return Done{};
+}
+
+void moveSection(Section section, SessionDocument& from, SessionDocument& to) {
+    switch (section) {
+        case Section::Scene:
+            to.scene = std::move(from.scene);
+            break;
+        case Section::Targets:
+            to.targets = std::move(from.targets);
+            break;
+        case Section::Constants:
+            to.constants = from.constants;
+            break;
+        case Section::Projectile:
+            to.projectile = from.projectile;
+            break;
+        case Section::Simulation:
+            to.simulation = from.simulation;
+            break;
+        case Section::Lights:
+            to.lights = from.lights;
+            break;
+        case Section::Cameras:
+            to.cameras = std::move(from.cameras);
+            break;
+        case Section::Display:
+            to.display = from.display;
+            break;
+        case Section::Selection:
+            to.selection = std::move(from.selection);
+            break;
+        case Section::Positions:
+            to.positions = std::move(from.positions);
+            break;
+        case Section::Hits:
+            to.hits = std::move(from.hits);
+            break;
+    }
+}
+
+Status checkReferences(const SessionDocument& document) {
+    if (Status unique = checkIds(document.targets); !unique) {
+        return unique;
+    }
+    const Ids ids = idsOf(document);
     for (std::size_t i = 0; i < document.positions.size(); ++i) {
         if (!ids.contains(document.positions[i].target)) {
             return noTarget(document.positions[i].target, place("position", i));

@@ -71,6 +71,14 @@ public:
             Fields<Value>::visit(within, value);
         }
     }
+    /// Likewise, and what the object does not say stays as it was.
+    template <class Value>
+    void within(std::string_view key, Value& value) {
+        if (const std::optional<JsonValue> found = find(key)) {
+            FieldReader inner(m_text, *found, this, key, 0);
+            Fields<Value>::visit(inner, value);
+        }
+    }
     /// Objects; `one` is what people call one of them. The list replaces what is there.
     template <class Value>
     void list(std::string_view key, std::string_view one, std::vector<Value>& values, std::size_t most) {

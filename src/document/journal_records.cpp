@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/journal_records.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include "deform/fingerprint.h"
+#include "document/document_parts.h"
+#include "document/field_reader.h"
+#include "document/hit_pieces.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr std::size_t kDigits = 16;
+
+std::uint64_t checksum(std::uint64_t number, std::string_view json) {
+    Fingerprint print;
+    print.add(number);
+    for (const char c : json) {
+        print.add(static_cast<std::uint8_t>(c));
+    }
+    return print.value();
+}
+
+/// An edit of the history, for writing and for reading.
+struct WrittenEdit {
+    std::size_t at;
+    std::size_t remove;
+    std::span<const Hit> insert;
+};
+struct ReadEdit {
+    std::size_t at = 0;
+    std::size_t remove = 0;
+    std::vector<Hit> insert;
+};
+struct EditLine {
+    WrittenEdit hits;
+};
+struct SetLine {
+    std::span<const Section> sections;
+    const SessionDocument& document;
+};
+struct SetObject {
+    const SetLine& line;
+};
+struct JournalHead {};
+struct ReadSections {
+    SessionDocument document;
+    std::vector<Section> sections;
+};
+
+}  // namespace
+
+template <>
+struct Fields<JournalHead> {
+    static void visit(FieldWriter& writer, const JournalHead& /*head*/) {
+        writer.text("format", kJournalFormat);
+        writer.number("version", kJournalVersion);
+    }
+};
+
+template <>
+struct Fields<WrittenEdit> {
+    static void visit(FieldWriter& writer, const WrittenEdit& edit) {
+        writer.number("at", edit.at);
+        writer.number("remove", edit.remove);
+        writer.begin("insert");
+        writer.open('[');
+        for (const Hit& hit : edit.insert) {
+            writer.whole({}, hit);
+        }
+        writer.close(']');
+    }
+};
+
+template <>
+struct Fields<EditLine> {
+    static void visit(FieldWriter& writer, const EditLine& line) { writer.object("hits", line.hits); }
+};
+
+template <>
+struct Fields<ReadEdit> {
+    static void visit(FieldReader& reader, ReadEdit& edit) {
+        reader.require("at");
+        reader.number("at", edit.at);
+        reader.number("remove", edit.remove);
+        reader.list("insert", "hit", edit.insert, SessionDocument::kMostHits);
+    }
+};
+
+template <>
+struct Fields<SetObject> {
+    static void visit(FieldWriter& writer, const SetObject& set) {
+        for (const Section section : set.line.sections) {
+            visitSection(writer, set.line.document, section);
+        }
+    }
+};
+
+template <>
+struct Fields<SetLine> {
+    static void visit(FieldWriter& writer, const SetLine& line) { writer.object("set", SetObject{line}); }
+};
+
+/// The sections that a line sets.
+template <>
+struct Fields<ReadSections> {
+    static void visit(FieldReader& reader, ReadSections& read) {
+        for (std::size_t i = 0; i < kSections.size(); ++i) {
+            const auto section = static_cast<Section>(i);
+            if (section != Section::Hits && reader.has(kSections[i])) {
+                visitSection(reader, read.document, section);
+                read.sections.push_back(section);
+            }
+        }
+    }
+};
+
+// Writing
+
+std::string JournalLines::line(std::string_view json) {
+    std::string text = fingerprintText(checksum(m_number++, json));
+    text.reserve(text.size() + json.size() + 2);
+    text += ' ';
+    text += json;
+    text += '\n';
+    return text;
+}
+
+std::string JournalLines::begin(const SessionDocument& document) {
+    m_number = 0;
+    std::string head;
+    FieldWriter(head, FieldWriter::Layout::Compact).whole({}, JournalHead());
+    std::string snapshot;
+    appendDocument(snapshot, document, FieldWriter::Layout::Compact);
+    std::string text = line(head);
+    return text += line(snapshot);
+}
+
+std::string JournalLines::edit(std::size_t at, std::size_t remove, std::span<const Hit> insert) {
+    std::string json;
+    FieldWriter(json, FieldWriter::Layout::Compact).whole({}, EditLine{{at, remove, insert}});
+    return line(json);
+}
+
+std::string JournalLines::set(std::span<const Section> sections, const SessionDocument& document) {
+    std::string json;
+    FieldWriter(json, FieldWriter::Layout::Compact).whole({}, SetLine{sections, document});
+    return line(json);
+}
+
+// Reading
+
+namespace {
+
+/// Takes the lines one by one, as long as they are good.
+class Lines {
+public:
+    explicit Lines(std::string_view text) : m_text(text) {}
+
+    [[nodiscard]] std::size_t goodBytes() const { return m_at; }
+    [[nodiscard]] bool isAtEnd() const { return m_at == m_text.size(); }
+    void keep(std::string_view json) {  // what next() gave is good
+        m_at += kDigits + 1 + json.size() + 1;
+        ++m_number;
+    }
+
+    /// The JSON of the next line.
+    [[nodiscard]] Result<std::string_view> next() const {
+        const std::string_view rest = m_text.substr(m_at);
+        const std::size_t end = rest.find('\n');
+        if (end == std::string_view::npos) {
+            return problem("It ends in the middle of a line.");
+        }
+        std::uint64_t sum = 0;
+        const std::string_view digits = rest.substr(0, std::min(end, kDigits));
+        if (end <= kDigits || rest[kDigits] != ' ' || !document_words::isHex(digits, kDigits)) {
+            return problem("A line has no checksum.");
+        }
+        std::from_chars(digits.data(), digits.data() + kDigits, sum, 16);
+        const std::string_view json = rest.substr(kDigits + 1, end - kDigits - 1);
+        if (checksum(m_number, json) != sum) {
+            return problem("A line is damaged, or not in its place.");
+        }
+        return json;
+    }
+
+private:
+    [[nodiscard]] Error problem(const char* what) const {
+        return {what, "line " + std::to_string(m_number + 1), "What stands before it can still be used."};
+    }
+
+    std::string_view m_text;
+    std::size_t m_at = 0;
+    std::uint64_t m_number = 0;
+};
+
+Status checkHead(std::string_view json) {
+    const Result<JsonValue> root = checkJson(json);
+    if (!root) {
+        return root.error();
+    }
+    FieldReader reader(json, root.value());
+    std::string format;
+    std::uint64_t version = 0;
+    reader.text("format", format);
+    reader.number("version", version, 1.0, 1.0e9);
+    if (!reader.ok()) {
+        return reader.status();
+    }
+    if (format != kJournalFormat || version == 0) {
+        return Error{"This is no journal of Hitscope.", "line 1", ""};
+    }
+    if (version > static_cast<std::uint64_t>(kJournalVersion)) {
+        return Error{"This journal was written by a newer Hitscope.", "line 1",
+                     "Recover it with that Hitscope, or install the newest one."};
+    }
+    return Done{};
+}
+
+/// A journal while it is read: its hits are where they can be edited fast.
+struct Replay {
+    RecoveredJournal recovered;
+    HitPieces hits;
+
+    Status apply(std::string_view json) {
+        const Result<JsonValue> root = checkJson(json);
+        if (!root) {
+            return root.error();
+        }
+        FieldReader reader(json, root.value());
+        if (reader.has("hits")) {
+            return edit(reader);
+        }
+        if (reader.has("set")) {
+            return set(reader);
+        }
+        return reader.ok() ? Status(Error{"A line changes nothing that is known.", "", ""}) : reader.status();
+    }
+
+private:
+    Status edit(FieldReader& reader) {
+        ReadEdit edit;
+        reader.object("hits", edit);
+        if (!reader.ok()) {
+            return reader.status();
+        }
+        if (edit.at > hits.size() || edit.remove > hits.size() - edit.at ||
+            hits.size() - edit.remove + edit.insert.size() > SessionDocument::kMostHits) {
+            return Error{"A line edits hits that are not there.", "", ""};
+        }
+        hits.splice(edit.at, edit.remove, edit.insert);
+        ++recovered.edits;
+        return Done{};
+    }
+
+    Status set(FieldReader& reader) {
+        ReadSections read;
+        reader.within("set", read);
+        if (!reader.ok()) {
+            return reader.status();
+        }
+        if (const Status ids = checkIds(read.document.targets); !ids) {
+            return ids;
+        }
+        for (const Section section : read.sections) {
+            moveSection(section, read.document, recovered.document);
+        }
+        ++recovered.settings;
+        return Done{};
+    }
+};
+
+Result<SessionDocument> snapshotOf(std::string_view json) {
+    const Result<JsonValue> root = checkJson(json);
+    if (!root) {
+        return root.error();
+    }
+    Result<SessionDocument> document = documentOf(json, root.value());
+    if (!document) {
+        return document;
+    }
+    const Status referred = checkReferences(document.value());
+    return referred ? std::move(document) : Result<SessionDocument>(referred.error());
+}
+
+}  // namespace
+
+Result<RecoveredJournal> readJournal(const QByteArray& bytes) {
+    Lines lines({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    const auto refused = [](const Error& error) {
+        return Error{"Nothing can be recovered from this journal. " + error.what, error.where,
+                     error.advice.empty() || error.where != "line 1" ? "Discard it." : error.advice};
+    };
+    const Result<std::string_view> head = lines.next();
+    if (!head) {
+        return refused(head.error());
+    }
+    if (const Status checked = checkHead(head.value()); !checked) {
+        return refused(checked.error());
+    }
+    lines.keep(head.value());
+    const Result<std::string_view> snapshot = lines.next();
+    if (!snapshot) {
+        return refused(snapshot.error());
+    }
+    Result<SessionDocument> document = snapshotOf(snapshot.value());
+    if (!document) {
+        return refused(document.error());
+    }
+    lines.keep(snapshot.value());
+    HitPieces hits(std::exchange(document.value().hits, {}));
+    Replay replay{{std::move(document).value()}, std::move(hits)};
+    RecoveredJournal& recovered = replay.recovered;
+    while (!lines.isAtEnd()) {
+        const Result<std::string_view> json = lines.next();
+        const Status applied = json ? replay.apply(json.value()) : Status(json.error());
+        if (!applied) {
+            recovered.problem = applied.error().what;
+            break;
+        }
+        lines.keep(json.value());
+    }
+    recovered.goodBytes = lines.goodBytes();
+    recovered.document.hits = replay.hits.take();
+    recovered.droppedHits = dropDangling(recovered.document);
+    return std::move(recovered);
+}
+
+}  // namespace hitscope
