@@ -30,6 +30,10 @@ elseif(HITSCOPE_SANITIZE STREQUAL "thread")
   target_compile_options(hitscope_options INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
   target_link_options(hitscope_options INTERFACE -fsanitize=thread)
 endif()
+if(HITSCOPE_FUZZ AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  target_compile_options(hitscope_options INTERFACE -fsanitize=fuzzer-no-link)
+  target_link_options(hitscope_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 
 # hitscope_library(NAME SOURCES ... [LINK PUBLIC-libraries ...] [PRIVATE_LINK ...] [PRECOMPILED std|qt|widgets] [UNITY])
 # One folder under src/ is one static library hitscope_NAME. What it may include is what it links: that is the rule of
