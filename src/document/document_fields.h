@@ -167,7 +167,7 @@ struct Fields<SavedTarget> {
     static void visit(Visit& visit, Target& target) {
         visit.require("id");
         visit.require("source");
-        visit.number("id", target.id.value, 1.0, std::numeric_limits<std::uint32_t>::max());
+        visit.number("id", target.id.value, 1.0, SessionDocument::kMostId);
         visit.text("name", target.name);
         visit.object("source", target.source);
         visit.object("placement", target.placement);

@@ -38,7 +38,7 @@ struct SavedSource {
 
 /// A target apart from its hits: where its mesh comes from, and what was done to it.
 struct SavedTarget {
-    TargetId id;  ///< by which hits name it; not 0, and no other target's
+    TargetId id;  ///< by which hits name it; 1 to kMostId, and no other target's
     QString name;
     SavedSource source;
     Placement placement;  ///< of the file's coordinates; scale > 0
@@ -118,6 +118,7 @@ struct SessionDocument {
     std::vector<Hit> hits;  ///< in order; each has passed checkedHit()
 
     // What a document may hold at most.
+    static constexpr std::uint32_t kMostId = 0x7fffffffu;  ///< of a target
     static constexpr std::size_t kMostTargets = 100'000;
     static constexpr std::size_t kMostHits = 10'000'000;
     static constexpr std::size_t kMostTextures = 10'000;    ///< of a target

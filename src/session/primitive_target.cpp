@@ -9,6 +9,7 @@
 #include "mesh/geodesic_sphere.h"
 #include "mesh/grid_primitives.h"
 #include "mesh/primitives.h"
+#include "mesh/teapot.h"
 
 namespace hitscope {
 
@@ -48,6 +49,33 @@ MeshData makeMesh(PrimitiveKind kind, int n, float size) {
             return makeCylinder(n, rowsOfCylinder(n), ringsOfCylinder(n), half, size);
         case PrimitiveKind::Sheet:
             return makeSheet(n, n, size, size);
+    }
+    return {};
+}
+
+MeshData makeTurntableStand(const Bounds& teapot) {
+    constexpr float kRim = 1.15f;  // of the radius that the teapot just stands on
+    return makeCylinder(120, 3, 20, kRim * 0.5f * std::max(teapot.size().x, teapot.size().z),
+                        kTurntableHeight);
+}
+
+MeshData makeMesh(BuiltInMesh mesh) {
+    constexpr int kTeapotDivisions = 32;  // fine enough that a dent of 0.5 m in radius shows its rim
+    switch (mesh) {
+        case BuiltInMesh::Teapot:
+            return makeTeapot(kTeapotDivisions);
+        case BuiltInMesh::LowPolyCube:
+            return makeLowPolyCube(kPaperHalfExtent);
+        case BuiltInMesh::HighPolyCube:
+            return makeHighPolyCube(kPaperHalfExtent);
+        case BuiltInMesh::LowPolySphere:
+            return makeLowPolySphere(kPaperHalfExtent);
+        case BuiltInMesh::HighPolySphere:
+            return makeHighPolySphere(kPaperHalfExtent);
+        case BuiltInMesh::TurntableStand:
+            return makeTurntableStand(makeTeapot(kTeapotDivisions).bounds());
+        case BuiltInMesh::FineTorus:
+            return makeTorus(1600, 625, kFineTorusRadius, kFineTorusTube);  // two triangles a quad
     }
     return {};
 }
@@ -107,6 +135,7 @@ std::size_t vertexCount(const Primitive& primitive) {
 TargetPlan planPrimitive(const Primitive& primitive) {
     TargetPlan plan = planMesh(makeMesh(primitive.kind, clamped(primitive), primitive.size));
     plan.name = primitiveName(primitive.kind);
+    plan.source = Primitive{primitive.kind, clamped(primitive), primitive.size};
     if (primitive.kind == PrimitiveKind::Torus) {
         // Upright, so that shots go through its hole.
         plan.transform.rotation = glm::angleAxis(0.5f * std::numbers::pi_v<float>, glm::vec3(1, 0, 0));
@@ -116,6 +145,16 @@ TargetPlan planPrimitive(const Primitive& primitive) {
         plan.collider = BoxCollider{glm::vec3(0.5f * primitive.size)};
     } else if (primitive.kind == PrimitiveKind::UvSphere || primitive.kind == PrimitiveKind::GeodesicSphere) {
         plan.collider = SphereCollider{0.5f * primitive.size};
+    }
+    return plan;
+}
+
+TargetPlan planBuiltIn(BuiltInMesh mesh) {
+    TargetPlan plan = planMesh(prepareMesh(makeMesh(mesh)), TargetSource(mesh));
+    if (mesh == BuiltInMesh::LowPolyCube || mesh == BuiltInMesh::HighPolyCube) {
+        plan.collider = BoxCollider{glm::vec3(kPaperHalfExtent)};
+    } else if (mesh == BuiltInMesh::LowPolySphere || mesh == BuiltInMesh::HighPolySphere) {
+        plan.collider = SphereCollider{kPaperHalfExtent};
     }
     return plan;
 }

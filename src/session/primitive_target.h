@@ -9,6 +9,12 @@
 
 namespace hitscope {
 
+// Metres, of meshes that are always the same.
+inline constexpr float kPaperHalfExtent = 2.5f;  ///< or radius
+inline constexpr float kTurntableHeight = 0.3f;
+inline constexpr float kFineTorusRadius = 1.9f;  ///< to the middle of the tube
+inline constexpr float kFineTorusTube = 0.6f;    ///< radius
+
 struct PrimitiveTraits {
     PrimitiveKind kind = PrimitiveKind::Cube;
     const char* resolution = "";  ///< what the number counts, for people; English, to be translated
@@ -25,5 +31,7 @@ struct PrimitiveTraits {
 /// Standing on y = 0. Cubes and spheres collide exactly, the others with their triangles. Takes seconds for
 /// the finest.
 [[nodiscard]] TargetPlan planPrimitive(const Primitive& primitive);
+/// About the mesh's own origin. The paper's collide exactly, the others with their triangles.
+[[nodiscard]] TargetPlan planBuiltIn(BuiltInMesh mesh);
 
 }  // namespace hitscope

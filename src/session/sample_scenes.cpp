@@ -2,12 +2,9 @@
 #include "session/sample_scenes.h"
 
 #include <QCoreApplication>
-#include <algorithm>
 #include <array>
 #include <numbers>
 
-#include "mesh/grid_primitives.h"
-#include "mesh/teapot.h"
 #include "session/primitive_target.h"
 
 namespace hitscope {
@@ -19,18 +16,14 @@ QString translated(const char* words) {
 }
 
 ScenePlan planTurntable() {
-    constexpr int kTeapotDivisions = 32;
-    constexpr float kHeight = 0.3f;  // metres
-    constexpr float kRim = 1.15f;    // of the radius that the teapot just stands on
-    TargetPlan teapot = planMesh(makeTeapot(kTeapotDivisions));
+    TargetPlan teapot = planBuiltIn(BuiltInMesh::Teapot);
     const Bounds bounds = teapot.shape.render->bounds;
-    const float radius = kRim * 0.5f * std::max(bounds.size().x, bounds.size().z);
     teapot.name = translated(QT_TRANSLATE_NOOP("hitscope::SampleScene", "Utah teapot"));
     teapot.transform.position = -bounds.centre();
-    teapot.transform.position.y = kHeight - bounds.min.y;
-    TargetPlan table = planMesh(makeCylinder(120, 3, 20, radius, kHeight));
+    teapot.transform.position.y = kTurntableHeight - bounds.min.y;
+    TargetPlan table = planBuiltIn(BuiltInMesh::TurntableStand);
     table.name = translated(QT_TRANSLATE_NOOP("hitscope::SampleScene", "Turntable"));
-    table.transform.position.y = 0.5f * kHeight;
+    table.transform.position.y = 0.5f * kTurntableHeight;
     return {{}, {std::move(teapot), std::move(table)}, 0.0f};
 }
 
@@ -54,13 +47,11 @@ ScenePlan planWall() {
 }
 
 ScenePlan planTwoMillion() {
-    constexpr float kRadius = 1.9f;      // metres, to the middle of the tube
-    constexpr float kTubeRadius = 0.6f;  // metres
-    TargetPlan torus = planMesh(makeTorus(1600, 625, kRadius, kTubeRadius));  // two triangles a quad
+    TargetPlan torus = planBuiltIn(BuiltInMesh::FineTorus);
     torus.name = translated(QT_TRANSLATE_NOOP("hitscope::SampleScene", "Fine torus"));
     // Upright, so that shots go through its hole.
     torus.transform.rotation = glm::angleAxis(0.5f * std::numbers::pi_v<float>, glm::vec3(1, 0, 0));
-    torus.transform.position.y = kRadius + kTubeRadius;
+    torus.transform.position.y = kFineTorusRadius + kFineTorusTube;
     return {{}, {std::move(torus)}, 0.0f};
 }
 

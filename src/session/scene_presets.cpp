@@ -5,13 +5,12 @@
 #include <QStringList>
 #include <array>
 
-#include "mesh/primitives.h"
+#include "session/primitive_target.h"
 
 namespace hitscope {
 
 namespace {
 
-constexpr float kHalfExtent = 2.5f;    // metres
 constexpr float kGridSpacing = 15.0f;  // metres
 constexpr int kGridColumns = 4;
 
@@ -25,7 +24,7 @@ RigidTransform gridCell(int index) {
     const int row = index / kGridColumns;
     const float middle = 0.5f * static_cast<float>(kGridColumns - 1);
     RigidTransform where;
-    where.position = {(static_cast<float>(column) - middle) * kGridSpacing, kHalfExtent,
+    where.position = {(static_cast<float>(column) - middle) * kGridSpacing, kPaperHalfExtent,
                       (static_cast<float>(row) - middle) * kGridSpacing};
     return where;
 }
@@ -65,23 +64,21 @@ std::span<const PaperRow> paperRows() {
 
 std::vector<TargetPlan> planPaperRow(const PaperRow& row) {
     std::vector<TargetPlan> plans;
-    const auto add = [&plans](int count, const QString& name, MeshData (*make)(float),
-                              const Collider& collider) {
+    const auto add = [&plans](int count, const QString& name, BuiltInMesh mesh) {
         if (count == 0) {
             return;
         }
-        const PreparedMesh shape = prepareMesh(make(kHalfExtent));
+        TargetPlan plan = planBuiltIn(mesh);
         for (int i = 1; i <= count; ++i) {
-            plans.push_back({QStringLiteral("%1 %2").arg(name).arg(i), shape,
-                             gridCell(static_cast<int>(plans.size())), collider});
+            plan.name = QStringLiteral("%1 %2").arg(name).arg(i);
+            plan.transform = gridCell(static_cast<int>(plans.size()));
+            plans.push_back(plan);
         }
     };
-    const Collider box = BoxCollider{glm::vec3(kHalfExtent)};
-    const Collider sphere = SphereCollider{kHalfExtent};
-    add(row.lowPolyCubes, QStringLiteral("Low-poly cube"), makeLowPolyCube, box);
-    add(row.highPolyCubes, QStringLiteral("High-poly cube"), makeHighPolyCube, box);
-    add(row.lowPolySpheres, QStringLiteral("Low-poly sphere"), makeLowPolySphere, sphere);
-    add(row.highPolySpheres, QStringLiteral("High-poly sphere"), makeHighPolySphere, sphere);
+    add(row.lowPolyCubes, QStringLiteral("Low-poly cube"), BuiltInMesh::LowPolyCube);
+    add(row.highPolyCubes, QStringLiteral("High-poly cube"), BuiltInMesh::HighPolyCube);
+    add(row.lowPolySpheres, QStringLiteral("Low-poly sphere"), BuiltInMesh::LowPolySphere);
+    add(row.highPolySpheres, QStringLiteral("High-poly sphere"), BuiltInMesh::HighPolySphere);
     return plans;
 }
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "mesh/teapot.h"
 #include "session/frame_costs.h"
+#include "session/primitive_target.h"
 #include "session/task_list.h"
 #include "session/vertex_selection.h"
 
@@ -108,9 +108,10 @@ void Session::loadMesh(const PreparedMesh& mesh, const QString& sourcePath) {
 }
 
 void Session::loadTeapot() {
-    // Fine enough that a dent of 0.5 m in radius shows its rim.
-    constexpr int kDivisions = 32;
-    loadMesh(makeTeapot(kDivisions));
+    ScenePlan plan;
+    plan.targets.push_back(planBuiltIn(BuiltInMesh::Teapot));
+    plan.name = plan.targets.front().name;
+    loadScene(std::move(plan));
 }
 
 // Steps to undo

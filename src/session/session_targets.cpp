@@ -106,16 +106,7 @@ void SessionTargets::select(TargetId id) {
 // Making
 
 TargetState SessionTargets::newTarget(TargetPlan plan) {
-    TargetState state;
-    state.id = TargetId{m_next++};
-    state.name = std::move(plan.name);
-    state.transform = plan.transform;
-    state.sourcePath = std::move(plan.sourcePath);
-    state.shape = std::move(plan.shape);
-    // A primitive is struck as what it is until its first dent, then as its triangles.
-    std::visit([&state](auto& collider) { collider.surface = state.shape.collision; }, plan.collider);
-    state.collider = std::make_shared<const Collider>(std::move(plan.collider));
-    return state;
+    return stateOf(std::move(plan), TargetId{m_next++});
 }
 
 Target& SessionTargets::insert(std::size_t index, const TargetState& state) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/target_plan.h"
 
+#include <QCryptographicHash>
+#include <QFile>
+#include <QFileInfo>
 #include <algorithm>
 #include <utility>
 
@@ -38,7 +41,38 @@ TargetPlan planMesh(MeshData mesh, const QString& sourcePath) {
 }
 
 TargetPlan planMesh(const PreparedMesh& mesh, const QString& sourcePath) {
-    return {QString::fromStdString(mesh.mesh->name), mesh, {}, MeshCollider{mesh.collision}, sourcePath};
+    return planMesh(mesh, sourcePath.isEmpty() ? TargetSource() : meshFileAt(sourcePath));
+}
+
+TargetPlan planMesh(const PreparedMesh& mesh, const TargetSource& source) {
+    const auto* file = std::get_if<MeshFile>(&source);
+    return {QString::fromStdString(mesh.mesh->name),  mesh,  {}, MeshCollider{mesh.collision},
+            file != nullptr ? file->path : QString(), source};
+}
+
+TargetState stateOf(TargetPlan plan, TargetId id) {
+    TargetState state;
+    state.id = id;
+    state.name = std::move(plan.name);
+    state.transform = plan.transform;
+    state.sourcePath = std::move(plan.sourcePath);
+    state.source = std::move(plan.source);
+    state.shape = std::move(plan.shape);
+    // A primitive is struck as what it is until its first dent, then as its triangles.
+    std::visit([&state](auto& collider) { collider.surface = state.shape.collision; }, plan.collider);
+    state.collider = std::make_shared<const Collider>(std::move(plan.collider));
+    return state;
+}
+
+MeshFile meshFileAt(const QString& path) {
+    MeshFile known{path};
+    QFile file(path);
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    if (QFileInfo(path).isFile() && file.open(QIODevice::ReadOnly) && hash.addData(&file)) {
+        known.size = static_cast<std::uint64_t>(file.size());
+        known.sha256 = hash.result().toHex().toStdString();
+    }
+    return known;
 }
 
 Bounds worldBounds(const RenderMesh& mesh, const RigidTransform& transform) {

@@ -8,6 +8,8 @@
 #include "core/bounds.h"
 #include "physics/physics_world.h"
 #include "session/prepared_mesh.h"
+#include "session/target_source.h"
+#include "session/target_state.h"
 
 namespace hitscope {
 
@@ -18,7 +20,8 @@ struct TargetPlan {
     PreparedMesh shape;
     RigidTransform transform;
     Collider collider;
-    QString sourcePath = {};  ///< the file it comes from; empty: made by us
+    QString sourcePath = {};   ///< the file it comes from; empty: made by us
+    TargetSource source = {};  ///< what its mesh can be made from again
 };
 
 /// A scene to be.
@@ -28,9 +31,17 @@ struct ScenePlan {
     std::optional<float> floorHeight = {};  ///< metres, world y; nothing: under the lowest target
 };
 
+/// A file as it is now. Reads all of it: on any thread. What cannot be read has no size and no hash.
+[[nodiscard]] MeshFile meshFileAt(const QString& path);
+
 /// A target at the mesh's own coordinates, which collides with its triangles. `mesh` has passed validate().
 [[nodiscard]] TargetPlan planMesh(MeshData mesh, const QString& sourcePath = {});
 [[nodiscard]] TargetPlan planMesh(const PreparedMesh& mesh, const QString& sourcePath = {});
+/// Likewise, of something that is known.
+[[nodiscard]] TargetPlan planMesh(const PreparedMesh& mesh, const TargetSource& source);
+
+/// The target that is to have that id.
+[[nodiscard]] TargetState stateOf(TargetPlan plan, TargetId id);
 
 /// Of the original shape, world. Empty for a mesh without vertices.
 [[nodiscard]] Bounds worldBounds(const RenderMesh& mesh, const RigidTransform& transform);

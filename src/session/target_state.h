@@ -9,6 +9,7 @@
 #include "core/ids.h"
 #include "physics/physics_world.h"
 #include "session/prepared_mesh.h"
+#include "session/target_source.h"
 
 namespace hitscope {
 
@@ -19,6 +20,7 @@ struct TargetState {
     RigidTransform transform;
     bool visible = true;    ///< hidden, it is neither drawn nor hit; its hits stay
     QString sourcePath;     ///< the file it came from; empty: made by us
+    TargetSource source;    ///< what its mesh can be made from again
     TargetPhysics physics;  ///< whether it stays where it is put
     PreparedMesh shape;
     std::shared_ptr<const Collider> collider;

@@ -179,7 +179,7 @@ void DocumentBadInputTest::content_data() {
     row("no id", with("\"id\": 1", "\"ID\": 1"), "target 1, id: It is missing.");
     row("id 0", with("\"id\": 1", "\"id\": 0"), "target 1, id: It is 0, and has to be from 1");
     row("negative id", with("\"id\": 1", "\"id\": -1"), "target 1, id: It is -1");
-    row("large id", with("\"id\": 1", "\"id\": 4294967296"), "target 1, id: It is 4294967296");
+    row("large id", with("\"id\": 1", "\"id\": 2147483648"), "target 1, id: It is 2147483648");
     row("same id", with("\"id\": 7", "\"id\": 1"), "target 2: Another target has the id 1 too.");
     row("no source", with("\"source\"", "\"Source\""), "target 1, source: It is missing.");
     row("strange source", with("\"kind\": \"file\"", "\"kind\": \"cloud\""),

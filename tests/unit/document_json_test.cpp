@@ -164,7 +164,7 @@ void DocumentJsonTest::sceneAndTargets() {
     TRY_CHANGE(scene.lightSpace.centre, glm::vec3(1e-40f, -0.0f, 3.0e38f));
     TRY_CHANGE(scene.lightSpace.extent, 0.1f);
     TRY_CHANGE(scene.coverTexture, 4096);
-    TRY_CHANGE(targets[2].id, TargetId{4'000'000'000u});
+    TRY_CHANGE(targets[2].id, TargetId{2'000'000'000u});
     TRY_CHANGE(targets[0].name, QStringLiteral("Bär"));
     TRY_CHANGE(targets[0].placement.centre, glm::dvec3(-0.0, 1e-310, 1.0 / 7.0));
     TRY_CHANGE(targets[0].placement.scale, 1.0 / 7.0);

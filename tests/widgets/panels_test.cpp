@@ -127,7 +127,7 @@ void PanelsTest::constantsApplyToThePastOnRequest() {
 void PanelsTest::constantsShowWhatIsTrue() {
     Session session;
     ScenePlan plan;
-    plan.targets.push_back(planMesh(prepareMesh(makeUvSphere(16, 8, 0.45f)), {}));
+    plan.targets.push_back(planMesh(prepareMesh(makeUvSphere(16, 8, 0.45f))));
     session.loadScene(plan);
     HitEditing editing(session);
     DeformationConstantsPanel panel(session, editing);
@@ -142,7 +142,7 @@ void PanelsTest::constantsShowWhatIsTrue() {
     QVERIFY(inForce->text().contains(QStringLiteral("max magnitude 54 mm")));
     // Of two sizes, and none selected, no number is in force.
     std::vector<TargetPlan> more;
-    more.push_back(planMesh(prepareMesh(makeUvSphere(16, 8, 2.5f)), {}));
+    more.push_back(planMesh(prepareMesh(makeUvSphere(16, 8, 2.5f))));
     session.targets().add(std::move(more));
     QVERIFY(inForce->text().contains(QStringLiteral("max distance 500 mm")));  // the new one is selected
     session.targets().select({});

@@ -229,7 +229,7 @@ void FileActions::place(double extent) {
         return;
     }
     const Target& target = *m_parts.session.targets().front();
-    const QString sourcePath = target.sourcePath;
+    const TargetSource source = target.source;
     MeshData mesh = target.deformed.original();
     if (extent > 0.0) {
         hitscope::place(mesh, static_cast<float>(extent));
@@ -239,7 +239,7 @@ void FileActions::place(double extent) {
         mesh.placement = {};
     }
     ScenePlan plan;
-    plan.targets.push_back(planMesh(std::move(mesh), sourcePath));
+    plan.targets.push_back(planMesh(prepareMesh(std::move(mesh)), source));
     plan.name = plan.targets.front().name;
     m_parts.session.loadScene(std::move(plan), SessionUndo::Kind::PlaceMesh);
     Q_EMIT said(tr("Placed the mesh. Undo (Ctrl+Z) brings back how it was, with its hits."));

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/capture.h"
+
+#include <QDir>
+#include <memory>
+
+#include "deform/fingerprint.h"
+#include "session/session.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr int kLongestName = 1000;  // characters: longer ones would be refused when they are read
+
+SavedTarget saved(const Target& target) {
+    SavedTarget saved;
+    saved.id = target.id;
+    saved.name = target.name.left(kLongestName);
+    saved.source.mesh = target.source;
+    saved.placement = target.deformed.original().placement;
+    saved.transform = target.transform;
+    saved.visible = target.visible;
+    saved.physics = target.physics;
+    return saved;
+}
+
+SavedSelection selectionOf(const Session& session) {
+    SavedSelection saved;
+    saved.target = session.targets().selected();
+    saved.hit = session.hits().selected();
+    if (!session.hits().showsAll()) {
+        saved.shown = session.hits().shown().size();
+    }
+    saved.picked = session.selection().picked();
+    for (const TargetId target : session.selection().targets()) {
+        const std::span<const std::uint32_t> vertices = session.selection().vertices(target);
+        saved.vertices.push_back({target, {vertices.begin(), vertices.end()}});
+    }
+    return saved;
+}
+
+}  // namespace
+
+SessionDocument captureSettings(const Session& session, const CapturedView& view) {
+    const SessionSettings& settings = session.settings();
+    const PhysicsWorld& physics = session.simulation().physics();
+    SessionDocument document;
+    document.scene = {session.sceneName().left(kLongestName), session.targets().floorHeight(),
+                      settings.lightSpace(), settings.coverTexture() ? settings.coverTexture()->width : 0};
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        document.targets.push_back(saved(*target));
+    }
+    document.constants = settings.constantsSetting();
+    document.projectile = settings.projectile();
+    document.simulation = {settings.pipeline(), settings.flightMode(), physics.step(), physics.timeScale(),
+                           physics.isPaused()};
+    document.lights = settings.lights();
+    document.cameras = view.cameras;
+    document.display = view.display;
+    document.selection = selectionOf(session);
+    return document;
+}
+
+SessionDocument captureSession(const Session& session, const CapturedView& view) {
+    SessionDocument document = captureSettings(session, view);
+    const std::span<const Hit> hits = session.hits().history().hits();
+    document.hits.assign(hits.begin(), hits.end());
+    document.positions = capturePositions(session);
+    return document;
+}
+
+std::vector<SavedPositions> capturePositions(const Session& session) {
+    std::vector<SavedPositions> positions;
+    if (session.readBack().isUpToDate()) {
+        for (const std::unique_ptr<Target>& target : session.targets()) {
+            const DeformedMesh* mesh = &target->deformed;
+            positions.push_back({target->id, positionsFingerprint({&mesh, 1})});
+        }
+    }
+    return positions;
+}
+
+void nameFilesFrom(const QString& folder, SessionDocument& document) {
+    for (SavedTarget& target : document.targets) {
+        if (const auto* file = std::get_if<MeshFile>(&target.source.mesh)) {
+            target.source.relativePath = QDir(folder).relativeFilePath(file->path);
+        }
+    }
+}
+
+}  // namespace hitscope

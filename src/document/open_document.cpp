@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/open_document.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <new>
+#include <set>
+#include <utility>
+
+#include "document/capture.h"
+#include "document/source_mesh.h"
+#include "mesh/panel_texture.h"
+#include "session/session.h"
+#include "session/target_plan.h"
+
+namespace hitscope {
+
+namespace {
+
+QString translated(const char* words) {
+    return QCoreApplication::translate("hitscope::OpenDocument", words);
+}
+
+/// Where a target stands, what it is called, how it behaves: on top of what its mesh makes of it.
+TargetState stateOf(const SavedTarget& saved, const TargetPlan& plan) {
+    TargetState state = hitscope::stateOf(plan, saved.id);
+    state.name = saved.name;
+    state.transform = saved.transform;
+    state.visible = saved.visible;
+    state.physics = saved.physics;
+    return state;
+}
+
+/// All of what is to be restored but the meshes.
+void takeScene(PreparedSession& prepared) {
+    SessionDocument& document = prepared.document;
+    SceneState& scene = prepared.scene;
+    scene.name = document.scene.name;
+    scene.floorHeight = document.scene.floorHeight;
+    scene.lightSpace = document.scene.lightSpace;
+    scene.lights = document.lights;
+    std::set<TargetId> there;
+    for (const TargetState& target : scene.targets) {
+        there.insert(target.id);
+    }
+    for (const Hit& hit : document.hits) {
+        if (there.contains(hit.target)) {
+            scene.hits.push_back(hit);
+        }
+    }
+    scene.selected = there.contains(document.selection.target) ? document.selection.target : TargetId{};
+}
+
+void countHits(PreparedSession& prepared) {
+    for (MeshTrouble& trouble : prepared.troubles) {
+        const auto isOnIt = [&trouble](const Hit& hit) {
+            return std::find(trouble.targets.begin(), trouble.targets.end(), hit.target) !=
+                   trouble.targets.end();
+        };
+        const auto& hits = prepared.document.hits;
+        trouble.hits = static_cast<std::size_t>(std::count_if(hits.begin(), hits.end(), isOnIt));
+    }
+}
+
+Error cancelled() {
+    return {"Opening the session was cancelled.", "", ""};
+}
+
+}  // namespace
+
+bool PreparedSession::isWhole() const {
+    return std::all_of(troubles.begin(), troubles.end(),
+                       [](const MeshTrouble& trouble) { return trouble.kind == MeshTrouble::Kind::Changed; });
+}
+
+Result<PreparedSession> prepareSession(SessionDocument document, const MeshPlaces& places,
+                                       const PrepareControl& control) try {
+    PreparedSession prepared;
+    prepared.document = std::move(document);
+    const std::vector<SavedTarget>& targets = prepared.document.targets;
+    SourceMeshes meshes(places, control, prepared.troubles, prepared.notes);
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        if (control.isCancelled()) {
+            return cancelled();
+        }
+        if (control.progress) {
+            control.progress(
+                static_cast<double>(i) / static_cast<double>(targets.size()),
+                translated(QT_TRANSLATE_NOOP("hitscope::OpenDocument", "Making %1")).arg(targets[i].name));
+        }
+        if (const TargetPlan* plan = meshes.planOf(targets[i])) {
+            prepared.scene.targets.push_back(stateOf(targets[i], *plan));
+        }
+    }
+    if (const int size = prepared.document.scene.coverTexture; size >= 4) {
+        prepared.coverTexture = std::make_shared<const Image>(makePanelTexture(size));
+    }
+    takeScene(prepared);
+    countHits(prepared);
+    if (control.isCancelled()) {
+        return cancelled();
+    }
+    return prepared;
+} catch (const std::bad_alloc&) {
+    return Error{"There is not enough memory for this session.", "", "Close other programs and try again."};
+}
+
+void restoreSession(Session& session, const PreparedSession& prepared) {
+    const SessionDocument& document = prepared.document;
+    SessionSettings& settings = session.settings();
+    // Ranges were checked when the document was read.
+    static_cast<void>(settings.restoreConstants(document.constants));
+    settings.restoreProjectile(document.projectile, document.simulation.flight);
+    settings.restoreCoverTexture(prepared.coverTexture);
+    settings.setPipeline(document.simulation.pipeline);
+    Simulation& simulation = session.simulation();
+    simulation.setStep(document.simulation.physicsStep);
+    simulation.setTimeScale(document.simulation.timeScale);
+    simulation.setPaused(document.simulation.paused);
+    session.restoreScene(prepared.scene);
+    // With hits left out, the numbers of hits mean others.
+    if (prepared.scene.hits.size() == document.hits.size()) {
+        session.hits().show(document.selection.shown);
+        session.hits().select(document.selection.hit);
+    }
+    session.selection().clear();
+    for (const SavedSelection::Vertices& vertices : document.selection.vertices) {
+        session.selection().select(vertices.target, vertices.vertices, VertexSelection::Combine::Add);
+    }
+    session.selection().setPicked(document.selection.picked);
+    session.targets().select(prepared.scene.selected);
+}
+
+std::vector<TargetId> differingTargets(const Session& session, const SessionDocument& document) {
+    std::vector<TargetId> differing;
+    const std::vector<SavedPositions> now = capturePositions(session);
+    for (const SavedPositions& saved : document.positions) {
+        const auto known = std::find_if(now.begin(), now.end(), [&saved](const SavedPositions& positions) {
+            return positions.target == saved.target;
+        });
+        if (known != now.end() && known->fingerprint != saved.fingerprint) {
+            differing.push_back(saved.target);
+        }
+    }
+    return differing;
+}
+
+}  // namespace hitscope

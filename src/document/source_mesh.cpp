@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/source_mesh.h"
+
+#include <QDir>
+#include <QEventLoop>
+#include <QFileInfo>
+#include <QTimer>
+#include <algorithm>
+#include <utility>
+
+#include "document/document_fields.h"
+#include "document/field_writer.h"
+#include "io/import.h"
+#include "io/read_picture.h"
+#include "mesh/missing_textures.h"
+#include "session/primitive_target.h"
+
+namespace hitscope {
+
+namespace {
+
+/// What tells meshes apart: all of a target that its mesh is made from, as a file has it.
+std::string keyOf(const SavedTarget& target) {
+    SavedTarget mesh;
+    mesh.id = TargetId{1};
+    mesh.source = target.source;
+    mesh.placement = target.placement;
+    mesh.textures = target.textures;
+    std::string key;
+    FieldWriter(key, FieldWriter::Layout::Compact).whole({}, mesh);
+    return key;
+}
+
+/// As place() did it, in every bit.
+void placeAgain(MeshData& mesh, const Placement& placement) {
+    if (placement.isIdentity()) {
+        return;
+    }
+    if (mesh.filePositions.empty()) {
+        mesh.filePositions.assign(mesh.positions.begin(), mesh.positions.end());
+    }
+    mesh.placement = placement;
+    std::transform(mesh.filePositions.begin(), mesh.filePositions.end(), mesh.positions.begin(),
+                   [&placement](const glm::dvec3& position) {
+                       return glm::vec3((position - placement.centre) * placement.scale);
+                   });
+}
+
+Error missing(const QString& path) {
+    return {"The mesh of this session is not there.", path.toStdString(),
+            "Choose where it is now, or leave its targets out."};
+}
+
+Error changed(const QString& path) {
+    return {"The mesh has changed since the session was saved; its hits are applied to it as it is now.",
+            path.toStdString(), "Look whether they are still where they should be."};
+}
+
+}  // namespace
+
+const TargetPlan* SourceMeshes::planOf(const SavedTarget& target) {
+    const std::string key = keyOf(target);
+    auto made = m_made.find(key);
+    if (made == m_made.end()) {
+        made = m_made.emplace(key, make(target)).first;
+    } else {
+        for (MeshTrouble& trouble : m_troubles) {
+            const auto* file = std::get_if<MeshFile>(&target.source.mesh);
+            if (trouble.path == (file != nullptr ? file->path : QString())) {
+                trouble.targets.push_back(target.id);
+            }
+        }
+    }
+    return made->second ? &*made->second : nullptr;
+}
+
+std::optional<TargetPlan> SourceMeshes::make(const SavedTarget& target) {
+    if (const auto* file = std::get_if<MeshFile>(&target.source.mesh)) {
+        return import(target, *file);
+    }
+    if (std::holds_alternative<std::monostate>(target.source.mesh)) {
+        note(target, MeshTrouble::Kind::NotKnown,
+             {"The session does not say what this target was made from.", target.name.toStdString(),
+              "Its hits can only be opened without it."});
+        return std::nullopt;
+    }
+    const auto* primitive = std::get_if<Primitive>(&target.source.mesh);
+    TargetPlan plan = primitive != nullptr ? planPrimitive(*primitive)
+                                           : planBuiltIn(std::get<BuiltInMesh>(target.source.mesh));
+    if (!target.placement.isIdentity()) {
+        MeshData mesh = *plan.shape.mesh;
+        placeAgain(mesh, target.placement);
+        // As a mesh that was placed: it collides with its triangles.
+        plan = planMesh(prepareMesh(std::move(mesh)), target.source.mesh);
+    }
+    return plan;
+}
+
+std::optional<TargetPlan> SourceMeshes::import(const SavedTarget& target, const MeshFile& file) {
+    const std::optional<MeshFile> found = find(target, file);
+    if (!found) {
+        note(target, MeshTrouble::Kind::Missing, missing(file.path));
+        return std::nullopt;
+    }
+    Result<ImportedMesh> imported = importFile(found->path);
+    if (!imported) {
+        note(target, MeshTrouble::Kind::Missing, imported.error());
+        return std::nullopt;
+    }
+    if (!file.sha256.empty() && found->sha256 != file.sha256) {
+        note(target, MeshTrouble::Kind::Changed, changed(found->path));
+    }
+    m_notes += imported.value().notes;
+    MeshData mesh = std::move(imported.value().mesh);
+    placeAgain(mesh, target.placement);
+    addTextures(target, mesh);
+    return planMesh(prepareMesh(std::move(mesh)), *found);
+}
+
+/// As importMesh(), and with an end where that is asked for.
+Result<ImportedMesh> SourceMeshes::importFile(const QString& path) const {
+    constexpr int kLookEvery = 50;  // milliseconds
+    std::optional<Result<ImportedMesh>> result;
+    QEventLoop loop;
+    MeshImport import(path);
+    QObject::connect(&import, &MeshImport::finished, &loop,
+                     [&](const std::shared_ptr<ImportedMesh>& imported) {
+                         result.emplace(std::move(*imported));
+                         loop.quit();
+                     });
+    QObject::connect(&import, &MeshImport::failed, &loop, [&](const Error& error) {
+        result.emplace(error);
+        loop.quit();
+    });
+    QObject::connect(&import, &MeshImport::progressed, &loop, [&](double fraction, const QString& doing) {
+        if (m_control.progress) {
+            m_control.progress(fraction, doing);
+        }
+    });
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, &loop, [&] {
+        if (m_control.isCancelled()) {
+            import.cancel();
+        }
+    });
+    look.start(kLookEvery);
+    import.start();
+    if (!result) {
+        loop.exec();
+    }
+    return std::move(*result);
+}
+
+void SourceMeshes::note(const SavedTarget& target, MeshTrouble::Kind kind, const Error& error) {
+    const auto* file = std::get_if<MeshFile>(&target.source.mesh);
+    m_troubles.push_back({kind, file != nullptr ? file->path : QString(), {target.id}, 0, error});
+}
+
+/// The first that has the content that is wanted; else the first that is there.
+std::optional<MeshFile> SourceMeshes::find(const SavedTarget& target, const MeshFile& file) const {
+    QStringList paths;
+    if (const auto chosen = m_places.found.find(file.path); chosen != m_places.found.end()) {
+        paths << chosen->second;
+    }
+    if (!m_places.folder.isEmpty() && !target.source.relativePath.isEmpty()) {
+        paths << QDir::cleanPath(QDir(m_places.folder).absoluteFilePath(target.source.relativePath));
+    }
+    paths << file.path;
+    for (const QString& folder : m_places.others) {
+        paths << QDir(folder).absoluteFilePath(QFileInfo(file.path).fileName());
+    }
+    paths.removeDuplicates();
+    std::optional<MeshFile> first;
+    for (const QString& path : paths) {
+        if (!QDir::isAbsolutePath(path) || !QFileInfo(path).isFile()) {
+            continue;
+        }
+        MeshFile there = meshFileAt(path);
+        if (there.sha256 == file.sha256) {
+            return there;
+        }
+        first = first.value_or(std::move(there));
+    }
+    return first;
+}
+
+void SourceMeshes::addTextures(const SavedTarget& target, MeshData& mesh) {
+    for (const LocatedTexture& texture : target.textures) {
+        if (Result<Image> image = readPicture(texture.path)) {
+            mesh = withTexture(std::move(mesh), texture.name, std::move(image).value());
+        } else {
+            m_notes << QString::fromStdString(image.error().message());
+        }
+    }
+}
+
+}  // namespace hitscope

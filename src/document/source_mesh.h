@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "document/open_document.h"
+#include "io/imported_mesh.h"
+#include "session/target_plan.h"
+
+namespace hitscope {
+
+/// Makes meshes of saved targets from their sources, each once. On any thread.
+class SourceMeshes {
+public:
+    /// All outlive this; what is wrong is added to `troubles`, what an import says to `notes`.
+    SourceMeshes(const MeshPlaces& places, const PrepareControl& control, std::vector<MeshTrouble>& troubles,
+                 QStringList& notes)
+        : m_places(places), m_control(control), m_troubles(troubles), m_notes(notes) {}
+
+    /// With the mesh's own name and place; null: it cannot be made, which is among the troubles.
+    const TargetPlan* planOf(const SavedTarget& target);
+
+private:
+    std::optional<TargetPlan> make(const SavedTarget& target);
+    std::optional<TargetPlan> import(const SavedTarget& target, const MeshFile& file);
+    void note(const SavedTarget& target, MeshTrouble::Kind kind, const Error& error);
+    std::optional<MeshFile> find(const SavedTarget& target, const MeshFile& file) const;
+    void addTextures(const SavedTarget& target, MeshData& mesh);
+
+    [[nodiscard]] Result<ImportedMesh> importFile(const QString& path) const;
+
+    const MeshPlaces& m_places;
+    const PrepareControl& m_control;
+    std::vector<MeshTrouble>& m_troubles;
+    QStringList& m_notes;
+    std::map<std::string, std::optional<TargetPlan>> m_made;  ///< by what it was made from
+};
+
+}  // namespace hitscope
