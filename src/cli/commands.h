@@ -33,6 +33,8 @@ struct DemoOptions {
 /// reference does in every bit.
 [[nodiscard]] Status runRendererInfo();
 
+/// hitscope-cli replay: the hits of a session file, applied again. The exit status.
+int replayCommand(const QStringList& arguments);
 /// hitscope-cli picture: one picture of a scene as a PNG file. The exit status.
 int pictureCommand(const QStringList& arguments);
 /// hitscope-cli sequence: a turntable, or the hits one by one, as PNG files. The exit status.

@@ -107,6 +107,7 @@ int printUsage() {
         << "            and the deformed mesh\n"
         << "  shoot     shoot a burst or a saved script, print what was hit; hits and mesh in and out\n"
         << "  verify    hold every pipeline against the reference, vertex by vertex\n"
+        << "  replay    open a session, apply its hits again, hold the positions against those saved\n"
         << "  picture   draw a scene into a picture of any size\n"
         << "  sequence  draw a turntable, or the hits one by one, into PNG files\n"
         << "  info      print what is in a mesh file, or what draws (--renderer)\n"
@@ -159,6 +160,9 @@ int run(QStringList arguments) {
     }
     if (command == QLatin1String("verify")) {
         return hitscope::cli::verifyCommand(arguments);
+    }
+    if (command == QLatin1String("replay")) {
+        return hitscope::cli::replayCommand(arguments);
     }
     if (command == QLatin1String("info")) {
         return info(arguments);

@@ -32,8 +32,8 @@ const std::map<QString, QStringList>& mayInclude() {
         rooms["models"] = rooms["analysis"] + QStringList{"analysis"};
         rooms["panels"] = rooms["models"] + QStringList{"models"};
         rooms["viewport"] = rooms["scene"] + QStringList{"scene"};
-        rooms["app"] = rooms["panels"] + QStringList{"panels", "scene", "viewport"};
-        rooms["cli"] = rooms["scene"] + QStringList{"scene"};
+        rooms["app"] = rooms["panels"] + QStringList{"panels", "scene", "viewport", "document"};
+        rooms["cli"] = rooms["scene"] + QStringList{"scene", "document"};
         return rooms;
     }();
     return table;
