@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <cstdint>
+#include <functional>
+#include <set>
+
+#include "document/capture.h"
+#include "document/journal_writer.h"
+
+namespace hitscope {
+
+class Session;
+
+/// Keeps the journal of a session: every change of it goes to a JournalWriter, edits of the history at once,
+/// all else kSoon later and in one piece, since sliders and cameras change often.
+class SessionJournal : public QObject {
+    Q_OBJECT
+public:
+    static constexpr int kSoon = 200;  ///< milliseconds
+
+    /// `session` outlives this. `view`: what the window adds; called when something is written.
+    SessionJournal(Session& session, std::function<CapturedView()> view, const QString& folder,
+                   QObject* parent = nullptr);
+    ~SessionJournal() override;
+
+    /// Cameras or display are others.
+    void viewChanged();
+    /// The session is as its file has it, or is not wanted any more: the journal goes, until the next change.
+    void finish();
+    /// What has been noted goes to the writer now.
+    void flush();
+    [[nodiscard]] JournalWriter& writer() { return m_writer; }
+
+private:
+    void followHits();
+    void note(Section section);
+    void startOver();
+    [[nodiscard]] bool isWorthIt() const;
+
+    Session& m_session;
+    std::function<CapturedView()> m_view;
+    JournalWriter m_writer;
+    QTimer m_soon;
+    std::set<Section> m_noted;
+    std::uint64_t m_revision = 0;  ///< of the history that the journal has
+    bool m_isBegun = false;
+    bool m_hadHits = false;     ///< when the journal went
+    bool m_startsOver = false;  ///< with the next flush()
+};
+
+}  // namespace hitscope
