@@ -2,12 +2,14 @@
 #include "app/discard_guard.h"
 
 #include <QEventLoop>
+#include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
 #include <algorithm>
 #include <bit>
 #include <utility>
 
+#include "app/session_files.h"
 #include "models/quantity_text.h"
 
 namespace hitscope {
@@ -37,14 +39,29 @@ void mix(std::uint64_t& state, const Hit& hit) {
 
 }  // namespace
 
-DiscardGuard::DiscardGuard(Session& session, QWidget& window, BeginExport beginExport)
-    : QObject(&window), m_session(session), m_window(window), m_beginExport(std::move(beginExport)) {
+DiscardGuard::DiscardGuard(Session& session, SessionFiles& files, QWidget& window, BeginSave beginSave)
+    : QObject(&window),
+      m_session(session),
+      m_files(files),
+      m_window(window),
+      m_beginSave(std::move(beginSave)) {
     connect(&session, &Session::sceneReplaced, this, [this] {
         m_exported.clear();
         m_writing.clear();  // targets of the scene before
-        m_letGo.reset();
+        m_keptHits.reset();
         m_writingHits.reset();
     });
+    connect(&files, &SessionFiles::saved, this, [this] { takeSaved(true); });
+    connect(&files, &SessionFiles::failed, this, [this] { takeSaved(false); });
+}
+
+bool DiscardGuard::isAtRisk() const {
+    return m_files.isModified() && (!m_files.path().isEmpty() || hitsAtRisk() > 0);
+}
+
+void DiscardGuard::letGo() {
+    m_keptHits = stateOfAll();
+    m_files.letGo();
 }
 
 std::map<TargetId, DiscardGuard::State> DiscardGuard::states(std::span<const Hit> hits) const {
@@ -65,7 +82,7 @@ DiscardGuard::State DiscardGuard::stateOfAll() const {
 
 std::vector<TargetId> DiscardGuard::targetsAtRisk() const {
     std::vector<TargetId> targets;
-    if (m_session.hits().history().size() == 0 || m_letGo == stateOfAll()) {
+    if (m_session.hits().history().size() == 0 || m_keptHits == stateOfAll()) {
         return targets;
     }
     for (const auto& [target, state] : states(m_session.hits().history().hits())) {
@@ -87,15 +104,17 @@ std::size_t DiscardGuard::hitsAtRisk() const {
 
 QMessageBox* DiscardGuard::makeBox() {
     const std::size_t hits = hitsAtRisk();
-    auto* box = new QMessageBox(QMessageBox::Question, tr("Discard hits"),
-                                hits == 1 ? tr("1 hit on this scene will be lost.")
-                                          : tr("%1 hits on this scene will be lost.").arg(countText(hits)),
-                                QMessageBox::NoButton, &m_window);
+    const QString what = !m_files.path().isEmpty()
+                             ? tr("Changes of %1 will be lost.").arg(QFileInfo(m_files.path()).fileName())
+                         : hits == 1 ? tr("1 hit on this scene will be lost.")
+                                     : tr("%1 hits on this scene will be lost.").arg(countText(hits));
+    auto* box =
+        new QMessageBox(QMessageBox::Question, tr("Save session"), what, QMessageBox::NoButton, &m_window);
     box->setObjectName(QStringLiteral("discardHits"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setTextFormat(Qt::PlainText);
-    box->setInformativeText(tr("Export the deformed mesh to keep what they did."));
-    box->addButton(tr("&Export…"), QMessageBox::AcceptRole);
+    box->setInformativeText(tr("Save the session to keep its targets, hits and settings."));
+    box->addButton(m_files.path().isEmpty() ? tr("&Save…") : tr("&Save"), QMessageBox::AcceptRole);
     box->addButton(tr("&Discard"), QMessageBox::DestructiveRole);
     box->setDefaultButton(box->addButton(QMessageBox::Cancel));
     m_box = box;
@@ -127,15 +146,22 @@ void DiscardGuard::take(QMessageBox& box, const std::function<void()>& then) {
     if (role == QMessageBox::DestructiveRole) {
         then();
     } else if (role == QMessageBox::AcceptRole) {
-        exportAnd(then);
+        m_then = then;
+        if (!m_beginSave()) {
+            m_then = {};
+        }
     }
 }
 
-void DiscardGuard::exportAnd(const std::function<void()>& then) {
-    m_session.hits().show(std::nullopt);  // all of them
-    const QStringList paths = m_beginExport(targetsAtRisk());
-    m_awaited = std::set<QString>(paths.begin(), paths.end());
-    m_then = then;
+void DiscardGuard::takeSaved(bool isSaved) {
+    const std::function<void()> then = std::exchange(m_then, {});
+    if (!then) {
+        return;
+    }
+    if (isSaved) {
+        ask(then);  // again, if there have been more changes meanwhile
+    }
+    Q_EMIT saveEnded();
 }
 
 bool DiscardGuard::askAndWait() {
@@ -154,12 +180,12 @@ bool DiscardGuard::askAndWait() {
             goesOn = true;
             loop.quit();
         });
-        if (m_awaited.empty()) {
+        if (!m_then) {
             loop.quit();
         }
     });
-    // An export that fails, or is given up, ends the waiting as well.
-    connect(this, &DiscardGuard::exportsEnded, &loop, &QEventLoop::quit);
+    // A save that fails, or is given up, ends the waiting as well.
+    connect(this, &DiscardGuard::saveEnded, &loop, &QEventLoop::quit);
     box->open();
     loop.exec();
     m_then = {};
@@ -174,25 +200,13 @@ void DiscardGuard::exportBegins(const Target& target, const QString& path) {
 
 void DiscardGuard::exportEnds(const QString& path, bool isWritten) {
     const auto writing = m_writing.find(path);
-    if (writing != m_writing.end()) {
-        if (isWritten) {
-            m_exported[writing->second.target] = writing->second.state;
-        }
-        m_writing.erase(writing);
-    }
-    if (m_awaited.erase(path) == 0) {
+    if (writing == m_writing.end()) {
         return;
     }
-    if (!isWritten) {
-        m_awaited.clear();
-        m_then = {};
+    if (isWritten) {
+        m_exported[writing->second.target] = writing->second.state;
     }
-    if (m_awaited.empty()) {
-        if (const std::function<void()> then = std::exchange(m_then, {})) {
-            ask(then);  // again, if there have been more hits meanwhile
-        }
-        Q_EMIT exportsEnded();
-    }
+    m_writing.erase(writing);
 }
 
 }  // namespace hitscope

@@ -8,7 +8,6 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <set>
 #include <span>
 #include <vector>
 
@@ -19,28 +18,29 @@ class QWidget;
 
 namespace hitscope {
 
-/// Asks before hits are discarded. Whatever replaces the scene or ends the program passes through here. Hits
-/// count as kept once their target is exported as it is with them, or all hits are.
+class SessionFiles;
+
+/// Asks before work is lost. Whatever replaces the session or ends the program passes through here. A session
+/// is at risk when it was changed since it was saved; one that is in no file, when it has hits that were not
+/// exported: with their target as it is with them, or all together.
 class DiscardGuard : public QObject {
     Q_OBJECT
 public:
-    /// Begins to export the targets and gives the paths; none: the person decided otherwise.
-    using BeginExport = std::function<QStringList(const std::vector<TargetId>& targets)>;
+    /// Begins to save the session; false: the person decided otherwise.
+    using BeginSave = std::function<bool()>;
 
-    /// `session` outlives this; the question belongs to `window`.
-    DiscardGuard(Session& session, QWidget& window, BeginExport beginExport);
+    /// `session` and `files` outlive this; the question belongs to `window`.
+    DiscardGuard(Session& session, SessionFiles& files, QWidget& window, BeginSave beginSave);
 
-    /// Hits that would be lost.
-    [[nodiscard]] std::size_t hitsAtRisk() const;
-    [[nodiscard]] bool isAtRisk() const { return hitsAtRisk() > 0; }
+    [[nodiscard]] bool isAtRisk() const;
 
-    /// Calls `then` at once if nothing would be lost; else when the person has discarded the hits, or
-    /// exported them, which is done first. Returns at once.
+    /// Calls `then` at once if nothing would be lost; else when the person has discarded the changes, or
+    /// saved them, which is done first. Returns at once.
     void ask(std::function<void()> then);
     /// The same, waiting for the answer; true: go on.
     [[nodiscard]] bool askAndWait();
-    /// These hits are given up: no more questions about them.
-    void letGo() { m_letGo = stateOfAll(); }
+    /// What there is now is given up: no more questions about it.
+    void letGo();
 
     /// The desktop's session ends. `manager`: a QSessionManager, or what has its functions.
     template <class Manager>
@@ -61,10 +61,10 @@ public:
     void exportEnds(const QString& path, bool isWritten);
     /// The same for files of all hits.
     void hitsExportBegins() { m_writingHits = stateOfAll(); }
-    void hitsExported() { m_letGo = m_writingHits; }
+    void hitsExported() { m_keptHits = m_writingHits; }
 
 Q_SIGNALS:
-    void exportsEnded();  ///< those that a question was answered with
+    void saveEnded();  ///< one that a question was answered with
 
 private:
     using State = std::uint64_t;  ///< tells apart what hits do to a target
@@ -76,18 +76,19 @@ private:
     [[nodiscard]] std::map<TargetId, State> states(std::span<const Hit> hits) const;
     [[nodiscard]] std::vector<TargetId> targetsAtRisk() const;
     [[nodiscard]] State stateOfAll() const;
+    [[nodiscard]] std::size_t hitsAtRisk() const;
     QMessageBox* makeBox();
     void take(QMessageBox& box, const std::function<void()>& then);
-    void exportAnd(const std::function<void()>& then);
+    void takeSaved(bool isSaved);
 
     Session& m_session;
+    SessionFiles& m_files;
     QWidget& m_window;
-    BeginExport m_beginExport;
+    BeginSave m_beginSave;
     std::map<TargetId, State> m_exported;
     std::map<QString, Writing> m_writing;
-    std::set<QString> m_awaited;  ///< exports after which m_then is to be called
-    std::function<void()> m_then;
-    std::optional<State> m_letGo;  ///< of all hits: no question about these
+    std::function<void()> m_then;     ///< after the save that is under way; empty: none is awaited
+    std::optional<State> m_keptHits;  ///< of all hits: no question about these
     std::optional<State> m_writingHits;
     QPointer<QMessageBox> m_box;
 };

@@ -24,10 +24,10 @@ void describe(QCommandLineParser& parser) {
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addPositionalArgument(
-        QStringLiteral("mesh"),
-        QCoreApplication::translate("main",
-                                    "Mesh file to open: OBJ, PLY, STL, glTF, GLB, OFF, FBX, 3DS or DAE."),
-        QStringLiteral("[mesh]"));
+        QStringLiteral("file"),
+        QCoreApplication::translate(
+            "main", "Session (.hitscope) or mesh to open: OBJ, PLY, STL, glTF, GLB, OFF, FBX, 3DS or DAE."),
+        QStringLiteral("[file]"));
 }
 
 /// Help and version are for terminals, where there may be no display.
@@ -101,6 +101,7 @@ int main(int argc, char** argv) {
     if (parser.positionalArguments().isEmpty()) {
         window.showFirstSteps();
     }
+    window.offerRecovery();
     window.openFiles(parser.positionalArguments());
     const hitscope::EndSignals signalsToEnd;
     QObject::connect(&signalsToEnd, &hitscope::EndSignals::caught, &window, [&window](int signal) {

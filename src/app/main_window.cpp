@@ -41,12 +41,16 @@
 #include "app/key_routing.h"
 #include "app/notice_bar.h"
 #include "app/pipeline_chooser.h"
+#include "app/recovery_bar.h"
 #include "app/scene_files.h"
+#include "app/session_files.h"
 #include "app/settings/settings_keeper.h"
 #include "app/start_card.h"
 #include "app/status_line.h"
 #include "app/time_badge.h"
 #include "app/vertex_label.h"
+#include "document/journal_files.h"
+#include "document/session_journal.h"
 #include "panels/frame_rate/frame_rate_panel.h"
 #include "panels/mesh_statistics/mesh_statistics_panel.h"
 #include "session/frame_costs.h"
@@ -82,6 +86,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_viewport(new Viewport(session, this)),
       m_notice(new NoticeBar(this)),
       m_files(new SceneFiles(session, this)),
+      m_sessions(new SessionFiles(session, view(), this)),
       m_status(new StatusLine(session, *statusBar(), this)),
       m_textureChooser(new TextureChooser(session, this)),
       m_textureLocator(new TextureLocator(session, this)),
@@ -91,11 +96,10 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_goToVertex(new GoToVertex(session, *m_viewport, this)),
       m_hitActions(new HitActions(session, m_hitEffects, m_settings.folder, this)),
       m_exports(new ExportActions(session, *m_viewport, m_settings, *this)),
-      m_guard(new DiscardGuard(
-          session, *this,
-          [this](const std::vector<TargetId>& targets) { return m_exports->chooseFor(targets); })),
-      m_fileActions(
-          new FileActions({session, m_settings, *m_files, *m_guard, *m_textureLocator, *m_notice, *this})),
+      m_guard(new DiscardGuard(session, *m_sessions, *this, [this] { return m_fileActions->save(); })),
+      m_recovery(new RecoveryBar(*m_sessions, *m_guard, journalFolder(), this)),
+      m_fileActions(new FileActions(
+          {session, m_settings, *m_files, *m_sessions, *m_guard, *m_textureLocator, *m_notice, *this})),
       m_edit(new EditActions(session, this)),
       m_display(new DisplayActions(*m_viewport, *m_textureChooser, this)),
       m_themes(new ThemeActions(m_settings, *m_viewport, this)),
@@ -136,6 +140,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
+    delete m_journal;  // it asks how the window looks at the session
     // The panels go before the models that they show, which are members.
     hide();
     qDeleteAll(findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly));
@@ -148,6 +153,7 @@ void MainWindow::makeCentre() {
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins({});
     column->setSpacing(0);
+    column->addWidget(m_recovery);
     column->addWidget(m_notice);
     column->addWidget(m_viewport, 1);
     setCentralWidget(centre);
@@ -177,9 +183,7 @@ void MainWindow::connectFiles() {
     connect(m_exports, &ExportActions::ended, m_guard, &DiscardGuard::exportEnds);
     connect(m_hitActions, &HitActions::exportBegan, m_guard, &DiscardGuard::hitsExportBegins);
     connect(m_hitActions, &HitActions::exported, m_guard, &DiscardGuard::hitsExported);
-    connect(m_fileActions, &FileActions::notYet, this, [this](const QString& text) {
-        m_notice->say(text, tr("Export Deformed Mesh…"), [this] { m_exports->choose(); });
-    });
+    connectSession();
     connect(m_display, &DisplayActions::normalsChanged, this,
             [this] { m_settings.exportNormals.reset(); });  // export follows the screen again
     m_keeper = new SettingsKeeper([this](QSettings& settings) { saveSettings(settings); }, this);
@@ -200,7 +204,7 @@ void MainWindow::connectFiles() {
 }
 
 void MainWindow::openFiles(const QStringList& paths) {
-    m_files->open(paths);
+    m_fileActions->open(paths);
 }
 
 void MainWindow::beginExport(const QString& path, std::optional<NormalMode> normals) {
@@ -264,6 +268,7 @@ void MainWindow::connectMessages() {
         m_pipelines, &PipelineChooser::fellBack, this,
         [this](const QString& notice) { m_notice->say(notice); }, Qt::QueuedConnection);
     connect(m_files, &SceneFiles::failed, this, &MainWindow::fail);
+    connect(m_sessions, &SessionFiles::failed, this, &MainWindow::fail);
     connect(m_exports, &ExportActions::failed, this, &MainWindow::fail);
     connect(m_hitActions, &HitActions::failed, this, &MainWindow::fail);
     connect(m_cameraActions, &CameraActions::failed, this, &MainWindow::fail);
@@ -301,7 +306,7 @@ void MainWindow::followFrameRate() {
 }
 
 void MainWindow::followScene() {
-    setWindowTitle(m_session.sceneName());
+    showTitle();
     m_notice->clear();
 }
 
@@ -357,12 +362,14 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         });
         return;
     }
+    m_journal->finish();
     endInOrder();
     event->accept();
 }
 
 void MainWindow::endInOrder() {
     m_files->cancel();
+    m_sessions->cancel();
     m_fullView->set(false);
     m_keeper->saveNow();
 }

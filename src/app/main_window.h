@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "analysis/hit_effects.h"
+#include "app/session_files.h"
 #include "app/settings/app_settings.h"
 #include "models/hit_history_model.h"
 #include "models/mesh_statistics_model.h"
@@ -40,6 +41,8 @@ class PictureActions;
 class PipelineChooser;
 class SceneFiles;
 class SettingsKeeper;
+class RecoveryBar;
+class SessionJournal;
 class ShotActions;
 class StartCard;
 class StatusLine;
@@ -68,7 +71,9 @@ public:
     /// dismissed at an earlier start. The hits there are may be discarded without a question.
     void showFirstSteps();
 
-    /// Opens them all as one scene. Nothing for an empty list.
+    /// Offers what a window left behind that did not end in order.
+    void offerRecovery();
+    /// Opens a session, or meshes as one scene. Nothing for an empty list.
     void openFiles(const QStringList& paths);
     /// Writes the target in focus as it is on the screen, its normals too unless others are asked for. Errors
     /// are exportTarget()'s.
@@ -79,7 +84,8 @@ public:
     /// Reloads the scene's only mesh with its centre at the origin and its largest extent `extent` metres,
     /// or, for extent 0, in its file's own coordinates. Hits are lost.
     void placeMesh(double extent);
-    /// Saves the settings, asks nothing: before the program ends without the window being closed.
+    /// Saves the settings, asks nothing: before the program ends without the window being closed. What was
+    /// not saved can be recovered at the next start.
     void endInOrder();
 
 protected:
@@ -103,6 +109,7 @@ private:
     void makeToolBar();
     void makeStartCard();
     void connectFiles();
+    void connectSession();
     void connectMessages();
     void connectViewport();
 
@@ -113,6 +120,9 @@ private:
     void say(const QString& text);  ///< in the status bar, for a while
     void fail(const Error& error);
     void followScene();
+    void showTitle();
+    [[nodiscard]] SessionFiles::View view();
+    void restoreView(const SessionDocument& document);
     void followFrameRate();
     void restoreWindow();
     void resetLayout();
@@ -128,6 +138,7 @@ private:
     NoticeBar* m_notice = nullptr;
     StartCard* m_startCard = nullptr;
     SceneFiles* m_files = nullptr;
+    SessionFiles* m_sessions = nullptr;
     SettingsKeeper* m_keeper = nullptr;
     StatusLine* m_status = nullptr;
     TextureChooser* m_textureChooser = nullptr;
@@ -139,6 +150,8 @@ private:
     HitActions* m_hitActions = nullptr;
     ExportActions* m_exports = nullptr;
     DiscardGuard* m_guard = nullptr;
+    RecoveryBar* m_recovery = nullptr;
+    SessionJournal* m_journal = nullptr;
     FileActions* m_fileActions = nullptr;
     EditActions* m_edit = nullptr;
     DisplayActions* m_display = nullptr;

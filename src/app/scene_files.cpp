@@ -209,9 +209,9 @@ void SceneFiles::deliver() {
         m_session.loadScene(std::move(work->scene));
     }
     if (work->paths.isEmpty()) {
-        Q_EMIT made(work->name);
+        Q_EMIT made(work->name, work->into);
     } else {
-        Q_EMIT opened(work->read, work->notes);
+        Q_EMIT opened(work->read, work->notes, work->into);
     }
     end();
 }

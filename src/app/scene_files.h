@@ -40,8 +40,8 @@ Q_SIGNALS:
     /// fraction in [0, 1]; negative: not known.
     void progressed(double fraction, const QString& doing);
     /// The session has the files' meshes. `notes`: what was dropped or mended on the way, in words.
-    void opened(const QStringList& paths, const QStringList& notes);
-    void made(const QString& name);  ///< the session has it
+    void opened(const QStringList& paths, const QStringList& notes, hitscope::SceneFiles::Into into);
+    void made(const QString& name, hitscope::SceneFiles::Into into);  ///< the session has it
     void failed(const hitscope::Error& error);
     void cancelled();  ///< by somebody who saw it in the list of tasks
     void ended();      ///< after opened, made, failed or cancelled

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nothing is lost by surprise: what replaces the scene or ends the program asks before it discards hits.
 #include <QApplication>
-#include <QDir>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QLineEdit>
@@ -15,6 +14,7 @@
 
 #include "app/actions/hit_actions.h"
 #include "app/discard_guard.h"
+#include "app/session_files.h"
 #include "session/sample_scenes.h"
 #include "support/test_program.h"
 #include "window_support.h"
@@ -69,9 +69,9 @@ private Q_SLOTS:
     void doesNotAskForTheFirstScene();
     void closingAsks();
     void placingIsUndone();
-    void exportGoesOnWhenItIsWritten();
-    void staysWhenAnExportFails();
-    void severalTargetsGoIntoAFolder();
+    void saveGoesOnWhenItIsWritten();
+    void staysWhenASaveFails();
+    void aSavedSessionAsksForAnyChange();
     void logOutAsks();
 
 private:
@@ -139,6 +139,7 @@ void DiscardTest::asks_data() {
         Q_EMIT menu->aboutToShow();
         menu->actions().constFirst()->trigger();
     });
+    row("new", QStringLiteral("teapot"), [this] { trigger("New Session"); });
 }
 
 void DiscardTest::asks() {
@@ -243,7 +244,7 @@ void DiscardTest::placingIsUndone() {
     QCOMPARE(m_session->hits().history().size(), std::size_t{2});
 }
 
-void DiscardTest::exportGoesOnWhenItIsWritten() {
+void DiscardTest::saveGoesOnWhenItIsWritten() {
     hit();
     drop(path("cube.obj"));
     QTRY_VERIFY(discardQuestion(*m_window) != nullptr);
@@ -256,47 +257,44 @@ void DiscardTest::exportGoesOnWhenItIsWritten() {
     answerQuestion(*m_window, QMessageBox::RejectRole);
     drop(path("cube.obj"));
     QTRY_VERIFY(discardQuestion(*m_window) != nullptr);
-    chooseNext(path("gone_on.obj"));
+    chooseNext(path("gone_on.hitscope"));
     answerQuestion(*m_window, QMessageBox::AcceptRole);
     QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), std::size_t{0}, kPatience);
-    QVERIFY(QFile::exists(path("gone_on.obj")));
+    QVERIFY(QFile::exists(path("gone_on.hitscope")));
     QTRY_COMPARE_WITH_TIMEOUT(m_session->sceneName(), QStringLiteral("cube"), kPatience);
 }
 
-void DiscardTest::staysWhenAnExportFails() {
-    DiscardGuard guard(*m_session, *m_window, [](const std::vector<TargetId>&) {
-        return QStringList{QStringLiteral("a"), QStringLiteral("b")};
-    });
+void DiscardTest::staysWhenASaveFails() {
     hit();
-    int went = 0;
-    const Target& target = *m_session->targets().front();
-    const auto tryWith = [&](bool isWritten) {
-        guard.ask([&went] { ++went; });
-        answerQuestion(*m_window, QMessageBox::AcceptRole);
-        guard.exportBegins(target, QStringLiteral("a"));
-        guard.exportBegins(target, QStringLiteral("b"));
-        guard.exportEnds(QStringLiteral("a"), isWritten);
-        QCOMPARE(went, 0);
-        guard.exportEnds(QStringLiteral("b"), true);
-    };
-    tryWith(false);
-    QCOMPARE(went, 0);
-    hit();
-    tryWith(true);
-    QCOMPARE(went, 1);
+    m_window->close();
+    chooseNext(path("cube.obj/no_folder.hitscope"));
+    answerQuestion(*m_window, QMessageBox::AcceptRole);
+    QTRY_VERIFY_WITH_TIMEOUT(QApplication::activeModalWidget() != nullptr, kPatience);
+    qobject_cast<QDialog*>(QApplication::activeModalWidget())->reject();
+    QTest::qWait(100);
+    QVERIFY(m_window->isVisible());
+    QCOMPARE(m_session->hits().history().size(), std::size_t{1});
 }
 
-void DiscardTest::severalTargetsGoIntoAFolder() {
-    m_session->loadPaperRow(kDefaultPaperRow);
+void DiscardTest::aSavedSessionAsksForAnyChange() {
     hit();
-    Hit other;
-    other.target = m_session->targets().front()->id;
-    QVERIFY(m_session->hits().add(other).ok());
+    auto* files = m_window->findChild<SessionFiles*>();
+    files->save(path("kept.hitscope"));
+    QTRY_VERIFY_WITH_TIMEOUT(!files->isBusy(), kPatience);
+    auto* guard = m_window->findChild<DiscardGuard*>();
+    QVERIFY(!guard->isAtRisk() && !m_window->isWindowModified());
+    m_session->settings().setFlightMode(FlightMode::Instant);
+    QVERIFY(guard->isAtRisk() && m_window->isWindowModified());
     m_window->close();
-    chooseNext(m_folder.path());
-    answerQuestion(*m_window, QMessageBox::AcceptRole);
+    QTRY_VERIFY(discardQuestion(*m_window) != nullptr);
+    QVERIFY(discardQuestion(*m_window)->text().contains(QStringLiteral("kept.hitscope")));
+    answerQuestion(*m_window, QMessageBox::RejectRole);
+    m_session->undo();
+    QVERIFY(!guard->isAtRisk() && !m_window->isWindowModified());
+    hit();
+    m_window->close();
+    answerQuestion(*m_window, QMessageBox::AcceptRole);  // to the same file, without asking where
     QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), kPatience);
-    QCOMPARE(QDir(m_folder.path()).entryList({QStringLiteral("*_deformed.obj")}).size(), 2);
 }
 
 void DiscardTest::logOutAsks() {
@@ -313,10 +311,10 @@ void DiscardTest::logOutAsks() {
     answerSoon(QMessageBox::RejectRole);
     guard->answer(manager);
     QVERIFY(manager.cancelled == 1 && manager.released == 0);
-    chooseNext(path("log_out.obj"));
+    chooseNext(path("log_out.hitscope"));
     answerSoon(QMessageBox::AcceptRole);
     guard->answer(manager);
-    QVERIFY(manager.cancelled == 1 && manager.released == 1 && QFile::exists(path("log_out.obj")));
+    QVERIFY(manager.cancelled == 1 && manager.released == 1 && QFile::exists(path("log_out.hitscope")));
     hit();
     answerSoon(QMessageBox::DestructiveRole);
     guard->answer(manager);

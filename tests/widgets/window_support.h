@@ -28,6 +28,7 @@ public:
         QCoreApplication::setApplicationName(QStringLiteral("hitscope-test"));
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
         QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
+        qputenv("XDG_STATE_HOME", m_folder.filePath(QStringLiteral("state")).toLocal8Bit());  // journals
     }
 
 private:

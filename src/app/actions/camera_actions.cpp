@@ -206,11 +206,11 @@ void CameraActions::load(const QSettings& settings) {
         choice(settings, QStringLiteral("camera/preset"), kNavigationPresets, m_navigation.preset()));
     m_navigation.setOrbitMode(
         choice(settings, QStringLiteral("camera/orbit"), kOrbitModes, m_navigation.orbitMode()));
+    Bookmarks bookmarks;
     for (int index = 0; index < kBookmarks; ++index) {
-        const QString text = settings.value(bookmarkKey(index)).toString();
-        m_bookmarks[index] = parseCamera(text.toStdString(), {}) ? text : QString();
+        bookmarks[index] = settings.value(bookmarkKey(index)).toString();
     }
-    followBookmarks();
+    setBookmarks(bookmarks);
     Camera camera = m_navigation.camera();
     const QString last = settings.value(QStringLiteral("camera/last")).toString();
     if (const Result<Camera> read = parseCamera(last.toStdString(), camera)) {
@@ -218,6 +218,17 @@ void CameraActions::load(const QSettings& settings) {
         camera.setFieldOfView(read.value().fieldOfView());
         m_navigation.setCamera(camera, Navigation::Arrival::AtOnce);
     }
+}
+
+void CameraActions::setBookmarks(const Bookmarks& bookmarks) {
+    for (int index = 0; index < kBookmarks; ++index) {
+        m_bookmarks[index] = parseCamera(bookmarks[index].toStdString(), {}) ? bookmarks[index] : QString();
+    }
+    followBookmarks();
+}
+
+QString CameraActions::currentCamera() const {
+    return textOf(m_navigation.goal());
 }
 
 void CameraActions::save(QSettings& settings) const {

@@ -34,6 +34,12 @@ public:
     void load(const QSettings& settings);
     void save(QSettings& settings) const;
 
+    /// Cameras as text, by their number; empty: none.
+    using Bookmarks = std::array<QString, kBookmarks>;
+    [[nodiscard]] const Bookmarks& bookmarks() const { return m_bookmarks; }
+    void setBookmarks(const Bookmarks& bookmarks);  ///< texts that are no cameras are passed over
+    [[nodiscard]] QString currentCamera() const;    ///< as text
+
     /// Takes the camera that the text describes; the error is parseCamera()'s.
     [[nodiscard]] Status paste(const QString& text);
     /// 0 <= index < kBookmarks.
@@ -53,7 +59,7 @@ private:
 
     Viewport& m_viewport;
     Navigation& m_navigation;
-    std::array<QString, kBookmarks> m_bookmarks;  ///< as text; empty: none
+    Bookmarks m_bookmarks;
     std::array<QAction*, kBookmarks> m_recall{};
     AxisGizmo* m_gizmo;
     QAction* m_orthographic = nullptr;

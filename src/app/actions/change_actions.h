@@ -34,9 +34,11 @@ public:
     [[nodiscard]] ChangeValues& values() { return m_values; }
     [[nodiscard]] Comparison& comparison() { return m_comparison; }
 
+    /// Somebody else has set the viewport's options.
+    void follow();
+
 private:
     void change(const std::function<void(DisplayOptions&)>& edit);
-    void follow();
     void followCounts(HitEffects& effects);
     void fillQuantities(QMenu& menu);
     void fillGhosts(QMenu& menu);

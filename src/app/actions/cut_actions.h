@@ -32,6 +32,9 @@ public:
     void fill(QMenu& menu);                           ///< once
     [[nodiscard]] const SceneSections& sections() const { return m_sections; }
 
+    /// Somebody else has set the viewport's options.
+    void follow();
+
 Q_SIGNALS:
     void switchedOn();  ///< by somebody, for the first time
 
@@ -42,7 +45,6 @@ private:
     void chooseNormal(const glm::vec3& normal, bool flipped);
     void cutFromView();
     void reset();
-    void follow();
     void followScene();
     void followComparison();
     void cutTargets();

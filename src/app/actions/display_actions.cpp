@@ -67,6 +67,9 @@ void DisplayActions::makeNormalsMenu(QMenu& menu) {
 }
 
 void DisplayActions::follow() {
+    if (m_crosshair == nullptr) {
+        return;
+    }
     const DisplayOptions& display = m_viewport.options();
     m_wireframes[static_cast<std::size_t>(display.wireframe)]->setChecked(true);
     m_normals[static_cast<std::size_t>(display.normals)]->setChecked(true);

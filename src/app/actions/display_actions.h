@@ -27,7 +27,9 @@ public:
     void fill(QMenu& menu, const std::function<void(QMenu&)>& fillMiddle);
     [[nodiscard]] QMenu* wireframeMenu() const { return m_wireframeMenu; }
     void cycleWireframe();
-    void follow();  ///< the viewport's options
+
+    /// Somebody else has set the viewport's options.
+    void follow();
 
 Q_SIGNALS:
     void normalsChanged();  ///< other ones are on the screen

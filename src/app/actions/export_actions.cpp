@@ -96,41 +96,6 @@ QString ExportActions::chooseOne(const Target& target) {
     return beginOf(target, full, normals) ? full : QString();
 }
 
-/// One file by its name, several by their folder.
-QStringList ExportActions::chooseFor(const std::vector<TargetId>& targets) {
-    if (targets.size() != 1) {
-        return chooseFolder(targets);
-    }
-    const Target* target = m_session.targets().find(targets.front());
-    const QString path = target != nullptr ? chooseOne(*target) : QString();
-    return path.isEmpty() ? QStringList() : QStringList{path};
-}
-
-QStringList ExportActions::chooseFolder(const std::vector<TargetId>& targets) {
-    const QString folder = QFileDialog::getExistingDirectory(&m_window, tr("Folder for the deformed meshes"),
-                                                             existingFolder(m_settings.folder));
-    QStringList paths;
-    if (folder.isEmpty()) {
-        return paths;
-    }
-    m_settings.folder = folder;
-    for (const TargetId id : targets) {
-        const Target* target = m_session.targets().find(id);
-        if (target == nullptr) {
-            continue;
-        }
-        QString path = suggestedPath(folder, exportName(*target), QStringLiteral("_deformed.obj"));
-        for (int n = 1; QFileInfo::exists(path) || paths.contains(path); ++n) {
-            path = suggestedPath(folder, exportName(*target), QStringLiteral("_deformed-%1.obj").arg(n));
-        }
-        if (!beginOf(*target, path, m_settings.exportNormals.value_or(m_viewport.options().normals))) {
-            break;
-        }
-        paths << path;
-    }
-    return paths;
-}
-
 bool ExportActions::beginOf(const Target& target, const QString& path, NormalMode normals) {
     if (Status current = m_viewport.syncNow(); !current) {
         Q_EMIT failed(current.error());

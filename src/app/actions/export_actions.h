@@ -35,9 +35,6 @@ public:
 
     /// Asks for a file, and begins to write the target in focus there.
     void choose();
-    /// Asks for one file, or for the folder of several, and begins to write. The paths; none: the person
-    /// decided otherwise, or the first could not be begun.
-    QStringList chooseFor(const std::vector<TargetId>& targets);
     /// Begins to write the target in focus as it is on the screen, its normals too unless others are asked
     /// for.
     void begin(const QString& path, std::optional<NormalMode> normals);
@@ -52,7 +49,6 @@ Q_SIGNALS:
 
 private:
     QString chooseOne(const Target& target);
-    QStringList chooseFolder(const std::vector<TargetId>& targets);
     bool beginOf(const Target& target, const QString& path, NormalMode normals);
     void follow();
 

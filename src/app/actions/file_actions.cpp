@@ -2,11 +2,14 @@
 #include "app/actions/file_actions.h"
 
 #include <QAction>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QMenu>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QUrl>
 #include <algorithm>
 
@@ -15,7 +18,7 @@
 #include "app/dialogs/texture_locator.h"
 #include "app/discard_guard.h"
 #include "app/notice_bar.h"
-#include "app/scene_files.h"
+#include "app/session_files.h"
 #include "app/settings/app_settings.h"
 #include "io/import.h"
 #include "panels/help/help_text.h"
@@ -28,33 +31,69 @@ namespace {
 constexpr float kSmallestExtent = 0.5f;  // metres; projectiles are 0.2 m across
 constexpr float kLargestExtent = 200.0f;
 
-QString allMeshesFilter() {
+const QString kSessionSuffix = QStringLiteral("hitscope");
+
+QString meshPatterns() {
     QStringList patterns;
     for (const QString& suffix : importSuffixes()) {
         patterns.append(QStringLiteral("*.") + suffix);
     }
-    return FileActions::tr("Meshes (%1)").arg(patterns.join(u' '));
+    return patterns.join(u' ');
+}
+
+QString allMeshesFilter() {
+    return FileActions::tr("Meshes (%1)").arg(meshPatterns());
+}
+
+QString sessionsFilter() {
+    return FileActions::tr("Sessions (*.%1)").arg(kSessionSuffix);
+}
+
+QString everythingFilter() {
+    return FileActions::tr("Sessions and meshes (*.%1 %2)").arg(kSessionSuffix, meshPatterns());
+}
+
+bool isSession(const QString& path) {
+    return QFileInfo(path).suffix().toLower() == kSessionSuffix;
 }
 
 bool canOpen(const QString& path) {
-    return importSuffixes().contains(QFileInfo(path).suffix().toLower());
+    return isSession(path) || importSuffixes().contains(QFileInfo(path).suffix().toLower());
+}
+
+/// As many as the notice has room for.
+QStringList firstOf(const QStringList& notes) {
+    constexpr int kMost = 6;
+    QStringList lines = notes.mid(0, kMost);
+    if (notes.size() > lines.size()) {
+        lines.append(FileActions::tr("and %n more", nullptr, static_cast<int>(notes.size() - lines.size())));
+    }
+    return lines;
 }
 
 }  // namespace
 
 FileActions::FileActions(const Parts& parts) : QObject(&parts.window), m_parts(parts) {
     connect(&m_parts.files, &SceneFiles::opened, this, &FileActions::takeOpened);
-    connect(&m_parts.files, &SceneFiles::made, this, [this] { Q_EMIT said({}); });
+    connect(&m_parts.files, &SceneFiles::made, this, [this](const QString&, SceneFiles::Into into) {
+        if (into == SceneFiles::Into::NewScene) {
+            m_parts.sessions.leave();
+        }
+        Q_EMIT said({});
+    });
+    connect(&m_parts.sessions, &SessionFiles::opened, this, &FileActions::takeSession);
+    connect(&m_parts.sessions, &SessionFiles::saved, this, [this](const QString& path) {
+        remember(path);
+        Q_EMIT opened();
+        Q_EMIT said(tr("Saved %1").arg(QFileInfo(path).fileName()));
+    });
     connect(&m_parts.files, &SceneFiles::cancelled, this,
             [this] { Q_EMIT said(tr("Cancelled. The scene is unchanged.")); });
 }
 
 void FileActions::fill(QMenu& menu) {
-    QAction* fresh = addAction(menu, tr("&New Scene"), QKeySequence::New, this, [this] {
-        Q_EMIT notYet(
-            tr("There is no empty scene yet. File > Scenes has ready ones, and File > Open takes a mesh."));
-    });
-    fresh->setStatusTip(tr("Will start an empty scene; there is none yet"));
+    addAction(menu, tr("&New Session"), QKeySequence::New, this,
+              [this] { m_parts.guard.ask([this] { startNew(); }); });
     m_open = addAction(
         menu, tr("&Open…"), QKeySequence::Open, this, [this] { choose(); }, QStringLiteral("open"));
     m_recent = menu.addMenu(tr("Open &Recent"));
@@ -65,23 +104,96 @@ void FileActions::fill(QMenu& menu) {
     m_scenes = menu.addMenu(tr("&Scenes"));
     fillScenes(*m_scenes);
     menu.addSeparator();
-    QAction* save = addAction(menu, tr("&Save Session"), QKeySequence::Save, this, [this] {
-        Q_EMIT notYet(
-            tr("Sessions cannot be saved yet. Export the deformed mesh (Ctrl+E), or the hits (File > Export "
-               "Hits), to keep your work."));
-    });
-    save->setStatusTip(tr("Will save meshes, hits and settings in one file; sessions cannot be saved yet"));
+    QAction* save = addAction(menu, tr("&Save Session"), QKeySequence::Save, this, [this] { this->save(); });
+    save->setStatusTip(tr("Save targets, hits and settings in one file"));
+    addAction(menu, tr("Save Session &As…"), QKeySequence::SaveAs, this, [this] { saveAs(); });
+    m_revert = addAction(menu, tr("Re&vert to Saved…"), {}, this, [this] { askAndRevert(); });
+    connect(&m_parts.sessions, &SessionFiles::changed, this, &FileActions::followFile);
+    followFile();
 }
+
+void FileActions::followFile() {
+    const bool hasFile = !m_parts.sessions.path().isEmpty();
+    enableIf(*m_revert, hasFile && m_parts.sessions.isModified(),
+             hasFile ? tr("The session is as it was saved.") : tr("The session was never saved."));
+}
+
+// Sessions
+
+void FileActions::startNew() {
+    m_parts.session.loadTeapot();
+    m_parts.sessions.leave();
+}
+
+bool FileActions::save() {
+    if (m_parts.sessions.path().isEmpty()) {
+        return saveAs();
+    }
+    m_parts.sessions.save(m_parts.sessions.path());
+    return true;
+}
+
+bool FileActions::saveAs() {
+    QString name = m_parts.sessions.path();
+    if (name.isEmpty()) {
+        const QString scene = m_parts.session.sceneName().replace(u'/', u'_');
+        name = QDir(existingFolder(m_parts.settings.folder))
+                   .filePath((scene.isEmpty() ? tr("session") : scene) + u'.' + kSessionSuffix);
+    }
+    QFileDialog dialog(&m_parts.window, tr("Save session"), {}, sessionsFilter());
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(kSessionSuffix);
+    dialog.selectFile(name);
+    if (dialog.exec() != QDialog::Accepted) {
+        return false;
+    }
+    m_parts.sessions.save(dialog.selectedFiles().constFirst());
+    return true;
+}
+
+void FileActions::askAndRevert() {
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Revert to saved"),
+                                tr("Go back to %1 as it was saved? All changes since are lost.")
+                                    .arg(QFileInfo(m_parts.sessions.path()).fileName()),
+                                QMessageBox::Cancel, &m_parts.window);
+    box->setObjectName(QStringLiteral("revert"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextFormat(Qt::PlainText);
+    const QPushButton* revert = box->addButton(tr("&Revert"), QMessageBox::DestructiveRole);
+    box->setDefaultButton(QMessageBox::Cancel);
+    connect(revert, &QPushButton::clicked, this, [this] { m_parts.sessions.open(m_parts.sessions.path()); });
+    box->open();
+}
+
+void FileActions::takeSession(const QString& path, const QStringList& notes) {
+    if (!path.isEmpty()) {
+        remember(path);
+        Q_EMIT opened();
+        Q_EMIT said(tr("Opened %1").arg(QFileInfo(path).fileName()));
+    }
+    if (!notes.isEmpty()) {
+        m_parts.notice.say(firstOf(notes).join(u'\n'));
+    }
+}
+
+void FileActions::remember(const QString& path) {
+    m_parts.settings.folder = QFileInfo(path).absolutePath();
+    m_parts.settings.addRecentFile(path);
+}
+
+// Scenes and meshes
 
 void FileActions::fillScenes(QMenu& menu) {
     QMenu& rows = *menu.addMenu(tr("Paper's &Tables"));
     for (std::size_t row = 0; row < paperRows().size(); ++row) {
         addAction(rows, tr("Row %1: %2").arg(row + 1).arg(paperRows()[row].label()), {}, this, [this, row] {
-            m_parts.guard.ask([this, row] { m_parts.session.loadPaperRow(static_cast<int>(row)); });
+            m_parts.guard.ask([this, row] {
+                m_parts.session.loadPaperRow(static_cast<int>(row));
+                m_parts.sessions.leave();
+            });
         });
     }
-    addAction(menu, tr("&Utah Teapot"), {}, this,
-              [this] { m_parts.guard.ask([this] { m_parts.session.loadTeapot(); }); });
+    addAction(menu, tr("&Utah Teapot"), {}, this, [this] { m_parts.guard.ask([this] { startNew(); }); });
     for (const SampleScene sample : allSampleScenes()) {
         addAction(menu, sampleSceneName(sample), {}, this,
                   [this, sample] { m_parts.guard.ask([this, sample] { loadSample(sample); }); });
@@ -116,8 +228,9 @@ QStringList FileActions::openable(const QMimeData& data) {
     return paths;
 }
 
-QStringList FileActions::chooseMeshes(const QString& title) {
-    QStringList filters{allMeshesFilter()};
+/// `first`: the filter that is chosen.
+QStringList FileActions::chooseMeshes(const QString& title, const QString& first) {
+    QStringList filters{first};
     filters += importNameFilters();
     filters += tr("All files (*)");
     return QFileDialog::getOpenFileNames(&m_parts.window, title, existingFolder(m_parts.settings.folder),
@@ -125,17 +238,35 @@ QStringList FileActions::chooseMeshes(const QString& title) {
 }
 
 void FileActions::choose() {
-    askAndOpen(chooseMeshes(tr("Open meshes")));
+    askAndOpen(chooseMeshes(
+        tr("Open session or meshes"),
+        QStringList{everythingFilter(), sessionsFilter(), allMeshesFilter()}.join(QStringLiteral(";;"))));
 }
 
 void FileActions::askAndOpen(const QStringList& paths) {
     if (!paths.isEmpty()) {
-        m_parts.guard.ask([this, paths] { m_parts.files.open(paths); });
+        m_parts.guard.ask([this, paths] { open(paths); });
+    }
+}
+
+void FileActions::open(const QStringList& paths) {
+    const auto session = std::find_if(paths.begin(), paths.end(), isSession);
+    m_parts.files.cancel();
+    m_parts.sessions.cancel();
+    if (session == paths.end()) {
+        m_parts.files.open(paths);
+    } else {
+        if (paths.size() > 1) {
+            m_parts.notice.say(tr("A session opens by itself: %1 was opened, the other files were not.")
+                                   .arg(QFileInfo(*session).fileName()));
+        }
+        m_parts.sessions.open(*session);
     }
 }
 
 void FileActions::chooseAddition() {
-    m_parts.files.open(chooseMeshes(tr("Add meshes to the scene")), SceneFiles::Into::ThisScene);
+    m_parts.files.open(chooseMeshes(tr("Add meshes to the scene"), allMeshesFilter()),
+                       SceneFiles::Into::ThisScene);
 }
 
 void FileActions::loadSample(SampleScene scene) {
@@ -143,10 +274,12 @@ void FileActions::loadSample(SampleScene scene) {
                        [scene] { return planSampleScene(scene); });
 }
 
-void FileActions::takeOpened(const QStringList& paths, const QStringList& allNotes) {
+void FileActions::takeOpened(const QStringList& paths, const QStringList& allNotes, SceneFiles::Into into) {
+    if (into == SceneFiles::Into::NewScene) {
+        m_parts.sessions.leave();
+    }
     for (const QString& path : paths) {
-        m_parts.settings.folder = QFileInfo(path).absolutePath();
-        m_parts.settings.addRecentFile(path);
+        remember(path);
     }
     Q_EMIT opened();
     QStringList notes = allNotes;
@@ -160,13 +293,7 @@ void FileActions::takeOpened(const QStringList& paths, const QStringList& allNot
 
 /// What was dropped or mended on the way, and whether the mesh's size asks for something.
 void FileActions::sayOpened(const QStringList& notes) {
-    QStringList lines;
-    for (const QString& note : notes.mid(0, 6)) {
-        lines.append(note);
-    }
-    if (notes.size() > lines.size()) {
-        lines.append(tr("and %n more", nullptr, static_cast<int>(notes.size() - lines.size())));
-    }
+    QStringList lines = firstOf(notes);
     const glm::vec3 size = m_parts.session.targets().bounds().size();
     const float extent = std::max({size.x, size.y, size.z});
     const bool oneMesh = m_parts.session.targets().size() == 1;

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include "app/scene_files.h"
 #include "core/result.h"
 #include "session/sample_scenes.h"
 
@@ -17,12 +18,12 @@ namespace hitscope {
 struct AppSettings;
 class DiscardGuard;
 class NoticeBar;
-class SceneFiles;
 class Session;
+class SessionFiles;
 class TextureLocator;
 
-/// What replaces the scene or adds to it: files, the scenes there are, and where a mesh stands. Asks before
-/// hits are discarded.
+/// What opens and saves: sessions, meshes, the scenes there are, and where a mesh stands. Asks before work is
+/// lost.
 class FileActions : public QObject {
     Q_OBJECT
 public:
@@ -31,6 +32,7 @@ public:
         Session& session;
         AppSettings& settings;
         SceneFiles& files;
+        SessionFiles& sessions;
         DiscardGuard& guard;
         TextureLocator& textures;
         NoticeBar& notice;
@@ -45,8 +47,13 @@ public:
 
     /// Files that can be opened among what is dropped.
     [[nodiscard]] static QStringList openable(const QMimeData& data);
-    /// After a question where hits would be lost.
+    /// A session, or meshes as one scene.
+    void open(const QStringList& paths);
+    /// Likewise after a question where work would be lost.
     void askAndOpen(const QStringList& paths);
+    /// To the session's file, or to one that is asked for. False: the person decided otherwise.
+    bool save();
+    bool saveAs();  ///< likewise
     void chooseAddition();
     /// Reloads the scene's only mesh with its centre at the origin and its largest extent `extent` metres,
     /// or, for extent 0, in its file's own coordinates. Hits are lost.
@@ -55,24 +62,28 @@ public:
 Q_SIGNALS:
     void said(const QString& text);
     void opened();  ///< the settings know of it
-    /// Keys that people press by habit say what will be there.
-    void notYet(const QString& text);
 
 private:
     void choose();
-    QStringList chooseMeshes(const QString& title);
+    void startNew();
+    void askAndRevert();
+    QStringList chooseMeshes(const QString& title, const QString& first);
+    void remember(const QString& path);
+    void takeSession(const QString& path, const QStringList& notes);
     void choosePlacement();
     void loadSample(SampleScene scene);
     void fillScenes(QMenu& menu);
     void showRecent();
-    void takeOpened(const QStringList& paths, const QStringList& notes);
+    void takeOpened(const QStringList& paths, const QStringList& notes, SceneFiles::Into into);
     void sayOpened(const QStringList& notes);
     void follow();
+    void followFile();
 
     Parts m_parts;
     QMenu* m_recent = nullptr;
     QMenu* m_scenes = nullptr;
     QAction* m_open = nullptr;
+    QAction* m_revert = nullptr;
     QAction* m_placeMesh = nullptr;
     QAction* m_fileCoordinates = nullptr;
 };

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/recovery_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QMessageBox>
+#include <QPushButton>
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "analysis/beside.h"
+#include "app/discard_guard.h"
+#include "app/session_files.h"
+#include "document/journal_files.h"
+#include "document/journal_records.h"
+#include "models/quantity_text.h"
+
+namespace hitscope {
+
+/// The other thread holds on to it too.
+struct RecoveryBar::Found {
+    ClaimedJournal journal;
+    QDateTime changed;
+    std::optional<RecoveredJournal> read;
+};
+
+RecoveryBar::RecoveryBar(SessionFiles& files, DiscardGuard& guard, const QString& folder, QWidget* parent)
+    : QFrame(parent), m_files(files), m_guard(guard), m_folder(folder), m_text(new QLabel(this)) {
+    setObjectName(QStringLiteral("recovery"));
+    setFrameShape(QFrame::StyledPanel);
+    m_text->setTextFormat(Qt::PlainText);
+    m_text->setWordWrap(true);
+    auto* recover = new QPushButton(tr("&Recover"), this);
+    recover->setObjectName(QStringLiteral("recover"));
+    recover->setToolTip(tr("Go on with that session; save it to keep it"));
+    auto* discard = new QPushButton(tr("Discard…"), this);
+    discard->setObjectName(QStringLiteral("discardRecovery"));
+    discard->setToolTip(tr("Delete what was kept of that session"));
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(10, 6, 6, 6);
+    layout->addWidget(m_text, 1);
+    layout->addWidget(recover, 0, Qt::AlignTop);
+    layout->addWidget(discard, 0, Qt::AlignTop);
+    connect(recover, &QPushButton::clicked, this, [this] { m_guard.ask([this] { this->recover(); }); });
+    connect(discard, &QPushButton::clicked, this, &RecoveryBar::askToDiscard);
+    hide();
+}
+
+RecoveryBar::~RecoveryBar() = default;
+
+void RecoveryBar::look() {
+    for (const FoundJournal& journal : findJournals(m_folder)) {
+        if (m_passedOver.contains(journal.path)) {
+            continue;
+        }
+        Result<ClaimedJournal> claimed = ClaimedJournal::claim(journal.path);
+        if (!claimed) {
+            continue;  // another window offers it
+        }
+        auto found = std::make_shared<Found>(Found{std::move(claimed.value()), journal.changed, {}});
+        workBeside(
+            this,
+            [found] {
+                if (const Result<QByteArray> bytes = found->journal.read()) {
+                    if (Result<RecoveredJournal> read = readJournal(bytes.value())) {
+                        found->read = std::move(read.value());
+                    }
+                }
+            },
+            [found](RecoveryBar& self, bool) { self.take(found); });
+        return;
+    }
+}
+
+void RecoveryBar::take(const std::shared_ptr<Found>& found) {
+    if (!found->read) {
+        m_passedOver << found->journal.path();  // it stays where it is, for who can read it
+        look();
+        return;
+    }
+    m_found = found;
+    const SessionDocument& document = found->read->document;
+    const QString when = QLocale().toString(found->changed, QLocale::ShortFormat);
+    const QString hits =
+        document.hits.size() == 1 ? tr("1 hit") : tr("%1 hits").arg(countText(document.hits.size()));
+    m_text->setText(tr("Hitscope did not end in order. The session “%1” of %2, with %3, can be recovered.")
+                        .arg(document.scene.name, when, hits));
+    show();
+}
+
+void RecoveryBar::recover() {
+    const std::shared_ptr<Found> found = std::exchange(m_found, nullptr);
+    if (!found) {
+        return;
+    }
+    hide();
+    // The journal goes once the session is there; where it cannot be opened it is offered again.
+    auto* once = new QObject(this);
+    connect(&m_files, &SessionFiles::opened, once, [this, found, once] {
+        once->deleteLater();
+        static_cast<void>(found->journal.discard());
+        look();
+    });
+    const auto offerAgain = [this, found, once] {
+        once->deleteLater();
+        m_found = found;
+        show();
+    };
+    connect(&m_files, &SessionFiles::failed, once, offerAgain);
+    connect(&m_files, &SessionFiles::cancelled, once, offerAgain);
+    m_files.openDocument(found->read->document);
+}
+
+void RecoveryBar::askToDiscard() {
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Discard session"),
+                                tr("Delete what was kept of this session? This cannot be undone."),
+                                QMessageBox::Cancel, window());
+    box->setObjectName(QStringLiteral("confirmDiscard"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    const QPushButton* discard = box->addButton(tr("&Discard"), QMessageBox::DestructiveRole);
+    box->setDefaultButton(QMessageBox::Cancel);
+    connect(discard, &QPushButton::clicked, this, &RecoveryBar::discard);
+    box->open();
+}
+
+void RecoveryBar::discard() {
+    const std::shared_ptr<Found> found = std::exchange(m_found, nullptr);
+    hide();
+    if (found) {
+        if (const Status gone = found->journal.discard(); !gone) {
+            m_passedOver << found->journal.path();
+            Q_EMIT failed(gone.error());
+        }
+    }
+    look();
+}
+
+}  // namespace hitscope

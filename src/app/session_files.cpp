@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session_files.h"
+
+#include <QFileInfo>
+#include <QPointer>
+#include <atomic>
+#include <utility>
+
+#include "analysis/beside.h"
+#include "document/session_file.h"
+#include "session/frame_costs.h"
+#include "session/session.h"
+#include "session/task_list.h"
+
+namespace hitscope {
+
+/// What is being written or read. The other thread holds on to it too; whoever finds that it is no longer
+/// SessionFiles' current work drops it.
+struct SessionFiles::Work {
+    QString path;  ///< empty: of no file
+    SessionDocument document;
+    bool isRead = false;      ///< document is what the file says
+    std::uint64_t state = 0;  ///< SessionUndo::state() that is written
+    MeshPlaces places;
+    std::atomic<bool> cancelled = false;
+    Status status = Done{};
+    PreparedSession prepared;
+};
+
+namespace {
+
+Error noRoomFor(const QString& path) {
+    return {"There is not enough memory for this session.", path.toStdString(),
+            "Close other programs, and try again."};
+}
+
+}  // namespace
+
+SessionFiles::SessionFiles(Session& session, View view, QObject* parent)
+    : QObject(parent), m_session(session), m_view(std::move(view)), m_kept(session.steps().state()) {
+    connect(&session, &Session::undoChanged, this, &SessionFiles::follow);
+    connect(&session.frameCosts(), &FrameCosts::frameEnded, this, &SessionFiles::checkPositions);
+}
+
+SessionFiles::~SessionFiles() {
+    cancel();
+}
+
+bool SessionFiles::isModified() const {
+    return m_isRecovered || m_session.steps().state() != m_kept;
+}
+
+void SessionFiles::follow() {
+    const bool isNow = isModified();
+    if (std::exchange(m_wasModified, isNow) != isNow) {
+        Q_EMIT changed();
+    }
+}
+
+void SessionFiles::begin(const QString& doing, bool canCancel) {
+    m_work = std::make_shared<Work>();
+    m_progress = canCancel ? std::make_unique<TaskProgress>(
+                                 m_session.tasks(), doing,
+                                 [this] {
+                                     cancel();
+                                     Q_EMIT cancelled();
+                                 },
+                                 tr("Cancel opening; the session stays as it is"))
+                           : std::make_unique<TaskProgress>(m_session.tasks(), doing);
+}
+
+void SessionFiles::end() {
+    m_work.reset();
+    m_progress.reset();
+}
+
+void SessionFiles::fail(const Error& error) {
+    const Error kept = error;  // NOLINT(performance-unnecessary-copy-initialization): end() may destroy it
+    end();
+    Q_EMIT failed(kept);
+}
+
+// Saving
+
+void SessionFiles::save(const QString& path) {
+    if (m_work) {
+        Q_EMIT failed({"The session cannot be saved while another is opened or saved.", path.toStdString(),
+                       "Wait until that has ended."});
+        return;
+    }
+    begin(tr("Saving %1").arg(QFileInfo(path).fileName()), false);
+    m_work->document = captureSession(m_session, m_view.capture());
+    m_work->path = QFileInfo(path).absoluteFilePath();
+    m_work->state = m_session.steps().state();
+    workBeside(
+        this, [work = m_work] { work->status = writeSessionFile(std::move(work->document), work->path); },
+        [work = m_work](SessionFiles& self, bool done) {
+            if (!done || !work->status) {
+                self.fail(done ? work->status.error() : noRoomFor(work->path));
+                return;
+            }
+            self.end();
+            self.m_path = work->path;
+            self.m_kept = work->state;
+            self.m_isRecovered = false;
+            self.m_wasModified = self.isModified();
+            Q_EMIT self.changed();
+            Q_EMIT self.saved(work->path);
+        });
+}
+
+// Opening
+
+void SessionFiles::open(const QString& path) {
+    cancel();
+    begin(tr("Opening %1").arg(QFileInfo(path).fileName()), true);
+    m_work->path = QFileInfo(path).absoluteFilePath();
+    m_work->places.folder = QFileInfo(path).absolutePath();
+    prepare();
+}
+
+void SessionFiles::openDocument(SessionDocument document) {
+    cancel();
+    begin(tr("Opening %1").arg(document.scene.name), true);
+    m_work->document = std::move(document);
+    m_work->isRead = true;
+    prepare();
+}
+
+void SessionFiles::cancel() {
+    if (m_work) {
+        m_work->cancelled = true;
+        end();
+    }
+}
+
+void SessionFiles::say(const Work& work, double fraction, const QString& doing) {
+    if (&work == m_work.get()) {
+        m_progress->say(doing);
+        m_progress->report(fraction);
+    }
+}
+
+void SessionFiles::prepare() {
+    const auto report = [self = QPointer(this), work = m_work](double fraction, const QString& doing) {
+        QMetaObject::invokeMethod(
+            QCoreApplication::instance(),
+            [self, work, fraction, doing] {
+                if (SessionFiles* alive = self.data(); alive != nullptr) {
+                    alive->say(*work, fraction, doing);
+                }
+            },
+            Qt::QueuedConnection);
+    };
+    workBeside(
+        this,
+        [work = m_work, report] {
+            if (!work->isRead) {
+                Result<SessionDocument> document = readSessionFile(work->path);
+                if (!document) {
+                    work->status = document.error();
+                    return;
+                }
+                work->document = std::move(document.value());
+                work->isRead = true;
+            }
+            Result<PreparedSession> prepared =
+                prepareSession(work->document, work->places, {report, &work->cancelled});
+            if (prepared) {
+                work->prepared = std::move(prepared.value());
+            } else {
+                work->status = prepared.error();
+            }
+        },
+        [work = m_work](SessionFiles& self, bool done) { self.take(work, done); });
+}
+
+void SessionFiles::take(const std::shared_ptr<Work>& work, bool done) {
+    if (work != m_work) {
+        return;
+    }
+    if (!done || !work->status) {
+        fail(done ? work->status.error() : noRoomFor(work->path));
+    } else if (work->prepared.troubles.empty()) {
+        goOn();
+    } else {
+        Q_EMIT troubled();
+    }
+}
+
+const std::vector<MeshTrouble>& SessionFiles::troubles() const {
+    static const std::vector<MeshTrouble> kNone;
+    return m_work ? m_work->prepared.troubles : kNone;
+}
+
+void SessionFiles::lookAgain(const QString& missing, const QString& found) {
+    if (m_work) {
+        m_work->places.found[missing] = found;
+        m_work->places.others << QFileInfo(found).absolutePath();
+        m_work->prepared = {};
+        prepare();
+    }
+}
+
+void SessionFiles::goOn() {
+    const std::shared_ptr<Work> work = m_work;
+    if (!work) {
+        return;
+    }
+    restoreSession(m_session, work->prepared);
+    m_view.restore(work->prepared.document);
+    // Saved to its own file, what is left out would be lost.
+    const bool isWhole = work->prepared.isWhole();
+    m_path = isWhole ? work->path : QString();
+    m_kept = m_session.steps().state();
+    m_isRecovered = m_path.isEmpty();
+    m_wasModified = isModified();
+    QStringList notes = work->prepared.notes;
+    for (const MeshTrouble& trouble : work->prepared.troubles) {
+        notes << QString::fromStdString(trouble.error.message());
+    }
+    m_toCheck = std::make_unique<SessionDocument>(std::move(work->prepared.document));
+    end();
+    Q_EMIT changed();
+    Q_EMIT opened(m_path, notes);
+}
+
+void SessionFiles::checkPositions() {
+    if (!m_toCheck || !m_session.readBack().isUpToDate()) {
+        return;
+    }
+    const std::unique_ptr<SessionDocument> document = std::move(m_toCheck);
+    if (document->hits.size() != m_session.hits().history().size()) {
+        return;  // it has changed meanwhile
+    }
+    QStringList names;
+    for (const TargetId id : differingTargets(m_session, *document)) {
+        if (const Target* target = m_session.targets().find(id)) {
+            names << target->name;
+        }
+    }
+    if (!names.isEmpty()) {
+        Q_EMIT differs(names);
+    }
+}
+
+// Letting go
+
+void SessionFiles::leave() {
+    m_path.clear();
+    m_toCheck.reset();
+    letGo();
+    Q_EMIT left();
+}
+
+void SessionFiles::letGo() {
+    m_kept = m_session.steps().state();
+    m_isRecovered = false;
+    m_wasModified = false;
+    Q_EMIT changed();
+}
+
+}  // namespace hitscope

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "core/result.h"
+#include "document/capture.h"
+#include "document/open_document.h"
+
+namespace hitscope {
+
+class Session;
+class TaskProgress;
+
+/// The file that a session is in: whether anything was changed since, saving it, opening another. Reading and
+/// writing go on beside the window's work; one thing at a time.
+class SessionFiles : public QObject {
+    Q_OBJECT
+public:
+    /// How the window looks at the session: `capture` says it, `restore` goes by a document.
+    struct View {
+        std::function<CapturedView()> capture;
+        std::function<void(const SessionDocument&)> restore;
+    };
+    /// `session` outlives this.
+    SessionFiles(Session& session, View view, QObject* parent = nullptr);
+    ~SessionFiles() override;
+
+    [[nodiscard]] const QString& path() const { return m_path; }  ///< empty: it was never saved
+    [[nodiscard]] bool isModified() const;                        ///< since it was saved, opened or let go
+    [[nodiscard]] bool isBusy() const { return m_work != nullptr; }
+
+    /// Writes it there, whole or not at all; ends with saved() or failed().
+    void save(const QString& path);
+    /// Replaces the session by the file's; ends with opened(), failed() or cancelled(), of which the last two
+    /// leave the session as it is. Where meshes are missing or changed, troubled() asks on the way.
+    void open(const QString& path);
+    /// Likewise by a document that is in no file: what was recovered. Counts as modified.
+    void openDocument(SessionDocument document);
+    /// Gives up what is being opened.
+    void cancel();
+
+    // Answers to troubled()
+    [[nodiscard]] const std::vector<MeshTrouble>& troubles() const;  ///< valid until one of these is called
+    void lookAgain(const QString& missing, const QString& found);    ///< a file in the place of another
+    void goOn();  ///< without what is missing, and with what has changed
+
+    /// Another scene has taken the place of this one: it is in no file.
+    void leave();
+    /// What there is now needs no saving.
+    void letGo();
+
+Q_SIGNALS:
+    void changed();  ///< path() or isModified()
+    void saved(const QString& path);
+    void left();  ///< leave()
+    void troubled();
+    /// `path`: empty for a document without a file. `notes`: of the import, and what was left out.
+    void opened(const QString& path, const QStringList& notes);
+    void failed(const hitscope::Error& error);
+    void cancelled();
+    /// What was opened has been drawn, and these targets are not what they were when it was saved.
+    void differs(const QStringList& targets);
+
+private:
+    struct Work;
+
+    void begin(const QString& doing, bool canCancel);
+    void say(const Work& work, double fraction, const QString& doing);
+    void prepare();
+    void take(const std::shared_ptr<Work>& work, bool done);
+    void checkPositions();
+    void follow();
+    void end();
+    void fail(const Error& error);
+
+    Session& m_session;
+    View m_view;
+    QString m_path;
+    std::uint64_t m_kept = 0;  ///< SessionUndo::state() that is saved
+    bool m_wasModified = false;
+    bool m_isRecovered = false;  ///< and was not saved since
+    std::unique_ptr<TaskProgress> m_progress;
+    std::shared_ptr<Work> m_work;                ///< null: nothing goes on
+    std::unique_ptr<SessionDocument> m_toCheck;  ///< its positions, once they are known here; null: none
+};
+
+}  // namespace hitscope

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A session as a document in the window: saved, opened, reverted, and recovered after a crash.
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/discard_guard.h"
+#include "app/recovery_bar.h"
+#include "app/session_files.h"
+#include "deform/fingerprint.h"
+#include "document/journal_files.h"
+#include "document/session_journal.h"
+#include "session/demo_shots.h"
+#include "support/test_program.h"
+#include "window_support.h"
+
+using namespace hitscope;
+
+class SessionWindowTest : public QObject, private WindowFixture {
+    Q_OBJECT
+public:
+    static void initMain() { MainWindow::setSurfaceFormat(); }
+
+private Q_SLOTS:
+    void init() {
+        makeWindow([](Session& session) { session.loadPaperRow(kDefaultPaperRow); });
+    }
+    void cleanup() { dropWindow(); }
+
+    void comesBackAsItWasSaved();
+    void revertGoesBack();
+    void aBrokenFileChangesNothing();
+    void aFileThatIsGoneIsNamed();
+    void isRecoveredAfterACrash();
+    void nothingIsLeftAfterAnOrderlyEnd();
+
+private:
+    [[nodiscard]] QString path(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
+    [[nodiscard]] SessionFiles& files() const { return *m_window->findChild<SessionFiles*>(); }
+    void shoot(int count, std::uint32_t seed) {
+        for (const Ray& ray : demoShots(*m_session, count, seed)) {
+            m_session->simulation().hitscan(ray);
+        }
+    }
+    void save(const QString& file) {
+        files().save(file);
+        QTRY_VERIFY_WITH_TIMEOUT(!files().isBusy(), kPatience);
+        QVERIFY(QFile::exists(file));
+    }
+    /// Hits and positions, as they are now.
+    [[nodiscard]] std::pair<std::uint64_t, std::uint64_t> fingerprints() {
+        if (!m_window->viewport().syncNow().ok()) {
+            return {};
+        }
+        std::vector<TargetId> ids;
+        std::vector<const DeformedMesh*> meshes;
+        for (const std::unique_ptr<Target>& target : m_session->targets()) {
+            ids.push_back(target->id);
+            meshes.push_back(&target->deformed);
+        }
+        return {hitsFingerprint(m_session->hits().history().hits(), ids), positionsFingerprint(meshes)};
+    }
+    [[nodiscard]] static std::vector<FoundJournal> leftBehind() { return findJournals(journalFolder()); }
+    [[nodiscard]] bool isOffered() const { return m_window->findChild<RecoveryBar*>()->isVisible(); }
+
+    QTemporaryDir m_folder;
+};
+
+void SessionWindowTest::comesBackAsItWasSaved() {
+    shoot(30, 3);
+    QVERIFY(m_session->hits().history().size() > 10);
+    QVERIFY(m_session->targets().rename(m_session->targets()[2]->id, QStringLiteral("The third")).ok());
+    m_session->targets().setVisible(std::array{m_session->targets()[5]->id}, false);
+    m_session->hits().setEnabled(std::array<std::size_t, 1>{4}, false);
+    DeformationConstants constants = m_session->settings().constants();
+    constants.power = 0.07f;
+    QVERIFY(m_session->settings().setConstants(constants).ok());
+    Lights lights = m_session->settings().lights();
+    lights.spot.terms.diffuse = 0.123f;
+    m_session->settings().setLights(lights);
+    m_session->settings().setFlightMode(FlightMode::Paper);
+    DisplayOptions display = m_window->viewport().options();
+    display.wireframe = WireframeMode::Over;
+    display.cut.on = true;
+    m_window->viewport().setOptions(display);
+    QVERIFY(m_window->windowTitle().endsWith(QStringLiteral("[*]")) && m_window->isWindowModified());
+    const auto before = fingerprints();
+    const glm::vec3 eye = m_window->viewport().camera().eye();
+    save(path("one.hitscope"));
+    QVERIFY(!m_window->isWindowModified());
+    QVERIFY(m_window->windowTitle().startsWith(QStringLiteral("one.hitscope")));
+
+    makeWindow([](Session& session) { session.loadTeapot(); });
+    m_window->openFiles({path("one.hitscope")});
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->targets().size(), std::size_t{16}, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!files().isBusy(), kPatience);
+    QVERIFY(fingerprints() == before);
+    QVERIFY(!m_session->canUndo());
+    QCOMPARE(m_session->targets()[2]->name, QStringLiteral("The third"));
+    QVERIFY(!m_session->targets()[5]->visible);
+    QVERIFY(!m_session->hits().history().hits()[4].enabled);
+    QCOMPARE(m_session->settings().constants().power, 0.07f);
+    QCOMPARE(m_session->settings().lights().spot.terms.diffuse, 0.123f);
+    QVERIFY(m_session->settings().flightMode() == FlightMode::Paper);
+    QVERIFY(m_window->viewport().options().wireframe == WireframeMode::Over);
+    QVERIFY(m_window->viewport().options().cut.on);
+    QVERIFY(glm::distance(m_window->viewport().camera().eye(), eye) < 1.0e-3f);
+    QVERIFY(!m_window->isWindowModified());
+    QCOMPARE(files().path(), path("one.hitscope"));
+    // Saved again it is the same file, to the last byte.
+    save(path("two.hitscope"));
+    QFile one(path("one.hitscope"));
+    QFile two(path("two.hitscope"));
+    QVERIFY(one.open(QIODevice::ReadOnly) && two.open(QIODevice::ReadOnly));
+    QCOMPARE(two.readAll(), one.readAll());
+}
+
+void SessionWindowTest::revertGoesBack() {
+    shoot(5, 4);
+    const std::size_t hits = m_session->hits().history().size();
+    save(path("one.hitscope"));
+    m_session->hits().clear();
+    for (QAction* action : m_window->findChildren<QAction*>()) {
+        if (action->text().startsWith(QStringLiteral("Re&vert"))) {
+            QVERIFY(action->isEnabled());
+            action->trigger();
+        }
+    }
+    auto* box = m_window->findChild<QMessageBox*>(QStringLiteral("revert"));
+    QVERIFY(box != nullptr);
+    for (QAbstractButton* button : box->buttons()) {
+        if (box->buttonRole(button) == QMessageBox::DestructiveRole) {
+            button->click();
+        }
+    }
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), hits, kPatience);
+    QVERIFY(!m_window->isWindowModified());
+}
+
+void SessionWindowTest::aBrokenFileChangesNothing() {
+    shoot(5, 5);
+    const std::size_t hits = m_session->hits().history().size();
+    QFile broken(path("broken.hitscope"));
+    QVERIFY(broken.open(QIODevice::WriteOnly));
+    broken.write("{\"format\": \"hitscope session\", \"version\": 1, \"hits\": [");
+    broken.close();
+    QSignalSpy failed(&files(), &SessionFiles::failed);
+    files().open(path("broken.hitscope"));
+    QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, kPatience);
+    QCOMPARE(m_session->hits().history().size(), hits);
+    QVERIFY(files().path().isEmpty() && !files().isBusy());
+    QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
+    QApplication::activeModalWidget()->close();
+}
+
+void SessionWindowTest::aFileThatIsGoneIsNamed() {
+    QSignalSpy failed(&files(), &SessionFiles::failed);
+    files().open(path("gone.hitscope"));
+    QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, kPatience);
+    const auto error = failed[0][0].value<Error>();
+    QVERIFY(QString::fromStdString(error.message()).contains(QStringLiteral("gone.hitscope")));
+    QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
+    QApplication::activeModalWidget()->close();
+}
+
+void SessionWindowTest::isRecoveredAfterACrash() {
+    shoot(12, 6);
+    m_session->settings().setFlightMode(FlightMode::Instant);
+    m_session->hits().remove(3);
+    shoot(3, 7);
+    m_session->undo();
+    const auto before = fingerprints();
+    const std::size_t hits = m_session->hits().history().size();
+    QVERIFY(hits > 8);
+    QTest::qWait(300);  // settings are collected for a moment
+    QVERIFY(m_window->findChild<SessionJournal*>()->writer().wait(kPatience));
+    QVERIFY(leftBehind().empty());  // this window has it
+
+    // Its window goes without closing: what is on the disk is what a crash leaves.
+    makeWindow([](Session& session) { session.loadTeapot(); });
+    QCOMPARE(leftBehind().size(), std::size_t{1});
+    m_window->offerRecovery();
+    QTRY_VERIFY_WITH_TIMEOUT(isOffered(), kPatience);
+    m_window->findChild<QPushButton*>(QStringLiteral("recover"))->click();
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), hits, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!files().isBusy(), kPatience);
+    QVERIFY(fingerprints() == before);
+    QVERIFY(m_session->settings().flightMode() == FlightMode::Instant);
+    QVERIFY(!isOffered());
+    QVERIFY(m_window->isWindowModified());  // it is in no file
+    QVERIFY(m_window->findChild<DiscardGuard*>()->isAtRisk());
+    QVERIFY(leftBehind().empty());
+    // A second crash loses nothing either.
+    makeWindow([](Session& session) { session.loadTeapot(); });
+    m_window->offerRecovery();
+    QTRY_VERIFY_WITH_TIMEOUT(isOffered(), kPatience);
+    m_window->findChild<QPushButton*>(QStringLiteral("discardRecovery"))->click();
+    auto* box = m_window->findChild<QMessageBox*>(QStringLiteral("confirmDiscard"));
+    QVERIFY(box != nullptr);
+    for (QAbstractButton* button : box->buttons()) {
+        if (box->buttonRole(button) == QMessageBox::DestructiveRole) {
+            button->click();
+        }
+    }
+    QVERIFY(!isOffered());
+    QVERIFY(QDir(journalFolder()).entryList(QDir::Files).isEmpty());
+}
+
+void SessionWindowTest::nothingIsLeftAfterAnOrderlyEnd() {
+    shoot(5, 8);
+    closeAndDiscard(*m_window);
+    makeWindow([](Session& session) { session.loadPaperRow(kDefaultPaperRow); });
+    QVERIFY(leftBehind().empty());
+    shoot(5, 9);
+    save(path("one.hitscope"));
+    QVERIFY(m_window->findChild<SessionJournal*>()->writer().wait(kPatience));
+    makeWindow();
+    QVERIFY(leftBehind().empty());
+}
+
+HITSCOPE_TEST(SessionWindowTest, QApplication)
+#include "session_window_test.moc"
