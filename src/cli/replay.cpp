@@ -88,7 +88,7 @@ Status compare(const Session& session, const SessionDocument& document, const Re
 Status replay(const ReplayOptions& options) {
     QTextStream out(stdout);
     QTextStream notes(stderr);
-    const Result<PreparedSession> prepared = prepare(options, notes);
+    Result<PreparedSession> prepared = prepare(options, notes);
     if (!prepared) {
         return prepared.error();
     }

@@ -81,6 +81,33 @@ std::vector<SavedPositions> capturePositions(const Session& session) {
     return positions;
 }
 
+TargetNumbers numberTargets(std::uint32_t first, SessionDocument& document) {
+    TargetNumbers numbers;
+    for (SavedTarget& target : document.targets) {
+        const TargetId id{first++};
+        numbers[target.id] = id;
+        target.id = id;
+    }
+    const auto renumber = [&numbers](TargetId& id) {
+        const auto found = numbers.find(id);
+        id = found != numbers.end() ? found->second : TargetId{};
+    };
+    for (Hit& hit : document.hits) {
+        renumber(hit.target);
+    }
+    for (SavedPositions& positions : document.positions) {
+        renumber(positions.target);
+    }
+    renumber(document.selection.target);
+    if (document.selection.picked) {
+        renumber(document.selection.picked->target);
+    }
+    for (SavedSelection::Vertices& vertices : document.selection.vertices) {
+        renumber(vertices.target);
+    }
+    return numbers;
+}
+
 void nameFilesFrom(const QString& folder, SessionDocument& document) {
     for (SavedTarget& target : document.targets) {
         if (const auto* file = std::get_if<MeshFile>(&target.source.mesh)) {

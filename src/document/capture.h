@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <vector>
 
 #include "document/session_document.h"
@@ -25,6 +27,12 @@ struct CapturedView {
 
 /// What the active pipeline made of the targets; nothing while that is on its way.
 [[nodiscard]] std::vector<SavedPositions> capturePositions(const Session& session);
+
+/// New ids for targets, by the old ones.
+using TargetNumbers = std::map<TargetId, TargetId>;
+/// Gives the targets the ids from `first` on, in their order, wherever the document names them. A session
+/// needs ids that it never had, a file those from 1.
+TargetNumbers numberTargets(std::uint32_t first, SessionDocument& document);
 
 /// Gives the files their paths from `folder`, where the document is to be saved.
 void nameFilesFrom(const QString& folder, SessionDocument& document);

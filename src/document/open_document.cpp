@@ -62,6 +62,18 @@ void countHits(PreparedSession& prepared) {
     }
 }
 
+void number(PreparedSession& prepared, TargetId first) {
+    TargetNumbers numbers = numberTargets(first.value, prepared.document);
+    SceneState& scene = prepared.scene;
+    for (TargetState& target : scene.targets) {
+        target.id = numbers[target.id];
+    }
+    for (Hit& hit : scene.hits) {
+        hit.target = numbers[hit.target];
+    }
+    scene.selected = numbers[scene.selected];  // none stays none
+}
+
 Error cancelled() {
     return {"Opening the session was cancelled.", "", ""};
 }
@@ -105,7 +117,8 @@ Result<PreparedSession> prepareSession(SessionDocument document, const MeshPlace
     return Error{"There is not enough memory for this session.", "", "Close other programs and try again."};
 }
 
-void restoreSession(Session& session, const PreparedSession& prepared) {
+void restoreSession(Session& session, PreparedSession& prepared) {
+    number(prepared, session.targets().nextId());
     const SessionDocument& document = prepared.document;
     SessionSettings& settings = session.settings();
     // Ranges were checked when the document was read.

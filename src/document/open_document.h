@@ -64,8 +64,9 @@ struct PrepareControl {
                                                      const PrepareControl& control = {});
 
 /// Makes a session what the document says; nothing can be undone after it. On the session's thread. Cameras
-/// and display are the window's to take.
-void restoreSession(Session& session, const PreparedSession& prepared);
+/// and display are the window's to take. Targets get ids that the session never had, in `prepared` too: what
+/// is still on its way for others is not taken for theirs.
+void restoreSession(Session& session, PreparedSession& prepared);
 
 /// The targets whose positions are now known, and are not those that the document has.
 [[nodiscard]] std::vector<TargetId> differingTargets(const Session& session, const SessionDocument& document);

@@ -47,6 +47,7 @@ Result<SessionDocument> readSessionFile(const QString& path) {
 
 Status writeSessionFile(SessionDocument document, const QString& path) {
     nameFilesFrom(QFileInfo(path).absolutePath(), document);
+    numberTargets(1, document);  // whatever was opened before it: the same session is the same file
     const QByteArray bytes = writeDocument(document);
     return writeWhole(path, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }

@@ -55,8 +55,8 @@ public:
     /// Likewise by one mesh standing on the floor. `mesh` has passed validate().
     void loadMesh(MeshData mesh, const QString& sourcePath = {});
     void loadMesh(const PreparedMesh& mesh, const QString& sourcePath = {});
-    /// As a file has it; nothing can be undone after it. All hits are on these targets, and have passed
-    /// checkedHit().
+    /// As a file has it; nothing can be undone after it. The targets' ids are from targets().nextId() on; all
+    /// hits are on these targets, and have passed checkedHit().
     void restoreScene(const SceneState& scene);
     void loadTeapot();
     [[nodiscard]] QString sceneName() const { return m_sceneName; }  ///< for the window's title

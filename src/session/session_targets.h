@@ -38,6 +38,8 @@ public:
     [[nodiscard]] const std::unique_ptr<Target>& front() const { return m_targets.front(); }
     [[nodiscard]] const std::unique_ptr<Target>& back() const { return m_targets.back(); }
     [[nodiscard]] const Target* find(TargetId id) const;  ///< null: no such target
+    /// That the next target will have; no target had it or a later one before.
+    [[nodiscard]] TargetId nextId() const { return {m_next}; }
 
     /// World, original shapes; of the hidden ones only if there are no others.
     [[nodiscard]] Bounds bounds() const;

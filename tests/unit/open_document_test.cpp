@@ -134,7 +134,7 @@ void OpenDocumentTest::load(Session& session) {
 void OpenDocumentTest::trySame(const Session& session) {
     const SessionDocument document = captureSession(session, someView());
     const QByteArray bytes = writeDocument(document);
-    const Result<PreparedSession> ready = prepared(bytes);
+    Result<PreparedSession> ready = prepared(bytes);
     QVERIFY2(ready.ok(), qPrintable(messageOf(ready)));
     QVERIFY(ready.value().isWhole() && ready.value().troubles.empty());
     Session opened;
@@ -232,7 +232,7 @@ void OpenDocumentTest::ownMeshes() {
     trySame(session);
     // Without hits the positions are those of the mesh.
     Session opened;
-    const Result<PreparedSession> ready = prepareSession(before, {});
+    Result<PreparedSession> ready = prepareSession(before, {});
     QVERIFY(ready.ok());
     restoreSession(opened, ready.value());
     QVERIFY(differingTargets(opened, before).empty());
@@ -260,7 +260,7 @@ void OpenDocumentTest::sharedMesh() {
     load(session);
     const TargetId ids[] = {session.targets()[0]->id, session.targets()[1]->id};
     session.targets().duplicate(ids);
-    const Result<PreparedSession> ready = prepareSession(captureSession(session, {}), {});
+    Result<PreparedSession> ready = prepareSession(captureSession(session, {}), {});
     QVERIFY(ready.ok());
     const auto& targets = ready.value().scene.targets;
     QCOMPARE(targets.size(), std::size_t(4));
@@ -280,7 +280,7 @@ void OpenDocumentTest::missingMesh() {
     const QString elsewhere = m_folder->filePath(QStringLiteral("stone.obj"));
     QVERIFY(QFile::rename(m_mesh, elsewhere));
 
-    const Result<PreparedSession> without = prepared(bytes);
+    Result<PreparedSession> without = prepared(bytes);
     QVERIFY(without.ok());
     QVERIFY(!without.value().isWhole());
     QCOMPARE(without.value().troubles.size(), std::size_t(1));
@@ -298,7 +298,7 @@ void OpenDocumentTest::missingMesh() {
 
     MeshPlaces places;
     places.found[m_mesh] = elsewhere;
-    const Result<PreparedSession> with = prepared(bytes, places);
+    Result<PreparedSession> with = prepared(bytes, places);
     QVERIFY(with.ok() && with.value().isWhole() && with.value().troubles.empty());
     restoreSession(opened, with.value());
     QCOMPARE(hitsFingerprint(opened), hitsFingerprint(session));
@@ -327,7 +327,7 @@ void OpenDocumentTest::movedMesh() {
     writeFile(m_folder->filePath(QStringLiteral("other")), QStringLiteral("rock.obj"),
               "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     known.others.prepend(m_folder->filePath(QStringLiteral("other")));
-    const Result<PreparedSession> right = prepareSession(document, known);
+    Result<PreparedSession> right = prepareSession(document, known);
     QVERIFY(right.value().troubles.empty());
     QCOMPARE(right.value().scene.targets[0].sourcePath,
              m_folder->filePath(QStringLiteral("other/meshes/rock.obj")));
@@ -340,7 +340,7 @@ void OpenDocumentTest::changedMesh() {
     QCOMPARE(document.positions.size(), std::size_t(2));
     writeFile(m_folder->path(), QStringLiteral("meshes/rock.obj"),
               QByteArray(kObj).replace("0.7", "0.8").toStdString());
-    const Result<PreparedSession> ready = prepareSession(document, {});
+    Result<PreparedSession> ready = prepareSession(document, {});
     QVERIFY(ready.ok() && ready.value().isWhole());
     QCOMPARE(ready.value().troubles.size(), std::size_t(1));
     QCOMPARE(ready.value().troubles[0].kind, MeshTrouble::Kind::Changed);
@@ -356,7 +356,7 @@ void OpenDocumentTest::unknownSource() {
     Session session;
     session.loadScene({QStringLiteral("?"), {planMesh(*planPrimitive({}).shape.mesh)}});
     shoot(session, 3, 5);
-    const Result<PreparedSession> ready = prepared(writeDocument(captureSession(session, {})));
+    Result<PreparedSession> ready = prepared(writeDocument(captureSession(session, {})));
     QVERIFY(ready.ok() && !ready.value().isWhole());
     QCOMPARE(ready.value().troubles[0].kind, MeshTrouble::Kind::NotKnown);
     QCOMPARE(ready.value().troubles[0].hits, std::size_t(3));
@@ -370,7 +370,7 @@ void OpenDocumentTest::notAMesh() {
     load(session);
     const SessionDocument document = captureSession(session, {});
     writeFile(m_folder->path(), QStringLiteral("meshes/rock.obj"), "Dear reader,\n");
-    const Result<PreparedSession> ready = prepareSession(document, {});
+    Result<PreparedSession> ready = prepareSession(document, {});
     QVERIFY(ready.ok() && !ready.value().isWhole());
     QVERIFY(ready.value().troubles[0].error.message().find("There are no vertices in it") !=
             std::string::npos);
@@ -383,7 +383,7 @@ void OpenDocumentTest::cancelled() {
     int told = 0;
     const PrepareControl control{[&told](double, const QString&) { ++told; }, &isOver};
     const SessionDocument document = captureSession(session, {});
-    const Result<PreparedSession> ready = prepareSession(document, {}, control);
+    Result<PreparedSession> ready = prepareSession(document, {}, control);
     QVERIFY(messageOf(ready).contains(QStringLiteral("cancelled")));
     QCOMPARE(told, 0);
     isOver = false;
@@ -408,7 +408,7 @@ void OpenDocumentTest::nothingToUndo() {
     Session session;
     load(session);
     shoot(session, 10, 7);
-    const Result<PreparedSession> ready = prepareSession(captureSession(session, {}), {});
+    Result<PreparedSession> ready = prepareSession(captureSession(session, {}), {});
     restoreSession(session, ready.value());
     QVERIFY(!session.canUndo() && !session.canRedo());
     // What comes next goes on from there.
