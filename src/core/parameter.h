@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <string_view>
 
 namespace hitscope {
@@ -23,5 +25,20 @@ struct ParameterDescriptor {
         return std::isfinite(value) && value >= minimum && value <= maximum;
     }
 };
+
+/// The decimal of fewest digits that reads back as the float: 0.3, not 0.30000001192. What a descriptor has
+/// for a default that a float member is initialised with.
+[[nodiscard]] double shortestDecimal(float value);
+
+/// `parameters` with what `settings` has for defaults, so that these are written in one place. There is a
+/// function parameterValue(settings, index).
+template <class Settings, std::size_t Count>
+[[nodiscard]] std::array<ParameterDescriptor, Count> withDefaultsOf(
+    const Settings& settings, std::array<ParameterDescriptor, Count> parameters) {
+    for (std::size_t i = 0; i < Count; ++i) {
+        parameters[i].defaultValue = shortestDecimal(static_cast<float>(parameterValue(settings, i)));
+    }
+    return parameters;
+}
 
 }  // namespace hitscope

@@ -3,37 +3,40 @@
 
 namespace hitscope {
 
+namespace {
+
+// Without defaults, which the constants themselves have.
+constexpr std::array<ParameterDescriptor, 3> kParameters{{
+    {.key = "max_distance",
+     .label = "Max distance",
+     .unit = "m",
+     .description = "Radius of the dent: vertices farther from the hit point stay where they are.",
+     .minimum = 0.001,
+     .maximum = 100.0,
+     .step = 0.05,
+     .decimals = 3},
+    {.key = "power",
+     .label = "Power",
+     .unit = "m²",
+     .description = "Strength of the hit: a vertex moves by power divided by its distance to the hit point.",
+     .minimum = 0.0,
+     .maximum = 100.0,
+     .step = 0.005,
+     .decimals = 4},
+    {.key = "max_magnitude",
+     .label = "Max magnitude",
+     .unit = "m",
+     .description = "Cap: no vertex moves farther than this in one hit.",
+     .minimum = 0.0,
+     .maximum = 100.0,
+     .step = 0.05,
+     .decimals = 3},
+}};
+
+}  // namespace
+
 const std::array<ParameterDescriptor, 3>& deformationParameters() {
-    static const std::array<ParameterDescriptor, 3> parameters{{
-        {.key = "max_distance",
-         .label = "Max distance",
-         .unit = "m",
-         .description = "Radius of the dent: vertices farther from the hit point stay where they are.",
-         .defaultValue = 0.5,
-         .minimum = 0.001,
-         .maximum = 100.0,
-         .step = 0.05,
-         .decimals = 3},
-        {.key = "power",
-         .label = "Power",
-         .unit = "m²",
-         .description =
-             "Strength of the hit: a vertex moves by power divided by its distance to the hit point.",
-         .defaultValue = 0.05,
-         .minimum = 0.0,
-         .maximum = 100.0,
-         .step = 0.005,
-         .decimals = 4},
-        {.key = "max_magnitude",
-         .label = "Max magnitude",
-         .unit = "m",
-         .description = "Cap: no vertex moves farther than this in one hit.",
-         .defaultValue = 0.3,
-         .minimum = 0.0,
-         .maximum = 100.0,
-         .step = 0.05,
-         .decimals = 3},
-    }};
+    static const auto parameters = withDefaultsOf(DeformationConstants{}, kParameters);
     return parameters;
 }
 

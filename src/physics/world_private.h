@@ -153,7 +153,7 @@ struct PhysicsWorld::Private {
     double timeBefore = 0.0;  ///< simulated before the step's length was last set
     std::int64_t steps = 0;   ///< since then
     double waiting = 0.0;     ///< seconds not simulated yet, < stepSeconds
-    double timeScale = 1.0;
+    double timeScale = timeScaleParameter().defaultValue;
     bool isPaused = false;
 };
 

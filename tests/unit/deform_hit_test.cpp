@@ -44,6 +44,7 @@ private Q_SLOTS:
                 QVERIFY(!isValid(constants));
             }
         }
+        QCOMPARE(deformationParameters()[kPower].defaultValue, 0.05);  // not the float's 0.05000000075
         QCOMPARE(defaults.maxDistance, 0.5f);
         QCOMPARE(defaults.power, 0.05f);
         QCOMPARE(defaults.maxMagnitude, 0.3f);

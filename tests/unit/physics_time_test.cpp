@@ -217,7 +217,8 @@ private Q_SLOTS:
         const ProjectileSettings standard;
         for (std::size_t i = 0; i < projectileParameters().size(); ++i) {
             const ParameterDescriptor& parameter = projectileParameters()[i];
-            QVERIFY(std::abs(parameterValue(standard, i) - parameter.defaultValue) < 1e-5);
+            QCOMPARE(static_cast<float>(parameterValue(standard, i)),
+                     static_cast<float>(parameter.defaultValue));
             ProjectileSettings settings;
             setParameterValue(settings, i, parameter.maximum);
             QVERIFY(std::abs(parameterValue(settings, i) / parameter.maximum - 1.0) < 1e-6);
@@ -228,7 +229,8 @@ private Q_SLOTS:
         const TargetPhysics target;
         for (std::size_t i = 0; i < targetParameters().size(); ++i) {
             const ParameterDescriptor& parameter = targetParameters()[i];
-            QVERIFY(std::abs(parameterValue(target, i) - parameter.defaultValue) < 1e-5);
+            QCOMPARE(static_cast<float>(parameterValue(target, i)),
+                     static_cast<float>(parameter.defaultValue));
             TargetPhysics physics;
             setParameterValue(physics, i, std::numeric_limits<double>::quiet_NaN());
             QVERIFY(clamped(physics) == target);

@@ -188,7 +188,7 @@ void PanelsTest::constantsSliderCoversTheRange() {
     DeformationConstantsPanel panel(session, editing);
     const QList<QSlider*> sliders = panel.findChildren<QSlider*>();
     QCOMPARE(sliders.size(), 3);
-    const ParameterDescriptor& distance = deformationParameters()[0];
+    const ParameterDescriptor& distance = deformationParameters()[kMaxDistance];
     QCOMPARE(sliders[0]->value(), (sliders[0]->maximum() + 1) / 2);
     sliders[0]->setValue(sliders[0]->maximum());
     QCOMPARE(session.settings().constants().maxDistance, static_cast<float>(distance.maximum));

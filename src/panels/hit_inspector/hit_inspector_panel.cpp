@@ -75,7 +75,8 @@ HitInspectorPanel::HitInspectorPanel(Session& session, HitEditing& editing, QWid
 HitInspectorPanel::~HitInspectorPanel() = default;
 
 void HitInspectorPanel::editFirst() {
-    if (NumberBox* box = findChild<NumberBox*>(QString::fromUtf8(deformationParameters()[0].key))) {
+    if (NumberBox* box =
+            findChild<NumberBox*>(QString::fromUtf8(deformationParameters()[kMaxDistance].key))) {
         box->setFocus();
         box->selectAll();
     }
