@@ -12,7 +12,7 @@
 
 namespace hitscope {
 
-/// Copies of targets that work beside the window goes on, each made once and then brought up to date with
+/// Copies of targets for background work, each made once and then brought up to date with
 /// what moved: on the session's thread what is needed for that is gathered, a bounded number of vertices in
 /// one turn of the event loop.
 template <class Copy>

@@ -19,7 +19,7 @@
 
 namespace hitscope {
 
-/// Measures one dent: the one around the vertex picked or the hit selected last. Works beside the window, on
+/// Measures one dent: the one around the vertex picked or the hit selected last. Works in the background, on
 /// a copy of the target that is carried on by what moves, and again whenever the target changes.
 class DentMeasurement : public QObject {
     Q_OBJECT

@@ -12,7 +12,7 @@
 
 namespace hitscope {
 
-/// One job at a time beside the window, for an owner that has this as a member. A `Job` has
+/// One background job at a time, for an owner that has this as a member. A `Job` has
 /// run(std::stop_token), which is called on a thread of the pool and touches nothing of the session. Goes
 /// when its owner does: nobody waits for the job then.
 template <class Job>

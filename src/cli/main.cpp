@@ -79,11 +79,11 @@ int demo(const QStringList& arguments) {
 
 int info(const QStringList& arguments) {
     QCommandLineParser parser;
-    parser.setApplicationDescription(QStringLiteral("Prints what is in a mesh file, or what draws."));
+    parser.setApplicationDescription(QStringLiteral("Describes a mesh file or the graphics driver."));
     parser.addHelpOption();
     const QCommandLineOption renderer(
         QStringLiteral("renderer"),
-        QStringLiteral("Print what draws, and whether it deforms as the reference does in every bit."));
+        QStringLiteral("Describe the graphics driver, and whether pipelines are bit-exact on it."));
     parser.addOption(renderer);
     parser.addPositionalArgument(QStringLiteral("mesh"), QStringLiteral("Mesh file."),
                                  QStringLiteral("[mesh]"));
@@ -106,11 +106,11 @@ int printUsage() {
         << "  demo      shoot at the paper's scene or a mesh, compare the pipelines, write pictures\n"
         << "            and the deformed mesh\n"
         << "  shoot     shoot a burst or a saved script, print what was hit; hits and mesh in and out\n"
-        << "  verify    hold every pipeline against the reference, vertex by vertex\n"
-        << "  replay    open a session, apply its hits again, hold the positions against those saved\n"
+        << "  verify    compare every pipeline with the reference, vertex by vertex\n"
+        << "  replay    open a session, apply its hits again, compare the positions with those saved\n"
         << "  picture   draw a scene into a picture of any size\n"
         << "  sequence  draw a turntable, or the hits one by one, into PNG files\n"
-        << "  info      print what is in a mesh file, or what draws (--renderer)\n"
+        << "  info      describe a mesh file or the graphics driver (--renderer)\n"
         << "  bench     measure the pipelines: frames, hits, the paper's tables\n\n"
         << "Options:\n"
         << "  --help     this text; hitscope-cli COMMAND --help for a command's options\n"

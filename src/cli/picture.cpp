@@ -208,7 +208,7 @@ int sequenceCommand(const QStringList& arguments) {
         "Draws a turntable, or the hits appearing one by one, into numbered PNG files, with no display."));
     parser.addHelpOption();
     const QCommandLineOption turntable(QStringLiteral("turntable"),
-                                       QStringLiteral("Once around the scene in so many pictures."),
+                                       QStringLiteral("Number of pictures in one turn around the scene."),
                                        QStringLiteral("number"));
     const QCommandLineOption replay(QStringLiteral("replay"),
                                     QStringLiteral("A picture before the hits, and one after each."));

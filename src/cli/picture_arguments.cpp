@@ -76,11 +76,10 @@ std::optional<int> wholeNumber(const QString& text, int lowest, int highest) {
 
 PictureOptions::PictureOptions(QCommandLineParser& parser)
     : m_size(option("size", QStringLiteral("Pixels of the picture."), "WxH", "1280x720")),
-      m_camera(
-          option("camera",
-                 QStringLiteral("Where from, as Edit > Copy Camera gives it: \"camera pivot 0 0 0 yaw 35 "
-                                "pitch 20 distance 12 fov 50 perspective\". Else all is in the picture."),
-                 "text")),
+      m_camera(option("camera",
+                      QStringLiteral("Camera, as Edit > Copy Camera gives it: \"camera pivot 0 0 0 yaw 35 "
+                                     "pitch 20 distance 12 fov 50 perspective\". Default: the whole scene."),
+                      "text")),
       m_transparent(option("transparent", QStringLiteral("No background."))),
       m_cut(option(
           "cut",
@@ -96,9 +95,11 @@ PictureOptions::PictureOptions(QCommandLineParser& parser)
       m_change(
           option("change", QStringLiteral("Colour by change: ") + oneOf(changeKeys()) + u'.', "quantity")),
       m_noLabels(option("no-labels", QStringLiteral("No colour bar in the picture."))),
-      m_pipeline(option("pipeline", QStringLiteral("Who applies the hits: ") + oneOf(pipelineWords()) + u'.',
+      m_pipeline(option("pipeline",
+                        QStringLiteral("Pipeline that applies the hits: ") + oneOf(pipelineWords()) + u'.',
                         "name", "transform-feedback")),
-      m_shots(option("shots", QStringLiteral("Shoot so often first, 0 to 100000."), "number", "0")),
+      m_shots(
+          option("shots", QStringLiteral("Number of shots before the picture, 0 to 100000."), "number", "0")),
       m_seed(option("seed", QStringLiteral("Another seed gives other shots."), "number", "1")) {
     parser.addOptions({m_size, m_camera, m_transparent, m_cut, m_fillCut, m_noFloor, m_theme, m_wireframe,
                        m_normals, m_change, m_noLabels, m_pipeline, m_shots, m_seed});

@@ -58,10 +58,10 @@ private:
                    "(30 m/s, radius 0.1 m). Default: quick at a mesh, paper at the paper's scene."),
                "mode");
     QCommandLineOption m_save = option("save", QStringLiteral("Save the shots as a script."), "file");
-    QCommandLineOption m_pipeline =
-        option("pipeline",
-               QStringLiteral("Who applies the hits: %1.").arg(pipelineWords().join(QStringLiteral(", "))),
-               "name", "transform-feedback");
+    QCommandLineOption m_pipeline = option(
+        "pipeline",
+        QStringLiteral("Pipeline that applies the hits: %1.").arg(pipelineWords().join(QStringLiteral(", "))),
+        "name", "transform-feedback");
     QCommandLineOption m_out = option(
         "out",
         QStringLiteral("Write the deformed mesh as OBJ; of several, the one with most changed vertices. The "

@@ -63,6 +63,9 @@ std::string floatText(float value) {
 
 Error notA(const char* kind, Field field, std::string_view value) {
     std::string what(kFields[static_cast<std::size_t>(field)].name);
+    if (value.empty()) {
+        return {"“" + what + "” is missing.", "", ""};
+    }
     what += " is “";
     what += value.substr(0, 40);
     what += "”, which is not ";

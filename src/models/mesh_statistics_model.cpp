@@ -202,7 +202,7 @@ QString MeshStatisticsModel::cellToolTip(const StatisticsRow& row, int column) c
     const std::shared_ptr<const MeshMeasurement>& measurement = m_measuring.measurement();
     if (measurement) {
         if (!m_measuring.isUpToDate() && column != PropertyColumn) {
-            text += u'\n' + tr("Out of date: it is being worked out anew.");
+            text += u'\n' + tr("Out of date: it is being recalculated.");
         }
         const QString reason = whyNot(row, *measurement);
         const std::optional<double> value =

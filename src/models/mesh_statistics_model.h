@@ -17,7 +17,7 @@ public:
     enum Role : int {
         ValueRole = Qt::UserRole,  ///< double, where there is one: the number behind the text
         SharedRole,                ///< bool: no hit changes this; both columns say the same
-        OutOfDateRole,             ///< bool: a number that is being worked out anew
+        OutOfDateRole,             ///< bool: a number that is being recalculated
     };
 
     /// `session` outlives the model.

@@ -85,7 +85,7 @@ PictureWindow linesWindow(const FrameContext& context) {
     return context.window.value_or(PictureWindow{-kReach, kReach});
 }
 
-/// Lines are dear enough for a look at what cannot be seen.
+/// Lines cost so much that culling the hidden ones pays.
 bool isInPicture(const FrameContext& context, const DeformationPipeline& pipeline, const DrawItem& item) {
     return mayShow(item, context.frame, pipeline, context.viewProjection, linesWindow(context));
 }

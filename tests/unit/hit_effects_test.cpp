@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a session's hits did, worked out beside it: the same as working it out at once, whatever happens
+// What a session's hits did, computed in the background: the same as computed at once, whatever happens
 // between.
 #include "analysis/hit_effects.h"
 #include "support/test_program.h"

@@ -143,8 +143,8 @@ private Q_SLOTS:
         csv("too large", "A,1,1e39,3,0,0,1,,,\n", "line 2: point_y_m");
         csv("hexadecimal", "A,0x10,1,3,0,0,1,,,\n", "line 2: point_x_m");
         csv("decimal comma", "A,1,2,3,0,0,1,\"0,5\",,\n", "line 2: max_distance_m is “0,5”");
-        csv("missing value", "A,,2,3,0,0,1,,,\n", "line 2: point_x_m is “”, which is not given");
-        csv("no target", ",1,2,3,0,0,1,,,\n", "line 2: target is “”");
+        csv("missing value", "A,,2,3,0,0,1,,,\n", "line 2: “point_x_m” is missing");
+        csv("no target", ",1,2,3,0,0,1,,,\n", "line 2: “target” is missing");
         csv("too few fields", "A,1,2,3\n", "line 2: The line has 4 fields, the header 10");
         csv("too many fields", "A,1,2,3,0,0,1,,,,9\n", "line 2: The line has 11 fields");
         csv("no direction", "A,1,2,3,0,0,0,,,\n", "line 2: The hit has no direction");

@@ -55,7 +55,7 @@ std::vector<DynamicVertex> flattened(const Triangles& ball, float radius, float 
 
 }  // namespace
 
-/// Targets that are knocked about, and what hits them on the way.
+/// Dynamic targets, and what hits them on the way.
 class PhysicsDynamicTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:

@@ -200,7 +200,7 @@ QByteArray HitMenusTest::chooseInDialog(MainWindow& window,
     });
     timer.start(50);
     QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
-    // It is written beside the window, and is there once it is whole.
+    // It is written in the background, and is there once it is whole.
     [&path] { QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), kPatience); }();
     makeActive(window);
     QFile file(path);

@@ -123,7 +123,7 @@ void LocaleTest::allNumbersOfTheWindowHaveCommas() {
     m_session->simulation().setTimeScale(0.25);
     QTRY_VERIFY_WITH_TIMEOUT(m_session->targets().front()->deformed.statistics().changedVertices > 0,
                              kPatience);
-    QTest::qWait(1000);  // for what is worked out beside the window
+    QTest::qWait(1000);  // for background work
     const ShownTexts shown(*m_window);
     const QRegularExpression point(QStringLiteral("[0-9]\\.[0-9]"));
     const QRegularExpression mixed(QStringLiteral("[0-9],[0-9]+, -?[0-9]"));

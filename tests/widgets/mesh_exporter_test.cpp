@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exports beside the window: what is written, and what is not when they are given up.
+// Exports in the background: what is written, and what is not when they are cancelled.
 #include <QApplication>
 #include <QFile>
 #include <QSignalSpy>

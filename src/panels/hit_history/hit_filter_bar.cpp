@@ -50,7 +50,7 @@ HitFilterBar::HitFilterBar(Session& session, HitList& list, QWidget* parent)
     hide();
 }
 
-/// Names change while targets are knocked about, too: the box is filled again only if something differs.
+/// Names change while targets move, too: the box is filled again only if something differs.
 void HitFilterBar::followTargets() {
     QStringList names{tr("All targets")};
     QVariantList ids{0u};

@@ -12,8 +12,8 @@ class QLabel;
 
 namespace hitscope {
 
-/// Shows and sets whether the selected target is knocked about, and how: mass, friction, restitution, in the
-/// order of targetParameters(). Each change is a step to undo. Below them stands why the target cannot be
+/// Shows and sets whether the selected target is dynamic, and its physics: mass, friction, restitution, in
+/// the order of targetParameters(). Each change is a step to undo. Below them stands why the target cannot be
 /// hit, if so.
 class PhysicsFields : public QObject {
     Q_OBJECT
