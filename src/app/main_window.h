@@ -99,6 +99,8 @@ private:
     void makeCentre();
     void makeDocks();
     QDockWidget* makeSceneDock();
+    void lookAt(const Bounds& bounds);
+    HitHistoryPanel* makeHistoryPanel();
     QDockWidget* makeHitDock(const HitHistoryPanel& history);
     QDockWidget* makeVertexChangesDock();
     QDockWidget* addDock(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area);

@@ -62,23 +62,16 @@ void MainWindow::makeDocks() {
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     m_frameRate = new FrameRatePanel(m_session, *m_continuous, costMeter());
     m_frameRate->costs().setCamera([this] { return m_viewport->camera(); });
-    const auto lookAt = [this](const Bounds& bounds) {
-        m_viewport->navigation().frame(bounds);
-        m_viewport->update();
-    };
     m_meshStatistics.measuring().setStretchLimit(static_cast<float>(m_settings.stretchLimit));
     m_statisticsPanel = new MeshStatisticsPanel(m_session, m_meshStatistics);
-    connect(m_statisticsPanel, &MeshStatisticsPanel::lookWanted, this, lookAt);
+    connect(m_statisticsPanel, &MeshStatisticsPanel::lookWanted, this, &MainWindow::lookAt);
     auto* agreementPanel =
         new PipelineAgreementPanel(m_session, [this] { return m_viewport->syncNow().ok(); });
-    connect(agreementPanel, &PipelineAgreementPanel::lookWanted, this, lookAt);
+    connect(agreementPanel, &PipelineAgreementPanel::lookWanted, this, &MainWindow::lookAt);
     QDockWidget* statistics = addDock(QStringLiteral("meshStatistics"), tr("Mesh statistics"),
                                       m_statisticsPanel, Qt::RightDockWidgetArea);
     QDockWidget* scene = makeSceneDock();
-    auto* historyPanel = new HitHistoryPanel(m_session, m_hitHistory);
-    m_hitActions->adopt(*historyPanel);
-    connect(historyPanel, &HitHistoryPanel::flyWanted, this,
-            [this](const Bounds& part) { m_viewport->navigation().frame(part); });
+    HitHistoryPanel* historyPanel = makeHistoryPanel();
     QDockWidget* history =
         addDock(QStringLiteral("hitHistory"), tr("Hit history"), historyPanel, Qt::BottomDockWidgetArea);
     QDockWidget* vertices = makeVertexChangesDock();
@@ -127,6 +120,19 @@ void MainWindow::makeDocks() {
     }
     resizeDocks({history, frameRate}, {235, 235}, Qt::Vertical);
     resizeDocks({history, frameRate}, {620, 380}, Qt::Horizontal);
+}
+
+void MainWindow::lookAt(const Bounds& bounds) {
+    m_viewport->navigation().frame(bounds);
+    m_viewport->update();
+}
+
+HitHistoryPanel* MainWindow::makeHistoryPanel() {
+    auto* panel = new HitHistoryPanel(m_session, m_hitHistory);
+    m_hitActions->adopt(*panel);
+    connect(panel, &HitHistoryPanel::flyWanted, this,
+            [this](const Bounds& part) { m_viewport->navigation().frame(part); });
+    return panel;
 }
 
 QDockWidget* MainWindow::makeHitDock(const HitHistoryPanel& history) {

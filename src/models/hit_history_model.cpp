@@ -5,20 +5,15 @@
 #include <QIODevice>
 #include <QMimeData>
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "analysis/hit_files.h"
-#include "models/quantity_text.h"
 #include "session/frame_costs.h"
-#include "session/shown_number.h"
 
 namespace hitscope {
 
 namespace {
 
 constexpr auto kRowsType = "application/x-hitscope-hit-rows";
-constexpr double kSmallDepth = 0.01;  // metres: below, three decimals would say too little
 
 struct Header {
     const char* title;
@@ -74,11 +69,6 @@ constexpr Header kHeaders[HitHistoryModel::ColumnCount] = {
 /// Texts, which stand at the left.
 bool isName(int column) {
     return column == HitHistoryModel::TargetColumn || column == HitHistoryModel::PipelineColumn;
-}
-
-bool isCount(int column) {
-    return column == HitHistoryModel::NumberColumn || column == HitHistoryModel::AffectedColumn ||
-           column == HitHistoryModel::TriangleColumn;
 }
 
 }  // namespace
@@ -139,122 +129,6 @@ QVariant HitHistoryModel::data(const QModelIndex& index, int role) const {
     }
 }
 
-std::optional<double> HitHistoryModel::number(const Hit& hit, std::size_t row, int column) const {
-    const auto asDouble = [](float value) { return static_cast<double>(value); };
-    const bool isEffect = column == AffectedColumn || column == GreatestColumn;
-    const auto effect =
-        isEffect && m_effects != nullptr ? m_effects->effect(row) : std::optional<HitEffect>();
-    const bool isCost = column == CpuCostColumn || column == GpuCostColumn;
-    const auto cost = isCost ? m_session.frameCosts().hitCost(row) : std::optional<HitCost>();
-    switch (column) {
-        case NumberColumn:
-            return static_cast<double>(row + 1);
-        case TimeColumn:
-            return hit.time;
-        case SpeedColumn:
-            return asDouble(hit.speed);
-        case ImpulseColumn:
-            return asDouble(hit.impulse);
-        case AffectedColumn:
-            return effect ? std::optional(static_cast<double>(effect->affected)) : std::nullopt;
-        case GreatestColumn:
-            return effect ? std::optional(asDouble(effect->greatest)) : std::nullopt;
-        case CpuCostColumn:
-            return cost ? std::optional(cost->cpu * kMilliseconds) : std::nullopt;
-        case GpuCostColumn:
-            return cost && cost->gpu ? std::optional(*cost->gpu * kMilliseconds) : std::nullopt;
-        case MaxDistanceColumn:
-            return asDouble(hit.constants.maxDistance);
-        case PowerColumn:
-            return asDouble(hit.constants.power);
-        case MaxMagnitudeColumn:
-            return asDouble(hit.constants.maxMagnitude);
-        case TriangleColumn:
-            return hit.triangle != kNoIndex ? std::optional(static_cast<double>(hit.triangle)) : std::nullopt;
-        default:
-            return std::nullopt;
-    }
-}
-
-std::optional<glm::vec3> HitHistoryModel::vector(const Hit& hit, int column) const {
-    switch (column) {
-        case PointColumn:
-            return hit.point;
-        case DirectionColumn:
-            return hit.direction;
-        case NormalColumn:
-            return hit.normal != glm::vec3(0.0f) ? std::optional(hit.normal) : std::nullopt;
-        case WorldPointColumn: {
-            const Target* target = m_session.targets().find(hit.target);
-            return target != nullptr ? std::optional(target->transform.toWorld(hit.point)) : std::nullopt;
-        }
-        default:
-            return std::nullopt;
-    }
-}
-
-QVariant HitHistoryModel::rawValue(const Hit& hit, std::size_t row, int column) const {
-    if (const std::optional<glm::vec3> v = vector(hit, column)) {
-        return QVariantList{static_cast<double>(v->x), static_cast<double>(v->y), static_cast<double>(v->z)};
-    }
-    if (column == TargetColumn) {
-        return static_cast<qulonglong>(hit.target.value);
-    }
-    const std::optional<double> value = number(hit, row, column);
-    if (!value) {
-        return {};
-    }
-    return isCount(column) ? QVariant(static_cast<qulonglong>(*value)) : QVariant(*value);
-}
-
-void HitHistoryModel::sortParts(std::size_t row, int column, double (&parts)[3]) const {
-    const Hit& hit = m_session.hits().history().hits()[row];
-    constexpr double kUnknown = -std::numeric_limits<double>::infinity();
-    if (const std::optional<glm::vec3> v = vector(hit, column)) {
-        for (int i = 0; i < 3; ++i) {
-            parts[i] = static_cast<double>((*v)[i]);
-        }
-    } else if (column == PipelineColumn) {
-        parts[0] = pipelineOf(hit) ? static_cast<double>(hit.pipeline) : kUnknown;
-    } else {
-        parts[0] = number(hit, row, column).value_or(kUnknown);
-    }
-}
-
-QString HitHistoryModel::text(const Hit& hit, std::size_t row, int column) const {
-    if (const std::optional<glm::vec3> v = vector(hit, column)) {
-        return vectorText(*v);
-    }
-    if (column == TargetColumn) {
-        return targetName(hit);
-    }
-    if (column == PipelineColumn) {
-        const std::optional<PipelineKind> kind = pipelineOf(hit);
-        return QString::fromUtf8(kind ? pipelineTraits(*kind).name : std::string_view());
-    }
-    const std::optional<double> value = number(hit, row, column);
-    if (!value) {
-        return {};
-    }
-    switch (column) {
-        case TimeColumn:
-        case SpeedColumn:
-        case ImpulseColumn:
-            return shownNumber(*value, 'f', 2);
-        case GreatestColumn:
-            return std::abs(*value) < kSmallDepth ? quantityText(*value) : shownNumber(*value, 'f', 3);
-        case CpuCostColumn:
-        case GpuCostColumn:
-            return shownNumber(*value, 'f', 3);
-        case MaxDistanceColumn:
-        case PowerColumn:
-        case MaxMagnitudeColumn:
-            return shownFloat(static_cast<float>(*value));
-        default:
-            return countText(static_cast<std::size_t>(*value));
-    }
-}
-
 HitHistoryModel::HitState HitHistoryModel::stateOf(std::size_t row) const {
     if (!m_session.hits().history().hits()[row].enabled) {
         return Disabled;
@@ -263,32 +137,6 @@ HitHistoryModel::HitState HitHistoryModel::stateOf(std::size_t row) const {
         return Later;
     }
     return m_session.readBack().isDropped(row) ? Dropped : Applied;
-}
-
-QString HitHistoryModel::toolTip(const Hit& hit, std::size_t row) const {
-    QString tip = tr("Max distance %1 m, power %2 m², max magnitude %3 m")
-                      .arg(shownFloat(hit.constants.maxDistance), shownFloat(hit.constants.power),
-                           shownFloat(hit.constants.maxMagnitude));
-    const HitState state = stateOf(row);
-    if (state == Disabled) {
-        tip.prepend(tr("Disabled: the mesh is as if this hit had not been made.") + u'\n');
-    } else if (state == Later) {
-        tip.prepend(tr("Later: the targets are shown as they were before this hit.") + u'\n');
-    } else if (state == Dropped) {
-        const CapacityReport& report = m_session.readBack().capacity();
-        const std::string_view pipeline = pipelineTraits(m_session.settings().pipeline()).name;
-        const QString why = report.perTarget
-                                ? tr("Dropped: the pipeline “%1” keeps the last %2 hits on each target.")
-                                : tr("Dropped: the pipeline “%1” keeps the last %2 hits of the scene.");
-        tip.prepend(why.arg(QString::fromUtf8(pipeline), countText(report.capacity.value_or(report.used))) +
-                    u'\n');
-    }
-    return tip;
-}
-
-QString HitHistoryModel::targetName(const Hit& hit) const {
-    const Target* target = m_session.targets().find(hit.target);
-    return target != nullptr ? target->name : QString();
 }
 
 QVariant HitHistoryModel::headerData(int section, Qt::Orientation orientation, int role) const {

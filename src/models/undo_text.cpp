@@ -2,6 +2,8 @@
 #include "models/undo_text.h"
 
 #include <QCoreApplication>
+#include <algorithm>
+#include <iterator>
 
 #include "models/quantity_text.h"
 
@@ -13,104 +15,51 @@ QString translated(const char* words) {
     return QCoreApplication::translate("hitscope::UndoText", words);
 }
 
+/// What a step is called, about one and about several.
+struct Words {
+    SessionUndo::Kind kind;
+    const char* one;
+    const char* many;  ///< null: nothing is counted
+};
+
+#define TEXT(words) QT_TRANSLATE_NOOP("hitscope::UndoText", words)
+constexpr Words kWords[] = {
+    {SessionUndo::Kind::Hit, TEXT("Hit"), TEXT("%1 Hits")},
+    {SessionUndo::Kind::Remove, TEXT("Remove Hit"), TEXT("Remove %1 Hits")},
+    {SessionUndo::Kind::Clear, TEXT("Clear Hit"), TEXT("Clear %1 Hits")},
+    {SessionUndo::Kind::Move, TEXT("Move Hit"), TEXT("Move %1 Hits")},
+    {SessionUndo::Kind::Enable, TEXT("Enable Hit"), TEXT("Enable %1 Hits")},
+    {SessionUndo::Kind::Disable, TEXT("Disable Hit"), TEXT("Disable %1 Hits")},
+    {SessionUndo::Kind::EditHit, TEXT("Edit Hit"), TEXT("Edit %1 Hits")},
+    {SessionUndo::Kind::HitConstants, TEXT("Constants of Hit"), TEXT("Constants of %1 Hits")},
+    {SessionUndo::Kind::TargetTexture, TEXT("Locate Texture"), TEXT("Locate %1 Textures")},
+    {SessionUndo::Kind::AddTarget, TEXT("Add Target"), TEXT("Add %1 Targets")},
+    {SessionUndo::Kind::DuplicateTarget, TEXT("Duplicate Target"), TEXT("Duplicate %1 Targets")},
+    {SessionUndo::Kind::RemoveTarget, TEXT("Remove Target"), TEXT("Remove %1 Targets")},
+    {SessionUndo::Kind::MoveTarget, TEXT("Move Target"), TEXT("Move %1 Targets")},
+    {SessionUndo::Kind::RotateTarget, TEXT("Rotate Target"), TEXT("Rotate %1 Targets")},
+    {SessionUndo::Kind::RenameTarget, TEXT("Rename Target"), TEXT("Rename %1 Targets")},
+    {SessionUndo::Kind::ShowTarget, TEXT("Show Target"), TEXT("Show %1 Targets")},
+    {SessionUndo::Kind::HideTarget, TEXT("Hide Target"), TEXT("Hide %1 Targets")},
+    {SessionUndo::Kind::ResetTarget, TEXT("Reset Target"), TEXT("Reset %1 Targets")},
+    {SessionUndo::Kind::TargetPhysics, TEXT("Physics of Target"), TEXT("Physics of %1 Targets")},
+    {SessionUndo::Kind::Constants, TEXT("Constants for Next Hit"), nullptr},
+    {SessionUndo::Kind::Lights, TEXT("Lights"), nullptr},
+    {SessionUndo::Kind::Projectile, TEXT("Projectile"), nullptr},
+    {SessionUndo::Kind::FlightMode, TEXT("Flight"), nullptr},
+    {SessionUndo::Kind::CoverTexture, TEXT("Texture on All Targets"), nullptr},
+    {SessionUndo::Kind::LoadScene, TEXT("Load Scene"), nullptr},
+    {SessionUndo::Kind::PlaceMesh, TEXT("Place Mesh"), nullptr},
+};
+#undef TEXT
+
 }  // namespace
 
 QString undoText(const SessionUndo::Name& name) {
-#define TEXT(words) QT_TRANSLATE_NOOP("hitscope::UndoText", words)
-    const char* one = TEXT("Hit");
-    const char* many = TEXT("%1 Hits");
-    switch (name.kind) {
-        case SessionUndo::Kind::Hit:
-            break;
-        case SessionUndo::Kind::Remove:
-            one = TEXT("Remove Hit");
-            many = TEXT("Remove %1 Hits");
-            break;
-        case SessionUndo::Kind::Clear:
-            one = TEXT("Clear Hit");
-            many = TEXT("Clear %1 Hits");
-            break;
-        case SessionUndo::Kind::Move:
-            one = TEXT("Move Hit");
-            many = TEXT("Move %1 Hits");
-            break;
-        case SessionUndo::Kind::Enable:
-            one = TEXT("Enable Hit");
-            many = TEXT("Enable %1 Hits");
-            break;
-        case SessionUndo::Kind::Disable:
-            one = TEXT("Disable Hit");
-            many = TEXT("Disable %1 Hits");
-            break;
-        case SessionUndo::Kind::EditHit:
-            one = TEXT("Edit Hit");
-            many = TEXT("Edit %1 Hits");
-            break;
-        case SessionUndo::Kind::HitConstants:
-            one = TEXT("Constants of Hit");
-            many = TEXT("Constants of %1 Hits");
-            break;
-        case SessionUndo::Kind::TargetTexture:
-            one = TEXT("Locate Texture");
-            many = TEXT("Locate %1 Textures");
-            break;
-        case SessionUndo::Kind::AddTarget:
-            one = TEXT("Add Target");
-            many = TEXT("Add %1 Targets");
-            break;
-        case SessionUndo::Kind::DuplicateTarget:
-            one = TEXT("Duplicate Target");
-            many = TEXT("Duplicate %1 Targets");
-            break;
-        case SessionUndo::Kind::RemoveTarget:
-            one = TEXT("Remove Target");
-            many = TEXT("Remove %1 Targets");
-            break;
-        case SessionUndo::Kind::MoveTarget:
-            one = TEXT("Move Target");
-            many = TEXT("Move %1 Targets");
-            break;
-        case SessionUndo::Kind::RotateTarget:
-            one = TEXT("Rotate Target");
-            many = TEXT("Rotate %1 Targets");
-            break;
-        case SessionUndo::Kind::RenameTarget:
-            one = TEXT("Rename Target");
-            many = TEXT("Rename %1 Targets");
-            break;
-        case SessionUndo::Kind::ShowTarget:
-            one = TEXT("Show Target");
-            many = TEXT("Show %1 Targets");
-            break;
-        case SessionUndo::Kind::HideTarget:
-            one = TEXT("Hide Target");
-            many = TEXT("Hide %1 Targets");
-            break;
-        case SessionUndo::Kind::ResetTarget:
-            one = TEXT("Reset Target");
-            many = TEXT("Reset %1 Targets");
-            break;
-        case SessionUndo::Kind::TargetPhysics:
-            one = TEXT("Physics of Target");
-            many = TEXT("Physics of %1 Targets");
-            break;
-        case SessionUndo::Kind::Constants:
-            return translated(TEXT("Constants for Next Hit"));
-        case SessionUndo::Kind::Lights:
-            return translated(TEXT("Lights"));
-        case SessionUndo::Kind::Projectile:
-            return translated(TEXT("Projectile"));
-        case SessionUndo::Kind::FlightMode:
-            return translated(TEXT("Flight"));
-        case SessionUndo::Kind::CoverTexture:
-            return translated(TEXT("Texture on All Targets"));
-        case SessionUndo::Kind::LoadScene:
-            return translated(TEXT("Load Scene"));
-        case SessionUndo::Kind::PlaceMesh:
-            return translated(TEXT("Place Mesh"));
-    }
-#undef TEXT
-    return name.count == 1 ? translated(one) : translated(many).arg(countText(name.count));
+    const auto* words = std::find_if(std::begin(kWords), std::end(kWords),
+                                     [&name](const Words& row) { return row.kind == name.kind; });
+    return words->many == nullptr || name.count == 1 ? translated(words->one)
+                                                     : translated(words->many).arg(countText(name.count));
 }
 
 }  // namespace hitscope

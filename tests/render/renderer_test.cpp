@@ -62,8 +62,6 @@ private Q_SLOTS:
     void projectilesAreDrawn();
     void selectionAndHighlightAreSeen();
     void crosshairIsInTheMiddle();
-    void texturesAreShownTheRightWayUp();
-    void translucentMaterialsLetThrough();
     void pictureIsOpaque();
     void stateIsGivenBack();
 
@@ -309,56 +307,6 @@ void RendererTest::crosshairIsInTheMiddle() {
         }
     }
     QVERIFY(count > 40);
-}
-
-void RendererTest::texturesAreShownTheRightWayUp() {
-    // One quad towards the eye, texture coordinates upwards as in OBJ: the image's first row is on top.
-    MeshData quad;
-    quad.positions = {{-1, 0, 0}, {1, 0, 0}, {1, 2, 0}, {-1, 2, 0}};
-    quad.texcoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-    quad.faceStarts = {0, 4};
-    quad.cornerVertices = {0, 1, 2, 3};
-    quad.cornerTexcoords = {0, 1, 2, 3};
-    quad.faceMaterials = {0};
-    quad.materials.resize(1);
-    quad.materials[0].diffuseImage = 0;
-    quad.materials[0].specular = glm::vec3(0);
-    Image image{2, 2, {}};
-    for (const auto& texel : {std::array{255, 0, 0, 255}, std::array{0, 255, 0, 255},
-                              std::array{0, 0, 255, 255}, std::array{255, 255, 255, 255}}) {
-        for (const int channel : texel) {
-            image.pixels.push_back(static_cast<std::uint8_t>(channel));
-        }
-    }
-    quad.images.push_back(image);
-    m_scene = std::make_unique<TestScene>();
-    m_scene->add(*m_renderer, quad, glm::vec3(0));
-    use(PipelineKind::TransformFeedback);
-    m_frame = frameOf(*m_scene, kWidth, kHeight);
-    m_frame.camera.setPivot(glm::vec3(0, 1, 0), 0.0f, 0.0f, 3.0f);
-    const QImage shown = draw(m_frame);
-    const auto at = [&](int dx, int dy) { return shown.pixelColor(kWidth / 2 + dx, kHeight / 2 + dy); };
-    const auto isMostly = [](int one, int other, int third) { return 2 * one > 3 * std::max(other, third); };
-    QVERIFY(isMostly(at(-43, -43).red(), at(-43, -43).green(), at(-43, -43).blue()));
-    QVERIFY(isMostly(at(43, -43).green(), at(43, -43).red(), at(43, -43).blue()));
-    QVERIFY(isMostly(at(-43, 43).blue(), at(-43, 43).red(), at(-43, 43).green()));
-    m_frame.options.textures = false;
-    QVERIFY(differing(shown, draw(m_frame), 20) > 5000);
-}
-
-void RendererTest::translucentMaterialsLetThrough() {
-    MeshData glass = makeUvSphere(24, 16, 1.0f);
-    glass.materials.resize(1);
-    glass.materials[0].opacity = 0.3f;
-    glass.faceMaterials.assign(glass.faceCount(), 0);
-    m_scene->add(*m_renderer, glass, m_frame.camera.eye() + 4.0f * m_frame.camera.forward());
-    use(PipelineKind::TransformFeedback);
-    m_frame.targets = m_scene->items();
-    const QImage through = draw(m_frame);
-    for (const std::size_t one : {std::size_t{0}, std::size_t{1}}) {
-        m_frame.targets = m_scene->items().subspan(one, 1);
-        QVERIFY(differing(draw(m_frame).copy(kMiddle), through.copy(kMiddle), 2) > 200);
-    }
 }
 
 void RendererTest::pictureIsOpaque() {

@@ -297,7 +297,6 @@ private Q_SLOTS:
 
     void inTheWindow() {
         m_panel->hide();
-        QTemporaryDir folder;
         Session session;
         session.loadPaperRow(kDefaultPaperRow);
         {
@@ -327,35 +326,7 @@ private Q_SLOTS:
             table->setFocus();
             QTest::keyClick(table, Qt::Key_Return);
             QTRY_VERIFY(window.viewport().camera().eye() != eye);
-            // Out, and in again.
-            auto* actions = window.findChild<HitActions*>();
-            QSignalSpy failed(actions, &HitActions::failed);
-            const std::vector<Hit> before(session.hits().history().hits().begin(),
-                                          session.hits().history().hits().end());
-            for (const char* name : {"hits.csv", "hits.json"}) {
-                const QString path = folder.filePath(QString::fromLatin1(name));
-                actions->exportTo(path);
-                QVERIFY(actions->isBusy());
-                QTRY_VERIFY(!actions->isBusy());
-                session.hits().clear();
-                actions->importFrom(path);
-                QTRY_VERIFY(!actions->isBusy());
-                QCOMPARE(failed.size(), 0);
-                QVERIFY(std::ranges::equal(session.hits().history().hits(), before));
-            }
-            QFile bad(folder.filePath(QStringLiteral("bad.csv")));
-            QVERIFY(bad.open(QIODevice::WriteOnly));
-            bad.write("nonsense\n");
-            bad.close();
-            QTimer::singleShot(0, this, [] {
-                QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
-                QApplication::activeModalWidget()->close();
-            });
-            actions->importFrom(bad.fileName());
-            QTRY_COMPARE(failed.size(), 1);
-            const auto error = failed[0][0].value<Error>();
-            QVERIFY(error.message().find("bad.csv, line 1") != std::string::npos);
-            QTRY_VERIFY(QApplication::activeModalWidget() == nullptr);
+            goOutAndInAgain(*window.findChild<HitActions*>(), session);
             // Undo and redo by their keys.
             window.activateWindow();
             QVERIFY(QTest::qWaitForWindowActive(&window, kPatience));
@@ -370,6 +341,39 @@ private Q_SLOTS:
         MainWindow again(session);
         const auto* table = again.findChild<HitHistoryPanel*>()->findChild<QTableView*>();
         QCOMPARE(table->horizontalHeader()->sectionSize(HitHistoryModel::TargetColumn), 181);
+    }
+
+private:
+    /// To a file and back, in both formats; what is no table of hits is refused with a message.
+    void goOutAndInAgain(HitActions& actions, Session& session) {
+        const QTemporaryDir folder;
+        QSignalSpy failed(&actions, &HitActions::failed);
+        const std::vector<Hit> before(session.hits().history().hits().begin(),
+                                      session.hits().history().hits().end());
+        for (const char* name : {"hits.csv", "hits.json"}) {
+            const QString path = folder.filePath(QString::fromLatin1(name));
+            actions.exportTo(path);
+            QVERIFY(actions.isBusy());
+            QTRY_VERIFY(!actions.isBusy());
+            session.hits().clear();
+            actions.importFrom(path);
+            QTRY_VERIFY(!actions.isBusy());
+            QCOMPARE(failed.size(), 0);
+            QVERIFY(std::ranges::equal(session.hits().history().hits(), before));
+        }
+        QFile bad(folder.filePath(QStringLiteral("bad.csv")));
+        QVERIFY(bad.open(QIODevice::WriteOnly));
+        bad.write("nonsense\n");
+        bad.close();
+        QTimer::singleShot(0, this, [] {
+            QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
+            QApplication::activeModalWidget()->close();
+        });
+        actions.importFrom(bad.fileName());
+        QTRY_COMPARE(failed.size(), 1);
+        const auto error = failed[0][0].value<Error>();
+        QVERIFY(error.message().find("bad.csv, line 1") != std::string::npos);
+        QTRY_VERIFY(QApplication::activeModalWidget() == nullptr);
     }
 };
 

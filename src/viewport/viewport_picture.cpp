@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What others have the viewport's scene and context do: pictures of it, and a wait until all has been read
+// back.
+#include <QOpenGLContext>
+#include <utility>
+
+#include "viewport/viewport.h"
+
+namespace hitscope {
+
+Status Viewport::withScene(const std::function<Status(SceneGpu&)>& work) {
+    if (!m_scene) {
+        return Error{"There is no picture: nothing can be drawn here.", "",
+                     "Start Hitscope where OpenGL 3.3 is available."};
+    }
+    // The context may be current already: while it is being given back, or in the middle of a frame.
+    const bool current = QOpenGLContext::currentContext() == context();
+    if (!current) {
+        makeCurrent();
+    }
+    Status status = work(*m_scene);
+    if (!current) {
+        doneCurrent();
+    }
+    return status;
+}
+
+Status Viewport::syncNow() {
+    Status status = withScene([](SceneGpu& scene) { return scene.sync(); });
+    update();  // normals may have come with it
+    return status;
+}
+
+PictureRequest Viewport::pictureRequest() const {
+    const SceneGpu::View shown = view();
+    return {.width = shown.width,
+            .height = shown.height,
+            .camera = m_navigation.goal(),
+            .options = m_options,
+            .changeValues = m_changeValues,
+            .comparison = m_comparison,
+            .otherSection = m_otherSection,
+            .labels = true};
+}
+
+Result<Image> Viewport::drawPicture(const PictureRequest& request) {
+    Image image;
+    Status status = withScene([&](SceneGpu& scene) -> Status {
+        Result<Image> drawn = hitscope::drawPicture(scene, request);
+        if (!drawn) {
+            return drawn.error();
+        }
+        image = std::move(drawn).value();
+        return Done{};
+    });
+    if (!status) {
+        return status.error();
+    }
+    update();
+    return image;
+}
+
+}  // namespace hitscope
