@@ -103,6 +103,7 @@ private:
     HitHistoryPanel* makeHistoryPanel();
     QDockWidget* makeHitDock(const HitHistoryPanel& history);
     QDockWidget* makeVertexChangesDock();
+    void makeUndoDock(QDockWidget& neighbour, bool isLow);
     QDockWidget* addDock(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area);
     void makeMenus();
     void makeViewMenu();

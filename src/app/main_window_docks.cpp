@@ -92,8 +92,6 @@ void MainWindow::makeDocks() {
     connect(m_cut, &CutActions::switchedOn, cut, &QDockWidget::raise);
     QDockWidget* agreement = addDock(QStringLiteral("pipelineAgreement"), tr("Pipeline agreement"),
                                      agreementPanel, Qt::BottomDockWidgetArea);
-    QDockWidget* steps = addDock(QStringLiteral("undoHistory"), tr("Undo history"),
-                                 new UndoHistoryPanel(m_session), Qt::RightDockWidgetArea);
     tabifyDockWidget(frameRate, agreement);
     frameRate->raise();
     tabifyDockWidget(statistics, scene);
@@ -110,7 +108,7 @@ void MainWindow::makeDocks() {
     }
     tabifyDockWidget(constants, hit);
     tabifyDockWidget(hit, lights);
-    tabifyDockWidget(lights, steps);
+    makeUndoDock(*lights, isLow);
     constants->raise();
     statistics->raise();
     const int width = std::max(isLow ? 408 : 378, m_statisticsPanel->minimumSizeHint().width());
@@ -133,6 +131,18 @@ HitHistoryPanel* MainWindow::makeHistoryPanel() {
     connect(panel, &HitHistoryPanel::flyWanted, this,
             [this](const Bounds& part) { m_viewport->navigation().frame(part); });
     return panel;
+}
+
+/// Behind `neighbour`; where there is no room for one more tab, in a window of its own that opens on demand.
+void MainWindow::makeUndoDock(QDockWidget& neighbour, bool isLow) {
+    QDockWidget* dock = addDock(QStringLiteral("undoHistory"), tr("Undo history"),
+                                new UndoHistoryPanel(m_session), Qt::RightDockWidgetArea);
+    if (isLow) {
+        dock->setFloating(true);
+        dock->hide();
+    } else {
+        tabifyDockWidget(&neighbour, dock);
+    }
 }
 
 QDockWidget* MainWindow::makeHitDock(const HitHistoryPanel& history) {

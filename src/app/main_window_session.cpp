@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window's session as a document: its title, and how it is looked at.
 #include <QFileInfo>
+#include <QTimer>
 #include <algorithm>
 
 #include "app/actions/camera_actions.h"
@@ -22,6 +23,7 @@ namespace hitscope {
 namespace {
 
 constexpr int kJournalPatience = 2'000;  // milliseconds
+constexpr int kEndsWithin = 4'000;       // milliseconds
 
 }  // namespace
 
@@ -62,6 +64,8 @@ void MainWindow::connectSession() {
 
 void MainWindow::offerRecovery() {
     m_recovery->look();
+    // What ended a moment ago may still hold its journal.
+    QTimer::singleShot(kEndsWithin, m_recovery, [this] { m_recovery->look(); });
 }
 
 void MainWindow::showTitle() {

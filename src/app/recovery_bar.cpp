@@ -51,6 +51,9 @@ RecoveryBar::RecoveryBar(SessionFiles& files, DiscardGuard& guard, const QString
 RecoveryBar::~RecoveryBar() = default;
 
 void RecoveryBar::look() {
+    if (m_found || m_isReading) {
+        return;
+    }
     for (const FoundJournal& journal : findJournals(m_folder)) {
         if (m_passedOver.contains(journal.path)) {
             continue;
@@ -60,6 +63,7 @@ void RecoveryBar::look() {
             continue;  // another window offers it
         }
         auto found = std::make_shared<Found>(Found{std::move(claimed.value()), journal.changed, {}});
+        m_isReading = true;
         workBeside(
             this,
             [found] {
@@ -75,6 +79,7 @@ void RecoveryBar::look() {
 }
 
 void RecoveryBar::take(const std::shared_ptr<Found>& found) {
+    m_isReading = false;
     if (!found->read) {
         m_passedOver << found->journal.path();  // it stays where it is, for who can read it
         look();

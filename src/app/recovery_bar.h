@@ -41,7 +41,8 @@ private:
     QString m_folder;
     QLabel* m_text = nullptr;
     std::shared_ptr<Found> m_found;  ///< null: nothing is offered
-    QStringList m_passedOver;        ///< journals that cannot be read
+    bool m_isReading = false;
+    QStringList m_passedOver;  ///< journals that cannot be read
 };
 
 }  // namespace hitscope

@@ -12,7 +12,8 @@
 namespace hitscope {
 
 /// Why the picked vertex is where it is: a row for each hit that reached it, in order, with that hit's own
-/// part. Hits on other targets and those that made nothing of what is shown (SessionHits::isApplied()) have none.
+/// part. Hits on other targets and those that made nothing of what is shown (SessionHits::isApplied()) have
+/// none.
 ///
 /// Follows hits that come at the cost of those; any other change of the history takes the vertex through all
 /// hits again, which is 100,000 in about a millisecond.

@@ -253,7 +253,7 @@ DeformationConstants SessionHits::constantsOf(const Hit& hit) const {
     DeformationConstants constants = on != nullptr ? settings.constantsOn(*on) : settings.constants();
     if (settings.projectile().powerFollowsImpulse) {
         ConstantsSetting most = settings.constantsSetting();
-        most.constants.power = static_cast<float>(deformationParameters()[1].maximum);
+        most.constants.power = static_cast<float>(deformationParameters()[kPower].maximum);
         const float cap =
             on != nullptr ? hitscope::constantsOn(on->extent(), most).power : most.constants.power;
         const float power = constants.power * (hit.impulse / settings.projectile().referenceImpulse);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QElapsedTimer>
 #include <QTest>
+#include <functional>
 #include <random>
 
 #include "document/document_json.h"
@@ -109,12 +110,13 @@ void DocumentBadInputTest::check(const QByteArray& bytes, const QString& message
     QVERIFY(QString::fromStdString(result.error().message()).size() < 500);
 }
 
-void DocumentBadInputTest::content_data() {
-    QTest::addColumn<QByteArray>("bytes");
-    QTest::addColumn<QString>("message");
-    const auto row = [](const char* title, const QByteArray& bytes, const char* message) {
-        QTest::newRow(title) << bytes << message;
-    };
+namespace {
+
+using Row = std::function<void(const char* title, const QByteArray& bytes, const char* message)>;
+
+// The rows, in parts that can be taken in at a glance.
+
+void addForms(const Row& row) {
     row("empty", "", "The file is empty.");
     row("spaces", " \n\n", "The file is empty.");
     row("binary", QByteArray("\0\1\2\3", 4), "line 1: A value is neither number, text, list nor object.");
@@ -163,6 +165,9 @@ void DocumentBadInputTest::content_data() {
     row("deep object", QByteArray("{\"a\":").repeated(100'000), "There are more than 64 brackets");
     row("twice", with("\"name\": \"Löwe\"", "\"name\": \"a\", \"name\": \"b\""),
         "target 1, name: It is there twice.");
+}
+
+void addSections(const Row& row) {
     QByteArray many;
     for (int i = 0; i < 300; ++i) {
         many += ", \"k" + QByteArray::number(i) + "\": 0";
@@ -210,6 +215,9 @@ void DocumentBadInputTest::content_data() {
         "constants, power: It is -1, and has to be from 0 to 100.");
     row("speed", with("\"speed\": 30", "\"speed\": -30"), "projectile, speed: It is -30");
     row("colour", with("\"colour\": [0.9", "\"colour\": [1.9"), "projectile, colour: It is 1.9");
+}
+
+void addNumbers(const Row& row) {
     row("pipeline", with("\"pipeline\": \"transform-feedback\"", "\"pipeline\": \"magic\""),
         "simulation, pipeline: It has to be one of \"uniform-array\"");
     row("step", with("\"physics_step\": 0.004", "\"physics_step\": 4"), "simulation, physics_step: It is 4");
@@ -241,6 +249,19 @@ void DocumentBadInputTest::content_data() {
         "position 1, fingerprint: It has to be 16 hex");
     row("position of nothing", with("{\"target\": 1, \"fingerprint\"", "{\"target\": 2, \"fingerprint\""),
         "position 1: It names target 2, which is not in the session.");
+}
+
+}  // namespace
+
+void DocumentBadInputTest::content_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<QString>("message");
+    const Row row = [](const char* title, const QByteArray& bytes, const char* message) {
+        QTest::newRow(title) << bytes << message;
+    };
+    addForms(row);
+    addSections(row);
+    addNumbers(row);
 }
 
 void DocumentBadInputTest::content() {

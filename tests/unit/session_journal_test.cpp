@@ -63,6 +63,7 @@ private:
     /// The journal comes to what the session is.
     void compare();
     void doSomething(std::mt19937& random);
+    void doSomethingElse(std::mt19937& random);
 
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<Session> m_session;
@@ -133,37 +134,6 @@ void SessionJournalTest::doSomething(std::mt19937& random) {
         case 10:
             session.redo();
             break;
-        case 11:
-            QVERIFY(session.targets().rename(id, QStringLiteral("Name %1").arg(upTo(999))).ok());
-            break;
-        case 12:
-            QVERIFY(session.targets()
-                        .setTransform(id, {{0.1f * static_cast<float>(upTo(50)), 0.0f, -0.0f},
-                                           {1.0f, 0.0f, 0.0f, 0.0f}})
-                        .ok());
-            break;
-        case 13:
-            if (session.targets().size() < 6) {
-                session.targets().duplicate({&id, 1});
-            } else {
-                session.targets().remove({&id, 1});
-            }
-            break;
-        case 14:
-            session.targets().setVisible({&id, 1}, upTo(1) == 0);
-            break;
-        case 15: {
-            Lights lights = session.settings().lights();
-            lights.spot.innerAngle = 0.01f * static_cast<float>(upTo(20));
-            session.settings().setLights(lights);
-            break;
-        }
-        case 16:
-            QVERIFY(
-                session.settings()
-                    .setConstants(ConstantsSetting{{0.5f, 0.01f * static_cast<float>(upTo(9)), 0.3f}, true})
-                    .ok());
-            break;
         case 17:
             session.hits().giveConstants(some);
             break;
@@ -172,10 +142,60 @@ void SessionJournalTest::doSomething(std::mt19937& random) {
             session.selection().select(id, {static_cast<std::uint32_t>(upTo(5))},
                                        VertexSelection::Combine::Replace);
             break;
+        case 11:
+        case 12:
+        case 13:
+        case 14:
+        case 15:
+        case 16:
+            doSomethingElse(random);
+            break;
         default:
             m_view.display.flat = !m_view.display.flat;
             m_view.cameras.current = cameraText(Camera());
             m_journal->viewChanged();
+    }
+}
+
+/// To targets and settings.
+void SessionJournalTest::doSomethingElse(std::mt19937& random) {
+    const auto upTo = [&random](std::size_t most) {
+        return std::uniform_int_distribution<std::size_t>(0, most)(random);
+    };
+    Session& session = *m_session;
+    const TargetId id = session.targets()[upTo(session.targets().size() - 1)]->id;
+    switch (upTo(5)) {
+        case 0:
+            QVERIFY(session.targets().rename(id, QStringLiteral("Name %1").arg(upTo(999))).ok());
+            break;
+        case 1:
+            QVERIFY(session.targets()
+                        .setTransform(id, {{0.1f * static_cast<float>(upTo(50)), 0.0f, -0.0f},
+                                           {1.0f, 0.0f, 0.0f, 0.0f}})
+                        .ok());
+            break;
+        case 2:
+            if (session.targets().size() < 6) {
+                session.targets().duplicate({&id, 1});
+            } else {
+                session.targets().remove({&id, 1});
+            }
+            break;
+        case 3:
+            session.targets().setVisible({&id, 1}, upTo(1) == 0);
+            break;
+        case 4: {
+            Lights lights = session.settings().lights();
+            lights.spot.innerAngle = 0.01f * static_cast<float>(upTo(20));
+            session.settings().setLights(lights);
+            break;
+        }
+        default:
+            QVERIFY(
+                session.settings()
+                    .setConstants(ConstantsSetting{{0.5f, 0.01f * static_cast<float>(upTo(9)), 0.3f}, true})
+                    .ok());
+            break;
     }
 }
 

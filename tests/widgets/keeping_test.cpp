@@ -3,11 +3,13 @@
 #include <QApplication>
 #include <QProcess>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 #include <csignal>
 
 #include "app/end_signals.h"
 #include "app/notice_bar.h"
+#include "app/session_files.h"
 #include "app/settings/settings_keeper.h"
 #include "support/test_program.h"
 #include "window_support.h"
@@ -25,7 +27,7 @@ private Q_SLOTS:
     void settingsAreSavedWhenTheyChange();
     void nothingIsWrittenWithoutAChange();
     void saysThatSettingsCannotBeSaved();
-    void habitKeysSayWhatIsThere();
+    void habitKeysSaveAndStartAnew();
     void signalsEndInOrder_data();
     void signalsEndInOrder();
     void platformsWithoutWindowsAreNamed();
@@ -70,18 +72,19 @@ void KeepingTest::saysThatSettingsCannotBeSaved() {
     QVERIFY(notice->text().isEmpty());  // once
 }
 
-void KeepingTest::habitKeysSayWhatIsThere() {
+void KeepingTest::habitKeysSaveAndStartAnew() {
     makeWindow();
-    auto* notice = m_window->findChild<NoticeBar*>();
-    const std::pair<Qt::Key, QString> keys[] = {{Qt::Key_S, QStringLiteral("Sessions cannot be saved yet")},
-                                                {Qt::Key_N, QStringLiteral("no empty scene yet")}};
-    for (const auto& [key, says] : keys) {
-        const Target* before = m_session->targets().front().get();
-        QTest::keyClick(&m_window->viewport(), key, Qt::ControlModifier);
-        QTRY_VERIFY2(notice->isVisible() && notice->text().contains(says), qPrintable(notice->text()));
-        QVERIFY(m_session->targets().front().get() == before);
-        notice->clear();
-    }
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("kept.hitscope"));
+    auto* sessions = m_window->findChild<SessionFiles*>();
+    sessions->save(file);
+    QTRY_VERIFY_WITH_TIMEOUT(!sessions->isBusy(), kPatience);
+    QVERIFY(QFile::remove(file));
+    QTest::keyClick(&m_window->viewport(), Qt::Key_S, Qt::ControlModifier);  // there again, without asking
+    QTRY_VERIFY_WITH_TIMEOUT(!sessions->isBusy() && QFile::exists(file), kPatience);
+    QTest::keyClick(&m_window->viewport(), Qt::Key_N, Qt::ControlModifier);
+    QTRY_COMPARE(m_session->sceneName().toLower(), QStringLiteral("teapot"));
+    QVERIFY(sessions->path().isEmpty());
 }
 
 void KeepingTest::signalsEndInOrder_data() {
