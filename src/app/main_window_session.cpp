@@ -95,7 +95,6 @@ void MainWindow::restoreView(const SessionDocument& document) {
     m_viewport->setOptions(display);
     m_display->follow();
     m_change->follow();
-    m_cut->follow();
     CameraActions::Bookmarks bookmarks;
     const std::size_t kept = std::min(bookmarks.size(), document.cameras.kept.size());
     for (std::size_t i = 0; i < kept; ++i) {

@@ -48,6 +48,7 @@ constexpr Words kWords[] = {
     {SessionUndo::Kind::Projectile, TEXT("Projectile"), nullptr},
     {SessionUndo::Kind::FlightMode, TEXT("Flight"), nullptr},
     {SessionUndo::Kind::CoverTexture, TEXT("Texture on All Targets"), nullptr},
+    {SessionUndo::Kind::CuttingPlane, TEXT("Cutting Plane"), nullptr},
     {SessionUndo::Kind::LoadScene, TEXT("Load Scene"), nullptr},
     {SessionUndo::Kind::PlaceMesh, TEXT("Place Mesh"), nullptr},
 };

@@ -2,6 +2,8 @@
 #include "session/session.h"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <utility>
 
 #include "session/frame_costs.h"
@@ -10,6 +12,47 @@
 #include "session/vertex_selection.h"
 
 namespace hitscope {
+
+namespace {
+
+/// Whether `next` takes out the hits that stood just before those that `edit` took out, and no other comes.
+bool takesOutBefore(const HistoryEdit& edit, const HistoryEdit& next) {
+    return edit.after.empty() && next.after.empty() && next.first + next.before.size() == edit.first;
+}
+
+bool putsInBehind(const HistoryEdit& edit, const HistoryEdit& next) {
+    return edit.before.empty() && next.before.empty() && next.first == edit.first + edit.after.size();
+}
+
+/// The same edits in fewer: hits that were made one by one are taken out, or put in again, in one go.
+std::vector<HistoryEdit> joined(const std::vector<HistoryEdit>& edits) {
+    std::vector<HistoryEdit> fewer;
+    for (auto edit = edits.begin(); edit != edits.end();) {
+        auto end = edit + 1;
+        if (end != edits.end() && takesOutBefore(*edit, *end)) {
+            end = std::adjacent_find(edit, edits.end(), std::not_fn(takesOutBefore));
+            end += end == edits.end() ? 0 : 1;
+            fewer.push_back({(end - 1)->first, {}, {}});
+            std::for_each(std::make_reverse_iterator(end), std::make_reverse_iterator(edit),
+                          [&all = fewer.back().before](const HistoryEdit& one) {
+                              all.insert(all.end(), one.before.begin(), one.before.end());
+                          });
+        } else if (end != edits.end() && putsInBehind(*edit, *end)) {
+            end = std::adjacent_find(edit, edits.end(), std::not_fn(putsInBehind));
+            end += end == edits.end() ? 0 : 1;
+            fewer.push_back({edit->first, {}, {}});
+            std::for_each(edit, end, [&all = fewer.back().after](const HistoryEdit& one) {
+                all.insert(all.end(), one.after.begin(), one.after.end());
+            });
+        } else {
+            fewer.push_back(*edit);
+        }
+        edit = end;
+    }
+    return fewer;
+}
+
+}  // namespace
 
 Session::Session(QObject* parent)
     : QObject(parent),
@@ -34,9 +77,11 @@ void Session::loadScene(ScenePlan plan, SessionUndo::Kind kind) {
     if (isFirst) {
         m_undo.clear();
     } else {
+        SceneState after = scene();
+        after.cut.reset();  // who shows it places it
         m_undo.record({.name = {kind, 1},
                        .scene = std::make_shared<const ValueEdit<SceneState>>(
-                           ValueEdit<SceneState>{std::move(before), scene()})});
+                           ValueEdit<SceneState>{std::move(before), std::move(after)})});
     }
     announceScene();
 }
@@ -54,6 +99,7 @@ SceneState Session::scene() const {
     state.lightSpace = m_settings.lightSpace();
     state.lights = m_settings.lights();
     state.selected = m_targets.selected();
+    state.cut = m_settings.cut();
     const std::span<const Hit> hits = m_hits.history().hits();
     state.hits.assign(hits.begin(), hits.end());
     for (const std::unique_ptr<Target>& target : m_targets) {
@@ -88,6 +134,9 @@ void Session::show(const SceneState& scene) {
     m_targets.restore(scene.targets, scene.floorHeight, scene.selected);
     m_settings.stand(scene.lights, scene.lightSpace);
     announceScene();
+    if (scene.cut) {
+        m_settings.restoreCut(*scene.cut);
+    }
     m_hits.bringBack(scene.hits);
 }
 
@@ -123,7 +172,7 @@ void Session::record(SessionUndo::Change change) {
 
 void Session::undo() {
     if (m_undo.canUndo()) {
-        makeAgain(m_undo.undo());
+        makeAgain(takeBack());
     }
 }
 
@@ -133,13 +182,30 @@ void Session::redo() {
     }
 }
 
+/// Steps that only made or changed hits are announced together: there may be a hundred thousand.
 void Session::goToStep(std::size_t done) {
-    while (m_undo.done() > done && m_undo.canUndo()) {
-        undo();
+    std::vector<HistoryEdit> edits;
+    const auto announce = [this, &edits] {
+        if (!edits.empty()) {
+            follow({.edits = joined(std::exchange(edits, {}))});
+        }
+    };
+    while ((m_undo.done() > done && m_undo.canUndo()) || (m_undo.done() < done && m_undo.canRedo())) {
+        const SessionUndo::Change change = m_undo.done() > done ? takeBack() : m_undo.redo();
+        if (change.scene || change.settings || !change.targets.empty()) {
+            announce();
+            makeAgain(change);
+        } else {
+            m_hits.makeAgain(change.edits);
+            edits.insert(edits.end(), change.edits.begin(), change.edits.end());
+        }
     }
-    while (m_undo.done() < done && m_undo.canRedo()) {
-        redo();
-    }
+    announce();
+    Q_EMIT undoChanged();
+}
+
+SessionUndo::Change Session::takeBack() {
+    return m_undo.undo(m_hits.history().hits());
 }
 
 void Session::makeAgain(const SessionUndo::Change& change) {
@@ -147,15 +213,15 @@ void Session::makeAgain(const SessionUndo::Change& change) {
         show(change.scene->after);
     }
     m_hits.makeAgain(change.edits);
-    if (change.settings) {
-        m_settings.take(change.settings->after);
-    }
     follow(change);
     Q_EMIT undoChanged();
 }
 
 /// A hit is never on a target that is not there: targets come before their hits, and go after them.
 void Session::follow(const SessionUndo::Change& change) {
+    if (change.settings) {
+        m_settings.take(change.settings->after);
+    }
     for (const TargetEdit& edit : change.targets) {
         if (edit.after) {
             m_targets.follow(edit);

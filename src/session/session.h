@@ -62,13 +62,13 @@ public:
     [[nodiscard]] QString sceneName() const { return m_sceneName; }  ///< for the window's title
 
     /// Undo and redo cover every change of the history (hits made, removed, moved, disabled, cleared,
-    /// edited), of the targets and of the settings, and other scenes.
+    /// edited), of the targets, of the settings and of the cutting plane, and other scenes.
     [[nodiscard]] const SessionUndo& steps() const { return m_undo; }
     [[nodiscard]] bool canUndo() const { return m_undo.canUndo(); }
     [[nodiscard]] bool canRedo() const { return m_undo.canRedo(); }
     /// What undo() and redo() would be about; nothing when they would do nothing.
-    [[nodiscard]] std::optional<SessionUndo::Name> undoName() const { return nameOf(m_undo.toUndo()); }
-    [[nodiscard]] std::optional<SessionUndo::Name> redoName() const { return nameOf(m_undo.toRedo()); }
+    [[nodiscard]] std::optional<SessionUndo::Name> undoName() const { return m_undo.toUndo(); }
+    [[nodiscard]] std::optional<SessionUndo::Name> redoName() const { return m_undo.toRedo(); }
     void undo();
     void redo();
     void goToStep(std::size_t done);  ///< undoes or redoes until so many steps are done
@@ -95,12 +95,10 @@ private:
     void record(SessionUndo::Change change);
     /// Vertices will move: the history has these edits.
     void expectMoves(std::span<const HistoryEdit> edits);
+    [[nodiscard]] SessionUndo::Change takeBack();
     void makeAgain(const SessionUndo::Change& change);
-    /// Targets and hits follow a change that the history has already.
+    /// All that goes by a change follows it; the history has it already.
     void follow(const SessionUndo::Change& change);
-    static std::optional<SessionUndo::Name> nameOf(const SessionUndo::Change* change) {
-        return change != nullptr ? std::optional(change->name) : std::nullopt;
-    }
 
     QString m_sceneName;
     SessionUndo m_undo;

@@ -31,6 +31,9 @@ void SessionSettings::take(const SettingsState& state) {
     if (before.coverTexture != m_now.coverTexture) {
         Q_EMIT coverTextureChanged();
     }
+    if (before.cut != m_now.cut) {
+        Q_EMIT cutChanged();
+    }
     if (!(before.lights == m_now.lights)) {
         Q_EMIT lightsChanged();
     }
@@ -102,6 +105,18 @@ void SessionSettings::setCoverTexture(std::shared_ptr<const Image> texture) {
 void SessionSettings::restoreCoverTexture(std::shared_ptr<const Image> texture) {
     SettingsState after = m_now;
     after.coverTexture = std::move(texture);
+    take(after);
+}
+
+void SessionSettings::setCut(const CuttingPlane& cut, SessionUndo::Merge merge) {
+    SettingsState after = m_now;
+    after.cut = cut;
+    change(after, SessionUndo::Kind::CuttingPlane, merge);
+}
+
+void SessionSettings::restoreCut(const CuttingPlane& cut) {
+    SettingsState after = m_now;
+    after.cut = cut;
     take(after);
 }
 

@@ -51,6 +51,12 @@ public:
     void setCoverTexture(std::shared_ptr<const Image> texture);      ///< one step to undo
     void restoreCoverTexture(std::shared_ptr<const Image> texture);  ///< and nothing to undo
 
+    /// What opens the targets; who shows them goes by it.
+    [[nodiscard]] const CuttingPlane& cut() const { return m_now.cut; }
+    /// One step to undo.
+    void setCut(const CuttingPlane& cut, SessionUndo::Merge merge = SessionUndo::Merge::Never);
+    void restoreCut(const CuttingPlane& cut);  ///< and nothing to undo
+
     [[nodiscard]] const ProjectileSettings& projectile() const { return m_now.projectile; }
     /// Clamped to projectileParameters(). Changes of one after the other are one step to undo.
     void setProjectile(const ProjectileSettings& settings);
@@ -68,6 +74,7 @@ Q_SIGNALS:
     void projectileChanged();
     void flightModeChanged();
     void coverTextureChanged();
+    void cutChanged();
     void pipelineChanged();
 
 private:

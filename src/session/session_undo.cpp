@@ -87,6 +87,13 @@ std::size_t bytesOf(const SessionUndo::Change& change) {
     return bytes + (change.scene ? bytesOf(change.scene->before) + bytesOf(change.scene->after) : 0);
 }
 
+/// Hits were made, as many as the name says, and nothing else: the history itself holds them.
+bool onlyMadeHits(const SessionUndo::Change& change) {
+    return change.edits.size() == 1 && change.edits[0].before.empty() &&
+           change.edits[0].after.size() == change.name.count && change.targets.empty() && !change.settings &&
+           !change.scene;
+}
+
 SessionUndo::Change inverse(const SessionUndo::Change& change) {
     SessionUndo::Change undone;
     undone.name = change.name;
@@ -103,11 +110,29 @@ SessionUndo::Change inverse(const SessionUndo::Change& change) {
 
 }  // namespace
 
+std::size_t SessionUndo::Step::bytes() const {
+    constexpr std::size_t kOneEdit = sizeof(Change) + sizeof(HistoryEdit);
+    return sizeof(Step) + (change ? bytesOf(*change) : kOneEdit + name.count * sizeof(Hit));
+}
+
+SessionUndo::Step SessionUndo::step(Change change, std::uint64_t number) {
+    Step step;
+    step.name = change.name;
+    step.number = number;
+    if (change.merge == Merge::Never && onlyMadeHits(change)) {
+        step.first = change.edits[0].first;
+    } else {
+        step.change = std::make_unique<Change>(std::move(change));
+    }
+    return step;
+}
+
 bool SessionUndo::absorb(Change& change) {
-    if (change.merge != Merge::WithSameKind || !canUndo() || m_undo.back().finished) {
+    if (change.merge != Merge::WithSameKind || !canUndo() || m_undo.back().finished ||
+        !m_undo.back().change) {
         return false;
     }
-    Change& last = m_undo.back().change;
+    Change& last = *m_undo.back().change;
     if (last.name.kind != change.name.kind || !followOn(last.targets, change.targets)) {
         return false;
     }
@@ -135,32 +160,31 @@ void SessionUndo::record(Change change) {
         return;
     }
     for (const Step& step : m_redo) {
-        m_bytes -= step.bytes;
+        m_bytes -= step.bytes();
     }
     m_redo.clear();
+    const std::size_t before = canUndo() ? m_undo.back().bytes() : 0;
     if (absorb(change)) {
         Step& last = m_undo.back();
-        m_bytes -= last.bytes;
-        if (comesToNothing(last.change)) {
+        m_bytes -= before;
+        if (comesToNothing(*last.change)) {
             m_undo.pop_back();
             finishStep();
             return;
         }
         last.number = ++m_last;
-        last.bytes = bytesOf(last.change);
-        m_bytes += last.bytes;
+        m_bytes += last.bytes();
         return;
     }
-    const std::size_t bytes = bytesOf(change);
-    m_bytes += bytes;
-    m_undo.push_back({std::move(change), false, ++m_last, bytes});
+    m_undo.push_back(step(std::move(change), ++m_last));
+    m_bytes += m_undo.back().bytes();
     forgetOldest();
 }
 
 /// The last step is kept however large it is.
 void SessionUndo::forgetOldest() {
     while (m_bytes > m_most && m_undo.size() > 1) {
-        m_bytes -= m_undo.front().bytes;
+        m_bytes -= m_undo.front().bytes();
         m_first = m_undo.front().number;
         m_undo.pop_front();
         ++m_forgotten;
@@ -168,7 +192,15 @@ void SessionUndo::forgetOldest() {
 }
 
 const SessionUndo::Name& SessionUndo::name(std::size_t step) const {
-    return step < m_undo.size() ? m_undo[step].change.name : m_redo[size() - 1 - step].change.name;
+    return step < m_undo.size() ? m_undo[step].name : m_redo[size() - 1 - step].name;
+}
+
+std::optional<SessionUndo::Name> SessionUndo::toUndo() const {
+    return canUndo() ? std::optional(m_undo.back().name) : std::nullopt;
+}
+
+std::optional<SessionUndo::Name> SessionUndo::toRedo() const {
+    return canRedo() ? std::optional(m_redo.back().name) : std::nullopt;
 }
 
 void SessionUndo::finishStep() {
@@ -177,18 +209,26 @@ void SessionUndo::finishStep() {
     }
 }
 
-SessionUndo::Change SessionUndo::undo() {
+SessionUndo::Change SessionUndo::undo(std::span<const Hit> hits) {
     m_redo.push_back(std::move(m_undo.back()));
     m_undo.pop_back();
-    return inverse(m_redo.back().change);
+    Step& undone = m_redo.back();
+    if (!undone.change) {
+        // From now on no history holds its hits.
+        const std::span<const Hit> made = hits.subspan(undone.first, undone.name.count);
+        undone.change = std::make_unique<Change>(
+            Change{.name = undone.name, .edits = {{undone.first, {}, {made.begin(), made.end()}}}});
+    }
+    return inverse(*undone.change);
 }
 
 SessionUndo::Change SessionUndo::redo() {
-    // Undone and made again, it is finished: a later change is a step of its own.
-    m_undo.push_back(std::move(m_redo.back()));
-    m_undo.back().finished = true;
+    Change change = *m_redo.back().change;
+    m_undo.push_back(step(change, m_redo.back().number));
     m_redo.pop_back();
-    return m_undo.back().change;
+    // Undone and made again, it is finished: a later change is a step of its own.
+    m_undo.back().finished = true;
+    return change;
 }
 
 void SessionUndo::clear() {

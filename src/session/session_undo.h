@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "core/image.h"
@@ -13,6 +15,7 @@
 #include "session/constants_setting.h"
 #include "session/flight_mode.h"
 #include "session/target_state.h"
+#include "view/cutting_plane.h"
 #include "view/lights.h"
 
 namespace hitscope {
@@ -24,6 +27,7 @@ struct SettingsState {
     ProjectileSettings projectile = {};
     FlightMode flightMode = FlightMode::Quick;
     std::shared_ptr<const Image> coverTexture = {};
+    CuttingPlane cut = {};
 
     bool operator==(const SettingsState&) const = default;
 };
@@ -37,6 +41,7 @@ struct SceneState {
     std::vector<TargetState> targets;
     TargetId selected;
     std::vector<Hit> hits;
+    std::optional<CuttingPlane> cut;  ///< nothing: it stays as it is
 };
 
 /// It was one and became the other.
@@ -47,8 +52,8 @@ struct ValueEdit {
 };
 
 /// The steps a person can go back and forward through: changes of the hit history, of the targets, of the
-/// settings, and other scenes. A step costs what changed, not what there is; the oldest are forgotten when
-/// all together take more than kMostBytes.
+/// settings, and other scenes. A step costs what changed, not what there is, and one that only made hits does
+/// not keep them a second time; the oldest are forgotten when all together take more than kMostBytes.
 class SessionUndo {
 public:
     static constexpr std::size_t kMostBytes = std::size_t{512} << 20U;
@@ -87,6 +92,7 @@ public:
         Projectile,
         FlightMode,
         CoverTexture,
+        CuttingPlane,
         LoadScene,
         PlaceMesh
     };
@@ -114,28 +120,32 @@ public:
     [[nodiscard]] std::size_t size() const { return m_undo.size() + m_redo.size(); }
     [[nodiscard]] std::size_t done() const { return m_undo.size(); }  ///< how many can be undone
     [[nodiscard]] const Name& name(std::size_t step) const;           ///< step < size()
-    /// About what all steps together take, and how many were forgotten to keep within kMostBytes.
+    /// What all steps together take at most, about, and how many were forgotten to keep within kMostBytes.
     [[nodiscard]] std::size_t bytes() const { return m_bytes; }
     [[nodiscard]] std::size_t forgotten() const { return m_forgotten; }
     /// Nothing merges with the last step any more.
     void finishStep();
-    /// What undo() or redo() would take back or make again; null: nothing.
-    [[nodiscard]] const Change* toUndo() const { return canUndo() ? &m_undo.back().change : nullptr; }
-    [[nodiscard]] const Change* toRedo() const { return canRedo() ? &m_redo.back().change : nullptr; }
+    /// Of what undo() or redo() would take back or make again; nothing: there is nothing.
+    [[nodiscard]] std::optional<Name> toUndo() const;
+    [[nodiscard]] std::optional<Name> toRedo() const;
 
-    /// What to do to take the last change back. canUndo().
-    [[nodiscard]] Change undo();
+    /// What to do to take the last change back. canUndo(). `hits`: the history as it is now.
+    [[nodiscard]] Change undo(std::span<const Hit> hits);
     /// What to do to make the last change taken back again. canRedo().
     [[nodiscard]] Change redo();
     void clear();
 
 private:
     struct Step {
-        Change change;
-        bool finished = false;  ///< nothing merges with it any more
+        Name name;
+        std::unique_ptr<Change> change;  ///< null: it made name.count hits, the first of them is `first`
+        std::size_t first = 0;
         std::uint64_t number = 0;
-        std::size_t bytes = 0;
+        bool finished = false;  ///< nothing merges with it any more
+
+        [[nodiscard]] std::size_t bytes() const;  ///< undone
     };
+    static Step step(Change change, std::uint64_t number);
     bool absorb(Change& change);
     void forgetOldest();
 

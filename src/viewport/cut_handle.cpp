@@ -105,9 +105,8 @@ bool CutHandle::eventFilter(QObject*, QEvent* event) {
     }
     if (event->type() == QEvent::KeyPress && m_drag &&
         static_cast<const QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-        const float before = m_drag->offset;
+        Q_EMIT dragged(m_drag->offset);
         endDrag();
-        Q_EMIT dragged(before);
         return true;
     }
     return false;
@@ -194,6 +193,7 @@ void CutHandle::endDrag() {
         setCursor(Qt::OpenHandCursor);
         m_over = rect().contains(mapFromGlobal(QCursor::pos()));
         Q_EMIT hovered(m_over);
+        Q_EMIT released();
         update();
     }
 }

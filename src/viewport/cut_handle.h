@@ -29,6 +29,7 @@ public:
 
 Q_SIGNALS:
     void dragged(float offset);  ///< metres along the normal, within the bounds
+    void released();             ///< the drag has ended
     void hovered(bool over);     ///< or dragging
 
 protected:

@@ -5,6 +5,7 @@
 #include <QTest>
 #include <array>
 
+#include "deform/fingerprint.h"
 #include "session/demo_shots.h"
 #include "session/session.h"
 #include "support/test_program.h"
@@ -130,6 +131,78 @@ private Q_SLOTS:
         QCOMPARE(session.steps().size(), std::size_t{3});
     }
 
+    void theCuttingPlaneIsUndone() {
+        Session session;
+        session.loadTeapot();
+        SessionSettings& settings = session.settings();
+        const CuttingPlane before = settings.cut();
+        CuttingPlane cut = before;
+        cut.on = true;
+        settings.setCut(cut);
+        for (const float offset : {0.1f, 0.2f, 0.3f}) {  // a handle
+            cut.offset = offset;
+            settings.setCut(cut,
+                            offset == 0.1f ? SessionUndo::Merge::Never : SessionUndo::Merge::WithSameKind);
+        }
+        QCOMPARE(session.steps().size(), std::size_t{2});
+        QSignalSpy changed(&settings, &SessionSettings::cutChanged);
+        session.undo();
+        QCOMPARE(changed.size(), 1);
+        QVERIFY(settings.cut().on && settings.cut().offset == before.offset);
+        session.redo();
+        QCOMPARE(settings.cut(), cut);
+        // A scene that comes back brings its plane, and a new one leaves it to who shows it.
+        session.loadPaperRow(0);
+        CuttingPlane other = cut;
+        other.offset = -7.0f;
+        settings.restoreCut(other);
+        session.undo();
+        QCOMPARE(settings.cut(), cut);
+        settings.restoreCut(other);
+        session.redo();
+        QCOMPARE(settings.cut(), other);
+        session.goToStep(0);
+        QCOMPARE(settings.cut(), before);
+    }
+
+    /// One announcement, whatever the way: followers look at all rows again.
+    void aLongWayIsOneChange() {
+        Session session;
+        session.loadTeapot();
+        Hit hit;
+        hit.target = session.targets().front()->id;
+        const TargetId ids[] = {hit.target};
+        std::vector<Hit> all;
+        constexpr int kHits = 20'000;
+        for (int i = 0; i < kHits; ++i) {
+            hit.point.x = static_cast<float>(i);
+            hit.enabled = i % 7 != 0;
+            all.push_back(hit);
+            QVERIFY(session.hits().add(hit).ok());
+        }
+        session.hits().remove(std::vector<std::size_t>{1, 3, 17'000});
+        QVERIFY(session.hits().add(hit).ok());
+        const std::uint64_t now = hitsFingerprint(session.hits().history().hits(), ids);
+        const std::size_t disabled = session.hits().disabled();
+        session.hits().select(1);  // the third hit made, which stays
+        QSignalSpy rearranged(&session.hits(), &SessionHits::rearranged);
+        QSignalSpy steps(&session, &Session::undoChanged);
+        session.goToStep(3);
+        QCOMPARE(session.hits().history().size(), std::size_t{3});
+        QCOMPARE(session.hits().disabled(), std::size_t{1});
+        QVERIFY(std::equal(all.begin(), all.begin() + 3, session.hits().history().hits().begin()));
+        QCOMPARE(*session.hits().selected(), std::size_t{2});
+        QCOMPARE(rearranged.size(), 1);
+        QCOMPARE(steps.size(), 1);
+        session.goToStep(session.steps().size());
+        QCOMPARE(hitsFingerprint(session.hits().history().hits(), ids), now);
+        QCOMPARE(session.hits().disabled(), disabled);
+        QCOMPARE(rearranged.size(), 2);
+        session.goToStep(kHits);
+        QVERIFY(std::equal(all.begin(), all.end(), session.hits().history().hits().begin(),
+                           session.hits().history().hits().end()));
+    }
+
     void stateTellsWhetherAnythingChanged() {
         Session session;
         session.loadTeapot();
@@ -169,7 +242,7 @@ private Q_SLOTS:
         QCOMPARE(undo.size() + undo.forgotten(), std::size_t{200});
         const std::uint64_t now = undo.state();
         while (undo.canUndo()) {
-            for (const HistoryEdit& edit : undo.undo().edits) {
+            for (const HistoryEdit& edit : undo.undo(history.hits()).edits) {
                 history.redo(edit);
             }
         }

@@ -100,6 +100,46 @@ private Q_SLOTS:
         QCOMPARE(m_session->simulation().physics().projectileCount(), std::size_t{0});
     }
 
+    void everyChangeIsUndone() {
+        const CuttingPlane before = cut();
+        const std::size_t steps = m_session->steps().size();
+        QTest::keyClick(&viewport(), Qt::Key_K);
+        const CuttingPlane placed = cut();
+        const QPointF from = handleAt();
+        const QPointF to = placeOf(middle() + glm::vec3(1.0f, 0.0f, 0.0f));
+        for (int drag = 0; drag < 2; ++drag) {
+            mouse(m_handle, QEvent::MouseButtonPress, handleAt(), true);
+            for (int step = 1; step <= 4; ++step) {
+                mouse(m_handle, QEvent::MouseMove, from + (drag + step / 4.0) * (to - from), true);
+            }
+            mouse(m_handle, QEvent::MouseButtonRelease, to, false);
+        }
+        child<QToolButton>("flip")->click();
+        QCOMPARE(m_session->steps().size(), steps + 4);
+        m_session->undo();
+        QVERIFY(!cut().flipped && !child<QToolButton>("flip")->isChecked());
+        m_session->undo();
+        QVERIFY(std::abs(cut().offset - placed.offset - 1.0f) < 0.05f);
+        m_session->undo();
+        QCOMPARE(cut(), placed);
+        m_session->undo();
+        QCOMPARE(cut(), before);
+        QVERIFY(!m_handle->isVisible());
+        m_session->goToStep(m_session->steps().size());
+        QVERIFY(cut().on && cut().flipped && m_handle->isVisible());
+        // A drag that is taken back is no step.
+        mouse(m_handle, QEvent::MouseButtonPress, handleAt(), true);
+        mouse(m_handle, QEvent::MouseMove, handleAt() + QPointF(20.0, 0.0), true);
+        QTest::keyClick(&viewport(), Qt::Key_Escape);
+        QCOMPARE(m_session->steps().size(), steps + 4);
+        // Another scene has a plane of its own, and that is no step either.
+        m_session->loadPaperRow(0);
+        QCOMPARE(m_session->steps().size(), steps + 5);
+        m_session->undo();
+        QVERIFY(cut().on && cut().flipped);
+        QVERIFY(std::abs(cut().offset - placed.offset - 2.0f) < 0.1f);
+    }
+
     void dragsStayInTheSceneAndSnapAndAreTakenBack() {
         QTest::keyClick(&viewport(), Qt::Key_K);
         const QPointF from = handleAt();

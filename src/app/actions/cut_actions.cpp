@@ -18,6 +18,8 @@ namespace hitscope {
 
 namespace {
 
+enum : int { kSlider, kHandle };  // what slides
+
 /// A vertex that is drawn with several normals counts once or more.
 std::vector<std::uint32_t> fileVerticesOf(const RenderMesh& mesh,
                                           const std::vector<std::uint32_t>& renderVertices) {
@@ -46,25 +48,30 @@ CutActions::CutActions(Session& session, Comparison& comparison, Viewport& viewp
     m_on->setToolTip(tr("Cutting plane: open the targets and see their section (K)"));
     connect(m_on, &QAction::triggered, this, &CutActions::setOn);
     connect(m_panel, &CuttingPlanePanel::edited, this, [this](const CuttingPlane& cut) {
-        if (cut.on != m_viewport.options().cut.on) {
+        if (cut.on != m_session.settings().cut().on) {
             setOn(cut.on);
+        } else if (m_sliding) {
+            slide(cut, kSlider);
         } else {
             m_isPlaced = true;
             change([&cut](CuttingPlane& now) { now = cut; });
         }
     });
     connect(m_panel, &CuttingPlanePanel::normalChosen, this,
-            [this](const glm::vec3& normal) { chooseNormal(normal, m_viewport.options().cut.flipped); });
+            [this](const glm::vec3& normal) { chooseNormal(normal, m_session.settings().cut().flipped); });
     connect(m_panel, &CuttingPlanePanel::fromViewWanted, this, &CutActions::cutFromView);
     connect(m_panel, &CuttingPlanePanel::resetWanted, this, &CutActions::reset);
     connect(m_panel, &CuttingPlanePanel::moving, this, [this](bool on) {
         m_sliding = on;
+        endSliding();
         showPane();
     });
     connect(m_handle, &CutHandle::dragged, this, [this](float offset) {
-        m_isPlaced = true;
-        change([offset](CuttingPlane& cut) { cut.offset = offset; });
+        CuttingPlane cut = m_session.settings().cut();
+        cut.offset = offset;
+        slide(cut, kHandle);
     });
+    connect(m_handle, &CutHandle::released, this, &CutActions::endSliding);
     connect(m_handle, &CutHandle::hovered, this, [this](bool over) {
         m_handled = over;
         showPane();
@@ -73,14 +80,30 @@ CutActions::CutActions(Session& session, Comparison& comparison, Viewport& viewp
         m_viewport.setSection(m_sections.section() ? m_sections.section()->lines : nullptr);
         m_panel->setSection(m_sections.section());
     });
-    // Exaggeration is changed elsewhere: lines follow it.
-    connect(&viewport, &Viewport::optionsChanged, this, &CutActions::cutTargets);
+    connect(&viewport, &Viewport::optionsChanged, this, [this] {
+        if (m_viewport.options().cut != m_session.settings().cut()) {
+            follow();
+        }
+        cutTargets();  // exaggeration is changed elsewhere: lines follow it
+    });
     followComparison();
-    connect(&session.targets(), &SessionTargets::added, this, &CutActions::follow);
-    connect(&session.targets(), &SessionTargets::removed, this, &CutActions::follow);
-    connect(&session.targets(), &SessionTargets::changed, this, &CutActions::follow);
-    connect(&session, &Session::sceneReplaced, this, &CutActions::followScene);
+    followSession();
     follow();
+}
+
+void CutActions::followSession() {
+    const SessionTargets& targets = m_session.targets();
+    connect(&targets, &SessionTargets::added, this, &CutActions::show);
+    connect(&targets, &SessionTargets::removed, this, &CutActions::show);
+    connect(&targets, &SessionTargets::changed, this, &CutActions::show);
+    connect(&m_session, &Session::sceneReplaced, this, &CutActions::followScene);
+    connect(&m_session.settings(), &SessionSettings::cutChanged, this, [this] {
+        m_isPlaced = true;
+        DisplayOptions display = m_viewport.options();
+        display.cut = m_session.settings().cut();
+        m_viewport.setOptions(display);
+        show();
+    });
 }
 
 void CutActions::followComparison() {
@@ -104,11 +127,20 @@ void CutActions::cutTargets() {
     m_otherSections.setCut(other, options.beforeAfter.exaggeration);
 }
 
-void CutActions::change(const std::function<void(CuttingPlane&)>& edit) {
-    DisplayOptions display = m_viewport.options();
-    edit(display.cut);
-    m_viewport.setOptions(display);
-    follow();
+void CutActions::change(const std::function<void(CuttingPlane&)>& edit, SessionUndo::Merge merge) {
+    CuttingPlane cut = m_session.settings().cut();
+    edit(cut);
+    m_session.settings().setCut(cut, merge);
+    show();  // a button that changed nothing may look as if it had
+}
+
+void CutActions::slide(const CuttingPlane& cut, int part) {
+    change([&cut](CuttingPlane& now) { now = cut; }, m_gesture.change(part));
+}
+
+void CutActions::endSliding() {
+    m_gesture.end();
+    m_session.finishUndoStep();
 }
 
 /// Through the middle of what somebody is likely to look at: of several targets the middle may be between
@@ -119,32 +151,55 @@ float CutActions::middleAlong(const glm::vec3& normal) const {
         .middle();
 }
 
+CuttingPlane CutActions::switched(bool on) const {
+    CuttingPlane cut = m_session.settings().cut();
+    const OffsetRange range = offsetRange(m_session.targets().bounds(), cut.normal);
+    cut.on = on;
+    if (on && (!m_isPlaced || !range.contains(cut.offset))) {
+        cut.offset = middleAlong(cut.normal);
+    }
+    return cut;
+}
+
 void CutActions::setOn(bool on) {
-    change([this, on](CuttingPlane& cut) {
-        const OffsetRange range = offsetRange(m_session.targets().bounds(), cut.normal);
-        cut.on = on;
-        if (on && (!m_isPlaced || !range.contains(cut.offset))) {
-            cut.offset = middleAlong(cut.normal);
-        }
-    });
-    if (on && !std::exchange(m_wasOn, true)) {
+    change([this, on](CuttingPlane& cut) { cut = switched(on); });
+    if (on) {
+        sayOn();
+    }
+}
+
+void CutActions::sayOn() {
+    if (!std::exchange(m_wasOn, true)) {
         Q_EMIT switchedOn();
     }
 }
 
+CuttingPlane CutActions::along(const glm::vec3& normal, bool flipped) const {
+    CuttingPlane cut = m_session.settings().cut();
+    cut.normal = normal;
+    cut.offset = middleAlong(normal);
+    cut.flipped = flipped;
+    return cut;
+}
+
 void CutActions::chooseNormal(const glm::vec3& normal, bool flipped) {
     m_isPlaced = true;
+    change([&](CuttingPlane& cut) { cut = along(normal, flipped); });
+}
+
+/// One step to undo.
+void CutActions::cutAlong(const glm::vec3& normal, bool flipped) {
+    m_isPlaced = true;
     change([&](CuttingPlane& cut) {
-        cut.normal = normal;
-        cut.offset = middleAlong(normal);
-        cut.flipped = flipped;
+        cut = along(normal, flipped);
+        cut.on = true;
     });
+    sayOn();
 }
 
 /// What is nearer to the eye than the middle of the target is hidden.
 void CutActions::cutFromView() {
-    chooseNormal(-m_viewport.navigation().goal().forward(), false);
-    setOn(true);
+    cutAlong(-m_viewport.navigation().goal().forward(), false);
 }
 
 void CutActions::reset() {
@@ -153,17 +208,25 @@ void CutActions::reset() {
 
 void CutActions::followScene() {
     m_isPlaced = false;
-    setOn(m_viewport.options().cut.on);
+    m_session.settings().restoreCut(switched(m_session.settings().cut().on));
+    m_isPlaced = false;  // by nobody
+    show();
 }
 
+/// Somebody else has set the viewport's options.
 void CutActions::follow() {
-    const DisplayOptions& options = m_viewport.options();
+    m_session.settings().restoreCut(m_viewport.options().cut);
+    show();
+}
+
+void CutActions::show() {
+    const CuttingPlane& cut = m_session.settings().cut();
     const Bounds bounds = m_session.targets().bounds();
-    m_panel->setCut(options.cut, bounds);
+    m_panel->setCut(cut, bounds);
     m_handle->setBounds(bounds);
-    m_on->setChecked(options.cut.on);
+    m_on->setChecked(cut.on);
     for (const auto& [action, option] : m_toggles) {
-        action->setChecked(options.cut.*option);
+        action->setChecked(cut.*option);
     }
 }
 
@@ -187,10 +250,8 @@ void CutActions::fill(QMenu& menu) {
                                                   {tr("Perpendicular to &Y"), {0.0f, 1.0f, 0.0f}},
                                                   {tr("Perpendicular to &Z"), {0.0f, 0.0f, 1.0f}}};
     for (const auto& [name, normal] : axes) {
-        connect(menu.addAction(name), &QAction::triggered, this, [this, along = normal] {
-            chooseNormal(along, m_viewport.options().cut.flipped);
-            setOn(true);
-        });
+        connect(menu.addAction(name), &QAction::triggered, this,
+                [this, along = normal] { cutAlong(along, m_session.settings().cut().flipped); });
     }
     QAction* view = menu.addAction(tr("Perpendicular to the &Line of Sight"));
     view->setShortcut(tr("Shift+K"));
@@ -200,7 +261,7 @@ void CutActions::fill(QMenu& menu) {
     addToggle(menu, tr("F&ill the Cut"), &CuttingPlane::fill);
     addToggle(menu, tr("Section Line of the &Original"), &CuttingPlane::originalLine);
     addToggle(menu, tr("Section Line of the &Deformed"), &CuttingPlane::deformedLine);
-    follow();
+    show();
 }
 
 }  // namespace hitscope

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/scene_sections.h"
+#include "session/session_undo.h"
 
 class QAction;
 class QMenu;
@@ -20,7 +21,7 @@ class CuttingPlanePanel;
 class Viewport;
 
 /// Everything about the cutting plane: its section, the dock, the handle in the picture, the menu and its
-/// keys, held together with the viewport's options.
+/// keys. The session has the plane, so that it can be undone; the viewport's options follow it.
 class CutActions : public QObject {
     Q_OBJECT
 public:
@@ -32,21 +33,28 @@ public:
     void fill(QMenu& menu);                           ///< once
     [[nodiscard]] const SceneSections& sections() const { return m_sections; }
 
-    /// Somebody else has set the viewport's options.
-    void follow();
-
 Q_SIGNALS:
     void switchedOn();  ///< by somebody, for the first time
 
 private:
-    void change(const std::function<void(CuttingPlane&)>& edit);
+    void change(const std::function<void(CuttingPlane&)>& edit,
+                SessionUndo::Merge merge = SessionUndo::Merge::Never);
     [[nodiscard]] float middleAlong(const glm::vec3& normal) const;
+    [[nodiscard]] CuttingPlane switched(bool on) const;
+    [[nodiscard]] CuttingPlane along(const glm::vec3& normal, bool flipped) const;
     void setOn(bool on);
     void chooseNormal(const glm::vec3& normal, bool flipped);
+    void slide(const CuttingPlane& cut, int part);
+    void endSliding();
+    void cutAlong(const glm::vec3& normal, bool flipped);
+    void sayOn();
     void cutFromView();
     void reset();
     void followScene();
+    void followSession();
     void followComparison();
+    void follow();
+    void show();
     void cutTargets();
     void showPane();
     QAction* addToggle(QMenu& menu, const QString& text, bool CuttingPlane::*option);
@@ -64,6 +72,7 @@ private:
     bool m_wasOn = false;     ///< once
     bool m_handled = false;   ///< the cursor is at the handle
     bool m_sliding = false;   ///< the dock's slider is held
+    UndoGesture m_gesture;
 };
 
 }  // namespace hitscope
