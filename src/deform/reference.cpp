@@ -29,8 +29,13 @@ void deformEverywhere(std::span<DynamicVertex> vertices, std::span<const Hit> hi
 ReferenceDeformation::ReferenceDeformation(const RenderMesh& mesh)
     : m_mesh(mesh), m_vertices(mesh.vertices), m_reach(mesh.clusters) {}
 
+Hit ReferenceDeformation::hit(std::size_t index) const {
+    const Dent& dent = m_dents[index];
+    return {.target = {}, .point = dent.point, .direction = dent.direction, .constants = dent.constants};
+}
+
 std::vector<VertexRange> ReferenceDeformation::apply(std::span<const Hit> hits) {
-    m_hits.insert(m_hits.end(), hits.begin(), hits.end());
+    std::transform(hits.begin(), hits.end(), std::back_inserter(m_dents), Dent::of);
     advance();
     return takeChanged();
 }
@@ -46,9 +51,11 @@ void ReferenceDeformation::edit(const TargetHitsEdit& edit) {
         const std::size_t end = edit.first + edit.before.size();
         m_applied = m_applied - (std::min(end, m_applied) - edit.first) + edit.after.size();
     }
-    const auto at = m_hits.erase(m_hits.begin() + offset(edit.first),
-                                 m_hits.begin() + offset(edit.first + edit.before.size()));
-    m_hits.insert(at, edit.after.begin(), edit.after.end());
+    const auto at = m_dents.erase(m_dents.begin() + offset(edit.first),
+                                  m_dents.begin() + offset(edit.first + edit.before.size()));
+    std::vector<Dent> after(edit.after.size());
+    std::transform(edit.after.begin(), edit.after.end(), after.begin(), Dent::of);
+    m_dents.insert(at, after.begin(), after.end());
     if (isApplied) {
         restartConcerned();
     }
@@ -80,7 +87,7 @@ void ReferenceDeformation::restartConcerned() {
 void ReferenceDeformation::finishHit() {
     if (!m_progress.isDone()) {
         const std::size_t last = m_concerned.empty() ? m_applied : m_redone;
-        continueHit(m_hits[last - 1], {});
+        continueHit(hit(last - 1), {});
     }
 }
 
@@ -110,7 +117,7 @@ bool ReferenceDeformation::continueHit(const Hit& hit, const IsTimeUp& isTimeUp)
 /// Takes the clusters concerned through the hits that the others have had.
 bool ReferenceDeformation::redo(const IsTimeUp& isTimeUp) {
     while (!m_concerned.empty()) {
-        if (m_redone > 0 && !continueHit(m_hits[m_redone - 1], isTimeUp)) {
+        if (m_redone > 0 && !continueHit(hit(m_redone - 1), isTimeUp)) {
             return false;
         }
         if (m_redone == m_applied) {
@@ -118,7 +125,7 @@ bool ReferenceDeformation::redo(const IsTimeUp& isTimeUp) {
             m_redone = 0;
         } else {
             m_progress = {};
-            m_reach.advanceWithin(m_concerned, m_hits[m_redone], m_progress.reached);
+            m_reach.advanceWithin(m_concerned, hit(m_redone), m_progress.reached);
             ++m_redone;
             if (isTimeUp && isTimeUp()) {
                 return false;
@@ -132,17 +139,17 @@ bool ReferenceDeformation::advance(const IsTimeUp& isTimeUp) {
     if (!redo(isTimeUp)) {
         return false;
     }
-    if (m_applied > 0 && !continueHit(m_hits[m_applied - 1], isTimeUp)) {
+    if (m_applied > 0 && !continueHit(hit(m_applied - 1), isTimeUp)) {
         return false;
     }
-    while (m_applied < m_hits.size()) {
+    while (m_applied < m_dents.size()) {
         m_progress = {};
-        m_reach.advance(m_hits[m_applied], m_progress.reached);
+        m_reach.advance(hit(m_applied), m_progress.reached);
         ++m_applied;
-        if (!continueHit(m_hits[m_applied - 1], isTimeUp)) {
+        if (!continueHit(hit(m_applied - 1), isTimeUp)) {
             return false;
         }
-        if (m_applied < m_hits.size() && isTimeUp && isTimeUp()) {
+        if (m_applied < m_dents.size() && isTimeUp && isTimeUp()) {
             return false;
         }
     }

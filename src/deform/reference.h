@@ -33,7 +33,7 @@ public:
 
     /// Notes a change of the target's enabled hits; advance() applies it.
     void edit(const TargetHitsEdit& edit);
-    [[nodiscard]] bool isUpToDate() const { return m_concerned.empty() && m_applied == m_hits.size(); }
+    [[nodiscard]] bool isUpToDate() const { return m_concerned.empty() && m_applied == m_dents.size(); }
     /// Applies what was noted until it is done or time is up, asking every few thousand vertices. Returns
     /// isUpToDate().
     bool advance(const IsTimeUp& isTimeUp = {});
@@ -44,6 +44,16 @@ public:
     [[nodiscard]] std::span<const DynamicVertex> vertices() const { return m_vertices; }
 
 private:
+    /// What of a hit deforms: a long history is kept in several places.
+    struct Dent {
+        glm::vec3 point;
+        glm::vec3 direction;
+        DeformationConstants constants;
+
+        [[nodiscard]] static Dent of(const Hit& hit) { return {hit.point, hit.direction, hit.constants}; }
+    };
+    [[nodiscard]] Hit hit(std::size_t index) const;
+
     /// The clusters that one hit reaches, as far as it has been applied.
     struct Progress {
         std::vector<std::uint32_t> reached;
@@ -59,7 +69,7 @@ private:
     const RenderMesh& m_mesh;
     std::vector<DynamicVertex> m_vertices;
     ClusterReach m_reach;
-    std::vector<Hit> m_hits;
+    std::vector<Dent> m_dents;
     std::size_t m_applied = 0;  ///< hits begun; the last of them as far as m_progress
     /// Clusters that start from their originals again, ascending; empty: none.
     std::vector<std::uint32_t> m_concerned;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "session/session.h"
 #include "support/test_program.h"
 
 #ifdef __GLIBC__
@@ -19,6 +20,7 @@ class MemoryTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void freedBlocksStayWithTheLibrary();
+    void hitsAndTheirStepsAreSmall();
 };
 
 void MemoryTest::freedBlocksStayWithTheLibrary() {
@@ -37,6 +39,35 @@ void MemoryTest::freedBlocksStayWithTheLibrary() {
     QVERIFY2(mallinfo2().fordblks >= kBlocks * kBlock, "the system has it back");
 #else
     QSKIP("only glibc is told what to keep");
+#endif
+}
+
+/// A hundred thousand shots: in the history, in the steps to undo, and for what shots strike.
+void MemoryTest::hitsAndTheirStepsAreSmall() {
+#ifdef __SANITIZE_ADDRESS__
+    QSKIP("The address sanitizer has a malloc of its own.");
+#endif
+#ifdef __GLIBC__
+    constexpr std::size_t kHits = 100'000;
+    constexpr std::size_t kMost = 200 + 200;  // bytes of a hit and of a step
+    Session session;
+    session.loadTeapot();
+    Hit hit;
+    hit.target = session.targets().front()->id;
+    const auto used = [] {
+        const struct mallinfo2 now = mallinfo2();
+        return now.uordblks + now.hblkhd;
+    };
+    const std::size_t before = used();
+    for (std::size_t i = 0; i < kHits; ++i) {
+        hit.point.x = static_cast<float>(i);
+        QVERIFY(session.hits().add(hit).ok());
+    }
+    QCOMPARE(session.steps().size(), kHits);
+    const std::size_t each = (used() - before) / kHits;
+    QVERIFY2(each <= kMost, qPrintable(QString::number(each)));
+#else
+    QSKIP("only glibc tells what is in use");
 #endif
 }
 
