@@ -11,11 +11,13 @@
 #include <QWheelEvent>
 #include <cmath>
 
+#include "app/actions/camera_actions.h"
 #include "app/full_view.h"
 #include "app/keys_overlay.h"
 #include "mesh/primitives.h"
 #include "support/test_program.h"
 #include "view/camera_text.h"
+#include "viewport/camera_trail.h"
 #include "viewport/view_label.h"
 #include "widgets/window_support.h"
 
@@ -63,6 +65,7 @@ private Q_SLOTS:
     void copyAndPaste();
     void pasteSaysWhatIsWrong();
     void bookmarks();
+    void earlierViewsComeBack();
     void isRemembered();
     void keysOverlayListsWhatThereIs();
     void viewportOnlyAndBack();
@@ -203,6 +206,34 @@ void CameraWindowTest::bookmarks() {
     QTest::keyClick(&m_window->viewport(), Qt::Key_3);
     settle();
     QVERIFY(camera() == before);
+}
+
+void CameraWindowTest::earlierViewsComeBack() {
+    CameraTrail& trail = m_window->findChild<CameraActions*>()->trail();
+    trail.note();
+    QAction* back = actionNamed(*m_window, QStringLiteral("Previous View"));
+    QAction* forward = actionNamed(*m_window, QStringLiteral("Next View"));
+    QVERIFY(back != nullptr && forward != nullptr);
+    const std::string first = cameraText(camera());
+    QVERIFY(!back->isEnabled() && !forward->isEnabled());
+    navigation().turnBy({60.0, 0.0});
+    const std::string second = cameraText(camera());
+    QVERIFY(back->isEnabled());
+    const std::size_t steps = m_session->steps().size();
+    QTest::keyClick(&m_window->viewport(), Qt::Key_Left, Qt::AltModifier);
+    settle();
+    QCOMPARE(cameraText(camera()), first);
+    QVERIFY(!back->isEnabled() && forward->isEnabled());
+    QTest::mouseClick(&m_window->viewport(), Qt::ForwardButton, {}, centre());
+    settle();
+    QCOMPARE(cameraText(camera()), second);
+    QTest::mouseClick(&m_window->viewport(), Qt::BackButton, {}, centre());
+    settle();
+    QCOMPARE(cameraText(camera()), first);
+    QCOMPARE(m_session->steps().size(), steps);  // undo leaves the camera alone
+    // They were views of this scene.
+    m_session->loadPaperRow(0);
+    QVERIFY(!forward->isEnabled());
 }
 
 void CameraWindowTest::isRemembered() {

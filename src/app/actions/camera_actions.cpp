@@ -5,12 +5,14 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QMenu>
+#include <QMouseEvent>
 #include <QSettings>
 #include <utility>
 
 #include "app/keys_lines.h"
 #include "view/camera_text.h"
 #include "viewport/axis_gizmo.h"
+#include "viewport/camera_trail.h"
 #include "viewport/view_label.h"
 #include "viewport/viewport.h"
 
@@ -73,15 +75,31 @@ CameraActions::CameraActions(Viewport& viewport, QObject* parent)
     : QObject(parent),
       m_viewport(viewport),
       m_navigation(viewport.navigation()),
-      m_gizmo(new AxisGizmo(m_navigation, &viewport)) {
+      m_gizmo(new AxisGizmo(m_navigation, &viewport)),
+      m_trail(new CameraTrail(m_navigation, this)) {
     connect(&m_navigation, &Navigation::cameraChanged, this, &CameraActions::follow);
     connect(&m_navigation, &Navigation::settingsChanged, this, &CameraActions::follow);
+    connect(&viewport.session(), &Session::sceneReplaced, m_trail, &CameraTrail::clear);
+    viewport.installEventFilter(this);
+}
+
+/// A mouse's own buttons for back and forward.
+bool CameraActions::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::MouseButtonPress) {
+        const Qt::MouseButton button = static_cast<const QMouseEvent*>(event)->button();
+        if (button == Qt::BackButton || button == Qt::ForwardButton) {
+            button == Qt::BackButton ? m_trail->goBack() : m_trail->goForward();
+            return true;
+        }
+    }
+    return QObject::eventFilter(watched, event);
 }
 
 void CameraActions::fill(QMenu& menu) {
     addAction(menu, tr("Frame &All"), {QKeySequence(tr("Shift+F")), QKeySequence(Qt::Key_Home)}, this,
               [this] { m_viewport.frameAll(); });
     QMenu& camera = *menu.addMenu(tr("&Camera"));
+    fillTrail(camera);
     fillViews(camera);
     fillFly(*camera.addMenu(tr("Fl&y")));
     camera.addSeparator();
@@ -122,6 +140,24 @@ void CameraActions::fillViews(QMenu& menu) {
         });
     m_orthographic->setCheckable(true);
     menu.addSeparator();
+}
+
+void CameraActions::fillTrail(QMenu& menu) {
+    m_back = addAction(menu, tr("&Previous View"), {QKeySequence(Qt::ALT | Qt::Key_Left)}, this,
+                       [this] { m_trail->goBack(); });
+    m_forward = addAction(menu, tr("&Next View"), {QKeySequence(Qt::ALT | Qt::Key_Right)}, this,
+                          [this] { m_trail->goForward(); });
+    m_back->setToolTip(tr("Where the camera was before"));
+    m_forward->setToolTip(tr("Where the camera was before you went back"));
+    connect(m_trail, &CameraTrail::changed, this, &CameraActions::followTrail);
+    connect(&m_navigation, &Navigation::cameraChanged, this, &CameraActions::followTrail);
+    followTrail();
+    menu.addSeparator();
+}
+
+void CameraActions::followTrail() {
+    m_back->setEnabled(m_trail->canGoBack());
+    m_forward->setEnabled(m_trail->canGoForward());
 }
 
 void CameraActions::fillFly(QMenu& menu) {

@@ -15,10 +15,11 @@ class QSettings;
 namespace hitscope {
 
 class AxisGizmo;
+class CameraTrail;
 class Viewport;
 
-/// Everything about the camera that menus and keys offer: framing, views along an axis, projection, what
-/// orbiting turns about, whose habits the mouse follows, bookmarks, and the camera as text.
+/// Everything about the camera that menus and keys offer: framing, views along an axis, the views before,
+/// projection, what orbiting turns about, whose habits the mouse follows, bookmarks, and the camera as text.
 class CameraActions : public QObject {
     Q_OBJECT
 public:
@@ -46,15 +47,21 @@ public:
     void store(int index);
     void recall(int index);
 
+    [[nodiscard]] CameraTrail& trail() { return *m_trail; }
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 Q_SIGNALS:
     void said(const QString& text);  ///< worth a line in the status bar
     void failed(const hitscope::Error& error);
 
 private:
     void fillViews(QMenu& menu);
+    void fillTrail(QMenu& menu);
     void fillBookmarks(QMenu& menu);
     void fillFly(QMenu& menu);
     void follow();
+    void followTrail();
     void followBookmarks();
 
     Viewport& m_viewport;
@@ -62,6 +69,9 @@ private:
     Bookmarks m_bookmarks;
     std::array<QAction*, kBookmarks> m_recall{};
     AxisGizmo* m_gizmo;
+    CameraTrail* m_trail;
+    QAction* m_back = nullptr;
+    QAction* m_forward = nullptr;
     QAction* m_orthographic = nullptr;
     std::array<QAction*, kOrbitModes> m_orbitModes{};
     std::array<QAction*, kNavigationPresets> m_presets{};
