@@ -2,6 +2,7 @@
 #include "document/capture.h"
 
 #include <QDir>
+#include <algorithm>
 #include <memory>
 
 #include "deform/fingerprint.h"
@@ -53,8 +54,9 @@ SessionDocument captureSettings(const Session& session, const CapturedView& view
     }
     document.constants = settings.constantsSetting();
     document.projectile = settings.projectile();
-    document.simulation = {settings.pipeline(), settings.flightMode(), physics.step(), physics.timeScale(),
-                           physics.isPaused()};
+    document.simulation = {settings.pipeline(), settings.flightMode(),
+                           physics.step(),      physics.timeScale(),
+                           physics.isPaused(),  std::min(physics.time(), SimulationSettings::kLongest)};
     document.lights = settings.lights();
     document.cameras = view.cameras;
     document.display = view.display;

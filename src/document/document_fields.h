@@ -210,6 +210,7 @@ struct Fields<SimulationSettings> {
         visit.number("time_scale", settings.timeScale, timeScaleParameter().minimum,
                      timeScaleParameter().maximum);
         visit.flag("paused", settings.paused);
+        visit.number("time", settings.time, 0.0, SimulationSettings::kLongest);
     }
 };
 

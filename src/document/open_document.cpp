@@ -74,6 +74,15 @@ void number(PreparedSession& prepared, TargetId first) {
     scene.selected = numbers[scene.selected];  // none stays none
 }
 
+/// A journal is told the time only now and then: no hit is later than now.
+double timeOf(const SessionDocument& document) {
+    double time = document.simulation.time;
+    for (const Hit& hit : document.hits) {
+        time = std::max(time, hit.time);
+    }
+    return time;
+}
+
 Error cancelled() {
     return {"Opening the session was cancelled.", "", ""};
 }
@@ -131,6 +140,7 @@ void restoreSession(Session& session, PreparedSession& prepared) {
     simulation.setTimeScale(document.simulation.timeScale);
     simulation.setPaused(document.simulation.paused);
     session.restoreScene(prepared.scene);
+    simulation.setTime(timeOf(document));
     // With hits left out, the numbers of hits mean others.
     if (prepared.scene.hits.size() == document.hits.size()) {
         session.hits().show(document.selection.shown);

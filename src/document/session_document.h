@@ -65,7 +65,9 @@ struct SimulationSettings {
     double physicsStep = 1.0 / 240.0;  ///< seconds; within stepParameter()
     double timeScale = 1.0;            ///< within timeScaleParameter()
     bool paused = false;
+    double time = 0.0;  ///< seconds simulated
 
+    static constexpr double kLongest = 1.0e12;  ///< seconds
     bool operator==(const SimulationSettings&) const = default;
 };
 

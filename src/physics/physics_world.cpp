@@ -336,6 +336,14 @@ double PhysicsWorld::time() const {
     return d->time();
 }
 
+void PhysicsWorld::setTime(double seconds) {
+    if (std::isfinite(seconds)) {
+        d->finishStep();
+        d->timeBefore = seconds;
+        d->steps = 0;
+    }
+}
+
 double PhysicsWorld::step() const {
     return d->stepSeconds;
 }

@@ -136,6 +136,7 @@ public:
     void showLastStep();
     /// Seconds simulated so far.
     [[nodiscard]] double time() const;
+    void setTime(double seconds);  ///< while there are no projectiles
     [[nodiscard]] double step() const;
     void setStep(double seconds);  ///< clamped to stepParameter()
     [[nodiscard]] double timeScale() const;

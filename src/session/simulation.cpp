@@ -245,6 +245,10 @@ void Simulation::setPaused(bool paused) {
     }
 }
 
+void Simulation::setTime(double seconds) {
+    m_physics.setTime(seconds);
+}
+
 void Simulation::setTimeScale(double scale) {
     m_physics.setTimeScale(scale);
     Q_EMIT timeChanged();

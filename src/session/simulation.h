@@ -68,6 +68,7 @@ public:
     void setPaused(bool paused);
     /// 1: as real time goes; clamped to timeScaleParameter().
     void setTimeScale(double scale);
+    void setTime(double seconds);  ///< of physics(), while nothing flies
     void setStep(double seconds);  ///< of the physics; clamped to stepParameter()
 
 Q_SIGNALS:
