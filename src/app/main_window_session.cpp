@@ -9,6 +9,7 @@
 #include "app/actions/cut_actions.h"
 #include "app/actions/display_actions.h"
 #include "app/dialogs/mesh_locator.h"
+#include "app/journal_picture.h"
 #include "app/main_window.h"
 #include "app/notice_bar.h"
 #include "app/recovery_bar.h"
@@ -53,6 +54,7 @@ void MainWindow::connectSession() {
                 .arg(targets.mid(0, 5).join(QStringLiteral(", "))));
     });
     new MeshLocator(*m_sessions, *this);
+    new JournalPicture(*m_viewport, *m_journal, this);
     connect(m_sessions, &SessionFiles::left, m_journal, &SessionJournal::finish);
     connect(&m_journal->writer(), &JournalWriter::failed, this, [this](const Error& error) {
         m_notice->say(tr("Changes are not kept for recovery: %1 Save often.")

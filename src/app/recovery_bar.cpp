@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recovery_bar.h"
 
+#include <QBuffer>
 #include <QHBoxLayout>
+#include <QImageReader>
 #include <QLabel>
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -19,6 +22,32 @@
 
 namespace hitscope {
 
+namespace {
+
+constexpr int kPictureWidth = 128;     // logical pixels
+constexpr int kLargestPicture = 2048;  // pixels a side: larger is none of ours
+
+/// Null where there is none, or none that is ours.
+QPixmap pictureOf(const QByteArray& jpeg, double pixelRatio) {
+    QBuffer buffer;
+    buffer.setData(jpeg);
+    QImageReader reader(&buffer, "jpeg");
+    const QSize size = reader.size();
+    if (size.isEmpty() || std::max(size.width(), size.height()) > kLargestPicture) {
+        return {};
+    }
+    QImage image = reader.read();
+    if (image.isNull()) {
+        return {};
+    }
+    const auto width = static_cast<int>(std::lround(kPictureWidth * pixelRatio));
+    image = image.scaled(width, 2 * width, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    image.setDevicePixelRatio(pixelRatio);
+    return QPixmap::fromImage(image);
+}
+
+}  // namespace
+
 /// The other thread holds on to it too.
 struct RecoveryBar::Found {
     ClaimedJournal journal;
@@ -27,7 +56,12 @@ struct RecoveryBar::Found {
 };
 
 RecoveryBar::RecoveryBar(SessionFiles& files, DiscardGuard& guard, const QString& folder, QWidget* parent)
-    : QFrame(parent), m_files(files), m_guard(guard), m_folder(folder), m_text(new QLabel(this)) {
+    : QFrame(parent),
+      m_files(files),
+      m_guard(guard),
+      m_folder(folder),
+      m_text(new QLabel(this)),
+      m_picture(new QLabel(this)) {
     setObjectName(QStringLiteral("recovery"));
     setFrameShape(QFrame::StyledPanel);
     m_text->setTextFormat(Qt::PlainText);
@@ -40,6 +74,10 @@ RecoveryBar::RecoveryBar(SessionFiles& files, DiscardGuard& guard, const QString
     discard->setToolTip(tr("Delete what was kept of that session"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(10, 6, 6, 6);
+    m_picture->setObjectName(QStringLiteral("recoveryPicture"));
+    m_picture->setAlignment(Qt::AlignTop);
+    layout->addWidget(m_picture);
+    layout->addSpacing(4);
     layout->addWidget(m_text, 1);
     layout->addWidget(recover, 0, Qt::AlignTop);
     layout->addWidget(discard, 0, Qt::AlignTop);
@@ -92,6 +130,9 @@ void RecoveryBar::take(const std::shared_ptr<Found>& found) {
         document.hits.size() == 1 ? tr("1 hit") : tr("%1 hits").arg(countText(document.hits.size()));
     m_text->setText(tr("Hitscope did not end in order. The session “%1” of %2, with %3, can be recovered.")
                         .arg(document.scene.name, when, hits));
+    const QPixmap picture = pictureOf(found->read->picture, devicePixelRatioF());
+    m_picture->setPixmap(picture);
+    m_picture->setVisible(!picture.isNull());
     show();
 }
 

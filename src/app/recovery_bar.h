@@ -40,6 +40,7 @@ private:
     DiscardGuard& m_guard;
     QString m_folder;
     QLabel* m_text = nullptr;
+    QLabel* m_picture = nullptr;     ///< hidden where the journal has none
     std::shared_ptr<Found> m_found;  ///< null: nothing is offered
     bool m_isReading = false;
     QStringList m_passedOver;  ///< journals that cannot be read

@@ -46,6 +46,9 @@ struct SetLine {
 struct SetObject {
     const SetLine& line;
 };
+struct PictureLine {
+    std::string base64;
+};
 struct JournalHead {};
 struct ReadSections {
     SessionDocument document;
@@ -105,6 +108,11 @@ struct Fields<SetLine> {
     static void visit(FieldWriter& writer, const SetLine& line) { writer.object("set", SetObject{line}); }
 };
 
+template <>
+struct Fields<PictureLine> {
+    static void visit(FieldWriter& writer, const PictureLine& line) { writer.text("picture", line.base64); }
+};
+
 /// The sections that a line sets.
 template <>
 struct Fields<ReadSections> {
@@ -149,6 +157,12 @@ std::string JournalLines::edit(std::size_t at, std::size_t remove, std::span<con
 std::string JournalLines::set(std::span<const Section> sections, const SessionDocument& document) {
     std::string json;
     FieldWriter(json, FieldWriter::Layout::Compact).whole({}, SetLine{sections, document});
+    return line(json);
+}
+
+std::string JournalLines::picture(const QByteArray& jpeg) {
+    std::string json;
+    FieldWriter(json, FieldWriter::Layout::Compact).whole({}, PictureLine{jpeg.toBase64().toStdString()});
     return line(json);
 }
 
@@ -238,6 +252,9 @@ struct Replay {
         if (reader.has("set")) {
             return set(reader);
         }
+        if (reader.has("picture")) {
+            return picture(reader);
+        }
         return reader.ok() ? Status(Error{"A line changes nothing that is known.", "", ""}) : reader.status();
     }
 
@@ -270,6 +287,21 @@ private:
             moveSection(section, read.document, recovered.document);
         }
         ++recovered.settings;
+        return Done{};
+    }
+
+    Status picture(FieldReader& reader) {
+        std::string base64;
+        reader.text("picture", base64);
+        if (!reader.ok()) {
+            return reader.status();
+        }
+        const auto decoded = QByteArray::fromBase64Encoding(QByteArray::fromStdString(base64),
+                                                            QByteArray::AbortOnBase64DecodingErrors);
+        if (!decoded || static_cast<std::size_t>((*decoded).size()) > kMostPicture) {
+            return Error{"A line has a picture that cannot be read.", "", ""};
+        }
+        recovered.picture = *decoded;
         return Done{};
     }
 };

@@ -21,9 +21,11 @@ namespace hitscope {
 //   1  a session file in one line
 //   2… {"hits":{"at":5,"remove":1,"insert":[…]}}: an edit of the history
 //      {"set":{"lights":{…}}}: one or several sections of a session file, each as a whole
+//      {"picture":"…"}: what the window showed, small: a JPEG as Base64
 
 inline constexpr std::string_view kJournalFormat = "hitscope journal";
-inline constexpr int kJournalVersion = 1;
+inline constexpr int kJournalVersion = 2;           ///< 1 knew no pictures
+inline constexpr std::size_t kMostPicture = 7'000;  ///< bytes of a JPEG
 
 /// Makes the lines of one journal, in their order; each ends with its line end.
 class JournalLines {
@@ -34,6 +36,8 @@ public:
     [[nodiscard]] std::string edit(std::size_t at, std::size_t remove, std::span<const Hit> insert);
     /// Sections as they are in `document` now; not Section::Hits.
     [[nodiscard]] std::string set(std::span<const Section> sections, const SessionDocument& document);
+    /// `jpeg`: at most kMostPicture.
+    [[nodiscard]] std::string picture(const QByteArray& jpeg);
 
 private:
     std::string line(std::string_view json);
@@ -48,6 +52,7 @@ struct RecoveredJournal {
     std::size_t settings = 0;     ///< lines that set sections, likewise
     std::size_t goodBytes = 0;    ///< from its begin
     std::size_t droppedHits = 0;  ///< on targets that a later line took away without them
+    QByteArray picture = {};      ///< the last: bytes of a JPEG, not looked into; empty: none
     std::string problem = {};     ///< why the line behind the good ones does not count; empty: there is none
 };
 

@@ -31,9 +31,12 @@ struct Set {
     std::vector<Section> sections;
     std::unique_ptr<SessionDocument> part;
 };
+struct Picture {
+    QByteArray jpeg;
+};
 struct Finish {};
 struct Lost {};  ///< changes that found no room
-using Change = std::variant<Begin, Edit, Set, Finish, Lost>;
+using Change = std::variant<Begin, Edit, Set, Picture, Finish, Lost>;
 
 }  // namespace
 
@@ -163,6 +166,11 @@ private:
             append(m_file.lines().set(set.sections, *set.part));
         }
     }
+    void apply(const Picture& picture) {
+        if (m_follows) {
+            append(m_file.lines().picture(picture.jpeg));
+        }
+    }
     void apply(const Finish& /*finish*/) {
         m_file.remove();
         m_follows = false;
@@ -261,6 +269,12 @@ void JournalWriter::set(std::vector<Section> sections, SessionDocument part) {
     }
     part.hits.clear();
     m_thread->hand(Set{std::move(sections), std::make_unique<SessionDocument>(std::move(part))}, bytes);
+}
+
+void JournalWriter::setPicture(const QByteArray& jpeg) {
+    if (static_cast<std::size_t>(jpeg.size()) <= kMostPicture) {
+        m_thread->hand(Picture{jpeg}, sizeof(Change) + static_cast<std::size_t>(jpeg.size()));
+    }
 }
 
 void JournalWriter::finish() {

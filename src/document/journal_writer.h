@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QByteArray>
 #include <QLatin1StringView>
 #include <QObject>
 #include <QString>
@@ -40,6 +41,8 @@ public:
     void edit(std::size_t at, std::size_t remove, std::span<const Hit> insert);
     /// These sections are now as in `part`, of which nothing else counts; not Section::Hits.
     void set(std::vector<Section> sections, SessionDocument part);
+    /// What the window shows: a JPEG of at most kMostPicture bytes, for who decides whether to recover it.
+    void setPicture(const QByteArray& jpeg);
     /// The session was saved, or given up: there is nothing to recover, and the file goes.
     void finish();
 

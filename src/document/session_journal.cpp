@@ -107,6 +107,7 @@ void SessionJournal::flush() {
         m_revision = m_session.hits().history().revision();
         SessionDocument document = captureSession(m_session, m_view());
         m_writer.begin(std::move(document));
+        Q_EMIT begun();
     } else if (!m_noted.empty()) {
         m_writer.set({m_noted.begin(), m_noted.end()}, captureSettings(m_session, m_view()));
         m_noted.clear();

@@ -33,6 +33,11 @@ public:
     /// What has been noted goes to the writer now.
     void flush();
     [[nodiscard]] JournalWriter& writer() { return m_writer; }
+    /// There is something to recover.
+    [[nodiscard]] bool isBegun() const { return m_isBegun; }
+
+Q_SIGNALS:
+    void begun();  ///< anew, with a snapshot
 
 private:
     void followHits();

@@ -6,25 +6,6 @@
 namespace hitscope::gl {
 namespace {
 
-/// Puts the caller's framebuffer bindings back at the end.
-class KeepFramebuffers {
-public:
-    KeepFramebuffers() {
-        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &m_draw);
-        glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &m_read);
-    }
-    ~KeepFramebuffers() {
-        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(m_draw));
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(m_read));
-    }
-    KeepFramebuffers(const KeepFramebuffers&) = delete;
-    KeepFramebuffers& operator=(const KeepFramebuffers&) = delete;
-
-private:
-    GLint m_draw = 0;
-    GLint m_read = 0;
-};
-
 Renderbuffer makeStorage(GLenum format, int samples, int width, int height) {
     Renderbuffer storage = Renderbuffer::make();
     glBindRenderbuffer(GL_RENDERBUFFER, storage.id());

@@ -11,6 +11,7 @@
 #include "analysis/scene_section.h"
 #include "gl/context.h"
 #include "gl/render_target.h"
+#include "gl/shrunk.h"
 #include "scene/change_overlay.h"
 
 namespace hitscope {
@@ -114,6 +115,12 @@ std::vector<std::pair<std::string, std::string>> pictureNotes(const Session& ses
     return {{"Software", "Hitscope " HITSCOPE_VERSION},
             {"Renderer", info.renderer + ", OpenGL " + info.version},
             {"Pipeline", describe(session.readBack().verdict(), session.settings().pipeline())}};
+}
+
+Image thumbnail(std::uint32_t framebuffer, int width, int height, int toWidth) {
+    const int small = std::clamp(toWidth, 1, width);
+    const int high = static_cast<int>(static_cast<std::int64_t>(small) * height / width);
+    return gl::shrunk(framebuffer, width, height, small, std::max(high, 1));
 }
 
 }  // namespace hitscope

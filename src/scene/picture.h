@@ -37,4 +37,8 @@ inline constexpr int kScreenHeight = 1080;
 /// with what came of trying it there. The scene's context is current.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> pictureNotes(const Session& session);
 
+/// What a window shows, small: `framebuffer` is its OpenGL name, `width` x `height` its pixels. At most
+/// `toWidth` pixels wide, in its own shape. A context is current; waits for the GPU.
+[[nodiscard]] Image thumbnail(std::uint32_t framebuffer, int width, int height, int toWidth);
+
 }  // namespace hitscope

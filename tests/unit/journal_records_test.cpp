@@ -85,6 +85,7 @@ class JournalRecordsTest : public QObject {
 private Q_SLOTS:
     void allOfItComesBack();
     void everySection();
+    void pictures();
     void cutAnywhere();
     void damagedAnywhere();
     void linesOutOfPlace();
@@ -138,6 +139,28 @@ void JournalRecordsTest::everySection() {
         QVERIFY2(back.ok() && writeDocument(back.value().document) == writeDocument(before),
                  kSections[i].data());
     }
+}
+
+/// The last counts; one that is none of ours ends what is good.
+void JournalRecordsTest::pictures() {
+    JournalLines lines;
+    const QByteArray first("\xff\xd8 first\0picture", 16);
+    const QByteArray second(static_cast<qsizetype>(kMostPicture), '\xfe');
+    QByteArray bytes = QByteArray::fromStdString(lines.begin(exampleDocument()));
+    bytes += QByteArray::fromStdString(lines.picture(first));
+    QCOMPARE(readJournal(bytes).value().picture, first);
+    bytes += QByteArray::fromStdString(lines.edit(0, 1, {}));
+    bytes += QByteArray::fromStdString(lines.picture(second));
+    const Result<RecoveredJournal> read = readJournal(bytes);
+    QVERIFY2(read.ok(), qPrintable(messageOf(read)));
+    QCOMPARE(read.value().picture, second);
+    QCOMPARE(read.value().edits, std::size_t(1));
+    QVERIFY(read.value().problem.empty());
+    const QByteArray tooLarge = bytes + QByteArray::fromStdString(lines.picture(second + 'x'));
+    QCOMPARE(readJournal(tooLarge).value().picture, second);
+    QVERIFY(!readJournal(tooLarge).value().problem.empty());
+    const QByteArray noBase64 = bytes + lineOf(5, R"({"picture":"a*b"})");
+    QVERIFY(!readJournal(noBase64).value().problem.empty());
 }
 
 void JournalRecordsTest::cutAnywhere() {
@@ -243,7 +266,7 @@ void JournalRecordsTest::badBegins_data() {
     QTest::newRow("lines") << QByteArray(5000, '\n') << "A line has no checksum.";
     QTest::newRow("other") << lineOf(0, "{\"format\":\"x\",\"version\":1}")
                            << "This is no journal of Hitscope.";
-    QTest::newRow("newer") << lineOf(0, "{\"format\":\"hitscope journal\",\"version\":2}")
+    QTest::newRow("newer") << lineOf(0, "{\"format\":\"hitscope journal\",\"version\":3}")
                            << "This journal was written by a newer Hitscope. Recover it with that Hitscope";
     QTest::newRow("head alone") << head << "It ends in the middle of a line.";
     QTest::newRow("no session") << head + lineOf(1, "{}") << "This is no session of Hitscope.";

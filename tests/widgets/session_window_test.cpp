@@ -3,11 +3,14 @@
 #include <QAction>
 #include <QApplication>
 #include <QDir>
+#include <QLabel>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cstdlib>
 
 #include "app/discard_guard.h"
+#include "app/journal_picture.h"
 #include "app/recovery_bar.h"
 #include "app/session_files.h"
 #include "deform/fingerprint.h"
@@ -18,6 +21,29 @@
 #include "window_support.h"
 
 using namespace hitscope;
+
+namespace {
+
+constexpr QSize kSmall(32, 20);
+
+/// Of two pictures of the same, however large: levels of a channel, on average.
+double difference(const QImage& one, const QImage& other) {
+    const auto small = [](const QImage& image) {
+        return image.convertToFormat(QImage::Format_RGB888)
+            .scaled(kSmall, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    };
+    const QImage a = small(one);
+    const QImage b = small(other);
+    double sum = 0.0;
+    for (int y = 0; y < kSmall.height(); ++y) {
+        for (int x = 0; x < 3 * kSmall.width(); ++x) {
+            sum += std::abs(a.constScanLine(y)[x] - b.constScanLine(y)[x]);
+        }
+    }
+    return sum / (3.0 * kSmall.width() * kSmall.height());
+}
+
+}  // namespace
 
 class SessionWindowTest : public QObject, private WindowFixture {
     Q_OBJECT
@@ -178,12 +204,19 @@ void SessionWindowTest::isRecoveredAfterACrash() {
     QTest::qWait(300);  // settings are collected for a moment
     QVERIFY(m_window->findChild<SessionJournal*>()->writer().wait(kPatience));
     QVERIFY(leftBehind().empty());  // this window has it
+    m_window->findChild<JournalPicture*>()->take();
+    QVERIFY(m_window->findChild<SessionJournal*>()->writer().wait(kPatience));
+    const QImage shown = m_window->viewport().grabFramebuffer();
 
     // Its window goes without closing: what is on the disk is what a crash leaves.
     makeWindow([](Session& session) { session.loadTeapot(); });
     QCOMPARE(leftBehind().size(), std::size_t{1});
     m_window->offerRecovery();
     QTRY_VERIFY_WITH_TIMEOUT(isOffered(), kPatience);
+    const auto* picture = m_window->findChild<QLabel*>(QStringLiteral("recoveryPicture"));
+    QVERIFY(picture->isVisible());
+    QVERIFY2(difference(picture->pixmap().toImage(), shown) < 6.0,
+             qPrintable(QString::number(difference(picture->pixmap().toImage(), shown))));
     m_window->findChild<QPushButton*>(QStringLiteral("recover"))->click();
     QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), hits, kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(!files().isBusy(), kPatience);
