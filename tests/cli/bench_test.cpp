@@ -73,6 +73,24 @@ private Q_SLOTS:
         QCOMPARE(number(records[3], "hit_every"), 0.0);
     }
 
+    void sessionMeasuresWhatKeepsIt() {
+        const CliRun run = runBench(QStringLiteral("session --quick --hits 300 --json"));
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        const QJsonArray records = recordsOf(run.out);
+        QStringList measured;
+        for (const auto& record : records) {
+            measured << text(record, "measured");
+            QCOMPARE(number(record, "hits"), 300.0);
+            QVERIFY(number(record, "samples") >= 2.0);
+            QVERIFY(number(record, "seconds_median") > 0.0);
+        }
+        QCOMPARE(measured,
+                 QStringList({QStringLiteral("save"), QStringLiteral("capture"), QStringLiteral("open"),
+                              QStringLiteral("recover"), QStringLiteral("undo all"),
+                              QStringLiteral("redo all"), QStringLiteral("hit"),
+                              QStringLiteral("hit with journal"), QStringLiteral("settings to journal")}));
+    }
+
     // Table 2 has the paper's way beside Hitscope's, and the paper's ratio stands beside the measured ones.
     void paperStandsBesidePaper() {
         const CliRun run =

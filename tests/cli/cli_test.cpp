@@ -220,7 +220,7 @@ private Q_SLOTS:
     void helpNamesTheCommand() {
         for (const char* const command :
              {"demo", "shoot", "picture", "sequence", "info", "bench frame", "bench hit", "bench paper",
-              "bench modes", "bench physics", "bench check"}) {
+              "bench modes", "bench physics", "bench session", "bench check"}) {
             const QString name = QString::fromLatin1(command);
             const CliRun run = runCli(name.split(u' ') << QStringLiteral("--help"));
             QCOMPARE(run.status, 0);

@@ -16,12 +16,13 @@ struct Benchmark {
     int (*run)(const QStringList&);
 };
 
-constexpr std::array<Benchmark, 6> kBenchmarks{
+constexpr std::array<Benchmark, 7> kBenchmarks{
     {{"paper", "the paper's tables 1 and 2: frame rates of its nine scenes", paperCommand},
      {"frame", "frame time against the number of hits", frameCommand},
      {"modes", "frame time of each way to look at a scene, against plain shading", modesCommand},
      {"hit", "time a hit takes against the size of the mesh", hitCommand},
      {"physics", "steps and frames with 2,000 projectiles, colliders that follow the dents", physicsCommand},
+     {"session", "saving, opening and recovering a session, its journal and its undo", sessionCommand},
      {"check", "the ratios that Hitscope promises, measured", checkCommand}}};
 
 int printUsage() {
@@ -42,7 +43,8 @@ int benchCommand(QStringList arguments) {
         return printUsage();
     }
     if (what.isEmpty()) {
-        return cli::wrongUsage(QStringLiteral("bench takes paper, frame, modes, hit, physics or check."));
+        return cli::wrongUsage(
+            QStringLiteral("bench takes paper, frame, modes, hit, physics, session or check."));
     }
     arguments.removeAt(1);
     for (const Benchmark& benchmark : kBenchmarks) {
@@ -52,7 +54,8 @@ int benchCommand(QStringList arguments) {
     }
     return cli::wrongUsage(
         QStringLiteral(
-            "there is no benchmark \"%1\"; bench takes paper, frame, modes, hit, physics or check.")
+            "there is no benchmark \"%1\"; bench takes paper, frame, modes, hit, physics, session or "
+            "check.")
             .arg(what));
 }
 

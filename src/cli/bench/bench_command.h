@@ -14,6 +14,7 @@ int frameCommand(const QStringList& arguments);
 int modesCommand(const QStringList& arguments);
 int hitCommand(const QStringList& arguments);
 int physicsCommand(const QStringList& arguments);
+int sessionCommand(const QStringList& arguments);
 int checkCommand(const QStringList& arguments);
 
 }  // namespace hitscope::bench

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What it costs to keep a session: files, the journal, the steps to undo.
+#include <QTemporaryDir>
+#include <QTextStream>
+
+#include "cli/bench/bench_command.h"
+#include "cli/bench/bench_options.h"
+#include "cli/bench/report_header.h"
+#include "cli/bench/session_cost.h"
+#include "cli/command_line.h"
+
+namespace hitscope::bench {
+
+namespace {
+
+constexpr int kMostHits = 1'000'000;
+constexpr double kBytesPerHit = 3000.0;  // of the session, its copies and its texts
+
+struct SessionOptions {
+    CommonOptions common;
+    int hits = 0;
+};
+
+struct Row {
+    const char* what;
+    const char* field;
+    const Samples& samples;
+};
+
+std::vector<Row> rowsOf(const SessionFigures& figures) {
+    return {{"save, with its sync", "save", figures.save},
+            {"  of that on the window's thread", "capture", figures.capture},
+            {"open, with its mesh", "open", figures.open},
+            {"recover from a journal", "recover", figures.recover},
+            {"undo all, in one go", "undo all", figures.back},
+            {"redo all, in one go", "redo all", figures.forward},
+            {"make one more hit", "hit", figures.hit},
+            {"  with the journal", "hit with journal", figures.journalled},
+            {"changed settings to the journal", "settings to journal", figures.flush}};
+}
+
+QString share(double seconds) {
+    return QStringLiteral("%1 %").arg(100.0 * seconds / kFrame, 0, 'f', 2);
+}
+
+Report reportOf(const SessionFigures& figures, const SessionOptions& options, const BenchRoom& room) {
+    Report report;
+    report.benchmark = QStringLiteral("session");
+    report.header = reportHeader(room, 0, 0);
+    report.fields = {QStringLiteral("hits"), QStringLiteral("measured"), QStringLiteral("samples"),
+                     QStringLiteral("seconds_median"), QStringLiteral("seconds_most")};
+    Table table;
+    table.title = QStringLiteral("A session of %1 hits, each a step to undo (%2 MB)")
+                      .arg(grouped(static_cast<qulonglong>(options.hits)))
+                      .arg(static_cast<double>(figures.fileBytes) * 1.0e-6, 0, 'f', 1);
+    table.columns = {QString(), QStringLiteral("median"), QStringLiteral("longest")};
+    for (const Row& row : rowsOf(figures)) {
+        table.rows.push_back(
+            {QLatin1String(row.what), shortTime(row.samples.median()), shortTime(row.samples.most())});
+        report.records.push_back({{QStringLiteral("hits"), options.hits},
+                                  {QStringLiteral("measured"), QLatin1String(row.field)},
+                                  {QStringLiteral("samples"), static_cast<qint64>(row.samples.size())},
+                                  {QStringLiteral("seconds_median"), row.samples.median()},
+                                  {QStringLiteral("seconds_most"), row.samples.most()}});
+    }
+    const double hit = figures.journalled.median() - figures.hit.median();
+    table.notes << QStringLiteral(
+                       "The journal takes %1 of a frame at 60 Hz for a hit, and %2 for settings, which "
+                       "come five times a second at most.")
+                       .arg(share(hit), share(figures.flush.median()));
+    report.tables.push_back(table);
+    return report;
+}
+
+Status runSession(const SessionOptions& options) {
+    if (Status status = checkDestinations(options.common.destinations); !status) {
+        return status;
+    }
+    if (const QString why = whyItDoesNotFit(kBytesPerHit * options.hits); !why.isEmpty()) {
+        return Error{"This is left out: " + why.toStdString() + ".", "", "Ask for fewer --hits."};
+    }
+    const Result<std::unique_ptr<BenchRoom>> room = BenchRoom::open(16, 16);
+    if (!room) {
+        return room.error();
+    }
+    const QTemporaryDir folder;
+    if (!folder.isValid()) {
+        return Error{"There is no room for temporary files.", folder.path().toStdString(),
+                     "Set TMPDIR to a folder you may write to."};
+    }
+    const Result<SessionFigures> figures =
+        measureSession(static_cast<std::size_t>(options.hits), folder.path(), options.common.plan);
+    if (!figures) {
+        return figures.error();
+    }
+    return writeReport(reportOf(figures.value(), options, *room.value()), options.common.destinations);
+}
+
+}  // namespace
+
+int sessionCommand(const QStringList& list) {
+    Arguments arguments(
+        QStringLiteral("Measures saving and opening a session, recovering it, its journal, and its undo."));
+    addMeasuringOptions(arguments);
+    arguments.addOption(QStringLiteral("hits"), QStringLiteral("In the session."), QStringLiteral("n"),
+                        QStringLiteral("100000"));
+    parseBenchArguments(arguments, list);
+    if (arguments.error().isEmpty() && arguments.wantsHelp()) {
+        QTextStream(stdout) << arguments.help(QStringLiteral("session"));
+        return 0;
+    }
+    SessionOptions options;
+    options.common = takeMeasuringOptions(arguments);
+    options.hits = arguments.wholeNumber(QStringLiteral("hits"), 1, kMostHits);
+    if (!arguments.error().isEmpty()) {
+        return cli::wrongUsage(arguments.error());
+    }
+    return cli::finish(runSession(options));
+}
+
+}  // namespace hitscope::bench
