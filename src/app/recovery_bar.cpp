@@ -128,7 +128,7 @@ void RecoveryBar::take(const std::shared_ptr<Found>& found) {
     const QString when = QLocale().toString(found->changed, QLocale::ShortFormat);
     const QString hits =
         document.hits.size() == 1 ? tr("1 hit") : tr("%1 hits").arg(countText(document.hits.size()));
-    m_text->setText(tr("Hitscope did not end in order. The session “%1” of %2, with %3, can be recovered.")
+    m_text->setText(tr("Hitscope ended unexpectedly. The session “%1” of %2, with %3, can be recovered.")
                         .arg(document.scene.name, when, hits));
     const QPixmap picture = pictureOf(found->read->picture, devicePixelRatioF());
     m_picture->setPixmap(picture);

@@ -16,7 +16,7 @@ SessionJournal::SessionJournal(Session& session, std::function<CapturedView()> v
     connect(&m_soon, &QTimer::timeout, this, &SessionJournal::flush);
     connect(&m_writer, &JournalWriter::snapshotWanted, this, &SessionJournal::startOver);
     connect(&session, &Session::sceneReplaced, this, [this] {
-        m_hadHits = m_isBegun;
+        m_hadHits = false;  // of the scene before
         startOver();
     });
 

@@ -94,7 +94,27 @@ void OpenDocumentTest::trySame(const Session& session) {
         numbered.simulation.time = std::max(numbered.simulation.time, hit.time);
     }
     QCOMPARE(writeDocument(again), writeDocument(numbered));
+    // What a document leaves out is the same in both of them.
+    QVERIFY(opened.settings().constantsSetting() == session.settings().constantsSetting());
+    QVERIFY(opened.settings().projectile() == session.settings().projectile());
+    QVERIFY(opened.settings().flightMode() == session.settings().flightMode());
+    QVERIFY(opened.settings().lights() == session.settings().lights());
+    QCOMPARE(opened.settings().pipeline(), session.settings().pipeline());
+    QCOMPARE(opened.simulation().physics().step(), session.simulation().physics().step());
+    QCOMPARE(opened.simulation().physics().timeScale(), session.simulation().physics().timeScale());
+    QCOMPARE(opened.simulation().physics().isPaused(), session.simulation().physics().isPaused());
+    QCOMPARE(opened.sceneName(), session.sceneName());
+    QCOMPARE(opened.targets().floorHeight(), session.targets().floorHeight());
+    QCOMPARE(opened.hits().selected(), session.hits().selected());
+    QCOMPARE(opened.hits().shown().size(), session.hits().shown().size());
     for (std::size_t i = 0; i < session.targets().size(); ++i) {
+        const Target& now = *opened.targets()[i];
+        const Target& then = *session.targets()[i];
+        QCOMPARE(now.name, then.name);
+        QCOMPARE(now.visible, then.visible);
+        QVERIFY(now.transform.position == then.transform.position);
+        QVERIFY(now.transform.rotation == then.transform.rotation);
+        QVERIFY(now.physics == then.physics);
         QCOMPARE(opened.targets()[i]->sourcePath, session.targets()[i]->sourcePath);
         QCOMPARE(opened.targets()[i]->collider->index(), session.targets()[i]->collider->index());
     }

@@ -198,6 +198,20 @@ private Q_SLOTS:
         QCOMPARE(hitsFingerprint(session.hits().history().hits(), ids), now);
         QCOMPARE(session.hits().disabled(), disabled);
         QCOMPARE(rearranged.size(), 2);
+        // Neighbours are joined, and others are not.
+        session.hits().remove(std::vector<std::size_t>{9});
+        session.hits().remove(std::vector<std::size_t>{2});
+        session.hits().remove(std::vector<std::size_t>{1});
+        session.hits().move(std::vector<std::size_t>{4, 6}, 0);
+        session.hits().select(5);
+        const Hit selected = session.hits().history().hits()[5];
+        const std::uint64_t last = hitsFingerprint(session.hits().history().hits(), ids);
+        const std::size_t end = session.steps().size();
+        session.goToStep(kHits);
+        QCOMPARE(session.hits().history().hits()[*session.hits().selected()], selected);
+        session.goToStep(end);
+        QCOMPARE(hitsFingerprint(session.hits().history().hits(), ids), last);
+        QCOMPARE(*session.hits().selected(), std::size_t{5});
         session.goToStep(kHits);
         QVERIFY(std::equal(all.begin(), all.end(), session.hits().history().hits().begin(),
                            session.hits().history().hits().end()));

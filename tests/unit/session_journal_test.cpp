@@ -247,6 +247,12 @@ void SessionJournalTest::endsInOrder() {
     m_session->hits().clear();
     QVERIFY(QTest::qWaitFor([this] { return files() == 1; }, kPatience));
     compare();
+    m_session->undo();
+    m_journal->finish();
+    m_session->loadTeapot();  // in which nothing was done yet
+    QTest::qWait(2 * SessionJournal::kSoon);
+    QVERIFY(m_journal->writer().wait(kPatience));
+    QCOMPARE(files(), 0);
 }
 
 /// More edits between two looks than a history keeps.
@@ -261,6 +267,15 @@ void SessionJournalTest::longHistories() {
     }
     m_session->hits().remove(rows);
     m_session->undo();
+    compare();
+    const std::size_t before = m_session->steps().done();
+    for (int i = 0; i < 3000; ++i) {
+        QVERIFY(m_session->hits().add(hitOn(*m_session, 1, 0.01f * static_cast<float>(i))).ok());
+    }
+    compare();
+    m_session->goToStep(before);
+    compare();
+    m_session->goToStep(m_session->steps().size());
     compare();
 }
 

@@ -116,6 +116,11 @@ private Q_SLOTS:
         }
         child<QToolButton>("flip")->click();
         QCOMPARE(m_session->steps().size(), steps + 4);
+        mouse(m_handle, QEvent::MouseButtonPress, handleAt(), true);
+        mouse(m_handle, QEvent::MouseMove, handleAt() + QPointF(20.0, 0.0), true);
+        mouse(m_handle, QEvent::MouseButtonRelease, handleAt(), false);
+        QCOMPARE(m_session->steps().size(), steps + 5);  // the button's step is not gone on with
+        m_session->undo();
         m_session->undo();
         QVERIFY(!cut().flipped && !child<QToolButton>("flip")->isChecked());
         m_session->undo();
@@ -125,17 +130,23 @@ private Q_SLOTS:
         m_session->undo();
         QCOMPARE(cut(), before);
         QVERIFY(!m_handle->isVisible());
-        m_session->goToStep(m_session->steps().size());
+        m_session->goToStep(steps + 4);
         QVERIFY(cut().on && cut().flipped && m_handle->isVisible());
         // A drag that is taken back is no step.
         mouse(m_handle, QEvent::MouseButtonPress, handleAt(), true);
         mouse(m_handle, QEvent::MouseMove, handleAt() + QPointF(20.0, 0.0), true);
         QTest::keyClick(&viewport(), Qt::Key_Escape);
-        QCOMPARE(m_session->steps().size(), steps + 4);
+        QCOMPARE(m_session->steps().done(), steps + 4);
         // Another scene has a plane of its own, and that is no step either.
         m_session->loadPaperRow(0);
-        QCOMPARE(m_session->steps().size(), steps + 5);
-        m_session->undo();
+        QCOMPARE(m_session->steps().done(), steps + 5);
+        // Nobody has put it anywhere there: switched on again, it goes through what is selected.
+        QTest::keyClick(&viewport(), Qt::Key_K);
+        m_session->targets().select(m_session->targets()[1]->id);
+        QTest::keyClick(&viewport(), Qt::Key_K);
+        const OffsetRange selected = offsetRange(m_session->targets()[1]->worldBounds(), cut().normal);
+        QVERIFY(std::abs(cut().offset - selected.middle()) < 1.0e-4f);
+        m_session->goToStep(steps + 4);
         QVERIFY(cut().on && cut().flipped);
         QVERIFY(std::abs(cut().offset - placed.offset - 2.0f) < 0.1f);
     }

@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QMenu>
+#include <QScopedValueRollback>
 #include <algorithm>
 #include <utility>
 
@@ -98,7 +99,7 @@ void CutActions::followSession() {
     connect(&targets, &SessionTargets::changed, this, &CutActions::show);
     connect(&m_session, &Session::sceneReplaced, this, &CutActions::followScene);
     connect(&m_session.settings(), &SessionSettings::cutChanged, this, [this] {
-        m_isPlaced = true;
+        m_isPlaced = m_isPlaced || !m_isChanging;  // undo brings it where somebody had it
         DisplayOptions display = m_viewport.options();
         display.cut = m_session.settings().cut();
         m_viewport.setOptions(display);
@@ -130,11 +131,13 @@ void CutActions::cutTargets() {
 void CutActions::change(const std::function<void(CuttingPlane&)>& edit, SessionUndo::Merge merge) {
     CuttingPlane cut = m_session.settings().cut();
     edit(cut);
+    const QScopedValueRollback changing(m_isChanging, true);
     m_session.settings().setCut(cut, merge);
     show();  // a button that changed nothing may look as if it had
 }
 
 void CutActions::slide(const CuttingPlane& cut, int part) {
+    m_isPlaced = true;
     change([&cut](CuttingPlane& now) { now = cut; }, m_gesture.change(part));
 }
 
@@ -208,8 +211,8 @@ void CutActions::reset() {
 
 void CutActions::followScene() {
     m_isPlaced = false;
+    const QScopedValueRollback changing(m_isChanging, true);
     m_session.settings().restoreCut(switched(m_session.settings().cut().on));
-    m_isPlaced = false;  // by nobody
     show();
 }
 

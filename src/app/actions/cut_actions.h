@@ -72,6 +72,7 @@ private:
     bool m_wasOn = false;     ///< once
     bool m_handled = false;   ///< the cursor is at the handle
     bool m_sliding = false;   ///< the dock's slider is held
+    bool m_isChanging = false;  ///< the session's plane, here
     UndoGesture m_gesture;
 };
 
