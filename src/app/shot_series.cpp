@@ -47,15 +47,15 @@ std::vector<TimedShot> shotsOf(const ShotSeries& series, const Viewport& viewpor
 ShotScript makeScript(const ShotSeries& series, const Viewport& viewport) {
     const Ray middle = viewport.rayThrough(kMiddle);
     ShotScript script;
-    script.projectile = viewport.projectileFor(middle);
+    script.projectile = viewport.aiming().projectileFor(middle);
     script.projectile.mostAlive = std::max(script.projectile.mostAlive, series.count);
     script.isInstant = series.isInstant || viewport.session().settings().flightMode() == FlightMode::Instant;
     // A burst is raised as one: the cone keeps its shape, and its middle lands where it is aimed at.
-    script.shots =
-        shotsOf(series, viewport, script.isInstant ? middle : viewport.launched(middle, script.projectile));
+    script.shots = shotsOf(series, viewport,
+                           script.isInstant ? middle : viewport.aiming().launched(middle, script.projectile));
     if (!script.isInstant && series.pattern != ShotSeries::Pattern::Burst) {
         for (TimedShot& shot : script.shots) {
-            shot.ray = viewport.launched(shot.ray, script.projectile);
+            shot.ray = viewport.aiming().launched(shot.ray, script.projectile);
         }
     }
     return script;

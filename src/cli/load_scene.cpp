@@ -11,7 +11,7 @@ namespace hitscope::cli {
 
 Status loadScene(Session& session, const QString& meshPath, QTextStream& out) {
     if (meshPath.isEmpty()) {
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         return Done{};
     }
     Result<ImportedMesh> imported = importMesh(meshPath);
@@ -21,7 +21,7 @@ Status loadScene(Session& session, const QString& meshPath, QTextStream& out) {
     for (const QString& note : imported.value().notes) {
         out << "note: " << note << "\n";
     }
-    session.loadMesh(std::move(imported.value().mesh), QFileInfo(meshPath).absoluteFilePath());
+    loadMesh(session, std::move(imported.value().mesh), QFileInfo(meshPath).absoluteFilePath());
     return Done{};
 }
 

@@ -140,29 +140,6 @@ void Session::show(const SceneState& scene) {
     m_hits.bringBack(scene.hits);
 }
 
-void Session::loadPaperRow(int row) {
-    const PaperRow& preset = paperRows()[static_cast<std::size_t>(row)];
-    loadScene({preset.label(), planPaperRow(preset), 0.0f});
-}
-
-void Session::loadMesh(MeshData mesh, const QString& sourcePath) {
-    loadMesh(prepareMesh(std::move(mesh)), sourcePath);
-}
-
-void Session::loadMesh(const PreparedMesh& mesh, const QString& sourcePath) {
-    ScenePlan plan;
-    plan.targets.push_back(planMesh(mesh, sourcePath));
-    plan.name = plan.targets.front().name;
-    loadScene(std::move(plan));
-}
-
-void Session::loadTeapot() {
-    ScenePlan plan;
-    plan.targets.push_back(planBuiltIn(BuiltInMesh::Teapot));
-    plan.name = plan.targets.front().name;
-    loadScene(std::move(plan));
-}
-
 // Steps to undo
 
 void Session::record(SessionUndo::Change change) {
@@ -241,6 +218,31 @@ void Session::follow(const SessionUndo::Change& change) {
 void Session::expectMoves(std::span<const HistoryEdit> edits) {
     m_readBack->expectMoves();
     m_simulation.follow(edits);
+}
+
+// Scenes to load
+
+void loadPaperRow(Session& session, int row) {
+    const PaperRow& preset = paperRows()[static_cast<std::size_t>(row)];
+    session.loadScene({preset.label(), planPaperRow(preset), 0.0f});
+}
+
+void loadMesh(Session& session, MeshData mesh, const QString& sourcePath) {
+    loadMesh(session, prepareMesh(std::move(mesh)), sourcePath);
+}
+
+void loadMesh(Session& session, const PreparedMesh& mesh, const QString& sourcePath) {
+    ScenePlan plan;
+    plan.targets.push_back(planMesh(mesh, sourcePath));
+    plan.name = plan.targets.front().name;
+    session.loadScene(std::move(plan));
+}
+
+void loadTeapot(Session& session) {
+    ScenePlan plan;
+    plan.targets.push_back(planBuiltIn(BuiltInMesh::Teapot));
+    plan.name = plan.targets.front().name;
+    session.loadScene(std::move(plan));
 }
 
 }  // namespace hitscope

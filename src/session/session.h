@@ -51,25 +51,15 @@ public:
 
     /// Replaces targets and history. One step to undo, unless there was no target before. `kind` names it.
     void loadScene(ScenePlan plan, SessionUndo::Kind kind = SessionUndo::Kind::LoadScene);
-    void loadPaperRow(int row);  ///< likewise; 0 <= row < paperRows().size()
-    /// Likewise by one mesh standing on the floor. `mesh` has passed validate().
-    void loadMesh(MeshData mesh, const QString& sourcePath = {});
-    void loadMesh(const PreparedMesh& mesh, const QString& sourcePath = {});
     /// As a file has it; nothing can be undone after it. The targets' ids are from targets().nextId() on; all
     /// hits are on these targets, and have passed checkedHit().
     void restoreScene(const SceneState& scene);
-    void loadTeapot();
     [[nodiscard]] QString sceneName() const { return m_sceneName; }  ///< for the window's title
 
     /// Undo and redo cover every change of the history (hits made, removed, moved, disabled, cleared,
     /// edited), of the targets, of the settings and of the cutting plane, and other scenes.
     [[nodiscard]] const SessionUndo& steps() const { return m_undo; }
-    [[nodiscard]] bool canUndo() const { return m_undo.canUndo(); }
-    [[nodiscard]] bool canRedo() const { return m_undo.canRedo(); }
-    /// What undo() and redo() would be about; nothing when they would do nothing.
-    [[nodiscard]] std::optional<SessionUndo::Name> undoName() const { return m_undo.toUndo(); }
-    [[nodiscard]] std::optional<SessionUndo::Name> redoName() const { return m_undo.toRedo(); }
-    void undo();
+    void undo();  ///< nothing where there is nothing to undo
     void redo();
     void goToStep(std::size_t done);  ///< undoes or redoes until so many steps are done
     /// A gesture has ended: what is done next is another step to undo, whatever it would merge with.
@@ -111,5 +101,13 @@ private:
     std::unique_ptr<VertexSelection> m_selection;
     std::unique_ptr<TaskList> m_tasks;
 };
+
+// Scenes, by Session::loadScene().
+
+void loadPaperRow(Session& session, int row);  ///< 0 <= row < paperRows().size()
+/// One mesh, standing on the floor. `mesh` has passed validate().
+void loadMesh(Session& session, MeshData mesh, const QString& sourcePath = {});
+void loadMesh(Session& session, const PreparedMesh& mesh, const QString& sourcePath = {});
+void loadTeapot(Session& session);
 
 }  // namespace hitscope

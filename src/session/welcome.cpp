@@ -8,7 +8,7 @@
 namespace hitscope {
 
 void loadWelcomeScene(Session& session) {
-    session.loadTeapot();
+    loadTeapot(session);
     const Bounds bounds = session.targets().bounds();
     // From beside the eye of the first view, so that light and shade show the dent's depth.
     const glm::vec3 towards = glm::normalize(glm::vec3(-0.35f, -0.15f, -0.9f));

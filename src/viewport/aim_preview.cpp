@@ -102,7 +102,7 @@ void AimPreview::show() {
         m_rest.start();
         return;
     }
-    const ScheduledShot shot = m_viewport.shotAt(m_viewport.navigation().rayAt(m_at));
+    const ScheduledShot shot = m_viewport.aiming().shotAt(m_viewport.navigation().rayAt(m_at));
     const std::optional<Hit> hit = m_session.simulation().predictedHit(shot);
     const Target* target = hit ? m_session.targets().find(hit->target) : nullptr;
     if (target == nullptr) {

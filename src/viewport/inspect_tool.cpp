@@ -6,6 +6,7 @@
 #include <QMouseEvent>
 #include <vector>
 
+#include "analysis/hit_at.h"
 #include "viewport/outline_overlay.h"
 #include "viewport/viewport.h"
 
@@ -36,10 +37,17 @@ QMouseEvent plain(const QMouseEvent& event, QEvent::Type type, const QPointF& po
 
 }  // namespace
 
-InspectTool::InspectTool(Viewport& viewport, VertexSelection& selection)
+void selectTargetOf(Session& session, const VertexRef& vertex) {
+    if (session.targets().size() > 1) {
+        session.targets().select(vertex.target);
+    }
+}
+
+InspectTool::InspectTool(Viewport& viewport, Session& session)
     : QObject(&viewport),
       m_viewport(viewport),
-      m_selection(selection),
+      m_session(session),
+      m_selection(session.selection()),
       m_overlay(new OutlineOverlay(&viewport)) {
     m_arrivalTimer.setInterval(kLookEvery);
     m_againTimer.setInterval(kAgainAfter);
@@ -178,15 +186,15 @@ bool InspectTool::keyPress(const QKeyEvent& event) {
 
 void InspectTool::click(const QPointF& position, Qt::KeyboardModifiers modifiers) {
     const Combine combine = combineOf(modifiers);
-    const std::optional<VertexRef> vertex = m_viewport.vertexAt(position);
+    const std::optional<VertexRef> vertex = m_viewport.picking().vertexAt(position);
     if (combine == Combine::Replace) {
-        m_viewport.selectHitAt(vertex);
+        m_session.hits().select(vertex ? hitThatMovedMost(m_session, *vertex) : std::nullopt);
     }
     if (combine != Combine::Remove && (vertex || combine == Combine::Replace)) {
         m_selection.setPicked(vertex);
     }
     if (vertex) {
-        m_viewport.selectTargetOf(*vertex);
+        selectTargetOf(m_session, *vertex);
         m_selection.select(vertex->target, {vertex->vertex}, combine);
     } else if (combine == Combine::Replace) {
         m_selection.select({}, {}, combine);
@@ -194,7 +202,7 @@ void InspectTool::click(const QPointF& position, Qt::KeyboardModifiers modifiers
 }
 
 void InspectTool::selectWithin(const QPolygonF& outline, Combine combine) {
-    const auto found = m_viewport.changedWithin(outline, m_selectsHidden);
+    const auto found = m_viewport.picking().changedWithin(outline, m_selectsHidden);
     if (combine == Combine::Replace) {
         // The first one replaces, so that the others see one change less.
         if (found.empty()) {
@@ -207,7 +215,7 @@ void InspectTool::selectWithin(const QPolygonF& outline, Combine combine) {
         combine = combine == Combine::Replace ? Combine::Add : combine;
     }
     if (found.size() == 1) {
-        m_viewport.selectTargetOf({found.begin()->first, 0});
+        selectTargetOf(m_session, {found.begin()->first, 0});
     }
 }
 
@@ -236,13 +244,13 @@ void InspectTool::hoverAgain() {
 
 void InspectTool::askForHovered() {
     m_moved = false;
-    if (m_viewport.requestVertexAt(m_cursor)) {
+    if (m_viewport.picking().requestVertexAt(m_cursor)) {
         m_arrivalTimer.start();
     }
 }
 
 void InspectTool::takeHovered() {
-    const auto answer = m_viewport.requestedVertex();
+    const auto answer = m_viewport.picking().requestedVertex();
     if (!answer) {
         return;
     }

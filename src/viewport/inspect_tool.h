@@ -17,7 +17,11 @@ class QMouseEvent;
 namespace hitscope {
 
 class OutlineOverlay;
+class Session;
 class Viewport;
+
+/// Where there are several targets, the panels go by the vertex's from now on.
+void selectTargetOf(Session& session, const VertexRef& vertex);
 
 /// What the left button does in the viewport.
 enum class Tool : std::uint8_t { Shoot, Inspect };
@@ -33,7 +37,7 @@ enum class Outline : std::uint8_t { Rectangle, Lasso };
 class InspectTool : public QObject {
     Q_OBJECT
 public:
-    InspectTool(Viewport& viewport, VertexSelection& selection);
+    InspectTool(Viewport& viewport, Session& session);
     ~InspectTool() override;
 
     [[nodiscard]] Tool tool() const { return m_tool; }
@@ -72,6 +76,7 @@ private:
     void takeHovered();
 
     Viewport& m_viewport;
+    Session& m_session;
     VertexSelection& m_selection;
     OutlineOverlay* m_overlay;
     Tool m_tool = Tool::Shoot;

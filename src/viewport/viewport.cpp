@@ -8,6 +8,7 @@
 
 #include "gl/context.h"
 #include "gl/swap_interval.h"
+#include "scene/scene_picker.h"
 #include "session/frame_costs.h"
 #include "session/paced_advance.h"
 #include "viewport/inspect_tool.h"
@@ -30,13 +31,14 @@ constexpr double kNanosecond = 1.0e-9;  // seconds
 Viewport::Viewport(Session& session, QWidget* parent)
     : QOpenGLWidget(parent),
       m_session(session),
-      m_inspect(new InspectTool(*this, session.selection())),
+      m_inspect(new InspectTool(*this, session)),
       m_navigation(
           [this](const QPointF& position) {
-              const auto met = aimedAt(m_navigation.rayAt(position));
+              const auto met = m_aiming.met(m_navigation.rayAt(position));
               return met && met->target ? std::optional(met->point) : std::nullopt;
           },
-          [this] { return sceneInSight(); }) {
+          [this] { return sceneInSight(); }),
+      m_aiming(session, m_navigation, m_options.cut) {
     setFormat(viewportFormat());
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(240, 180);
@@ -90,7 +92,7 @@ void Viewport::initializeGL() {
     Result<std::unique_ptr<SceneGpu>> scene = SceneGpu::create(m_session);
     if (scene) {
         m_scene = std::move(scene).value();
-        m_picker = std::make_unique<ScenePicker>(m_session, *m_scene);
+        m_picking.setPicker(std::make_unique<ScenePicker>(m_session, *m_scene));
         m_error.clear();
         m_trialTimer.start();
     } else {
@@ -107,7 +109,7 @@ void Viewport::releaseGpu() {
         m_trialTimer.stop();
         makeCurrent();
         Q_EMIT aboutToReleaseGpu();
-        m_picker.reset();
+        m_picking.setPicker(nullptr);
         m_scene.reset();
         doneCurrent();
     }
@@ -348,10 +350,22 @@ void Viewport::setShowsCutPlane(bool on) {
     }
 }
 
+void Viewport::shootAlong(const Ray& sight) {
+    m_session.simulation().fire(m_aiming.shotAt(sight));
+    Q_EMIT shot(sight);
+}
+
 void Viewport::shootAtCrosshair() {
     m_crosshairTimer.start();
     shootAlong(camera().rayThrough({0.0f, 0.0f}, m_navigation.aspect()));
     update();
+}
+
+void Viewport::lookAt(const VertexRef& vertex) {
+    if (const Target* target = m_session.targets().find(vertex.target)) {
+        m_navigation.recentre(target->transform.toWorld(target->deformed.positions()[vertex.vertex]));
+        update();
+    }
 }
 
 }  // namespace hitscope

@@ -12,8 +12,9 @@
 #include "scene/change_overlay.h"
 #include "scene/picture.h"
 #include "scene/scene_gpu.h"
-#include "scene/scene_picker.h"
+#include "viewport/aiming.h"
 #include "viewport/navigation.h"
+#include "viewport/viewport_picking.h"
 
 namespace hitscope {
 
@@ -41,7 +42,6 @@ public:
     /// What colour maps of change take their range from, and the second pipeline; null: none. They outlive
     /// the viewport or another call.
     void setChangeValues(ChangeValues* values, Comparison* comparison);
-    [[nodiscard]] bool drawsContinuously() const { return m_continuous; }
     /// A frame after the other even if nothing moves, as many as there can be: for measuring.
     void setDrawsContinuously(bool on);
 
@@ -53,18 +53,10 @@ public:
     // At a place of the picture, in logical pixels: as a click there does.
     void shootAt(const QPointF& position) { shootAlong(m_navigation.rayAt(position)); }
     void centreAt(const QPointF& position) { recentre(position); }
-    /// The shown surface there, of a target or of the floor.
-    [[nodiscard]] std::optional<PhysicsWorld::RayHit> metAt(const QPointF& position) const {
-        return aimedAt(m_navigation.rayAt(position));
-    }
     /// Through a place of the picture, in fractions of its size from the top left corner.
     [[nodiscard]] Ray rayThrough(const QPointF& place) const;
-    /// What a click shoots along a line of sight: by the session's flight mode, and by what is there.
-    [[nodiscard]] ScheduledShot shotAt(const Ray& sight) const;
-    /// Its parts, for who shoots several of a kind: the projectile, and the ray, raised so that such a
-    /// projectile lands where the line of sight does.
-    [[nodiscard]] ProjectileSettings projectileFor(const Ray& sight) const;
-    [[nodiscard]] Ray launched(const Ray& sight, const ProjectileSettings& projectile) const;
+    [[nodiscard]] const Aiming& aiming() const { return m_aiming; }
+    [[nodiscard]] ViewportPicking& picking() { return m_picking; }
     /// A surface to draw over the picture (SceneGpu::View); null: none.
     void setGhost(std::shared_ptr<const std::vector<glm::vec3>> ghost);
     /// Lines where options().cut cuts the targets, and of the second of two pipelines; null: none are drawn.
@@ -75,19 +67,7 @@ public:
 
     /// Shoot or Inspect, and what Inspect does.
     [[nodiscard]] InspectTool& inspectTool() { return *m_inspect; }
-    // Positions are logical pixels of the widget. What is found is as the picture would show it now.
-    [[nodiscard]] std::optional<VertexRef> vertexAt(const QPointF& position);
-    /// Likewise, without waiting for the GPU: requestedVertex() has it some milliseconds later, once. False:
-    /// it never will.
-    bool requestVertexAt(const QPointF& position);
-    [[nodiscard]] std::optional<std::optional<VertexRef>> requestedVertex();
-    /// The changed vertices within an outline, of each visible target that has some there.
-    [[nodiscard]] std::map<TargetId, std::vector<std::uint32_t>> changedWithin(const QPolygonF& outline,
-                                                                               bool hiddenToo);
     void lookAt(const hitscope::VertexRef& vertex);  ///< from now on
-    /// The hit whose dent it is in; none: no hit is selected.
-    void selectHitAt(const std::optional<VertexRef>& vertex);
-    void selectTargetOf(const VertexRef& vertex);  ///< where there are several targets
 
     /// Brings the GPU and the read-back to the session's state now: before an export. Fails when there is no
     /// GL.
@@ -133,6 +113,8 @@ protected:
     void focusOutEvent(QFocusEvent* event) override;
 
 private:
+    friend class ViewportPicking;
+
     void releaseGpu();
     void report(const Error& error);
     void paintError();
@@ -148,17 +130,7 @@ private:
     void updateUnlessCatchingUp();
     void collectCosts();  ///< of the last frames, once no more follow
     void tryNext();
-    void reportPicking(const Error& error);
     [[nodiscard]] SceneGpu::View view() const;
-    /// What the ray meets first where targets are shown: for aiming and recentring.
-    [[nodiscard]] std::optional<PhysicsWorld::RayHit> aimedAt(const Ray& ray) const;
-    struct Aim {
-        Ray from;                     ///< where what is shot starts, and the line of sight from there
-        std::optional<glm::vec3> to;  ///< where it ends; nothing: nowhere
-        float extent = 0.0f;          ///< metres, of the target there, or of the largest
-        float distance = 0.0f;        ///< metres, to there, or a fair guess
-    };
-    [[nodiscard]] Aim aim(const Ray& sight) const;
     void shootAlong(const Ray& sight);
     void click(const QMouseEvent& event);
     void selectAt(const QPointF& position);
@@ -166,12 +138,10 @@ private:
 
     Session& m_session;
     std::unique_ptr<SceneGpu> m_scene;
-    std::unique_ptr<ScenePicker> m_picker;  ///< while there is a scene
     InspectTool* m_inspect;
     QString m_rendererName;
     QString m_rendererVersion;
-    std::string m_error;         ///< the reason there is no picture; empty: there is one
-    std::string m_pickingError;  ///< told already
+    std::string m_error;  ///< the reason there is no picture; empty: there is one
 
     DisplayOptions m_options;
     std::shared_ptr<const std::vector<glm::vec3>> m_ghost;
@@ -182,6 +152,8 @@ private:
     Comparison* m_comparison = nullptr;
     ChangeOverlay m_changeOverlay;
     Navigation m_navigation;
+    Aiming m_aiming;
+    ViewportPicking m_picking{*this};
     bool m_framed = false;  ///< the scene has been framed at a real size
 
     bool m_continuous = false;

@@ -56,7 +56,7 @@ void Viewport::click(const QMouseEvent& event) {
 }
 
 void Viewport::selectAt(const QPointF& position) {
-    const auto met = aimedAt(m_navigation.rayAt(position));
+    const auto met = m_aiming.met(m_navigation.rayAt(position));
     m_session.targets().select(met ? met->target : TargetId{});
 }
 
@@ -66,7 +66,7 @@ void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void Viewport::recentre(const QPointF& position) {
-    if (const auto met = aimedAt(m_navigation.rayAt(position))) {
+    if (const auto met = m_aiming.met(m_navigation.rayAt(position))) {
         m_navigation.recentre(met->point);
     }
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the viewport shows where: the questions its tools ask.
-#include <vector>
+#include "viewport/viewport_picking.h"
 
-#include "analysis/hit_at.h"
-#include "pipeline/graphics_report.h"
+#include <utility>
+
+#include "scene/scene_picker.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -16,105 +16,80 @@ glm::vec2 toPixels(const QPointF& position, qreal ratio) {
 
 }  // namespace
 
+ViewportPicking::ViewportPicking(Viewport& viewport) : m_viewport(viewport) {}
+
+ViewportPicking::~ViewportPicking() = default;
+
+void ViewportPicking::setPicker(std::unique_ptr<ScenePicker> picker) {
+    m_picker = std::move(picker);
+}
+
 /// Once: whoever moves the cursor asks again and again.
-void Viewport::reportPicking(const Error& error) {
-    if (error.message() != m_pickingError) {
-        m_pickingError = error.message();
+void ViewportPicking::report(const Error& error) {
+    if (error.message() != m_told) {
+        m_told = error.message();
         QMetaObject::invokeMethod(
-            this, [this, error] { Q_EMIT failed(error); }, Qt::QueuedConnection);
+            &m_viewport, [&viewport = m_viewport, error] { Q_EMIT viewport.failed(error); },
+            Qt::QueuedConnection);
     }
 }
 
-std::optional<VertexRef> Viewport::vertexAt(const QPointF& position) {
-    if (!m_picker || !syncNow()) {
+std::optional<VertexRef> ViewportPicking::vertexAt(const QPointF& position) {
+    if (!m_picker || !m_viewport.syncNow()) {
         return std::nullopt;
     }
-    makeCurrent();
-    const auto picked = m_picker->pick(view(), toPixels(position, devicePixelRatioF()));
-    doneCurrent();
+    m_viewport.makeCurrent();
+    const auto picked = m_picker->pick(m_viewport.view(), toPixels(position, m_viewport.devicePixelRatioF()));
+    m_viewport.doneCurrent();
     if (!picked) {
-        reportPicking(picked.error());
+        report(picked.error());
         return std::nullopt;
     }
     return picked.value();
 }
 
-bool Viewport::requestVertexAt(const QPointF& position) {
+bool ViewportPicking::requestVertexAt(const QPointF& position) {
     if (!m_picker) {
         return false;
     }
-    makeCurrent();
-    const Status asked = m_picker->request(view(), toPixels(position, devicePixelRatioF()));
-    doneCurrent();
+    m_viewport.makeCurrent();
+    const Status asked =
+        m_picker->request(m_viewport.view(), toPixels(position, m_viewport.devicePixelRatioF()));
+    m_viewport.doneCurrent();
     if (!asked) {
-        reportPicking(asked.error());
+        report(asked.error());
     }
     return asked.ok();
 }
 
-std::optional<std::optional<VertexRef>> Viewport::requestedVertex() {
+std::optional<std::optional<VertexRef>> ViewportPicking::requestedVertex() {
     if (!m_picker || !m_picker->isPending()) {
         return std::optional<VertexRef>();  // the context went meanwhile, and the question with it
     }
-    makeCurrent();
+    m_viewport.makeCurrent();
     const auto arrived = m_picker->arrived();
-    doneCurrent();
+    m_viewport.doneCurrent();
     return arrived;
 }
 
-std::map<TargetId, std::vector<std::uint32_t>> Viewport::changedWithin(const QPolygonF& outline,
-                                                                       bool hiddenToo) {
-    if (!m_picker || !syncNow()) {
+std::map<TargetId, std::vector<std::uint32_t>> ViewportPicking::changedWithin(const QPolygonF& outline,
+                                                                              bool hiddenToo) {
+    if (!m_picker || !m_viewport.syncNow()) {
         return {};
     }
     std::vector<glm::vec2> corners;
     for (const QPointF& corner : outline) {
-        corners.push_back(toPixels(corner, devicePixelRatioF()));
+        corners.push_back(toPixels(corner, m_viewport.devicePixelRatioF()));
     }
-    makeCurrent();
+    m_viewport.makeCurrent();
     auto found = m_picker->changedWithin(
-        view(), corners, hiddenToo ? ScenePicker::Depth::Through : ScenePicker::Depth::Visible);
-    doneCurrent();
+        m_viewport.view(), corners, hiddenToo ? ScenePicker::Depth::Through : ScenePicker::Depth::Visible);
+    m_viewport.doneCurrent();
     if (!found) {
-        reportPicking(found.error());
+        report(found.error());
         return {};
     }
     return std::move(found).value();
-}
-
-Result<QString> Viewport::graphicsReport() {
-    QString text;
-    const Status asked = withScene([this, &text](SceneGpu& scene) -> Status {
-        while (scene.tryNext()) {
-        }
-        const auto why = [this](PipelineKind kind) {
-            return m_session.readBack().whyUnavailable(kind).toStdString();
-        };
-        text = QString::fromStdString(toText(
-            hitscope::graphicsReport(m_session.readBack().exactness(), m_session.readBack().verdict(), why)));
-        return Done{};
-    });
-    if (!asked) {
-        return asked.error();
-    }
-    return text;
-}
-
-void Viewport::lookAt(const VertexRef& vertex) {
-    if (const Target* target = m_session.targets().find(vertex.target)) {
-        m_navigation.recentre(target->transform.toWorld(target->deformed.positions()[vertex.vertex]));
-        update();
-    }
-}
-
-void Viewport::selectHitAt(const std::optional<VertexRef>& vertex) {
-    m_session.hits().select(vertex ? hitThatMovedMost(m_session, *vertex) : std::nullopt);
-}
-
-void Viewport::selectTargetOf(const VertexRef& vertex) {
-    if (m_session.targets().size() > 1) {
-        m_session.targets().select(vertex.target);
-    }
 }
 
 }  // namespace hitscope

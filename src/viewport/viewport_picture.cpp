@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What others have the viewport's scene and context do: pictures of it, and a wait until all has been read
-// back.
+// What others have the viewport's scene and context do: pictures of it, what can be told of the renderer, and
+// a wait until all has been read back.
 #include <QOpenGLContext>
 #include <utility>
 
+#include "pipeline/graphics_report.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -58,6 +59,24 @@ Result<Image> Viewport::drawPicture(const PictureRequest& request) {
     }
     update();
     return image;
+}
+
+Result<QString> Viewport::graphicsReport() {
+    QString text;
+    const Status asked = withScene([this, &text](SceneGpu& scene) -> Status {
+        while (scene.tryNext()) {
+        }
+        const auto why = [this](PipelineKind kind) {
+            return m_session.readBack().whyUnavailable(kind).toStdString();
+        };
+        text = QString::fromStdString(toText(
+            hitscope::graphicsReport(m_session.readBack().exactness(), m_session.readBack().verdict(), why)));
+        return Done{};
+    });
+    if (!asked) {
+        return asked.error();
+    }
+    return text;
 }
 
 }  // namespace hitscope

@@ -51,7 +51,7 @@ private Q_SLOTS:
         QFETCH(int, kind);
         HITSCOPE_NEEDS_PIPELINE(kind);
         Session session;
-        session.loadMesh(makeUvSphere(20, 20, 1.0f));
+        loadMesh(session, makeUvSphere(20, 20, 1.0f));
         const Target& target = *session.targets().front();
         session.settings().setPipeline(static_cast<PipelineKind>(kind));
         auto gpu = SceneGpu::create(session);

@@ -25,7 +25,7 @@ private Q_SLOTS:
         QFETCH(int, kind);
         HITSCOPE_NEEDS_PIPELINE(kind);
         Session session;
-        session.loadTeapot();
+        loadTeapot(session);
         session.settings().setPipeline(static_cast<PipelineKind>(kind));
         auto gpu = SceneGpu::create(session);
         QVERIFY(gpu.ok());

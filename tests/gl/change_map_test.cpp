@@ -180,7 +180,7 @@ private:
         m_gpu.reset();
         m_values.reset();
         m_session = std::make_unique<Session>();
-        m_session->loadMesh(makeHighPolySphere());
+        loadMesh(*m_session, makeHighPolySphere());
         m_session->settings().setPipeline(kind);
         auto made = SceneGpu::create(*m_session);
         QVERIFY2(made.ok(), made.ok() ? "" : made.error().message().c_str());

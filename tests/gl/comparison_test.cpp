@@ -229,7 +229,7 @@ private Q_SLOTS:
         session.targets().remove(std::array{first});
         QVERIFY(settled());
         QCOMPARE(comparison.report().largest, 0.0);
-        session.loadMesh(makeLowPolyCube());
+        loadMesh(session, makeLowPolyCube());
         shootAll(session, demoShots(session, 10, 3));
         QVERIFY(settled());
         QCOMPARE(comparison.report().largest, 0.0);
@@ -238,7 +238,7 @@ private Q_SLOTS:
 
 private:
     void open(Session& session, Comparison& comparison) {
-        session.loadMesh(makeHighPolySphere());
+        loadMesh(session, makeHighPolySphere());
         auto made = SceneGpu::create(session);
         QVERIFY2(made.ok(), made.ok() ? "" : made.error().message().c_str());
         m_scene = std::move(made).value();

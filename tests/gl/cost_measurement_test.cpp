@@ -43,7 +43,7 @@ private Q_SLOTS:
         CostPlan plan = smallPlan();
         keepAvailable(plan.pipelines);
         Session session;
-        session.loadPaperRow(0);
+        loadPaperRow(session, 0);
         CostMeasurement measurement(costMeter());
         const QSignalSpy progressed(&measurement, &CostMeasurement::progressed);
         const QSignalSpy failed(&measurement, &CostMeasurement::failed);
@@ -101,7 +101,7 @@ private Q_SLOTS:
 
     void isCancelledAndStartedAgain() {
         Session session;
-        session.loadPaperRow(0);
+        loadPaperRow(session, 0);
         CostMeasurement measurement(costMeter());
         QSignalSpy finished(&measurement, &CostMeasurement::finished);
         CostPlan endless = smallPlan();

@@ -28,7 +28,7 @@ using FrameLength = std::function<int(std::mt19937&)>;
 class Run {
 public:
     explicit Run(PipelineKind pipeline = PipelineKind::TransformFeedback) : m_target(32, 24, 1) {
-        m_session.loadTeapot();
+        loadTeapot(m_session);
         m_session.settings().setPipeline(pipeline);
         ProjectileSettings settings = m_session.settings().projectile();
         settings.lifetime = 0.5f;

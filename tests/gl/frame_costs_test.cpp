@@ -38,7 +38,7 @@ private Q_SLOTS:
 
     void hitsHaveCostsAfterFrames() {
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
         QVERIFY(made);
         SceneGpu& gpu = *made.value();
@@ -77,7 +77,7 @@ private Q_SLOTS:
 
     void anotherPipelineAppliesAllHits() {
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
         QVERIFY(made);
         addHits(session, 2);
@@ -95,7 +95,7 @@ private Q_SLOTS:
 
     void aChangeOfEarlierHitsIsNoCostOfTheirs() {
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
         QVERIFY(made);
         addHits(session, 3);

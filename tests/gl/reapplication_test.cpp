@@ -166,7 +166,7 @@ private:
     /// A sphere with a long history, followed.
     struct SetUp {
         SetUp(ReapplicationTest& test, Session& session) : fbo(test.m_target->framebuffer()) {
-            session.loadMesh(makeHighPolySphere(2.5f));
+            loadMesh(session, makeHighPolySphere(2.5f));
             session.settings().setPipeline(PipelineKind::TransformFeedback);
             gpu = SceneGpu::create(session).value();
             const std::vector<Hit> hits = manyHits(session.targets().front()->id, 3000);

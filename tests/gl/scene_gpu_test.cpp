@@ -60,7 +60,7 @@ private Q_SLOTS:
         QFETCH(int, kind);
         HITSCOPE_NEEDS_PIPELINE(kind);
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         session.settings().setPipeline(static_cast<PipelineKind>(kind));
         Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
         QVERIFY(made);
@@ -94,7 +94,7 @@ private Q_SLOTS:
         QCOMPARE(changed(session), std::size_t{0});
         session.undo();
         QVERIFY(synced());
-        session.loadTeapot();
+        loadTeapot(session);
         QVERIFY(synced());
         shootAll(session, demoShots(session, 20, 5));
         QVERIFY(synced());
@@ -106,7 +106,7 @@ private Q_SLOTS:
         QFETCH(int, kind);
         HITSCOPE_NEEDS_PIPELINE(kind);
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         session.settings().setPipeline(static_cast<PipelineKind>(kind));
         Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
         QVERIFY(made);
@@ -148,7 +148,7 @@ private Q_SLOTS:
 
     void switchingPipelinesKeepsEveryBit() {
         Session session;
-        session.loadTeapot();
+        loadTeapot(session);
         Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
         QVERIFY(made);
         shootAll(session, demoShots(session, 60, 11));
@@ -166,7 +166,7 @@ private Q_SLOTS:
 
     void trueNormalsReturnToTheOriginalOnUndo() {
         Session session;
-        session.loadMesh(makeHighPolySphere());
+        loadMesh(session, makeHighPolySphere());
         Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
         QVERIFY(made);
         QVERIFY(made.value()->sync());
@@ -188,7 +188,7 @@ private Q_SLOTS:
     void exportedMeshReadsBackTheSame() {
         QTemporaryDir folder;
         Session session;
-        session.loadTeapot();
+        loadTeapot(session);
         Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
         QVERIFY(made);
         shootAll(session, demoShots(session, 30, 2));

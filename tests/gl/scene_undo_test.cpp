@@ -43,7 +43,7 @@ private Q_SLOTS:
         QFETCH(int, kind);
         HITSCOPE_NEEDS_PIPELINE(kind);
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         session.settings().setPipeline(static_cast<PipelineKind>(kind));
         Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
         QVERIFY(made);
@@ -51,7 +51,7 @@ private Q_SLOTS:
         shootAll(session, demoShots(session, 40, 3));
         QVERIFY(gpu.sync().ok());
         const std::vector<DynamicVertex> first = all(session);
-        session.loadTeapot();
+        loadTeapot(session);
         shootAll(session, demoShots(session, 10, 4));
         QVERIFY(gpu.sync().ok());
         const std::vector<DynamicVertex> second = all(session);

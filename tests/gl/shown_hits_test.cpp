@@ -55,7 +55,7 @@ private Q_SLOTS:
         QFETCH(int, kind);
         HITSCOPE_NEEDS_PIPELINE(kind);
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         session.settings().setPipeline(static_cast<PipelineKind>(kind));
         Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
         QVERIFY(made);
@@ -95,14 +95,14 @@ private Q_SLOTS:
         QVERIFY(session.hits().showsAll());
         QVERIFY(shows(session.hits().history().size()));
         session.hits().show(7);
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         QVERIFY(session.hits().showsAll());
         QVERIFY(shows(0));
     }
 
     void aHitIsEdited() {
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
         QVERIFY(made);
         shoot(session, 3);

@@ -43,7 +43,7 @@ private Q_SLOTS:
     void areMoved() {
         QFETCH(int, kind);
         Session session;
-        session.loadMesh(sphereWithLooseVertices());
+        loadMesh(session, sphereWithLooseVertices());
         Result<std::unique_ptr<SceneGpu>> gpu = SceneGpu::create(session);
         QVERIFY(gpu);
         if (!session.readBack().whyUnavailable(static_cast<PipelineKind>(kind)).isEmpty()) {

@@ -20,7 +20,7 @@ private Q_SLOTS:
         m_tester.reset();
         m_model.reset();
         m_session = std::make_unique<Session>();
-        m_session->loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(*m_session, kDefaultPaperRow);
         m_model = std::make_unique<AttributionModel>(*m_session);
         m_tester = std::make_unique<QAbstractItemModelTester>(
             m_model.get(), QAbstractItemModelTester::FailureReportingMode::QtTest);

@@ -45,7 +45,7 @@ private Q_SLOTS:
 
 void HitHistoryModelTest::followsEveryChange() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     HitHistoryModel model(session);
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     QCOMPARE(model.rowCount(), 0);
@@ -69,7 +69,7 @@ void HitHistoryModelTest::followsEveryChange() {
     QCOMPARE(model.rowCount(), 0);
 
     QVERIFY(session.hits().add(hitOn(session, 0, 0.0f)).ok());
-    session.loadPaperRow(0);
+    loadPaperRow(session, 0);
     QCOMPARE(model.rowCount(), 0);
     QVERIFY(session.hits().add(hitOn(session, 0, 0.0f)).ok());
     QCOMPARE(model.rowCount(), 1);
@@ -77,7 +77,7 @@ void HitHistoryModelTest::followsEveryChange() {
 
 void HitHistoryModelTest::appendsAreRowInsertions() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     HitHistoryModel model(session);
     const QSignalSpy inserted(&model, &QAbstractItemModel::rowsInserted);
     const QSignalSpy reset(&model, &QAbstractItemModel::modelReset);
@@ -91,7 +91,7 @@ void HitHistoryModelTest::appendsAreRowInsertions() {
 
 void HitHistoryModelTest::cellsSayWhatTheHitIs() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     const HitHistoryModel model(session);
     QVERIFY(session.hits().add(hitOn(session, 2, 0.25f)).ok());
     const auto cell = [&model](int column) { return model.index(0, column).data().toString(); };
@@ -119,7 +119,7 @@ void HitHistoryModelTest::csvIsExactAndQuoted() {
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     mesh.faceStarts = {0, 3};
     mesh.cornerVertices = {0, 1, 2};
-    session.loadMesh(mesh);
+    loadMesh(session, mesh);
     const HitHistoryModel model(session);
     QVERIFY(session.hits().add(hitOn(session, 0, 0.1f)).ok());
     QVERIFY(session.hits().add(hitOn(session, 0, 2.0f)).ok());
@@ -140,7 +140,7 @@ void HitHistoryModelTest::csvIsExactAndQuoted() {
 
 void HitHistoryModelTest::manyHits() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     const HitHistoryModel model(session);
     const QSignalSpy inserted(&model, &QAbstractItemModel::rowsInserted);
     constexpr int kMany = 100'000;
@@ -177,7 +177,7 @@ void HitHistoryModelTest::manyHits() {
 
 void HitHistoryModelTest::checkBoxEnables() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     HitHistoryModel model(session);
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     for (int i = 0; i < 3; ++i) {
@@ -206,7 +206,7 @@ void HitHistoryModelTest::checkBoxEnables() {
 
 void HitHistoryModelTest::statesAreTold() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     session.settings().setPipeline(PipelineKind::UniformArray);
     HitHistoryModel model(session);
     for (int i = 0; i < 4; ++i) {
@@ -234,7 +234,7 @@ void HitHistoryModelTest::statesAreTold() {
 
 void HitHistoryModelTest::persistentIndexesStayWithTheirHits() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     HitHistoryModel model(session);
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     std::vector<QPersistentModelIndex> kept;
@@ -270,7 +270,7 @@ void HitHistoryModelTest::persistentIndexesStayWithTheirHits() {
 
 void HitHistoryModelTest::dragsRows() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     HitHistoryModel model(session);
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     for (int i = 0; i < 5; ++i) {
@@ -305,7 +305,7 @@ void HitHistoryModelTest::dragsRows() {
 
 void HitHistoryModelTest::survivesAnythingWhileHitsStreamIn() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     HitHistoryModel model(session);
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     std::uint32_t seed = 1;

@@ -49,7 +49,7 @@ private Q_SLOTS:
     void init() {
         cleanup();
         m_session = std::make_unique<Session>();
-        m_session->loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(*m_session, kDefaultPaperRow);
         m_effects = std::make_unique<HitEffects>(*m_session);
         m_model = std::make_unique<HitHistoryModel>(*m_session, m_effects.get());
         m_list = std::make_unique<HitList>(*m_session, *m_model);

@@ -14,7 +14,7 @@ class LightsModelTest : public QObject {
 private Q_SLOTS:
     void showsAndSwitchesAll() {
         Session session;
-        session.loadTeapot();
+        loadTeapot(session);
         LightsModel model(session);
         const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
         QCOMPARE(model.rowCount(), int{LightRowCount});
@@ -39,14 +39,14 @@ private Q_SLOTS:
     void lightsStandAroundAnyScene() {
         // What is set by one scene is at the same place of another.
         Session session;
-        session.loadTeapot();
+        loadTeapot(session);
         Lights lights = session.settings().lights();
         lights.points[0].position = session.settings().lightSpace().centre;
         lights.points[1].position.y += session.settings().lightSpace().extent;
         session.settings().setLights(lights);
         const float left =
             1.0f / (1.0f + lights.points[1].attenuation.linear * session.settings().lightSpace().extent);
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         const LightSpace& space = session.settings().lightSpace();
         QVERIFY(space.extent > 20.0f);
         QVERIFY(glm::length(session.settings().lights().points[0].position - space.centre) <

@@ -72,7 +72,7 @@ private Q_SLOTS:
 
 void MeshStatisticsModelTest::describesTheOriginal() {
     Session session;
-    session.loadMesh(makeLowPolyCube(2.5f));
+    loadMesh(session, makeLowPolyCube(2.5f));
     Model model(session);
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     QCOMPARE(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("…"));
@@ -100,7 +100,7 @@ void MeshStatisticsModelTest::describesTheOriginal() {
 
 void MeshStatisticsModelTest::followsHitsAndUndo() {
     Session session;
-    session.loadMesh(makeHighPolyCube(2.5f));
+    loadMesh(session, makeHighPolyCube(2.5f));
     Model model(session);
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     QTRY_COMPARE(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("6,146"));
@@ -127,7 +127,7 @@ void MeshStatisticsModelTest::followsHitsAndUndo() {
 /// Live numbers end where a measurement from scratch does.
 void MeshStatisticsModelTest::staysConsistentWhileHitsStreamIn() {
     Session session;
-    session.loadMesh(makeHighPolySphere(2.5f));
+    loadMesh(session, makeHighPolySphere(2.5f));
     Model model(session);
     MeshHealthModel health(session, model.measuring());
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
@@ -162,7 +162,7 @@ void MeshStatisticsModelTest::followsTheTargetInFocus() {
     Model model(session);
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     QCOMPARE(cell(model, "vertices", Model::OriginalColumn), QString());
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     QCOMPARE(model.shownTarget(), session.targets().front()->id);
 
     const QSignalSpy changed(&model, &Model::shownTargetChanged);
@@ -177,13 +177,13 @@ void MeshStatisticsModelTest::followsTheTargetInFocus() {
     QVERIFY(session.hits().add(hitOn(*session.targets()[4])).ok());
     session.targets().select({});
     QCOMPARE(model.shownTarget(), session.targets()[4]->id);
-    session.loadPaperRow(3);
+    loadPaperRow(session, 3);
     QCOMPARE(model.shownTarget(), session.targets().front()->id);
 }
 
 void MeshStatisticsModelTest::addsUpAllTargets() {
     Session session;
-    session.loadMesh(makeLowPolyCube(1.0f));
+    loadMesh(session, makeLowPolyCube(1.0f));
     std::vector<TargetPlan> more;
     more.push_back(planMesh(makeLowPolyCube(2.0f)));
     session.targets().add(std::move(more));
@@ -220,7 +220,7 @@ void MeshStatisticsModelTest::sharesItsNumbersWithTheCommandLine() {
         split.positions.push_back(cube.positions[vertex]);
     }
     Session session;
-    session.loadMesh(split);
+    loadMesh(session, split);
     Model model(session);
     QTRY_COMPARE(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("1,536"));
     QCOMPARE(cell(model, "components", Model::OriginalColumn), QStringLiteral("1"));
@@ -241,7 +241,7 @@ void MeshStatisticsModelTest::saysWhyThereIsNoVolume() {
     mesh.faceStarts = {0, 3};
     mesh.cornerVertices = {0, 1, 2};
     Session session;
-    session.loadMesh(mesh);
+    loadMesh(session, mesh);
     const Model model(session);
     QTRY_COMPARE(cell(model, "volume", Model::OriginalColumn), QStringLiteral("open"));
     QVERIFY(model.find("volume", Model::OriginalColumn)
@@ -257,7 +257,7 @@ void MeshStatisticsModelTest::saysWhyThereIsNoVolume() {
     fan.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}};
     fan.faceStarts = {0, 3, 6, 9};
     fan.cornerVertices = {0, 1, 2, 0, 1, 3, 0, 1, 4};
-    session.loadMesh(fan);
+    loadMesh(session, fan);
     QTRY_COMPARE(cell(model, "genus", Model::OriginalColumn), QStringLiteral("n/a"));
     QVERIFY(model.find("genus", 0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("Not defined")));
     QCOMPARE(cell(model, "non_manifold_edges", Model::OriginalColumn), QStringLiteral("1"));
@@ -265,7 +265,7 @@ void MeshStatisticsModelTest::saysWhyThereIsNoVolume() {
 
 void MeshStatisticsModelTest::measuresOnlyWhileLookedAt() {
     Session session;
-    session.loadMesh(makeHighPolyCube(2.5f));
+    loadMesh(session, makeHighPolyCube(2.5f));
     Model model(session);
     QTRY_VERIFY(model.measuring().measurement());
     model.measuring().setActive(false);
@@ -277,15 +277,15 @@ void MeshStatisticsModelTest::measuresOnlyWhileLookedAt() {
     model.measuring().setActive(true);
     QTRY_VERIFY(value(model, "volume", Model::ChangeColumn) < 0.0);
     // A scene that goes while it is measured takes nothing with it.
-    session.loadMesh(makeHighPolyCube(3.0f));
+    loadMesh(session, makeHighPolyCube(3.0f));
     QTest::qWait(1);
-    session.loadMesh(makeLowPolyCube(1.0f));
+    loadMesh(session, makeLowPolyCube(1.0f));
     QTRY_COMPARE(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("386"));
 }
 
 void MeshStatisticsModelTest::reportsAreWhatIsShown() {
     Session session;
-    session.loadMesh(makeLowPolyCube(2.5f));
+    loadMesh(session, makeLowPolyCube(2.5f));
     Model model(session);
     QTRY_VERIFY(model.measuring().measurement());
     const MeshMeasurement& measurement = *model.measuring().measurement();
@@ -310,7 +310,7 @@ void MeshStatisticsModelTest::reportsAreWhatIsShown() {
 
 void MeshStatisticsModelTest::listsHarmedFacesAndTheirHits() {
     Session session;
-    session.loadMesh(makeHighPolyCube(2.5f));
+    loadMesh(session, makeHighPolyCube(2.5f));
     const Target& target = *session.targets().front();
     Hit harmless = hitOn(target);
     harmless.constants.power = 0.0001f;

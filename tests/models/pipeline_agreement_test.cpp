@@ -45,7 +45,7 @@ class PipelineAgreementTest : public QObject {
 private Q_SLOTS:
     void agreesAfterHits() {
         Session session;
-        session.loadMesh(makeHighPolySphere(2.5f));
+        loadMesh(session, makeHighPolySphere(2.5f));
         const Target& target = *session.targets().front();
         PipelineAgreement agreement(session);
         for (int i = 0; i < 20; ++i) {
@@ -64,7 +64,7 @@ private Q_SLOTS:
 
     void findsTheVertexThatIsWrong() {
         Session session;
-        session.loadMesh(makeHighPolySphere(2.5f));
+        loadMesh(session, makeHighPolySphere(2.5f));
         const Target& target = *session.targets().front();
         QVERIFY(session.hits().add(hitAt(target, 0.0f)));
         readBack(session);
@@ -91,7 +91,7 @@ private Q_SLOTS:
 
     void followsContinuouslyThroughEdits() {
         Session session;
-        session.loadMesh(makeHighPolySphere(2.5f));
+        loadMesh(session, makeHighPolySphere(2.5f));
         const Target& target = *session.targets().front();
         PipelineAgreement agreement(session);
         int synced = 0;
@@ -110,13 +110,13 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(agreement.report()->hits, std::size_t{7}, kPatience);
         QCOMPARE(agreement.report()->different, std::size_t{0});
         QVERIFY(synced >= 2);
-        session.loadMesh(makeLowPolyCube(1.0f));
+        loadMesh(session, makeLowPolyCube(1.0f));
         QTRY_VERIFY_WITH_TIMEOUT(agreement.report() && agreement.report()->vertices == 386, kPatience);
     }
 
     void hitsThatThePipelineDroppedAreLeftOut() {
         Session session;
-        session.loadMesh(makeHighPolySphere(2.5f));
+        loadMesh(session, makeHighPolySphere(2.5f));
         const Target& target = *session.targets().front();
         QVERIFY(session.hits().add(hitAt(target, 0.0f)));
         CapacityReport report;

@@ -28,7 +28,7 @@ private Q_SLOTS:
     void init() {
         m_model.reset();
         m_session = std::make_unique<Session>();
-        m_session->loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(*m_session, kDefaultPaperRow);
         m_model = std::make_unique<SceneModel>(*m_session);
         m_tester = std::make_unique<QAbstractItemModelTester>(
             m_model.get(), QAbstractItemModelTester::FailureReportingMode::QtTest);
@@ -61,7 +61,7 @@ private Q_SLOTS:
         m_session->targets().reset(std::array{third});
         QCOMPARE(text(2, SceneModel::HitsColumn), QStringLiteral("0"));
         QCOMPARE(text(4, SceneModel::HitsColumn), QStringLiteral("1"));
-        m_session->loadPaperRow(0);
+        loadPaperRow(*m_session, 0);
         QCOMPARE(text(4, SceneModel::HitsColumn), QStringLiteral("0"));
     }
 
@@ -82,7 +82,7 @@ private Q_SLOTS:
         m_session->redo();  // nothing: adding ended it
         QCOMPARE(m_model->rowCount(), 17);
         QCOMPARE(reset.count(), 0);
-        m_session->loadTeapot();
+        loadTeapot(*m_session);
         QCOMPARE(reset.count(), 1);
         QCOMPARE(m_model->rowCount(), 1);
     }

@@ -66,7 +66,7 @@ class SceneSectionsTest : public QObject {
 private Q_SLOTS:
     void init() {
         m_session = std::make_unique<Session>();
-        m_session->loadMesh(makeUvSphere(96, 64, kRadius));
+        loadMesh(*m_session, makeUvSphere(96, 64, kRadius));
         m_sections = std::make_unique<SceneSections>(*m_session);
     }
     void cleanup() {

@@ -14,7 +14,7 @@ class UndoModelTest : public QObject {
 private Q_SLOTS:
     void init() {
         m_session = std::make_unique<Session>();
-        m_session->loadTeapot();
+        loadTeapot(*m_session);
         m_model = std::make_unique<UndoModel>(*m_session);
         m_tester = std::make_unique<QAbstractItemModelTester>(
             m_model.get(), QAbstractItemModelTester::FailureReportingMode::QtTest);
@@ -38,7 +38,7 @@ private Q_SLOTS:
         QCOMPARE(texts(), all);  // still there to be made again
         QCOMPARE(m_model->current(), 1);
         QVERIFY(isDone(1) && !isDone(2) && !isDone(3));
-        m_session->loadPaperRow(0);
+        loadPaperRow(*m_session, 0);
         QCOMPARE(texts(), (QStringList{all[0], all[1], QStringLiteral("Load Scene")}));
         m_session->goToStep(0);
         QCOMPARE(m_model->current(), 0);

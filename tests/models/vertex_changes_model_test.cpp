@@ -31,7 +31,7 @@ private Q_SLOTS:
         m_model.reset();
         m_effects.reset();
         m_session = std::make_unique<Session>();
-        m_session->loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(*m_session, kDefaultPaperRow);
         m_session->targets().select(m_session->targets()[10]->id);
         m_effects = std::make_unique<HitEffects>(*m_session);
         m_model = std::make_unique<VertexChangesModel>(*m_session, *m_effects);
@@ -204,7 +204,7 @@ private Q_SLOTS:
         m_session->targets().remove(std::array{first});
         QVERIFY(follows());
         QVERIFY(m_model->target()->id != first);
-        m_session->loadPaperRow(0);
+        loadPaperRow(*m_session, 0);
         QVERIFY(follows());
         QCOMPARE(m_model->rowCount(), 0);
         m_session->loadScene({});

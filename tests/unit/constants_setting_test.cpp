@@ -25,7 +25,7 @@ struct Dent {
 
 Dent dentIn(float diameter, bool relative) {
     Session session;
-    session.loadMesh(makeUvSphere(32, 16, 0.5f * diameter));
+    loadMesh(session, makeUvSphere(32, 16, 0.5f * diameter));
     if (!session.settings().setConstants(ConstantsSetting{DeformationConstants{}, relative})) {
         return {};
     }
@@ -68,7 +68,7 @@ private Q_SLOTS:
 
     void thePapersTargetsHaveThePapersConstants() {
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         QVERIFY(session.settings().constantsSetting().relative);
         for (const std::unique_ptr<Target>& target : session.targets()) {
             QVERIFY(session.settings().constantsOn(*target) == DeformationConstants{});
@@ -113,7 +113,7 @@ private Q_SLOTS:
 
     void hitsMadeGetThemOnRequestByTarget() {
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         Hit hit;
         hit.target = session.targets().front()->id;
         QVERIFY(session.hits().add(hit).ok());

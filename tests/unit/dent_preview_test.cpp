@@ -55,7 +55,7 @@ class DentPreviewTest : public QObject {
 private Q_SLOTS:
     void foretellsWhatAHitDoes() {
         Session session;
-        session.loadTeapot();
+        loadTeapot(session);
         const Target& teapot = *session.targets().front();
         const RenderMesh& mesh = teapot.deformed.render();
         ReferenceDeformation reference(mesh);

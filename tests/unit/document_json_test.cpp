@@ -245,6 +245,7 @@ void DocumentJsonTest::settings() {
     TRY_CHANGE(simulation.physicsStep, 1.0 / 300.0);
     TRY_CHANGE(simulation.timeScale, 0.1);
     TRY_CHANGE(simulation.paused, true);
+    TRY_CHANGE(simulation.time, 1234.5678901234567);
 }
 
 void DocumentJsonTest::lights() {

@@ -79,7 +79,7 @@ private Q_SLOTS:
         QFETCH(float, extent);
         QFETCH(float, away);
         Session session;
-        session.loadMesh(sphere(extent));
+        loadMesh(session, sphere(extent));
         const Bounds bounds = session.targets().bounds();
         std::size_t hits = 0;
         for (const glm::vec3& side : {glm::vec3(0, 0, 1), glm::vec3(1, 0.5f, 0.2f), glm::vec3(-1, 2, 0.3f)}) {

@@ -79,7 +79,7 @@ void FramesTest::percentilesOfKnownFrames() {
 
 void FramesTest::framesAddUp() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     addHits(session, 2);
     FrameCosts& costs = session.frameCosts();
     const QSignalSpy ended(&costs, &FrameCosts::frameEnded);
@@ -134,7 +134,7 @@ void FramesTest::gpuTimesFindTheirFrame() {
 
 void FramesTest::costsAreSharedAmongHits() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     addHits(session, 5);
     FrameCosts& costs = session.frameCosts();
     QVERIFY(!costs.hitCost(0));
@@ -153,14 +153,14 @@ void FramesTest::costsAreSharedAmongHits() {
     session.settings().setPipeline(PipelineKind::UniformArray);
     costs.addApplied(costs.nextFrame(), 0, 5, 0.005);
     QCOMPARE(costs.hitCost(3), std::optional(HitCost{0.001, {}, 5, PipelineKind::UniformArray}));
-    session.loadPaperRow(0);
+    loadPaperRow(session, 0);
     addHits(session, 1);
     QVERIFY(!costs.hitCost(0));
 }
 
 void FramesTest::costsStayWithTheirHits() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     FrameCosts& costs = session.frameCosts();
     for (std::size_t i = 0; i < 4; ++i) {
         addHits(session, 1);

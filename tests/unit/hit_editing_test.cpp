@@ -18,7 +18,7 @@ class HitEditingTest : public QObject {
 private Q_SLOTS:
     void init() {
         m_session = std::make_unique<Session>();
-        m_session->loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(*m_session, kDefaultPaperRow);
         m_editing = std::make_unique<HitEditing>(*m_session);
         for (int i = 0; i < 4; ++i) {
             Hit hit;
@@ -47,7 +47,7 @@ private Q_SLOTS:
         QCOMPARE(reachOf(2), 0.8f);
         m_session->undo();
         QCOMPARE(reachOf(2), 0.5f);
-        QVERIFY(m_session->undoName()->kind == SessionUndo::Kind::Hit);
+        QVERIFY(m_session->steps().toUndo()->kind == SessionUndo::Kind::Hit);
     }
 
     void oneEditAFrame() {
@@ -73,7 +73,7 @@ private Q_SLOTS:
         widen(0.7f);
         m_editing->cancelGesture();
         QCOMPARE(reachOf(1), 0.5f);
-        QVERIFY(m_session->undoName()->kind == SessionUndo::Kind::Hit);
+        QVERIFY(m_session->steps().toUndo()->kind == SessionUndo::Kind::Hit);
     }
 
     void severalAreChangedTogether() {
@@ -87,7 +87,7 @@ private Q_SLOTS:
         QCOMPARE(reachOf(1), 0.7f);
         QCOMPARE(reachOf(2), 0.5f);
         QCOMPARE(reachOf(3), 0.7f);
-        QCOMPARE(m_session->undoName(), (SessionUndo::Name{SessionUndo::Kind::EditHit, 3}));
+        QCOMPARE(m_session->steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::EditHit, 3}));
         m_session->undo();
         QCOMPARE(reachOf(0), 0.5f);
         QCOMPARE(reachOf(3), 0.5f);
@@ -101,11 +101,11 @@ private Q_SLOTS:
         m_session->hits().select(3);
         widen(0.6f);
         widen(0.7f);  // not done yet
-        m_session->loadTeapot();
+        loadTeapot(*m_session);
         QVERIFY(m_editing->rows().empty());
         QCOMPARE(m_editing->current(), nullptr);
         // What was not done yet is not done by the way.
-        QVERIFY(m_session->undoName()->kind == SessionUndo::Kind::LoadScene);
+        QVERIFY(m_session->steps().toUndo()->kind == SessionUndo::Kind::LoadScene);
         m_session->undo();
         QCOMPARE(reachOf(3), 0.6f);
     }

@@ -54,7 +54,7 @@ private:
 private Q_SLOTS:
     void followsASession() {
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         HitEffects effects(session);
         std::mt19937 random(3);
         std::uint32_t mostHits = 0;
@@ -108,7 +108,7 @@ private Q_SLOTS:
         }
         compare(effects, session);
         QVERIFY(mostHits > 1);
-        session.loadTeapot();
+        loadTeapot(session);
         compare(effects, session);
         shootRandomly(session, random, 10);
         compare(effects, session);
@@ -116,7 +116,7 @@ private Q_SLOTS:
 
     void tellsByTheEventLoop() {
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         HitEffects effects(session);
         QSignalSpy changed(&effects, &HitEffects::effectsChanged);
         QSignalSpy counts(&effects, &HitEffects::countsChanged);
@@ -134,7 +134,7 @@ private Q_SLOTS:
 
     void resultsFollowHitsThatMoveMeanwhile() {
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         HitEffects effects(session);
         std::mt19937 random(6);
         Hit other = randomHit(session, random);
@@ -155,7 +155,7 @@ private Q_SLOTS:
     /// went all the same.
     void targetThatComesBackMeanwhile() {
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         HitEffects effects(session);
         const std::array<TargetId, 1> id{session.targets().front()->id};
         std::mt19937 random(7);
@@ -184,7 +184,7 @@ private Q_SLOTS:
 
     void findsTheVerticesOfAHit() {
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         HitEffects effects(session);
         std::vector<std::uint32_t> found;
         TargetId on;
@@ -214,7 +214,7 @@ private Q_SLOTS:
 
     void goesWhileAtWork() {
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         std::mt19937 random(11);
         for (int i = 0; i < 20; ++i) {
             HitEffects effects(session);
@@ -222,14 +222,14 @@ private Q_SLOTS:
             std::generate(hits.begin(), hits.end(), [&] { return randomHit(session, random); });
             QVERIFY(session.hits().add(hits).ok());
             if (i % 2 == 0) {
-                session.loadPaperRow(kDefaultPaperRow);
+                loadPaperRow(session, kDefaultPaperRow);
             }
         }
     }
 
     void tenThousandHitsOneByOne() {
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         HitEffects effects(session);
         std::mt19937 random(13);
         shootRandomly(session, random, 10'000);

@@ -205,7 +205,7 @@ private Q_SLOTS:
 
     void hitsFindTheirTargetsByName() {
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         Hit hit;
         hit.target = session.targets()[3]->id;
         hit.point = {0.1f, 0.2f, 0.3f};

@@ -51,7 +51,7 @@ void MemoryTest::hitsAndTheirStepsAreSmall() {
     constexpr std::size_t kHits = 100'000;
     constexpr std::size_t kMost = 200 + 200;  // bytes of a hit and of a step
     Session session;
-    session.loadTeapot();
+    loadTeapot(session);
     Hit hit;
     hit.target = session.targets().front()->id;
     const auto used = [] {

@@ -78,7 +78,7 @@ void OpenDocumentTest::trySame(const Session& session) {
     QVERIFY2(ready.ok(), qPrintable(messageOf(ready)));
     QVERIFY(ready.value().isWhole() && ready.value().troubles.empty());
     Session opened;
-    opened.loadTeapot();  // which goes
+    loadTeapot(opened);  // which goes
     restoreSession(opened, ready.value());
     QCOMPARE(hitsFingerprint(opened), hitsFingerprint(session));
     QCOMPARE(referenceFingerprints(opened), referenceFingerprints(session));
@@ -186,9 +186,9 @@ void OpenDocumentTest::ownMeshes() {
     QFETCH(int, scene);
     Session session;
     if (scene < 0) {
-        session.loadTeapot();
+        loadTeapot(session);
     } else if (scene < 100) {
-        session.loadPaperRow(scene);
+        loadPaperRow(session, scene);
     } else if (scene < 200) {
         session.loadScene(planSampleScene(static_cast<SampleScene>(scene - 100)));
     } else {
@@ -379,7 +379,7 @@ void OpenDocumentTest::nothingToUndo() {
     shoot(session, 10, 7);
     Result<PreparedSession> ready = prepareSession(captureSession(session, {}), {});
     restoreSession(session, ready.value());
-    QVERIFY(!session.canUndo() && !session.canRedo());
+    QVERIFY(!session.steps().canUndo() && !session.steps().canRedo());
     // What comes next goes on from there.
     shoot(session, 1, 8);
     QCOMPARE(session.hits().history().size(), std::size_t(11));

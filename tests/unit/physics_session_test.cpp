@@ -88,7 +88,7 @@ private Q_SLOTS:
     void hitsLieOnTheDeformedTeapot() {
         QFETCH(bool, instant);
         Session session;
-        session.loadTeapot();
+        loadTeapot(session);
         const Target& teapot = *session.targets().front();
         Follower follower(session);
         const Bounds bounds = teapot.worldBounds();
@@ -121,7 +121,7 @@ private Q_SLOTS:
     void sameShotsMakeTheSameHistory() {
         const auto history = [](bool isReadBack) {
             Session session;
-            session.loadPaperRow(kDefaultPaperRow);
+            loadPaperRow(session, kDefaultPaperRow);
             Follower follower(session);
             const TargetId knocked = session.targets()[3]->id;
             TargetPhysics physics;
@@ -156,7 +156,7 @@ private Q_SLOTS:
 
     void recordSaysWhatWasStruck() {
         Session session;
-        session.loadMesh(makeHighPolyCube());
+        loadMesh(session, makeHighPolyCube());
         const Target& cube = *session.targets().front();
         QVERIFY(session.targets()
                     .setTransform(cube.id, {{5, 2, 1}, glm::angleAxis(1.5707963f, glm::vec3(0, 1, 0))})
@@ -180,7 +180,7 @@ private Q_SLOTS:
 
     void powerFollowsTheImpulseIfAsked() {
         Session session;
-        session.loadMesh(makeLowPolyCube());
+        loadMesh(session, makeLowPolyCube());
         const float power = session.settings().constants().power;
         ProjectileSettings settings;
         settings.speed = 60.0f;
@@ -203,7 +203,7 @@ private Q_SLOTS:
 
     void pauseAndSingleStep() {
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         QSignalSpy changed(&session.simulation(), &Simulation::timeChanged);
         session.simulation().setPaused(true);
         session.simulation().setTimeScale(0.1);
@@ -221,7 +221,7 @@ private Q_SLOTS:
 
     void knockedAboutTargetTakesItsHitsAlong() {
         Session session;
-        session.loadMesh(makeHighPolySphere(0.5f));
+        loadMesh(session, makeHighPolySphere(0.5f));
         const Target& ball = *session.targets().front();
         TargetPhysics physics;
         physics.isDynamic = true;
@@ -248,7 +248,7 @@ private Q_SLOTS:
 
     void hiddenAndShownAgainItHasItsDents() {
         Session session;
-        session.loadMesh(makeHighPolySphere());
+        loadMesh(session, makeHighPolySphere());
         const Target& ball = *session.targets().front();
         Follower follower(session);
         const Ray ray{{9, 0, 0}, {-1, 0, 0}};
@@ -278,7 +278,7 @@ private Q_SLOTS:
         Session sliced;
         Random random(5);
         for (Session* session : {&atOnce, &sliced}) {
-            session->loadMesh(makeSheet(200, 200, 5.0f, 5.0f));
+            loadMesh(*session, makeSheet(200, 200, 5.0f, 5.0f));
         }
         const std::span<const DynamicVertex> vertices = atOnce.targets().front()->deformed.vertices();
         std::vector<Hit> hits(100);
@@ -315,7 +315,7 @@ private Q_SLOTS:
 
     void slowStepsSlowTheSceneNotTheFrame() {
         Session session;
-        session.loadTeapot();
+        loadTeapot(session);
         session.simulation().shoot({{0, 50, 9}, {0, 0, 1}});
         const auto stepsOf = [&session](double seconds, double perLook) {
             double now = 0.0;
@@ -344,10 +344,10 @@ private Q_SLOTS:
         line.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
         line.faceStarts = {0, 3};
         line.cornerVertices = {0, 1, 2};
-        session.loadMesh(line);
+        loadMesh(session, line);
         QVERIFY(!session.simulation().whyNotHittable(session.targets().front()->id).isEmpty());
         QVERIFY(!session.simulation().hitscan({{0.5f, 5, 0}, {0, -1, 0}}));
-        session.loadTeapot();
+        loadTeapot(session);
         QVERIFY(session.simulation().whyNotHittable(session.targets().front()->id).isEmpty());
     }
 };

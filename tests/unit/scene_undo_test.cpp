@@ -56,8 +56,8 @@ class SceneUndoTest : public QObject {
 private Q_SLOTS:
     void anotherSceneIsOneStep() {
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
-        QVERIFY(!session.canUndo());
+        loadPaperRow(session, kDefaultPaperRow);
+        QVERIFY(!session.steps().canUndo());
         shootAll(session, demoShots(session, 30, 5));
         session.targets().setVisible(std::array{session.targets()[3]->id}, false);
         session.hits().setEnabled(std::array<std::size_t, 2>{1, 4}, false);
@@ -65,8 +65,8 @@ private Q_SLOTS:
         const Ray ray = demoShots(session, 1, 9).front();
         const std::optional<Hit> aimed = session.simulation().predictedHit(ray, true);
 
-        session.loadTeapot();
-        QVERIFY(session.undoName()->kind == SessionUndo::Kind::LoadScene);
+        loadTeapot(session);
+        QVERIFY(session.steps().toUndo()->kind == SessionUndo::Kind::LoadScene);
         QCOMPARE(session.hits().history().size(), std::size_t{0});
         Hit hit;
         hit.target = session.targets().front()->id;
@@ -90,7 +90,7 @@ private Q_SLOTS:
         session.redo();
         session.redo();
         QVERIFY(see(session) == after);
-        QVERIFY(!session.canRedo());
+        QVERIFY(!session.steps().canRedo());
         session.goToStep(0);
         QCOMPARE(session.hits().history().size(), std::size_t{0});
         QCOMPARE(session.targets().size(), std::size_t{16});
@@ -100,7 +100,7 @@ private Q_SLOTS:
 
     void settingsAreSteps() {
         Session session;
-        session.loadTeapot();
+        loadTeapot(session);
         SessionSettings& settings = session.settings();
         ProjectileSettings projectile = settings.projectile();
         const float speed = projectile.speed;
@@ -121,7 +121,7 @@ private Q_SLOTS:
         QCOMPARE(settings.projectile().speed, speed + 3.0f);
         session.undo();
         QCOMPARE(settings.projectile().speed, speed);
-        QVERIFY(!session.canUndo());
+        QVERIFY(!session.steps().canUndo());
         session.goToStep(3);
         QVERIFY(settings.coverTexture() != nullptr);
         QCOMPARE(settings.projectile().speed, speed + 3.0f);
@@ -133,7 +133,7 @@ private Q_SLOTS:
 
     void theCuttingPlaneIsUndone() {
         Session session;
-        session.loadTeapot();
+        loadTeapot(session);
         SessionSettings& settings = session.settings();
         const CuttingPlane before = settings.cut();
         CuttingPlane cut = before;
@@ -152,7 +152,7 @@ private Q_SLOTS:
         session.redo();
         QCOMPARE(settings.cut(), cut);
         // A scene that comes back brings its plane, and a new one leaves it to who shows it.
-        session.loadPaperRow(0);
+        loadPaperRow(session, 0);
         CuttingPlane other = cut;
         other.offset = -7.0f;
         settings.restoreCut(other);
@@ -168,7 +168,7 @@ private Q_SLOTS:
     /// One announcement, whatever the way: followers look at all rows again.
     void aLongWayIsOneChange() {
         Session session;
-        session.loadTeapot();
+        loadTeapot(session);
         Hit hit;
         hit.target = session.targets().front()->id;
         const TargetId ids[] = {hit.target};
@@ -219,7 +219,7 @@ private Q_SLOTS:
 
     void stateTellsWhetherAnythingChanged() {
         Session session;
-        session.loadTeapot();
+        loadTeapot(session);
         Hit hit;
         hit.target = session.targets().front()->id;
         const std::uint64_t first = session.steps().state();

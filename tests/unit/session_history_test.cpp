@@ -48,7 +48,7 @@ class SessionHistoryTest : public QObject {
 private Q_SLOTS:
     void init() {
         m_session = std::make_unique<Session>();
-        m_session->loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(*m_session, kDefaultPaperRow);
         addHits(*m_session, 6);
     }
 
@@ -62,16 +62,16 @@ private Q_SLOTS:
         QCOMPARE(changed.size(), 1);
         QCOMPARE(changed[0][0].toInt(), 1);
         QCOMPARE(changed[0][1].toInt(), 4);
-        QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::Disable, 3}));
+        QCOMPARE(session.steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::Disable, 3}));
         session.hits().enableAll();
         QCOMPARE(session.hits().disabled(), std::size_t{0});
-        QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::Enable, 3}));
+        QCOMPARE(session.steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::Enable, 3}));
         session.undo();
         QCOMPARE(session.hits().disabled(), std::size_t{3});
         session.undo();
         QCOMPARE(state(session), upTo(6));
         QCOMPARE(session.hits().disabled(), std::size_t{0});
-        QCOMPARE(session.redoName(), (SessionUndo::Name{SessionUndo::Kind::Disable, 3}));
+        QCOMPARE(session.steps().toRedo(), (SessionUndo::Name{SessionUndo::Kind::Disable, 3}));
         session.redo();
         QCOMPARE(session.hits().disabled(), std::size_t{3});
         QCOMPARE(changed.size(), 5);
@@ -112,13 +112,13 @@ private Q_SLOTS:
         session.hits().move(rows, to);
         QCOMPARE(state(session), after);
         if (after != upTo(6)) {
-            QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::Move, rows.size()}));
+            QCOMPARE(session.steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::Move, rows.size()}));
             session.undo();
             QCOMPARE(state(session), upTo(6));
             session.redo();
             QCOMPARE(state(session), after);
         } else {
-            QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::Hit, 1}));
+            QCOMPARE(session.steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::Hit, 1}));
         }
     }
 
@@ -126,7 +126,7 @@ private Q_SLOTS:
         Session& session = *m_session;
         session.hits().remove(Rows{0, 5, 2, 3});
         QCOMPARE(state(session), (std::vector<int>{1, 4}));
-        QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::Remove, 4}));
+        QCOMPARE(session.steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::Remove, 4}));
         session.undo();
         QCOMPARE(state(session), upTo(6));
     }
@@ -213,10 +213,10 @@ private Q_SLOTS:
         constants.power = 0.2f;
         QVERIFY(session.settings().setConstants(constants));
         session.hits().giveConstantsToAll();
-        QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::HitConstants, 6}));
+        QCOMPARE(session.steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::HitConstants, 6}));
         session.hits().clear();
-        QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::Clear, 6}));
-        QVERIFY(!session.redoName());
+        QCOMPARE(session.steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::Clear, 6}));
+        QVERIFY(!session.steps().toRedo());
     }
 
     void capacityIsPassedOn() {
@@ -227,7 +227,7 @@ private Q_SLOTS:
                 m_session->readBack().isDropped(3));
         test::readBackOf(*m_session).setCapacity({4, false, 4, {0, 3}});
         QCOMPARE(changed.size(), 1);
-        m_session->loadTeapot();
+        loadTeapot(*m_session);
         QCOMPARE(m_session->readBack().droppedHits(), std::size_t{0});
         QCOMPARE(changed.size(), 2);
     }

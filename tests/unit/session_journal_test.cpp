@@ -219,15 +219,15 @@ void SessionJournalTest::followsWhatAPersonDoes() {
 void SessionJournalTest::anotherScene() {
     QVERIFY(m_session->hits().add(hitOn(*m_session, 1, 0.1f)).ok());
     compare();
-    m_session->loadTeapot();
+    loadTeapot(*m_session);
     compare();
     QVERIFY(m_session->hits().add(hitOn(*m_session, 0, 0.1f)).ok());
     compare();
-    while (m_session->canUndo()) {
+    while (m_session->steps().canUndo()) {
         m_session->undo();
     }
     compare();
-    while (m_session->canRedo()) {
+    while (m_session->steps().canRedo()) {
         m_session->redo();
     }
     compare();
@@ -249,7 +249,7 @@ void SessionJournalTest::endsInOrder() {
     compare();
     m_session->undo();
     m_journal->finish();
-    m_session->loadTeapot();  // in which nothing was done yet
+    loadTeapot(*m_session);  // in which nothing was done yet
     QTest::qWait(2 * SessionJournal::kSoon);
     QVERIFY(m_journal->writer().wait(kPatience));
     QCOMPARE(files(), 0);

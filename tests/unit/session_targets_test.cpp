@@ -105,7 +105,7 @@ private Q_SLOTS:
         QCOMPARE(removed.count(), 1);
         QCOMPARE(rearranged.count(), 1);
         QCOMPARE(below(*m_session, 0.0f), TargetId{});
-        QCOMPARE(m_session->undoName(), (SessionUndo::Name{SessionUndo::Kind::RemoveTarget, 1}));
+        QCOMPARE(m_session->steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::RemoveTarget, 1}));
 
         m_session->undo();
         QCOMPARE(id(0), left);
@@ -180,7 +180,7 @@ private Q_SLOTS:
                     .ok());
         QVERIFY(std::abs(glm::length(m_session->targets()[0]->transform.rotation) - 1.0f) < 1.0e-6f);
         QCOMPARE(below(*m_session, -5.7f), left);
-        QCOMPARE(m_session->undoName()->kind, SessionUndo::Kind::RotateTarget);
+        QCOMPARE(m_session->steps().toUndo()->kind, SessionUndo::Kind::RotateTarget);
         m_session->undo();
         QCOMPARE(below(*m_session, -5.7f), TargetId{});
         m_session->undo();
@@ -194,7 +194,7 @@ private Q_SLOTS:
         QVERIFY(!m_session->targets().setTransform(id(0), {{0, 0, 0}, glm::quat(0, 0, 0, 0)}).ok());
         QVERIFY(!m_session->targets().setTransform(id(0), {{0, 0, 0}, glm::quat(1, nan, 0, 0)}).ok());
         QCOMPARE(transforms(*m_session)[0].position, before[0].position);
-        QCOMPARE(m_session->undoName()->kind, SessionUndo::Kind::MoveTarget);  // the one of init()
+        QCOMPARE(m_session->steps().toUndo()->kind, SessionUndo::Kind::MoveTarget);  // the one of init()
     }
 
     void hiddenAreNotHit() {
@@ -212,7 +212,7 @@ private Q_SLOTS:
         m_session->targets().setVisible(std::array{left}, true);
         QCOMPARE(below(*m_session, -7.0f), left);
         m_session->targets().setVisible(std::array{left}, true);  // is so already: no step
-        QCOMPARE(m_session->undoName(), (SessionUndo::Name{SessionUndo::Kind::ShowTarget, 1}));
+        QCOMPARE(m_session->steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::ShowTarget, 1}));
         m_session->undo();
         m_session->undo();
         m_session->undo();
@@ -233,7 +233,7 @@ private Q_SLOTS:
         hit(*m_session, id(1), 0.2f);
         m_session->targets().reset(std::array{id(0)});
         QCOMPARE(m_session->hits().history().size(), std::size_t{1});
-        QCOMPARE(m_session->undoName(), (SessionUndo::Name{SessionUndo::Kind::ResetTarget, 1}));
+        QCOMPARE(m_session->steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::ResetTarget, 1}));
         m_session->targets().reset(std::array{id(0)});  // has none: no step
         m_session->undo();
         QCOMPARE(m_session->hits().history().size(), std::size_t{2});
@@ -297,8 +297,8 @@ private Q_SLOTS:
     void aNewSceneIsAStep() {
         const std::size_t before = m_session->targets().size();
         m_session->targets().add({cubePlan()});
-        m_session->loadPaperRow(0);
-        QVERIFY(!m_session->canRedo());
+        loadPaperRow(*m_session, 0);
+        QVERIFY(!m_session->steps().canRedo());
         m_session->undo();
         QCOMPARE(m_session->targets().size(), before + 1);
         m_session->undo();

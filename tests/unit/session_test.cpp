@@ -24,7 +24,7 @@ private Q_SLOTS:
         QFETCH(int, row);
         const PaperRow& paper = paperRows()[static_cast<std::size_t>(row)];
         Session session;
-        session.loadPaperRow(row);
+        loadPaperRow(session, row);
         QCOMPARE(session.targets().size(), static_cast<std::size_t>(paper.targets()));
         std::map<std::size_t, int> counts;
         for (const std::unique_ptr<Target>& target : session.targets()) {
@@ -38,7 +38,7 @@ private Q_SLOTS:
 
     void targetsStandOnTheFloorFifteenMetresApart() {
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         const std::span<const std::unique_ptr<Target>> targets = session.targets().all();
         for (std::size_t i = 0; i < targets.size(); ++i) {
             QVERIFY(std::abs(targets[i]->worldBounds().min.y - session.targets().floorHeight()) < 1e-4f);
@@ -51,7 +51,7 @@ private Q_SLOTS:
 
     void shotBecomesHitOnTheTargetItWasAimedAt() {
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         const Target& aimedAt = *session.targets()[6];
         const glm::vec3 eye = aimedAt.transform.position + glm::vec3(0, 1, 6);
         QSignalSpy appended(&session.hits(), &SessionHits::appended);
@@ -70,7 +70,7 @@ private Q_SLOTS:
 
     void projectilesDisappearAfterTheirLifetime() {
         Session session;
-        session.loadTeapot();
+        loadTeapot(session);
         session.simulation().shoot({{0, 10, 0}, {0, 1, 0}});
         for (int i = 0; i < 60 * 6; ++i) {
             session.simulation().advance(1.0 / 60.0);
@@ -80,10 +80,10 @@ private Q_SLOTS:
 
     void demoShotsAreRepeatableAndLand() {
         Session first;
-        first.loadTeapot();
+        loadTeapot(first);
         shootAll(first, demoShots(first, 50, 7));
         Session second;
-        second.loadTeapot();
+        loadTeapot(second);
         shootAll(second, demoShots(second, 50, 7));
         QVERIFY2(first.hits().history().size() >= 45,
                  qPrintable(QString::number(first.hits().history().size())));
@@ -96,7 +96,7 @@ private Q_SLOTS:
 
     void refusesBadHits() {
         Session session;
-        session.loadTeapot();
+        loadTeapot(session);
         Hit hit;
         hit.target = session.targets()[0]->id;
         hit.direction = glm::vec3(0.0f);
@@ -112,7 +112,7 @@ private Q_SLOTS:
 
     void constantsApplyToPastHitsOnlyWhenAsked() {
         Session session;
-        session.loadTeapot();
+        loadTeapot(session);
         Hit hit;
         hit.target = session.targets()[0]->id;
         hit.direction = {1, 0, 0};
@@ -133,11 +133,11 @@ private Q_SLOTS:
 
     void newSceneStartsAnEmptyHistory() {
         Session session;
-        session.loadTeapot();
+        loadTeapot(session);
         Hit hit;
         hit.target = session.targets()[0]->id;
         QVERIFY(session.hits().add(hit));
-        session.loadMesh(makeLowPolyCube());
+        loadMesh(session, makeLowPolyCube());
         QCOMPARE(session.hits().history().size(), std::size_t{0});
         QCOMPARE(session.targets().size(), std::size_t{1});
         session.undo();

@@ -29,7 +29,7 @@ std::vector<Hit> hitsOf(const Session& session) {
 /// A burst and a sweep at the paper's scene, played in frames of `frame` seconds.
 std::vector<Hit> played(double frame, bool isInstant) {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     const glm::vec3 first = session.targets()[0]->transform.position;
     const glm::vec3 last = session.targets()[15]->transform.position;
     const glm::vec3 eye = first + glm::vec3(-9, 3, -9);
@@ -209,7 +209,7 @@ private Q_SLOTS:
     void predictionsComeTrue() {
         QFETCH(bool, isInstant);
         Session session;
-        session.loadMesh(makeHighPolySphere(2.5f));
+        loadMesh(session, makeHighPolySphere(2.5f));
         const Ray aside{{-8, 3, 1}, glm::normalize(glm::vec3(8, -1.0f, -0.5f))};
         const auto hit = session.simulation().predictedHit(aside, isInstant);
         QVERIFY(hit.has_value());

@@ -52,14 +52,14 @@ private Q_SLOTS:
     void slicesMakeTheSameHits() {
         QFETCH(double, each);
         Session whole;
-        whole.loadMesh(makeHighPolySphere(2.5f));
+        loadMesh(whole, makeHighPolySphere(2.5f));
         scheduleBoth(whole);
         for (int i = 0; i < 1500; ++i) {
             whole.simulation().stepOnce();
         }
         QVERIFY(whole.hits().history().size() > 40);
         Session sliced;
-        sliced.loadMesh(makeHighPolySphere(2.5f));
+        loadMesh(sliced, makeHighPolySphere(2.5f));
         scheduleBoth(sliced);
         std::size_t most = 0;
         int frames = 0;
@@ -75,7 +75,7 @@ private Q_SLOTS:
 
     void progressAndCancel() {
         Session session;
-        session.loadMesh(makeHighPolySphere(2.5f));
+        loadMesh(session, makeHighPolySphere(2.5f));
         ShotScript script;
         script.isInstant = true;
         script.shots = burst(kAxis, 100, 0.05f, 5);
@@ -107,7 +107,7 @@ private Q_SLOTS:
 
     void shotsAreCountedByWhatTheyStrike() {
         Session session;
-        session.loadMesh(makeHighPolySphere(2.5f));
+        loadMesh(session, makeHighPolySphere(2.5f));
         QSignalSpy went(&session.simulation(), &Simulation::shotsWent);
         const auto last = [&] { return went.last().first().value<ShotCount>(); };
         session.simulation().shoot(kAxis);

@@ -115,9 +115,9 @@ private Q_SLOTS:
     // What frames and aims at a target goes by its surface.
     void changeNothingElse() {
         Session with;
-        with.loadMesh(withLooseVertices(200));
+        loadMesh(with, withLooseVertices(200));
         Session without;
-        without.loadMesh(makeUvSphere(24, 12, 1.0f));
+        loadMesh(without, makeUvSphere(24, 12, 1.0f));
         QCOMPARE(with.targets()[0]->extent(), without.targets()[0]->extent());
         QCOMPARE(with.targets().bounds().max, without.targets().bounds().max);
         const std::vector<Ray> shots = demoShots(with, 40, 6);

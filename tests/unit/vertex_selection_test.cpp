@@ -26,7 +26,7 @@ class VertexSelectionTest : public QObject {
 private Q_SLOTS:
     void init() {
         m_session = std::make_unique<Session>();
-        m_session->loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(*m_session, kDefaultPaperRow);
         m_first = m_session->targets()[0]->id;
         m_second = m_session->targets()[1]->id;
     }
@@ -96,7 +96,7 @@ private Q_SLOTS:
         QCOMPARE(selection.count(), std::size_t{1});
         QVERIFY(!selection.picked());
         QVERIFY(selection.hovered().has_value());
-        m_session->loadPaperRow(0);
+        loadPaperRow(*m_session, 0);
         QCOMPARE(selection.count(), std::size_t{0});
         QVERIFY(!selection.hovered());
     }

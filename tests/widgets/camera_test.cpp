@@ -232,7 +232,7 @@ void CameraWindowTest::earlierViewsComeBack() {
     QCOMPARE(cameraText(camera()), first);
     QCOMPARE(m_session->steps().size(), steps);  // undo leaves the camera alone
     // They were views of this scene.
-    m_session->loadPaperRow(0);
+    loadPaperRow(*m_session, 0);
     QVERIFY(!forward->isEnabled());
 }
 

@@ -194,7 +194,7 @@ private Q_SLOTS:
         QTest::keyClick(&m_window->viewport(), Qt::Key_B, Qt::ShiftModifier);
         QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("report")->text().contains(QStringLiteral("equal in all")),
                                  kPatience);
-        m_session->loadTeapot();
+        loadTeapot(*m_session);
         QVERIFY(child<QLabel>("report")->text().contains(QStringLiteral("no vertex has moved")));
     }
 

@@ -138,7 +138,7 @@ private Q_SLOTS:
         QTest::keyClick(&viewport(), Qt::Key_Escape);
         QCOMPARE(m_session->steps().done(), steps + 4);
         // Another scene has a plane of its own, and that is no step either.
-        m_session->loadPaperRow(0);
+        loadPaperRow(*m_session, 0);
         QCOMPARE(m_session->steps().done(), steps + 5);
         // Nobody has put it anywhere there: switched on again, it goes through what is selected.
         QTest::keyClick(&viewport(), Qt::Key_K);
@@ -276,7 +276,7 @@ private Q_SLOTS:
         sheet.positions = {{-3, 0, -2}, {3, 0, -2}, {3, 0, 2}, {-3, 0, 2}, {-3, 0, 0}, {3, 0, 0}};
         sheet.faceStarts = {0, 4, 8};
         sheet.cornerVertices = {0, 4, 5, 1, 4, 3, 2, 5};
-        m_session->loadMesh(sheet);
+        loadMesh(*m_session, sheet);
         child<QCheckBox>("on")->click();
         child<QToolButton>("alongX")->click();
         QTRY_VERIFY_WITH_TIMEOUT(m_actions->sections().section() &&
@@ -300,15 +300,17 @@ private Q_SLOTS:
         // The sphere's near half is hidden: what the cursor meets is the inside of the far half.
         QTest::keyClick(&viewport(), Qt::Key_K, Qt::ShiftModifier);
         const Ray ray = viewport().rayThrough({0.5, 0.5});
-        const Ray shot = viewport().shotAt(ray).ray;
+        const Ray shot = viewport().aiming().shotAt(ray).ray;
         QVERIFY(std::abs(glm::dot(cut().kept(), glm::vec4(shot.origin, 1.0f))) < 1.0e-2f);
         viewport().inspectTool().setTool(Tool::Inspect);
-        const auto vertex = viewport().vertexAt({viewport().width() / 2.0, viewport().height() / 2.0});
+        const auto vertex =
+            viewport().picking().vertexAt({viewport().width() / 2.0, viewport().height() / 2.0});
         QVERIFY(vertex);
         const Target& target = *m_session->targets()[0];
         QVERIFY(!cut().hides(target.transform.toWorld(target.deformed.positions()[vertex->vertex])));
         QTest::keyClick(&viewport(), Qt::Key_K);
-        const auto whole = viewport().vertexAt({viewport().width() / 2.0, viewport().height() / 2.0});
+        const auto whole =
+            viewport().picking().vertexAt({viewport().width() / 2.0, viewport().height() / 2.0});
         QVERIFY(whole && *whole != *vertex);
     }
 
@@ -329,7 +331,7 @@ private Q_SLOTS:
         for (glm::vec3& position : far.positions) {
             position.x += 40.0f;
         }
-        m_session->loadMesh(far);
+        loadMesh(*m_session, far);
         QVERIFY(cut().on);
         QVERIFY(std::abs(cut().offset - middle().x) < 1.0e-3f);
         QTRY_VERIFY_WITH_TIMEOUT(

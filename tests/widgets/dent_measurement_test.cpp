@@ -41,7 +41,7 @@ class DentMeasurementTest : public QObject {
 private Q_SLOTS:
     void init() {
         m_session = std::make_unique<Session>();
-        m_session->loadMesh(makeSheet(100, 100, 4.0f, 4.0f));
+        loadMesh(*m_session, makeSheet(100, 100, 4.0f, 4.0f));
         Hit hit;
         hit.target = m_session->targets().front()->id;
         hit.point = m_session->targets().front()->deformed.positions()[50 * 101 + 50];
@@ -97,7 +97,7 @@ private Q_SLOTS:
         QVERIFY(m_session->hits().add(m_session->hits().history().hits()[0]).ok());
         applyHits(*m_session);
         QTRY_VERIFY_WITH_TIMEOUT(report().dent->displacedVolume > 1.2 * before, kPatience);
-        m_session->loadMesh(makeSheet(4, 4, 4.0f, 4.0f));
+        loadMesh(*m_session, makeSheet(4, 4, 4.0f, 4.0f));
         QVERIFY(!report().dent);
         QCOMPARE(label("depth"), QStringLiteral("–"));
     }
@@ -169,7 +169,7 @@ private Q_SLOTS:
         if (isSphere) {
             useSphere();
         } else {
-            m_session->loadMesh(makeCube(48, 1.0f));
+            loadMesh(*m_session, makeCube(48, 1.0f));
         }
         // A second hit beside the first makes the dent wide.
         addHitAt({0.0f, 0.0f, 1.0f});
@@ -206,7 +206,7 @@ private Q_SLOTS:
     }
 
 private:
-    void useSphere() { m_session->loadMesh(makeUvSphere(128, 64, 1.0f)); }
+    void useSphere() { loadMesh(*m_session, makeUvSphere(128, 64, 1.0f)); }
     void addHitAt(const glm::vec3& point) {
         Hit hit;
         hit.target = m_session->targets().front()->id;

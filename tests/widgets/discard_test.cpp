@@ -57,7 +57,7 @@ private Q_SLOTS:
         makeWindow([](Session& session) {
             MeshData sphere = makeHighPolySphere(2.5f);
             place(sphere, 4.0f);
-            session.loadMesh(std::move(sphere));
+            loadMesh(session, std::move(sphere));
         });
         writeObj(makeLowPolyCube(1.0f), path("cube.obj"));
     }

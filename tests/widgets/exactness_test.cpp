@@ -46,7 +46,7 @@ private:
 
 void ExactnessTest::theStatusBarSaysIt() {
     Session session;
-    session.loadPaperRow(0);
+    loadPaperRow(session, 0);
     QVERIFY(session.readBack().verdict().pipelines.empty());
     MainWindow window(session);
     showReady(window);
@@ -77,7 +77,7 @@ void ExactnessTest::theStatusBarSaysIt() {
 /// One that nobody asked for is left where it is not exact; one that was chosen is not.
 void ExactnessTest::inexactPipelineIsLeft() {
     Session session;
-    session.loadPaperRow(0);
+    loadPaperRow(session, 0);
     session.settings().setPipeline(PipelineKind::TransformFeedback);
     PipelineChooser chooser(session);
     QMenu menu;
@@ -108,7 +108,7 @@ void ExactnessTest::inexactPipelineIsLeft() {
 
 void ExactnessTest::theAboutBoxSaysIt() {
     Session session;
-    session.loadPaperRow(0);
+    loadPaperRow(session, 0);
     MainWindow window(session);
     showReady(window);
     session.settings().setPipeline(PipelineKind::Reference);

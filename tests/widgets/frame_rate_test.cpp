@@ -254,7 +254,7 @@ void FrameRateTest::saysThatTheGpuIsNotMeasured() {
 }
 
 void FrameRateTest::collectsCosts() {
-    m_session->loadPaperRow(0);
+    loadPaperRow(*m_session, 0);
     for (int i = 0; i < 3; ++i) {
         addFrame(*m_session, 0.02);
     }
@@ -270,7 +270,7 @@ void FrameRateTest::collectsCosts() {
     m_session->frameCosts().addGpuTimes(m_session->frameCosts().nextFrame() - 1, 0.01, 0.0055);
     m_panel->costs().refresh();
     QCOMPARE(m_panel->costs().curves()[1].points[0].hit.value_or(0.0), 0.004);
-    m_session->loadPaperRow(1);
+    loadPaperRow(*m_session, 1);
     QVERIFY(m_panel->costs().curves()[1].points.empty());
 }
 
@@ -314,7 +314,7 @@ void FrameRateTest::framesAloneWaitForTheGpu() {
 }
 
 void FrameRateTest::measuresOnRequest() {
-    m_session->loadPaperRow(0);
+    loadPaperRow(*m_session, 0);
     CostPlan plan;
     plan.width = 64;
     plan.height = 48;
@@ -330,7 +330,7 @@ void FrameRateTest::measuresOnRequest() {
         QCOMPARE(curve.points.size(), pointsOf(curve.pipeline));
     }
     QVERIFY(child<QLabel>("words")->text().startsWith(QStringLiteral("Measured")));
-    m_session->loadPaperRow(1);
+    loadPaperRow(*m_session, 1);
     QVERIFY(child<QLabel>("words")->text().contains(QStringLiteral("The scene has changed since")));
     QCOMPARE(m_panel->costs().curves()[0].points.size(), std::size_t{2});
     plan.samples = 1'000'000;
@@ -372,7 +372,7 @@ void FrameRateTest::measuresAgainstTheNumberOfVertices() {
     // The curve against hits is not touched, nor is this one by the scene.
     child<QComboBox>("axis")->setCurrentIndex(0);
     QVERIFY(words->text().startsWith(QStringLiteral("Collected")));
-    m_session->loadPaperRow(1);
+    loadPaperRow(*m_session, 1);
     child<QComboBox>("axis")->setCurrentIndex(1);
     QCOMPARE(m_panel->costs().curves()[0].points.size(), std::size_t{2});
 }

@@ -77,7 +77,7 @@ void HitHistoryTest::init() {
     m_panel.reset();
     m_model.reset();
     m_session = std::make_unique<Session>();
-    m_session->loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(*m_session, kDefaultPaperRow);
     m_model = std::make_unique<HitHistoryModel>(*m_session);
     m_panel = std::make_unique<HitHistoryPanel>(*m_session, *m_model);
     m_table = m_panel->findChild<QTableView*>();

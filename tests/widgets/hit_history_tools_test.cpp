@@ -66,7 +66,7 @@ private Q_SLOTS:
     void init() {
         m_settings = std::make_unique<TestSettings>();
         m_session = std::make_unique<Session>();
-        m_session->loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(*m_session, kDefaultPaperRow);
         m_effects = std::make_unique<HitEffects>(*m_session);
         m_model = std::make_unique<HitHistoryModel>(*m_session, m_effects.get());
         m_panel = std::make_unique<HitHistoryPanel>(*m_session, *m_model);
@@ -161,7 +161,7 @@ private Q_SLOTS:
         press(part<QToolButton>("stepOn"));
         QCOMPARE(shown(), std::size_t{1});
         QCOMPARE(m_session->hits().history().size(), std::size_t{12});
-        QVERIFY(m_session->undoName()->kind == SessionUndo::Kind::Hit);  // nothing of it can be undone
+        QVERIFY(m_session->steps().toUndo()->kind == SessionUndo::Kind::Hit);  // nothing of it can be undone
         slider->setFocus();
         QTest::keyClick(slider, Qt::Key_Escape);
         QVERIFY(m_session->hits().showsAll());
@@ -298,7 +298,7 @@ private Q_SLOTS:
     void inTheWindow() {
         m_panel->hide();
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         {
             MainWindow window(session);
             showReady(window);

@@ -80,11 +80,11 @@ private Q_SLOTS:
         QVERIFY(viewport().syncNow().ok());
         QVERIFY(changed() > before);
         slider->setSliderDown(false);
-        QCOMPARE(m_session->undoName(), (SessionUndo::Name{SessionUndo::Kind::EditHit, 1}));
+        QCOMPARE(m_session->steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::EditHit, 1}));
         m_session->undo();
         QCOMPARE(hit(1).constants.maxDistance, 0.5f);
         QCOMPARE(hit(0).constants.maxDistance, 0.5f);
-        QVERIFY(m_session->undoName()->kind == SessionUndo::Kind::Hit);
+        QVERIFY(m_session->steps().toUndo()->kind == SessionUndo::Kind::Hit);
     }
 
     void aNumberIsTyped() {
@@ -178,15 +178,15 @@ private Q_SLOTS:
         QVERIFY(viewport().camera().eye() == eye);
         m_session->undo();
         QVERIFY(hit(1) == before);
-        QVERIFY(m_session->undoName()->kind == SessionUndo::Kind::Hit);
+        QVERIFY(m_session->steps().toUndo()->kind == SessionUndo::Kind::Hit);
         // Escape takes a drag back, and the button's release does nothing more.
         drag(name, 25, true);
         QVERIFY(hit(1) == before);
-        QVERIFY(m_session->undoName()->kind == SessionUndo::Kind::Hit);
+        QVERIFY(m_session->steps().toUndo()->kind == SessionUndo::Kind::Hit);
     }
 
     void valuesAreAsPeopleWriteThem() {
-        makeWindow([](Session& session) { session.loadMesh(makeUvSphere(32, 16, 0.225f)); });
+        makeWindow([](Session& session) { loadMesh(session, makeUvSphere(32, 16, 0.225f)); });
         QVERIFY(m_session->simulation().hitscan(viewport().rayThrough({0.5, 0.5})));
         m_session->hits().select(0);
         QCOMPARE(child<QDoubleSpinBox>("max_magnitude")->text(), QStringLiteral("0.027 m"));

@@ -50,7 +50,7 @@ void HitMenusTest::init() {
     m_settings = std::make_unique<TestSettings>();
     m_folder = std::make_unique<QTemporaryDir>();
     m_session = std::make_unique<Session>();
-    m_session->loadMesh(makeHighPolyCube(2.5f));
+    loadMesh(*m_session, makeHighPolyCube(2.5f));
 }
 
 void HitMenusTest::cleanup() {

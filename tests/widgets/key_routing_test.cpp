@@ -66,7 +66,7 @@ private Q_SLOTS:
         QTest::keyClick(box, Qt::Key_L);
         QVERIFY(viewport().options().wireframe != wireframe);
         QVERIFY(box->hasFocus());
-        while (m_session->canUndo()) {
+        while (m_session->steps().canUndo()) {
             QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
         }
         QCOMPARE(m_session->hits().history().size(), std::size_t{0});

@@ -182,7 +182,7 @@ private:
     void work(const QString& folder) {
         m_settings = std::make_unique<TestSettings>();
         qputenv("XDG_STATE_HOME", folder.toLocal8Bit());
-        makeWindow([](Session& session) { session.loadTeapot(); });
+        makeWindow([](Session& session) { loadTeapot(session); });
         m_session->settings().setFlightMode(FlightMode::Instant);
         connect(m_session.get(), &Session::undoChanged, this, [this] { say(); });
         connect(&m_session->hits(), &SessionHits::reset, this, [this] { say(); });

@@ -76,7 +76,7 @@ void MainWindowTest::clickCentre(MainWindow& window, const QPoint& offset) {
 
 void MainWindowTest::opensOnTheDefaultScene() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     MainWindow window(session);
     showReady(window);
     QCOMPARE(session.targets().size(), std::size_t{16});
@@ -86,7 +86,7 @@ void MainWindowTest::opensOnTheDefaultScene() {
 
 void MainWindowTest::openClickInspectExport() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     MainWindow window(session);
     showReady(window);
     openCube(window, session);
@@ -128,7 +128,7 @@ void MainWindowTest::openClickInspectExport() {
 
 void MainWindowTest::undoAndRedoByKey() {
     Session session;
-    session.loadMesh(makeHighPolyCube(2.5f));
+    loadMesh(session, makeHighPolyCube(2.5f));
     MainWindow window(session);
     showReady(window);
     const Target& cube = *session.targets().front();
@@ -147,7 +147,7 @@ void MainWindowTest::undoAndRedoByKey() {
 
 void MainWindowTest::pipelinesGiveTheSameMesh() {
     Session session;
-    session.loadMesh(makeHighPolySphere(2.5f));
+    loadMesh(session, makeHighPolySphere(2.5f));
     MainWindow window(session);
     showReady(window);
     for (int i = 0; i < 3; ++i) {
@@ -186,7 +186,7 @@ void MainWindowTest::badFilesSayOneThing() {
         file.write(content);
     }
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     MainWindow window(session);
     showReady(window);
     window.openFiles({path(name)});
@@ -201,7 +201,7 @@ void MainWindowTest::badFilesSayOneThing() {
 
 void MainWindowTest::dropOpens() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     MainWindow window(session);
     showReady(window);
     writeObj(makeLowPolyCube(1.0f), path(QStringLiteral("dropped.obj")));
@@ -225,7 +225,7 @@ void MainWindowTest::dropOpens() {
 
 void MainWindowTest::openingCanBeCancelled() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     MainWindow window(session);
     showReady(window);
     writeObj(makeHighPolyCube(1.0f), path(QStringLiteral("slow.obj")));
@@ -238,7 +238,7 @@ void MainWindowTest::openingCanBeCancelled() {
 
 void MainWindowTest::placesTheMeshOnRequest() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     MainWindow window(session);
     showReady(window);
     MeshData far = makeLowPolyCube(50.0f);
@@ -262,7 +262,7 @@ void MainWindowTest::placesTheMeshOnRequest() {
 
 void MainWindowTest::layoutIsRemembered() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     {
         MainWindow window(session);
         showReady(window);
@@ -287,7 +287,7 @@ void MainWindowTest::settingsAreRemembered() {
     constants.power = 0.07f;
     {
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         MainWindow window(session);
         showReady(window);
         QVERIFY(session.settings().setConstants(constants).ok());
@@ -299,7 +299,7 @@ void MainWindowTest::settingsAreRemembered() {
         window.close();
     }
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     MainWindow window(session);
     QVERIFY(session.settings().constants() == constants);
     QCOMPARE(session.settings().pipeline(), PipelineKind::UniformArray);
@@ -310,7 +310,7 @@ void MainWindowTest::settingsAreRemembered() {
 
 void MainWindowTest::savesThePicture() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     MainWindow window(session);
     showReady(window);
     const QString file = path(QStringLiteral("picture.png"));

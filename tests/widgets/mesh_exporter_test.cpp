@@ -39,7 +39,7 @@ private:
 private Q_SLOTS:
     void writesWhatWasThere() {
         Session session;
-        session.loadMesh(makeHighPolyCube(2.5f));
+        loadMesh(session, makeHighPolyCube(2.5f));
         QVERIFY(exportTarget(target(session), path("at_once.obj"), NormalMode::True).ok());
         MeshExporter exporter(session.tasks());
         QSignalSpy exported(&exporter, &MeshExporter::exported);
@@ -53,7 +53,7 @@ private Q_SLOTS:
                        path("beside.obj"));
         QCOMPARE(session.tasks().size(), std::size_t{1});
         QCOMPARE(session.tasks().current()->what, QStringLiteral("Exporting beside.obj"));
-        session.loadPaperRow(kDefaultPaperRow);  // the file is of what there was
+        loadPaperRow(session, kDefaultPaperRow);  // the file is of what there was
         QTRY_COMPARE_WITH_TIMEOUT(exported.size(), 1, kPatience);
         QCOMPARE(exported[0][0].toString(), QStringLiteral("cube"));
         QCOMPARE(session.tasks().size(), std::size_t{0});
@@ -65,7 +65,7 @@ private Q_SLOTS:
 
     void givenUpLeavesTheOldFile() {
         Session session;
-        session.loadMesh(makeHighPolyCube(2.5f));
+        loadMesh(session, makeHighPolyCube(2.5f));
         const QByteArray old = "# what was there\n";
         QFile file(path("old.obj"));
         QVERIFY(file.open(QIODevice::WriteOnly));
@@ -89,7 +89,7 @@ private Q_SLOTS:
 
     void whatCannotBeWrittenIsSaid() {
         Session session;
-        session.loadMesh(makeHighPolyCube(2.5f));
+        loadMesh(session, makeHighPolyCube(2.5f));
         MeshExporter exporter(session.tasks());
         QSignalSpy failed(&exporter, &MeshExporter::failed);
         exporter.start(copyForExport(target(session), NormalMode::True), QStringLiteral("cube"),
@@ -100,7 +100,7 @@ private Q_SLOTS:
 
     void isFinishedBeforeItGoes() {
         Session session;
-        session.loadMesh(makeHighPolyCube(2.5f));
+        loadMesh(session, makeHighPolyCube(2.5f));
         {
             MeshExporter exporter(session.tasks());
             exporter.start(copyForExport(target(session), NormalMode::True), QStringLiteral("cube"),
@@ -112,7 +112,7 @@ private Q_SLOTS:
 
     void theWindowSaysHowItEnded() {
         Session session;
-        session.loadMesh(makeHighPolyCube(2.5f));
+        loadMesh(session, makeHighPolyCube(2.5f));
         MainWindow window(session);
         showReady(window);
         Hit hit;

@@ -115,7 +115,7 @@ private Q_SLOTS:
         entry(*menu, QStringLiteral("Pick Vertex"))->trigger();
         menu->close();
         const auto picked = m_session->selection().picked();
-        QVERIFY(picked && *picked == *viewport().vertexAt(centre()));
+        QVERIFY(picked && *picked == *viewport().picking().vertexAt(centre()));
         viewport().navigation().flyStep({2.0f, 0.0f, 0.0f});
         const Camera before = viewport().camera();
         menu = openMenu(centre() + QPoint(-60, 0));
@@ -124,7 +124,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(!viewport().navigation().isMoving(), kPatience);
         QVERIFY(viewport().camera().pivot() != before.pivot());
         menu = openMenu(centre() + QPoint(30, 20));
-        const auto met = viewport().metAt(centre() + QPoint(30, 20));
+        const auto met = viewport().aiming().met(viewport().navigation().rayAt(centre() + QPoint(30, 20)));
         entry(*menu, QStringLiteral("Centre View Here"))->trigger();
         menu->close();
         QTRY_VERIFY_WITH_TIMEOUT(!viewport().navigation().isMoving(), kPatience);
@@ -178,10 +178,10 @@ private Q_SLOTS:
     }
 
     void menuIsolatesAndShowsAll() {
-        makeWindow([](Session& session) { session.loadPaperRow(0); });
+        makeWindow([](Session& session) { loadPaperRow(session, 0); });
         QVERIFY(m_session->targets().size() > 1);
         QPoint at = centre();
-        for (int x = 20; x < viewport().width() && !viewport().vertexAt(at); x += 20) {
+        for (int x = 20; x < viewport().width() && !viewport().picking().vertexAt(at); x += 20) {
             at = {x, viewport().height() / 2};
         }
         QMenu* menu = openMenu(at);
@@ -224,7 +224,7 @@ private Q_SLOTS:
             QTRY_VERIFY_WITH_TIMEOUT(!viewport().navigation().isMoving(), kPatience);
             const VertexRef wanted{target.id, vertex};
             QVERIFY(m_session->selection().picked() == wanted && m_session->selection().isSelected(wanted));
-            const auto seen = viewport().vertexAt(centre());
+            const auto seen = viewport().picking().vertexAt(centre());
             QVERIFY(seen.has_value());
             const auto at = [&](std::uint32_t v) { return target.deformed.positions()[v]; };
             QVERIFY(glm::length(at(seen->vertex) - at(vertex)) < 0.05f * target.extent());

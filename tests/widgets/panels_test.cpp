@@ -57,7 +57,7 @@ private Q_SLOTS:
 
 void PanelsTest::historySelectsRemovesAndCopies() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     HitHistoryModel model(session);
     HitHistoryPanel panel(session, model);
     panel.show();
@@ -89,7 +89,7 @@ void PanelsTest::historySelectsRemovesAndCopies() {
 
 void PanelsTest::constantsApplyToThePastOnRequest() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     addHits(session, 3);
     HitEditing editing(session);
     DeformationConstantsPanel panel(session, editing);
@@ -112,7 +112,7 @@ void PanelsTest::constantsApplyToThePastOnRequest() {
     QCOMPARE(all->text(), QStringLiteral("All (3)"));
     all->click();
     QCOMPARE(powerOf(0), 0.1f);
-    QCOMPARE(session.undoName(), (SessionUndo::Name{SessionUndo::Kind::HitConstants, 3}));
+    QCOMPARE(session.steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::HitConstants, 3}));
     session.undo();
     QCOMPARE(powerOf(0), 0.05f);
     QCOMPARE(powerOf(1), 0.1f);
@@ -157,7 +157,7 @@ void PanelsTest::constantsShowWhatIsTrue() {
 
 void PanelsTest::constantsForTheNextHitCanBeUndone() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     HitEditing editing(session);
     DeformationConstantsPanel panel(session, editing);
     auto* slider = panel.findChildren<QSlider*>().at(0);
@@ -172,10 +172,10 @@ void PanelsTest::constantsForTheNextHitCanBeUndone() {
     QVERIFY(session.settings().constants().maxDistance < 0.5f);
     session.undo();
     QVERIFY(session.settings().constants().maxDistance > 0.5f);
-    QVERIFY(session.undoName()->kind == SessionUndo::Kind::Constants);
+    QVERIFY(session.steps().toUndo()->kind == SessionUndo::Kind::Constants);
     session.undo();
     QCOMPARE(session.settings().constants().maxDistance, 0.5f);
-    QVERIFY(!session.canUndo());
+    QVERIFY(!session.steps().canUndo());
     QTest::keyClick(panel.findChild<QComboBox*>(QStringLiteral("size")), Qt::Key_End);
     QVERIFY(!session.settings().constantsSetting().relative);
     session.undo();
@@ -198,7 +198,7 @@ void PanelsTest::constantsSliderCoversTheRange() {
 
 void PanelsTest::lightsSwitchAndTint() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     LightsPanel panel(session);
     auto* list = panel.findChild<QListView*>(QStringLiteral("list"));
     QCOMPARE(list->model()->rowCount(), 6);
@@ -239,7 +239,7 @@ void PanelsTest::lightsSwitchAndTint() {
 
 void PanelsTest::lightsCanBeUndone() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     const Lights before = session.settings().lights();
     LightsPanel panel(session);
     auto* list = panel.findChild<QListView*>(QStringLiteral("list"));
@@ -255,17 +255,17 @@ void PanelsTest::lightsCanBeUndone() {
     session.undo();
     QCOMPARE(session.settings().lights().directional.terms.diffuse, before.directional.terms.diffuse);
     QVERIFY(!session.settings().lights().points[1].on);
-    QVERIFY(session.undoName()->kind == SessionUndo::Kind::Lights);
+    QVERIFY(session.steps().toUndo()->kind == SessionUndo::Kind::Lights);
     session.undo();
     QVERIFY(session.settings().lights() == before);
-    QVERIFY(!session.canUndo());
+    QVERIFY(!session.steps().canUndo());
     session.redo();
     QVERIFY(!session.settings().lights().points[1].on);
 }
 
 void PanelsTest::statisticsChooseTheTarget() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     MeshStatisticsModel model(session);
     MeshStatisticsPanel panel(session, model);
     auto* box = panel.findChild<QComboBox*>(QStringLiteral("target"));

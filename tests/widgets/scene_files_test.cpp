@@ -96,7 +96,7 @@ void SceneFilesTest::whatCannotBeReadIsLeftOut() {
 
 void SceneFilesTest::filesAndTargetsAreAdded() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     SceneFiles files(session);
     QSignalSpy ended(&files, &SceneFiles::ended);
     files.open({path("a.obj"), path("b.obj")}, SceneFiles::Into::ThisScene);
@@ -114,7 +114,7 @@ void SceneFilesTest::filesAndTargetsAreAdded() {
 
 void SceneFilesTest::cancellingLeavesTheScene() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     SceneFiles files(session);
     QSignalSpy made(&files, &SceneFiles::made);
     files.make(QStringLiteral("Late"), SceneFiles::Into::NewScene, [] {
@@ -161,7 +161,7 @@ void SceneFilesTest::sampleScenesAreMade() {
 
 void SceneFilesTest::deleteInTheViewportRemovesTheTarget() {
     Session session;
-    session.loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(session, kDefaultPaperRow);
     MainWindow window(session);
     showReady(window);
     auto* dock = window.findChild<QDockWidget*>(QStringLiteral("scene"));

@@ -71,7 +71,7 @@ void ScenePanelTest::init() {
     m_panel.reset();
     m_model.reset();
     m_session = std::make_unique<Session>();
-    m_session->loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(*m_session, kDefaultPaperRow);
     m_model = std::make_unique<SceneModel>(*m_session);
     m_panel = std::make_unique<ScenePanel>(*m_session, *m_model);
     m_table = m_panel->findChild<QTableView*>();
@@ -119,7 +119,7 @@ void ScenePanelTest::spaceHidesTheSelection() {
     QCOMPARE(m_panel->findChild<QAction*>(QStringLiteral("toggleTargets"))->text(), QStringLiteral("Show"));
     m_session->undo();
     QVERIFY(m_session->targets()[2]->visible);
-    QVERIFY(!m_session->canUndo());
+    QVERIFY(!m_session->steps().canUndo());
 }
 
 void ScenePanelTest::nameIsEditedInPlace() {
@@ -142,7 +142,7 @@ void ScenePanelTest::nameIsEditedInPlace() {
     };
     QTRY_VERIFY(openEditor() != nullptr);
     QTest::keyClick(openEditor(), Qt::Key_Escape);
-    QCOMPARE(m_session->undoName(), (SessionUndo::Name{SessionUndo::Kind::RenameTarget, 1}));
+    QCOMPARE(m_session->steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::RenameTarget, 1}));
     m_session->undo();
     QCOMPARE(m_session->targets()[2]->name, QStringLiteral("Low-poly cube 3"));
 }
@@ -206,7 +206,7 @@ void ScenePanelTest::positionIsTyped() {
     QCOMPARE(child<QDoubleSpinBox>("positionX").value(), 1.25);
     m_session->undo();
     QCOMPARE(m_session->targets()[0]->transform.position, before);
-    QVERIFY(!m_session->canUndo());
+    QVERIFY(!m_session->steps().canUndo());
 }
 
 void ScenePanelTest::stepsInOneFieldAreOneStep() {
@@ -220,7 +220,7 @@ void ScenePanelTest::stepsInOneFieldAreOneStep() {
     QCOMPARE(m_session->targets()[0]->transform.position.y, static_cast<float>(before + 0.5));
     m_session->undo();
     QCOMPARE(m_session->targets()[0]->transform.position.y, static_cast<float>(before));
-    QVERIFY(!m_session->canUndo());
+    QVERIFY(!m_session->steps().canUndo());
 }
 
 void ScenePanelTest::anglesStayAsTyped() {
@@ -229,7 +229,7 @@ void ScenePanelTest::anglesStayAsTyped() {
     typeInto("rotationX", QStringLiteral("200"));
     QCOMPARE(child<QDoubleSpinBox>("rotationY").value(), 120.0);
     QCOMPARE(child<QDoubleSpinBox>("rotationX").value(), 200.0);
-    QCOMPARE(m_session->undoName()->kind, SessionUndo::Kind::RotateTarget);
+    QCOMPARE(m_session->steps().toUndo()->kind, SessionUndo::Kind::RotateTarget);
     m_session->undo();
     m_session->undo();
     QCOMPARE(child<QDoubleSpinBox>("rotationY").value(), 0.0);
@@ -269,7 +269,7 @@ void ScenePanelTest::whatCannotBeHitHasAWarning() {
     };
     const QString name = QStringLiteral("Same");
     MeshData ball = makeHighPolySphere(1.0f);
-    m_session->loadMesh(ball);
+    loadMesh(*m_session, ball);
     QVERIFY(m_session->targets().rename(id(0), name).ok());
     m_session->targets().select({});
     m_table->clearFocus();
@@ -278,7 +278,7 @@ void ScenePanelTest::whatCannotBeHitHasAWarning() {
     const QImage without = picture(0);
     // All of it in one point: nothing has an area.
     ball.positions.assign(ball.positions.size(), glm::vec3(0.0f, 1.0f, 0.0f));
-    m_session->loadMesh(ball);
+    loadMesh(*m_session, ball);
     QVERIFY(m_session->targets().rename(id(0), name).ok());
     m_session->targets().select({});
     const QModelIndex index = m_model->index(0, SceneModel::NameColumn);

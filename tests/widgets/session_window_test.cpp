@@ -52,7 +52,7 @@ public:
 
 private Q_SLOTS:
     void init() {
-        makeWindow([](Session& session) { session.loadPaperRow(kDefaultPaperRow); });
+        makeWindow([](Session& session) { loadPaperRow(session, kDefaultPaperRow); });
     }
     void cleanup() { dropWindow(); }
 
@@ -119,12 +119,12 @@ void SessionWindowTest::comesBackAsItWasSaved() {
     QVERIFY(!m_window->isWindowModified());
     QVERIFY(m_window->windowTitle().startsWith(QStringLiteral("one.hitscope")));
 
-    makeWindow([](Session& session) { session.loadTeapot(); });
+    makeWindow([](Session& session) { loadTeapot(session); });
     m_window->openFiles({path("one.hitscope")});
     QTRY_COMPARE_WITH_TIMEOUT(m_session->targets().size(), std::size_t{16}, kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(!files().isBusy(), kPatience);
     QVERIFY(fingerprints() == before);
-    QVERIFY(!m_session->canUndo());
+    QVERIFY(!m_session->steps().canUndo());
     QCOMPARE(m_session->targets()[2]->name, QStringLiteral("The third"));
     QVERIFY(!m_session->targets()[5]->visible);
     QVERIFY(!m_session->hits().history().hits()[4].enabled);
@@ -209,7 +209,7 @@ void SessionWindowTest::isRecoveredAfterACrash() {
     const QImage shown = m_window->viewport().grabFramebuffer();
 
     // Its window goes without closing: what is on the disk is what a crash leaves.
-    makeWindow([](Session& session) { session.loadTeapot(); });
+    makeWindow([](Session& session) { loadTeapot(session); });
     QCOMPARE(leftBehind().size(), std::size_t{1});
     m_window->offerRecovery();
     QTRY_VERIFY_WITH_TIMEOUT(isOffered(), kPatience);
@@ -227,7 +227,7 @@ void SessionWindowTest::isRecoveredAfterACrash() {
     QVERIFY(m_window->findChild<DiscardGuard*>()->isAtRisk());
     QVERIFY(leftBehind().empty());
     // A second crash loses nothing either.
-    makeWindow([](Session& session) { session.loadTeapot(); });
+    makeWindow([](Session& session) { loadTeapot(session); });
     m_window->offerRecovery();
     QTRY_VERIFY_WITH_TIMEOUT(isOffered(), kPatience);
     m_window->findChild<QPushButton*>(QStringLiteral("discardRecovery"))->click();
@@ -245,7 +245,7 @@ void SessionWindowTest::isRecoveredAfterACrash() {
 void SessionWindowTest::nothingIsLeftAfterAnOrderlyEnd() {
     shoot(5, 8);
     closeAndDiscard(*m_window);
-    makeWindow([](Session& session) { session.loadPaperRow(kDefaultPaperRow); });
+    makeWindow([](Session& session) { loadPaperRow(session, kDefaultPaperRow); });
     QVERIFY(leftBehind().empty());
     shoot(5, 9);
     save(path("one.hitscope"));

@@ -97,7 +97,7 @@ void ShootingTest::clickDentsAMeshOfAnySize() {
         for (glm::vec3& position : mesh.positions) {
             position *= extent / kUsualExtent;
         }
-        m_session->loadMesh(std::move(mesh));
+        loadMesh(*m_session, std::move(mesh));
         std::size_t hits = 0;
         for (const FlightMode mode : {FlightMode::Quick, FlightMode::Instant}) {
             m_session->settings().setFlightMode(mode);
@@ -117,7 +117,7 @@ void ShootingTest::instantDentIsThereInTwoFrames() {
     m_session->settings().setFlightMode(FlightMode::Instant);
     for (const bool large : {false, true}) {
         if (large) {
-            m_session->loadMesh(makeUvSphere(1000, 1001, 2.5f));  // 1,000,000 vertices
+            loadMesh(*m_session, makeUvSphere(1000, 1001, 2.5f));  // 1,000,000 vertices
         }
         waitUntilIdle();
         const QImage before = viewport().grabFramebuffer();
@@ -141,7 +141,7 @@ void ShootingTest::instantDentIsThereInTwoFrames() {
 }
 
 void ShootingTest::quickShotArrivesInTime() {
-    m_session->loadPaperRow(kDefaultPaperRow);
+    loadPaperRow(*m_session, kDefaultPaperRow);
     for (const int notches : {0, -6, 12}) {
         for (int i = 0; i < std::abs(notches); ++i) {
             viewport().navigation().flyStep({0.0f, 0.0f, notches > 0 ? 0.6f : -2.0f});

@@ -21,7 +21,7 @@ private Q_SLOTS:
     void everyKeyHasOneMeaning() {
         const TestSettings settings;
         Session session;
-        session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(session, kDefaultPaperRow);
         MainWindow window(session);
         QMap<QString, QStringList> meanings;
         for (const QAction* action : window.findChildren<QAction*>()) {

@@ -31,7 +31,7 @@ namespace {
 /// A window on a cube with one dent in its top.
 struct Scene {
     Scene() {
-        session.loadMesh(makeHighPolyCube(2.5f));
+        loadMesh(session, makeHighPolyCube(2.5f));
         window.emplace(session);
         showReady(*window);
         statistics = window->findChild<QDockWidget*>(QStringLiteral("meshStatistics"));

@@ -30,7 +30,7 @@ private:
 };
 
 void TimeTest::init() {
-    makeWindow([](Session& session) { session.loadPaperRow(kDefaultPaperRow); });
+    makeWindow([](Session& session) { loadPaperRow(session, kDefaultPaperRow); });
 }
 
 void TimeTest::pauseKeyStopsAFlight() {

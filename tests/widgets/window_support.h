@@ -103,7 +103,7 @@ protected:
         m_session.reset();
         m_settings.reset();
     }
-    static void loadSphere(Session& session) { session.loadMesh(makeHighPolySphere(2.5f)); }
+    static void loadSphere(Session& session) { loadMesh(session, makeHighPolySphere(2.5f)); }
 
     std::unique_ptr<TestSettings> m_settings;
     std::unique_ptr<Session> m_session;

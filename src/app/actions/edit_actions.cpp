@@ -35,8 +35,8 @@ void EditActions::follow() {
         enableIf(action, step.has_value(), why);
         action.setText(step ? text + u' ' + undoText(*step) : text);
     };
-    name(*m_undo, tr("&Undo"), m_session.undoName(), tr("There is nothing to undo."));
-    name(*m_redo, tr("&Redo"), m_session.redoName(), tr("There is nothing to redo."));
+    name(*m_undo, tr("&Undo"), m_session.steps().toUndo(), tr("There is nothing to undo."));
+    name(*m_redo, tr("&Redo"), m_session.steps().toRedo(), tr("There is nothing to redo."));
     enableIf(*m_enableAll, m_session.hits().disabled() > 0, tr("No hit is disabled."));
     enableIf(*m_clear, m_session.hits().history().size() > 0, tr("There are no hits yet."));
 }

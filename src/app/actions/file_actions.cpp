@@ -121,7 +121,7 @@ void FileActions::followFile() {
 // Sessions
 
 void FileActions::startNew() {
-    m_parts.session.loadTeapot();
+    loadTeapot(m_parts.session);
     m_parts.sessions.leave();
 }
 
@@ -188,7 +188,7 @@ void FileActions::fillScenes(QMenu& menu) {
     for (std::size_t row = 0; row < paperRows().size(); ++row) {
         addAction(rows, tr("Row %1: %2").arg(row + 1).arg(paperRows()[row].label()), {}, this, [this, row] {
             m_parts.guard.ask([this, row] {
-                m_parts.session.loadPaperRow(static_cast<int>(row));
+                loadPaperRow(m_parts.session, static_cast<int>(row));
                 m_parts.sessions.leave();
             });
         });

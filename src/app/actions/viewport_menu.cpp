@@ -104,8 +104,8 @@ bool ViewportMenu::eventFilter(QObject* watched, QEvent* event) {
 void ViewportMenu::open(const QPointF& position) {
     Place place;
     place.position = position;
-    place.vertex = m_viewport.vertexAt(position);
-    place.solid = m_viewport.metAt(position);
+    place.vertex = m_viewport.picking().vertexAt(position);
+    place.solid = m_viewport.aiming().met(m_viewport.navigation().rayAt(position));
     place.target = m_session.targets().find(place.vertex ? place.vertex->target : TargetId{});
     auto* menu = new QMenu(&m_viewport);
     menu->setObjectName(QStringLiteral("viewportMenu"));
@@ -173,7 +173,7 @@ void ViewportMenu::addDents(QMenu& menu, const Place& place) {
 
 void ViewportMenu::pick(const VertexRef& vertex) {
     VertexSelection& selection = m_session.selection();
-    m_viewport.selectTargetOf(vertex);
+    selectTargetOf(m_session, vertex);
     selection.setPicked(vertex);
     selection.select(vertex.target, {vertex.vertex}, VertexSelection::Combine::Replace);
 }

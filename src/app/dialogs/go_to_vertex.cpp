@@ -15,6 +15,7 @@
 #include "models/focus_target.h"
 #include "models/quantity_text.h"
 #include "session/session.h"
+#include "viewport/inspect_tool.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -152,7 +153,7 @@ void GoToVertex::go(const VertexRef& vertex) {
     if (target == nullptr || vertex.vertex >= target->deformed.positions().size()) {
         return;
     }
-    m_viewport.selectTargetOf(vertex);
+    selectTargetOf(m_session, vertex);
     m_session.selection().setPicked(vertex);
     m_session.selection().select(vertex.target, {vertex.vertex}, VertexSelection::Combine::Replace);
     Navigation& navigation = m_viewport.navigation();

@@ -37,13 +37,13 @@ double verticesOf(std::span<const TargetPlan> plans) {
 
 StillScene paperRowScene(int row) {
     const std::vector<TargetPlan> plans = planPaperRow(paperRows()[static_cast<std::size_t>(row)]);
-    return {[row](Session& session) { session.loadPaperRow(row); }, verticesOf(plans)};
+    return {[row](Session& session) { loadPaperRow(session, row); }, verticesOf(plans)};
 }
 
 StillScene sphereScene(int vertices) {
     const auto shape = std::make_shared<const PreparedMesh>(prepareMesh(makeSphere(vertices)));
     const auto made = static_cast<double>(shape->render->vertices.size());
-    return {[shape](Session& session) { session.loadMesh(*shape); }, made};
+    return {[shape](Session& session) { loadMesh(session, *shape); }, made};
 }
 
 Result<std::vector<HistoryFigure>> measureHistories(const BenchRoom& room, const StillScene& scene,

@@ -40,7 +40,7 @@ ModesScene::ModesScene(const gl::RenderTarget& picture)
 ModesScene::~ModesScene() = default;
 
 Status ModesScene::open(int row, PipelineKind pipeline, std::uint32_t seed) {
-    m_session.loadPaperRow(row);
+    loadPaperRow(m_session, row);
     m_session.settings().setPipeline(pipeline);
     Result<std::unique_ptr<SceneGpu>> gpu = SceneGpu::create(m_session);
     if (!gpu) {

@@ -18,7 +18,7 @@ public:
     explicit FlightScene(const BenchRoom& room) : m_room(room) {}
 
     Status open(bool withProjectiles) {
-        m_session.loadPaperRow(kDefaultPaperRow);
+        loadPaperRow(m_session, kDefaultPaperRow);
         m_session.settings().setPipeline(PipelineKind::TransformFeedback);
         if (withProjectiles) {
             launch();

@@ -28,7 +28,7 @@ public:
         : m_folder(folder), m_file(QDir(folder).filePath(QStringLiteral("bench.hitscope"))), m_hits(hits) {}
 
     Status open() {
-        m_session.loadTeapot();
+        loadTeapot(m_session);
         const Target& target = *m_session.targets().front();
         m_random =
             std::make_unique<RandomHits>(std::vector<HitTarget>{{target.id, target.shape.render.get()}},

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a line of sight meets, and what is shot along it.
+#include "viewport/aiming.h"
+
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>
 
 #include "session/paced_advance.h"
+#include "session/session.h"
+#include "session/target.h"
+#include "view/cutting_plane.h"
 #include "viewport/aim.h"
-#include "viewport/viewport.h"
+#include "viewport/navigation.h"
 
 namespace hitscope {
 
@@ -25,14 +29,14 @@ float largestExtent(const Session& session) {
 
 }  // namespace
 
-std::optional<PhysicsWorld::RayHit> Viewport::aimedAt(const Ray& ray) const {
+std::optional<PhysicsWorld::RayHit> Aiming::met(const Ray& ray) const {
     m_session.simulation().updateColliders(workLimit());
-    const float length = kAimLength * (camera().distance() + m_session.targets().bounds().diagonal());
-    const std::optional<ShownRay> shown = shownPart(m_options.cut, ray, length);
+    const float length = kAimLength * (m_navigation.camera().distance() + m_session.targets().bounds().diagonal());
+    const std::optional<ShownRay> shown = shownPart(m_cut, ray, length);
     if (shown) {
         const auto met =
             m_session.simulation().physics().castRay(shown->ray.origin, shown->ray.direction, shown->length);
-        if (met || !m_options.cut.on) {
+        if (met || !m_cut.on) {
             return met;
         }
     }
@@ -41,17 +45,17 @@ std::optional<PhysicsWorld::RayHit> Viewport::aimedAt(const Ray& ray) const {
     return beyond && !beyond->target ? beyond : std::nullopt;
 }
 
-Viewport::Aim Viewport::aim(const Ray& sight) const {
-    const auto met = aimedAt(sight);
+Aiming::Aim Aiming::aim(const Ray& sight) const {
+    const auto met = this->met(sight);
     Aim aim;
-    aim.from = shotAlong(sight, camera(), met ? std::optional(met->point) : std::nullopt);
+    aim.from = shotAlong(sight, m_navigation.camera(), met ? std::optional(met->point) : std::nullopt);
     // What is cut away is not in its way.
-    if (const auto shown = shownPart(m_options.cut, aim.from, std::numeric_limits<float>::max())) {
+    if (const auto shown = shownPart(m_cut, aim.from, std::numeric_limits<float>::max())) {
         aim.from = shown->ray;
     }
     const Target* target = met ? m_session.targets().find(met->target) : nullptr;
     aim.extent = target != nullptr ? target->extent() : largestExtent(m_session);
-    aim.distance = camera().distance();
+    aim.distance = m_navigation.camera().distance();
     if (met && met->point != aim.from.origin) {
         aim.to = met->point;
         aim.distance = glm::distance(met->point, aim.from.origin);
@@ -59,13 +63,13 @@ Viewport::Aim Viewport::aim(const Ray& sight) const {
     return aim;
 }
 
-ProjectileSettings Viewport::projectileFor(const Ray& sight) const {
+ProjectileSettings Aiming::projectileFor(const Ray& sight) const {
     const Aim at = aim(sight);
     return projectileOf(m_session.settings().flightMode(), m_session.settings().projectile(), at.extent,
                         at.distance);
 }
 
-Ray Viewport::launched(const Ray& sight, const ProjectileSettings& projectile) const {
+Ray Aiming::launched(const Ray& sight, const ProjectileSettings& projectile) const {
     const Aim at = aim(sight);
     Ray shot = at.from;
     if (at.to) {
@@ -74,15 +78,10 @@ Ray Viewport::launched(const Ray& sight, const ProjectileSettings& projectile) c
     return shot;
 }
 
-ScheduledShot Viewport::shotAt(const Ray& sight) const {
+ScheduledShot Aiming::shotAt(const Ray& sight) const {
     const ProjectileSettings projectile = projectileFor(sight);
     const bool isInstant = m_session.settings().flightMode() == FlightMode::Instant;
     return {0.0, isInstant ? aim(sight).from : launched(sight, projectile), projectile, isInstant};
-}
-
-void Viewport::shootAlong(const Ray& sight) {
-    m_session.simulation().fire(shotAt(sight));
-    Q_EMIT shot(sight);
 }
 
 }  // namespace hitscope
