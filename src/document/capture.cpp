@@ -19,6 +19,7 @@ SavedTarget saved(const Target& target) {
     saved.id = target.id;
     saved.name = target.name.left(kLongestName);
     saved.source.mesh = target.source;
+    saved.textures = target.textures;
     saved.placement = target.deformed.original().placement;
     saved.transform = target.transform;
     saved.visible = target.visible;
@@ -114,6 +115,9 @@ void nameFilesFrom(const QString& folder, SessionDocument& document) {
     for (SavedTarget& target : document.targets) {
         if (const auto* file = std::get_if<MeshFile>(&target.source.mesh)) {
             target.source.relativePath = QDir(folder).relativeFilePath(file->path);
+        }
+        for (LocatedTexture& texture : target.textures) {
+            texture.relativePath = QDir(folder).relativeFilePath(texture.path);
         }
     }
 }

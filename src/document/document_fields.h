@@ -149,6 +149,7 @@ struct Fields<LocatedTexture> {
     static void visit(Visit& visit, Texture& texture) {
         visit.text("name", texture.name);
         visit.text("path", texture.path);
+        visit.text("relative_path", texture.relativePath);
     }
 };
 

@@ -20,14 +20,6 @@
 
 namespace hitscope {
 
-/// A picture that a mesh file names and that was found elsewhere.
-struct LocatedTexture {
-    std::string name;  ///< as the mesh file has it
-    QString path;      ///< absolute
-
-    bool operator==(const LocatedTexture&) const = default;
-};
-
 /// What a target's mesh is made from again.
 struct SavedSource {
     TargetSource mesh;

@@ -113,8 +113,10 @@ std::optional<TargetPlan> SourceMeshes::import(const SavedTarget& target, const 
     m_notes += imported.value().notes;
     MeshData mesh = std::move(imported.value().mesh);
     placeAgain(mesh, target.placement);
-    addTextures(target, mesh);
-    return planMesh(prepareMesh(std::move(mesh)), *found);
+    std::vector<LocatedTexture> textures = addTextures(target, mesh);
+    TargetPlan plan = planMesh(prepareMesh(std::move(mesh)), *found);
+    plan.textures = std::move(textures);
+    return plan;
 }
 
 /// As importMesh(), and with an end where that is asked for.
@@ -184,14 +186,32 @@ std::optional<MeshFile> SourceMeshes::find(const SavedTarget& target, const Mesh
     return first;
 }
 
-void SourceMeshes::addTextures(const SavedTarget& target, MeshData& mesh) {
+/// Beside the session file if it is there, else where it was.
+QString SourceMeshes::placeOf(const LocatedTexture& texture) const {
+    if (!m_places.folder.isEmpty() && !texture.relativePath.isEmpty()) {
+        const QString near = QDir::cleanPath(QDir(m_places.folder).absoluteFilePath(texture.relativePath));
+        if (QFileInfo(near).isFile()) {
+            return near;
+        }
+    }
+    return texture.path;
+}
+
+std::vector<LocatedTexture> SourceMeshes::addTextures(const SavedTarget& target, MeshData& mesh) {
+    std::vector<LocatedTexture> located;
     for (const LocatedTexture& texture : target.textures) {
-        if (Result<Image> image = readPicture(texture.path)) {
+        located.push_back({texture.name, placeOf(texture)});
+        const std::vector<std::string> missing = missingTextures(mesh);
+        if (std::find(missing.begin(), missing.end(), texture.name) == missing.end()) {
+            continue;  // the mesh file finds it by itself now
+        }
+        if (Result<Image> image = readPicture(located.back().path)) {
             mesh = withTexture(std::move(mesh), texture.name, std::move(image).value());
         } else {
             m_notes << QString::fromStdString(image.error().message());
         }
     }
+    return located;
 }
 
 }  // namespace hitscope

@@ -27,7 +27,9 @@ private:
     std::optional<TargetPlan> import(const SavedTarget& target, const MeshFile& file);
     void note(const SavedTarget& target, MeshTrouble::Kind kind, const Error& error);
     std::optional<MeshFile> find(const SavedTarget& target, const MeshFile& file) const;
-    void addTextures(const SavedTarget& target, MeshData& mesh);
+    /// Gives the mesh its pictures that were found elsewhere; returns where they are now.
+    std::vector<LocatedTexture> addTextures(const SavedTarget& target, MeshData& mesh);
+    [[nodiscard]] QString placeOf(const LocatedTexture& texture) const;
 
     [[nodiscard]] Result<ImportedMesh> importFile(const QString& path) const;
 

@@ -301,12 +301,15 @@ void SessionTargets::setVisible(std::span<const TargetId> ids, bool visible) {
            {visible ? SessionUndo::Kind::ShowTarget : SessionUndo::Kind::HideTarget, count});
 }
 
-void SessionTargets::setMaterials(std::span<const TargetId> ids,
-                                  const std::shared_ptr<const MeshData>& mesh) {
+void SessionTargets::setTexture(std::span<const TargetId> ids, const std::shared_ptr<const MeshData>& mesh,
+                                const LocatedTexture& located) {
     std::vector<TargetEdit> edits;
     for (const std::size_t index : indicesOf(ids)) {
         TargetState after = *m_targets[index];
         after.shape.mesh = mesh;
+        std::erase_if(after.textures,
+                      [&located](const LocatedTexture& known) { return known.name == located.name; });
+        after.textures.push_back(located);
         edits.push_back({index, TargetState(*m_targets[index]), std::move(after)});
     }
     change(std::move(edits), {SessionUndo::Kind::TargetTexture, 1});

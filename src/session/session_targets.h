@@ -58,8 +58,9 @@ public:
     /// Spaces at the ends are dropped; an empty name is refused.
     [[nodiscard]] Status rename(TargetId id, const QString& name);
     void setVisible(std::span<const TargetId> ids, bool visible);
-    /// Gives them `mesh`, which is theirs but for materials and pictures.
-    void setMaterials(std::span<const TargetId> ids, const std::shared_ptr<const MeshData>& mesh);
+    /// Gives them `mesh`, which is theirs with the picture that was located.
+    void setTexture(std::span<const TargetId> ids, const std::shared_ptr<const MeshData>& mesh,
+                    const LocatedTexture& located);
     /// Hits go along, since they are kept in the local frame. The rotation is made unit. Refused when a
     /// number is not finite or the rotation is none.
     [[nodiscard]] Status setTransform(TargetId id, const RigidTransform& transform,

@@ -57,6 +57,7 @@ TargetState stateOf(TargetPlan plan, TargetId id) {
     state.transform = plan.transform;
     state.sourcePath = std::move(plan.sourcePath);
     state.source = std::move(plan.source);
+    state.textures = std::move(plan.textures);
     state.shape = std::move(plan.shape);
     // A primitive is struck as what it is until its first dent, then as its triangles.
     std::visit([&state](auto& collider) { collider.surface = state.shape.collision; }, plan.collider);

@@ -20,8 +20,9 @@ struct TargetPlan {
     PreparedMesh shape;
     RigidTransform transform;
     Collider collider;
-    QString sourcePath = {};   ///< the file it comes from; empty: made by us
-    TargetSource source = {};  ///< what its mesh can be made from again
+    QString sourcePath = {};                    ///< the file it comes from; empty: made by us
+    TargetSource source = {};                   ///< what its mesh can be made from again
+    std::vector<LocatedTexture> textures = {};  ///< that are not where the mesh file says
 };
 
 /// A scene to be.

@@ -39,6 +39,15 @@ struct MeshFile {
     bool operator==(const MeshFile&) const = default;
 };
 
+/// A picture that a mesh file names and that was found elsewhere.
+struct LocatedTexture {
+    std::string name;           ///< as the mesh file has it
+    QString path;               ///< absolute
+    QString relativePath = {};  ///< in a session file: from its folder, with '/'; empty: not known
+
+    bool operator==(const LocatedTexture&) const = default;
+};
+
 /// What a target's mesh can be made from again. monostate: not known.
 using TargetSource = std::variant<std::monostate, Primitive, BuiltInMesh, MeshFile>;
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/ids.h"
 #include "physics/physics_world.h"
@@ -18,10 +19,11 @@ struct TargetState {
     TargetId id;
     QString name;
     RigidTransform transform;
-    bool visible = true;    ///< hidden, it is neither drawn nor hit; its hits stay
-    QString sourcePath;     ///< the file it came from; empty: made by us
-    TargetSource source;    ///< what its mesh can be made from again
-    TargetPhysics physics;  ///< whether it stays where it is put
+    bool visible = true;                   ///< hidden, it is neither drawn nor hit; its hits stay
+    QString sourcePath;                    ///< the file it came from; empty: made by us
+    TargetSource source;                   ///< what its mesh can be made from again
+    std::vector<LocatedTexture> textures;  ///< pictures of its mesh that are not where the file says
+    TargetPhysics physics;                 ///< whether it stays where it is put
     PreparedMesh shape;
     std::shared_ptr<const Collider> collider;
 };

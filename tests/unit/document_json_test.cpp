@@ -170,6 +170,7 @@ void DocumentJsonTest::sceneAndTargets() {
     TRY_CHANGE(targets[0].placement.scale, 1.0 / 7.0);
     TRY_CHANGE(targets[0].textures[0].name, "hide.png");
     TRY_CHANGE(targets[0].textures[0].path, QStringLiteral("/tmp/hide.png"));
+    TRY_CHANGE(targets[0].textures[0].relativePath, QStringLiteral("hide.png"));
     TRY_CHANGE(targets[0].transform.position, glm::vec3(0.3f, -0.0f, 1e-42f));
     TRY_CHANGE(targets[0].transform.rotation, glm::quat(0.0f, -0.6f, 0.8f, -0.0f));
     TRY_CHANGE(targets[0].visible, false);

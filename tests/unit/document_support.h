@@ -34,7 +34,7 @@ inline SessionDocument exampleDocument() {
     file.source.mesh = MeshFile{QStringLiteral("/home/me/lion.obj"), 123'456'789'012, std::string(64, 'a')};
     file.source.relativePath = QStringLiteral("../lion.obj");
     file.placement = {{0.1, 0.2, 0.3}, 1.0 / 3.0};
-    file.textures = {{"skin.png", QStringLiteral("/tmp/skin.png")}};
+    file.textures = {{"skin.png", QStringLiteral("/tmp/skin.png"), QStringLiteral("maps/skin.png")}};
     file.transform = {{0.1f, 2.0f, -3.0f}, {0.8f, 0.0f, 0.6f, 0.0f}};
     SavedTarget primitive;
     primitive.id = TargetId{7};

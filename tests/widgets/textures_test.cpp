@@ -89,6 +89,14 @@ private Q_SLOTS:
         QVERIFY(!m_window->findChild<NoticeBar*>()->isVisible());
     }
 
+    /// Sessions and journals take it from there.
+    void theTargetKnowsWhereTheyAre() {
+        QVERIFY(locator().use(in("pictures/planks.png")).ok());
+        const std::vector<LocatedTexture> located = {{"maps\\wood.png", in("pictures/planks.png")},
+                                                     {"tin.png", in("pictures/tin.png")}};
+        QVERIFY(m_session->targets().front()->textures == located);
+    }
+
     void saysWhenItIsNoPicture() {
         const Status used = locator().use(in("mesh/board.mtl"));
         QVERIFY(!used.ok() && !used.error().what.empty());

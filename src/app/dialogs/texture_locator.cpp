@@ -112,9 +112,10 @@ Status TextureLocator::use(const Missing& what, const QString& path) {
         return image.error();
     }
     const Target* target = m_session.targets().find(what.targets.front());
-    m_session.targets().setMaterials(
+    m_session.targets().setTexture(
         what.targets,
-        std::make_shared<MeshData>(withTexture(*target->shape.mesh, what.name, std::move(image).value())));
+        std::make_shared<MeshData>(withTexture(*target->shape.mesh, what.name, std::move(image).value())),
+        {what.name, QFileInfo(path).absoluteFilePath()});
     m_located[{what.file, what.name}] = path;
     return Done{};
 }
