@@ -33,6 +33,7 @@ constexpr Words kWords[] = {
     {SessionUndo::Kind::EditHit, TEXT("Edit Hit"), TEXT("Edit %1 Hits")},
     {SessionUndo::Kind::HitConstants, TEXT("Constants of Hit"), TEXT("Constants of %1 Hits")},
     {SessionUndo::Kind::TargetTexture, TEXT("Locate Texture"), TEXT("Locate %1 Textures")},
+    {SessionUndo::Kind::ReloadMesh, TEXT("Reload Mesh"), TEXT("Reload Meshes of %1 Targets")},
     {SessionUndo::Kind::AddTarget, TEXT("Add Target"), TEXT("Add %1 Targets")},
     {SessionUndo::Kind::DuplicateTarget, TEXT("Duplicate Target"), TEXT("Duplicate %1 Targets")},
     {SessionUndo::Kind::RemoveTarget, TEXT("Remove Target"), TEXT("Remove %1 Targets")},

@@ -4,6 +4,8 @@
 #include <QObject>
 #include <QString>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -61,6 +63,11 @@ public:
     /// Gives them `mesh`, which is theirs with the picture that was located.
     void setTexture(std::span<const TargetId> ids, const std::shared_ptr<const MeshData>& mesh,
                     const LocatedTexture& located);
+    /// Gives targets other meshes: shape, collider and source of the state with the target's id, all else
+    /// stays. As each is then another mesh it gets an id of its own, which is returned by the one before.
+    /// Each hit on them becomes `carried` of it, on the target of the new id.
+    std::map<TargetId, TargetId> replaceMeshes(std::span<const TargetState> meshes,
+                                               const std::function<Hit(const Hit&)>& carried);
     /// Hits go along, since they are kept in the local frame. The rotation is made unit. Refused when a
     /// number is not finite or the rotation is none.
     [[nodiscard]] Status setTransform(TargetId id, const RigidTransform& transform,

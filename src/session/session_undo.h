@@ -89,6 +89,7 @@ public:
         ResetTarget,
         TargetPhysics,
         TargetTexture,
+        ReloadMesh,  ///< from a file that has changed
         Projectile,
         FlightMode,
         CoverTexture,

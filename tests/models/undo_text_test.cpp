@@ -28,6 +28,8 @@ private Q_SLOTS:
         row(SessionUndo::Kind::Constants, 1, "Constants for Next Hit");
         row(SessionUndo::Kind::Lights, 1, "Lights");
         row(SessionUndo::Kind::AddTarget, 1, "Add Target");
+        row(SessionUndo::Kind::ReloadMesh, 1, "Reload Mesh");
+        row(SessionUndo::Kind::ReloadMesh, 2, "Reload Meshes of 2 Targets");
         row(SessionUndo::Kind::RemoveTarget, 4, "Remove 4 Targets");
         row(SessionUndo::Kind::RenameTarget, 1, "Rename Target");
     }

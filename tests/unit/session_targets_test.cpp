@@ -47,6 +47,21 @@ std::vector<RigidTransform> transforms(const Session& session) {
     return list;
 }
 
+bool sameTransforms(const std::vector<RigidTransform>& a, const std::vector<RigidTransform>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](auto& one, auto& other) {
+        return one.position == other.position && one.rotation == other.rotation;
+    });
+}
+
+/// Of a file, for the target of that id.
+TargetState otherMesh(TargetId target) {
+    TargetPlan plan = cubePlan(QStringLiteral("Not this"), 2.0f);
+    plan.sourcePath = QStringLiteral("/other.obj");
+    plan.source = MeshFile{plan.sourcePath};
+    plan.textures = {{"a.png", QStringLiteral("/a.png")}};
+    return stateOf(std::move(plan), target);
+}
+
 /// Where a line straight down at x, z meets something, and what.
 TargetId below(const Session& session, float x, float z = 0.0f) {
     const auto met = session.simulation().physics().castRay({x, 100.0f, z}, {0.0f, -1.0f, 0.0f}, 1000.0f);
@@ -303,6 +318,60 @@ private Q_SLOTS:
         QCOMPARE(m_session->targets().size(), before + 1);
         m_session->undo();
         QCOMPARE(m_session->targets().size(), before);
+    }
+
+    void otherMeshesKeepAllElse() {
+        m_session->targets().add({cubePlan(QStringLiteral("Third"))});
+        const TargetId left = id(0);
+        const TargetId right = id(1);
+        const TargetId third = id(2);
+        hit(*m_session, right, 1.0f);
+        hit(*m_session, left, 2.0f);
+        hit(*m_session, third, 3.0f);
+        hit(*m_session, right, 4.0f);
+        QVERIFY(m_session->targets().setPhysics(third, {true, 5.0f, 0.5f, 0.5f}).ok());
+        m_session->targets().setVisible(std::array{right}, false);
+        m_session->targets().select(right);
+        const std::vector<RigidTransform> where = transforms(*m_session);
+        const std::vector<Hit> before = hits(*m_session);
+        const std::vector<TargetState> meshes = {otherMesh(third), otherMesh(right),
+                                                 otherMesh(TargetId{999})};
+        const std::size_t steps = m_session->steps().size();
+        const auto ids = m_session->targets().replaceMeshes(meshes, [](const Hit& hit) {
+            Hit other = hit;
+            other.point.y = 7.0f;
+            return other;
+        });
+        const auto check = [&] {
+            QCOMPARE(names(*m_session),
+                     (QStringList{QStringLiteral("Left"), QStringLiteral("Right"), QStringLiteral("Third")}));
+            QVERIFY(sameTransforms(transforms(*m_session), where));
+            QVERIFY(id(0) == left && id(1) == ids.at(right) && id(2) == ids.at(third));
+            const Target& replaced = *m_session->targets()[1];
+            QCOMPARE(replaced.extent(), 4.0f);
+            QVERIFY(!replaced.visible && m_session->targets()[2]->physics.isDynamic);
+            QVERIFY(replaced.source == meshes[1].source && replaced.textures == meshes[1].textures);
+            QCOMPARE(replaced.sourcePath, QStringLiteral("/other.obj"));
+            QCOMPARE(m_session->targets().front()->extent(), 2.0f);
+            std::vector<Hit> expected = before;
+            for (Hit& one : expected) {
+                one.point.y = one.target == left ? 0.0f : 7.0f;
+                one.target = one.target == left ? left : ids.at(one.target);
+            }
+            QVERIFY(hits(*m_session) == expected);
+        };
+        QCOMPARE(ids.size(), std::size_t{2});
+        QVERIFY(ids.at(right) != right && ids.at(third) != ids.at(right));
+        check();
+        QCOMPARE(m_session->targets().selected(), ids.at(right));
+        QVERIFY(below(*m_session, where[2].position.x + 1.9f) == ids.at(third));
+        QCOMPARE(m_session->steps().size(), steps + 1);
+        m_session->undo();
+        QVERIFY(id(0) == left && id(1) == right && id(2) == third);
+        QVERIFY(hits(*m_session) == before && sameTransforms(transforms(*m_session), where));
+        QCOMPARE(m_session->targets()[1]->extent(), 2.0f);
+        m_session->redo();
+        check();
     }
 
 private:
