@@ -113,6 +113,7 @@ private:
     void makeStartCard();
     void connectFiles();
     void connectSession();
+    void connectReloading();
     void connectMessages();
     void connectViewport();
 

@@ -2,6 +2,7 @@
 // The window's session as a document: its title, and how it is looked at.
 #include <QFileInfo>
 #include <QTimer>
+#include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/actions/camera_actions.h"
@@ -11,8 +12,10 @@
 #include "app/dialogs/mesh_locator.h"
 #include "app/journal_picture.h"
 #include "app/main_window.h"
+#include "app/mesh_reloader.h"
 #include "app/notice_bar.h"
 #include "app/recovery_bar.h"
+#include "app/reload_bar.h"
 #include "app/session_files.h"
 #include "document/journal_files.h"
 #include "document/session_journal.h"
@@ -62,6 +65,21 @@ void MainWindow::connectSession() {
     });
     connect(m_recovery, &RecoveryBar::failed, this, &MainWindow::fail);
     connect(m_viewport, &Viewport::optionsChanged, m_journal, &SessionJournal::viewChanged);
+    connectReloading();
+}
+
+/// Meshes whose files change while they are in use.
+void MainWindow::connectReloading() {
+    auto* reloader = new MeshReloader(m_session, this);
+    auto* column = qobject_cast<QVBoxLayout*>(centralWidget()->layout());
+    column->insertWidget(0, new ReloadBar(*reloader, this));
+    connect(reloader, &MeshReloader::reloaded, this, [this](const QStringList& said) {
+        m_journal->flush();  // the hits are on other targets: both together
+        m_notice->say(said.join(u'\n'));
+    });
+    connect(reloader, &MeshReloader::failed, this, &MainWindow::fail);
+    connect(reloader, &MeshReloader::cancelled, this,
+            [this] { say(tr("Cancelled. The meshes are unchanged.")); });
 }
 
 void MainWindow::offerRecovery() {
