@@ -71,7 +71,7 @@ void TargetBody::place() {
 }
 
 PhysicsWorld::Private::Private() {
-    world.setGravity(btVector3(0, -kGravity, 0));
+    world.setGravity(btVector3(0, -kEarthGravity, 0));
     broadphase.getOverlappingPairCache()->setOverlapFilterCallback(&volleyFilter);
     broadphase.m_deferedcollide = true;
     // Contacts are solved in the order of the bodies, not of the tree that found them, whose shape remembers

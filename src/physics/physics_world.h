@@ -162,7 +162,6 @@ public:
 
     static constexpr double kTrailSeconds = 0.15;
     static constexpr double kStep = 1.0 / 240.0;   ///< seconds; the default
-    static constexpr float kGravity = 9.81f;       ///< m/s^2, downwards along y
     static constexpr double kLongestFrame = 0.25;  ///< seconds of simulated time
 
 private:

@@ -8,6 +8,8 @@
 
 namespace hitscope {
 
+inline constexpr float kEarthGravity = 9.81f;  ///< m/s^2
+
 /// How projectiles are shot. The defaults are the paper's reference scene.
 struct ProjectileSettings {
     float radius = 0.1f;        ///< metres
@@ -21,7 +23,7 @@ struct ProjectileSettings {
     bool powerFollowsImpulse = false;
     float referenceImpulse = 40.8f;         ///< newton seconds; the default: of the default shot, head on
     glm::vec3 colour{0.90f, 0.58f, 0.30f};  ///< sRGB, [0, 1]; what a projectile looks like in flight
-    float gravity = 9.81f;                  ///< m/s^2, downwards: how it falls
+    float gravity = kEarthGravity;          ///< m/s^2, downwards: how it falls
     bool passesOthers = false;              ///< it passes through all other projectiles
 
     bool operator==(const ProjectileSettings&) const = default;

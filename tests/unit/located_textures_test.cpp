@@ -68,7 +68,7 @@ void LocatedTexturesTest::init() {
     const Result<ImportedMesh> imported = importMesh(mesh);
     QVERIFY2(imported.ok(), qPrintable(messageOf(imported)));
     m_session = std::make_unique<Session>();
-    m_session->loadMesh(imported.value().mesh, mesh);
+    loadMesh(*m_session, imported.value().mesh, mesh);
     QCOMPARE(missingTextures(*board().shape.mesh).size(), std::size_t{1});
     locate(in("a/pictures/planks.png"));
     QVERIFY(missingTextures(*board().shape.mesh).empty());

@@ -306,7 +306,7 @@ void ReloadTest::keptByTheJournal() {
 void ReloadTest::notOfThisSession() {
     save(makeUvSphere(48, 24, 1.0f));
     QTRY_VERIFY_WITH_TIMEOUT(bar().isVisible(), kPatience);
-    m_session->loadTeapot();
+    loadTeapot(*m_session);
     QTRY_VERIFY_WITH_TIMEOUT(!bar().isVisible(), kPatience);
 }
 
