@@ -54,7 +54,7 @@ void HitArrays::fillBuffer() {
     m_buffer = gl::Buffer::make();
     glBindBuffer(GL_UNIFORM_BUFFER, m_buffer.id());
     glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_STATIC_DRAW);
-    const auto put = [this](std::size_t firstVector, const void* numbers, std::size_t size) {
+    const auto put = [](std::size_t firstVector, const void* numbers, std::size_t size) {
         glBufferSubData(GL_UNIFORM_BUFFER, static_cast<GLintptr>(firstVector * kVector),
                         static_cast<GLsizeiptr>(size), numbers);
     };

@@ -245,8 +245,7 @@ void UniformArrayPipeline::fillPages() {
     for (auto& [id, target] : m_targets) {
         std::vector<Hit> hits = hitsOf(target.kept);
         if (isCulled()) {
-            std::erase_if(hits,
-                          [&target = target](const Hit& hit) { return !target.reach.mayEverReach(hit); });
+            std::erase_if(hits, [&reach = target.reach](const Hit& hit) { return !reach.mayEverReach(hit); });
         }
         if (m_pages.back().arrays.left() < hits.size()) {
             m_pages.push_back({HitArrays(m_room), nextStamp()});
