@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
-#ifdef __SANITIZE_ADDRESS__
+#include "core/sanitizers.h"
+
+#ifdef HITSCOPE_ADDRESS_SANITIZER
 /// Plug-ins stay to the end: what they keep is then no leak.
 extern "C" int dlclose(void*) {
     return 0;

@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/sanitizers.h"
 #include "io/import.h"
 #include "io_support.h"
 #include "support/test_program.h"
@@ -160,7 +161,7 @@ void BadInputTest::trouble() {
 }
 
 void BadInputTest::tooMuchMemory() {
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef HITSCOPE_ADDRESS_SANITIZER
     QSKIP("The sanitizer's own addresses count as memory, so the worker sets no limit.");
 #endif
     std::string text = "v 0 0 0\nf";

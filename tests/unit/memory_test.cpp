@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/sanitizers.h"
 #include "session/session.h"
 #include "support/test_program.h"
 
@@ -24,7 +25,7 @@ private Q_SLOTS:
 };
 
 void MemoryTest::freedBlocksStayWithTheLibrary() {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef HITSCOPE_ADDRESS_SANITIZER
     QSKIP("The address sanitizer has a malloc of its own.");
 #endif
 #ifdef __GLIBC__
@@ -44,7 +45,7 @@ void MemoryTest::freedBlocksStayWithTheLibrary() {
 
 /// A hundred thousand shots: in the history, in the steps to undo, and for what shots strike.
 void MemoryTest::hitsAndTheirStepsAreSmall() {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef HITSCOPE_ADDRESS_SANITIZER
     QSKIP("The address sanitizer has a malloc of its own.");
 #endif
 #ifdef __GLIBC__

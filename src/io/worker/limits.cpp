@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <csignal>
 
+#include "core/sanitizers.h"
+
 namespace hitscope {
 namespace {
 
@@ -26,7 +28,7 @@ void limitThisProcess(std::uint64_t seconds, std::uint64_t memoryBytes) {
     limit(RLIMIT_CORE, 0, 0);
     limit(RLIMIT_CPU, seconds, seconds + kGrace);
     limit(RLIMIT_FSIZE, memoryBytes, memoryBytes);
-#if !defined(__SANITIZE_ADDRESS__)  // the sanitizer reserves terabytes of addresses
+#ifndef HITSCOPE_ADDRESS_SANITIZER  // the sanitizer reserves terabytes of addresses
     limit(RLIMIT_AS, memoryBytes, memoryBytes);
 #endif
     std::signal(SIGXFSZ, SIG_IGN);  // the write fails instead, and is reported
