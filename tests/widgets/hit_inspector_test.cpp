@@ -145,6 +145,19 @@ private Q_SLOTS:
         QVERIFY(hit(1).flight == glm::vec3(0.0f));
     }
 
+    // A unit vector's square is rounded, by more for some directions than for others.
+    void everyDirectionIsAsShotFirst() {
+        Hit hit = this->hit(1);
+        for (int i = 1; i <= 40; ++i) {
+            const auto at = static_cast<float>(i);
+            hit.direction = glm::normalize(glm::vec3(std::sin(at), std::cos(1.7f * at), std::sin(0.3f * at)));
+            hit.flight = glm::vec3(0.0f);
+            QVERIFY(m_session->hits().add(hit).ok());
+            m_session->hits().select(m_session->hits().history().size() - 1);
+            QVERIFY2(child<QToolButton>("asShot")->isChecked(), qPrintable(QString::number(i)));
+        }
+    }
+
     void handlesAreDragged_data() {
         QTest::addColumn<QString>("name");
         QTest::newRow("size") << "hitSize";

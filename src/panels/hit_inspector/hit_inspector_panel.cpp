@@ -19,10 +19,10 @@ namespace hitscope {
 
 namespace {
 
-constexpr float kSameDirection = 0.9999999f;  // cosine
+constexpr float kSameDirection = 4.5e-4f;  // between unit vectors
 
 bool isAlong(const glm::vec3& one, const glm::vec3& other) {
-    return glm::dot(one, other) > kSameDirection;
+    return glm::distance(one, other) < kSameDirection;  // a cosine is rounded by more than that
 }
 
 /// As the projectile had it.
