@@ -95,10 +95,13 @@ void SequenceWriter::took(int run, const Status& saved) {
     ++m_written;
     m_task->report(static_cast<double>(m_written) / m_count);
     Q_EMIT progressed(m_written, m_count);
+    if (!isRunning()) {
+        return;  // who shows it handled events, among them the last picture or a click on Cancel
+    }
     if (m_written == m_count) {
         stop();
         Q_EMIT ended(m_written);
-    } else if (isRunning()) {
+    } else {
         QTimer::singleShot(0, this, &SequenceWriter::step);
     }
 }

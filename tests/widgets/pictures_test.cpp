@@ -11,6 +11,7 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QStandardPaths>
+#include <utility>
 
 #include "analysis/change_values.h"
 #include "app/actions/picture_actions.h"
@@ -40,6 +41,7 @@ private Q_SLOTS:
     void folderThatIsNotThere();
     void turntableGoesOnceAround();
     void replayShowsHitsOneByOne();
+    void sequenceEndsOnce();
     void replayIsColoured_data();
     void replayIsColoured();
     void coloursAreThoseShown();
@@ -192,6 +194,23 @@ void PicturesTest::replayShowsHitsOneByOne() {
     QCOMPARE(m_session->hits().history().revision(), revision);  // the session was left alone
     // The last one is what the viewport shows.
     QCOMPARE(saved(request(160, 120)), QImage(path(QStringLiteral("replay-0003.png"))));
+}
+
+/// A dialog that shows progress handles events: pictures may arrive while another is told of.
+void PicturesTest::sequenceEndsOnce() {
+    addHits();
+    const QSignalSpy ended(&pictures().sequences(), &SequenceWriter::ended);
+    bool isFirst = true;
+    connect(&pictures().sequences(), &SequenceWriter::progressed, this, [&] {
+        if (std::exchange(isFirst, false)) {
+            QTRY_VERIFY_WITH_TIMEOUT(!ended.isEmpty(), kPatience);
+        }
+    });
+    pictures().writeSequence({request(160, 120), 4, m_folder->path(), QStringLiteral("turn")});
+    QTRY_VERIFY_WITH_TIMEOUT(!ended.isEmpty(), kPatience);
+    QCoreApplication::processEvents();
+    QCOMPARE(ended.size(), 1);
+    QCOMPARE(files().size(), 4);
 }
 
 void PicturesTest::replayIsColoured_data() {
