@@ -17,6 +17,9 @@ QString tr(const char* text) {
 }  // namespace
 
 QString frameTimeText(double seconds) {
+    if (seconds >= 0.9995) {
+        return tr("%1 s").arg(shownNumber(seconds, 'f', 1));
+    }
     return tr("%1 ms").arg(shownNumber(seconds * kMilliseconds, 'f', seconds < 0.0995 ? 1 : 0));
 }
 

@@ -7,7 +7,7 @@
 
 namespace hitscope {
 
-/// "8.3 ms": a frame time with one decimal, from 100 ms on with none.
+/// "8.3 ms": a frame time with one decimal, from 100 ms on with none; "1.2 s": from a second on.
 [[nodiscard]] QString frameTimeText(double seconds);
 
 /// While frames are drawn what one costs and the rate that this allows, "8.3 ms (120 FPS)"; else "Idle", with

@@ -295,6 +295,10 @@ void FrameRateTest::twoPipelinesAreNotMixedWithOne() {
 
 void FrameRateTest::saysWhatFrameTimesAllow() {
     QCOMPARE(frameRateText({}), QStringLiteral("Idle"));
+    QCOMPARE(frameTimeText(0.0833), QStringLiteral("83.3 ms"));
+    QCOMPARE(frameTimeText(0.9994), QStringLiteral("999 ms"));
+    QCOMPARE(frameTimeText(0.9996), QStringLiteral("1.0 s"));
+    QCOMPARE(frameTimeText(12.34), QStringLiteral("12.3 s"));
     addFrame(*m_session, 0.0083);
     QCOMPARE(frameRateText(m_panel->summary()), QStringLiteral("8.3 ms (120 FPS)"));
     FrameTimes::Summary idle = m_panel->summary();
