@@ -30,6 +30,7 @@
 #include "app/keys_overlay.h"
 #include "app/main_window.h"
 #include "app/pipeline_chooser.h"
+#include "models/verdict_text.h"
 #include "panels/icons/themed_icon.h"
 #include "viewport/viewport.h"
 
@@ -135,8 +136,7 @@ void MainWindow::makeHelpMenu() {
     menu.addSeparator();
     hitscope::addAction(menu, tr("&About Hitscope"), {}, this, [this] {
         showAbout(this, m_viewport->rendererName(), m_viewport->rendererVersion(),
-                  QString::fromStdString(
-                      describe(m_session.readBack().verdict(), m_session.settings().pipeline())));
+                  verdictText(m_session.readBack().verdict(), m_session.settings().pipeline()));
     });
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pipeline_chooser.h"
+#include "models/verdict_text.h"
 #include "panels/help/help_text.h"
 
 #include <QAction>
@@ -63,11 +64,10 @@ QString PipelineChooser::toolTip(const PipelineTraits& traits) const {
     };
     const QString reason = m_session.readBack().whyUnavailable(traits.kind);
     const PipelineVerdict* verdict = m_session.readBack().verdict().of(traits.kind);
-    const QString found =
-        !reason.isEmpty() ? tr("Not available here: %1").arg(reason)
-        : verdict == nullptr
-            ? tr("Not compared with the reference yet.")
-            : tr("With this graphics driver: %1.").arg(QString::fromStdString(describe(*verdict)));
+    const QString found = !reason.isEmpty() ? tr("Not available here: %1").arg(reason)
+                          : verdict == nullptr
+                              ? tr("Not compared with the reference yet.")
+                              : tr("With this graphics driver: %1.").arg(verdictText(*verdict));
     return paragraph(found) + paragraph(QString::fromUtf8(traits.description)) +
            paragraph(tr("Needs %1. Keeps %2.")
                          .arg(QString::fromUtf8(traits.needs), QString::fromUtf8(traits.keeps)));
@@ -100,7 +100,7 @@ void PipelineChooser::leaveInexact() {
     if (m_isChosen || !better) {
         return;
     }
-    const QString found = QString::fromStdString(describe(*m_session.readBack().verdict().of(traits.kind)));
+    const QString found = verdictText(*m_session.readBack().verdict().of(traits.kind));
     m_session.settings().setPipeline(*better);
     Q_EMIT fellBack(
         tr("The pipeline “%1” is %2.\nUsing “%3” instead; Mesh > Pipeline has all of them.")

@@ -11,6 +11,7 @@
 
 #include "models/frame_rate_text.h"
 #include "models/quantity_text.h"
+#include "models/verdict_text.h"
 #include "session/shown_number.h"
 #include "session/task_list.h"
 
@@ -123,11 +124,10 @@ void StatusLine::showRenderer() {
     }
     QString toolTip = tr("Graphics driver, and how the pipelines compare with the reference on it");
     for (const PipelineTraits& traits : allPipelines()) {
-        toolTip += QStringLiteral("\n") + QString::fromStdString(describe(verdict, traits.kind));
+        toolTip += u'\n' + verdictText(verdict, traits.kind);
     }
     if (verdict.picking) {
-        toolTip +=
-            QStringLiteral("\n") + tr("Picking: %1").arg(QString::fromStdString(describe(*verdict.picking)));
+        toolTip += u'\n' + tr("Picking: %1").arg(verdictText(*verdict.picking));
     }
     m_renderer->setText(text);
     m_renderer->setToolTip(toolTip);

@@ -17,7 +17,7 @@ namespace hitscope {
 void showError(QWidget* parent, const Error& error);
 
 /// Version, licence, and what draws. `renderer` and `version` as the viewport knows them; may be empty, as
-/// may `exactness`, which is describe() of the renderer's verdict.
+/// may `exactness`, which is verdictText() of the renderer's verdict.
 void showAbout(QWidget* parent, const QString& renderer, const QString& version, const QString& exactness);
 
 }  // namespace hitscope
