@@ -24,6 +24,7 @@ private Q_SLOTS:
     void theStatusBarSaysIt();
     void inexactPipelineIsLeft();
     void theAboutBoxSaysIt();
+    void theStatusBarSaysWhatFillsTheArrays();
 
 private:
     /// Of the reference alone.
@@ -122,6 +123,29 @@ void ExactnessTest::theAboutBoxSaysIt() {
     QVERIFY(box != nullptr);
     QVERIFY(box->informativeText().contains(
         QStringLiteral("Reference: not bit-exact: 12 of 4,096 vertices differ, by up to 0.1 m")));
+}
+
+/// 600 hits are the paper's; fewer are the driver's.
+void ExactnessTest::theStatusBarSaysWhatFillsTheArrays() {
+    Session session;
+    session.loadPaperRow(0);
+    MainWindow window(session);
+    const auto saysDriver = [&window] {
+        for (const QLabel* label : window.statusBar()->findChildren<QLabel*>()) {
+            if (label->toolTip().startsWith(QStringLiteral("Hits made so far"))) {
+                return label->toolTip().contains(
+                    QStringLiteral("This graphics driver has room for no more."));
+            }
+        }
+        return false;
+    };
+    CapacityReport report{600, false, 0, {}};
+    test::readBackOf(session).setCapacity(report);
+    QVERIFY(!saysDriver());
+    report.capacity = 94;
+    report.byDriver = true;
+    test::readBackOf(session).setCapacity(report);
+    QVERIFY(saysDriver());
 }
 
 HITSCOPE_TEST(ExactnessTest, QApplication)

@@ -282,6 +282,13 @@ void HitHistoryTest::summaryAndMeter() {
     test::readBackOf(*m_session).setCapacity({4, true, 3, {}});
     QCOMPARE(meter->text(), QStringLiteral("3 of 4 hits on the fullest target"));
     QVERIFY(!meter->isFull());
+    // Whose fault it is that there is room for so few.
+    const QString driver = QStringLiteral("This graphics driver has room for no more.");
+    QVERIFY(!meter->toolTip().contains(driver));
+    CapacityReport fewer{4, false, 4, {}};
+    fewer.byDriver = true;
+    test::readBackOf(*m_session).setCapacity(fewer);
+    QVERIFY(meter->toolTip().contains(driver));
     // Full, it is of another colour.
     const auto filled = [this] {
         auto* drawn = m_panel->findChild<CapacityMeter*>();
