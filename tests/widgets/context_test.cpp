@@ -8,6 +8,7 @@
 #include <QImage>
 #include <QMainWindow>
 #include <QOpenGLContext>
+#include <QScopeGuard>
 #include <QSignalSpy>
 #include <QStatusBar>
 #include <algorithm>
@@ -140,7 +141,8 @@ void ContextTest::anotherContextShowsTheSame() {
             if (const QString why = m_session->readBack().whyUnavailable(traits.kind); !why.isEmpty()) {
                 QSKIP(qPrintable(why));
             }
-            m_session->settings().setPipeline(traits.kind);
+            choosePipeline(*m_window, traits.kind);
+            QCOMPARE(m_session->settings().pipeline(), traits.kind);
         }
     }
     hitIt();
@@ -155,6 +157,11 @@ void ContextTest::anotherContextShowsTheSame() {
     const QSignalSpy again(&viewport, &Viewport::rendererKnown);
     // To a window of its own, as when a panel is undocked, and back.
     viewport.setParent(nullptr);
+    const auto goesWithTheWindow = qScopeGuard([this, &viewport] {
+        if (viewport.parent() == nullptr) {
+            m_window->setCentralWidget(&viewport);
+        }
+    });
     viewport.show();
     QVERIFY(QTest::qWaitForWindowExposed(&viewport, kPatience));
     QTRY_COMPARE_WITH_TIMEOUT(again.size(), 1, kPatience);

@@ -150,6 +150,9 @@ void MainWindowTest::pipelinesGiveTheSameMesh() {
     loadMesh(session, makeHighPolySphere(2.5f));
     MainWindow window(session);
     showReady(window);
+    if (!session.readBack().verdict().of(PipelineKind::TransformFeedback)->isExact()) {
+        QSKIP("this renderer's arithmetic is not exact: its pipelines differ");
+    }
     for (int i = 0; i < 3; ++i) {
         clickCentre(window, {25 * i, -20 * i});
         QTRY_COMPARE_WITH_TIMEOUT(session.hits().history().size(), static_cast<std::size_t>(i) + 1,

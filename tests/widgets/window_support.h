@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAbstractButton>
+#include <QAction>
 #include <QFile>
 #include <QMessageBox>
 #include <QSettings>
@@ -49,6 +50,18 @@ inline void showReady(MainWindow& window) {
     makeActive(window);
     window.viewport().setFocus();
     QTRY_VERIFY_WITH_TIMEOUT(!window.viewport().rendererName().isEmpty(), kPatience);
+}
+
+/// In the menu, as a person does: the window leaves one that nobody asked for where it is not exact.
+inline void choosePipeline(MainWindow& window, PipelineKind kind) {
+    const QString name = QString::fromUtf8(pipelineTraits(kind).name);
+    for (QAction* action : window.findChildren<QAction*>()) {
+        if (action->isCheckable() && action->text() == name) {
+            action->trigger();
+            return;
+        }
+    }
+    QFAIL("no such pipeline in the menu");
 }
 
 /// The question whether hits may be discarded; null: it is not asked.
