@@ -62,8 +62,7 @@ private Q_SLOTS:
         loadMesh(sliced, makeHighPolySphere(2.5f));
         scheduleBoth(sliced);
         std::size_t most = 0;
-        int frames = 0;
-        for (; sliced.simulation().isMoving(); ++frames) {
+        while (sliced.simulation().isMoving()) {
             const std::size_t waiting = sliced.simulation().shotsToCome();
             advanceWithin(sliced, 1.0 / 240.0, kMostPhysics, slowClock(each));
             most = std::max(most, waiting - sliced.simulation().shotsToCome());
