@@ -128,7 +128,7 @@ void ExactnessTest::theAboutBoxSaysIt() {
 /// 600 hits are the paper's; fewer are the driver's.
 void ExactnessTest::theStatusBarSaysWhatFillsTheArrays() {
     Session session;
-    session.loadPaperRow(0);
+    loadPaperRow(session, 0);
     MainWindow window(session);
     const auto saysDriver = [&window] {
         for (const QLabel* label : window.statusBar()->findChildren<QLabel*>()) {
