@@ -35,6 +35,8 @@ struct DemoOptions {
 
 /// hitscope-cli replay: the hits of a session file, applied again. The exit status.
 int replayCommand(const QStringList& arguments);
+/// hitscope-cli collect: a session and all that it refers to, in one folder. The exit status.
+int collectCommand(const QStringList& arguments);
 /// hitscope-cli picture: one picture of a scene as a PNG file. The exit status.
 int pictureCommand(const QStringList& arguments);
 /// hitscope-cli sequence: a turntable, or the hits one by one, as PNG files. The exit status.

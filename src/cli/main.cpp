@@ -108,6 +108,7 @@ int printUsage() {
         << "  shoot     shoot a burst or a saved script, print what was hit; hits and mesh in and out\n"
         << "  verify    compare every pipeline with the reference, vertex by vertex\n"
         << "  replay    open a session, apply its hits again, compare the positions with those saved\n"
+        << "  collect   put a session, its meshes and textures into one folder\n"
         << "  picture   draw a scene into a picture of any size\n"
         << "  sequence  draw a turntable, or the hits one by one, into PNG files\n"
         << "  info      describe a mesh file or the graphics driver (--renderer)\n"
@@ -163,6 +164,9 @@ int run(QStringList arguments) {
     }
     if (command == QLatin1String("replay")) {
         return hitscope::cli::replayCommand(arguments);
+    }
+    if (command == QLatin1String("collect")) {
+        return hitscope::cli::collectCommand(arguments);
     }
     if (command == QLatin1String("info")) {
         return info(arguments);
