@@ -114,6 +114,7 @@ private:
     void connectFiles();
     void connectSession();
     void connectReloading();
+    void fillSharing(QMenu& menu);
     void connectMessages();
     void connectViewport();
 

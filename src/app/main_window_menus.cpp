@@ -39,6 +39,7 @@ namespace hitscope {
 void MainWindow::makeMenus() {
     QMenu& file = *menuBar()->addMenu(tr("&File"));
     m_fileActions->fill(file);
+    fillSharing(file);
     m_exports->fill(file);
     m_hitActions->fill(file);
     m_pictures->fill(file);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window's session as a document: its title, and how it is looked at.
+#include <QDir>
 #include <QFileInfo>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -16,6 +17,7 @@
 #include "app/notice_bar.h"
 #include "app/recovery_bar.h"
 #include "app/reload_bar.h"
+#include "app/session_collector.h"
 #include "app/session_files.h"
 #include "document/journal_files.h"
 #include "document/session_journal.h"
@@ -80,6 +82,22 @@ void MainWindow::connectReloading() {
     connect(reloader, &MeshReloader::failed, this, &MainWindow::fail);
     connect(reloader, &MeshReloader::cancelled, this,
             [this] { say(tr("Cancelled. The meshes are unchanged.")); });
+}
+
+void MainWindow::fillSharing(QMenu& menu) {
+    auto* collector = new SessionCollector(m_session, *m_sessions, view().capture, *this);
+    collector->fill(menu);
+    connect(collector, &SessionCollector::collected, this,
+            [this](const QString& folder, const QStringList& notes) {
+                const QString where = tr("Collected in %1").arg(QDir::toNativeSeparators(folder));
+                say(where);
+                if (!notes.isEmpty()) {
+                    m_notice->say((QStringList{where} + notes.mid(0, 5)).join(u'\n'));
+                }
+            });
+    connect(collector, &SessionCollector::failed, this, &MainWindow::fail);
+    connect(collector, &SessionCollector::cancelled, this,
+            [this] { say(tr("Cancelled. Nothing was written.")); });
 }
 
 void MainWindow::offerRecovery() {
