@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/keys_lines.h"
+#include "panels/help/help_text.h"
 #include "view/camera_text.h"
 #include "viewport/axis_gizmo.h"
 #include "viewport/camera_trail.h"
@@ -156,8 +157,8 @@ void CameraActions::fillTrail(QMenu& menu) {
 }
 
 void CameraActions::followTrail() {
-    m_back->setEnabled(m_trail->canGoBack());
-    m_forward->setEnabled(m_trail->canGoForward());
+    enableIf(*m_back, m_trail->canGoBack(), tr("There is no view before this one."));
+    enableIf(*m_forward, m_trail->canGoForward(), tr("You have not gone back."));
 }
 
 void CameraActions::fillFly(QMenu& menu) {
