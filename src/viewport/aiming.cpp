@@ -31,7 +31,8 @@ float largestExtent(const Session& session) {
 
 std::optional<PhysicsWorld::RayHit> Aiming::met(const Ray& ray) const {
     m_session.simulation().updateColliders(workLimit());
-    const float length = kAimLength * (m_navigation.camera().distance() + m_session.targets().bounds().diagonal());
+    const float length =
+        kAimLength * (m_navigation.camera().distance() + m_session.targets().bounds().diagonal());
     const std::optional<ShownRay> shown = shownPart(m_cut, ray, length);
     if (shown) {
         const auto met =

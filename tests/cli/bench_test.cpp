@@ -178,7 +178,8 @@ private Q_SLOTS:
     void wrongUsageIsToldApart_data() {
         QTest::addColumn<QString>("arguments");
         QTest::addColumn<QString>("piece");
-        QTest::addRow("nothing") << QString() << QStringLiteral("paper, frame, modes, hit, physics, session or check");
+        QTest::addRow("nothing") << QString()
+                                 << QStringLiteral("paper, frame, modes, hit, physics, session or check");
         QTest::addRow("unknown") << QStringLiteral("speed") << QStringLiteral("\"speed\"");
         QTest::addRow("size") << QStringLiteral("paper --size big") << QStringLiteral("--size");
         QTest::addRow("row") << QStringLiteral("paper --rows 10") << QStringLiteral("--rows");

@@ -68,10 +68,10 @@ private:
     CutHandle* m_handle;
     QAction* m_on;
     std::vector<std::pair<QAction*, bool CuttingPlane::*>> m_toggles;
-    bool m_isPlaced = false;  ///< somebody has put the plane where it is, in this scene
-    bool m_wasOn = false;     ///< once
-    bool m_handled = false;   ///< the cursor is at the handle
-    bool m_sliding = false;   ///< the dock's slider is held
+    bool m_isPlaced = false;    ///< somebody has put the plane where it is, in this scene
+    bool m_wasOn = false;       ///< once
+    bool m_handled = false;     ///< the cursor is at the handle
+    bool m_sliding = false;     ///< the dock's slider is held
     bool m_isChanging = false;  ///< the session's plane, here
     UndoGesture m_gesture;
 };
