@@ -51,6 +51,21 @@ void takeScene(PreparedSession& prepared) {
     scene.selected = there.contains(document.selection.target) ? document.selection.target : TargetId{};
 }
 
+/// The triangles that hits struck are numbers of another mesh, where the mesh has changed.
+void forgetTriangles(PreparedSession& prepared) {
+    std::set<TargetId> changed;
+    for (const MeshTrouble& trouble : prepared.troubles) {
+        if (trouble.kind == MeshTrouble::Kind::Changed) {
+            changed.insert(trouble.targets.begin(), trouble.targets.end());
+        }
+    }
+    for (Hit& hit : prepared.document.hits) {
+        if (changed.contains(hit.target)) {
+            hit.triangle = kNoIndex;
+        }
+    }
+}
+
 void countHits(PreparedSession& prepared) {
     for (MeshTrouble& trouble : prepared.troubles) {
         const auto isOnIt = [&trouble](const Hit& hit) {
@@ -116,6 +131,7 @@ Result<PreparedSession> prepareSession(SessionDocument document, const MeshPlace
     if (const int size = prepared.document.scene.coverTexture; size >= 4) {
         prepared.coverTexture = std::make_shared<const Image>(makePanelTexture(size));
     }
+    forgetTriangles(prepared);
     takeScene(prepared);
     countHits(prepared);
     if (control.isCancelled()) {

@@ -319,6 +319,15 @@ void OpenDocumentTest::changedMesh() {
     const std::vector<TargetId> differing = differingTargets(opened, document);
     QCOMPARE(differing.size(), std::size_t(1));
     QCOMPARE(differing[0], opened.targets()[0]->id);
+    // Which of the other mesh's triangles its hits struck is not known.
+    shoot(session, 10, 9);
+    ready = prepareSession(captureSession(session, {}), {});
+    QVERIFY(ready.ok());
+    restoreSession(opened, ready.value());
+    QCOMPARE(opened.hits().history().size(), std::size_t(10));
+    for (const Hit& hit : opened.hits().history().hits()) {
+        QCOMPARE(hit.triangle, hit.target == opened.targets()[0]->id ? kNoIndex : 77u);
+    }
 }
 
 void OpenDocumentTest::unknownSource() {
