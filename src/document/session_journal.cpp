@@ -28,7 +28,12 @@ SessionJournal::SessionJournal(Session& session, std::function<CapturedView()> v
 
     const auto noting = [this](Section section) { return [this, section] { note(section); }; };
     const SessionTargets& targets = session.targets();
-    connect(&targets, &SessionTargets::added, this, noting(Section::Targets));
+    connect(&targets, &SessionTargets::added, this, [this] {
+        note(Section::Targets);
+        if (!m_startsOver) {
+            flush();  // hits on it may follow, and would be on none
+        }
+    });
     connect(&targets, &SessionTargets::removed, this, noting(Section::Targets));
     connect(&targets, &SessionTargets::changed, this, noting(Section::Targets));
     const SessionSettings& settings = session.settings();

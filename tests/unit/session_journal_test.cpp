@@ -55,6 +55,7 @@ private Q_SLOTS:
     void beginsWithTheFirstHit();
     void followsWhatAPersonDoes();
     void anotherScene();
+    void targetsComeBeforeTheirHits();
     void endsInOrder();
     void longHistories();
 
@@ -231,6 +232,27 @@ void SessionJournalTest::anotherScene() {
         m_session->redo();
     }
     compare();
+}
+
+/// At no moment are there hits on a target that the journal does not know yet.
+void SessionJournalTest::targetsComeBeforeTheirHits() {
+    QVERIFY(m_session->hits().add(hitOn(*m_session, 1, 0.1f)).ok());
+    compare();
+    const auto tryNow = [this] {
+        QVERIFY(m_journal->writer().wait(kPatience));
+        const Result<RecoveredJournal> read =
+            readJournal(QByteArray::fromStdString(readFile(m_journal->writer().path())));
+        QVERIFY2(read.ok(), qPrintable(messageOf(read)));
+        QCOMPARE(read.value().droppedHits, std::size_t(0));
+        QCOMPARE(read.value().document.hits.size(), m_session->hits().history().size());
+    };
+    m_session->targets().duplicate(std::array{m_session->targets()[1]->id});
+    QCOMPARE(m_session->hits().history().size(), std::size_t(2));
+    tryNow();
+    m_session->undo();
+    tryNow();
+    m_session->redo();
+    tryNow();
 }
 
 void SessionJournalTest::endsInOrder() {
