@@ -19,7 +19,7 @@
 
 namespace hitscope {
 
-constexpr int kPatience = 30'000;  // milliseconds; software GL on a busy machine
+constexpr int kPatience = 120'000;  // milliseconds; software GL on a busy machine
 
 /// Settings of the tests' own, thrown away afterwards.
 class TestSettings {
