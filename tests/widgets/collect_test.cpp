@@ -70,7 +70,7 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, kPatience);
         QVERIFY(
             QString::fromStdString(failed[0][0].value<Error>().message()).contains(in("meshes/rock.obj")));
-        QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(QApplication::activeModalWidget() != nullptr, kPatience);
         QApplication::activeModalWidget()->close();
         QVERIFY(!QFileInfo::exists(in("shared")));
     }

@@ -379,7 +379,7 @@ private:
         auto* dock = m_window->findChild<QDockWidget*>(QStringLiteral("cuttingPlane"));
         dock->show();
         dock->raise();
-        QTRY_VERIFY(m_panel->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(m_panel->isVisible(), kPatience);
     }
     template <class Widget>
     [[nodiscard]] Widget* child(const char* name) {

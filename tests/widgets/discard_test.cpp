@@ -149,16 +149,16 @@ void DiscardTest::asks() {
     hit();
     const Target* before = m_session->targets().front().get();
     act();
-    QTRY_VERIFY(discardQuestion(*m_window) != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(discardQuestion(*m_window) != nullptr, kPatience);
     QVERIFY(discardQuestion(*m_window)->text().contains(QStringLiteral("2 hits")));
     QTest::keyClick(discardQuestion(*m_window), Qt::Key_Return);  // the default is to cancel
-    QTRY_VERIFY(discardQuestion(*m_window) == nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(discardQuestion(*m_window) == nullptr, kPatience);
     QTest::qWait(100);
     QVERIFY(m_session->targets().front().get() == before);
     QCOMPARE(m_session->hits().history().size(), std::size_t{2});
     QVERIFY(m_window->isVisible());
     act();
-    QTRY_VERIFY(discardQuestion(*m_window) != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(discardQuestion(*m_window) != nullptr, kPatience);
     answerQuestion(*m_window, QMessageBox::DestructiveRole);
     QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), std::size_t{0}, kPatience);
     if (!scene.isEmpty()) {
@@ -188,7 +188,7 @@ void DiscardTest::doesNotAskForNothing() {
     // A file of all hits keeps them as well.
     auto* hits = m_window->findChild<HitActions*>();
     hits->exportTo(path("hits.csv"));
-    QTRY_VERIFY(!hits->isBusy());
+    QTRY_VERIFY_WITH_TIMEOUT(!hits->isBusy(), kPatience);
     QVERIFY(!guard->isAtRisk());
     hit();
     QVERIFY(guard->isAtRisk());
@@ -247,16 +247,16 @@ void DiscardTest::placingIsUndone() {
 void DiscardTest::saveGoesOnWhenItIsWritten() {
     hit();
     drop(path("cube.obj"));
-    QTRY_VERIFY(discardQuestion(*m_window) != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(discardQuestion(*m_window) != nullptr, kPatience);
     chooseNext({});  // no file: nothing happens
     answerQuestion(*m_window, QMessageBox::AcceptRole);
     QTest::qWait(100);
     QCOMPARE(m_session->hits().history().size(), std::size_t{1});
     drop(path("cube.obj"));
-    QTRY_VERIFY(discardQuestion(*m_window) != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(discardQuestion(*m_window) != nullptr, kPatience);
     answerQuestion(*m_window, QMessageBox::RejectRole);
     drop(path("cube.obj"));
-    QTRY_VERIFY(discardQuestion(*m_window) != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(discardQuestion(*m_window) != nullptr, kPatience);
     chooseNext(path("gone_on.hitscope"));
     answerQuestion(*m_window, QMessageBox::AcceptRole);
     QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), std::size_t{0}, kPatience);
@@ -286,7 +286,7 @@ void DiscardTest::aSavedSessionAsksForAnyChange() {
     m_session->settings().setFlightMode(FlightMode::Instant);
     QVERIFY(guard->isAtRisk() && m_window->isWindowModified());
     m_window->close();
-    QTRY_VERIFY(discardQuestion(*m_window) != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(discardQuestion(*m_window) != nullptr, kPatience);
     QVERIFY(discardQuestion(*m_window)->text().contains(QStringLiteral("kept.hitscope")));
     answerQuestion(*m_window, QMessageBox::RejectRole);
     m_session->undo();

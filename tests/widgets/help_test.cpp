@@ -212,7 +212,7 @@ private Q_SLOTS:
         QVERIFY(!measure->isEnabled() && !whyDisabled(*measure).isEmpty());
         m_session->tasks().cancel(m_session->tasks().current()->id);
         QTRY_VERIFY_WITH_TIMEOUT(m_session->tasks().current() == nullptr, kPatience);
-        QTRY_VERIFY(measure->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(measure->isEnabled(), kPatience);
         QVERIFY(tables() == nullptr);
         QVERIFY(m_window->findChild<QMessageBox*>() == nullptr);
     }

@@ -183,7 +183,7 @@ private Q_SLOTS:
         QCOMPARE(seen.size(), std::size_t{13});
         QVERIFY(std::is_sorted(seen.begin(), seen.end()));
         press(part<QToolButton>("play"));
-        QTRY_VERIFY(shown() > 1);
+        QTRY_VERIFY_WITH_TIMEOUT(shown() > 1, kPatience);
         press(part<QToolButton>("play"));
         QVERIFY(!scrubber->isPlaying());
         const std::size_t stopped = shown();
@@ -221,7 +221,8 @@ private Q_SLOTS:
         QVERIFY(header->isSectionHidden(HitHistoryModel::PipelineColumn));
         QTimer::singleShot(0, this, [] {
             QMenu* menu = nullptr;
-            QTRY_VERIFY((menu = qobject_cast<QMenu*>(QApplication::activePopupWidget())) != nullptr);
+            QTRY_VERIFY_WITH_TIMEOUT(
+                (menu = qobject_cast<QMenu*>(QApplication::activePopupWidget())) != nullptr, kPatience);
             for (QAction* action : menu->actions()) {
                 if (action->text() == QStringLiteral("Pipeline")) {
                     // By key: Qt 6.8 passes over a click right after the menu has opened.
@@ -235,7 +236,7 @@ private Q_SLOTS:
         QContextMenuEvent event(QContextMenuEvent::Mouse, {30, 5},
                                 header->viewport()->mapToGlobal(QPoint(30, 5)));
         QCoreApplication::sendEvent(header->viewport(), &event);
-        QTRY_VERIFY(!header->isSectionHidden(HitHistoryModel::PipelineColumn));
+        QTRY_VERIFY_WITH_TIMEOUT(!header->isSectionHidden(HitHistoryModel::PipelineColumn), kPatience);
         header->resizeSection(HitHistoryModel::TargetColumn, 173);
         const QByteArray kept = m_panel->columns();
         HitHistoryPanel other(*m_session, *m_model);
@@ -312,20 +313,20 @@ private Q_SLOTS:
             const auto text = [table](int row, int column) {
                 return table->model()->index(row, column).data().toString();
             };
-            QTRY_VERIFY(text(4, HitHistoryModel::AffectedColumn).toInt() > 0);
+            QTRY_VERIFY_WITH_TIMEOUT(text(4, HitHistoryModel::AffectedColumn).toInt() > 0, kPatience);
             QTRY_VERIFY_WITH_TIMEOUT(!text(4, HitHistoryModel::CpuCostColumn).isEmpty(), kPatience);
             // The chosen hit's vertices light up.
             table->selectRow(2);
-            QTRY_COMPARE(QString::number(session.selection().count()),
-                         text(2, HitHistoryModel::AffectedColumn));
+            QTRY_COMPARE_WITH_TIMEOUT(QString::number(session.selection().count()),
+                                      text(2, HitHistoryModel::AffectedColumn), kPatience);
             table->clearSelection();
-            QTRY_COMPARE(session.selection().count(), std::size_t{0});
+            QTRY_COMPARE_WITH_TIMEOUT(session.selection().count(), std::size_t{0}, kPatience);
             // The camera goes there.
             const glm::vec3 eye = window.viewport().camera().eye();
             table->selectRow(0);
             table->setFocus();
             QTest::keyClick(table, Qt::Key_Return);
-            QTRY_VERIFY(window.viewport().camera().eye() != eye);
+            QTRY_VERIFY_WITH_TIMEOUT(window.viewport().camera().eye() != eye, kPatience);
             goOutAndInAgain(*window.findChild<HitActions*>(), session);
             // Undo and redo by their keys.
             window.activateWindow();
@@ -354,10 +355,10 @@ private:
             const QString path = folder.filePath(QString::fromLatin1(name));
             actions.exportTo(path);
             QVERIFY(actions.isBusy());
-            QTRY_VERIFY(!actions.isBusy());
+            QTRY_VERIFY_WITH_TIMEOUT(!actions.isBusy(), kPatience);
             session.hits().clear();
             actions.importFrom(path);
-            QTRY_VERIFY(!actions.isBusy());
+            QTRY_VERIFY_WITH_TIMEOUT(!actions.isBusy(), kPatience);
             QCOMPARE(failed.size(), 0);
             QVERIFY(std::ranges::equal(session.hits().history().hits(), before));
         }
@@ -366,14 +367,14 @@ private:
         bad.write("nonsense\n");
         bad.close();
         QTimer::singleShot(0, this, [] {
-            QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
+            QTRY_VERIFY_WITH_TIMEOUT(QApplication::activeModalWidget() != nullptr, kPatience);
             QApplication::activeModalWidget()->close();
         });
         actions.importFrom(bad.fileName());
-        QTRY_COMPARE(failed.size(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, kPatience);
         const auto error = failed[0][0].value<Error>();
         QVERIFY(error.message().find("bad.csv, line 1") != std::string::npos);
-        QTRY_VERIFY(QApplication::activeModalWidget() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(QApplication::activeModalWidget() == nullptr, kPatience);
     }
 };
 

@@ -178,7 +178,8 @@ void HitMenusTest::rememberedPipelineFallsBack() {
         .setUnavailablePipelines({{PipelineKind::UniformArray, QStringLiteral("Too few uniforms.")}});
     QCOMPARE(m_session->settings().pipeline(), PipelineKind::TransformFeedback);
     const auto* notice = window.findChild<NoticeBar*>();
-    QTRY_VERIFY2(notice->text().contains(QStringLiteral("Too few uniforms.")), qPrintable(notice->text()));
+    QTRY_VERIFY2_WITH_TIMEOUT(notice->text().contains(QStringLiteral("Too few uniforms.")),
+                              qPrintable(notice->text()), kPatience);
     QVERIFY(notice->text().contains(QStringLiteral("Uniform array")));
     QVERIFY(notice->text().contains(QStringLiteral("Transform feedback")));
 }

@@ -83,7 +83,7 @@ void KeepingTest::habitKeysSaveAndStartAnew() {
     QTest::keyClick(&m_window->viewport(), Qt::Key_S, Qt::ControlModifier);  // there again, without asking
     QTRY_VERIFY_WITH_TIMEOUT(!sessions->isBusy() && QFile::exists(file), kPatience);
     QTest::keyClick(&m_window->viewport(), Qt::Key_N, Qt::ControlModifier);
-    QTRY_COMPARE(m_session->sceneName().toLower(), QStringLiteral("teapot"));
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->sceneName().toLower(), QStringLiteral("teapot"), kPatience);
     QVERIFY(sessions->path().isEmpty());
 }
 

@@ -146,7 +146,7 @@ private Q_SLOTS:
         menu = openMenu(centre());
         entry(*menu, QStringLiteral("Measure Dent Here"))->trigger();
         auto* dock = m_window->findChild<QDockWidget*>(QStringLiteral("dentMeasurement"));
-        QTRY_VERIFY(!dock->visibleRegion().isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(!dock->visibleRegion().isEmpty(), kPatience);
         remove = entry(*menu, QStringLiteral("Remove Hit 1"));
         QVERIFY(remove != nullptr);
         remove->trigger();
@@ -202,7 +202,8 @@ private Q_SLOTS:
     void menuKeyOpensItToo() {
         QContextMenuEvent key(QContextMenuEvent::Keyboard, centre(), viewport().mapToGlobal(centre()));
         QCoreApplication::sendEvent(&viewport(), &key);
-        QTRY_VERIFY(viewport().findChild<QMenu*>(QStringLiteral("viewportMenu")) != nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(viewport().findChild<QMenu*>(QStringLiteral("viewportMenu")) != nullptr,
+                                 kPatience);
         viewport().findChild<QMenu*>(QStringLiteral("viewportMenu"))->close();
     }
 
@@ -216,11 +217,11 @@ private Q_SLOTS:
             QTest::keyClick(m_window.get(), Qt::Key_G, Qt::ControlModifier);
             auto* dialog = m_window->findChild<GoToVertexDialog*>();
             QVERIFY(dialog != nullptr);
-            QTRY_VERIFY(dialog->isVisible());
+            QTRY_VERIFY_WITH_TIMEOUT(dialog->isVisible(), kPatience);
             auto* number = dialog->findChild<QLineEdit*>(QStringLiteral("number"));
             QTest::keyClicks(number, QString::number(vertex + 1));
             QTest::keyClick(number, Qt::Key_Return);
-            QTRY_VERIFY(m_window->findChild<GoToVertexDialog*>() == nullptr);
+            QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<GoToVertexDialog*>() == nullptr, kPatience);
             QTRY_VERIFY_WITH_TIMEOUT(!viewport().navigation().isMoving(), kPatience);
             const VertexRef wanted{target.id, vertex};
             QVERIFY(m_session->selection().picked() == wanted && m_session->selection().isSelected(wanted));
@@ -233,7 +234,7 @@ private Q_SLOTS:
         const auto* title = m_window->findChild<QLabel*>(QStringLiteral("attributionTitle"));
         QVERIFY(title->text().contains(QLocale().toString(dented + 1)));
         auto* dock = m_window->findChild<QDockWidget*>(QStringLiteral("vertexChanges"));
-        QTRY_VERIFY(!dock->visibleRegion().isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(!dock->visibleRegion().isEmpty(), kPatience);
     }
 
     void goToVertexSaysTheRange() {

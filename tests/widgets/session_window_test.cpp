@@ -178,7 +178,7 @@ void SessionWindowTest::aBrokenFileChangesNothing() {
     QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, kPatience);
     QCOMPARE(m_session->hits().history().size(), hits);
     QVERIFY(files().path().isEmpty() && !files().isBusy());
-    QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(QApplication::activeModalWidget() != nullptr, kPatience);
     QApplication::activeModalWidget()->close();
 }
 
@@ -188,7 +188,7 @@ void SessionWindowTest::aFileThatIsGoneIsNamed() {
     QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, kPatience);
     const auto error = failed[0][0].value<Error>();
     QVERIFY(QString::fromStdString(error.message()).contains(QStringLiteral("gone.hitscope")));
-    QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(QApplication::activeModalWidget() != nullptr, kPatience);
     QApplication::activeModalWidget()->close();
 }
 

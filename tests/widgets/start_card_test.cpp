@@ -62,12 +62,12 @@ private Q_SLOTS:
     void coversNothing() {
         auto* notice = m_window->findChild<NoticeBar*>();
         notice->say(QStringLiteral("Something to know"));
-        QTRY_VERIFY(notice->isVisible() && notice->height() > 0);
-        QTRY_VERIFY(!onScreen(*notice).intersects(onScreen(m_window->viewport())));
+        QTRY_VERIFY_WITH_TIMEOUT(notice->isVisible() && notice->height() > 0, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(!onScreen(*notice).intersects(onScreen(m_window->viewport())), kPatience);
         QVERIFY(!onScreen(*card()).intersects(onScreen(m_window->viewport())));
         const int height = m_window->viewport().height();
         notice->clear();
-        QTRY_VERIFY(m_window->viewport().height() > height);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->viewport().height() > height, kPatience);
     }
 
 private:

@@ -174,7 +174,7 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(scene.number("displacement_max"), QStringLiteral("0.30000"), kPatience);
         scene.openTab(1);
         auto* histogram = scene.find<HistogramPlot>("histogram");
-        QTRY_VERIFY(histogram->isVisible() && histogram->range());
+        QTRY_VERIFY_WITH_TIMEOUT(histogram->isVisible() && histogram->range(), kPatience);
         QTest::mouseClick(scene.find<QPushButton>("selectRange"), Qt::LeftButton);
         const TargetId target = scene.session.targets().front()->id;
         const std::size_t all = scene.session.selection().vertices(target).size();
@@ -206,7 +206,7 @@ private Q_SLOTS:
         QTest::mouseClick(harms->viewport(), Qt::LeftButton, {}, row);
         QVERIFY(scene.session.selection().count() >= 3);
         QTest::mouseDClick(harms->viewport(), Qt::LeftButton, {}, row);
-        QTRY_VERIFY(scene.window->viewport().camera().distance() < 0.5f * before);
+        QTRY_VERIFY_WITH_TIMEOUT(scene.window->viewport().camera().distance() < 0.5f * before, kPatience);
         QCOMPARE(scene.session.hits().selected(), std::optional<std::size_t>(0));
     }
 
@@ -245,7 +245,7 @@ private Q_SLOTS:
                               [&isCancelled] { isCancelled = true; });
             task.report(0.5);
             QVERIFY(!cancel->isVisible());  // it may be over soon
-            QTRY_VERIFY(cancel->isVisible());
+            QTRY_VERIFY_WITH_TIMEOUT(cancel->isVisible(), kPatience);
             QTest::mouseClick(cancel, Qt::LeftButton);
             QVERIFY(isCancelled);
         }
