@@ -9,6 +9,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "deform/fingerprint.h"
 #include "document/document_section.h"
@@ -30,10 +31,9 @@ inline constexpr std::array<std::string_view, 7> kBuiltInMeshes{
     "teapot",           "low-poly-cube",   "high-poly-cube", "low-poly-sphere",
     "high-poly-sphere", "turntable-stand", "fine-torus"};
 
-inline constexpr std::size_t kPipelines = 5;
-inline const std::array<std::string_view, kPipelines>& pipelines() {
+inline const std::vector<std::string_view>& pipelines() {
     static const auto words = [] {
-        std::array<std::string_view, kPipelines> keys;
+        std::vector<std::string_view> keys(allPipelines().size());
         for (const PipelineTraits& traits : allPipelines()) {
             keys[static_cast<std::size_t>(traits.kind)] = traits.key;
         }
@@ -330,7 +330,7 @@ private:
             } else {
                 visit.word("pipeline", number, document_words::pipelines());
             }
-        } else if (number < document_words::kPipelines) {
+        } else if (number < document_words::pipelines().size()) {
             visit.word("pipeline", number, document_words::pipelines());
         } else if (number != kUnknownPipeline) {
             visit.number("pipeline", number);

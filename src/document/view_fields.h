@@ -18,7 +18,8 @@ namespace document_words {
 inline constexpr std::array<std::string_view, 3> kWireframes{"off", "over", "only"};
 inline constexpr std::array<std::string_view, 2> kNormals{"true", "paper"};
 inline constexpr std::array<std::string_view, 3> kGhosts{"off", "wire", "translucent"};
-inline constexpr std::array<std::string_view, kColourMaps> kColourMapWords{"viridis", "cividis", "cool-warm"};
+inline constexpr auto kColourMapWords = std::to_array<std::string_view>({"viridis", "cividis", "cool-warm"});
+static_assert(kColourMapWords.size() == kColourMaps);
 
 inline const std::array<std::string_view, kChangeQuantities>& quantities() {
     static const auto words = [] {
