@@ -6,7 +6,6 @@
 #include "io/export_names.h"
 #include "io/export_obj.h"
 #include "io/number_text.h"
-#include "io/position_texts.h"
 #include "io/welder.h"
 #include "mesh/same_bits.h"
 
@@ -76,7 +75,7 @@ public:
 
 private:
     void vertices();
-    void position(std::size_t v, std::string_view written);
+    void position(std::size_t v);
     void texcoords();
     void normals();
     void faces();
@@ -108,22 +107,14 @@ bool ObjText::isGivenUp(std::size_t done) {
     return m_isGivenUp;
 }
 
-/// written: as in MeshData::positionTexts.
-void ObjText::position(std::size_t v, std::string_view written) {
+void ObjText::position(std::size_t v) {
     const glm::vec3& now = m_what.positions[v];
     const bool moved = !sameBits(now, m_mesh.positions[v]);
-    if (!moved && !written.empty()) {
-        m_text += ' ';
-        m_text += written;
-        return;
-    }
     const Placement& placement = m_mesh.placement;
     glm::dvec3 file(0.0);
     bool asDouble = true;
     if (!moved && !m_mesh.filePositions.empty()) {
         file = m_mesh.filePositions[v];
-    } else if (!moved && !m_mesh.positionTexts.empty()) {
-        file = glm::dvec3(now);
     } else if (!placement.isIdentity()) {
         file = glm::dvec3(now) / placement.scale + placement.centre;
     } else {
@@ -140,10 +131,9 @@ void ObjText::position(std::size_t v, std::string_view written) {
 }
 
 void ObjText::vertices() {
-    PositionLines texts(m_mesh.positionTexts);
     for (std::size_t v = 0; v < m_mesh.positions.size() && !isGivenUp(v); ++v) {
         m_text += 'v';
-        position(v, texts.next());
+        position(v);
         for (int i = 0; !m_mesh.colours.empty() && i < 3; ++i) {
             m_text += ' ';
             appendTwiceRoundedFloat(m_text, m_mesh.colours[v][i]);

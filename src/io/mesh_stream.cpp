@@ -26,7 +26,7 @@ void visitMesh(Stream& stream, Mesh& mesh) {
     stream.text(mesh.name);
     stream.array(mesh.positions);
     stream.array(mesh.filePositions);
-    stream.text(mesh.positionTexts);
+    stream.array(mesh.vertexPlaces);
     stream.plain(mesh.placement.centre);
     stream.plain(mesh.placement.scale);
     stream.array(mesh.colours);
@@ -56,6 +56,10 @@ void visitMesh(Stream& stream, Mesh& mesh) {
         stream.text(material.normalMap.texture);
         stream.plain(material.normalMap.strength);
         stream.plain(material.normalMap.image);
+        stream.plain(material.metalRoughness.metalness);
+        stream.plain(material.metalRoughness.roughness);
+        stream.text(material.metalRoughness.texture);
+        stream.plain(material.metalRoughness.image);
     });
     stream.list(mesh.images, [&](auto& image) {
         stream.plain(image.width);

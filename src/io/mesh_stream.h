@@ -11,7 +11,7 @@
 namespace hitscope {
 
 /// Another one with every change of what is written.
-inline constexpr std::uint32_t kMeshStreamVersion = 4;
+inline constexpr std::uint32_t kMeshStreamVersion = 5;
 
 /// Writes a mesh in Hitscope's own short-lived form, which carries it from the import worker to the program.
 [[nodiscard]] Status writeMeshStream(const MeshData& mesh, const QString& path);

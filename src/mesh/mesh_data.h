@@ -25,6 +25,17 @@ struct NormalMap {
     int image = -1;         ///< index into MeshData::images; -1: none, or it could not be read
 };
 
+/// How a surface reflects in glTF's terms (metallic-roughness). The texture's green scales roughness, its
+/// blue metalness.
+struct MetalRoughness {
+    float metalness = 0.0f;   ///< [0, 1]
+    float roughness = -1.0f;  ///< [0, 1]; negative: the file does not describe the surface so
+    std::string texture;      ///< path as the file names it; empty: none, or it is in the file
+    int image = -1;           ///< index into MeshData::images; -1: none, or it could not be read
+
+    [[nodiscard]] bool isGiven() const { return roughness >= 0.0f; }
+};
+
 /// Surface description in Phong's terms (paper, section 2.5), as OBJ's MTL has it.
 struct Material {
     std::string name;
@@ -36,6 +47,7 @@ struct Material {
     std::string diffuseTexture;  ///< path as the file names it (relative to the file's folder); empty: none
     int diffuseImage = -1;       ///< index into MeshData::images; -1: none, or it could not be read
     NormalMap normalMap;
+    MetalRoughness metalRoughness;
 };
 
 /// A named run of faces, from OBJ's o and g lines or the node of another format.
@@ -56,6 +68,7 @@ struct Placement {
 };
 
 inline constexpr std::uint32_t kNoIndex = 0xffffffffu;
+inline constexpr std::size_t kVerticesPerPlace = 256;  ///< of MeshData::vertexPlaces
 
 /// A polygon mesh as its file has it: the file's own vertex order, polygons, indices and groups. Immutable
 /// once it is a target's original; what hits do to it is kept elsewhere (DeformedMesh).
@@ -66,9 +79,9 @@ struct MeshData {
 
     std::vector<glm::vec3> positions;  ///< metres, local frame; V entries, vertices no face uses included
     std::vector<glm::dvec3> filePositions;  ///< empty or V entries: the file's own numbers, before placement
-    /// Empty, or a line for each vertex, ended by '\n': "X Y Z" as an OBJ file writes these numbers, before
-    /// placement; nothing where it writes the shortest texts that read as the same doubles.
-    std::string positionTexts;
+    /// Empty, or where an OBJ file has its vertices: the byte at which the line of each kVerticesPerPlace-th
+    /// starts. Rising.
+    std::vector<std::uint64_t> vertexPlaces;
     Placement placement;               ///< relates filePositions to positions
     std::vector<glm::vec3> colours;    ///< empty or V entries, [0, 1]
     std::vector<glm::vec3> normals;    ///< the file's normals, any number (unit not guaranteed)

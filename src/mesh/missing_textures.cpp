@@ -26,6 +26,7 @@ std::vector<std::string> missingTextures(const MeshData& mesh) {
     for (const Material& material : mesh.materials) {
         add(material.diffuseTexture, material.diffuseImage);
         add(material.normalMap.texture, material.normalMap.image);
+        add(material.metalRoughness.texture, material.metalRoughness.image);
     }
     return names;
 }
@@ -38,6 +39,9 @@ MeshData withTexture(MeshData mesh, const std::string& name, Image image) {
         }
         if (material.normalMap.texture == name && material.normalMap.image < 0) {
             material.normalMap.image = index;
+        }
+        if (material.metalRoughness.texture == name && material.metalRoughness.image < 0) {
+            material.metalRoughness.image = index;
         }
     }
     mesh.images.push_back(std::move(image));

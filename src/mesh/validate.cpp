@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <charconv>
 #include <cmath>
-#include <optional>
 #include <string>
-#include <string_view>
 
 #include "mesh/mesh_data.h"
 
@@ -80,48 +77,19 @@ Status checkVertices(const MeshData& mesh) {
     return Done{};
 }
 
-/// The number that readers of ours take a text for; nothing if it is none.
-std::optional<double> numberIn(std::string_view text) {
-    if (text.starts_with('+') && !text.starts_with("+-")) {
-        text.remove_prefix(1);
+Status checkVertexPlaces(const MeshData& mesh) {
+    const std::vector<std::uint64_t>& places = mesh.vertexPlaces;
+    const std::size_t needed = (mesh.positions.size() + kVerticesPerPlace - 1) / kVerticesPerPlace;
+    if (!places.empty() && places.size() != needed) {
+        return wrongLength("places of vertices", places.size(), needed);
     }
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (end != text.data() + text.size() || error == std::errc::invalid_argument) {
-        return std::nullopt;
-    }
-    return error == std::errc::result_out_of_range ? 0.0 : value;
-}
-
-/// "X Y Z" of this position, or nothing.
-bool isPositionLine(std::string_view line, const glm::dvec3& position) {
-    if (line.empty()) {
-        return true;
-    }
-    for (int i = 0; i < 3; ++i) {
-        const std::size_t end = i < 2 ? line.find(' ') : line.size();
-        if (end == std::string_view::npos || numberIn(line.substr(0, end)) != position[i]) {
-            return false;
+    for (std::size_t p = 1; p < places.size(); ++p) {
+        if (places[p] <= places[p - 1]) {
+            return Error{"It does not lie behind the one before it in the file.",
+                         nth("vertex", p * kVerticesPerPlace), kBroken};
         }
-        line.remove_prefix(i < 2 ? end + 1 : end);
     }
-    return true;
-}
-
-Status checkPositionTexts(const MeshData& mesh) {
-    std::string_view rest = mesh.positionTexts;
-    for (std::size_t v = 0; !mesh.positionTexts.empty() && v < mesh.positions.size(); ++v) {
-        const std::size_t end = rest.find('\n');
-        const glm::dvec3 position =
-            mesh.filePositions.empty() ? glm::dvec3(mesh.positions[v]) : mesh.filePositions[v];
-        if (end == std::string_view::npos || !isPositionLine(rest.substr(0, end), position)) {
-            return Error{"The text of its coordinates is not that of its numbers.", nth("vertex", v),
-                         kBroken};
-        }
-        rest.remove_prefix(end + 1);
-    }
-    return rest.empty() ? Status(Done{})
-                        : Error{"There are more texts of coordinates than vertices.", "vertices", kBroken};
+    return Done{};
 }
 
 Status checkFaceStarts(const MeshData& mesh) {
@@ -201,7 +169,9 @@ Status checkMaterials(const MeshData& mesh) {
         }
     }
     for (std::size_t m = 0; m < mesh.materials.size(); ++m) {
-        for (const int image : {mesh.materials[m].diffuseImage, mesh.materials[m].normalMap.image}) {
+        const MetalRoughness& metal = mesh.materials[m].metalRoughness;
+        for (const int image :
+             {mesh.materials[m].diffuseImage, mesh.materials[m].normalMap.image, metal.image}) {
             if (image < -1 || (image >= 0 && static_cast<std::size_t>(image) >= mesh.images.size())) {
                 return Error{"It refers to a texture that the mesh does not have.", nth("material", m),
                              kBroken};
@@ -210,6 +180,9 @@ Status checkMaterials(const MeshData& mesh) {
         const NormalMap& map = mesh.materials[m].normalMap;
         if (map.kind > NormalMap::Kind::Bump || !std::isfinite(map.strength)) {
             return Error{"Its normal map is of no known kind.", nth("material", m), kBroken};
+        }
+        if (!(metal.metalness >= 0.0f && metal.metalness <= 1.0f && metal.roughness <= 1.0f)) {
+            return Error{"Its metalness or roughness is not between 0 and 1.", nth("material", m), kBroken};
         }
     }
     for (std::size_t i = 0; i < mesh.images.size(); ++i) {
@@ -254,7 +227,7 @@ Status checkGroupsAndElements(const MeshData& mesh) {
 }  // namespace
 
 Status validate(const MeshData& mesh) {
-    for (const auto check : {checkCounts, checkVertices, checkPositionTexts, checkFaces, checkMaterials,
+    for (const auto check : {checkCounts, checkVertices, checkVertexPlaces, checkFaces, checkMaterials,
                              checkGroupsAndElements}) {
         if (Status status = check(mesh); !status) {
             return status;

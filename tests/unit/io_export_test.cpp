@@ -9,7 +9,6 @@
 
 #include "export_support.h"
 #include "io/export_obj.h"
-#include "io/mesh_stream.h"
 #include "io/readers/obj_reader.h"
 #include "io_support.h"
 #include "support/test_program.h"
@@ -40,8 +39,6 @@ private Q_SLOTS:
     void keepsColours();
     void keepsEveryFloat();
     void writesTheFilesOwnNumbers();
-    void writesTheFilesOwnCharacters_data();
-    void writesTheFilesOwnCharacters();
     void undoesThePlacement();
     void writesEachNormalOnce();
     void keepsFileNormalsButForTheirLength();
@@ -132,47 +129,6 @@ void ExportTest::writesTheFilesOwnNumbers() {
     QVERIFY2(text.contains(QStringLiteral("\nv 0.1 123456.789012345 1e-300\nv 1 0 0\nv 0.25 0.1 -3\n")),
              qPrintable(text));
     QVERIFY(text.contains(QStringLiteral("\nmtllib a.mtl\n")));
-}
-
-void ExportTest::writesTheFilesOwnCharacters_data() {
-    QTest::addColumn<QByteArray>("written");
-    QTest::addRow("double digits") << QByteArray("0.3487989902496338 -1.2345678806304932 2.5");
-    QTest::addRow("more digits than a double has") << QByteArray("0.100000000000000000000001 2 3");
-    QTest::addRow("trailing zeros") << QByteArray("0.500000 -1.000000 12.340000");
-    QTest::addRow("signs") << QByteArray("+1.0 -0 +0.0");
-    QTest::addRow("exponents") << QByteArray("1e3 1.5E-03 -2.000e+01");
-    QTest::addRow("no leading or trailing digit") << QByteArray(".5 5. -.25");
-    QTest::addRow("leading zeros") << QByteArray("007 00.5 -00");
-    QTest::addRow("too small for a double") << QByteArray("1e-400 -1e-400 1e-310");
-    QTest::addRow("as short as can be") << QByteArray("0.1 -7 123456.789012345");
-}
-
-// Characters of a vertex that did not move, whatever the others do and however the mesh was placed.
-void ExportTest::writesTheFilesOwnCharacters() {
-    QFETCH(QByteArray, written);
-    const std::string line = written.toStdString();
-    const std::string source = "v " + line + "\nv 40.250 0.00 0\nv  0\t30.50\\\n 1.00\r\nv " + line +
-                               " 1 0.5 0.25\nf 1 2 3\nf 1 3 4\n";
-    const QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("mesh"));
-    QVERIFY(writeMeshStream(parseObj(source).value().mesh, path).ok());
-    const MeshData handedOver = readMeshStream(path).value();
-    MeshData placed = handedOver;
-    place(placed, 2.0f);
-    for (const MeshData* mesh : {&handedOver, static_cast<const MeshData*>(&placed)}) {
-        std::vector<glm::vec3> positions = mesh->positions;
-        const std::string still = formatObj(exportOf(*mesh, positions), {});
-        QVERIFY2(still.find("\nv " + line + " 1 1 1\nv 40.250 0.00 0 1 1 1\nv 0 30.50 1.00 1 1 1\nv " + line +
-                            " 1 0.5 0.25\nf") != still.npos,
-                 still.c_str());
-        positions[1] = {40.25f, 0.125f, 0.0f};
-        const std::string moved = formatObj(exportOf(*mesh, positions), {});
-        QVERIFY2(moved.find("\nv " + line + " 1 1 1\nv ") != moved.npos, moved.c_str());
-        QVERIFY2(moved.find("\nv 0 30.50 1.00 1 1 1\nv " + line + " 1 0.5 0.25\nf") != moved.npos,
-                 moved.c_str());
-        QVERIFY2(moved.find("40.250") == moved.npos, moved.c_str());
-        QVERIFY(mesh == &placed || moved.find("\nv 40.25 0.125 0 1 1 1\n") != moved.npos);
-    }
 }
 
 void ExportTest::undoesThePlacement() {

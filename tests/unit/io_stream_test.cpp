@@ -19,7 +19,7 @@ MeshData everything() {
     mesh.name = "all of it";
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0f, 5, 5}};
     mesh.filePositions = {{10, 10, 10}, {10.1, 10, 10}, {10, 10.1, 10}, {10, 10.5, 10.5}};
-    mesh.positionTexts = "10.0 +10 1e1\n\n10.0 10.1 10\n\n";
+    mesh.vertexPlaces = {7};
     mesh.placement = {{10, 10, 10}, 10.0};
     mesh.colours.assign(4, glm::vec3(0.5f));
     mesh.normals = {{0, 0, 1}};
@@ -36,6 +36,7 @@ MeshData everything() {
     mesh.materials[0].shininess = 7.0f;
     mesh.materials[0].diffuseTexture = "t.png";
     mesh.materials[0].diffuseImage = 0;
+    mesh.materials[0].metalRoughness = {0.5f, 0.25f, "rough.png", 0};
     mesh.images = {Image{1, 2, {1, 2, 3, 4, 5, 6, 7, 8}}};
     mesh.lines = {{0, 1}, {}};
     mesh.points = {3};

@@ -31,7 +31,11 @@ bool sameMaterials(const MeshData& a, const MeshData& b) {
                                  x.diffuseImage == y.diffuseImage && x.normalMap.kind == y.normalMap.kind &&
                                  x.normalMap.texture == y.normalMap.texture &&
                                  x.normalMap.strength == y.normalMap.strength &&
-                                 x.normalMap.image == y.normalMap.image;
+                                 x.normalMap.image == y.normalMap.image &&
+                                 x.metalRoughness.metalness == y.metalRoughness.metalness &&
+                                 x.metalRoughness.roughness == y.metalRoughness.roughness &&
+                                 x.metalRoughness.texture == y.metalRoughness.texture &&
+                                 x.metalRoughness.image == y.metalRoughness.image;
                       });
 }
 
@@ -63,7 +67,6 @@ QStringList differences(const MeshData& a, const MeshData& b) {
     const std::pair<const char*, bool> parts[] = {
         {"positions", same(a.positions, b.positions)},
         {"filePositions", same(a.filePositions, b.filePositions)},
-        {"positionTexts", a.positionTexts == b.positionTexts},
         {"placement", a.placement.centre == b.placement.centre && a.placement.scale == b.placement.scale},
         {"colours", same(a.colours, b.colours)},
         {"normals", same(a.normals, b.normals)},

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "io/position_texts.h"
 #include "io/readers/obj_numbers.h"
 #include "io/readers/text_cursor.h"
 #include "io/readers/tidy.h"
@@ -22,7 +21,9 @@ struct LargestIndex {
 
 class ObjParser {
 public:
-    ObjParser(std::string_view text, const ProgressSink& progress) : m_text(text), m_progress(progress) {}
+    /// start: where the text starts in the file.
+    ObjParser(std::string_view text, std::uint64_t start, const ProgressSink& progress)
+        : m_text(text), m_start(start), m_progress(progress) {}
 
     Result<ImportedMesh> parse();
 
@@ -45,6 +46,7 @@ private:
     Error errorAtLine(const std::string& what) const;
 
     std::string_view m_text;
+    std::uint64_t m_start;
     const ProgressSink& m_progress;
     ImportedMesh m_imported;
     MeshData& m_mesh = m_imported.mesh;
@@ -57,7 +59,8 @@ private:
     bool m_anySmoothing = false;
     LargestIndex m_largest;
     std::size_t m_line = 0;
-    std::string m_joined;  ///< a line that was continued with a backslash
+    std::uint64_t m_lineStart = 0;  ///< in the file
+    std::string m_joined;           ///< a line that was continued with a backslash
     std::size_t m_smallFaces = 0;
     std::size_t m_smallLines = 0;
     std::size_t m_freeForm = 0;
@@ -94,18 +97,16 @@ std::string_view ObjParser::nextLine(TextCursor& text) {
 
 void ObjParser::parseVertex(TextCursor& line) {
     glm::dvec3 position;
-    std::array<std::string_view, 3> written;
     for (int i = 0; i < 3; ++i) {
-        line.skipBlanks();
-        const std::size_t start = line.offset();
         position[i] = coordinate(line, "vertex");
-        written[static_cast<std::size_t>(i)] = line.since(start);
         if (!std::isfinite(static_cast<float>(position[i]))) {
             throw BadLine{"A coordinate is not a number, infinite or too large."};
         }
     }
+    if (m_positions.size() % kVerticesPerPlace == 0) {
+        m_mesh.vertexPlaces.push_back(m_lineStart);
+    }
     m_positions.push_back(position);
-    appendPositionLine(m_mesh.positionTexts, written, position);
     std::array<double, 4> more{};
     const std::size_t count = optionalNumbers(line, more);
     if (count >= 3) {  // x y z r g b, or x y z w r g b
@@ -337,6 +338,7 @@ Result<ImportedMesh> ObjParser::parse() {
     TextCursor text(m_text);
     std::size_t nextReport = kReportEvery;
     while (!text.atEnd()) {
+        m_lineStart = m_start + text.offset();
         const std::string_view line = nextLine(text);
         m_lastLineCut = text.atEnd() && m_text.back() != '\n';
         try {
@@ -367,15 +369,17 @@ Result<ImportedMesh> ObjParser::parse() {
 
 Result<ImportedMesh> parseObj(std::string_view text, const ProgressSink& progress) {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    std::uint64_t start = 0;
     if (text.starts_with(kByteOrderMark)) {
-        text.remove_prefix(kByteOrderMark.size());
+        start = kByteOrderMark.size();
+        text.remove_prefix(start);
     }
     if (text.find('\n') == text.npos && text.find('\r') != text.npos) {  // line ends of old Macs
         std::string unixText(text);
         std::replace(unixText.begin(), unixText.end(), '\r', '\n');
-        return ObjParser(unixText, progress).parse();
+        return ObjParser(unixText, start, progress).parse();
     }
-    return ObjParser(text, progress).parse();
+    return ObjParser(text, start, progress).parse();
 }
 
 }  // namespace hitscope
