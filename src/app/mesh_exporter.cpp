@@ -46,16 +46,16 @@ void MeshExporter::write(const std::shared_ptr<Job>& job) {
             Qt::QueuedConnection);
         return !job->isCancelled;
     };
-    const Status written = writeExport(job->what, job->path, goOn);
+    const Result<QStringList> written = writeExport(job->what, job->path, goOn);
     QMetaObject::invokeMethod(
         this, [this, job, written] { take(job, written); }, Qt::QueuedConnection);
 }
 
-void MeshExporter::take(const std::shared_ptr<Job>& job, const Status& written) {
+void MeshExporter::take(const std::shared_ptr<Job>& job, const Result<QStringList>& written) {
     job->progress.reset();
     m_jobs.remove(job);
     if (written) {
-        Q_EMIT exported(job->name, job->path);
+        Q_EMIT exported(job->name, job->path, written.value());
     } else if (job->isCancelled) {
         Q_EMIT cancelled();
     } else {

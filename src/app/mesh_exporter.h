@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <QThreadPool>
 #include <atomic>
 #include <list>
@@ -29,7 +30,8 @@ public:
     [[nodiscard]] bool isRunning() const { return !m_jobs.empty(); }
 
 Q_SIGNALS:
-    void exported(const QString& name, const QString& path);
+    /// notes: exportObj()'s.
+    void exported(const QString& name, const QString& path, const QStringList& notes);
     void failed(const hitscope::Error& error);
     void cancelled();                                 ///< the file is as it was
     void ended(const QString& path, bool isWritten);  ///< after one of these
@@ -43,7 +45,7 @@ private:
         std::unique_ptr<TaskProgress> progress;  // of the window's thread
     };
     void write(const std::shared_ptr<Job>& job);
-    void take(const std::shared_ptr<Job>& job, const Status& written);
+    void take(const std::shared_ptr<Job>& job, const Result<QStringList>& written);
 
     TaskList& m_tasks;
     std::list<std::shared_ptr<Job>> m_jobs;

@@ -103,6 +103,18 @@ QString agreementLine(const Session& session, const std::optional<ReferenceAgree
     return text;
 }
 
+Status exportNamed(const Target& target, const QString& path, NormalMode normals) {
+    const Result<QStringList> written = exportTarget(target, path, normals);
+    if (!written) {
+        return written.error();
+    }
+    QTextStream notes(stderr);
+    for (const QString& note : written.value()) {
+        notes << note << "\n";
+    }
+    return Done{};
+}
+
 Status exportAgrees(const Session& session, const std::optional<ReferenceAgreement>& agreement,
                     const QString& path) {
     if (!agreement || agreement->isExact()) {

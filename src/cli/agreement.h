@@ -6,6 +6,7 @@
 
 #include "analysis/reference_agreement.h"
 #include "scene/scene_gpu.h"
+#include "session/export_target.h"
 
 namespace hitscope::cli {
 
@@ -25,6 +26,9 @@ namespace hitscope::cli {
 /// all.
 [[nodiscard]] QString agreementLine(const Session& session,
                                     const std::optional<ReferenceAgreement>& agreement);
+
+/// exportTarget(); its notes go to the standard error.
+[[nodiscard]] Status exportNamed(const Target& target, const QString& path, NormalMode normals);
 
 /// An error that says by how much what was written to `path` is not what the reference makes of the hits.
 [[nodiscard]] Status exportAgrees(const Session& session, const std::optional<ReferenceAgreement>& agreement,

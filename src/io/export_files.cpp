@@ -215,18 +215,14 @@ Status MaterialFiles::placeLocated() {
     return Done{};
 }
 
-Result<std::vector<std::string>> MaterialFiles::placeLibraries() {
-    std::vector<std::string> names;
+Status MaterialFiles::placePictures() {
     if (!m_mesh.materialLibraries.empty()) {
-        if (const Status placed = placeLocated(); !placed) {
-            return placed.error();
+        if (Status placed = placeLocated(); !placed) {
+            return placed;
         }
     }
     if (m_place.isOwnFolder() && m_renamed.empty()) {
-        for (const std::string& line : m_mesh.materialLibraries) {
-            names.push_back(nameOnLine(line));
-        }
-        return names;
+        return Done{};
     }
     for (const std::string& picture : m_mesh.pictureFiles) {
         const Result<std::string> placed = placePicture(picture, true);
@@ -236,6 +232,20 @@ Result<std::vector<std::string>> MaterialFiles::placeLibraries() {
         if (placed.value() != picture) {
             m_renamed.emplace(picture, placed.value());
         }
+    }
+    return Done{};
+}
+
+Result<std::vector<std::string>> MaterialFiles::placeLibraries() {
+    std::vector<std::string> names;
+    if (const Status placed = placePictures(); !placed) {
+        return placed.error();
+    }
+    if (m_place.isOwnFolder() && m_renamed.empty()) {
+        for (const std::string& line : m_mesh.materialLibraries) {
+            names.push_back(nameOnLine(line));
+        }
+        return names;
     }
     for (const std::string& line : m_mesh.materialLibraries) {
         for (const QString& name : librariesOnLine(m_place.sourceFolder, QString::fromStdString(line))) {
@@ -250,6 +260,34 @@ Result<std::vector<std::string>> MaterialFiles::placeLibraries() {
         }
     }
     return names;
+}
+
+Result<std::map<std::size_t, std::string>> MaterialFiles::placeLibraryLines() {
+    std::map<std::size_t, std::string> lines;
+    if (const Status placed = placePictures(); !placed) {
+        return placed.error();
+    }
+    if (m_place.isOwnFolder() && m_renamed.empty()) {
+        return lines;
+    }
+    for (std::size_t i = 0; i < m_mesh.materialLibraries.size(); ++i) {
+        const QString line = QString::fromStdString(m_mesh.materialLibraries[i]);
+        std::string now;
+        bool isNew = false;
+        for (const QString& name : librariesOnLine(m_place.sourceFolder, line)) {
+            const Result<std::string> placed = placeLibrary(name);
+            if (!placed) {
+                return placed.error();
+            }
+            const std::string own = name.toStdString();
+            now += (now.empty() ? "" : " ") + (placed.value().empty() ? own : placed.value());
+            isNew = isNew || (!placed.value().empty() && placed.value() != placeBelow(name).toStdString());
+        }
+        if (isNew) {
+            lines.emplace(i, now);
+        }
+    }
+    return lines;
 }
 
 }  // namespace hitscope

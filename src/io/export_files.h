@@ -38,6 +38,10 @@ public:
     /// no materials in them, are left out.
     [[nodiscard]] Result<std::vector<std::string>> placeLibraries();
 
+    /// The same, for a copy of the mesh's own file: what its mtllib lines say instead, by their number from
+    /// 0. Lines that stay as they are, and files that cannot be read, are left out.
+    [[nodiscard]] Result<std::map<std::size_t, std::string>> placeLibraryLines();
+
     /// The pictures of materials that have no MTL file; those in the mesh's file alone become PNG. Gives for
     /// each material the names to refer to; textures that cannot be had keep theirs.
     [[nodiscard]] Result<std::vector<PlacedTextures>> placeTextures();
@@ -52,6 +56,8 @@ private:
     Result<std::string> placeImage(int image);
     Result<std::string> placeTexture(const std::string& name, int image);
     Result<std::string> placeLibrary(const QString& name);
+    /// The pictures that MTL files name; those that had to change their names are noted.
+    [[nodiscard]] Status placePictures();
     /// Pictures that are not where the mesh's file says, and were found elsewhere.
     [[nodiscard]] Status placeLocated();
     [[nodiscard]] QByteArray withNewNames(const QByteArray& library) const;

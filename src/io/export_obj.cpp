@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/export_obj.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <new>
 
 #include "io/export_files.h"
 #include "io/format_mtl.h"
+#include "io/writers/source_obj.h"
 
 namespace hitscope {
 namespace {
@@ -17,10 +19,14 @@ Status checkLengths(const ObjExport& what) {
                 : Status(Error{"The deformed mesh and its original do not have the same vertices.", {}, {}});
 }
 
+ExportPlace placeOf(const ObjExport& what, const QFileInfo& obj) {
+    return {what.sourceFolder, obj.absolutePath(), obj.completeBaseName()};
+}
+
 /// What the OBJ's mtllib lines say, once what they refer to is staged.
 Result<std::vector<std::string>> stageMaterials(const ObjExport& what, const QFileInfo& obj,
                                                 StagedFiles& staged) {
-    const ExportPlace place{what.sourceFolder, obj.absolutePath(), obj.completeBaseName()};
+    const ExportPlace place = placeOf(what, obj);
     MaterialFiles files(*what.mesh, place, staged);
     if (!what.sourceFolder.isEmpty() && !what.mesh->materialLibraries.empty()) {
         return files.placeLibraries();
@@ -45,27 +51,65 @@ Result<std::vector<std::string>> stageMaterials(const ObjExport& what, const QFi
     return std::vector<std::string>{QFileInfo(path).fileName().toStdString()};
 }
 
+/// Status: as commit()'s, or why nothing could be staged.
+Status writeAnew(const ObjExport& what, const QString& path) {
+    StagedFiles staged(what.beforeStep);
+    const Result<std::vector<std::string>> libraries = stageMaterials(what, QFileInfo(path), staged);
+    if (!libraries) {
+        return libraries.error();
+    }
+    const std::string text = formatObj(what, libraries.value());
+    if (text.empty()) {
+        return Error{"The export was cancelled.", path.toStdString(), "The file is as it was."};
+    }
+    // Last, so that an OBJ never refers to files that are not there.
+    if (const Status added = staged.add(path, text, StagedFiles::Existing::Replace); !added) {
+        return added;
+    }
+    return staged.commit();
+}
+
+Result<SourceCopy> writeFromSource(const ObjExport& what, const QString& path) {
+    StagedFiles staged(what.beforeStep);
+    const ExportPlace place = placeOf(what, QFileInfo(path));
+    MaterialFiles materials(*what.mesh, place, staged);
+    Result<SourceCopy> copied = copyWithChanges(what, path, materials, staged);
+    if (copied && copied.value() == SourceCopy::Written) {
+        if (const Status named = staged.commit(); !named) {
+            return named.error();
+        }
+    }
+    return copied;
+}
+
+Result<QStringList> write(const ObjExport& what, const QString& path) {
+    QStringList notes;
+    if (!what.sourcePath.isEmpty() && what.mesh->sourceHash != 0) {
+        const Result<SourceCopy> copied = writeFromSource(what, path);
+        if (!copied || copied.value() == SourceCopy::Written) {
+            return copied ? Result<QStringList>(notes) : Result<QStringList>(copied.error());
+        }
+        const QString name = QFileInfo(what.sourcePath).fileName();
+        notes +=
+            (copied.value() == SourceCopy::NotThere
+                 ? QCoreApplication::translate("ExportObj", "“%1” is not there any more")
+                 : QCoreApplication::translate("ExportObj", "“%1” has changed since it was opened"))
+                .arg(name) +
+            QCoreApplication::translate(
+                "ExportObj", ": the mesh was written anew, without the comments and layout of its file.");
+    }
+    const Status written = writeAnew(what, path);
+    return written ? Result<QStringList>(notes) : Result<QStringList>(written.error());
+}
+
 }  // namespace
 
-Status exportObj(const ObjExport& what, const QString& path) {
+Result<QStringList> exportObj(const ObjExport& what, const QString& path) {
     if (Status fits = checkLengths(what); !fits) {
-        return fits;
+        return fits.error();
     }
     try {
-        StagedFiles staged(what.beforeStep);
-        const Result<std::vector<std::string>> libraries = stageMaterials(what, QFileInfo(path), staged);
-        if (!libraries) {
-            return libraries.error();
-        }
-        const std::string text = formatObj(what, libraries.value());
-        if (text.empty()) {
-            return Error{"The export was cancelled.", path.toStdString(), "The file is as it was."};
-        }
-        // Last, so that an OBJ never refers to files that are not there.
-        if (const Status added = staged.add(path, text, StagedFiles::Existing::Replace); !added) {
-            return added;
-        }
-        return staged.commit();
+        return write(what, path);
     } catch (const std::bad_alloc&) {
         return Error{"There is not enough memory to write the mesh.", path.toStdString(),
                      "Close other programs."};

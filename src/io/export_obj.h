@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <functional>
 #include <glm/vec3.hpp>
 #include <span>
@@ -9,35 +10,42 @@
 #include <vector>
 
 #include "core/result.h"
+#include "io/writers/normal_plan.h"
 #include "mesh/mesh_data.h"
 
 namespace hitscope {
 
 /// What to write: the original gives order, polygons, texture coordinates, groups and materials, `positions`
-/// and `cornerNormals` the deformed state.
+/// and `normals` the deformed state.
 struct ObjExport {
     const MeshData* mesh = nullptr;
     std::span<const glm::vec3> positions;  ///< one for each of mesh->positions
-    std::span<const glm::vec3>
-        normals;           ///< empty (none written), or one a corner: mesh->cornerVertices.size() entries
-    QString sourceFolder;  ///< where the textures' relative paths start; empty: none to copy
-    /// Called now and then with how much of the text is made, [0, 1]; false gives the export up. May be
-    /// empty.
+    CornerNormals normals = {};            ///< of the deformed state; empty: those of the file, if it has any
+    /// Whether corners that have no normal in the mesh's file are to get one.
+    bool allNormals = false;
+    QString sourceFolder = {};  ///< where the textures' relative paths start; empty: none to copy
+    QString sourcePath = {};    ///< the OBJ file that the mesh was read from; empty: it was not
+    /// Called now and then with how much is done, [0, 1]; false gives the export up. May be empty.
     std::function<bool(double)> goOn = {};
     std::function<void()> beforeStep = {};  ///< StagedFiles' own; for tests
 };
 
-/// Writes FILE.obj. In the source's own folder it refers to the source's MTL files; elsewhere these are
-/// copied as they are, with their pictures. A mesh that has none gets FILE.mtl with its textures, if it has
-/// materials. A vertex that did not move is written with the file's own numbers, and from an OBJ file with
-/// these in its own characters ("1.500", "+1", "1e3", "-0"); one that did so that reading gives the same
-/// float. Normals that are the file's but for their length stay the file's. Only FILE.obj is
-/// ever replaced. All files are written in full before the first gets its name, the OBJ last, so that the old
-/// ones or the new ones are there whatever happens. Given up, it fails, and all is as it was.
-[[nodiscard]] Status exportObj(const ObjExport& what, const QString& path);
+/// Writes FILE.obj, and gives notes for the person.
+///
+/// If the mesh was read from an OBJ file that still has the same content, the file's bytes are copied, and
+/// only these words replaced: coordinates that changed, normals that changed (see NormalPlan), and names of
+/// MTL files that could not keep theirs. Else all is written anew, with a note if there was such a file: a
+/// vertex that did not move keeps the file's own numbers, one that did is written so that reading gives the
+/// same float.
+///
+/// In the source's own folder it refers to the source's MTL files; elsewhere these are copied as they are,
+/// with their pictures. A mesh that has none gets FILE.mtl with its textures, if it has materials. Only
+/// FILE.obj is ever replaced. All files are written in full before the first gets its name, the OBJ last, so
+/// that the old ones or the new ones are there whatever happens. Given up, it fails, and all is as it was.
+[[nodiscard]] Result<QStringList> exportObj(const ObjExport& what, const QString& path);
 
-/// The OBJ text alone, empty where it was given up; pure, for tests. materialLibraries: a name for each
-/// mtllib line.
+/// The OBJ text of a mesh written anew, empty where it was given up; pure, for tests. materialLibraries: a
+/// name for each mtllib line.
 [[nodiscard]] std::string formatObj(const ObjExport& what, const std::vector<std::string>& materialLibraries);
 
 }  // namespace hitscope

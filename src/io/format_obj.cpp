@@ -1,30 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "io/export_names.h"
 #include "io/export_obj.h"
 #include "io/number_text.h"
 #include "io/welder.h"
-#include "mesh/same_bits.h"
+#include "io/writers/file_coordinate.h"
 
 namespace hitscope {
 namespace {
-
-/// The file's normal is kept where the given one only differs by having been made unit length.
-bool isStill(const glm::vec3& original, const glm::vec3& now) {
-    constexpr float kRounding = 1e-6f;
-    if (sameBits(original, now)) {
-        return true;
-    }
-    const float length = glm::length(original);
-    if (!(length > 0.0f) || !std::isfinite(length)) {
-        return false;
-    }
-    const glm::vec3 gap = glm::abs(original / length - now);
-    return gap.x <= kRounding && gap.y <= kRounding && gap.z <= kRounding;
-}
 
 /// The normals to write and each corner's index among them: the file's own where they still hold, in its
 /// order, and each other one once.
@@ -33,7 +18,7 @@ struct NormalTable {
     std::vector<std::uint32_t> corners;
 };
 
-NormalTable tabulateNormals(const MeshData& mesh, std::span<const glm::vec3> normals) {
+NormalTable tabulateNormals(const MeshData& mesh, const CornerNormals& normals) {
     NormalTable table;
     table.corners.assign(normals.size(), kNoIndex);
     std::vector<bool> used(mesh.normals.size());
@@ -42,7 +27,7 @@ NormalTable tabulateNormals(const MeshData& mesh, std::span<const glm::vec3> nor
         const std::uint32_t index = mesh.cornerNormals[c];
         if (index != kNoIndex) {
             used[index] = true;
-            if (isStill(mesh.normals[index], normals[c])) {
+            if (isSameDirection(mesh.normals[index], normals[c])) {
                 still[index] = true;
                 table.corners[c] = index;
             }
@@ -108,25 +93,9 @@ bool ObjText::isGivenUp(std::size_t done) {
 }
 
 void ObjText::position(std::size_t v) {
-    const glm::vec3& now = m_what.positions[v];
-    const bool moved = !sameBits(now, m_mesh.positions[v]);
-    const Placement& placement = m_mesh.placement;
-    glm::dvec3 file(0.0);
-    bool asDouble = true;
-    if (!moved && !m_mesh.filePositions.empty()) {
-        file = m_mesh.filePositions[v];
-    } else if (!placement.isIdentity()) {
-        file = glm::dvec3(now) / placement.scale + placement.centre;
-    } else {
-        asDouble = false;
-    }
-    for (int i = 0; i < 3; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
         m_text += ' ';
-        if (asDouble) {
-            appendNumber(m_text, file[i]);
-        } else {
-            appendTwiceRoundedFloat(m_text, now[i]);
-        }
+        appendFileCoordinate(m_text, m_mesh, v, m_what.positions[v], axis);
     }
 }
 

@@ -26,7 +26,7 @@ void visitMesh(Stream& stream, Mesh& mesh) {
     stream.text(mesh.name);
     stream.array(mesh.positions);
     stream.array(mesh.filePositions);
-    stream.array(mesh.vertexPlaces);
+    stream.plain(mesh.sourceHash);
     stream.plain(mesh.placement.centre);
     stream.plain(mesh.placement.scale);
     stream.array(mesh.colours);

@@ -13,44 +13,17 @@
 #include <cerrno>
 #include <cstdio>
 
+#include "io/descriptor.h"
+
 namespace hitscope {
 
 namespace {
 
 constexpr std::size_t kPiece = 1 << 20;  // bytes read at once
 
-class Descriptor {
-public:
-    explicit Descriptor(int number) : m_number(number) {}
-    ~Descriptor() {
-        if (m_number >= 0) {
-            ::close(m_number);
-        }
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    [[nodiscard]] bool isOpen() const { return m_number >= 0; }
-    [[nodiscard]] int get() const { return m_number; }
-
-private:
-    int m_number;
-};
-
 Error cannotSave(const QString& path, int reason) {
     return {"The file cannot be saved: " + qt_error_string(reason).toStdString() + ".", path.toStdString(),
             "Choose a folder that exists, that you may write to and that has room."};
-}
-
-bool writeAll(int descriptor, const char* data, std::size_t size) {
-    while (size > 0) {
-        const ssize_t written = ::write(descriptor, data, size);
-        if (written < 0 && errno != EINTR) {
-            return false;
-        }
-        data += std::max<ssize_t>(written, 0);
-        size -= static_cast<std::size_t>(std::max<ssize_t>(written, 0));
-    }
-    return true;
 }
 
 /// All that can be read, `most` bytes at most; false with errno for more, or where it fails.

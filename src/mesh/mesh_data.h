@@ -68,7 +68,6 @@ struct Placement {
 };
 
 inline constexpr std::uint32_t kNoIndex = 0xffffffffu;
-inline constexpr std::size_t kVerticesPerPlace = 256;  ///< of MeshData::vertexPlaces
 
 /// A polygon mesh as its file has it: the file's own vertex order, polygons, indices and groups. Immutable
 /// once it is a target's original; what hits do to it is kept elsewhere (DeformedMesh).
@@ -79,12 +78,9 @@ struct MeshData {
 
     std::vector<glm::vec3> positions;  ///< metres, local frame; V entries, vertices no face uses included
     std::vector<glm::dvec3> filePositions;  ///< empty or V entries: the file's own numbers, before placement
-    /// Empty, or where an OBJ file has its vertices: the byte at which the line of each kVerticesPerPlace-th
-    /// starts. Rising.
-    std::vector<std::uint64_t> vertexPlaces;
-    Placement placement;               ///< relates filePositions to positions
-    std::vector<glm::vec3> colours;    ///< empty or V entries, [0, 1]
-    std::vector<glm::vec3> normals;    ///< the file's normals, any number (unit not guaranteed)
+    Placement placement;                    ///< relates filePositions to positions
+    std::vector<glm::vec3> colours;         ///< empty or V entries, [0, 1]
+    std::vector<glm::vec3> normals;         ///< the file's normals, any number (unit not guaranteed)
     std::vector<glm::vec2> texcoords;  ///< the file's texture coordinates, any number; v upwards, as in OBJ
 
     std::vector<std::uint32_t> faceStarts;       ///< F + 1 entries (or empty: no faces): face f has corners
@@ -101,6 +97,7 @@ struct MeshData {
     std::vector<std::vector<std::uint32_t>> lines;  ///< OBJ l elements: vertex indices; kept for export only
     std::vector<std::uint32_t> points;              ///< OBJ p elements: vertex indices; kept for export only
     std::vector<std::string> materialLibraries;     ///< OBJ mtllib names, as the file has them
+    std::uint64_t sourceHash = 0;  ///< contentHash() of the OBJ or PLY file it was read from; 0: not known
     std::vector<std::string> pictureFiles;  ///< textures, as the file names them, whose files are pictures
 
     [[nodiscard]] std::size_t vertexCount() const { return positions.size(); }

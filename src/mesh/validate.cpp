@@ -77,21 +77,6 @@ Status checkVertices(const MeshData& mesh) {
     return Done{};
 }
 
-Status checkVertexPlaces(const MeshData& mesh) {
-    const std::vector<std::uint64_t>& places = mesh.vertexPlaces;
-    const std::size_t needed = (mesh.positions.size() + kVerticesPerPlace - 1) / kVerticesPerPlace;
-    if (!places.empty() && places.size() != needed) {
-        return wrongLength("places of vertices", places.size(), needed);
-    }
-    for (std::size_t p = 1; p < places.size(); ++p) {
-        if (places[p] <= places[p - 1]) {
-            return Error{"It does not lie behind the one before it in the file.",
-                         nth("vertex", p * kVerticesPerPlace), kBroken};
-        }
-    }
-    return Done{};
-}
-
 Status checkFaceStarts(const MeshData& mesh) {
     const std::size_t corners = mesh.cornerVertices.size();
     if (mesh.faceStarts.empty()) {
@@ -227,8 +212,8 @@ Status checkGroupsAndElements(const MeshData& mesh) {
 }  // namespace
 
 Status validate(const MeshData& mesh) {
-    for (const auto check : {checkCounts, checkVertices, checkVertexPlaces, checkFaces, checkMaterials,
-                             checkGroupsAndElements}) {
+    for (const auto check :
+         {checkCounts, checkVertices, checkFaces, checkMaterials, checkGroupsAndElements}) {
         if (Status status = check(mesh); !status) {
             return status;
         }

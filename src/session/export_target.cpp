@@ -2,7 +2,6 @@
 #include "session/export_target.h"
 
 #include <QFileInfo>
-#include <new>
 
 #include "io/export_obj.h"
 
@@ -22,33 +21,31 @@ TargetExport copyForExport(const Target& target, NormalMode normals) {
             copy.normals.push_back(vertex.normal);
         }
     }
-    if (!target.sourcePath.isEmpty()) {
-        copy.sourceFolder = QFileInfo(target.sourcePath).absolutePath();
-    }
+    copy.sourcePath = target.sourcePath;
     return copy;
 }
 
-Status writeExport(const TargetExport& what, const QString& path, const std::function<bool(double)>& goOn) {
-    std::vector<glm::vec3> cornerNormals;
-    try {
-        cornerNormals.reserve(what.render->cornerRenderVertices.size());
-        for (const std::uint32_t vertex : what.render->cornerRenderVertices) {
-            cornerNormals.push_back(what.normals[vertex]);
-        }
-    } catch (const std::bad_alloc&) {
-        return Error{"There is not enough memory to write the mesh.", path.toStdString(),
-                     "Close other programs."};
-    }
+Result<QStringList> writeExport(const TargetExport& what, const QString& path,
+                                const std::function<bool(double)>& goOn) {
     ObjExport file;
     file.mesh = what.original.get();
     file.positions = what.positions;
-    file.normals = cornerNormals;
-    file.sourceFolder = what.sourceFolder;
+    // A file that has no normals gets none; a mesh of our own has them.
+    if (what.sourcePath.isEmpty() || !what.original->normals.empty()) {
+        file.normals = {what.normals, what.render->cornerRenderVertices};
+    }
+    if (!what.sourcePath.isEmpty()) {
+        const QFileInfo source(what.sourcePath);
+        file.sourceFolder = source.absolutePath();
+        file.sourcePath = source.suffix().compare(QLatin1String("obj"), Qt::CaseInsensitive) == 0
+                              ? what.sourcePath
+                              : QString();
+    }
     file.goOn = goOn;
     return exportObj(file, path);
 }
 
-Status exportTarget(const Target& target, const QString& path, NormalMode normals) {
+Result<QStringList> exportTarget(const Target& target, const QString& path, NormalMode normals) {
     return writeExport(copyForExport(target, normals), path);
 }
 

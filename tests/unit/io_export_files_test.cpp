@@ -102,7 +102,7 @@ void ExportFilesTest::copiesNothingButPictures() {
     what.sourceFolder = in("source");
     QFile grown(in("source/maps/wood.png"));
     QVERIFY(grown.resize(3ll << 30));
-    const Status written = exportObj(what, in("target/b.obj"));
+    const Result<QStringList> written = exportObj(what, in("target/b.obj"));
     QVERIFY(!written);
     QVERIFY2(messageOf(written).contains(QStringLiteral("wood.png")), qPrintable(messageOf(written)));
     QCOMPARE(filesIn("target").size(), 2);
@@ -279,7 +279,8 @@ void ExportFilesTest::saysWhyItCannotWrite_data() {
 void ExportFilesTest::saysWhyItCannotWrite() {
     QFETCH(QString, path);
     const MeshData mesh = parseObj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").value().mesh;
-    const Status written = exportObj(exportOf(mesh, mesh.positions), QDir(m_folder->path()).filePath(path));
+    const Result<QStringList> written =
+        exportObj(exportOf(mesh, mesh.positions), QDir(m_folder->path()).filePath(path));
     QVERIFY(!written);
     QVERIFY2(messageOf(written).contains(QStringLiteral("cannot be saved")), qPrintable(messageOf(written)));
     QVERIFY(!written.error().where.empty() && !written.error().advice.empty());

@@ -81,7 +81,7 @@ void ExportTest::givesBackNormalsThatAreAllGiven() {
     const MeshData mesh = parseObj(text).value().mesh;
     const std::vector<glm::vec3> normals = cornerNormals(mesh, {});
     ObjExport what = exportOf(mesh, mesh.positions);
-    what.normals = normals;
+    what.normals = {normals, {}};
     const Result<ImportedMesh> again = parseObj(formatObj(what, {}));
     QVERIFY2(again.ok(), qPrintable(messageOf(again)));
     QCOMPARE(differences(again.value().mesh, mesh), QStringList());
@@ -148,7 +148,7 @@ void ExportTest::writesEachNormalOnce() {
     std::vector<glm::vec3> normals(6, glm::vec3(0, 0, 1));
     normals[4] = {0, 1, 0};
     ObjExport what = exportOf(mesh, mesh.positions);
-    what.normals = normals;
+    what.normals = {normals, {}};
     const MeshData again = parseObj(formatObj(what, {})).value().mesh;
     // The file's own is used no longer, and goes.
     QCOMPARE(again.normals, (std::vector<glm::vec3>{{0, 0, 1}, {0, 1, 0}}));
@@ -161,7 +161,7 @@ void ExportTest::keepsFileNormalsButForTheirLength() {
                                          glm::normalize(glm::vec3(1, 2, 3)),
                                          glm::normalize(glm::vec3(1, 2, 3.1f))};
     ObjExport what = exportOf(mesh, mesh.positions);
-    what.normals = normals;
+    what.normals = {normals, {}};
     const MeshData again = parseObj(formatObj(what, {})).value().mesh;
     QCOMPARE(again.normals, (std::vector<glm::vec3>{{1, 2, 3}, normals[2]}));
     QCOMPARE(again.cornerNormals, (std::vector<std::uint32_t>{0, 0, 1}));

@@ -35,7 +35,6 @@ class ObjTest : public QObject {
 private Q_SLOTS:
     void keepsTheFilesOrder();
     void keepsTheFilesNumbers();
-    void knowsWhereVerticesLie();
     void keepsPolygonsOfAnySize();
     void keepsGroupsMaterialsAndSmoothing();
     void keepsLinesPointsAndColours();
@@ -65,19 +64,6 @@ void ObjTest::keepsTheFilesNumbers() {
     QCOMPARE(mesh.positions[0], glm::vec3(0.1f, 2.5f, -1e-3f));
     // Numbers that floats hold exactly need no second copy.
     QVERIFY(parsed(std::string(kTriangle) + "f 1 2 3\n").filePositions.empty());
-}
-
-void ObjTest::knowsWhereVerticesLie() {
-    std::string text = "\xEF\xBB\xBF# not only vertices\r\n";
-    std::vector<std::uint64_t> places;
-    for (std::size_t v = 0; v < 2 * kVerticesPerPlace + 1; ++v) {
-        if (v % kVerticesPerPlace == 0) {
-            places.push_back(text.size());
-        }
-        text += v % 3 == 0 ? "v 1 \\\n 2 3\r\n" : " v  " + std::to_string(v) + " 0 0\nvn 0 0 1\n\n";
-    }
-    text += "f 1 2 3\n";
-    QCOMPARE(parsed(text).vertexPlaces, places);
 }
 
 void ObjTest::keepsPolygonsOfAnySize() {

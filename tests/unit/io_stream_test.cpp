@@ -19,7 +19,7 @@ MeshData everything() {
     mesh.name = "all of it";
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0f, 5, 5}};
     mesh.filePositions = {{10, 10, 10}, {10.1, 10, 10}, {10, 10.1, 10}, {10, 10.5, 10.5}};
-    mesh.vertexPlaces = {7};
+    mesh.sourceHash = 7;
     mesh.placement = {{10, 10, 10}, 10.0};
     mesh.colours.assign(4, glm::vec3(0.5f));
     mesh.normals = {{0, 0, 1}};
@@ -71,6 +71,7 @@ void StreamTest::carriesEverything() {
     QVERIFY2(again.ok(), qPrintable(messageOf(again)));
     QCOMPARE(differences(again.value(), mesh), QStringList());
     QCOMPARE(again.value().name, mesh.name);
+    QCOMPARE(again.value().sourceHash, mesh.sourceHash);
     QCOMPARE(again.value().materialLibraries, mesh.materialLibraries);
     QCOMPARE(again.value().pictureFiles, mesh.pictureFiles);
 }

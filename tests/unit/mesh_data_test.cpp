@@ -56,13 +56,6 @@ private Q_SLOTS:
         row("infinite", "vertex 1", [](MeshData& m) { m.positions[0].x = 1e30f * 1e30f; });
         row("file positions short", "file positions", [](MeshData& m) { m.filePositions.pop_back(); });
         row("file position nan", "vertex 2", [](MeshData& m) { m.filePositions[1].z = double{kNan}; });
-        row("too many places", "places of vertices", [](MeshData& m) { m.vertexPlaces = {0, 8}; });
-        row("places that fall", "vertex 257", [](MeshData& m) {
-            m.positions.resize(300);
-            m.filePositions.resize(300);
-            m.colours.resize(300);
-            m.vertexPlaces = {8, 8};
-        });
         row("metalness nan", "material 1",
             [](MeshData& m) { m.materials[0].metalRoughness.metalness = kNan; });
         row("roughness", "material 1", [](MeshData& m) { m.materials[0].metalRoughness.roughness = 1.5f; });

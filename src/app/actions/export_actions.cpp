@@ -46,9 +46,11 @@ ExportActions::ExportActions(Session& session, Viewport& viewport, AppSettings& 
       m_settings(settings),
       m_window(window),
       m_exporter(new MeshExporter(session.tasks(), this)) {
-    connect(m_exporter, &MeshExporter::exported, this, [this](const QString& name, const QString& path) {
-        Q_EMIT said(tr("Exported “%1” to %2").arg(name, path));
-    });
+    connect(m_exporter, &MeshExporter::exported, this,
+            [this](const QString& name, const QString& path, const QStringList& notes) {
+                const QString text = tr("Exported “%1” to %2").arg(name, path);
+                Q_EMIT said(notes.isEmpty() ? text : text + QStringLiteral(". ") + notes.join(u' '));
+            });
     connect(m_exporter, &MeshExporter::failed, this, &ExportActions::failed);
     connect(m_exporter, &MeshExporter::cancelled, this,
             [this] { Q_EMIT said(tr("Cancelled. The file is unchanged.")); });
@@ -121,9 +123,10 @@ Status ExportActions::write(const QString& path, std::optional<NormalMode> norma
         return current;
     }
     Q_EMIT began(*target, path);
-    Status written = exportTarget(*target, path, normals.value_or(m_viewport.options().normals));
+    const Result<QStringList> written =
+        exportTarget(*target, path, normals.value_or(m_viewport.options().normals));
     Q_EMIT ended(path, written.ok());
-    return written;
+    return written ? Status(Done{}) : Status(written.error());
 }
 
 }  // namespace hitscope

@@ -21,9 +21,7 @@ struct LargestIndex {
 
 class ObjParser {
 public:
-    /// start: where the text starts in the file.
-    ObjParser(std::string_view text, std::uint64_t start, const ProgressSink& progress)
-        : m_text(text), m_start(start), m_progress(progress) {}
+    ObjParser(std::string_view text, const ProgressSink& progress) : m_text(text), m_progress(progress) {}
 
     Result<ImportedMesh> parse();
 
@@ -46,7 +44,6 @@ private:
     Error errorAtLine(const std::string& what) const;
 
     std::string_view m_text;
-    std::uint64_t m_start;
     const ProgressSink& m_progress;
     ImportedMesh m_imported;
     MeshData& m_mesh = m_imported.mesh;
@@ -59,8 +56,7 @@ private:
     bool m_anySmoothing = false;
     LargestIndex m_largest;
     std::size_t m_line = 0;
-    std::uint64_t m_lineStart = 0;  ///< in the file
-    std::string m_joined;           ///< a line that was continued with a backslash
+    std::string m_joined;  ///< a line that was continued with a backslash
     std::size_t m_smallFaces = 0;
     std::size_t m_smallLines = 0;
     std::size_t m_freeForm = 0;
@@ -102,9 +98,6 @@ void ObjParser::parseVertex(TextCursor& line) {
         if (!std::isfinite(static_cast<float>(position[i]))) {
             throw BadLine{"A coordinate is not a number, infinite or too large."};
         }
-    }
-    if (m_positions.size() % kVerticesPerPlace == 0) {
-        m_mesh.vertexPlaces.push_back(m_lineStart);
     }
     m_positions.push_back(position);
     std::array<double, 4> more{};
@@ -338,7 +331,6 @@ Result<ImportedMesh> ObjParser::parse() {
     TextCursor text(m_text);
     std::size_t nextReport = kReportEvery;
     while (!text.atEnd()) {
-        m_lineStart = m_start + text.offset();
         const std::string_view line = nextLine(text);
         m_lastLineCut = text.atEnd() && m_text.back() != '\n';
         try {
@@ -369,17 +361,15 @@ Result<ImportedMesh> ObjParser::parse() {
 
 Result<ImportedMesh> parseObj(std::string_view text, const ProgressSink& progress) {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    std::uint64_t start = 0;
     if (text.starts_with(kByteOrderMark)) {
-        start = kByteOrderMark.size();
-        text.remove_prefix(start);
+        text.remove_prefix(kByteOrderMark.size());
     }
     if (text.find('\n') == text.npos && text.find('\r') != text.npos) {  // line ends of old Macs
         std::string unixText(text);
         std::replace(unixText.begin(), unixText.end(), '\r', '\n');
-        return ObjParser(unixText, start, progress).parse();
+        return ObjParser(unixText, progress).parse();
     }
-    return ObjParser(text, start, progress).parse();
+    return ObjParser(text, progress).parse();
 }
 
 }  // namespace hitscope

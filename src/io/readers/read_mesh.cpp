@@ -8,6 +8,7 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include "io/content_hash.h"
 #include "io/readers/assimp_reader.h"
 #include "io/readers/mtl_reader.h"
 #include "io/readers/obj_reader.h"
@@ -51,6 +52,14 @@ private:
     std::string_view m_bytes;
 };
 
+/// An export that copies the source must know that it still is what was read.
+Result<ImportedMesh> withHash(Result<ImportedMesh> imported, std::string_view content) {
+    if (imported) {
+        imported.value().mesh.sourceHash = contentHash(content);
+    }
+    return imported;
+}
+
 Result<ImportedMesh> parseFile(const QString& path, const ProgressSink& progress) {
     const QString suffix = QFileInfo(path).suffix().toLower();
     FileContent content;
@@ -58,10 +67,10 @@ Result<ImportedMesh> parseFile(const QString& path, const ProgressSink& progress
         return opened.error();
     }
     if (suffix == QStringLiteral("obj")) {
-        return parseObj(content.bytes(), progress);
+        return withHash(parseObj(content.bytes(), progress), content.bytes());
     }
     if (suffix == QStringLiteral("ply")) {
-        return parsePly(content.bytes(), progress);
+        return withHash(parsePly(content.bytes(), progress), content.bytes());
     }
     if (suffix == QStringLiteral("stl")) {
         return parseStl(content.bytes(), progress);

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/writers/obj_lines.h"
+
+#include <cstring>
+
+namespace hitscope {
+namespace {
+
+bool isSpace(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v';
+}
+
+}  // namespace
+
+bool ObjLines::next(TextRange& line) {
+    line.start = m_at;
+    while (m_at < m_text.size()) {
+        const std::size_t begin = m_at;
+        const void* const found = std::memchr(m_text.data() + begin, m_lineEnd, m_text.size() - begin);
+        const std::size_t stop =
+            found ? static_cast<std::size_t>(static_cast<const char*>(found) - m_text.data()) : m_text.size();
+        m_at = found ? stop + 1 : stop;
+        std::size_t last = stop;
+        while (last > begin && isSpace(m_text[last - 1])) {
+            --last;
+        }
+        if (last == begin || m_text[last - 1] != '\\') {
+            break;
+        }
+    }
+    line.end = m_at;
+    return line.end > line.start;
+}
+
+/// A backslash counts as blank where only blanks follow it on its line.
+bool ObjWords::isBlank(std::size_t at) const {
+    if (m_line[at] != '\\') {
+        return isSpace(m_line[at]);
+    }
+    for (++at; at < m_line.size() && isSpace(m_line[at]); ++at) {
+        if (m_line[at] == m_lineEnd) {
+            return true;
+        }
+    }
+    return at == m_line.size();
+}
+
+TextRange ObjWords::next() {
+    while (m_at < m_line.size() && isBlank(m_at)) {
+        ++m_at;
+    }
+    TextRange word{m_at, m_at};
+    while (m_at < m_line.size() && !isBlank(m_at)) {
+        ++m_at;
+    }
+    word.end = m_at;
+    return word;
+}
+
+ObjKeyword keywordOf(std::string_view line, char lineEnd) {
+    if (!line.empty() && (line.front() == '#' || line.front() == 'u')) {  // most of what is of no concern
+        return ObjKeyword::Other;
+    }
+    ObjWords words(line, lineEnd);
+    const std::string_view keyword = words.text(words.next());
+    return keyword == "v"                      ? ObjKeyword::Vertex
+           : keyword == "f" || keyword == "fo" ? ObjKeyword::Face
+           : keyword == "vn"                   ? ObjKeyword::Normal
+           : keyword == "mtllib"               ? ObjKeyword::Library
+                                               : ObjKeyword::Other;
+}
+
+}  // namespace hitscope

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace hitscope {
+
+/// What a line of an OBJ file begins with, as far as an export may change it.
+enum class ObjKeyword : std::uint8_t { Vertex, Normal, Face, Library, Other };
+
+/// Bytes [start, end) of a text.
+struct TextRange {
+    std::size_t start = 0;
+    std::size_t end = 0;
+};
+
+/// Goes through the lines of an OBJ file as its reader does (readers/obj_reader.cpp): those that a backslash
+/// continues are one. It changes nothing, so that what it gives can be found in the file.
+class ObjLines {
+public:
+    /// lineEnd: '\n', or '\r' for files of old Macs.
+    ObjLines(std::string_view text, char lineEnd) : m_text(text), m_lineEnd(lineEnd) {}
+
+    /// The next line with its end; false where there is none.
+    bool next(TextRange& line);
+
+private:
+    std::string_view m_text;
+    std::size_t m_at = 0;
+    char m_lineEnd;
+};
+
+/// Goes through the words of one line: what stands between blanks and continued line ends.
+class ObjWords {
+public:
+    ObjWords(std::string_view line, char lineEnd) : m_line(line), m_lineEnd(lineEnd) {}
+
+    /// The next word, within the line; empty where there is none.
+    TextRange next();
+    [[nodiscard]] std::string_view text(const TextRange& word) const {
+        return m_line.substr(word.start, word.end - word.start);
+    }
+
+private:
+    [[nodiscard]] bool isBlank(std::size_t at) const;
+
+    std::string_view m_line;
+    std::size_t m_at = 0;
+    char m_lineEnd;
+};
+
+[[nodiscard]] ObjKeyword keywordOf(std::string_view line, char lineEnd);
+
+}  // namespace hitscope

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/writers/normal_plan.h"
+#include "io/writers/obj_index.h"
+#include "io/writers/obj_lines.h"
+#include "mesh/mesh_data.h"
+
+namespace hitscope {
+
+/// What an OBJ file's text is to say instead. All of it outlives the patcher.
+struct ObjChanges {
+    const MeshData& mesh;                  ///< as it was read from the file
+    std::span<const glm::vec3> positions;  ///< one for each of mesh.positions
+    const NormalPlan& normals;
+    /// What mtllib lines name instead, by their number from 0.
+    const std::map<std::size_t, std::string>& libraries;
+};
+
+/// Rewrites parts of an OBJ file: the words that change, and nothing else.
+class ObjPatcher {
+public:
+    ObjPatcher(const ObjChanges& changes, const ObjIndex& index);
+
+    /// Whether part `p` of the index has something that changes.
+    [[nodiscard]] bool changes(std::size_t p) const;
+    /// Appends the part's new text to `out`. `text`: its bytes in the file.
+    void rewrite(std::size_t p, std::string_view text, std::string& out) const;
+
+private:
+    /// How many of each come before a part.
+    struct Counts {
+        std::size_t vertices = 0;
+        std::size_t normals = 0;
+        std::size_t faces = 0;
+        std::size_t libraries = 0;
+    };
+    struct Line {
+        std::string_view text;
+        std::uint64_t start;  // in the file
+    };
+    void rewriteLine(const Line& line, Counts& at, std::string& out) const;
+    void vertex(std::string_view line, std::size_t vertex, std::string& out) const;
+    void normal(std::string_view line, std::size_t normal, std::string& out) const;
+    void face(std::string_view line, std::size_t face, std::string& out) const;
+    void library(std::string_view line, const std::string& name, std::string& out) const;
+    [[nodiscard]] bool isFace(std::string_view line) const;
+    void appendAdded(std::string& out) const;
+    [[nodiscard]] bool moved(std::size_t vertex) const;
+
+    const ObjChanges& m_changes;
+    const ObjIndex& m_index;
+    std::vector<Counts> m_before;  // one a part, and the totals behind
+    std::uint64_t m_addAt = 0;     // byte in the file before which the added normals come
+    /// Corners may refer to normals that the file lacks; the added ones must not become these.
+    bool m_hasDangling = false;
+};
+
+}  // namespace hitscope
