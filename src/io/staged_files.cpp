@@ -216,8 +216,9 @@ void StagedFiles::removeNew(std::size_t named) {
     }
 }
 
-Status StagedFiles::add(const QString& path, const std::function<bool(int descriptor)>& write) {
-    return fill(path, Existing::Replace, 0666, write);
+Status StagedFiles::add(const QString& path, const std::function<bool(int descriptor)>& write,
+                        Existing existing) {
+    return fill(path, existing, 0666, write);
 }
 
 Status writeWhole(const QString& path, std::string_view content) {

@@ -27,8 +27,9 @@ public:
     /// Makes missing folders. `mode`: of a new file, before the umask; a file that is replaced keeps its own.
     [[nodiscard]] Status add(const QString& path, std::string_view content, Existing existing,
                              unsigned mode = 0666);
-    /// What `write` writes, in place of what is there; on false errno has the reason.
-    [[nodiscard]] Status add(const QString& path, const std::function<bool(int descriptor)>& write);
+    /// What `write` writes; on false errno has the reason.
+    [[nodiscard]] Status add(const QString& path, const std::function<bool(int descriptor)>& write,
+                             Existing existing = Existing::Replace);
     /// Copies a regular file of `most` bytes at most in pieces, with its mode; it does not follow a link.
     [[nodiscard]] Status addCopy(const QString& source, const QString& path, qint64 most);
     /// Whether commit() will bring a file there.

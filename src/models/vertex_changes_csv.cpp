@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "io/csv_writer.h"
 #include "io/staged_files.h"
+#include "io/writers/changes_csv.h"
 
 namespace hitscope {
 
@@ -14,28 +14,17 @@ namespace {
 
 constexpr std::size_t kChunk = 4096;  // rows
 
-void addHeader(CsvWriter& csv) {
-    csv.row({"vertex", "original_x", "original_y", "original_z", "current_x", "current_y", "current_z",
-             "displacement_x", "displacement_y", "displacement_z", "displacement", "normal_turned_degrees",
-             "hits"});
-}
-
-void addVector(CsvWriter& csv, const glm::vec3& vector) {
-    csv.exact(vector.x).exact(vector.y).exact(vector.z);
-}
+constexpr ChangesCsv::Columns kAll{};
 
 void addRows(CsvWriter& csv, const VertexChangesTable& table, std::size_t first, std::size_t last) {
+    ChangesCsv rows(csv, kAll);
     for (std::size_t row = first; row < last; ++row) {
         const std::uint32_t vertex = table.rows[row];
         const VertexChangesTable::Row& values = table.values[row];
         const glm::vec3& original = table.original->positions[vertex];
-        csv.count(std::uint64_t{vertex} + 1);
-        addVector(csv, original);
-        addVector(csv, values.current);
-        addVector(csv, values.current - original);
-        csv.exact(glm::distance(glm::dvec3(values.current), glm::dvec3(original)));
-        csv.exact(glm::degrees(values.turned)).count(values.hits);
-        csv.endRow();
+        rows.row(vertex, original, values.current, values.current - original,
+                 glm::distance(glm::dvec3(values.current), glm::dvec3(original)), glm::degrees(values.turned),
+                 values.hits);
     }
 }
 
@@ -43,7 +32,7 @@ void addRows(CsvWriter& csv, const VertexChangesTable& table, std::size_t first,
 
 QByteArray csv(const VertexChangesTable& table) {
     CsvWriter writer;
-    addHeader(writer);
+    ChangesCsv(writer, kAll).header();
     addRows(writer, table, 0, table.rows.size());
     return QByteArray::fromStdString(writer.take());
 }
@@ -51,7 +40,7 @@ QByteArray csv(const VertexChangesTable& table) {
 Status saveCsv(const VertexChangesTable& table, const QString& path) {
     return writeWhole(path, [&table](const PutPiece& put) {
         CsvWriter writer;
-        addHeader(writer);
+        ChangesCsv(writer, kAll).header();
         bool written = put(writer.take());
         for (std::size_t first = 0; written && first < table.rows.size(); first += kChunk) {
             addRows(writer, table, first, std::min(first + kChunk, table.rows.size()));

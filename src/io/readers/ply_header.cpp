@@ -98,7 +98,7 @@ std::uint64_t leastSize(const PlyElement& element, PlyEncoding encoding) {
     return size;
 }
 
-Status checkRoom(const PlyHeader& header, std::size_t fileSize) {
+Status checkRoom(const PlyHeader& header, std::uint64_t fileSize) {
     std::uint64_t room = fileSize - header.size + 1;  // the last number needs no blank behind it
     for (const PlyElement& element : header.elements) {
         const std::uint64_t least = leastSize(element, header.encoding);
@@ -120,8 +120,12 @@ Error lineError(std::size_t number, std::string_view line) {
 }  // namespace
 
 Result<PlyHeader> parsePlyHeader(std::string_view file) {
-    TextCursor lines(file);
-    if (!file.starts_with("ply") || TextCursor(lines.line()).word() != "ply") {
+    return parsePlyHeader(file, file.size());
+}
+
+Result<PlyHeader> parsePlyHeader(std::string_view start, std::uint64_t fileSize) {
+    TextCursor lines(start);
+    if (!start.starts_with("ply") || TextCursor(lines.line()).word() != "ply") {
         return Error{"It does not begin with \"ply\", so it is not a PLY file.",
                      {},
                      "Check that the file's suffix tells its format."};
@@ -148,7 +152,7 @@ Result<PlyHeader> parsePlyHeader(std::string_view file) {
             if (!hasFormat) {
                 return Error{"The header does not say which format the data has.", "header", kAdvice};
             }
-            if (Status room = checkRoom(header, file.size()); !room) {
+            if (Status room = checkRoom(header, fileSize); !room) {
                 return room.error();
             }
             return header;

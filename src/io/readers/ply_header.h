@@ -45,5 +45,7 @@ struct PlyHeader {
 /// Parses the header at the start of a PLY file; pure. Promises of more elements than the file has room for
 /// are an error, so that counts can be trusted when allocating.
 [[nodiscard]] Result<PlyHeader> parsePlyHeader(std::string_view file);
+/// The same of a file's start, `fileSize` bytes long in all.
+[[nodiscard]] Result<PlyHeader> parsePlyHeader(std::string_view start, std::uint64_t fileSize);
 
 }  // namespace hitscope

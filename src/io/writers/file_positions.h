@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "io/writers/mesh_export.h"
+#include "mesh/same_bits.h"
+
+namespace hitscope {
+
+/// The coordinates of an export in its file's frame.
+class FilePositions {
+public:
+    /// `what` outlives this.
+    explicit FilePositions(const MeshExport& what) : m_mesh(*what.mesh), m_now(what.positions) {}
+
+    [[nodiscard]] bool isMoved(std::size_t v) const { return !sameBits(m_now[v], m_mesh.positions[v]); }
+    [[nodiscard]] glm::dvec3 original(std::size_t v) const {
+        return m_mesh.filePositions.empty() ? toFile(m_mesh.positions[v]) : m_mesh.filePositions[v];
+    }
+    [[nodiscard]] glm::dvec3 now(std::size_t v) const { return isMoved(v) ? toFile(m_now[v]) : original(v); }
+    [[nodiscard]] glm::dvec3 displacement(std::size_t v) const {
+        return (glm::dvec3(m_now[v]) - glm::dvec3(m_mesh.positions[v])) / m_mesh.placement.scale;
+    }
+    [[nodiscard]] glm::dvec3 toFile(const glm::vec3& local) const {
+        const Placement& placement = m_mesh.placement;
+        return placement.isIdentity() ? glm::dvec3(local)
+                                      : glm::dvec3(local) / placement.scale + placement.centre;
+    }
+    /// Floats hold the original's coordinates.
+    [[nodiscard]] bool fitFloats() const {
+        for (const glm::dvec3& position : m_mesh.filePositions) {
+            if (glm::dvec3(glm::vec3(position)) != position) {
+                return false;
+            }
+        }
+        return !m_mesh.filePositions.empty() || m_mesh.placement.isIdentity();
+    }
+
+private:
+    const MeshData& m_mesh;
+    std::span<const glm::vec3> m_now;
+};
+
+/// Whether a normal only differs from the file's by having been made unit length.
+inline bool isSameNormal(const glm::vec3& original, const glm::vec3& now) {
+    constexpr float kRounding = 1e-6f;
+    if (sameBits(original, now)) {
+        return true;
+    }
+    const float length = glm::length(original);
+    if (!(length > 0.0f) || !std::isfinite(length)) {
+        return false;
+    }
+    const glm::vec3 gap = glm::abs(original / length - now);
+    return gap.x <= kRounding && gap.y <= kRounding && gap.z <= kRounding;
+}
+
+}  // namespace hitscope

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/writers/ply_copy.h"
+
+#include <QFileInfo>
+
+#include "io/readers/ply_values.h"
+#include "io/readers/text_cursor.h"
+
+namespace hitscope {
+namespace {
+
+constexpr qint64 kLongestHeader = 1 << 20;  // bytes
+
+/// The source is not what the mesh was read from.
+struct Differs {};
+
+bool isIndexList(const PlyProperty& property) {
+    return property.isList && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+const char* nameOf(PlyEncoding encoding) {
+    return encoding == PlyEncoding::Ascii          ? "ascii"
+           : encoding == PlyEncoding::LittleEndian ? "binary_little_endian"
+                                                   : "binary_big_endian";
+}
+
+}  // namespace
+
+PlyCopy::PlyCopy(const MeshExport& what, const PlyOptions& options)
+    : m_what(what), m_mesh(*what.mesh), m_options(options), m_positions(what), m_file(what.sourcePath) {}
+
+void PlyCopy::differs(const QString& how) {
+    m_whyNot = how;
+    throw Differs{};
+}
+
+void PlyCopy::look(std::uint64_t done) {
+    constexpr std::uint64_t kBetween = 8192;
+    if (m_what.goOn && done % kBetween == 0 && !m_what.goOn(0.0)) {
+        m_isGivenUp = true;
+        throw Differs{};
+    }
+}
+
+bool PlyCopy::readHeader() {
+    if (!QFileInfo(m_what.sourcePath).isFile() || !m_file.open(QIODevice::ReadOnly)) {
+        m_whyNot = QStringLiteral("it cannot be opened");
+        return false;
+    }
+    const QByteArray start = m_file.read(kLongestHeader);
+    const std::string_view bytes(start.constData(), static_cast<std::size_t>(start.size()));
+    Result<PlyHeader> header = parsePlyHeader(bytes, static_cast<std::uint64_t>(m_file.size()));
+    if (!header) {
+        m_whyNot = QStringLiteral("it is no longer a PLY file");
+        return false;
+    }
+    m_header = std::move(header.value());
+    m_headerText = bytes.substr(0, m_header.size);
+    const PlyEncoding own = m_header.encoding;
+    const PlyEncoding wanted = m_options.encoding == PlyOptions::Encoding::AsSource ? own
+                               : m_options.encoding == PlyOptions::Encoding::Ascii
+                                   ? PlyEncoding::Ascii
+                                   : PlyEncoding::LittleEndian;
+    m_values = PlyValues(wanted);
+    m_isOther = wanted != own;
+    return true;
+}
+
+/// As the reader takes them: the first element "vertex" with anything in it, and the last property of a name.
+void PlyCopy::findSlots() {
+    for (const PlyElement& element : m_header.elements) {
+        if (element.name == "vertex" && element.count > 0 && !m_vertices) {
+            m_vertices = &element;
+        }
+    }
+    if (!m_vertices || m_vertices->count != m_mesh.positions.size()) {
+        differs(QStringLiteral("it has another number of vertices"));
+    }
+    static constexpr const char* kNames[2][3] = {{"x", "y", "z"}, {"nx", "ny", "nz"}};
+    for (std::size_t p = 0; p < m_vertices->properties.size(); ++p) {
+        const PlyProperty& property = m_vertices->properties[p];
+        for (int i = 0; i < 3 && !property.isList; ++i) {
+            m_slots.position[i] = property.name == kNames[0][i] ? static_cast<int>(p) : m_slots.position[i];
+            const bool isNormal = property.name == kNames[1][i] && !isWhole(property.type);
+            m_slots.normal[i] = isNormal ? static_cast<int>(p) : m_slots.normal[i];
+        }
+    }
+    if (m_slots.position[0] < 0 || m_slots.position[1] < 0 || m_slots.position[2] < 0) {
+        differs(QStringLiteral("its vertices have no coordinates"));
+    }
+    m_added.emplace(m_what, m_options, m_vertices->properties);
+}
+
+void PlyCopy::findTurned() {
+    const bool has = m_slots.normal[0] >= 0 && m_slots.normal[1] >= 0 && m_slots.normal[2] >= 0;
+    if (!has || m_what.normals.empty() || m_mesh.cornerNormals.empty()) {
+        m_slots.normal[0] = m_slots.normal[1] = m_slots.normal[2] = -1;
+        return;
+    }
+    for (std::size_t c = 0; c < m_mesh.cornerNormals.size(); ++c) {
+        const std::uint32_t index = m_mesh.cornerNormals[c];
+        const glm::vec3& now = m_what.normals[c];
+        const bool isFinite = std::isfinite(now.x) && std::isfinite(now.y) && std::isfinite(now.z);
+        if (index != kNoIndex && isFinite && !isSameNormal(m_mesh.normals[index], now)) {
+            m_turned.emplace(m_mesh.cornerVertices[c], now);
+        }
+    }
+}
+
+bool PlyCopy::check() {
+    try {
+        if (!readHeader()) {
+            return false;
+        }
+        findSlots();
+        findTurned();
+        PlyPieces pieces(m_file, m_header.encoding, static_cast<qint64>(m_header.size));
+        for (const PlyElement& element : m_header.elements) {
+            if (&element == m_vertices) {
+                walkVertices(pieces, nullptr);
+            } else {
+                m_hasStrips = m_hasStrips || (element.name == "tristrips" && element.count > 0);
+                element.name == "face" ? walkFaces(pieces, element, nullptr)
+                                       : walkOthers(pieces, element, nullptr);
+            }
+        }
+        if (!m_hasStrips && m_face != m_mesh.faceCount()) {
+            differs(QStringLiteral("it has other faces"));
+        }
+        return true;
+    } catch (const PlyDataEnd&) {
+        m_whyNot = QStringLiteral("it is no longer whole");
+    } catch (const Differs&) {
+    }
+    return false;
+}
+
+void PlyCopy::write(PieceWriter& out) {
+    m_face = 0;
+    out.put(newHeader());
+    try {
+        PlyPieces pieces(m_file, m_header.encoding, static_cast<qint64>(m_header.size));
+        bool isRest = false;
+        for (const PlyElement& element : m_header.elements) {
+            if (isRest && !m_isOther) {
+                break;
+            }
+            if (&element == m_vertices) {
+                walkVertices(pieces, &out);
+                isRest = true;
+            } else {
+                walkOthers(pieces, element, &out);
+            }
+        }
+        for (std::string_view rest; !m_isOther && out.goesOn(1, 2) && !(rest = pieces.nextRest()).empty();) {
+            out.put(rest);
+        }
+    } catch (const PlyDataEnd&) {
+        m_whyNot = QStringLiteral("it is no longer whole");
+    } catch (const Differs&) {
+    }
+    if (!m_whyNot.isEmpty()) {
+        out.fail(
+            {"The mesh's file changed while it was read.", m_what.sourcePath.toStdString(), "Export again."});
+    }
+}
+
+/// Hands a value on, written anew in another encoding.
+double PlyCopy::pass(PlyPieces& pieces, PlyType type, PieceWriter* out) {
+    const PlyPiece piece = pieces.next(type);
+    if (out && m_isOther) {
+        m_values.append(out->text(), type, piece.value);
+    } else if (out) {
+        out->put(piece.raw);
+    }
+    return piece.value;
+}
+
+void PlyCopy::passList(PlyPieces& pieces, const PlyProperty& property, PieceWriter* out) {
+    const double length = property.isList ? pass(pieces, property.countType, out) : 1.0;
+    if (!(length >= 0.0 && length <= static_cast<double>(pieces.bytesLeft()))) {
+        differs(QStringLiteral("it is no longer whole"));
+    }
+    for (double i = 0.0; i < length; ++i) {
+        pass(pieces, property.type, out);
+    }
+}
+
+void PlyCopy::endRecord(PieceWriter* out) {
+    if (out && m_isOther) {
+        m_values.endRecord(out->text());
+    }
+}
+
+void PlyCopy::walkOthers(PlyPieces& pieces, const PlyElement& element, PieceWriter* out) {
+    for (std::uint64_t e = 0; e < element.count && !element.properties.empty(); ++e) {
+        for (const PlyProperty& property : element.properties) {
+            passList(pieces, property, out);
+        }
+        endRecord(out);
+        if (out && !out->goesOn(e, element.count)) {
+            throw Differs{};
+        }
+        look(out ? 1 : e);
+    }
+}
+
+/// Faces with fewer than three corners are none of the mesh's.
+void PlyCopy::walkFace(PlyPieces& pieces, const PlyElement& element, PieceWriter* out) {
+    for (const PlyProperty& property : element.properties) {
+        if (!isIndexList(property)) {
+            passList(pieces, property, out);
+            continue;
+        }
+        const double corners = pieces.next(property.countType).value;
+        const bool isFace = corners >= 3.0;
+        if (isFace &&
+            (m_face >= m_mesh.faceCount() || corners != static_cast<double>(m_mesh.face(m_face).size()))) {
+            differs(QStringLiteral("it has other faces"));
+        }
+        for (double c = 0.0; c < corners; ++c) {
+            const double vertex = pieces.next(property.type).value;
+            if (isFace && vertex != static_cast<double>(m_mesh.face(m_face)[static_cast<std::size_t>(c)])) {
+                differs(QStringLiteral("it has other faces"));
+            }
+        }
+        m_face += isFace ? 1 : 0;
+    }
+}
+
+void PlyCopy::walkFaces(PlyPieces& pieces, const PlyElement& element, PieceWriter* out) {
+    if (m_hasStrips) {
+        return walkOthers(pieces, element, out);
+    }
+    for (std::uint64_t f = 0; f < element.count; ++f) {
+        walkFace(pieces, element, out);
+        look(f);
+    }
+}
+
+/// In text, the blanks stay.
+void PlyCopy::replace(PlyType type, double value, std::string_view raw, PieceWriter& out) const {
+    if (!m_values.isAscii() || m_isOther) {
+        m_values.append(out.text(), type, value);
+        return;
+    }
+    const std::size_t blanks = std::min(raw.find_first_not_of(" \t\r\n\f\v"), raw.size());
+    out.put(raw.substr(0, blanks));
+    std::string text;
+    m_values.append(text, type, value);
+    out.put(text);
+}
+
+void PlyCopy::vertexValue(std::size_t v, int slot, const PlyPiece& piece, PlyType type, PieceWriter* out) {
+    double value = piece.value;
+    bool isNew = false;
+    const auto turned = m_turned.find(static_cast<std::uint32_t>(v));
+    for (int i = 0; i < 3; ++i) {
+        if (slot == m_slots.position[i]) {
+            m_read[i] = piece.value;
+            isNew = m_positions.isMoved(v);
+            value = isNew ? m_positions.now(v)[i] : value;
+            m_isRounded = m_isRounded || (isNew && isWhole(type));
+        } else if (slot == m_slots.normal[i] && turned != m_turned.end()) {
+            isNew = true;
+            value = static_cast<double>(turned->second[i]);
+        }
+    }
+    if (out && isNew) {
+        replace(type, value, piece.raw, *out);
+    } else if (out && m_isOther) {
+        m_values.append(out->text(), type, value);
+    } else if (out) {
+        out->put(piece.raw);
+    }
+}
+
+void PlyCopy::walkVertices(PlyPieces& pieces, PieceWriter* out) {
+    const std::vector<PlyProperty>& properties = m_vertices->properties;
+    for (std::size_t v = 0; v < m_mesh.positions.size(); ++v) {
+        for (std::size_t p = 0; p < properties.size(); ++p) {
+            if (properties[p].isList) {
+                passList(pieces, properties[p], out);
+            } else {
+                const PlyPiece piece = pieces.next(properties[p].type);
+                vertexValue(v, static_cast<int>(p), piece, properties[p].type, out);
+            }
+        }
+        const bool isSame = m_mesh.filePositions.empty() ? glm::dvec3(m_mesh.positions[v]) == m_read
+                                                         : m_mesh.filePositions[v] == m_read;
+        if (!isSame) {
+            differs(QStringLiteral("vertex %1 is somewhere else").arg(v + 1));
+        }
+        if (out) {
+            m_added->append(out->text(), m_values, v);
+        }
+        endRecord(out);
+        if (out && !out->goesOn(v, m_mesh.positions.size() + m_mesh.faceCount())) {
+            throw Differs{};
+        }
+        look(out ? 1 : v);
+    }
+}
+
+/// Line for line, with the format's line in the new encoding and our properties after the vertices' last.
+std::string PlyCopy::newHeader() const {
+    TextCursor lines(m_headerText);
+    std::string header;
+    const auto vertices = static_cast<std::ptrdiff_t>(m_vertices - m_header.elements.data());
+    std::ptrdiff_t element = -1;
+    std::size_t insertAt = 0;
+    std::string lineEnd = "\n";
+    while (!lines.atEnd()) {
+        const std::size_t start = lines.offset();
+        const std::string_view line = lines.line();
+        const std::string_view whole = lines.since(start);
+        TextCursor words(line);
+        const std::string_view keyword = words.word();
+        if (keyword == "format" && m_isOther) {
+            header += std::string("format ") + nameOf(m_values.encoding()) + " 1.0\n";
+            continue;
+        }
+        element += keyword == "element" ? 1 : 0;
+        header += whole;
+        if (element == vertices && (keyword == "property" || keyword == "element")) {
+            insertAt = header.size();
+            lineEnd = line.ends_with('\r') ? "\r\n" : "\n";
+        }
+    }
+    std::string added;
+    for (const PlyProperty& property : m_added->properties()) {
+        added += plyLine(property) + lineEnd;
+    }
+    return header.insert(insertAt, added);
+}
+
+QStringList PlyCopy::notes() const {
+    QStringList notes;
+    if (m_added->isRenamed()) {
+        QStringList names;
+        for (const PlyProperty& property : m_added->properties()) {
+            names += QString::fromStdString(property.name);
+        }
+        notes += QStringLiteral("The file has properties of these names already; the new ones are called %1.")
+                     .arg(names.join(QStringLiteral(", ")));
+    }
+    if (m_isRounded) {
+        notes += QStringLiteral(
+            "The file has whole numbers for coordinates; those of vertices that moved "
+            "are rounded.");
+    }
+    return notes;
+}
+
+}  // namespace hitscope

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QFileInfo>
+#include <algorithm>
+#include <new>
+
+#include "io/export_names.h"
+#include "io/writers/colour_space.h"
+#include "io/writers/ply_copy.h"
+
+namespace hitscope {
+namespace {
+
+/// A value for each vertex where all its corners have the same; empty: some have several, or none has any.
+std::vector<std::uint32_t> onePerVertex(const MeshData& mesh, const std::vector<std::uint32_t>& corners) {
+    std::vector<std::uint32_t> values(mesh.positions.size(), kNoIndex);
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+        std::uint32_t& value = values[mesh.cornerVertices[c]];
+        if (corners[c] == kNoIndex || (value != kNoIndex && value != corners[c])) {
+            return {};
+        }
+        value = corners[c];
+    }
+    return corners.empty() ? std::vector<std::uint32_t>() : values;
+}
+
+/// Likewise of normals: the first corner of each vertex.
+std::vector<std::uint32_t> oneNormalPerVertex(const MeshData& mesh, std::span<const glm::vec3> normals) {
+    std::vector<std::uint32_t> first(mesh.positions.size(), kNoIndex);
+    for (std::size_t c = 0; c < normals.size(); ++c) {
+        std::uint32_t& corner = first[mesh.cornerVertices[c]];
+        corner = corner == kNoIndex ? static_cast<std::uint32_t>(c) : corner;
+        if (!sameBits(normals[corner], normals[c])) {
+            return {};
+        }
+    }
+    return normals.empty() ? std::vector<std::uint32_t>() : first;
+}
+
+/// A mesh as a PLY file of its own.
+class WholePly {
+public:
+    WholePly(const MeshExport& what, const PlyOptions& options)
+        : m_what(what),
+          m_mesh(*what.mesh),
+          m_positions(what),
+          m_values(options.encoding == PlyOptions::Encoding::Ascii ? PlyEncoding::Ascii
+                                                                   : PlyEncoding::LittleEndian),
+          m_added(what, options),
+          m_type(m_positions.fitFloats() ? PlyType::Float32 : PlyType::Float64),
+          m_isLinear(hasLinearColours(what.sourcePath)),
+          m_normals(oneNormalPerVertex(m_mesh, what.normals)),
+          m_texcoords(onePerVertex(m_mesh, m_mesh.cornerTexcoords)),
+          m_hasFaceTexcoords(!m_mesh.cornerTexcoords.empty() && m_texcoords.empty()) {
+        for (std::size_t f = 0; f < m_mesh.faceCount(); ++f) {
+            m_largest = std::max(m_largest, m_mesh.face(f).size());
+        }
+    }
+
+    void write(PieceWriter& out) const;
+    [[nodiscard]] QStringList notes() const;
+
+private:
+    [[nodiscard]] std::string header() const;
+    void vertex(std::string& text, std::size_t v) const;
+    void face(std::string& text, std::size_t f) const;
+    [[nodiscard]] PlyType countType() const { return m_largest < 128 ? PlyType::Uint8 : PlyType::Int32; }
+    [[nodiscard]] PlyType texcoordCountType() const {
+        return 2 * m_largest < 256 ? PlyType::Uint8 : PlyType::Int32;
+    }
+    [[nodiscard]] PlyType indexType() const {
+        return m_mesh.positions.size() < 0x80000000u ? PlyType::Int32 : PlyType::Uint32;
+    }
+
+    const MeshExport& m_what;
+    const MeshData& m_mesh;
+    FilePositions m_positions;
+    PlyValues m_values;
+    PlyAdded m_added;
+    PlyType m_type;
+    bool m_isLinear;
+    std::vector<std::uint32_t> m_normals;    ///< a corner for each vertex, or empty
+    std::vector<std::uint32_t> m_texcoords;  ///< one for each vertex, or empty
+    bool m_hasFaceTexcoords;
+    std::size_t m_largest = 3;  ///< corners of a face
+};
+
+std::string WholePly::header() const {
+    std::string text = std::string("ply\nformat ") + (m_values.isAscii() ? "ascii" : "binary_little_endian") +
+                       " 1.0\ncomment Written by Hitscope " HITSCOPE_VERSION "\n";
+    if (m_mesh.materials.size() == 1 && !m_mesh.cornerTexcoords.empty()) {
+        const std::string texture = nameOnLine(m_mesh.materials.front().diffuseTexture);
+        text += texture.empty() ? std::string() : "comment TextureFile " + texture + '\n';
+    }
+    const auto add = [&text](PlyType type, std::initializer_list<const char*> names) {
+        for (const char* const name : names) {
+            text += plyLine({name, type, false, PlyType::Uint8}) + '\n';
+        }
+    };
+    const auto addList = [&text](PlyType count, const PlyProperty& property) {
+        const std::string line = plyLine(property);
+        const std::string countName = plyLine({{}, count, false, PlyType::Uint8});
+        text += "property list" + countName.substr(8) + line.substr(9) + '\n';
+    };
+    text += "element vertex " + std::to_string(m_mesh.positions.size()) + '\n';
+    add(m_type, {"x", "y", "z"});
+    if (!m_normals.empty()) {
+        add(PlyType::Float32, {"nx", "ny", "nz"});
+    }
+    if (!m_texcoords.empty()) {
+        add(PlyType::Float32, {"s", "t"});
+    }
+    if (!m_mesh.colours.empty()) {
+        add(PlyType::Uint8, {"red", "green", "blue"});
+    }
+    for (const PlyProperty& property : m_added.properties()) {
+        text += plyLine(property) + '\n';
+    }
+    text += "element face " + std::to_string(m_mesh.faceCount()) + '\n';
+    addList(countType(), {"vertex_indices", indexType(), true, countType()});
+    if (m_hasFaceTexcoords) {
+        addList(texcoordCountType(), {"texcoord", PlyType::Float32, true, texcoordCountType()});
+    }
+    return text + "end_header\n";
+}
+
+void WholePly::vertex(std::string& text, std::size_t v) const {
+    const glm::dvec3 now = m_positions.now(v);
+    for (int i = 0; i < 3; ++i) {
+        m_values.append(text, m_type, now[i]);
+    }
+    for (int i = 0; !m_normals.empty() && i < 3; ++i) {
+        const std::uint32_t corner = m_normals[v];
+        m_values.append(text, PlyType::Float32, corner == kNoIndex ? 0.0f : m_what.normals[corner][i]);
+    }
+    for (int i = 0; !m_texcoords.empty() && i < 2; ++i) {
+        const std::uint32_t index = m_texcoords[v];
+        m_values.append(text, PlyType::Float32, index == kNoIndex ? 0.0f : m_mesh.texcoords[index][i]);
+    }
+    for (int i = 0; !m_mesh.colours.empty() && i < 3; ++i) {
+        const float component = m_mesh.colours[v][i];
+        m_values.append(text, PlyType::Uint8, 255.0f * (m_isLinear ? srgbOf(component) : component));
+    }
+    m_added.append(text, m_values, v);
+    m_values.endRecord(text);
+}
+
+void WholePly::face(std::string& text, std::size_t f) const {
+    const std::span<const std::uint32_t> corners = m_mesh.face(f);
+    m_values.append(text, countType(), static_cast<double>(corners.size()));
+    for (const std::uint32_t vertex : corners) {
+        m_values.append(text, indexType(), vertex);
+    }
+    if (m_hasFaceTexcoords) {
+        const std::size_t first = m_mesh.faceStarts[f];
+        const auto isThere = [this](std::size_t c) { return m_mesh.cornerTexcoords[c] != kNoIndex; };
+        bool all = true;
+        for (std::size_t c = first; c < first + corners.size(); ++c) {
+            all = all && isThere(c);
+        }
+        m_values.append(text, texcoordCountType(), all ? 2.0 * static_cast<double>(corners.size()) : 0.0);
+        for (std::size_t c = first; all && c < first + corners.size(); ++c) {
+            const glm::vec2& texcoord = m_mesh.texcoords[m_mesh.cornerTexcoords[c]];
+            m_values.append(text, PlyType::Float32, texcoord.x);
+            m_values.append(text, PlyType::Float32, texcoord.y);
+        }
+    }
+    m_values.endRecord(text);
+}
+
+void WholePly::write(PieceWriter& out) const {
+    const std::size_t all = m_mesh.positions.size() + m_mesh.faceCount();
+    out.put(header());
+    for (std::size_t v = 0; v < m_mesh.positions.size() && out.goesOn(v, all); ++v) {
+        vertex(out.text(), v);
+    }
+    for (std::size_t f = 0; f < m_mesh.faceCount() && out.goesOn(m_mesh.positions.size() + f, all); ++f) {
+        face(out.text(), f);
+    }
+}
+
+QStringList WholePly::notes() const {
+    QStringList notes;
+    if (!m_what.normals.empty() && m_normals.empty()) {
+        notes += QStringLiteral(
+            "A vertex of a PLY file has one normal, and here some have several: "
+            "normals are left out.");
+    }
+    const bool hasTexture = m_mesh.materials.size() == 1 && !m_mesh.materials.front().diffuseTexture.empty();
+    if (m_mesh.materials.size() > (hasTexture ? 1u : 0u)) {
+        notes += QStringLiteral("PLY has no materials; they are left out.");
+    }
+    if (!m_mesh.groups.empty()) {
+        notes += QStringLiteral("PLY has no groups; they are left out.");
+    }
+    if (!m_mesh.lines.empty() || !m_mesh.points.empty()) {
+        notes += QStringLiteral("Lines and points are left out.");
+    }
+    return notes;
+}
+
+}  // namespace
+
+Result<QStringList> exportPly(const MeshExport& what, const QString& path, const PlyOptions& options) {
+    if (const Status fits = checkLengths(what); !fits) {
+        return fits.error();
+    }
+    try {
+        QStringList notes;
+        if (QFileInfo(what.sourcePath).suffix().compare(QStringLiteral("ply"), Qt::CaseInsensitive) == 0) {
+            PlyCopy copy(what, options);
+            if (copy.check()) {
+                const Status written =
+                    writeInPieces(what, path, [&copy](PieceWriter& out) { copy.write(out); });
+                return written ? Result<QStringList>(copy.notes()) : Result<QStringList>(written.error());
+            }
+            if (copy.isGivenUp()) {
+                return cancelledAt(path);
+            }
+            notes += QStringLiteral(
+                         "The file %1 is not as it was when it was opened (%2): the mesh is written in "
+                         "full, without what else is in that file.")
+                         .arg(QFileInfo(what.sourcePath).fileName(), copy.whyNot());
+        }
+        const WholePly whole(what, options);
+        const Status written = writeInPieces(what, path, [&whole](PieceWriter& out) { whole.write(out); });
+        return written ? Result<QStringList>(notes + whole.notes()) : Result<QStringList>(written.error());
+    } catch (const std::bad_alloc&) {
+        return noMemoryFor(path);
+    }
+}
+
+}  // namespace hitscope
