@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/writers/merge_targets.h"
+
+#include <QFileInfo>
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <unordered_set>
+
+#include "io/writers/colour_space.h"
+#include "mesh/corner_normals.h"
+#include "mesh/same_bits.h"
+
+namespace hitscope {
+namespace {
+
+constexpr float kCreaseAngle = 0.7853982f;  // as buildRenderMesh() has it
+
+std::uint32_t shifted(std::uint32_t index, std::size_t by) {
+    return index == kNoIndex ? kNoIndex : static_cast<std::uint32_t>(index + by);
+}
+
+QString folderOf(const PlacedTarget& target) {
+    return target.sourcePath.isEmpty() ? QString() : QFileInfo(target.sourcePath).absolutePath();
+}
+
+/// Which of the optional things any of the targets has: the others get what stands for none.
+struct Has {
+    bool texcoords = false;
+    bool cornerNormals = false;
+    bool normals = false;
+    bool materials = false;
+    bool smoothing = false;
+    bool colours = false;
+    bool groups = false;
+    bool hits = true;
+    bool oneFolder = true;
+
+    explicit Has(std::span<const PlacedTarget> targets) {
+        for (const PlacedTarget& target : targets) {
+            const MeshData& mesh = *target.mesh;
+            texcoords = texcoords || !mesh.cornerTexcoords.empty();
+            cornerNormals = cornerNormals || !mesh.cornerNormals.empty();
+            normals = normals || !target.normals.empty();
+            materials = materials || !mesh.faceMaterials.empty();
+            smoothing = smoothing || !mesh.faceSmoothing.empty();
+            colours = colours || !mesh.colours.empty();
+            groups = groups || !mesh.groups.empty();
+            hits = hits && !target.hits.empty();
+            oneFolder = oneFolder && folderOf(target) == folderOf(targets.front());
+        }
+    }
+};
+
+class Merger {
+public:
+    explicit Merger(std::span<const PlacedTarget> targets) : m_targets(targets), m_has(targets) {}
+
+    MergedTargets merge();
+
+private:
+    void addVertices(const PlacedTarget& target);
+    void addFaces(const PlacedTarget& target);
+    void addNormals(const PlacedTarget& target);
+    void addGroups(const PlacedTarget& target);
+    void addMaterials(const PlacedTarget& target);
+    void addLines(const MeshData& mesh);
+    void addSteps(const PlacedTarget& target);
+    [[nodiscard]] std::string freeName(const std::string& name);
+
+    std::span<const PlacedTarget> m_targets;
+    Has m_has;
+    MergedTargets m_merged;
+    MeshData& m_mesh = m_merged.mesh;
+    std::unordered_set<std::string> m_names;
+    std::size_t m_firstVertex = 0;  ///< of the target being added
+    std::size_t m_firstFace = 0;
+};
+
+glm::vec3 placed(const glm::dmat4& transform, const glm::vec3& position) {
+    return glm::vec3(transform * glm::dvec4(glm::dvec3(position), 1.0));
+}
+
+void Merger::addVertices(const PlacedTarget& target) {
+    const MeshData& mesh = *target.mesh;
+    m_firstVertex = m_mesh.positions.size();
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        const glm::vec3 original = placed(target.transform, mesh.positions[v]);
+        const bool isMoved = !sameBits(mesh.positions[v], target.positions[v]);
+        m_mesh.positions.push_back(original);
+        m_merged.positions.push_back(isMoved ? placed(target.transform, target.positions[v]) : original);
+    }
+    const bool isLinear = hasLinearColours(target.sourcePath);
+    for (std::size_t v = 0; m_has.colours && v < mesh.positions.size(); ++v) {
+        glm::vec3 colour = mesh.colours.empty() ? glm::vec3(1.0f) : mesh.colours[v];
+        for (int i = 0; isLinear && i < 3; ++i) {
+            colour[i] = std::clamp(srgbOf(colour[i]), 0.0f, 1.0f);
+        }
+        m_mesh.colours.push_back(colour);
+    }
+    if (m_has.hits) {
+        m_merged.hits.insert(m_merged.hits.end(), target.hits.begin(), target.hits.end());
+    }
+}
+
+void Merger::addFaces(const PlacedTarget& target) {
+    const MeshData& mesh = *target.mesh;
+    const std::size_t corners = mesh.cornerVertices.size();
+    m_firstFace = m_mesh.faceCount();
+    const std::size_t firstCorner = m_mesh.cornerVertices.size();
+    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        m_mesh.faceStarts.push_back(static_cast<std::uint32_t>(firstCorner + mesh.faceStarts[f + 1]));
+        if (m_has.materials) {
+            const std::uint32_t own = mesh.faceMaterials.empty() ? kNoIndex : mesh.faceMaterials[f];
+            m_mesh.faceMaterials.push_back(shifted(own, m_mesh.materials.size()));
+        }
+        if (m_has.smoothing) {
+            m_mesh.faceSmoothing.push_back(mesh.faceSmoothing.empty() ? 1 : mesh.faceSmoothing[f]);
+        }
+    }
+    for (std::size_t c = 0; c < corners; ++c) {
+        m_mesh.cornerVertices.push_back(shifted(mesh.cornerVertices[c], m_firstVertex));
+        if (m_has.texcoords) {
+            const std::uint32_t own = mesh.cornerTexcoords.empty() ? kNoIndex : mesh.cornerTexcoords[c];
+            m_mesh.cornerTexcoords.push_back(shifted(own, m_mesh.texcoords.size()));
+        }
+        if (m_has.cornerNormals) {
+            const std::uint32_t own = mesh.cornerNormals.empty() ? kNoIndex : mesh.cornerNormals[c];
+            m_mesh.cornerNormals.push_back(shifted(own, m_mesh.normals.size()));
+        }
+    }
+    m_mesh.texcoords.insert(m_mesh.texcoords.end(), mesh.texcoords.begin(), mesh.texcoords.end());
+}
+
+void Merger::addNormals(const PlacedTarget& target) {
+    const glm::dmat3 turn = glm::transpose(glm::inverse(glm::dmat3(target.transform)));
+    const bool isTurned = glm::dmat3(target.transform) != glm::dmat3(1.0);
+    const auto turned = [&](const glm::vec3& normal) {
+        const glm::dvec3 now = turn * glm::dvec3(normal);
+        const double length = glm::length(now);
+        return isTurned && length > 0.0 ? glm::vec3(now / length) : normal;
+    };
+    for (const glm::vec3& normal : target.mesh->normals) {
+        m_mesh.normals.push_back(turned(normal));
+    }
+    if (m_has.normals && target.normals.empty()) {
+        for (const glm::vec3& normal :
+             cornerNormals(*target.mesh, VertexCorners(*target.mesh), kCreaseAngle)) {
+            m_merged.normals.push_back(turned(normal));
+        }
+    }
+    for (const glm::vec3& normal : target.normals) {
+        m_merged.normals.push_back(turned(normal));
+    }
+}
+
+std::string Merger::freeName(const std::string& name) {
+    std::string free = name.empty() ? "target" : name;
+    for (int n = 2; !m_names.insert(free).second; ++n) {
+        free = name + "_" + std::to_string(n);
+    }
+    return free;
+}
+
+/// A group goes on until the next one: a target without any ends the one before.
+void Merger::addGroups(const PlacedTarget& target) {
+    const std::string name = freeName(target.name.empty() ? target.mesh->name : target.name);
+    const auto first = static_cast<std::uint32_t>(m_firstFace);
+    m_mesh.groups.push_back({FaceGroup::Kind::Object, name, first});
+    const std::vector<FaceGroup>& groups = target.mesh->groups;
+    if (m_has.groups && (groups.empty() || groups.front().firstFace > 0)) {
+        m_mesh.groups.push_back({FaceGroup::Kind::Group, name, first});
+    }
+    for (const FaceGroup& group : groups) {
+        m_mesh.groups.push_back({FaceGroup::Kind::Group, group.name, first + group.firstFace});
+    }
+}
+
+/// Names of pictures hold in one folder only: from several, pictures that were read are taken along.
+void Merger::addMaterials(const PlacedTarget& target) {
+    const auto take = [this, first = static_cast<int>(m_mesh.images.size())](std::string& name, int& image) {
+        image = image < 0 ? image : image + first;
+        if (!m_has.oneFolder && image >= 0) {
+            name.clear();
+        }
+    };
+    for (Material material : target.mesh->materials) {
+        take(material.diffuseTexture, material.diffuseImage);
+        take(material.normalMap.texture, material.normalMap.image);
+        take(material.metalRoughness.texture, material.metalRoughness.image);
+        m_mesh.materials.push_back(std::move(material));
+    }
+    m_mesh.images.insert(m_mesh.images.end(), target.mesh->images.begin(), target.mesh->images.end());
+    for (const std::string& picture : target.mesh->pictureFiles) {
+        const bool isKnown = std::find(m_mesh.pictureFiles.begin(), m_mesh.pictureFiles.end(), picture) !=
+                             m_mesh.pictureFiles.end();
+        if (m_has.oneFolder && !isKnown) {
+            m_mesh.pictureFiles.push_back(picture);
+        }
+    }
+}
+
+void Merger::addLines(const MeshData& mesh) {
+    for (std::vector<std::uint32_t> line : mesh.lines) {
+        for (std::uint32_t& vertex : line) {
+            vertex = shifted(vertex, m_firstVertex);
+        }
+        m_mesh.lines.push_back(std::move(line));
+    }
+    for (const std::uint32_t vertex : mesh.points) {
+        m_mesh.points.push_back(shifted(vertex, m_firstVertex));
+    }
+}
+
+void Merger::addSteps(const PlacedTarget& target) {
+    for (std::size_t s = 0; s < target.steps.size(); ++s) {
+        if (s == m_merged.steps.size()) {
+            m_merged.steps.push_back({target.steps[s].name, {}});
+        }
+        for (const MovedVertex& moved : target.steps[s].moved) {
+            m_merged.steps[s].moved.push_back(
+                {shifted(moved.vertex, m_firstVertex), placed(target.transform, moved.position)});
+        }
+    }
+}
+
+MergedTargets Merger::merge() {
+    m_mesh.name = m_targets.size() == 1 ? m_targets.front().mesh->name : "targets";
+    m_mesh.faceStarts.push_back(0);
+    for (const PlacedTarget& target : m_targets) {
+        addVertices(target);
+        addFaces(target);
+        addNormals(target);
+        addGroups(target);
+        addMaterials(target);
+        addLines(*target.mesh);
+        addSteps(target);
+    }
+    if (m_has.oneFolder && !m_targets.empty()) {
+        m_merged.sourceFolder = folderOf(m_targets.front());
+    }
+    return std::move(m_merged);
+}
+
+}  // namespace
+
+MeshExport MergedTargets::what() const {
+    MeshExport what;
+    what.mesh = &mesh;
+    what.positions = positions;
+    what.normals = normals;
+    what.hits = hits;
+    what.steps = steps;
+    what.sourceFolder = sourceFolder;
+    return what;
+}
+
+Result<MergedTargets> mergeTargets(std::span<const PlacedTarget> targets) {
+    std::uint64_t vertices = 0;
+    std::uint64_t corners = 0;
+    for (const PlacedTarget& target : targets) {
+        vertices += target.mesh->positions.size();
+        corners += target.mesh->cornerVertices.size();
+        const bool fits =
+            target.positions.size() == target.mesh->positions.size() &&
+            (target.normals.empty() || target.normals.size() == target.mesh->cornerVertices.size()) &&
+            (target.hits.empty() || target.hits.size() == target.mesh->positions.size());
+        if (!fits) {
+            return Error{
+                "The deformed mesh and its original do not have the same vertices.", target.name, {}};
+        }
+    }
+    if (vertices >= kNoIndex || corners >= kNoIndex) {
+        return Error{"Together the targets have more vertices or face corners than can be counted.",
+                     {},
+                     "Write each target to a file of its own."};
+    }
+    return Merger(targets).merge();
+}
+
+}  // namespace hitscope

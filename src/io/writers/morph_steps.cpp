@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/writers/morph_steps.h"
+
+#include <algorithm>
+
+#include "deform/reference.h"
+#include "mesh/same_bits.h"
+
+namespace hitscope {
+
+namespace {
+
+/// One target as the hits so far have left it.
+class MorphReplay {
+public:
+    explicit MorphReplay(const RenderMesh& render) : m_render(render), m_deformation(render) {
+        for (const DynamicVertex& vertex : render.vertices) {
+            m_known.push_back(vertex.position);
+        }
+    }
+
+    std::vector<MovedVertex> apply(std::span<const Hit> hits) {
+        std::vector<MovedVertex> moved;
+        for (const VertexRange& range : m_deformation.apply(hits)) {
+            for (std::uint32_t r = range.first; r < range.first + range.count; ++r) {
+                take(r, moved);
+            }
+        }
+        return moved;
+    }
+
+private:
+    /// All render vertices of a file vertex are at one place: the first one tells.
+    void take(std::uint32_t renderVertex, std::vector<MovedVertex>& moved) {
+        const std::uint32_t vertex = m_render.fileVertices[renderVertex];
+        const glm::vec3& now = m_deformation.vertices()[renderVertex].position;
+        if (m_render.renderVerticesOf(vertex).front() == renderVertex &&
+            !sameBits(m_known[renderVertex], now)) {
+            m_known[renderVertex] = now;
+            moved.push_back({vertex, now});
+        }
+    }
+
+    const RenderMesh& m_render;
+    ReferenceDeformation m_deformation;
+    std::vector<glm::vec3> m_known;  ///< positions of render vertices
+};
+
+/// "Hit 5", "Hits 5-8": by their rows in the history, from 1.
+std::string nameOfGroup(std::span<const std::size_t> rows) {
+    const std::string first = std::to_string(rows.front() + 1);
+    return rows.size() == 1 ? "Hit " + first : "Hits " + first + "-" + std::to_string(rows.back() + 1);
+}
+
+}  // namespace
+
+std::optional<std::vector<std::vector<MorphStep>>> morphSteps(std::span<const Hit> hits,
+                                                              std::span<const MorphedTarget> targets,
+                                                              std::size_t most,
+                                                              const std::function<bool(double)>& goOn) {
+    std::vector<MorphReplay> replays;
+    replays.reserve(targets.size());
+    for (const MorphedTarget& target : targets) {
+        replays.emplace_back(*target.render);
+    }
+    std::vector<std::size_t> rows;
+    for (std::size_t h = 0; h < hits.size(); ++h) {
+        const bool isOurs =
+            std::any_of(targets.begin(), targets.end(),
+                        [&hits, h](const MorphedTarget& target) { return target.id == hits[h].target; });
+        if (hits[h].enabled && isOurs) {
+            rows.push_back(h);
+        }
+    }
+    std::vector<std::vector<MorphStep>> steps(targets.size());
+    const std::size_t groups = std::min(rows.size(), most);
+    for (std::size_t g = 0; g < groups; ++g) {
+        const std::size_t first = g * rows.size() / groups;
+        const std::size_t end = (g + 1) * rows.size() / groups;
+        const auto group = std::span<const std::size_t>(rows).subspan(first, end - first);
+        for (std::size_t t = 0; t < targets.size(); ++t) {
+            MorphStep& step = steps[t].emplace_back(MorphStep{nameOfGroup(group), {}});
+            std::vector<Hit> own;
+            for (const std::size_t row : group) {
+                if (hits[row].target == targets[t].id) {
+                    own.push_back(hits[row]);
+                }
+            }
+            step.moved = replays[t].apply(own);
+            if (goOn && !goOn(static_cast<double>(first) / static_cast<double>(rows.size()))) {
+                return std::nullopt;
+            }
+        }
+    }
+    return steps;
+}
+
+}  // namespace hitscope
