@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/written_check.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <cmath>
+
+#include "io/import.h"
+#include "io/number_text.h"
+#include "io/readers/ply_header.h"
+#include "io/writers/file_positions.h"
+#include "mesh/triangulate.h"
+
+namespace hitscope {
+namespace {
+
+constexpr qint64 kLongestHeader = 1 << 20;  // bytes, of a PLY file
+
+/// What a file makes of a coordinate.
+double rounded(double coordinate, PlyType type) {
+    return isWhole(type)              ? std::round(coordinate)
+           : type == PlyType::Float32 ? static_cast<double>(static_cast<float>(coordinate))
+                                      : coordinate;
+}
+
+/// The type of a PLY file's coordinates; floats in all other formats.
+PlyType coordinateType(const QString& path, const QString& suffix) {
+    QFile file(path);
+    if (suffix != QStringLiteral("ply") || !file.open(QIODevice::ReadOnly)) {
+        return PlyType::Float32;
+    }
+    const QByteArray start = file.read(kLongestHeader);
+    const std::string_view bytes(start.constData(), static_cast<std::size_t>(start.size()));
+    const Result<PlyHeader> header = parsePlyHeader(bytes, static_cast<std::uint64_t>(file.size()));
+    if (header) {
+        for (const PlyElement& element : header.value().elements) {
+            for (const PlyProperty& property : element.properties) {
+                if (element.name == "vertex" && property.name == "x") {
+                    return property.type;
+                }
+            }
+        }
+    }
+    return PlyType::Float32;
+}
+
+glm::dvec3 readPosition(const MeshData& mesh, std::size_t v) {
+    return mesh.filePositions.empty() ? glm::dvec3(mesh.positions[v]) : mesh.filePositions[v];
+}
+
+std::string counts(const char* what, std::size_t is, std::size_t meant) {
+    return "it has " + std::to_string(is) + " " + what + " and should have " + std::to_string(meant);
+}
+
+Status compareVertices(const MeshData& read, const MeshExport& what, const QString& path, PlyType type) {
+    const FilePositions positions(what);
+    for (std::size_t v = 0; v < what.positions.size(); ++v) {
+        const glm::dvec3 meant = positions.now(v);
+        const glm::dvec3 is = readPosition(read, v);
+        for (int i = 0; i < 3; ++i) {
+            if (rounded(is[i], type) != rounded(meant[i], type)) {
+                return notAsMeant(path, elsewhere("vertex " + std::to_string(v + 1), is, meant));
+            }
+        }
+    }
+    return Done{};
+}
+
+Status compareFaces(const MeshData& read, const MeshData& meant, const QString& path) {
+    for (std::size_t f = 0; f < meant.faceCount(); ++f) {
+        const std::span<const std::uint32_t> is = read.face(f);
+        const std::span<const std::uint32_t> should = meant.face(f);
+        if (!std::equal(is.begin(), is.end(), should.begin(), should.end())) {
+            return notAsMeant(path, "face " + std::to_string(f + 1) + " has other vertices");
+        }
+    }
+    return Done{};
+}
+
+/// The file's own vertices and faces.
+Status compareMesh(const MeshData& read, const MeshExport& what, const QString& path, PlyType type) {
+    if (read.positions.size() != what.positions.size()) {
+        return notAsMeant(path, counts("vertices", read.positions.size(), what.positions.size()));
+    }
+    if (read.faceCount() != what.mesh->faceCount()) {
+        return notAsMeant(path, counts("faces", read.faceCount(), what.mesh->faceCount()));
+    }
+    if (Status same = compareVertices(read, what, path, type); !same) {
+        return same;
+    }
+    return compareFaces(read, *what.mesh, path);
+}
+
+/// Corner by corner: an STL file has no vertices that faces share.
+Status compareFacets(const MeshData& read, const MeshExport& what, const QString& path) {
+    const MeshData& mesh = *what.mesh;
+    const FilePositions positions(what);
+    const std::size_t facets = mesh.cornerVertices.size() - 2 * mesh.faceCount();
+    if (read.faceCount() != facets || read.cornerVertices.size() != 3 * facets) {
+        return notAsMeant(path, counts("triangles", read.faceCount(), facets));
+    }
+    Triangulator triangulator;
+    std::vector<std::uint32_t> corners;
+    std::size_t at = 0;
+    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        corners.clear();
+        triangulator.triangulate(mesh.positions, mesh.face(f), corners);
+        for (const std::uint32_t corner : corners) {
+            const glm::vec3 is = read.positions[read.cornerVertices[at]];
+            const glm::vec3 meant(positions.now(mesh.face(f)[corner]));
+            if (is != meant) {
+                return notAsMeant(path,
+                                  elsewhere("a corner of triangle " + std::to_string(at / 3 + 1), is, meant));
+            }
+            ++at;
+        }
+    }
+    return Done{};
+}
+
+void appendVector(std::string& text, const glm::dvec3& vector) {
+    for (int i = 0; i < 3; ++i) {
+        text += ' ';
+        appendNumber(text, vector[i]);
+    }
+}
+
+}  // namespace
+
+Error notAsMeant(const QString& path, const std::string& difference) {
+    return {"The file that was written is not what was meant: " + difference + ".", path.toStdString(),
+            "Export again, to another disk if it happens twice."};
+}
+
+std::string elsewhere(const std::string& which, const glm::dvec3& is, const glm::dvec3& meant) {
+    std::string text = which + " is at";
+    appendVector(text, is);
+    text += " and should be at";
+    appendVector(text, meant);
+    return text;
+}
+
+Status verifyWritten(const QString& path, const MeshExport& what) {
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    if (suffix == QStringLiteral("glb") || suffix == QStringLiteral("gltf")) {
+        return verifyWrittenGltf(path, what);
+    }
+    const bool isStl = suffix == QStringLiteral("stl");
+    if (!isStl && suffix != QStringLiteral("obj") && suffix != QStringLiteral("ply")) {
+        return Done{};
+    }
+    const Result<ImportedMesh> read = importMesh(path);
+    if (!read) {
+        return notAsMeant(path, "it cannot be read (" + read.error().what + ")");
+    }
+    return isStl ? compareFacets(read.value().mesh, what, path)
+                 : compareMesh(read.value().mesh, what, path, coordinateType(path, suffix));
+}
+
+}  // namespace hitscope

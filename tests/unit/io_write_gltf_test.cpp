@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cstring>
+
+#include "io/written_check.h"
+#include "mesh/corner_normals.h"
+#include "support/test_program.h"
+#include "write_support.h"
+
+using namespace hitscope;
+using namespace hitscope::test;
+
+namespace {
+
+/// Two objects, two materials and none, a polygon, a seam in texture coordinates, a vertex that no face uses.
+const char* const kScene =
+    "mtllib s.mtl\nv 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 1 1 1\nv 9 9 9 0 0 0\nv 0 0 1 0 0 "
+    "0\nv 1 0 1 0 "
+    "0.5 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 0.5\no plate\nusemtl wood\nf 1/1 2/2 3/3 4/4\nusemtl "
+    "tin\nf 1/5 "
+    "6/1 7/2\no flap\nf 1 7 2\n";
+const char* const kMaterials =
+    "newmtl wood\nKd 0.5 0.25 1\nKs 0.3 0.3 0.3\nNs 32\nmap_Kd wood grain.png\nnewmtl tin\nKd 1 0 0\nKs 0 0 "
+    "0\nd 0.5\n";
+
+struct Scene {
+    QTemporaryDir folder;
+    Dented mesh;
+
+    Scene() : mesh(write()) {
+        mesh.normals = cornerNormals(mesh.original.mesh, VertexCorners(mesh.original.mesh), 0.7853982f);
+    }
+    QString write() {
+        writeFile(folder.path(), QStringLiteral("s.mtl"), kMaterials);
+        writeFile(folder.path(), QStringLiteral("wood grain.png"), smallPng().toStdString());
+        QDir(folder.path()).mkdir(QStringLiteral("out"));
+        return writeFile(folder.path(), QStringLiteral("s.obj"), kScene);
+    }
+    void dent() {
+        mesh.move(2, {0.0f, 0.0f, -0.25f});
+        mesh.move(6, {0.125f, 0.0f, 0.0f});
+        for (std::size_t c = 0; c < mesh.normals.size(); ++c) {
+            if (mesh.original.mesh.cornerVertices[c] == 2) {
+                mesh.normals[c] = {0.6f, 0.0f, 0.8f};
+            }
+        }
+    }
+    [[nodiscard]] QString path(const char* name) const {
+        return folder.filePath(QStringLiteral("out/") + QLatin1String(name));
+    }
+};
+
+/// The parts of a GLB.
+struct Glb {
+    QJsonObject json;
+    std::string buffer;
+
+    explicit Glb(const QString& path) {
+        const std::string bytes = readFile(path);
+        const auto number = [&bytes](std::size_t at) {
+            std::uint32_t value = 0;
+            std::memcpy(&value, bytes.data() + at, sizeof value);
+            return value;
+        };
+        if (bytes.size() < 28 || number(8) != bytes.size() || number(12) % 4 != 0) {
+            return;
+        }
+        json = QJsonDocument::fromJson(QByteArray(bytes.data() + 20, number(12))).object();
+        const std::size_t at = 20 + number(12);
+        if (bytes.substr(at + 4, 4) == std::string("BIN\0", 4) && at + 8 + number(at) == bytes.size()) {
+            buffer = bytes.substr(at + 8);
+        }
+    }
+    [[nodiscard]] QJsonObject item(const char* list, qsizetype i) const {
+        return json[QLatin1String(list)].toArray().at(i).toObject();
+    }
+};
+
+/// What the specification asks of accessors and views; empty: all is well.
+QString brokenRule(const Glb& glb) {
+    const QJsonArray views = glb.json[QStringLiteral("bufferViews")].toArray();
+    qint64 end = 0;
+    for (const QJsonValue& value : views) {
+        const QJsonObject view = value.toObject();
+        const qint64 offset = view[QStringLiteral("byteOffset")].toInteger();
+        const qint64 length = view[QStringLiteral("byteLength")].toInteger();
+        if (offset % 4 != 0 || offset < end || length < 1) {
+            return QStringLiteral("a view at %1 of %2 bytes").arg(offset).arg(length);
+        }
+        end = offset + length;
+    }
+    if (end > static_cast<qint64>(glb.buffer.size()) ||
+        glb.json[QStringLiteral("buffers")]
+                .toArray()[0]
+                .toObject()[QStringLiteral("byteLength")]
+                .toInteger() != static_cast<qint64>(glb.buffer.size())) {
+        return QStringLiteral("the buffer's length");
+    }
+    for (const QJsonValue& value : glb.json[QStringLiteral("meshes")].toArray()) {
+        for (const QJsonValue& each : value.toObject()[QStringLiteral("primitives")].toArray()) {
+            const QJsonObject primitive = each.toObject();
+            QJsonArray sets = primitive[QStringLiteral("targets")].toArray();
+            sets.append(primitive[QStringLiteral("attributes")]);
+            for (const QJsonValue& set : sets) {
+                const QJsonObject position =
+                    glb.item("accessors", set.toObject()[QStringLiteral("POSITION")].toInt(-1));
+                if (position[QStringLiteral("min")].toArray().size() != 3 ||
+                    position[QStringLiteral("max")].toArray().size() != 3) {
+                    return QStringLiteral("a POSITION without limits");
+                }
+            }
+            const QJsonObject indices = glb.item("accessors", primitive[QStringLiteral("indices")].toInt(-1));
+            const QJsonObject view = glb.item("bufferViews", indices[QStringLiteral("bufferView")].toInt(-1));
+            if (view[QStringLiteral("target")].toInt() != 34963) {
+                return QStringLiteral("indices' target");
+            }
+        }
+    }
+    return {};
+}
+
+std::vector<float> floatsOf(const Glb& glb, int accessor) {
+    const QJsonObject object = glb.item("accessors", accessor);
+    const QJsonObject view = glb.item("bufferViews", object[QStringLiteral("bufferView")].toInt(-1));
+    std::vector<float> numbers(static_cast<std::size_t>(view[QStringLiteral("byteLength")].toInt()) /
+                               sizeof(float));
+    std::memcpy(numbers.data(), glb.buffer.data() + view[QStringLiteral("byteOffset")].toInt(),
+                numbers.size() * sizeof(float));
+    return numbers;
+}
+
+class TestIoWriteGltf : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void holdsWhatWasMeant_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<bool>("steps");
+        QTest::newRow("glb") << QStringLiteral("a.glb") << false;
+        QTest::newRow("gltf") << QStringLiteral("a b.gltf") << false;
+        QTest::newRow("steps") << QStringLiteral("a.glb") << true;
+    }
+    void holdsWhatWasMeant() {
+        QFETCH(QString, name);
+        QFETCH(bool, steps);
+        Scene scene;
+        scene.dent();
+        MeshExport what = scene.mesh.what();
+        what.steps = {{"Hit 1", {{2, {1.0f, 1.0f, -0.1f}}}},
+                      {"Hit 2", {{2, scene.mesh.positions[2]}, {3, {0.0f, 1.5f, 0.0f}}}},
+                      {"Hit 3", {{3, scene.mesh.positions[3]}}}};  // one that comes back, and one that lacks
+        const QString path = scene.path(qPrintable(name));
+        const Result<QStringList> written = exportGltf(what, path, {.steps = steps});
+        QVERIFY2(written, qPrintable(messageOf(written)));
+        const Status same = verifyWritten(path, what);
+        QVERIFY2(same, qPrintable(messageOf(same)));
+        if (path.endsWith(QStringLiteral("glb"))) {
+            QCOMPARE(brokenRule(Glb(path)), QString());
+        }
+    }
+
+    void otherProgramsReadIt() {  // Assimp
+        Scene scene;
+        scene.dent();
+        const QString path = scene.path("a.glb");
+        QVERIFY(exportGltf(scene.mesh.what(), path, {}));
+        const MeshData back = readBack(path);
+        QCOMPARE(back.faceCount(), std::size_t{4});
+        QCOMPARE(back.groups.size(), std::size_t{3});
+        QCOMPARE(back.groups[0].name, std::string("plate"));
+        QCOMPARE(back.groups[2].name, std::string("flap"));
+        QCOMPARE(back.materials.size(), std::size_t{2});
+        QCOMPARE(back.materials[0].name, std::string("wood"));
+        QCOMPARE(back.materials[0].diffuse, glm::vec3(0.5f, 0.25f, 1.0f));
+        QCOMPARE(back.materials[1].opacity, 0.5f);
+        QCOMPARE(back.images.size(), std::size_t{1});
+        QCOMPARE(back.images[0].width, 2);
+        const MeshData& from = scene.mesh.original.mesh;
+        QCOMPARE(back.positions.size(), std::size_t{5 + 3 + 3});  // the plate has the unused one too
+        for (std::size_t i = 0; i < 5; ++i) {
+            QCOMPARE(back.positions[i], from.positions[i]);
+            QVERIFY(i == 4 || glm::distance(back.texcoords[i], from.texcoords[i]) < 1e-6f);
+            QVERIFY(i == 4 || glm::length(back.normals[i]) > 0.999f);
+        }
+        QVERIFY(back.colours[0] == from.colours[0]);
+    }
+
+    void theDeformedShapeIsShown() {
+        Scene scene;
+        scene.dent();
+        const QString path = scene.path("a.glb");
+        QVERIFY(exportGltf(scene.mesh.what(), path, {}));
+        const Glb glb(path);
+        const QJsonObject plate = glb.item("meshes", 0);
+        QCOMPARE(plate[QStringLiteral("weights")].toArray(), QJsonArray{1.0});
+        QCOMPARE(plate[QStringLiteral("extras")].toObject()[QStringLiteral("targetNames")].toArray(),
+                 QJsonArray{QStringLiteral("Deformed")});
+        const QJsonArray primitives = plate[QStringLiteral("primitives")].toArray();
+        const QJsonObject target =
+            primitives[0].toObject()[QStringLiteral("targets")].toArray()[0].toObject();
+        const QJsonObject position = glb.item("accessors", target[QStringLiteral("POSITION")].toInt());
+        QCOMPARE(position[QStringLiteral("sparse")].toObject()[QStringLiteral("count")].toInt(), 1);
+        QCOMPARE(position[QStringLiteral("min")].toArray(), (QJsonArray{0.0, 0.0, -0.25}));
+        QCOMPARE(position[QStringLiteral("max")].toArray(), (QJsonArray{0.0, 0.0, 0.0}));
+        QCOMPARE(position[QStringLiteral("count")].toInt(), 5);
+        const QJsonObject normal = glb.item("accessors", target[QStringLiteral("NORMAL")].toInt());
+        const QJsonObject values =
+            normal[QStringLiteral("sparse")].toObject()[QStringLiteral("values")].toObject();
+        const QJsonObject view = glb.item("bufferViews", values[QStringLiteral("bufferView")].toInt());
+        glm::vec3 turned;
+        std::memcpy(static_cast<void*>(&turned),
+                    glb.buffer.data() + view[QStringLiteral("byteOffset")].toInt(), sizeof turned);
+        QVERIFY(glm::distance(turned, glm::vec3(0.6f, 0.0f, -0.2f)) < 1e-6f);
+        QVERIFY(!view.contains(QStringLiteral("target")));
+        QVERIFY(!glb.json.contains(QStringLiteral("animations")));
+    }
+
+    void stepsComeOneAfterTheOther() {
+        Scene scene;
+        scene.dent();
+        MeshExport what = scene.mesh.what();
+        what.steps = {{"Hit 1", {{2, {1.0f, 1.0f, -0.1f}}}},
+                      {"Hits 2-3", {{2, scene.mesh.positions[2]}, {6, scene.mesh.positions[6]}}}};
+        const QString path = scene.path("a.glb");
+        QVERIFY(exportGltf(what, path, {.steps = true, .stepSeconds = 2.0}));
+        const Glb glb(path);
+        const QJsonObject plate = glb.item("meshes", 0);
+        QCOMPARE(plate[QStringLiteral("weights")].toArray(), (QJsonArray{1.0, 0.0, 0.0}));
+        QCOMPARE(
+            plate[QStringLiteral("extras")].toObject()[QStringLiteral("targetNames")].toArray(),
+            (QJsonArray{QStringLiteral("Deformed"), QStringLiteral("Hit 1"), QStringLiteral("Hits 2-3")}));
+        const QJsonObject animation = glb.item("animations", 0);
+        const QJsonObject sampler = animation[QStringLiteral("samplers")].toArray()[0].toObject();
+        QCOMPARE(floatsOf(glb, sampler[QStringLiteral("input")].toInt()),
+                 (std::vector<float>{0.0f, 2.0f, 4.0f}));
+        QCOMPARE(floatsOf(glb, sampler[QStringLiteral("output")].toInt()),
+                 (std::vector<float>{0, 0, 0, 0, 1, 0, 0, 1, 1}));
+        // The flap is moved by the second step alone.
+        QCOMPARE(animation[QStringLiteral("channels")].toArray().size(), 2);
+        QCOMPARE(glb.item("meshes", 1)[QStringLiteral("weights")].toArray(), (QJsonArray{1.0, 0.0}));
+        const QJsonObject second = animation[QStringLiteral("samplers")].toArray()[1].toObject();
+        QCOMPARE(floatsOf(glb, second[QStringLiteral("output")].toInt()),
+                 (std::vector<float>{0, 0, 0, 0, 0, 1}));
+    }
+
+    void materialsBecomeMetallicRough() {
+        Scene scene;
+        Material& tin = scene.mesh.original.mesh.materials[1];
+        tin.metalRoughness.metalness = 0.75f;
+        tin.metalRoughness.roughness = 0.25f;
+        tin.metalRoughness.image = 0;
+        tin.normalMap.image = 0;
+        tin.normalMap.strength = 2.0f;
+        const QString path = scene.path("a.glb");
+        const Result<QStringList> written = exportGltf(scene.mesh.what(), path, {});
+        QVERIFY(written);
+        QVERIFY(written.value().join(u' ').contains(QStringLiteral("Nothing has moved")));
+        const Glb glb(path);
+        const QJsonObject wood = glb.item("materials", 0)[QStringLiteral("pbrMetallicRoughness")].toObject();
+        QCOMPARE(wood[QStringLiteral("metallicFactor")].toDouble(), 0.0);
+        QVERIFY(qAbs(wood[QStringLiteral("roughnessFactor")].toDouble() - 0.4925) < 1e-3);
+        QCOMPARE(glb.item("materials", 0)[QStringLiteral("alphaMode")].toString(), QStringLiteral("OPAQUE"));
+        const QJsonObject second = glb.item("materials", 1);
+        const QJsonObject surface = second[QStringLiteral("pbrMetallicRoughness")].toObject();
+        QCOMPARE(surface[QStringLiteral("metallicFactor")].toDouble(), 0.75);
+        QCOMPARE(surface[QStringLiteral("roughnessFactor")].toDouble(), 0.25);
+        QVERIFY(surface.contains(QStringLiteral("metallicRoughnessTexture")));
+        QCOMPARE(second[QStringLiteral("normalTexture")].toObject()[QStringLiteral("scale")].toDouble(), 2.0);
+        QCOMPARE(second[QStringLiteral("alphaMode")].toString(), QStringLiteral("BLEND"));
+        // One picture is the file's own bytes, the other the pixels of what has no name.
+        const QJsonObject image = glb.item("images", 0);
+        const QJsonObject view = glb.item("bufferViews", image[QStringLiteral("bufferView")].toInt());
+        QCOMPARE(QByteArray(glb.buffer.data() + view[QStringLiteral("byteOffset")].toInt(),
+                            view[QStringLiteral("byteLength")].toInt()),
+                 smallPng());
+        QCOMPARE(glb.json[QStringLiteral("images")].toArray().size(), 2);
+    }
+
+    void filesBesideReplaceNothing() {
+        Scene scene;
+        scene.dent();
+        writeFile(scene.path(""), QStringLiteral("a.bin"), "mine");
+        writeFile(scene.path(""), QStringLiteral("wood grain.png"), "mine too");
+        const QString path = writeFile(scene.path(""), QStringLiteral("a.gltf"), "old");
+        const Result<QStringList> written = exportGltf(scene.mesh.what(), path, {});
+        QVERIFY2(written, qPrintable(messageOf(written)));
+        QCOMPARE(readFile(scene.path("a.bin")), std::string("mine"));
+        QCOMPARE(readFile(scene.path("wood grain.png")), std::string("mine too"));
+        QCOMPARE(readFile(scene.path("wood grain-1.png")), smallPng().toStdString());
+        const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(readFile(path))).object();
+        QCOMPARE(json[QStringLiteral("buffers")].toArray()[0].toObject()[QStringLiteral("uri")].toString(),
+                 QStringLiteral("a-1.bin"));
+        QCOMPARE(json[QStringLiteral("images")].toArray()[0].toObject()[QStringLiteral("uri")].toString(),
+                 QStringLiteral("wood%20grain-1.png"));
+        QVERIFY(verifyWritten(path, scene.mesh.what()));
+    }
+
+    void givenUpNothingIsWritten() {
+        Scene scene;
+        scene.dent();
+        for (const char* const name : {"a.glb", "a.gltf"}) {
+            for (int looks = 0; looks < 3; ++looks) {
+                MeshExport what = scene.mesh.what();
+                int left = looks;
+                what.goOn = [&left](double) { return left-- > 0; };
+                QVERIFY(
+                    messageOf(exportGltf(what, scene.path(name), {})).contains(QStringLiteral("cancelled")));
+            }
+        }
+        QCOMPARE(QDir(scene.path("")).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
+                 QStringList());
+    }
+};
+
+}  // namespace
+
+HITSCOPE_TEST(TestIoWriteGltf, QCoreApplication)
+#include "io_write_gltf_test.moc"
