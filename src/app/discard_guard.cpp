@@ -195,18 +195,15 @@ bool DiscardGuard::askAndWait() {
 void DiscardGuard::exportBegins(const Target& target, const QString& path) {
     const std::map<TargetId, State> shown = states(m_session.hits().shown());
     const auto state = shown.find(target.id);
-    m_writing[path] = {target.id, state != shown.end() ? state->second : kStart};
+    m_writing.emplace(path, Writing{target.id, state != shown.end() ? state->second : kStart});
 }
 
 void DiscardGuard::exportEnds(const QString& path, bool isWritten) {
-    const auto writing = m_writing.find(path);
-    if (writing == m_writing.end()) {
-        return;
-    }
-    if (isWritten) {
+    const auto [first, end] = m_writing.equal_range(path);
+    for (auto writing = first; isWritten && writing != end; ++writing) {
         m_exported[writing->second.target] = writing->second.state;
     }
-    m_writing.erase(writing);
+    m_writing.erase(first, end);
 }
 
 }  // namespace hitscope

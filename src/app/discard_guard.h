@@ -86,9 +86,9 @@ private:
     QWidget& m_window;
     BeginSave m_beginSave;
     std::map<TargetId, State> m_exported;
-    std::map<QString, Writing> m_writing;
-    std::function<void()> m_then;     ///< after the save that is under way; empty: none is awaited
-    std::optional<State> m_keptHits;  ///< of all hits: no question about these
+    std::multimap<QString, Writing> m_writing;  ///< several: all targets in one file
+    std::function<void()> m_then;               ///< after the save that is under way; empty: none is awaited
+    std::optional<State> m_keptHits;            ///< of all hits: no question about these
     std::optional<State> m_writingHits;
     QPointer<QMessageBox> m_box;
 };

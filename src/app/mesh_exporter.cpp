@@ -16,7 +16,7 @@ MeshExporter::~MeshExporter() {
     m_writer.waitForDone();
 }
 
-void MeshExporter::start(TargetExport what, const QString& name, const QString& path) {
+void MeshExporter::start(SceneExport what, const QString& name, const QString& path) {
     auto job = std::make_shared<Job>();
     job->name = name;
     job->path = path;
@@ -46,16 +46,16 @@ void MeshExporter::write(const std::shared_ptr<Job>& job) {
             Qt::QueuedConnection);
         return !job->isCancelled;
     };
-    const Result<QStringList> written = writeExport(job->what, job->path, goOn);
+    const Result<ExportReport> written = writeExport(job->what, job->path, goOn);
     QMetaObject::invokeMethod(
         this, [this, job, written] { take(job, written); }, Qt::QueuedConnection);
 }
 
-void MeshExporter::take(const std::shared_ptr<Job>& job, const Result<QStringList>& written) {
+void MeshExporter::take(const std::shared_ptr<Job>& job, const Result<ExportReport>& written) {
     job->progress.reset();
     m_jobs.remove(job);
     if (written) {
-        Q_EMIT exported(job->name, job->path, written.value());
+        Q_EMIT exported(job->name, job->path, written.value().notes, written.value().wasReadBack);
     } else if (job->isCancelled) {
         Q_EMIT cancelled();
     } else {

@@ -16,7 +16,7 @@ namespace hitscope {
 class TaskList;
 class TaskProgress;
 
-/// Writes targets to files on another thread, one after the other. What is under way when this is destroyed
+/// Writes meshes to files on another thread, one after the other. What is under way when this is destroyed
 /// is written to its end first: the person asked for it.
 class MeshExporter : public QObject {
     Q_OBJECT
@@ -25,13 +25,13 @@ public:
     explicit MeshExporter(TaskList& tasks, QObject* parent = nullptr);
     ~MeshExporter() override;
 
-    /// `name`: the target's, for people.
-    void start(TargetExport what, const QString& name, const QString& path);
+    /// `name`: what it is of, for people.
+    void start(SceneExport what, const QString& name, const QString& path);
     [[nodiscard]] bool isRunning() const { return !m_jobs.empty(); }
 
 Q_SIGNALS:
-    /// notes: exportObj()'s.
-    void exported(const QString& name, const QString& path, const QStringList& notes);
+    /// The rest is ExportReport's.
+    void exported(const QString& name, const QString& path, const QStringList& notes, bool wasReadBack);
     void failed(const hitscope::Error& error);
     void cancelled();                                 ///< the file is as it was
     void ended(const QString& path, bool isWritten);  ///< after one of these
@@ -40,12 +40,12 @@ private:
     struct Job {
         QString name;
         QString path;
-        TargetExport what;
+        SceneExport what;
         std::atomic<bool> isCancelled = false;
         std::unique_ptr<TaskProgress> progress;  // of the window's thread
     };
     void write(const std::shared_ptr<Job>& job);
-    void take(const std::shared_ptr<Job>& job, const Result<QStringList>& written);
+    void take(const std::shared_ptr<Job>& job, const Result<ExportReport>& written);
 
     TaskList& m_tasks;
     std::list<std::shared_ptr<Job>> m_jobs;

@@ -103,13 +103,16 @@ QString agreementLine(const Session& session, const std::optional<ReferenceAgree
     return text;
 }
 
-Status exportNamed(const Target& target, const QString& path, NormalMode normals) {
-    const Result<QStringList> written = exportTarget(target, path, normals);
+Status exportNamed(const Session& session, const Target& target, const QString& path, NormalMode normals) {
+    ExportOptions options;
+    options.format = exportFormatOf(path).value_or(ExportFormat::Obj);
+    options.normals = normals;
+    const Result<ExportReport> written = exportTarget(session, target, path, options);
     if (!written) {
         return written.error();
     }
     QTextStream notes(stderr);
-    for (const QString& note : written.value()) {
+    for (const QString& note : written.value().notes) {
         notes << note << "\n";
     }
     return Done{};

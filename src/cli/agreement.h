@@ -27,8 +27,10 @@ namespace hitscope::cli {
 [[nodiscard]] QString agreementLine(const Session& session,
                                     const std::optional<ReferenceAgreement>& agreement);
 
-/// exportTarget(); its notes go to the standard error.
-[[nodiscard]] Status exportNamed(const Target& target, const QString& path, NormalMode normals);
+/// exportTarget(), in the format that the suffix says, OBJ for an unknown one. Notes go to the standard
+/// error.
+[[nodiscard]] Status exportNamed(const Session& session, const Target& target, const QString& path,
+                                 NormalMode normals);
 
 /// An error that says by how much what was written to `path` is not what the reference makes of the hits.
 [[nodiscard]] Status exportAgrees(const Session& session, const std::optional<ReferenceAgreement>& agreement,

@@ -133,7 +133,7 @@ Status runDemo(const DemoOptions& options) {
     const QString meshPath = demo.path(QStringLiteral("deformed.obj"));
     for (const Status& status : {demo.picture(QStringLiteral("after.png"), WireframeMode::Off),
                                  demo.picture(QStringLiteral("wireframe.png"), WireframeMode::Over),
-                                 exportNamed(exported, meshPath, options.normals)}) {
+                                 exportNamed(session, exported, meshPath, options.normals)}) {
         if (!status) {
             return status;
         }

@@ -118,7 +118,7 @@ Status replay(const ReplayOptions& options) {
         << fingerprintLines(session);
     if (!options.outPath.isEmpty() && !session.targets().empty()) {
         const Target& exported = mostChangedTarget(session);
-        if (Status status = exportNamed(exported, options.outPath, NormalMode::True); !status) {
+        if (Status status = exportNamed(session, exported, options.outPath, NormalMode::True); !status) {
             return status;
         }
         out << "In " << QDir::toNativeSeparators(options.outPath) << ": " << exported.name << "\n";

@@ -91,7 +91,7 @@ Status writeResults(QTextStream& out, Session& session, const ShootOptions& opti
         return Done{};
     }
     const Target& exported = mostChangedTarget(session);
-    if (Status status = exportNamed(exported, options.meshOutPath, NormalMode::True); !status) {
+    if (Status status = exportNamed(session, exported, options.meshOutPath, NormalMode::True); !status) {
         return status;
     }
     out << "In " << QDir::toNativeSeparators(options.meshOutPath) << ": " << exported.name << "\n";

@@ -2,51 +2,263 @@
 #include "session/export_target.h"
 
 #include <QFileInfo>
+#include <algorithm>
+#include <atomic>
+#include <glm/gtc/quaternion.hpp>
+#include <new>
+#include <optional>
 
+#include "deform/effects.h"
 #include "io/export_obj.h"
+#include "io/writers/merge_targets.h"
+#include "io/writers/morph_steps.h"
+#include "io/written_check.h"
+#include "session/session.h"
 
 namespace hitscope {
 
-TargetExport copyForExport(const Target& target, NormalMode normals) {
-    const DeformedMesh& mesh = target.deformed;
-    TargetExport copy;
-    copy.original = mesh.sharedOriginal();
-    copy.render = mesh.sharedRender();
-    copy.positions.assign(mesh.positions().begin(), mesh.positions().end());
-    if (normals == NormalMode::True) {
-        copy.normals.assign(target.trueNormals.normals().begin(), target.trueNormals.normals().end());
-    } else {
-        copy.normals.reserve(mesh.vertices().size());
-        for (const DynamicVertex& vertex : mesh.vertices()) {
-            copy.normals.push_back(vertex.normal);
-        }
-    }
-    copy.sourcePath = target.sourcePath;
-    return copy;
+namespace {
+
+constexpr double kStepsShare = 0.2;     // of the progress
+constexpr double kReadBackShare = 0.3;  // likewise, where it is asked for
+
+using GoOn = std::function<bool(double)>;
+
+GoOn within(const GoOn& goOn, double from, double to) {
+    return goOn ? GoOn([&goOn, from, to](double share) { return goOn(from + (to - from) * share); }) : GoOn();
 }
 
-Result<QStringList> writeExport(const TargetExport& what, const QString& path,
-                                const std::function<bool(double)>& goOn) {
+Error givenUp(const QString& path) {
+    return {"The export was cancelled.", path.toStdString(), "The file is as it was."};
+}
+
+std::vector<std::uint32_t> hitsPerVertex(const TargetExport& target, std::span<const Hit> hits) {
+    TargetHitsEdit edit{.target = target.id, .first = 0, .before = {}, .after = {}};
+    std::copy_if(hits.begin(), hits.end(), std::back_inserter(edit.after),
+                 [&target](const Hit& hit) { return hit.enabled && hit.target == target.id; });
+    const std::vector<Hit> all = edit.after;
+    const std::atomic<bool> stop = false;
+    TargetEffects effects(target.render);
+    effects.follow({&edit, 1}, all, stop);
+    return {effects.counts().begin(), effects.counts().end()};
+}
+
+/// Everything that a writer is given, and what that lives on.
+class Gathered {
+public:
+    explicit Gathered(const SceneExport& what) : m_what(what) {}
+
+    /// An error: given up, or too large for one mesh.
+    Status gather(const GoOn& goOn, const QString& path);
+    [[nodiscard]] const MeshExport& mesh() const { return m_mesh; }
+    /// Without a copy for each corner where there is one target in its file's coordinates.
+    [[nodiscard]] CornerNormals normals() const;
+    [[nodiscard]] const QStringList& notes() const { return m_notes; }
+
+private:
+    struct One {
+        std::vector<glm::vec3> normals;  // one a corner
+        std::vector<std::uint32_t> hits;
+    };
+    [[nodiscard]] bool needsHits() const;
+    [[nodiscard]] bool isMerged() const { return m_what.targets.size() > 1 || m_what.options.inWorld; }
+    [[nodiscard]] bool hasNormals(const TargetExport& target) const;
+    Status merge();
+
+    const SceneExport& m_what;
+    std::vector<One> m_targets;
+    std::vector<std::vector<MorphStep>> m_steps;  // of each target
+    std::optional<MergedTargets> m_merged;
+    MeshExport m_mesh;
+    QStringList m_notes;
+};
+
+bool Gathered::needsHits() const {
+    const ExportFormat format = m_what.options.format;
+    return format == ExportFormat::Ply || format == ExportFormat::PlyAscii || format == ExportFormat::Csv;
+}
+
+/// A file that has no normals gets none; a mesh of our own has them.
+bool Gathered::hasNormals(const TargetExport& target) const {
+    return target.sourcePath.isEmpty() || !target.original->normals.empty() || m_what.options.allNormals;
+}
+
+CornerNormals Gathered::normals() const {
+    const TargetExport& first = m_what.targets.front();
+    if (isMerged()) {
+        return {m_mesh.normals, {}};
+    }
+    return hasNormals(first) ? CornerNormals{first.normals, first.render->cornerRenderVertices}
+                             : CornerNormals();
+}
+
+Status Gathered::gather(const GoOn& goOn, const QString& path) {
+    for (const TargetExport& target : m_what.targets) {
+        One& one = m_targets.emplace_back();
+        if (hasNormals(target) && (isMerged() || m_what.options.format != ExportFormat::Obj)) {
+            for (const std::uint32_t vertex : target.render->cornerRenderVertices) {
+                one.normals.push_back(target.normals[vertex]);
+            }
+        }
+        if (needsHits()) {
+            one.hits = hitsPerVertex(target, m_what.hits);
+        }
+    }
+    m_steps.resize(m_what.targets.size());
+    if (traitsOf(m_what.options.format).hasSteps && m_what.options.steps > 0) {
+        std::vector<MorphedTarget> morphed;
+        for (const TargetExport& target : m_what.targets) {
+            morphed.push_back({target.id, target.render});
+        }
+        auto steps = morphSteps(m_what.hits, morphed, m_what.options.steps, goOn);
+        if (!steps) {
+            return givenUp(path);
+        }
+        m_steps = std::move(*steps);
+    }
+    if (isMerged()) {
+        return merge();
+    }
+    const TargetExport& target = m_what.targets.front();
+    m_mesh.mesh = target.original.get();
+    m_mesh.positions = target.positions;
+    m_mesh.normals = m_targets.front().normals;
+    m_mesh.hits = m_targets.front().hits;
+    m_mesh.steps = std::move(m_steps.front());
+    m_mesh.sourcePath = target.sourcePath;
+    return Done{};
+}
+
+Status Gathered::merge() {
+    std::vector<PlacedTarget> placed;
+    for (std::size_t t = 0; t < m_what.targets.size(); ++t) {
+        const TargetExport& target = m_what.targets[t];
+        PlacedTarget& one = placed.emplace_back();
+        one.mesh = target.original.get();
+        one.positions = target.positions;
+        one.normals = m_targets[t].normals;
+        one.hits = m_targets[t].hits;
+        one.steps = m_steps[t];
+        one.transform = glm::dmat4(glm::dquat(target.transform.rotation));
+        one.transform[3] = glm::dvec4(glm::dvec3(target.transform.position), 1.0);
+        one.name = target.name;
+        one.sourcePath = target.sourcePath;
+    }
+    Result<MergedTargets> merged = mergeTargets(placed);
+    if (!merged) {
+        return merged.error();
+    }
+    m_merged = std::move(merged.value());
+    m_notes = m_merged->notes;
+    m_mesh = m_merged->what();
+    return Done{};
+}
+
+Result<QStringList> writeObj(const MeshExport& mesh, const CornerNormals& normals, bool allNormals,
+                             const QString& path) {
     ObjExport file;
-    file.mesh = what.original.get();
-    file.positions = what.positions;
-    // A file that has no normals gets none; a mesh of our own has them.
-    if (what.sourcePath.isEmpty() || !what.original->normals.empty()) {
-        file.normals = {what.normals, what.render->cornerRenderVertices};
+    file.mesh = mesh.mesh;
+    file.positions = mesh.positions;
+    file.normals = normals;
+    file.allNormals = allNormals;
+    file.sourceFolder = mesh.sourceFolder;
+    if (!mesh.sourcePath.isEmpty()) {
+        file.sourceFolder = QFileInfo(mesh.sourcePath).absolutePath();
+        file.sourcePath = exportFormatOf(mesh.sourcePath) == ExportFormat::Obj ? mesh.sourcePath : QString();
     }
-    if (!what.sourcePath.isEmpty()) {
-        const QFileInfo source(what.sourcePath);
-        file.sourceFolder = source.absolutePath();
-        file.sourcePath = source.suffix().compare(QLatin1String("obj"), Qt::CaseInsensitive) == 0
-                              ? what.sourcePath
-                              : QString();
-    }
-    file.goOn = goOn;
+    file.goOn = mesh.goOn;
     return exportObj(file, path);
 }
 
-Result<QStringList> exportTarget(const Target& target, const QString& path, NormalMode normals) {
-    return writeExport(copyForExport(target, normals), path);
+Result<QStringList> writeMesh(const MeshExport& mesh, const CornerNormals& normals,
+                              const ExportOptions& options, const QString& path) {
+    switch (options.format) {
+        case ExportFormat::Obj:
+            break;
+        case ExportFormat::Ply:
+            return exportPly(mesh, path, {.encoding = PlyOptions::Encoding::AsSource});
+        case ExportFormat::PlyAscii:
+            return exportPly(mesh, path, {.encoding = PlyOptions::Encoding::Ascii});
+        case ExportFormat::Stl:
+            return exportStl(mesh, path);
+        case ExportFormat::Glb:
+        case ExportFormat::Gltf:
+            return exportGltf(mesh, path, {.steps = options.steps > 0});
+        case ExportFormat::Csv:
+            return exportChangesCsv(mesh, path);
+    }
+    return writeObj(mesh, normals, options.allNormals, path);
+}
+
+Result<ExportReport> write(const SceneExport& what, const QString& path, const GoOn& goOn) {
+    const bool hasSteps = traitsOf(what.options.format).hasSteps && what.options.steps > 0;
+    const double begin = hasSteps ? kStepsShare : 0.0;
+    const double end = what.options.readBack ? 1.0 - kReadBackShare : 1.0;
+    Gathered gathered(what);
+    if (const Status status = gathered.gather(within(goOn, 0.0, begin), path); !status) {
+        return status.error();
+    }
+    MeshExport mesh = gathered.mesh();
+    mesh.goOn = within(goOn, begin, end);
+    const Result<QStringList> written = writeMesh(mesh, gathered.normals(), what.options, path);
+    if (!written) {
+        return written.error();
+    }
+    ExportReport report{gathered.notes() + written.value()};
+    if (what.options.readBack && what.options.format != ExportFormat::Csv) {
+        if (const Status same = verifyWritten(path, mesh); !same) {
+            return same.error();
+        }
+        report.wasReadBack = true;
+    }
+    return report;
+}
+
+}  // namespace
+
+SceneExport copyForExport(const Session& session, std::span<const Target* const> targets,
+                          const ExportOptions& options) {
+    SceneExport copy;
+    copy.options = options;
+    for (const Target* target : targets) {
+        const DeformedMesh& mesh = target->deformed;
+        TargetExport& one = copy.targets.emplace_back();
+        one.id = target->id;
+        one.name = target->name.toStdString();
+        one.original = mesh.sharedOriginal();
+        one.render = mesh.sharedRender();
+        one.transform = target->transform;
+        one.positions.assign(mesh.positions().begin(), mesh.positions().end());
+        one.sourcePath = target->sourcePath;
+        if (options.normals == NormalMode::True) {
+            one.normals.assign(target->trueNormals.normals().begin(), target->trueNormals.normals().end());
+            continue;
+        }
+        for (const DynamicVertex& vertex : mesh.vertices()) {
+            one.normals.push_back(vertex.normal);
+        }
+    }
+    const AppliedHits applied = session.hits().applied();
+    for (const Hit& hit : session.hits().history().hits()) {
+        copy.hits.push_back(hit);
+        copy.hits.back().enabled = hit.enabled && applied.contains(copy.hits.size() - 1);
+    }
+    return copy;
+}
+
+Result<ExportReport> writeExport(const SceneExport& what, const QString& path, const GoOn& goOn) {
+    try {
+        return write(what, path, goOn);
+    } catch (const std::bad_alloc&) {
+        return Error{"There is not enough memory to write the mesh.", path.toStdString(),
+                     "Close other programs."};
+    }
+}
+
+Result<ExportReport> exportTarget(const Session& session, const Target& target, const QString& path,
+                                  const ExportOptions& options) {
+    const Target* const one = &target;
+    return writeExport(copyForExport(session, {&one, 1}, options), path);
 }
 
 }  // namespace hitscope

@@ -6,32 +6,54 @@
 #include <functional>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/result.h"
+#include "deform/hit.h"
+#include "session/export_options.h"
 #include "session/target.h"
-#include "view/display_options.h"
 
 namespace hitscope {
 
+class Session;
+
 /// A target as it is on the screen at one moment: what another thread needs to write it.
 struct TargetExport {
+    TargetId id;
+    std::string name;  ///< for people
     std::shared_ptr<const MeshData> original;
     std::shared_ptr<const RenderMesh> render;
+    RigidTransform transform;
     std::vector<glm::vec3> positions;  ///< one a file vertex, local frame, metres
     std::vector<glm::vec3> normals;    ///< one a render vertex, unit length
     QString sourcePath;                ///< empty: none
 };
 
-/// Copies of what hits change; the rest is shared. The target's read-back is current.
-[[nodiscard]] TargetExport copyForExport(const Target& target, NormalMode normals);
+/// Targets that are written into one file.
+struct SceneExport {
+    std::vector<TargetExport> targets;  ///< one at least; several, or one in the world, become one mesh
+    std::vector<Hit> hits;              ///< those that made what is shown
+    ExportOptions options;
+};
 
-/// Writes it to an OBJ file, in its file's own vertex order. Of any thread. goOn, notes and
-/// errors are exportObj()'s.
-[[nodiscard]] Result<QStringList> writeExport(const TargetExport& what, const QString& path,
-                                              const std::function<bool(double)>& goOn = {});
+/// What came of it.
+struct ExportReport {
+    QStringList notes;         ///< for the person: what the format does not hold
+    bool wasReadBack = false;  ///< and it is what was meant
+};
 
-/// Both at once: writes a target as it is on the screen, with true or the paper's normals.
-[[nodiscard]] Result<QStringList> exportTarget(const Target& target, const QString& path, NormalMode normals);
+/// Copies of what hits change; the rest is shared. The targets' read-back is current.
+[[nodiscard]] SceneExport copyForExport(const Session& session, std::span<const Target* const> targets,
+                                        const ExportOptions& options);
+
+/// Writes them to a file, in the files' own order. Of any thread. goOn as in ObjExport; what is not read back
+/// as it was meant is an error, and the file is there.
+[[nodiscard]] Result<ExportReport> writeExport(const SceneExport& what, const QString& path,
+                                               const std::function<bool(double)>& goOn = {});
+
+/// Both at once, for one target as it is on the screen.
+[[nodiscard]] Result<ExportReport> exportTarget(const Session& session, const Target& target,
+                                                const QString& path, const ExportOptions& options);
 
 }  // namespace hitscope

@@ -196,7 +196,7 @@ private Q_SLOTS:
         const Target& target = *session.targets()[0];
         const QString path = folder.filePath(QStringLiteral("deformed.obj"));
         for (const NormalMode normals : {NormalMode::True, NormalMode::Paper}) {
-            const auto status = exportTarget(target, path, normals);
+            const auto status = exportTarget(session, target, path, {.normals = normals});
             QVERIFY2(status.ok(), status.ok() ? "" : status.error().message().c_str());
             const Result<ImportedMesh> back = importMesh(path);
             QVERIFY2(back.ok(), back.ok() ? "" : back.error().message().c_str());

@@ -13,6 +13,7 @@
 #include <QTimer>
 #include <functional>
 
+#include "app/dialogs/export_dialog.h"
 #include "app/notice_bar.h"
 #include "mesh/primitives.h"
 #include "support/read_back.h"
@@ -39,7 +40,7 @@ private Q_SLOTS:
 private:
     void addHits(int count);
     QAction* action(const MainWindow& window, const QString& start) const;
-    QByteArray chooseInDialog(MainWindow& window, const std::function<void(QFileDialog&)>& choose) const;
+    QByteArray chooseInDialog(MainWindow& window, const std::function<void(ExportDialog&)>& choose) const;
 
     std::unique_ptr<TestSettings> m_settings;
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -186,14 +187,17 @@ void HitMenusTest::rememberedPipelineFallsBack() {
 
 /// What Ctrl+E writes when `choose` has been at its dialog.
 QByteArray HitMenusTest::chooseInDialog(MainWindow& window,
-                                        const std::function<void(QFileDialog&)>& choose) const {
+                                        const std::function<void(ExportDialog&)>& choose) const {
     const QString path = m_folder->filePath(QStringLiteral("dented.obj"));
     QFile::remove(path);
     QTimer timer;
     connect(&timer, &QTimer::timeout, &window, [&] {
-        if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+        QWidget* const modal = QApplication::activeModalWidget();
+        if (auto* options = qobject_cast<ExportDialog*>(modal)) {
+            choose(*options);
+            options->accept();
+        } else if (auto* dialog = qobject_cast<QFileDialog*>(modal)) {
             timer.stop();
-            choose(*dialog);
             // As typed; selectFile() leaves the name alone while it has the focus.
             dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path);
             QMetaObject::invokeMethod(dialog, "accept");
@@ -217,10 +221,11 @@ void HitMenusTest::exportOffersEitherNormals() {
         QFile file(path);
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     };
-    const QString paper = QStringLiteral("Wavefront OBJ, the paper's normals (*.obj)");
-    const QString real = QStringLiteral("Wavefront OBJ, true normals (*.obj)");
-    QString preselected;
-    const auto keep = [&](QFileDialog& dialog) { preselected = dialog.selectedNameFilter(); };
+    const auto normalsOf = [](ExportDialog& dialog) {
+        return dialog.findChild<QComboBox*>(QStringLiteral("normals"));
+    };
+    NormalMode preselected{};
+    const auto keep = [&](ExportDialog& dialog) { preselected = dialog.options().normals; };
     {
         MainWindow window(*m_session);
         showReady(window);
@@ -228,19 +233,19 @@ void HitMenusTest::exportOffersEitherNormals() {
         const QByteArray withPapers = written(window, NormalMode::Paper);
         QVERIFY(!withTrue.isEmpty() && withTrue != withPapers);
         QVERIFY(chooseInDialog(window, keep) == withTrue);
-        QCOMPARE(preselected, real);
+        QCOMPARE(preselected, NormalMode::True);
         QTest::keyClick(&window, Qt::Key_N);
         QVERIFY(chooseInDialog(window, keep) == withPapers);
-        QCOMPARE(preselected, paper);
+        QCOMPARE(preselected, NormalMode::Paper);
         QTest::keyClick(&window, Qt::Key_N);
-        QVERIFY(chooseInDialog(window, [&](QFileDialog& dialog) { dialog.selectNameFilter(paper); }) ==
-                withPapers);
+        const auto papers = [&](ExportDialog& dialog) { normalsOf(dialog)->setCurrentIndex(1); };
+        QVERIFY(chooseInDialog(window, papers) == withPapers);
         window.close();
     }
     MainWindow window(*m_session);
     showReady(window);
     QVERIFY(!chooseInDialog(window, keep).isEmpty());
-    QCOMPARE(preselected, paper);  // as chosen the last time
+    QCOMPARE(preselected, NormalMode::Paper);  // as chosen the last time
 }
 
 HITSCOPE_TEST(HitMenusTest, QApplication)

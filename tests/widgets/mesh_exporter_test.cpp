@@ -33,6 +33,11 @@ private:
     [[nodiscard]] QString path(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
     [[nodiscard]] static const Target& target(const Session& session) { return *session.targets().front(); }
 
+    static SceneExport copied(const Session& session, NormalMode normals) {
+        const Target* const one = &target(session);
+        return copyForExport(session, {&one, 1}, {.normals = normals});
+    }
+
     TestSettings m_settings;
     QTemporaryDir m_folder;
 
@@ -40,7 +45,7 @@ private Q_SLOTS:
     void writesWhatWasThere() {
         Session session;
         loadMesh(session, makeHighPolyCube(2.5f));
-        QVERIFY(exportTarget(target(session), path("at_once.obj"), NormalMode::True).ok());
+        QVERIFY(exportTarget(session, target(session), path("at_once.obj"), {}).ok());
         MeshExporter exporter(session.tasks());
         QSignalSpy exported(&exporter, &MeshExporter::exported);
         std::vector<double> fractions;
@@ -49,8 +54,7 @@ private Q_SLOTS:
                 fractions.push_back(session.tasks().current()->fraction);
             }
         });
-        exporter.start(copyForExport(target(session), NormalMode::True), QStringLiteral("cube"),
-                       path("beside.obj"));
+        exporter.start(copied(session, NormalMode::True), QStringLiteral("cube"), path("beside.obj"));
         QCOMPARE(session.tasks().size(), std::size_t{1});
         QCOMPARE(session.tasks().current()->what, QStringLiteral("Exporting beside.obj"));
         loadPaperRow(session, kDefaultPaperRow);  // the file is of what there was
@@ -76,8 +80,7 @@ private Q_SLOTS:
         QSignalSpy exported(&exporter, &MeshExporter::exported);
         // The second waits for the first, so it cannot be over before it is given up.
         for (const char* name : {"first.obj", "old.obj"}) {
-            exporter.start(copyForExport(target(session), NormalMode::Paper), QStringLiteral("cube"),
-                           path(name));
+            exporter.start(copied(session, NormalMode::Paper), QStringLiteral("cube"), path(name));
         }
         session.tasks().cancel(session.tasks().current()->id + 1);
         QTRY_VERIFY_WITH_TIMEOUT(!exporter.isRunning(), kPatience);
@@ -92,7 +95,7 @@ private Q_SLOTS:
         loadMesh(session, makeHighPolyCube(2.5f));
         MeshExporter exporter(session.tasks());
         QSignalSpy failed(&exporter, &MeshExporter::failed);
-        exporter.start(copyForExport(target(session), NormalMode::True), QStringLiteral("cube"),
+        exporter.start(copied(session, NormalMode::True), QStringLiteral("cube"),
                        path("no such folder/a.obj"));
         QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, kPatience);
         QVERIFY(failed[0][0].value<Error>().message().find("no such folder") != std::string::npos);
@@ -103,8 +106,7 @@ private Q_SLOTS:
         loadMesh(session, makeHighPolyCube(2.5f));
         {
             MeshExporter exporter(session.tasks());
-            exporter.start(copyForExport(target(session), NormalMode::True), QStringLiteral("cube"),
-                           path("last.obj"));
+            exporter.start(copied(session, NormalMode::True), QStringLiteral("cube"), path("last.obj"));
         }
         QVERIFY(!contentOf(path("last.obj")).isEmpty());
         QCOMPARE(session.tasks().size(), std::size_t{0});

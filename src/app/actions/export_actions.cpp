@@ -5,9 +5,11 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
+#include <QSettings>
 
 #include "app/actions/menu_building.h"
 #include "app/dialogs/dialogs.h"
+#include "app/dialogs/export_dialog.h"
 #include "app/mesh_exporter.h"
 #include "app/settings/app_settings.h"
 #include "models/focus_target.h"
@@ -46,21 +48,27 @@ ExportActions::ExportActions(Session& session, Viewport& viewport, AppSettings& 
       m_settings(settings),
       m_window(window),
       m_exporter(new MeshExporter(session.tasks(), this)) {
-    connect(m_exporter, &MeshExporter::exported, this,
-            [this](const QString& name, const QString& path, const QStringList& notes) {
-                const QString text = tr("Exported “%1” to %2").arg(name, path);
-                Q_EMIT said(notes.isEmpty() ? text : text + QStringLiteral(". ") + notes.join(u' '));
-            });
+    connect(m_exporter, &MeshExporter::exported, this, &ExportActions::tellWritten);
     connect(m_exporter, &MeshExporter::failed, this, &ExportActions::failed);
     connect(m_exporter, &MeshExporter::cancelled, this,
             [this] { Q_EMIT said(tr("Cancelled. The file is unchanged.")); });
     connect(m_exporter, &MeshExporter::ended, this, &ExportActions::ended);
 }
 
+void ExportActions::tellWritten(const QString& name, const QString& path, const QStringList& notes,
+                                bool wasReadBack) {
+    QString text = tr("Exported %1 to %2").arg(name, path);
+    if (wasReadBack) {
+        text += tr("; read back, it is the same");
+    }
+    Q_EMIT said(notes.isEmpty() ? text : text + QStringLiteral(". ") + notes.join(u' '));
+}
+
 void ExportActions::fill(QMenu& menu) {
     m_export = addAction(
         menu, tr("&Export Deformed Mesh…"), tr("Ctrl+E"), this, [this] { choose(); },
         QStringLiteral("export"));
+    m_again = addAction(menu, tr("Export A&gain"), tr("Ctrl+Shift+E"), this, [this] { again(); });
     connect(&m_session, &Session::sceneReplaced, this, &ExportActions::follow);
     connect(&m_session.targets(), &SessionTargets::added, this, &ExportActions::follow);
     connect(&m_session.targets(), &SessionTargets::removed, this, &ExportActions::follow);
@@ -68,49 +76,126 @@ void ExportActions::fill(QMenu& menu) {
 }
 
 void ExportActions::follow() {
-    enableIf(*m_export, !m_session.targets().empty(), tr("There is no target to export."));
+    const bool isAny = !m_session.targets().empty();
+    // Another target under the same name would be written over the file of the first.
+    const bool isThere =
+        m_last && isAny && (m_last->ofAll || m_session.targets().find(m_last->target) != nullptr);
+    enableIf(*m_export, isAny, tr("There is no target to export."));
+    enableIf(*m_again, isThere,
+             m_last ? tr("What was exported last is not in the scene.") : tr("Nothing was exported yet."));
+    m_again->setText(isThere ? tr("Export A&gain to %1")
+                                   .arg(QFileInfo(m_last->path).fileName().replace(u'&', QLatin1String("&&")))
+                             : tr("Export A&gain"));
+}
+
+/// All, or the one in focus; none in an empty scene.
+std::vector<const Target*> ExportActions::targets(bool all) const {
+    std::vector<const Target*> chosen;
+    if (all) {
+        for (const auto& target : m_session.targets()) {
+            chosen.push_back(&*target);
+        }
+    } else if (const Target* target = focusTarget(m_session)) {
+        chosen.push_back(target);
+    }
+    return chosen;
 }
 
 void ExportActions::choose() {
-    if (const Target* target = focusTarget(m_session)) {
-        chooseOne(*target);
+    const Target* target = focusTarget(m_session);
+    if (target == nullptr) {
+        return;
+    }
+    ExportDialog::Choice choice;
+    choice.target = tr("“%1”").arg(target->name);
+    choice.targets = m_session.targets().size();
+    choice.hits = m_session.hits().shown().size();
+    choice.shown = m_settings.exportNormals.value_or(m_viewport.options().normals);
+    choice.estimate = [this](bool all, const ExportOptions& options) {
+        return estimateExport(targets(all), options);
+    };
+    ExportDialog dialog(std::move(choice), &m_window);
+    QSettings settings;
+    dialog.load(settings);
+    if (dialog.exec() != QDialog::Accepted) {
+        return;
+    }
+    dialog.save(settings);
+    const ExportOptions options = dialog.options();
+    const NormalMode shown = m_viewport.options().normals;
+    m_settings.exportNormals = options.normals == shown ? std::nullopt : std::optional(options.normals);
+    target = focusTarget(m_session);
+    if (target == nullptr) {
+        return;
+    }
+    const QString path = choosePath(*target, dialog.isOfAll(), options.format);
+    if (!path.isEmpty()) {
+        m_last = Last{path, dialog.isOfAll(), target->id, options};
+        beginOf(targets(dialog.isOfAll()), path, options);
+        follow();
     }
 }
 
-/// The path that is being written to; empty: none.
-QString ExportActions::chooseOne(const Target& target) {
-    const QStringList filters{tr("Wavefront OBJ, true normals (*.obj)"),
-                              tr("Wavefront OBJ, the paper's normals (*.obj)")};  // by NormalMode
-    const NormalMode shown = m_viewport.options().normals;
-    QString filter = filters[static_cast<int>(m_settings.exportNormals.value_or(shown))];
+void ExportActions::again() {
+    if (!m_last) {
+        return;
+    }
+    const Target* one = m_session.targets().find(m_last->target);
+    if (m_last->ofAll) {
+        beginOf(targets(true), m_last->path, m_last->options);
+    } else if (one != nullptr) {
+        beginOf({one}, m_last->path, m_last->options);
+    }
+}
+
+/// Empty: none was chosen.
+QString ExportActions::choosePath(const Target& target, bool ofAll, ExportFormat format) {
+    const QString suffix = QLatin1String(traitsOf(format).suffix);
+    const QString name = ofAll ? QStringLiteral("scene") : exportName(target);
     const QString path = QFileDialog::getSaveFileName(
-        &m_window, tr("Export deformed mesh “%1”").arg(target.name),
-        suggestedPath(existingFolder(m_settings.folder), exportName(target), QStringLiteral("_deformed.obj")),
-        filters.join(QStringLiteral(";;")), &filter);
+        &m_window, tr("Export deformed mesh"),
+        suggestedPath(existingFolder(m_settings.folder), name, QStringLiteral("_deformed.") + suffix),
+        tr("%1 (*.%2)").arg(tr(traitsOf(format).name), suffix));
     if (path.isEmpty()) {
         return {};
     }
-    const NormalMode normals =
-        filter == filters[static_cast<int>(NormalMode::Paper)] ? NormalMode::Paper : NormalMode::True;
-    m_settings.exportNormals = normals == shown ? std::nullopt : std::optional(normals);
-    const QString full = withSuffix(path, QStringLiteral("obj"));
+    const QString full = withSuffix(path, suffix);
     m_settings.folder = QFileInfo(full).absolutePath();
-    return beginOf(target, full, normals) ? full : QString();
+    return full;
 }
 
-bool ExportActions::beginOf(const Target& target, const QString& path, NormalMode normals) {
+void ExportActions::tellBegin(const std::vector<const Target*>& targets, const QString& path,
+                              ExportFormat format) {
+    if (format == ExportFormat::Csv) {
+        return;  // hits that only a table shows are lost with the session
+    }
+    for (const Target* target : targets) {
+        Q_EMIT began(*target, path);
+    }
+}
+
+void ExportActions::beginOf(const std::vector<const Target*>& targets, const QString& path,
+                            const ExportOptions& options) {
     if (Status current = m_viewport.syncNow(); !current) {
         Q_EMIT failed(current.error());
-        return false;
+        return;
     }
-    Q_EMIT began(target, path);
-    m_exporter->start(copyForExport(target, normals), target.name, path);
-    return true;
+    tellBegin(targets, path, options.format);
+    const QString name = targets.size() == 1 ? tr("“%1”").arg(targets.front()->name)
+                                             : tr("%n targets", nullptr, static_cast<int>(targets.size()));
+    m_exporter->start(copyForExport(m_session, targets, options), name, path);
+}
+
+ExportOptions ExportActions::shownAs(const QString& path, std::optional<NormalMode> normals) const {
+    ExportOptions options;
+    options.format = exportFormatOf(path).value_or(ExportFormat::Obj);
+    options.normals = normals.value_or(m_viewport.options().normals);
+    return options;
 }
 
 void ExportActions::begin(const QString& path, std::optional<NormalMode> normals) {
     if (const Target* target = focusTarget(m_session)) {
-        beginOf(*target, path, normals.value_or(m_viewport.options().normals));
+        beginOf({target}, path, shownAs(path, normals));
     }
 }
 
@@ -122,9 +207,9 @@ Status ExportActions::write(const QString& path, std::optional<NormalMode> norma
     if (Status current = m_viewport.syncNow(); !current) {
         return current;
     }
-    Q_EMIT began(*target, path);
-    const Result<QStringList> written =
-        exportTarget(*target, path, normals.value_or(m_viewport.options().normals));
+    const ExportOptions options = shownAs(path, normals);
+    tellBegin({target}, path, options.format);
+    const Result<ExportReport> written = exportTarget(m_session, *target, path, options);
     Q_EMIT ended(path, written.ok());
     return written ? Status(Done{}) : Status(written.error());
 }

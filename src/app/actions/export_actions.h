@@ -9,7 +9,7 @@
 
 #include "core/ids.h"
 #include "core/result.h"
-#include "view/display_options.h"
+#include "session/export_options.h"
 
 class QAction;
 class QMenu;
@@ -23,7 +23,7 @@ class Session;
 struct Target;
 class Viewport;
 
-/// Deformed meshes into files: which, where and with which normals the person says.
+/// Deformed meshes into files: which, where and how the person says.
 class ExportActions : public QObject {
     Q_OBJECT
 public:
@@ -33,10 +33,12 @@ public:
     void fill(QMenu& menu);  ///< once
     [[nodiscard]] QAction* exportMesh() const { return m_export; }
 
-    /// Asks for a file, and begins to write the target in focus there.
+    /// Asks what to write, how and to which file, and begins to.
     void choose();
+    /// Begins to write the same to the same file, as it is now.
+    void again();
     /// Begins to write the target in focus as it is on the screen, its normals too unless others are asked
-    /// for.
+    /// for. The suffix says the format.
     void begin(const QString& path, std::optional<NormalMode> normals);
     /// The same, to its end. Errors are exportTarget()'s.
     [[nodiscard]] Status write(const QString& path, std::optional<NormalMode> normals);
@@ -48,8 +50,20 @@ Q_SIGNALS:
     void ended(const QString& path, bool isWritten);
 
 private:
-    QString chooseOne(const Target& target);
-    bool beginOf(const Target& target, const QString& path, NormalMode normals);
+    /// What was written last.
+    struct Last {
+        QString path;
+        bool ofAll = false;
+        TargetId target;  // where it is not of all
+        ExportOptions options;
+    };
+    [[nodiscard]] std::vector<const Target*> targets(bool all) const;
+    [[nodiscard]] QString choosePath(const Target& target, bool ofAll, ExportFormat format);
+    [[nodiscard]] ExportOptions shownAs(const QString& path, std::optional<NormalMode> normals) const;
+    void beginOf(const std::vector<const Target*>& targets, const QString& path,
+                 const ExportOptions& options);
+    void tellBegin(const std::vector<const Target*>& targets, const QString& path, ExportFormat format);
+    void tellWritten(const QString& name, const QString& path, const QStringList& notes, bool wasReadBack);
     void follow();
 
     Session& m_session;
@@ -58,6 +72,8 @@ private:
     QWidget& m_window;
     MeshExporter* m_exporter;
     QAction* m_export = nullptr;
+    QAction* m_again = nullptr;
+    std::optional<Last> m_last;
 };
 
 }  // namespace hitscope

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cmath>
-#include <glm/geometric.hpp>
-
+#include "io/writers/file_coordinate.h"
 #include "io/writers/mesh_export.h"
 #include "mesh/same_bits.h"
 
@@ -19,7 +17,10 @@ public:
     [[nodiscard]] glm::dvec3 original(std::size_t v) const {
         return m_mesh.filePositions.empty() ? toFile(m_mesh.positions[v]) : m_mesh.filePositions[v];
     }
-    [[nodiscard]] glm::dvec3 now(std::size_t v) const { return isMoved(v) ? toFile(m_now[v]) : original(v); }
+    [[nodiscard]] glm::dvec3 now(std::size_t v) const {
+        return {fileCoordinate(m_mesh, v, m_now[v], 0), fileCoordinate(m_mesh, v, m_now[v], 1),
+                fileCoordinate(m_mesh, v, m_now[v], 2)};
+    }
     [[nodiscard]] glm::dvec3 displacement(std::size_t v) const {
         return (glm::dvec3(m_now[v]) - glm::dvec3(m_mesh.positions[v])) / m_mesh.placement.scale;
     }
@@ -42,19 +43,5 @@ private:
     const MeshData& m_mesh;
     std::span<const glm::vec3> m_now;
 };
-
-/// Whether a normal only differs from the file's by having been made unit length.
-inline bool isSameNormal(const glm::vec3& original, const glm::vec3& now) {
-    constexpr float kRounding = 1e-6f;
-    if (sameBits(original, now)) {
-        return true;
-    }
-    const float length = glm::length(original);
-    if (!(length > 0.0f) || !std::isfinite(length)) {
-        return false;
-    }
-    const glm::vec3 gap = glm::abs(original / length - now);
-    return gap.x <= kRounding && gap.y <= kRounding && gap.z <= kRounding;
-}
 
 }  // namespace hitscope

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/writers/ply_copy.h"
+#include "io/writers/normal_plan.h"
 
 #include <QFileInfo>
 
@@ -101,7 +102,7 @@ void PlyCopy::findTurned() {
         const std::uint32_t index = m_mesh.cornerNormals[c];
         const glm::vec3& now = m_what.normals[c];
         const bool isFinite = std::isfinite(now.x) && std::isfinite(now.y) && std::isfinite(now.z);
-        if (index != kNoIndex && isFinite && !isSameNormal(m_mesh.normals[index], now)) {
+        if (index != kNoIndex && isFinite && !isSameDirection(m_mesh.normals[index], now)) {
             m_turned.emplace(m_mesh.cornerVertices[c], now);
         }
     }

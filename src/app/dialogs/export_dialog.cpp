@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dialogs/export_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QSettings>
+#include <QSignalBlocker>
+#include <QSpinBox>
+
+#include "panels/help/help_text.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr std::uint64_t kLarge = 100'000'000;  // bytes: reading such a file back takes a while
+constexpr int kMostSteps = 1000;               // a morph target each
+constexpr int kUsualSteps = 20;
+
+QComboBox* addCombo(QFormLayout& form, const QString& label, const char* name, const QStringList& items) {
+    auto* box = new QComboBox;
+    box->setObjectName(QLatin1String(name));
+    box->addItems(items);
+    form.addRow(label, box);
+    return box;
+}
+
+QCheckBox* addCheck(QFormLayout& form, const QString& text, const char* name, const QString& help) {
+    auto* box = new QCheckBox(text);
+    box->setObjectName(QLatin1String(name));
+    box->setToolTip(help);
+    form.addRow({}, box);
+    return box;
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(Choice choice, QWidget* parent) : QDialog(parent), m_choice(std::move(choice)) {
+    setObjectName(QStringLiteral("exportDialog"));
+    setWindowTitle(tr("Export Deformed Mesh"));
+    auto* form = new QFormLayout(this);
+    makeRows(*form);
+    m_preview = new QLabel(this);
+    m_preview->setObjectName(QStringLiteral("preview"));
+    form->addRow(tr("Size:"), m_preview);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    buttons->addButton(tr("&Export To…"), QDialogButtonBox::AcceptRole);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    form->addRow(buttons);
+    form->setSizeConstraint(QLayout::SetFixedSize);
+    for (QComboBox* box : {m_what, m_format, m_frame, m_normals}) {
+        connect(box, &QComboBox::currentIndexChanged, this, &ExportDialog::follow);
+    }
+    connect(m_allNormals, &QCheckBox::toggled, this, &ExportDialog::follow);
+    connect(m_hasSteps, &QCheckBox::toggled, this, &ExportDialog::follow);
+    connect(m_readBack, &QCheckBox::toggled, this,
+            [this](bool on) { (isLarge() ? m_readsBackLarge : m_readsBackSmall) = on; });
+    follow();
+}
+
+void ExportDialog::makeRows(QFormLayout& form) {
+    const auto targets = static_cast<int>(m_choice.targets);
+    QStringList formats;
+    for (const ExportFormatTraits& traits : exportFormats()) {
+        formats += tr(traits.name);
+    }
+    m_what = addCombo(form, tr("&What:"), "what",
+                      {m_choice.target, tr("All %n targets, in one file", nullptr, targets)});
+    enableIf(*m_what, targets > 1, tr("There is one target."));
+    m_format = addCombo(form, tr("&Format:"), "format", formats);
+    m_frame = addCombo(form, tr("&Coordinates:"), "frame",
+                       {tr("Those of the mesh's file"), tr("Those of the scene")});
+    m_normals = addCombo(form, tr("&Normals:"), "normals", {tr("True"), tr("The paper's")});  // by NormalMode
+    m_normals->setCurrentIndex(static_cast<int>(m_choice.shown));
+    m_allNormals =
+        addCheck(form, tr("For &all corners"), "allNormals",
+                 tr("Also where the mesh's file has none; otherwise only those are written that it "
+                    "has and that changed"));
+    form.addRow({}, makeSteps());
+    m_readBack = addCheck(form, tr("&Read the file back and compare"), "readBack",
+                          tr("Every vertex and face is held against what was to be written. For files under "
+                             "100 MB this is on at first"));
+}
+
+QWidget* ExportDialog::makeSteps() {
+    auto* row = new QWidget(this);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    m_hasSteps = new QCheckBox(tr("&Animate the hits, in at most"), row);
+    m_hasSteps->setObjectName(QStringLiteral("hasSteps"));
+    m_hasSteps->setToolTip(
+        tr("A morph target for each hit, or for groups of hits where there are more than this, and an "
+           "animation that goes through them"));
+    m_steps = new QSpinBox(row);
+    m_steps->setObjectName(QStringLiteral("steps"));
+    m_steps->setRange(1, kMostSteps);
+    m_steps->setValue(kUsualSteps);
+    m_steps->setSuffix(tr(" steps"));
+    layout->addWidget(m_hasSteps);
+    layout->addWidget(m_steps);
+    layout->addStretch();
+    return row;
+}
+
+ExportEstimate ExportDialog::estimate() const {
+    return m_choice.estimate ? m_choice.estimate(isOfAll(), options()) : ExportEstimate();
+}
+
+bool ExportDialog::isLarge() const {
+    return estimate().bytes >= kLarge;
+}
+
+void ExportDialog::follow() {
+    const ExportFormatTraits& format = traitsOf(options().format);
+    if (isOfAll()) {
+        const QSignalBlocker still(m_frame);
+        m_frame->setCurrentIndex(1);
+    }
+    enableIf(*m_frame, !isOfAll(), tr("Several targets are written as they stand in the scene."));
+    const QString noNormals = tr("%1 has no normals of vertices.").arg(tr(format.name));
+    enableIf(*m_normals, format.hasNormals, noNormals);
+    enableIf(*m_allNormals, format.hasNormals, noNormals);
+    enableIf(*m_hasSteps, format.hasSteps && m_choice.hits > 0,
+             format.hasSteps ? tr("There are no hits yet.") : tr("Only glTF holds animations."));
+    enableIf(*m_steps, m_hasSteps->isEnabled() && m_hasSteps->isChecked(), tr("The hits are not animated."));
+    enableIf(*m_readBack, format.format != ExportFormat::Csv,
+             tr("A table is not a mesh that could be opened."));
+    const ExportEstimate size = estimate();
+    {
+        const QSignalBlocker still(m_readBack);
+        m_readBack->setChecked(size.bytes >= kLarge ? m_readsBackLarge : m_readsBackSmall);
+    }
+    const QLocale locale;
+    m_preview->setText(
+        tr("%1 vertices, %2 faces, about %3")
+            .arg(locale.toString(static_cast<qulonglong>(size.vertices)),
+                 locale.toString(static_cast<qulonglong>(size.faces)),
+                 locale.formattedDataSize(static_cast<qint64>(size.bytes), 1, QLocale::DataSizeSIFormat)));
+}
+
+bool ExportDialog::isOfAll() const {
+    return m_what->currentIndex() == 1;
+}
+
+ExportOptions ExportDialog::options() const {
+    ExportOptions options;
+    options.format = exportFormats()[static_cast<std::size_t>(m_format->currentIndex())].format;
+    options.normals = static_cast<NormalMode>(m_normals->currentIndex());
+    options.allNormals = traitsOf(options.format).hasNormals && m_allNormals->isChecked();
+    options.inWorld = m_frame->currentIndex() == 1;
+    const bool hasSteps = traitsOf(options.format).hasSteps && m_choice.hits > 0 && m_hasSteps->isChecked();
+    options.steps = hasSteps ? static_cast<std::size_t>(m_steps->value()) : 0;
+    options.readBack = options.format != ExportFormat::Csv && m_readBack->isChecked();
+    return options;
+}
+
+void ExportDialog::load(const QSettings& settings) {
+    const QString key = settings.value(QStringLiteral("export/format")).toString();
+    for (const ExportFormatTraits& traits : exportFormats()) {
+        if (key == QLatin1String(traits.key)) {
+            m_format->setCurrentIndex(static_cast<int>(traits.format));
+        }
+    }
+    m_frame->setCurrentIndex(settings.value(QStringLiteral("export/inWorld"), false).toBool() ? 1 : 0);
+    m_allNormals->setChecked(settings.value(QStringLiteral("export/allNormals"), false).toBool());
+    m_hasSteps->setChecked(settings.value(QStringLiteral("export/hasSteps"), false).toBool());
+    m_steps->setValue(settings.value(QStringLiteral("export/steps"), kUsualSteps).toInt());
+    m_readsBackSmall = settings.value(QStringLiteral("export/readBack"), true).toBool();
+    m_readsBackLarge = settings.value(QStringLiteral("export/readBackLarge"), false).toBool();
+    follow();
+}
+
+void ExportDialog::save(QSettings& settings) const {
+    settings.setValue(QStringLiteral("export/format"), QLatin1String(traitsOf(options().format).key));
+    if (!isOfAll()) {
+        settings.setValue(QStringLiteral("export/inWorld"), options().inWorld);
+    }
+    settings.setValue(QStringLiteral("export/allNormals"), m_allNormals->isChecked());
+    settings.setValue(QStringLiteral("export/hasSteps"), m_hasSteps->isChecked());
+    settings.setValue(QStringLiteral("export/steps"), m_steps->value());
+    settings.setValue(QStringLiteral("export/readBack"), m_readsBackSmall);
+    settings.setValue(QStringLiteral("export/readBackLarge"), m_readsBackLarge);
+}
+
+}  // namespace hitscope

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+#include <functional>
+
+#include "session/export_options.h"
+
+class QCheckBox;
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QSettings;
+class QSpinBox;
+
+namespace hitscope {
+
+/// Asks what is to be exported, and how.
+class ExportDialog : public QDialog {
+    Q_OBJECT
+public:
+    /// What there is to export.
+    struct Choice {
+        QString target;                       ///< the one in focus, for people
+        std::size_t targets = 1;              ///< in the scene
+        std::size_t hits = 0;                 ///< that made what is shown
+        NormalMode shown = NormalMode::True;  ///< normals on the screen
+        /// What an export of the one target, or of all, would amount to.
+        std::function<ExportEstimate(bool all, const ExportOptions&)> estimate;
+    };
+    explicit ExportDialog(Choice choice, QWidget* parent = nullptr);
+
+    [[nodiscard]] ExportOptions options() const;
+    [[nodiscard]] bool isOfAll() const;
+
+    void load(const QSettings& settings);
+    void save(QSettings& settings) const;
+
+private:
+    void makeRows(QFormLayout& form);
+    QWidget* makeSteps();
+    void follow();
+    [[nodiscard]] ExportEstimate estimate() const;
+    [[nodiscard]] bool isLarge() const;
+
+    Choice m_choice;
+    QComboBox* m_what = nullptr;
+    QComboBox* m_format = nullptr;
+    QComboBox* m_frame = nullptr;
+    QComboBox* m_normals = nullptr;
+    QCheckBox* m_allNormals = nullptr;
+    QCheckBox* m_hasSteps = nullptr;
+    QSpinBox* m_steps = nullptr;
+    QCheckBox* m_readBack = nullptr;
+    QLabel* m_preview = nullptr;
+    bool m_readsBackSmall = true;   // what the person chose, or the default
+    bool m_readsBackLarge = false;  // likewise
+};
+
+}  // namespace hitscope

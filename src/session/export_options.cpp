@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/export_options.h"
+
+#include <QFileInfo>
+#include <algorithm>
+
+#include "session/target.h"
+
+namespace hitscope {
+
+namespace {
+
+// Typical bytes, from files that other programs write.
+constexpr std::uint64_t kNumber = 9;       // of a text, with its blank
+constexpr std::uint64_t kPlyVertex = 44;   // position, normal, displacement, its length, hits
+constexpr std::uint64_t kGltfVertex = 44;  // position, normal, texture coordinate, number in the file
+constexpr std::uint64_t kMorph = 24;       // change of position and normal
+constexpr std::uint64_t kFacet = 50;       // of a binary STL
+
+std::uint64_t bytesOf(const Target& target, const ExportOptions& options) {
+    const MeshData& mesh = target.deformed.original();
+    const std::uint64_t vertices = mesh.positions.size();
+    const std::uint64_t corners = mesh.cornerVertices.size();
+    const std::uint64_t faces = mesh.faceCount();
+    const std::uint64_t drawn = target.deformed.vertices().size();
+    switch (options.format) {
+        case ExportFormat::Obj: {
+            const QFileInfo source(target.sourcePath);
+            const bool isCopy =
+                !options.inWorld && source.exists() && exportFormatOf(target.sourcePath) == ExportFormat::Obj;
+            return isCopy ? static_cast<std::uint64_t>(source.size())
+                          : 3 * kNumber * (vertices + mesh.normals.size()) +
+                                2 * kNumber * mesh.texcoords.size() + 2 * kNumber * corners;
+        }
+        case ExportFormat::Ply:
+            return kPlyVertex * vertices + 4 * corners + faces;
+        case ExportFormat::PlyAscii:
+            return 11 * kNumber * vertices + kNumber * corners;
+        case ExportFormat::Stl:
+            return kFacet * (corners - 2 * faces);
+        case ExportFormat::Glb:
+        case ExportFormat::Gltf:
+            return (kGltfVertex + kMorph) * drawn + 12 * (corners - 2 * faces);
+        case ExportFormat::Csv:
+            break;
+    }
+    return 12 * kNumber * target.deformed.onceChanged().size();
+}
+
+}  // namespace
+
+const std::array<ExportFormatTraits, 7>& exportFormats() {
+    static constexpr std::array<ExportFormatTraits, 7> kFormats{{
+        {ExportFormat::Obj, "obj", "obj", "Wavefront OBJ", true, false},
+        {ExportFormat::Ply, "ply", "ply", "PLY", true, false},
+        {ExportFormat::PlyAscii, "ply-ascii", "ply", "PLY, as text", true, false},
+        {ExportFormat::Stl, "stl", "stl", "STL", false, false},
+        {ExportFormat::Glb, "glb", "glb", "glTF in one file (GLB)", true, true},
+        {ExportFormat::Gltf, "gltf", "gltf", "glTF", true, true},
+        {ExportFormat::Csv, "csv", "csv", "CSV, the vertices that moved", false, false},
+    }};
+    return kFormats;
+}
+
+const ExportFormatTraits& traitsOf(ExportFormat format) {
+    return exportFormats()[static_cast<std::size_t>(format)];
+}
+
+std::optional<ExportFormat> exportFormatOf(const QString& path) {
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    const auto& formats = exportFormats();
+    const auto found = std::find_if(formats.begin(), formats.end(), [&suffix](const auto& traits) {
+        return suffix == QLatin1String(traits.suffix);
+    });
+    return found == formats.end() ? std::nullopt : std::optional(found->format);
+}
+
+ExportEstimate estimateExport(std::span<const Target* const> targets, const ExportOptions& options) {
+    ExportEstimate estimate;
+    for (const Target* target : targets) {
+        const MeshData& mesh = target->deformed.original();
+        estimate.vertices += mesh.positions.size();
+        estimate.faces += mesh.faceCount();
+        estimate.bytes += bytesOf(*target, options);
+    }
+    return estimate;
+}
+
+}  // namespace hitscope
