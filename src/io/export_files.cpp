@@ -138,7 +138,13 @@ Result<std::vector<PlacedTextures>> MaterialFiles::placeTextures() {
         if (!normals) {
             return normals.error();
         }
-        placed.push_back({std::move(diffuse.value()), std::move(normals.value())});
+        const MetalRoughness& metal = material.metalRoughness;
+        Result<std::string> metalRoughness = placeTexture(metal.texture, metal.image);
+        if (!metalRoughness) {
+            return metalRoughness.error();
+        }
+        placed.push_back(
+            {std::move(diffuse.value()), std::move(normals.value()), std::move(metalRoughness.value())});
     }
     return placed;
 }
@@ -209,6 +215,9 @@ Status MaterialFiles::placeLocated() {
             return placed;
         }
         if (Status placed = place(material.normalMap.texture, material.normalMap.image); !placed) {
+            return placed;
+        }
+        if (Status placed = place(material.metalRoughness.texture, material.metalRoughness.image); !placed) {
             return placed;
         }
     }

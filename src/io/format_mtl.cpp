@@ -29,6 +29,20 @@ void appendNormalMap(std::string& text, const NormalMap& map, const std::string&
     text += name + '\n';
 }
 
+void appendMetalRoughness(std::string& text, const MetalRoughness& metal, const std::string& name) {
+    if (!metal.isGiven()) {
+        return;
+    }
+    text += "Pr ";
+    appendNumber(text, metal.roughness);
+    text += "\nPm ";
+    appendNumber(text, metal.metalness);
+    text += '\n';
+    if (!name.empty()) {
+        text += "map_Pr " + name + "\nmap_Pm " + name + '\n';
+    }
+}
+
 }  // namespace
 
 std::string formatMtl(const MeshData& mesh, const std::vector<PlacedTextures>& textures) {
@@ -49,6 +63,7 @@ std::string formatMtl(const MeshData& mesh, const std::vector<PlacedTextures>& t
             text += "map_Kd " + texture + '\n';
         }
         appendNormalMap(text, material.normalMap, nameOnLine(textures[m].normals));
+        appendMetalRoughness(text, material.metalRoughness, nameOnLine(textures[m].metalRoughness));
     }
     return text;
 }

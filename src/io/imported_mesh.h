@@ -3,6 +3,7 @@
 
 #include <QStringList>
 #include <functional>
+#include <vector>
 
 #include "mesh/mesh_data.h"
 
@@ -13,6 +14,8 @@ namespace hitscope {
 struct ImportedMesh {
     MeshData mesh;
     QStringList notes;
+    /// Indices of materials that are opaque, whatever their texture's opacity.
+    std::vector<std::size_t> opaqueMaterials = {};
 };
 
 /// Told how far a long read or write is: fraction in [0, 1] and a few words ("Reading faces"). May be empty.

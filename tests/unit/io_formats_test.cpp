@@ -3,6 +3,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 
 #include "io/import.h"
 #include "io_support.h"
@@ -97,6 +98,9 @@ private Q_SLOTS:
     void gltf();
     void externalFilesOfGltf();
     void normalMapOfGltf();
+    void metalnessAndRoughnessOfGltf();
+    void otherMaterialsOfGltf();
+    void coloursOfGltf();
     void normalMapOfFbx();
     void dae();
     void fbx();
@@ -186,7 +190,7 @@ void FormatsTest::gltf() {
     QCOMPARE(paint.name, std::string("paint"));
     QCOMPARE(paint.diffuse, glm::vec3(1, 0.5f, 0));
     QCOMPARE(mesh.images.at(static_cast<std::size_t>(paint.diffuseImage)).pixels,
-             (std::vector<std::uint8_t>{255, 0, 0, 255, 0, 255, 0, 128}));
+             (std::vector<std::uint8_t>{255, 0, 0, 255, 0, 255, 0, 255}));  // its material is opaque
     QCOMPARE(result.notes, QStringList());
 }
 
@@ -221,6 +225,105 @@ void FormatsTest::normalMapOfGltf() {
     QCOMPARE(map.strength, 0.5f);
     QCOMPARE(mesh.images.at(static_cast<std::size_t>(map.image)).width, 2);
     QVERIFY(map.image != mesh.materials.at(mesh.faceMaterials.at(0)).diffuseImage);
+}
+
+void FormatsTest::metalnessAndRoughnessOfGltf() {
+    writeFile(m_folder.path(), QStringLiteral("rough.png"), smallPng().toStdString());
+    const std::string plain = readFile(data("two_quads.gltf"));
+    const auto read = [&](std::string_view added) {
+        std::string text = plain;
+        const std::string_view before = "\"pbrMetallicRoughness\": {";
+        text.insert(text.find(before) + before.size(), added);
+        const std::string_view textures = "\"textures\": [";
+        text.insert(text.find(textures) + textures.size(), "{\"source\": 0}, {\"source\": 1}, ");
+        text.insert(text.find(']', text.find("\"images\": [")), ", {\"uri\": \"rough.png\"}");
+        return imported(writeFile(m_folder.path(), QStringLiteral("metal.gltf"), text)).mesh;
+    };
+    const MeshData mesh = read(
+        "\"metallicFactor\": 0.25, \"roughnessFactor\": 0.5, "
+        "\"metallicRoughnessTexture\": {\"index\": 1},");
+    const MetalRoughness& metal = mesh.materials.at(0).metalRoughness;
+    QCOMPARE(metal.metalness, 0.25f);
+    QCOMPARE(metal.roughness, 0.5f);
+    QCOMPARE(metal.texture, std::string("rough.png"));
+    QCOMPARE(mesh.images.at(static_cast<std::size_t>(metal.image)).width, 2);
+    QVERIFY(metal.image != mesh.materials.at(0).diffuseImage);
+    // What the format says of a material that says nothing itself.
+    const MetalRoughness usual = read("").materials.at(0).metalRoughness;
+    QCOMPARE(usual.metalness, 1.0f);
+    QCOMPARE(usual.roughness, 1.0f);
+    QCOMPARE(usual.image, -1);
+    // A picture in the file itself.
+    const MeshData embedded = read("\"metallicRoughnessTexture\": {\"index\": 0},");
+    QVERIFY(embedded.materials.at(0).metalRoughness.texture.empty());
+    QCOMPARE(embedded.materials.at(0).metalRoughness.image, embedded.materials.at(0).diffuseImage);
+}
+
+void FormatsTest::otherMaterialsOfGltf() {
+    const std::string plain = readFile(data("two_quads.gltf"));
+    const auto read = [&](std::string_view before, std::string_view added) {
+        std::string text = plain;
+        text.insert(text.find(before), added);
+        return imported(writeFile(m_folder.path(), QStringLiteral("other.gltf"), text)).mesh;
+    };
+    const std::string_view paint = "\"name\": \"paint\",";
+    const Material unlit = read(paint, R"("extensions": {"KHR_materials_unlit": {}},)").materials.at(0);
+    QVERIFY(!unlit.metalRoughness.isGiven());
+    QCOMPARE(unlit.specular, glm::vec3(0));
+    const Material glossy = read(paint, R"("extensions": {"KHR_materials_pbrSpecularGlossiness": {
+        "diffuseFactor": [0.25, 0.5, 0.75, 1], "specularFactor": [0.5, 0.25, 0.125], "glossinessFactor": 0.5}},)")
+                                .materials.at(0);
+    QVERIFY(!glossy.metalRoughness.isGiven());
+    QCOMPARE(glossy.diffuse, glm::vec3(0.25f, 0.5f, 0.75f));
+    QCOMPARE(glossy.specular, glm::vec3(0.5f, 0.25f, 0.125f));
+    // Opacity counts where the file blends.
+    std::string text = plain;
+    const std::size_t opacity = text.rfind('1', text.find(']', text.find("baseColorFactor")));
+    text.replace(opacity, 1, "0.25");
+    const auto opacityOf = [&](const std::string& mesh) {
+        return imported(writeFile(m_folder.path(), QStringLiteral("o.gltf"), mesh))
+            .mesh.materials.at(0)
+            .opacity;
+    };
+    QCOMPARE(opacityOf(text), 1.0f);
+    text.insert(text.find(paint), R"("alphaMode": "BLEND",)");
+    QCOMPARE(opacityOf(text), 0.25f);
+    const MeshData masked = read(paint, R"("alphaMode": "MASK",)");
+    QCOMPARE(masked.images.at(0).pixels.at(7), std::uint8_t{128});
+    // Parts without a material are not called metal by anyone.
+    std::string bare = plain;
+    const std::string_view given = ",\n     \"material\": 0";
+    QVERIFY(bare.find(given) != std::string::npos);
+    bare.erase(bare.find(given), given.size());
+    const MeshData mesh = imported(writeFile(m_folder.path(), QStringLiteral("bare.gltf"), bare)).mesh;
+    QVERIFY(!mesh.materials.at(mesh.faceMaterials.at(0)).metalRoughness.isGiven());
+}
+
+void FormatsTest::coloursOfGltf() {
+    // They are linear there; those of a MeshData are sRGB, as OBJ and PLY have them.
+    const std::vector<glm::vec3> linear(4, glm::vec3(0.21586f, 0.0f, 1.0f));
+    const QByteArray bytes(reinterpret_cast<const char*>(linear.data()),
+                           static_cast<qsizetype>(linear.size() * sizeof(glm::vec3)));
+    std::string text = readFile(data("two_quads.gltf"));
+    const auto put = [&text](std::string_view before, const std::string& added) {
+        text.insert(text.find(before) + before.size(), added);
+    };
+    put("\"attributes\": {", "\"COLOR_0\": 3, ");
+    put("\"buffers\": [", R"({"byteLength": 48, "uri": "data:application/octet-stream;base64,)" +
+                              bytes.toBase64().toStdString() + "\"}, ");
+    for (int view = 0; view < 3; ++view) {  // their buffer is the second one now
+        text.replace(text.find("\"buffer\": 0"), 11, "\"buffer\": 1");
+    }
+    text.insert(text.find(']', text.find("\"bufferViews\"")), R"(, {"buffer": 0, "byteLength": 48})");
+    text.insert(text.rfind(']'), R"(, {"bufferView": 3, "componentType": 5126, "count": 4, "type": "VEC3"})");
+    const MeshData mesh = imported(writeFile(m_folder.path(), QStringLiteral("c.gltf"), text)).mesh;
+    QCOMPARE(mesh.colours.size(), mesh.positions.size());
+    QVERIFY(!mesh.colours.empty());
+    for (const glm::vec3& colour : mesh.colours) {
+        QVERIFY(std::abs(colour.x - 128.0f / 255.0f) < 1.0e-4f);
+        QCOMPARE(colour.y, 0.0f);
+        QCOMPARE(colour.z, 1.0f);
+    }
 }
 
 void FormatsTest::normalMapOfFbx() {

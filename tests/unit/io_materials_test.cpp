@@ -33,6 +33,9 @@ private Q_SLOTS:
     void notesMissingLibraryAndMaterials();
     void decodesTextures();
     void readsNormalMaps();
+    void readsMetalnessAndRoughness_data();
+    void readsMetalnessAndRoughness();
+    void readsMapsOfMetalnessAndRoughness();
     void keepsToTheFolder_data();
     void keepsToTheFolder();
     void notesBrokenPictures();
@@ -177,6 +180,52 @@ void MaterialsTest::readsNormalMaps() {
     QCOMPARE(grey.mesh.materials[0].normalMap.image, -1);
     QCOMPARE(grey.notes.size(), 1);
     QVERIFY2(grey.notes[0].contains(QStringLiteral("heights")), qPrintable(grey.notes[0]));
+}
+
+void MaterialsTest::readsMetalnessAndRoughness_data() {
+    QTest::addColumn<QByteArray>("lines");
+    QTest::addColumn<float>("metalness");
+    QTest::addColumn<float>("roughness");
+    QTest::addColumn<QByteArray>("texture");
+    const auto row = [](const char* name, const char* lines, float metalness, float roughness,
+                        const char* texture = "") {
+        QTest::newRow(name) << QByteArray(lines) << metalness << roughness << QByteArray(texture);
+    };
+    row("none", "Kd 1 1 1\nNs 90\n", 0.0f, -1.0f);
+    row("both", "Pm 0.75\nPr 0.25\n", 0.75f, 0.25f);
+    row("roughness alone", "Pr 0\n", 0.0f, 0.0f);
+    row("metalness alone", "Pm 1\n", 1.0f, 0.5f);
+    row("out of range", "Pr 3\nPm -1\n", 0.0f, 1.0f);
+    row("no numbers", "Pr nan\nPm inf\n", 0.0f, 0.5f);
+    row("one map", "map_Pr a b.png\nmap_Pm a b.png\n", 1.0f, 1.0f, "a b.png");
+    row("one map and factors", "Pr 0.5\nPm 0.25\nmap_Pr m.png\nmap_Pm m.png\n", 0.25f, 0.5f, "m.png");
+    row("map of roughness", "map_Pr m.png\n", 0.0f, 1.0f, "m.png");
+    row("its blue would count", "Pm 0.5\nmap_Pr m.png\n", 0.5f, 0.5f);
+    row("map of metalness", "map_Pm m.png\n", 0.0f, 0.5f);
+    row("two maps", "map_Pr r.png\nmap_Pm m.png\n", 0.0f, 0.5f);
+}
+
+void MaterialsTest::readsMetalnessAndRoughness() {
+    QFETCH(QByteArray, lines);
+    const MetalRoughness metal = parseMtl("newmtl a\n" + lines.toStdString()).at(0).metalRoughness;
+    QTEST(metal.metalness, "metalness");
+    QTEST(metal.roughness, "roughness");
+    QTEST(QByteArray::fromStdString(metal.texture), "texture");
+    QCOMPARE(metal.isGiven(), lines.contains('P'));
+}
+
+void MaterialsTest::readsMapsOfMetalnessAndRoughness() {
+    writeFile(m_folder, QStringLiteral("w.png"), smallPng().toStdString());
+    writeFile(m_folder, QStringLiteral("a.mtl"),
+              "newmtl wood\nmap_Pr w.png\nmap_Pm w.png\nnewmtl tin\nmap_Pr gone.png\nPr 0.5\n");
+    const ImportedMesh imported = read(QStringLiteral("a.mtl"));
+    QCOMPARE(imported.mesh.materials[0].metalRoughness.image, 0);
+    QCOMPARE(imported.mesh.materials[1].metalRoughness.image, -1);
+    QCOMPARE(imported.mesh.images.size(), std::size_t(1));
+    QCOMPARE(imported.notes,
+             QStringList{QStringLiteral("The map of metalness and roughness \"gone.png\" is not "
+                                        "shown: it is not in the mesh's folder.")});
+    QVERIFY(validate(imported.mesh).ok());
 }
 
 void MaterialsTest::keepsToTheFolder_data() {

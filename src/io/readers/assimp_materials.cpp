@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <unordered_map>
 
 #include "io/readers/textures.h"
@@ -53,6 +54,54 @@ NormalMap normalMapOf(const aiMaterial& from) {
     return map;
 }
 
+/// glTF's; empty: of another format.
+std::string alphaModeOf(const aiMaterial& from) {
+    aiString mode;
+    return from.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) == aiReturn_SUCCESS ? mode.C_Str() : std::string();
+}
+
+/// Which way it is described, where a file does so in both.
+bool hasGlossiness(const aiMaterial& from) {
+    float glossiness = 0.0f;
+    return from.Get(AI_MATKEY_GLOSSINESS_FACTOR, glossiness) == aiReturn_SUCCESS;
+}
+
+bool isUnlit(const aiMaterial& from) {
+    int model = 0;
+    return from.Get(AI_MATKEY_SHADING_MODEL, model) == aiReturn_SUCCESS && model == aiShadingMode_NoShading;
+}
+
+/// Only glTF's: what Assimp makes of other formats' shininess is no roughness.
+MetalRoughness metalRoughnessOf(const aiMaterial& from) {
+    MetalRoughness metal;
+    if (alphaModeOf(from).empty() || hasGlossiness(from) || isUnlit(from)) {
+        return metal;
+    }
+    float metalness = 0.0f;
+    float roughness = 0.0f;
+    if (from.Get(AI_MATKEY_METALLIC_FACTOR, metalness) != aiReturn_SUCCESS || !isFraction(metalness) ||
+        from.Get(AI_MATKEY_ROUGHNESS_FACTOR, roughness) != aiReturn_SUCCESS || !isFraction(roughness)) {
+        return metal;
+    }
+    metal.metalness = metalness;
+    metal.roughness = roughness;
+    aiString path;
+    if (from.GetTexture(AI_MATKEY_GLTF_PBRMETALLICROUGHNESS_METALLICROUGHNESS_TEXTURE, &path) ==
+            aiReturn_SUCCESS ||
+        from.GetTexture(AI_MATKEY_METALLIC_TEXTURE, &path) == aiReturn_SUCCESS) {
+        metal.texture = path.C_Str();
+    }
+    return metal;
+}
+
+float opacityOf(const aiMaterial& from) {
+    if (const std::string mode = alphaModeOf(from); !mode.empty() && mode != "BLEND") {
+        return 1.0f;  // the factor is not to be looked at
+    }
+    float opacity = 1.0f;
+    return from.Get(AI_MATKEY_OPACITY, opacity) == aiReturn_SUCCESS && isFraction(opacity) ? opacity : 1.0f;
+}
+
 Material convertMaterial(const aiMaterial& from) {
     Material material;
     aiString name;
@@ -61,18 +110,26 @@ Material convertMaterial(const aiMaterial& from) {
     }
     readColour(from, AI_MATKEY_COLOR_AMBIENT, material.ambient);
     readColour(from, AI_MATKEY_COLOR_DIFFUSE, material.diffuse);
-    readColour(from, AI_MATKEY_BASE_COLOR, material.diffuse);
+    if (!hasGlossiness(from)) {
+        readColour(from, AI_MATKEY_BASE_COLOR, material.diffuse);
+    }
     readColour(from, AI_MATKEY_COLOR_SPECULAR, material.specular);
     float value = 0.0f;
     if (from.Get(AI_MATKEY_SHININESS, value) == aiReturn_SUCCESS && std::isfinite(value) && value > 0.0f) {
         material.shininess = value;
     }
-    if (from.Get(AI_MATKEY_OPACITY, value) == aiReturn_SUCCESS && isFraction(value)) {
-        material.opacity = value;
+    material.opacity = opacityOf(from);
+    if (isUnlit(from)) {
+        material.specular = glm::vec3(0.0f);
     }
     material.diffuseTexture = texturePath(from);
     material.normalMap = normalMapOf(from);
+    material.metalRoughness = metalRoughnessOf(from);
     return material;
+}
+
+bool isNameless(const Material& material) {
+    return material.name.empty() || material.name == AI_DEFAULT_MATERIAL_NAME;
 }
 
 /// Compressed pictures are a file in memory (height 0, width its size in bytes); others are texels.
@@ -133,11 +190,20 @@ private:
 void convertMaterials(const aiScene& scene, ImportedMesh& imported) {
     for (unsigned m = 0; m < scene.mNumMaterials; ++m) {
         imported.mesh.materials.push_back(convertMaterial(*scene.mMaterials[m]));
+        if (alphaModeOf(*scene.mMaterials[m]) == "OPAQUE") {
+            imported.opaqueMaterials.push_back(m);
+        }
+    }
+    if (!imported.mesh.materials.empty() && isNameless(imported.mesh.materials.back())) {
+        // Assimp's own, for parts that have no material: nobody has called them metal.
+        imported.mesh.materials.back().metalRoughness = {};
     }
     EmbeddedPictures pictures(scene, imported);
     for (Material& material : imported.mesh.materials) {
         pictures.take(material, "texture", material.diffuseTexture, material.diffuseImage);
         pictures.take(material, "normal map", material.normalMap.texture, material.normalMap.image);
+        MetalRoughness& metal = material.metalRoughness;
+        pictures.take(material, "map of metalness and roughness", metal.texture, metal.image);
     }
 }
 

@@ -241,6 +241,9 @@ Result<ImportedMesh> readWithAssimp(const QString& path, const ProgressSink& pro
     if (const Status merged = merger.merge(); !merged) {
         return merged.error();
     }
+    if (suffix == QStringLiteral("gltf") || suffix == QStringLiteral("glb")) {
+        turnColoursToSrgb(imported.mesh);
+    }
     convertMaterials(*scene, imported);
     dropAddedMaterial(imported.mesh);
     noteWhatIsLeftOut(*scene, imported);

@@ -21,6 +21,8 @@ struct Given {
     bool diffuse = false;  // which colours there are: a missing one is read as black
     bool specular = false;
     bool ambient = false;
+    bool roughness = false;
+    bool metalness = false;
 };
 
 std::string_view withoutBlanksAtEnd(std::string_view text) {
@@ -40,6 +42,8 @@ std::vector<Given> givenOf(std::string_view text) {
             given.back().diffuse = given.back().diffuse || keyword == "Kd";
             given.back().specular = given.back().specular || keyword == "Ks";
             given.back().ambient = given.back().ambient || keyword == "Ka";
+            given.back().roughness = given.back().roughness || keyword == "Pr";
+            given.back().metalness = given.back().metalness || keyword == "Pm";
         }
     }
     return given;
@@ -64,6 +68,30 @@ NormalMap normalMapOf(const tinyobj::material_t& from) {
     return map;
 }
 
+float fraction(float value, float otherwise) {
+    return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : otherwise;
+}
+
+/// The maps are grey, each of its own. Where they are one picture it is taken to be glTF's, whose colours
+/// tell them apart; without metalness only the roughness of it counts. Others are not drawn.
+MetalRoughness metalRoughnessOf(const tinyobj::material_t& from, const Given& given) {
+    MetalRoughness metal;
+    const std::string& roughnessMap = from.roughness_texname;
+    const std::string& metalnessMap = from.metallic_texname;
+    if (!given.roughness && !given.metalness && roughnessMap.empty() && metalnessMap.empty()) {
+        return metal;
+    }
+    constexpr float kUsual = 0.5f;
+    const bool isOne = !roughnessMap.empty() && roughnessMap == metalnessMap;
+    metal.metalness = given.metalness ? fraction(from.metallic, 0.0f) : isOne ? 1.0f : 0.0f;
+    const bool isMapped = isOne || (!roughnessMap.empty() && metal.metalness == 0.0f && metalnessMap.empty());
+    metal.roughness = given.roughness ? fraction(from.roughness, kUsual) : isMapped ? 1.0f : kUsual;
+    if (isMapped) {
+        metal.texture = roughnessMap;
+    }
+    return metal;
+}
+
 Material convert(const tinyobj::material_t& from, const Given& given) {
     Material material;
     material.name = given.name;
@@ -74,6 +102,7 @@ Material convert(const tinyobj::material_t& from, const Given& given) {
     material.opacity = std::isfinite(from.dissolve) ? std::clamp(from.dissolve, 0.0f, 1.0f) : 1.0f;
     material.diffuseTexture = from.diffuse_texname;
     material.normalMap = normalMapOf(from);
+    material.metalRoughness = metalRoughnessOf(from, given);
     return material;
 }
 

@@ -148,6 +148,35 @@ bool isGrey(const Image& image) {
     return true;
 }
 
+void makeOpaque(Image& image) {
+    for (std::size_t i = 3; i < image.pixels.size(); i += 4) {
+        image.pixels[i] = 255;
+    }
+}
+
+/// Where a texture is transparent there is no surface; some have something else where others have opacity.
+void makeOpaque(ImportedMesh& imported) {
+    MeshData& mesh = imported.mesh;
+    std::vector<bool> isOpaque(mesh.materials.size(), false);
+    for (const std::size_t material : imported.opaqueMaterials) {
+        if (material < isOpaque.size()) {
+            isOpaque[material] = true;
+        }
+    }
+    for (std::size_t i = 0; i < mesh.images.size(); ++i) {
+        std::size_t opaque = 0;
+        std::size_t others = 0;
+        for (std::size_t m = 0; m < mesh.materials.size(); ++m) {
+            if (mesh.materials[m].diffuseImage == static_cast<int>(i)) {
+                ++(isOpaque[m] ? opaque : others);
+            }
+        }
+        if (opaque > 0 && others == 0) {
+            makeOpaque(mesh.images[i]);
+        }
+    }
+}
+
 }  // namespace
 
 void readTextures(ImportedMesh& imported, const QString& folder, const QStringList& others) {
@@ -155,6 +184,9 @@ void readTextures(ImportedMesh& imported, const QString& folder, const QStringLi
     for (Material& material : imported.mesh.materials) {
         if (!material.diffuseTexture.empty() && material.diffuseImage < 0) {
             material.diffuseImage = reader.read(material.diffuseTexture, QStringLiteral("texture"));
+        }
+        if (MetalRoughness& metal = material.metalRoughness; !metal.texture.empty() && metal.image < 0) {
+            metal.image = reader.read(metal.texture, QStringLiteral("map of metalness and roughness"));
         }
         NormalMap& map = material.normalMap;
         if (map.texture.empty() || map.image >= 0) {
@@ -168,6 +200,7 @@ void readTextures(ImportedMesh& imported, const QString& folder, const QStringLi
                     .arg(QString::fromStdString(map.texture));
         }
     }
+    makeOpaque(imported);
     for (const QString& name : others) {
         reader.look(name);
     }

@@ -15,7 +15,7 @@ namespace hitscope {
 /// Decodes the textures that materials name and that have no image yet; each file once. Only files in
 /// `folder` (and below) are opened; a texture named elsewhere is taken from `folder` if a file of that name
 /// is there. Trouble is a note. Notes in pictureFiles which of them are pictures, and which of `others`: maps
-/// that are not drawn.
+/// that are not drawn. Textures that only opaque materials have become opaque.
 void readTextures(ImportedMesh& imported, const QString& folder, const QStringList& others = {});
 
 }  // namespace hitscope

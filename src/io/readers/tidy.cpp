@@ -65,6 +65,17 @@ void setColours(MeshData& mesh, std::vector<glm::vec3> colours) {
     mesh.colours = std::move(colours);
 }
 
+/// IEC 61966-2-1.
+void turnColoursToSrgb(MeshData& mesh) {
+    for (glm::vec3& colour : mesh.colours) {
+        for (int i = 0; i < 3; ++i) {
+            const float light = colour[i];
+            colour[i] = light <= 0.0031308f ? 12.92f * light : 1.055f * std::pow(light, 1.0f / 2.4f) - 0.055f;
+            colour[i] = std::clamp(colour[i], 0.0f, 1.0f);
+        }
+    }
+}
+
 void tidy(ImportedMesh& imported) {
     MeshData& mesh = imported.mesh;
     if (const std::size_t bad = dropBadCorners(mesh.cornerTexcoords, mesh.texcoords)) {

@@ -17,6 +17,8 @@ namespace hitscope {
 
 /// Sets colours from components in [0, 1] or, if any is larger than 1, in [0, 255].
 void setColours(MeshData& mesh, std::vector<glm::vec3> colours);
+/// Of a format whose colours are linear; those of a MeshData are sRGB, as most formats' are.
+void turnColoursToSrgb(MeshData& mesh);
 
 /// Mends what does not stand in the way of the surface, with a note for each kind: corners that refer to
 /// texture coordinates, normals or materials that do not exist or are not finite refer to none; index arrays
