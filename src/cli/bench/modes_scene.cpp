@@ -40,7 +40,7 @@ ModesScene::ModesScene(const gl::RenderTarget& picture)
 ModesScene::~ModesScene() = default;
 
 Status ModesScene::open(int row, PipelineKind pipeline, std::uint32_t seed) {
-    loadPaperRow(m_session, row);
+    m_session.loadScene(planPaintedRow(row));
     m_session.settings().setPipeline(pipeline);
     Result<std::unique_ptr<SceneGpu>> gpu = SceneGpu::create(m_session);
     if (!gpu) {
@@ -101,6 +101,7 @@ void ModesScene::preview(bool on) {
 Status ModesScene::prepare(const ViewMode& mode) {
     m_mode = &mode;
     m_view.options = {};
+    m_view.options.vertexColours = false;  // else every mode would be drawn with them
     mode.set(m_view.options);
     look(mode.place);
     const bool compares = mode.extra == ViewMode::Extra::Comparison;
@@ -110,6 +111,7 @@ Status ModesScene::prepare(const ViewMode& mode) {
     m_values.setQuantity(change.on ? std::optional(change.quantity) : std::nullopt);
     m_values.setOtherVertices([this](TargetId target) { return m_comparison.vertices(target); });
     m_values.finish();
+    m_metal.put(m_session, mode.extra == ViewMode::Extra::Metal);
     select(mode.extra == ViewMode::Extra::Selection);
     preview(mode.extra == ViewMode::Extra::Preview);
     Status status = draw();

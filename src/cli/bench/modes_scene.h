@@ -7,6 +7,7 @@
 #include "analysis/change_values.h"
 #include "analysis/comparison.h"
 #include "cli/bench/bench_room.h"
+#include "cli/bench/painted_row.h"
 #include "cli/bench/view_modes.h"
 #include "scene/scene_gpu.h"
 #include "scene/scene_picker.h"
@@ -46,6 +47,7 @@ private:
     std::unique_ptr<SceneGpu> m_gpu;
     std::unique_ptr<ScenePicker> m_picker;
     std::vector<Hit> m_hits;
+    MetalCoat m_metal;
     SceneGpu::View m_view;
     const ViewMode* m_mode = nullptr;
 };

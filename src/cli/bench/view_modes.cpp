@@ -41,6 +41,8 @@ constexpr std::array kModes{
     ViewMode{"paper-normals", "the paper's normals", [](Options& o) { o.normals = NormalMode::Paper; }},
     ViewMode{"needles", "normals as needles", [](Options& o) { o.needles = true; }},
     ViewMode{"shadows", "soft shadows", [](Options& o) { o.shadows = true; }},
+    ViewMode{"vertex-colours", "colours of vertices", [](Options& o) { o.vertexColours = true; }},
+    ViewMode{.key = "metal", .name = "metalness and roughness", .extra = Extra::Metal},
     // A colour map of each way in which values come to the shader.
     ViewMode{"map-displacement", "map of displacement", colour<ChangeQuantity::Displacement>},
     ViewMode{"map-rotation", "map of normal rotation", colour<ChangeQuantity::NormalRotation>},

@@ -16,6 +16,7 @@ struct ViewMode {
     enum class Extra : std::uint8_t {
         None,
         Comparison,  ///< a second pipeline
+        Metal,       ///< all targets' material has metalness and roughness
         Selection,   ///< all changed vertices selected, one picked, one hovered
         Preview,     ///< the dent that a shot would make
         Picking,     ///< each frame asks what is under the cursor
