@@ -28,6 +28,7 @@ private Q_SLOTS:
     void isWholeWheneverItIsKilled_data();
     void isWholeWheneverItIsKilled();
     void keepsNormalMaps();
+    void keepsMetalnessAndRoughness();
     void overwritesNothingElse();
     void leavesTexturesOfTheOwnFolderAlone();
     void writesEmbeddedPictures();
@@ -218,6 +219,21 @@ void ExportFilesTest::keepsNormalMaps() {
         QCOMPARE(after.strength, before.strength);
         QCOMPARE(after.image, before.image);
     }
+}
+
+void ExportFilesTest::keepsMetalnessAndRoughness() {
+    MeshData mesh =
+        parseObj("v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nusemtl b\nf 3 2 1\n").value().mesh;
+    mesh.images = {Image{1, 1, {1, 2, 3, 255}}};
+    mesh.materials[0].metalRoughness = {0.25f, 0.75f, {}, 0};
+    QVERIFY(exportObj(exportOf(mesh, mesh.positions), in("target/a.obj")).ok());
+    const MeshData again = read(in("target/a.obj")).mesh;
+    const MetalRoughness& metal = again.materials[0].metalRoughness;
+    QCOMPARE(metal.metalness, 0.25f);
+    QCOMPARE(metal.roughness, 0.75f);
+    QCOMPARE(metal.image, 0);
+    QCOMPARE(again.images.at(0).pixels, mesh.images[0].pixels);
+    QVERIFY(!again.materials[1].metalRoughness.isGiven());
 }
 
 void ExportFilesTest::overwritesNothingElse() {
