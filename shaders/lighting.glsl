@@ -7,6 +7,7 @@
 // HITSCOPE_POINTS_ALIKE  defined: these differ in place and colour only
 // HITSCOPE_SPOT          defined: the spotlight is on; 1: at the eye, 2: at a place of its own
 // HITSCOPE_MATTE         defined: the surface has no specular colour, so none is worked out
+// HITSCOPE_METAL_ROUGHNESS  defined: metalness and roughness take the place of the specular terms
 //
 // A light has one colour and three strengths rather than three colours, and lights that are off are not in the
 // program: a software renderer fetches each number of a uniform for each pixel on its own, and that costs it more
@@ -19,7 +20,11 @@ struct Surface {
     vec3 normal;  // unit, towards the eye
     vec3 diffuse;
     vec3 specular;
+#ifdef HITSCOPE_METAL_ROUGHNESS
+    float roughness;
+#else
     float shininess;
+#endif
     float sunlit;  // [0, 1]: how much of the directional light is not in shadow
 };
 
@@ -60,7 +65,14 @@ uniform vec3 u_spotStrengths;
 struct Arrived {
     vec3 diffuse;
     vec3 specular;
+#ifdef HITSCOPE_METAL_ROUGHNESS
+    vec3 around;  // from everywhere
+#endif
 };
+
+#ifdef HITSCOPE_METAL_ROUGHNESS
+#include "metal_roughness.glsl"
+#endif
 
 // Equations 7-11. toLight: a unit vector; share: [0, 1], of the diffuse and specular terms. mirrored: the way to the
 // eye, reflected by the surface: dot(toEye, reflect(-toLight, n)) of equation 9 is the same number as
@@ -70,7 +82,9 @@ void addLight(inout Arrived arrived, vec3 colour, vec3 strengths, Surface s, vec
 {
     float diff = max(dot(s.normal, toLight), 0.0);
     arrived.diffuse += colour * (strengths.x + strengths.y * share * diff);
-#ifndef HITSCOPE_MATTE
+#ifdef HITSCOPE_METAL_ROUGHNESS
+    addReflected(arrived, colour, strengths, s, toLight, share * diff);
+#elif !defined(HITSCOPE_MATTE)
     float spec = diff > 0.0 ? pow(max(dot(toLight, mirrored), 1.0e-6), s.shininess) : 0.0;
     arrived.specular += colour * (strengths.z * share * spec);
 #endif
@@ -83,7 +97,12 @@ vec3 phong(Surface s)
     vec3 toEye = -s.position * perEye;
     vec3 mirrored = reflect(-toEye, s.normal);
 
-    Arrived arrived = Arrived(vec3(0.0), vec3(0.0));
+    Arrived arrived;
+    arrived.diffuse = vec3(0.0);
+    arrived.specular = vec3(0.0);
+#ifdef HITSCOPE_METAL_ROUGHNESS
+    arrived.around = vec3(0.0);
+#endif
 #ifdef HITSCOPE_DIRECTIONAL
     addLight(arrived, u_directionalColour, u_directionalStrengths, s, mirrored, u_directionalDirection, s.sunlit);
 #endif
@@ -112,7 +131,9 @@ vec3 phong(Surface s)
     vec3 spotColour = u_spotColour * attenuation(u_spotAttenuation, spotSquared * perSpot);
     addLight(arrived, spotColour, u_spotStrengths, s, mirrored, toSpot, share);
 #endif
-#ifdef HITSCOPE_MATTE
+#ifdef HITSCOPE_METAL_ROUGHNESS
+    return arrived.diffuse * s.diffuse + arrived.specular * s.specular + surroundings(arrived.around, s, mirrored);
+#elif defined(HITSCOPE_MATTE)
     return arrived.diffuse * s.diffuse;
 #else
     return arrived.diffuse * s.diffuse + arrived.specular * s.specular;

@@ -3,7 +3,10 @@
 // HITSCOPE_TEXTURED      defined: the diffuse colour comes from a texture too, and where that is transparent there is
 //                        no surface. A program of its own, because a shader that may discard is run on hidden pixels.
 // HITSCOPE_NORMAL_MAP    defined: a tangent-space normal map turns the normal
-// HITSCOPE_TEXCOORDS     defined where one of these two is
+// HITSCOPE_METAL_ROUGHNESS      defined: metalness and roughness say how the surface reflects (metal_roughness.glsl)
+// HITSCOPE_METAL_ROUGHNESS_MAP  defined: a texture scales them
+// HITSCOPE_TEXCOORDS     defined where one of these textures is
+// HITSCOPE_COLOURS       defined: vertices have colours, which the diffuse colour is multiplied by
 // HITSCOPE_TRANSLUCENT   defined: there is an opacity
 // HITSCOPE_FLAT          defined: one normal a triangle
 // HITSCOPE_BACK_FACES    defined: they are tinted
@@ -26,6 +29,9 @@ in vec3 v_normal;
 #ifdef HITSCOPE_TEXCOORDS
 in vec2 v_texcoord;
 #endif
+#ifdef HITSCOPE_COLOURS
+in vec3 v_colour;  // linear
+#endif
 #ifdef HITSCOPE_SHADOWS
 in vec3 v_shadow;
 #endif
@@ -34,13 +40,21 @@ in vec3 v_shadow;
 #endif
 
 uniform vec3 u_diffuse;
+#ifndef HITSCOPE_METAL_ROUGHNESS
 uniform vec3 u_specular;
 uniform float u_shininess;
+#endif
 #ifdef HITSCOPE_TRANSLUCENT
 uniform float u_opacity;
 #endif
 #ifdef HITSCOPE_TEXTURED
 uniform sampler2D u_texture;
+#endif
+#ifdef HITSCOPE_METAL_ROUGHNESS
+uniform vec2 u_metalRoughness;
+#endif
+#ifdef HITSCOPE_METAL_ROUGHNESS_MAP
+uniform sampler2D u_metalRoughnessMap;  // green: roughness, blue: metalness
 #endif
 #ifdef HITSCOPE_MARKS
 uniform vec4 u_rim;   // linear colour and strength of the selected target's rim
@@ -136,6 +150,9 @@ void main()
     }
     albedo *= texel.rgb;
 #endif
+#ifdef HITSCOPE_COLOURS
+    albedo *= v_colour;
+#endif
 #ifdef HITSCOPE_BACK_FACES
     albedo = gl_FrontFacing ? albedo : mix(albedo, kBackFace, 0.8);
 #elif defined(HITSCOPE_CUT)
@@ -147,9 +164,17 @@ void main()
 #ifdef HITSCOPE_NORMAL_MAP
     surface.normal = mappedNormal(surface.normal);
 #endif
+#ifdef HITSCOPE_METAL_ROUGHNESS
+    vec2 metalRoughness = u_metalRoughness;
+#ifdef HITSCOPE_METAL_ROUGHNESS_MAP
+    metalRoughness *= texture(u_metalRoughnessMap, vec2(v_texcoord.x, 1.0 - v_texcoord.y)).bg;
+#endif
+    setMetalRoughness(surface, albedo, metalRoughness);
+#else
     surface.diffuse = albedo;
     surface.specular = u_specular;
     surface.shininess = u_shininess;
+#endif
     surface.sunlit = 1.0;
 #ifdef HITSCOPE_SHADOWS
     surface.sunlit = sunlitShare(v_shadow);

@@ -3,6 +3,7 @@
 // Targets (paper, equations 5 and 6; model matrices are rigid, so their own rotation turns normals).
 //
 // HITSCOPE_PAPER_NORMALS   defined: they shade; else the true normals do
+// HITSCOPE_COLOURS         defined: vertices have colours of their own
 
 #include "hits.glsl"
 #include "change.glsl"
@@ -12,6 +13,9 @@ layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
 layout(location = 2) in vec2 a_texcoord;
 layout(location = 3) in vec3 a_shadingNormal;
+#ifdef HITSCOPE_COLOURS
+layout(location = 8) in vec3 a_colour;  // linear
+#endif
 
 uniform mat4 u_model;
 uniform mat4 u_viewProjection;
@@ -25,6 +29,9 @@ out vec3 v_position;  // from the eye
 out vec3 v_normal;
 #ifdef HITSCOPE_TEXCOORDS
 out vec2 v_texcoord;
+#endif
+#ifdef HITSCOPE_COLOURS
+out vec3 v_colour;
 #endif
 
 #ifdef HITSCOPE_SHADOWS
@@ -53,6 +60,9 @@ void main()
 #endif
 #ifdef HITSCOPE_TEXCOORDS
     v_texcoord = a_texcoord;
+#endif
+#ifdef HITSCOPE_COLOURS
+    v_colour = a_colour;
 #endif
 #ifdef HITSCOPE_SHADOWS
     // From a little above the surface, or its own depths, a texel wide, would shadow it.

@@ -176,6 +176,7 @@ struct Fields<DisplayOptions> {
         visit.word("normals", display.normals, document_words::kNormals);
         visit.flag("floor", display.floor);
         visit.flag("textures", display.textures);
+        visit.flag("vertex_colours", display.vertexColours);
         visit.flag("crosshair", display.crosshair);
         visit.flag("side_by_side", display.sideBySide);
         visit.flag("flat", display.flat);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "pipeline/vertex_bytes.h"
+#include "pipeline/vertex_colours.h"
 
 namespace hitscope {
 namespace {
@@ -99,7 +100,7 @@ private:
 
 }  // namespace
 
-TargetBuffers::TargetBuffers(const RenderMesh& mesh)
+TargetBuffers::TargetBuffers(const RenderMesh& mesh, std::span<const glm::vec3> colours)
     : m_vertexCount(static_cast<std::uint32_t>(mesh.vertices.size())),
       m_drawnVertexCount(mesh.drawnVertices),
       m_triangleIndexCount(static_cast<std::uint32_t>(mesh.triangles.size())),
@@ -148,6 +149,22 @@ TargetBuffers::TargetBuffers(const RenderMesh& mesh)
     attachDynamic(m_original);
     attachOriginal(m_original);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_edges.id());
+
+    if (!colours.empty()) {
+        m_colours = makeBuffer(std::span<const LinearColour>(linearColours(colours, mesh.fileVertices)),
+                               GL_STATIC_DRAW);
+        attachColours();
+    }
+}
+
+void TargetBuffers::attachColours() {
+    const auto index = static_cast<GLuint>(Attribute::Colour);
+    for (const gl::VertexArray* array : {&m_surfaceArray, &m_originalSurfaceArray}) {
+        glBindVertexArray(array->id());
+        glBindBuffer(GL_ARRAY_BUFFER, m_colours.id());
+        glEnableVertexAttribArray(index);
+        glVertexAttribPointer(index, 3, GL_UNSIGNED_SHORT, GL_TRUE, sizeof(LinearColour), nullptr);
+    }
 }
 
 void TargetBuffers::needClusterNumbers() {

@@ -22,7 +22,8 @@ enum class Attribute : GLuint {
     OriginalPosition = 4,
     OriginalNormal = 5,
     ChangeValue = 6,
-    Cluster = 7
+    Cluster = 7,
+    Colour = 8
 };
 
 /// One target's buffers on the GPU. The dynamic buffer (DynamicVertex, position and normal) is the pipeline's
@@ -30,7 +31,8 @@ enum class Attribute : GLuint {
 /// destructor.
 class TargetBuffers {
 public:
-    explicit TargetBuffers(const RenderMesh& mesh);
+    /// colours: MeshData::colours; they go where surfaces are drawn from (Attribute::Colour), linear.
+    explicit TargetBuffers(const RenderMesh& mesh, std::span<const glm::vec3> colours = {});
 
     /// All attributes and the triangles' index buffer: for glDrawElements(GL_TRIANGLES) over mesh.draws.
     [[nodiscard]] GLuint surfaceArray() const { return m_surfaceArray.id(); }
@@ -54,6 +56,8 @@ public:
     [[nodiscard]] std::uint32_t vertexCount() const { return m_vertexCount; }
     /// The first of them; no face uses the others.
     [[nodiscard]] std::uint32_t drawnVertexCount() const { return m_drawnVertexCount; }
+    /// Whether the surface arrays have Attribute::Colour.
+    [[nodiscard]] bool hasColours() const { return static_cast<bool>(m_colours); }
     [[nodiscard]] std::uint32_t triangleIndexCount() const { return m_triangleIndexCount; }
     [[nodiscard]] std::uint32_t edgeIndexCount() const { return m_edgeIndexCount; }
     [[nodiscard]] std::span<const DrawRange> draws() const { return m_draws; }
@@ -79,6 +83,8 @@ public:
     void clearChangeValues();  ///< all 0 again
 
 private:
+    void attachColours();
+
     std::uint32_t m_vertexCount = 0;
     std::uint32_t m_drawnVertexCount = 0;
     std::uint32_t m_triangleIndexCount = 0;
@@ -91,6 +97,7 @@ private:
     gl::Buffer m_dynamic;
     gl::Buffer m_original;
     gl::Buffer m_texcoords;
+    gl::Buffer m_colours;  ///< without name where the mesh has none
     gl::Buffer m_shadingNormals;
     gl::Buffer m_changeValues;    ///< made when first written
     gl::Buffer m_clusterNumbers;  ///< made when first needed

@@ -116,7 +116,7 @@ gl::Texture upload(const Image& original, GLint format) {
 
 MaterialSet::MaterialSet(const MeshData& mesh) : m_materials(mesh.materials) {
     m_textures.resize(mesh.images.size());
-    m_normalMaps.resize(mesh.images.size());
+    m_plainTextures.resize(mesh.images.size());
     const PlainUnpacking plain;
     const auto take = [&mesh](int& index, std::vector<gl::Texture>& textures, GLint format) {
         const auto image = static_cast<std::size_t>(std::max(index, 0));
@@ -128,7 +128,8 @@ MaterialSet::MaterialSet(const MeshData& mesh) : m_materials(mesh.materials) {
     };
     for (Material& material : m_materials) {
         take(material.diffuseImage, m_textures, GL_SRGB8_ALPHA8);
-        take(material.normalMap.image, m_normalMaps, GL_RGBA8);
+        take(material.normalMap.image, m_plainTextures, GL_RGBA8);
+        take(material.metalRoughness.image, m_plainTextures, GL_RGBA8);
     }
 }
 
@@ -165,9 +166,25 @@ bool MaterialSet::hasNormalMap(std::uint32_t material) const {
     return at(material).normalMap.image >= 0;
 }
 
-void MaterialSet::apply(const gl::Program& program, std::uint32_t material) const {
+bool MaterialSet::hasMetalRoughness(std::uint32_t material) const {
+    return at(material).metalRoughness.isGiven();
+}
+
+bool MaterialSet::hasMetalRoughnessMap(std::uint32_t material) const {
+    return hasMetalRoughness(material) && at(material).metalRoughness.image >= 0;
+}
+
+void MaterialSet::bindPlain(int unit, int image) const {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindSampler(static_cast<GLuint>(unit), 0);
+    glBindTexture(GL_TEXTURE_2D, m_plainTextures[static_cast<std::size_t>(image)].id());
+    glActiveTexture(GL_TEXTURE0);
+}
+
+void MaterialSet::apply(const gl::Program& program, std::uint32_t material, bool coloured) const {
     const Material& surface = at(material);
-    program.set("u_diffuse", surface.diffuse);
+    const bool isDefault = !m_covers && material >= m_materials.size();
+    program.set("u_diffuse", coloured && isDefault ? glm::vec3(1.0f) : surface.diffuse);
     program.set("u_specular", surface.specular);
     // pow(x, 0) is one everywhere: a file's exponent of zero would make the whole lit side shine.
     program.set("u_shininess", std::isfinite(surface.shininess) ? std::max(surface.shininess, 1.0f) : 32.0f);
@@ -179,10 +196,14 @@ void MaterialSet::apply(const gl::Program& program, std::uint32_t material) cons
     if (const NormalMap& map = surface.normalMap; map.image >= 0) {
         program.set("u_normalMap", kNormalMapUnit);
         program.set("u_normalStrength", map.strength);
-        glActiveTexture(GL_TEXTURE0 + kNormalMapUnit);
-        glBindSampler(kNormalMapUnit, 0);
-        glBindTexture(GL_TEXTURE_2D, m_normalMaps[static_cast<std::size_t>(map.image)].id());
-        glActiveTexture(GL_TEXTURE0);
+        bindPlain(kNormalMapUnit, map.image);
+    }
+    if (const MetalRoughness& metal = surface.metalRoughness; metal.isGiven()) {
+        program.set("u_metalRoughness", glm::vec2(metal.metalness, metal.roughness));
+        if (metal.image >= 0) {
+            program.set("u_metalRoughnessMap", kMetalRoughnessUnit);
+            bindPlain(kMetalRoughnessUnit, metal.image);
+        }
     }
 }
 

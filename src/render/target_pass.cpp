@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <glm/gtc/constants.hpp>
 #include <optional>
 #include <span>
@@ -49,20 +50,29 @@ bool hasMarks(const Frame& frame) {
                        [](const DrawItem& item) { return item.selected; });
 }
 
+/// What a program has to have. What has least is drawn first.
 struct Parts {
     bool translucent = false;
     bool textured = false;
     bool normalMapped = false;
+    bool metalRough = false;
+    bool metalRoughMapped = false;
+    bool coloured = false;
 
-    bool operator==(const Parts&) const = default;
+    auto operator<=>(const Parts&) const = default;
 };
 
-/// What a program for this material has to have.
-Parts partsOf(const Frame& frame, const MaterialSet& materials, std::uint32_t material) {
-    const bool pictures = !frame.change && frame.options.textures;
+Parts partsOf(const Frame& frame, const DrawItem& item, std::uint32_t material) {
+    const MaterialSet& materials = materialsOf(item);
+    const bool shaded = !frame.change;
+    const bool pictures = shaded && frame.options.textures;
     return {.translucent = materials.isTranslucent(material),
             .textured = pictures && materials.isTextured(material),
-            .normalMapped = pictures && !frame.options.flat && materials.hasNormalMap(material)};
+            .normalMapped = pictures && !frame.options.flat && materials.hasNormalMap(material),
+            .metalRough = shaded && materials.hasMetalRoughness(material),
+            .metalRoughMapped = pictures && materials.hasMetalRoughnessMap(material),
+            .coloured = shaded && frame.options.vertexColours && item.buffers->hasColours() &&
+                        !(pictures && materials.isCover())};
 }
 
 /// A program has what a frame needs and no more: see lighting.glsl.
@@ -81,9 +91,12 @@ gl::Defines surfaceDefines(const FrameContext& context, const DeformationPipelin
         defines.insert(defines.end(), shadows.begin(), shadows.end());
     }
     const std::pair<const char*, bool> parted[] = {
-        {"HITSCOPE_TEXCOORDS", parts.textured || parts.normalMapped},
+        {"HITSCOPE_TEXCOORDS", parts.textured || parts.normalMapped || parts.metalRoughMapped},
         {"HITSCOPE_TEXTURED", parts.textured},
         {"HITSCOPE_NORMAL_MAP", parts.normalMapped},
+        {"HITSCOPE_METAL_ROUGHNESS", parts.metalRough},
+        {"HITSCOPE_METAL_ROUGHNESS_MAP", parts.metalRoughMapped},
+        {"HITSCOPE_COLOURS", parts.coloured},
         {"HITSCOPE_TRANSLUCENT", parts.translucent},
         {"HITSCOPE_FLAT", frame.options.flat},
         {"HITSCOPE_BACK_FACES", frame.options.backFaces && !frame.change},
@@ -138,23 +151,27 @@ void prepareSurface(const gl::Program& program, const FrameContext& context, Def
 struct Draw {
     const DrawItem* item;
     DrawRange range;
-    std::array<std::uint32_t, kMostRounds> parts{};  ///< the order in which they are drawn
+    Parts parts;
+    std::array<std::uint32_t, kMostRounds> order{};  ///< in which its parts are drawn
 };
 
+/// Those for one program are neighbours.
 std::vector<Draw> drawsOf(const FrameContext& context, const DeformationPipeline& pipeline,
-                          const Parts& parts) {
+                          bool translucent) {
     std::vector<Draw> draws;
     for (const DrawItem& item : context.frame.targets) {
         if (!context.mayShow(item, pipeline)) {
             continue;
         }
-        const MaterialSet& materials = materialsOf(item);
         for (const DrawRange& range : item.buffers->draws()) {
-            if (range.count > 0 && partsOf(context.frame, materials, range.material) == parts) {
-                draws.push_back({&item, range, {}});
+            const Parts parts = partsOf(context.frame, item, range.material);
+            if (range.count > 0 && parts.translucent == translucent) {
+                draws.push_back({&item, range, parts});
             }
         }
     }
+    std::stable_sort(draws.begin(), draws.end(),
+                     [](const Draw& a, const Draw& b) { return a.parts < b.parts; });
     return draws;
 }
 
@@ -183,17 +200,15 @@ void sortParts(Draw& draw, std::uint32_t rounds, const glm::vec3& forward) {
         const std::size_t middle = clusters.size() * (2 * std::size_t{part} + 1) / (2 * std::size_t{rounds});
         const glm::vec4 centre(clusters[middle].bounds.centre(), 1.0f);
         depths[part] = glm::dot(glm::vec3(draw.item->model * centre), forward);
-        draw.parts[part] = part;
+        draw.order[part] = part;
     }
-    std::stable_sort(draw.parts.begin(), draw.parts.begin() + rounds,
+    std::stable_sort(draw.order.begin(), draw.order.begin() + rounds,
                      [&depths](std::uint32_t a, std::uint32_t b) { return depths[a] < depths[b]; });
 }
 
-Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, const Parts& parts) {
-    std::vector<Draw> draws = drawsOf(context, pipeline, parts);
-    if (draws.empty()) {
-        return Done{};
-    }
+/// draws: one at least, all for one program.
+Status drawWithOneProgram(const FrameContext& context, DeformationPipeline& pipeline, std::span<Draw> draws) {
+    const Parts& parts = draws.front().parts;
     const auto found =
         context.programs.get("surface.vert", "surface.frag", surfaceDefines(context, pipeline, parts));
     if (!found) {
@@ -210,7 +225,7 @@ Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, con
     for (std::uint32_t round = 0; round < rounds; ++round) {
         const DrawItem* prepared = nullptr;
         for (const Draw& draw : draws) {
-            const DrawRange part = partOf(draw.range, draw.parts[round], rounds);
+            const DrawRange part = partOf(draw.range, draw.order[round], rounds);
             if (part.count == 0) {
                 continue;
             }
@@ -218,7 +233,7 @@ Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, con
                 prepareSurface(program, context, pipeline, *draw.item);
                 prepared = draw.item;
             }
-            materialsOf(*draw.item).apply(program, part.material);
+            materialsOf(*draw.item).apply(program, part.material, parts.coloured);
             glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(part.count), GL_UNSIGNED_INT,
                            indexOffset(part.first));
         }
@@ -230,13 +245,14 @@ Status drawParts(const FrameContext& context, DeformationPipeline& pipeline, con
 }
 
 Status drawAllParts(const FrameContext& context, DeformationPipeline& pipeline, bool translucent) {
-    for (const bool textured : {false, true}) {
-        for (const bool normalMapped : {false, true}) {
-            if (Status status = drawParts(context, pipeline, {translucent, textured, normalMapped});
-                !status) {
-                return status;
-            }
+    std::vector<Draw> draws = drawsOf(context, pipeline, translucent);
+    for (auto first = draws.begin(); first != draws.end();) {
+        const auto last = std::find_if(
+            first, draws.end(), [parts = first->parts](const Draw& draw) { return draw.parts != parts; });
+        if (Status status = drawWithOneProgram(context, pipeline, std::span(first, last)); !status) {
+            return status;
         }
+        first = last;
     }
     return Done{};
 }

@@ -32,7 +32,8 @@ Reapplication::Reapplication(Session& session, std::unique_ptr<DeformationPipeli
                  QCoreApplication::translate("hitscope::Reapplication", "Applying all hits again"),
                  std::move(cancel), cancelHelp) {
     for (const std::unique_ptr<Target>& target : session.targets()) {
-        auto buffers = std::make_unique<TargetBuffers>(target->deformed.render());
+        auto buffers =
+            std::make_unique<TargetBuffers>(target->deformed.render(), target->deformed.original().colours);
         m_pipeline->addTarget(target->id, *buffers);
         m_buffers.emplace(target->id, std::move(buffers));
     }

@@ -140,7 +140,8 @@ void SceneGpu::Private::followTargets() {
                 .try_emplace(target->id,
                              GpuTarget{nullptr, nullptr, ChangedParts(target->deformed.sharedRender())})
                 .first->second;
-        made.buffers = std::make_unique<TargetBuffers>(target->deformed.render());
+        made.buffers =
+            std::make_unique<TargetBuffers>(target->deformed.render(), target->deformed.original().colours);
         made.buffers->writeShadingNormals(0, target->trueNormals.normals());
         followMaterials(*target, made);
         if (pipeline) {

@@ -22,6 +22,7 @@ struct DisplayOptions {
     Theme theme = Theme::Dark;
     bool floor = true;
     bool textures = true;
+    bool vertexColours = true;  ///< of meshes that have some
     bool crosshair = false;
     ChangeMapOptions change = {};
     BeforeAfterOptions beforeAfter = {};

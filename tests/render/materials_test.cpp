@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kWidth = 320;
 constexpr int kHeight = 240;
+constexpr int kSide = 120;  // pixels of a picture of a ball
 
 /// In the middle of the picture, where the target is.
 const QRect kMiddle(kWidth / 2 - 20, kHeight / 2 - 20, 40, 40);
@@ -34,8 +35,15 @@ private Q_SLOTS:
     void cleanupTestCase();
     void texturesAreShownTheRightWayUp();
     void translucentMaterialsLetThrough();
+    void metalsLookAsTheyDid_data();
+    void metalsLookAsTheyDid();
+    void metalsAreNeverBlack();
+    void roughnessSpreadsHighlights();
+    void mapsScaleMetalnessAndRoughness();
 
 private:
+    /// A ball whose material has this colour, in the lights of m_frame.
+    [[nodiscard]] QImage ball(const glm::vec3& base, const MetalRoughness& metal, const Image& map = {});
     [[nodiscard]] QImage draw(const Frame& frame) { return picture(*m_renderer, frame, *m_pipeline); }
     void use(PipelineKind kind) { m_pipeline = m_scene->pipeline(kind, {}); }
 
@@ -100,6 +108,102 @@ void MaterialsTest::texturesAreShownTheRightWayUp() {
     QVERIFY(isMostly(at(-43, 43).blue(), at(-43, 43).red(), at(-43, 43).green()));
     m_frame.options.textures = false;
     QVERIFY(differing(shown, draw(m_frame), 20) > 5000);
+}
+
+QImage MaterialsTest::ball(const glm::vec3& base, const MetalRoughness& metal, const Image& map) {
+    MeshData mesh = makeUvSphere(48, 32, 2.5f);
+    mesh.materials.resize(1);
+    mesh.materials[0].diffuse = base;
+    mesh.materials[0].specular = glm::vec3(1);
+    mesh.materials[0].metalRoughness = metal;
+    mesh.faceMaterials.assign(mesh.faceCount(), 0);
+    if (map.width > 0) {
+        mesh.images = {map};
+        mesh.materials[0].metalRoughness.image = 0;
+    }
+    m_scene = std::make_unique<TestScene>();
+    m_scene->add(*m_renderer, mesh, glm::vec3(0));
+    use(PipelineKind::TransformFeedback);
+    Frame frame = frameOf(*m_scene, kSide, kSide);
+    frame.lights = m_frame.lights;
+    frame.camera.zoom(0.75f);
+    return draw(frame);
+}
+
+void MaterialsTest::metalsLookAsTheyDid_data() {
+    QTest::addColumn<float>("metalness");
+    QTest::addColumn<float>("roughness");
+    QTest::newRow("gold-smooth") << 1.0f << 0.2f;
+    QTest::newRow("gold-rough") << 1.0f << 0.7f;
+    QTest::newRow("gold-paint") << 0.0f << 0.3f;
+}
+
+void MaterialsTest::metalsLookAsTheyDid() {
+    QFETCH(float, metalness);
+    QFETCH(float, roughness);
+    HITSCOPE_NEEDS_SAMPLES();
+    const QImage shown = ball({1.0f, 0.77f, 0.34f}, {metalness, roughness, {}, -1});
+    const QString difference = differenceFromBaseline(shown, QString::fromLatin1(QTest::currentDataTag()));
+    QVERIFY2(difference.isEmpty(), qPrintable(difference));
+}
+
+void MaterialsTest::metalsAreNeverBlack() {
+    // One light from the left: the right side has what is around, coloured by the metal.
+    m_frame.lights = {};
+    for (PointLight& light : m_frame.lights.points) {
+        light.on = false;
+    }
+    m_frame.lights.spot.on = false;
+    m_frame.lights.directional.direction = glm::vec3(1, 0, 0);
+    for (const float roughness : {0.0f, 0.5f, 1.0f}) {
+        const QImage gold = ball({1.0f, 0.5f, 0.1f}, {1.0f, roughness, {}, -1});
+        const QColor dark = gold.pixelColor(kSide / 2 + kSide / 6, kSide / 2);
+        QVERIFY2(dark.red() > 60 && dark.red() > dark.green() + 20 && dark.green() > dark.blue() + 20,
+                 qPrintable(dark.name()));
+    }
+    // Paint of that colour is there as dark as any other.
+    const QColor paint =
+        ball({1.0f, 0.5f, 0.1f}, {0.0f, 1.0f, {}, -1}).pixelColor(kSide / 2 + kSide / 6, kSide / 2);
+    QVERIFY2(paint.red() < 90, qPrintable(paint.name()));
+    // Without light there is nothing to reflect.
+    m_frame.lights.directional.on = false;
+    QVERIFY(ball(glm::vec3(1), {1.0f, 0.3f, {}, -1}).pixelColor(kSide / 2, kSide / 2).lightness() == 0);
+}
+
+void MaterialsTest::roughnessSpreadsHighlights() {
+    const auto bright = [this](float metalness, float roughness) {
+        const QImage shown = ball(glm::vec3(0.25f), {metalness, roughness, {}, -1});
+        int count = 0;
+        for (int y = 0; y < kSide; ++y) {
+            for (int x = 0; x < kSide; ++x) {
+                count += qGreen(shown.pixel(x, y)) > 215 ? 1 : 0;
+            }
+        }
+        return count;
+    };
+    const int smooth = bright(1.0f, 0.1f);
+    const int half = bright(1.0f, 0.3f);
+    QVERIFY2(smooth > 0 && half > 2 * smooth, qPrintable(QStringLiteral("%1, %2").arg(smooth).arg(half)));
+    QCOMPARE(bright(1.0f, 1.0f), 0);
+    QVERIFY(bright(0.0f, 0.1f) > 0);
+}
+
+void MaterialsTest::mapsScaleMetalnessAndRoughness() {
+    // Green is roughness and blue metalness, as numbers and not as colours.
+    const auto texel = [](int red, int green, int blue) {
+        return Image{1,
+                     1,
+                     {static_cast<std::uint8_t>(red), static_cast<std::uint8_t>(green),
+                      static_cast<std::uint8_t>(blue), 255}};
+    };
+    const glm::vec3 base(0.8f, 0.4f, 0.2f);
+    const QImage mapped = ball(base, {1.0f, 0.5f, {}, -1}, texel(7, 204, 51));
+    const QImage same = ball(base, {0.2f, 0.4f, {}, -1});
+    QVERIFY(differing(mapped, same, 2) < 20);
+    QVERIFY(differing(mapped, ball(base, {0.8f, 0.1f, {}, -1}), 5) > 500);
+    QVERIFY(differing(mapped, ball(base, {1.0f, 0.5f, {}, -1}), 5) > 500);
+    // A map of a material that is not described so is nothing.
+    QCOMPARE(differing(ball(base, {0.0f, -1.0f, {}, -1}, texel(7, 204, 51)), ball(base, {})), 0);
 }
 
 void MaterialsTest::translucentMaterialsLetThrough() {

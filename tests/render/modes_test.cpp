@@ -111,12 +111,15 @@ private:
 
     /// What a frame with these options shows.
     TestScene& sceneOf(const DisplayOptions& options) const {
-        return options.backFaces ? *m_bowl : isTextured() ? *m_textured : *m_scene;
+        return options.backFaces  ? *m_bowl
+               : isOf("textured") ? *m_textured
+               : isOf("coloured") ? *m_coloured
+                                  : *m_scene;
     }
     [[nodiscard]] const std::vector<Hit>& hitsOf(const DisplayOptions& options) const {
-        return options.normals == NormalMode::True || isTextured() ? m_deepHits : m_hits;
+        return options.normals == NormalMode::True || isOf("textured") ? m_deepHits : m_hits;
     }
-    static bool isTextured() { return QByteArray(QTest::currentDataTag()).startsWith("textured"); }
+    static bool isOf(const char* kind) { return QByteArray(QTest::currentDataTag()).startsWith(kind); }
     /// Triangles that the pictures with and without needles differ by; 0 where the renderer counts none.
     int needleTriangles(Frame frame);
 
@@ -125,6 +128,7 @@ private:
     std::unique_ptr<TestScene> m_scene;
     std::unique_ptr<TestScene> m_bowl;  ///< open at the top
     std::unique_ptr<TestScene> m_textured;
+    std::unique_ptr<TestScene> m_coloured;
     std::vector<Hit> m_hits = dents({1}, 12);
     std::vector<Hit> m_deepHits = deepDents();  ///< for what normals show
 };
@@ -141,6 +145,8 @@ void ModesTest::initTestCase() {
     m_textured = std::make_unique<TestScene>();
     m_textured->add(*m_renderer, withTexture(makeUvSphere(24, 16, 2.5f)), place);
     m_textured->showTrueNormals(m_deepHits);
+    m_coloured = std::make_unique<TestScene>();
+    m_coloured->add(*m_renderer, withColours(makeUvSphere(24, 16, 2.5f)), place);
     m_bowl = std::make_unique<TestScene>();
     m_bowl->add(*m_renderer, withoutTop(makeUvSphere(24, 16, 2.5f), 1.0f), place);
 }
@@ -151,6 +157,7 @@ void ModesTest::cleanup() {
 
 void ModesTest::cleanupTestCase() {
     m_textured.reset();
+    m_coloured.reset();
     m_bowl.reset();
     m_scene.reset();
     m_renderer.reset();
@@ -172,6 +179,7 @@ void ModesTest::looksAsItDid_data() {
     });
     row("textured", [](DisplayOptions&) {});
     row("textured-true-normals", [](DisplayOptions& o) { o.normals = NormalMode::True; });
+    row("coloured", [](DisplayOptions&) {});
     row("plain-light", [](DisplayOptions& o) { o.theme = Theme::Light; });
     row("over", [](DisplayOptions& o) { o.wireframe = WireframeMode::Over; });
     row("only", [](DisplayOptions& o) { o.wireframe = WireframeMode::Only; });
@@ -225,7 +233,8 @@ void ModesTest::looksAsItDid() {
     QVERIFY2(difference.isEmpty(), qPrintable(difference));
     if (name != QStringLiteral("plain")) {
         Frame plain = frame(options);
-        plain.options = DisplayOptions{.normals = NormalMode::Paper, .textures = false};
+        plain.options =
+            DisplayOptions{.normals = NormalMode::Paper, .textures = false, .vertexColours = false};
         plain.change = std::nullopt;
         QVERIFY(differing(shown, picture(*m_renderer, plain, *pipeline), kDifferentLevels) > 200);
     }

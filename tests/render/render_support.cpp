@@ -17,7 +17,7 @@ TargetId TestScene::add(Renderer& renderer, const MeshData& mesh, const glm::vec
     auto entry = std::make_unique<Entry>();
     entry->original = mesh;
     entry->mesh = buildRenderMesh(mesh);
-    entry->buffers = std::make_unique<TargetBuffers>(entry->mesh);
+    entry->buffers = std::make_unique<TargetBuffers>(entry->mesh, mesh.colours);
     entry->materials = renderer.makeMaterials(mesh);
     const TargetId id{static_cast<std::uint32_t>(m_entries.size() + 1)};
     m_items.push_back(
@@ -91,6 +91,13 @@ Frame frameOf(const TestScene& scene, int width, int height) {
     frame.floorHeight = scene.bounds().min.y;
     frame.targets = scene.items();
     return frame;
+}
+
+MeshData withColours(MeshData mesh) {
+    for (const glm::vec3& position : mesh.positions) {
+        mesh.colours.push_back(0.5f + 0.5f * glm::normalize(position));
+    }
+    return mesh;
 }
 
 std::vector<Hit> dents(TargetId target, std::size_t count) {

@@ -51,6 +51,8 @@ void addSphere(TestScene& scene, Renderer& renderer);
 void addPaperScene(TestScene& scene, Renderer& renderer);
 /// A frame that has the whole scene in it.
 [[nodiscard]] Frame frameOf(const TestScene& scene, int width, int height);
+/// Each vertex has a colour by its direction from the middle.
+[[nodiscard]] MeshData withColours(MeshData mesh);
 /// Dents of the first target, which is a sphere of radius 2.5 m about its origin.
 [[nodiscard]] std::vector<Hit> dents(TargetId target, std::size_t count);
 

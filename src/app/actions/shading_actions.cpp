@@ -8,10 +8,13 @@
 namespace hitscope {
 
 std::span<const ShadingSwitch> shadingSwitches() {
-    static constexpr std::array<ShadingSwitch, 5> kSwitches{
+    static constexpr std::array<ShadingSwitch, 6> kSwitches{
         {{"shadows", QT_TRANSLATE_NOOP("hitscope::ShadingActions", "Soft &Shadows"),
           QT_TRANSLATE_NOOP("hitscope::ShadingActions", "Of the directional light; measurements are without"),
           "Shift+S", &DisplayOptions::shadows, true},
+         {"vertexColours", QT_TRANSLATE_NOOP("hitscope::ShadingActions", "Vertex &Colours"),
+          QT_TRANSLATE_NOOP("hitscope::ShadingActions", "Of meshes whose file has some"), "Shift+C",
+          &DisplayOptions::vertexColours, true},
          {"flat", QT_TRANSLATE_NOOP("hitscope::ShadingActions", "&Flat"),
           QT_TRANSLATE_NOOP("hitscope::ShadingActions", "One normal for each triangle, instead of smooth"),
           "Shift+L", &DisplayOptions::flat, false},
