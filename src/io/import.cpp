@@ -5,16 +5,15 @@
 #include <QEventLoop>
 #include <QFileInfo>
 #include <QProcess>
-#include <QThread>
 #include <QTimer>
-#include <atomic>
 #include <optional>
 
 #include "io/import_checks.h"
-#include "io/mesh_stream.h"
 #include "io/nameless_file.h"
+#include "io/take_over.h"
 #include "io/worker_failure.h"
 #include "io/worker_location.h"
+#include "io/worker_process.h"
 #include "io/worker_protocol.h"
 
 namespace hitscope {
@@ -22,10 +21,21 @@ namespace {
 
 constexpr double kWorkerShare = 0.9;  ///< of the progress; the rest is taking over its answer
 constexpr qsizetype kMaxNotes = 200;
-constexpr qint64 kMaxLine = 1 << 16;  ///< bytes; a longer line means the worker is not itself
+constexpr qint64 kMaxLine = 1 << 16;   ///< bytes; a longer line means the worker is not itself
+constexpr qint64 kMaxHeard = 4 << 20;  ///< bytes; no mesh gives as much to say
 
 Error cancelledError(const QString& path) {
     return {"Opening the file was cancelled.", path.toStdString(), {}};
+}
+
+/// Goes when it has finished, on the thread that lives longest: the end of a process that had much memory, or
+/// of a thread, takes a moment that nobody should wait for.
+template <class Running>
+Running* leaveToItself(std::unique_ptr<Running> running) {
+    Running* const left = running.release();
+    QObject::connect(left, &Running::finished, left, &QObject::deleteLater);
+    left->moveToThread(QCoreApplication::instance()->thread());
+    return left;
 }
 
 }  // namespace
@@ -33,17 +43,17 @@ Error cancelledError(const QString& path) {
 struct MeshImport::Private {
     MeshImport* q = nullptr;
     ImportLimits limits;
-    NamelessFile answer;
-    QProcess process;
+    std::shared_ptr<NamelessFile> answer = std::make_shared<NamelessFile>();
+    std::unique_ptr<QProcess> process = std::make_unique<QProcess>();
+    qint64 worker = 0;  ///< its process id
+    qint64 heard = 0;   ///< bytes it said
     QTimer clock;
     QStringList notes;
     std::optional<Error> told;  ///< what the worker said was wrong
     bool timedOut = false;
     bool started = false;
     bool done = false;
-    std::atomic_bool stop = false;
-    std::unique_ptr<QThread> taker;
-    std::optional<Result<MeshData>> taken;  ///< written by `taker`, read once it has finished
+    std::unique_ptr<TakeOver> taker;
 
     void fail(Error error);
     void begin();
@@ -51,7 +61,7 @@ struct MeshImport::Private {
     void workerEnded(int code, QProcess::ExitStatus status);
     void takeOver();
     void handOver();
-    void endWorker();
+    void stop();
 };
 
 /// Always later, from the event loop, so that a caller can connect after start().
@@ -70,41 +80,48 @@ void MeshImport::Private::begin() {
     if (const Status can = checkImportable(q->m_path); !can) {
         return fail(can.error());
     }
-    const QString worker = importWorkerPath();
-    if (worker.isEmpty()) {
+    const QString program = importWorkerPath();
+    if (program.isEmpty()) {
         return fail({"The program hitscope-import, which reads mesh files, is missing.", path.toStdString(),
                      "Install Hitscope again, or name it in HITSCOPE_IMPORT_WORKER."});
     }
-    if (!answer.isOpen()) {
-        return fail({"There is no place for temporary files: " + answer.whyNot().toStdString() + ".",
+    if (!answer->isOpen()) {
+        return fail({"There is no place for temporary files: " + answer->whyNot().toStdString() + ".",
                      QDir::tempPath().toStdString(), "Make room there, or set TMPDIR to another folder."});
     }
-    process.setStandardInputFile(QProcess::nullDevice());
-    process.setStandardErrorFile(QProcess::nullDevice());
-    process.start(
-        worker, {path, answer.path(), QString::number(limits.seconds), QString::number(limits.memoryBytes)});
+    startWorker(*process, program, path, limits, answer->descriptor());
+    worker = process->processId();
     clock.start(limits.seconds * 1000);
 }
 
+/// Of several steps that were told at once, the last is told on.
 void MeshImport::Private::readLines() {
-    while (process.canReadLine() && !done) {
-        const WorkerMessage message = parseWorkerLine(process.readLine(kMaxLine).trimmed());
+    std::optional<WorkerProgress> step;
+    while (process->canReadLine() && !done && heard <= kMaxHeard) {
+        const QByteArray line = process->readLine();
+        heard += line.size() <= kMaxLine ? line.size() : kMaxHeard + 1;
+        const WorkerMessage message = parseWorkerLine(line.trimmed());
         if (const auto* progress = std::get_if<WorkerProgress>(&message)) {
-            const double share = progress->fraction < 0 ? -1.0 : progress->fraction * kWorkerShare;
-            Q_EMIT q->progressed(share, progress->doing);
+            step = *progress;
         } else if (const auto* note = std::get_if<WorkerNote>(&message)) {
             if (notes.size() < kMaxNotes) {
                 notes += note->text;
             }
         } else if (const auto* error = std::get_if<Error>(&message)) {
             told = *error;
-            if (told->where == answer.path().toStdString()) {  // has no name that a person could look for
+            if (told->where == kAnswerPlace) {
                 told->where = QDir::tempPath().toStdString();
             }
         }
     }
-    if (process.bytesAvailable() > kMaxLine) {
-        process.readAll();
+    if (heard > kMaxHeard || process->bytesAvailable() > kMaxLine) {
+        fail({"The import worker's answer cannot be used: it says too much.", q->m_path.toStdString(),
+              "If this happens with every file, install Hitscope again."});
+        return stop();
+    }
+    if (step && !done) {
+        const double share = step->fraction < 0 ? -1.0 : step->fraction * kWorkerShare;
+        Q_EMIT q->progressed(share, step->doing);
     }
 }
 
@@ -114,42 +131,35 @@ void MeshImport::Private::workerEnded(int code, QProcess::ExitStatus status) {
         return;
     }
     clock.stop();
+    endWorker(worker);  // and what it may have started
     const bool crashed = status == QProcess::CrashExit;
     if (told && !timedOut) {
         return fail(*told);
     }
-    if (crashed || code != 0 || timedOut || answer.isEmpty()) {
+    if (crashed || code != 0 || timedOut || answer->size() == 0) {
         return fail(describeWorkerEnd({crashed, code, timedOut}, q->m_path, limits));
     }
     takeOver();
 }
 
-/// Large meshes take a moment to read back and check: in a thread, so that the window stays live.
 void MeshImport::Private::takeOver() {
-    const ProgressSink progress = [this](double fraction, const char* doing) {
-        QMetaObject::invokeMethod(
-            q,
-            [this, fraction, doing] {
-                if (!done) {
-                    Q_EMIT q->progressed(kWorkerShare + (1.0 - kWorkerShare) * fraction,
-                                         QString::fromLatin1(doing));
-                }
-            },
-            Qt::QueuedConnection);
-    };
-    taker.reset(
-        QThread::create([this, progress] { taken.emplace(readMeshStream(answer.path(), progress, &stop)); }));
-    QObject::connect(taker.get(), &QThread::finished, q, [this] { handOver(); });
+    taker = std::make_unique<TakeOver>(answer, limits.memoryBytes);
+    QObject::connect(taker.get(), &TakeOver::progressed, q, [this](double fraction, const char* doing) {
+        if (!done) {
+            Q_EMIT q->progressed(kWorkerShare + (1.0 - kWorkerShare) * fraction, QString::fromLatin1(doing));
+        }
+    });
+    QObject::connect(taker.get(), &TakeOver::finished, q, [this] { handOver(); });
     taker->start();
 }
 
 void MeshImport::Private::handOver() {
-    answer.close();
     if (done) {
         return;
     }
-    if (!taken->ok()) {
-        Error error = taken->error();
+    Result<MeshData> taken = taker->take();
+    if (!taken) {
+        Error error = taken.error();
         if (error.where.empty()) {
             error.where = q->m_path.toStdString();
         }
@@ -157,12 +167,16 @@ void MeshImport::Private::handOver() {
     }
     done = true;
     Q_EMIT q->progressed(1.0, QString());
-    Q_EMIT q->finished(std::make_shared<ImportedMesh>(ImportedMesh{std::move(taken->value()), notes}));
+    Q_EMIT q->finished(std::make_shared<ImportedMesh>(ImportedMesh{std::move(taken.value()), notes}));
 }
 
-void MeshImport::Private::endWorker() {
-    if (process.state() != QProcess::NotRunning) {
-        process.kill();
+void MeshImport::Private::stop() {
+    if (process->state() != QProcess::NotRunning) {
+        endWorker(worker);
+        process->kill();
+    }
+    if (taker) {
+        taker->cancel();
     }
 }
 
@@ -171,30 +185,34 @@ MeshImport::MeshImport(QString path, ImportLimits limits, QObject* parent)
     d->q = this;
     d->limits = limits;
     d->clock.setSingleShot(true);
-    connect(&d->process, &QProcess::readyReadStandardOutput, this, [this] { d->readLines(); });
-    connect(&d->process, &QProcess::finished, this,
+    connect(d->process.get(), &QProcess::readyReadStandardOutput, this, [this] { d->readLines(); });
+    connect(d->process.get(), &QProcess::finished, this,
             [this](int code, QProcess::ExitStatus status) { d->workerEnded(code, status); });
-    connect(&d->process, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
+    connect(d->process.get(), &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
         if (error == QProcess::FailedToStart) {
             d->fail({"The program hitscope-import, which reads mesh files, does not start: " +
-                         d->process.errorString().toStdString() + ".",
+                         d->process->errorString().toStdString() + ".",
                      m_path.toStdString(), "Install Hitscope again."});
         }
     });
     connect(&d->clock, &QTimer::timeout, this, [this] {
         d->timedOut = true;
-        d->endWorker();
+        d->stop();
     });
 }
 
 MeshImport::~MeshImport() {
     d->done = true;
-    d->stop = true;
-    d->process.disconnect(this);
-    d->endWorker();
-    d->process.waitForFinished();
-    if (d->taker) {
-        d->taker->wait();
+    d->process->disconnect(this);
+    d->stop();
+    if (d->process->state() != QProcess::NotRunning) {
+        leaveToItself(std::move(d->process));
+    }
+    if (d->taker && !d->taker->isFinished()) {
+        d->taker->disconnect(this);
+        if (TakeOver* const left = leaveToItself(std::move(d->taker)); left->isFinished()) {
+            left->deleteLater();  // just now
+        }
     }
 }
 
@@ -207,8 +225,7 @@ void MeshImport::start() {
 
 void MeshImport::cancel() {
     d->fail(cancelledError(m_path));
-    d->stop = true;
-    d->endWorker();
+    d->stop();
 }
 
 Result<ImportedMesh> importMesh(const QString& path, const ImportLimits& limits) {

@@ -12,10 +12,14 @@
 
 namespace hitscope {
 
+/// A quarter of the machine's memory, 2 GiB at most: bytes.
+[[nodiscard]] std::uint64_t usualImportMemory();
+
 /// Bounds on the child process that parses the file.
 struct ImportLimits {
-    int seconds = 120;                       ///< wall clock and CPU time
-    std::uint64_t memoryBytes = 6ull << 30;  ///< address space
+    int seconds = 120;  ///< wall clock and CPU time
+    /// What it writes to, be that memory or the file it answers in; the mesh's file does not count.
+    std::uint64_t memoryBytes = usualImportMemory();
 };
 
 /// File name patterns of the formats that can be opened, for dialogs: {"OBJ (*.obj)", ...}.
@@ -25,7 +29,7 @@ struct ImportLimits {
 
 /// Reads one mesh file in a child process (hitscope-import), since the libraries that parse some formats
 /// crash and hang on broken files. The child's answer is checked as untrusted input. Emits finished() or
-/// failed() exactly once, from the event loop; destroying the object cancels.
+/// failed() exactly once, from the event loop; destroying the object cancels, and waits for nothing.
 class MeshImport : public QObject {
     Q_OBJECT
 public:

@@ -2,11 +2,16 @@
 #include "io/mesh_stream.h"
 
 #include <QFile>
+#include <QFileInfo>
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <new>
 #include <stdexcept>
 #include <type_traits>
+
+#include "core/finite.h"
 
 namespace hitscope {
 namespace {
@@ -74,7 +79,7 @@ void visitMesh(Stream& stream, Mesh& mesh) {
 
 class Writer {
 public:
-    explicit Writer(QFile& file) : m_file(file) {}
+    explicit Writer(QFileDevice& file) : m_file(file) {}
 
     /// A full disk takes a part first, and says why only when it is asked for the rest.
     void bytes(const void* data, std::uint64_t size) {
@@ -111,7 +116,7 @@ public:
     [[nodiscard]] bool good() const { return m_good; }
 
 private:
-    QFile& m_file;
+    QFileDevice& m_file;
     bool m_good = true;
 };
 
@@ -122,12 +127,14 @@ struct BadStream : std::runtime_error {
 
 class Reader {
 public:
-    Reader(QFile& file, const ProgressSink& progress, const std::atomic_bool* cancelled)
-        : m_file(file),
+    Reader(QIODevice& device, const ProgressSink& progress, const std::atomic_bool* cancelled,
+           std::uint64_t memoryBytes)
+        : m_device(device),
           m_progress(progress),
           m_cancelled(cancelled),
-          m_size(static_cast<std::uint64_t>(file.size())),
-          m_left(m_size) {}
+          m_size(static_cast<std::uint64_t>(std::max<qint64>(device.size(), 0))),
+          m_left(m_size),
+          m_memoryLeft(memoryBytes) {}
 
     void bytes(void* data, std::uint64_t size) {
         char* to = static_cast<char*>(data);
@@ -135,12 +142,12 @@ public:
             throw BadStream("it ends too early");
         }
         while (size > 0) {
-            constexpr std::uint64_t kChunk = 16 << 20;  // progress and cancelling in between
+            constexpr std::uint64_t kChunk = 1 << 20;  // progress and cancelling in between
             const std::uint64_t part = std::min(size, kChunk);
             if (m_cancelled && *m_cancelled) {
                 throw BadStream("cancelled");
             }
-            if (m_file.read(to, static_cast<qint64>(part)) != static_cast<qint64>(part)) {
+            if (m_device.read(to, static_cast<qint64>(part)) != static_cast<qint64>(part)) {
                 throw BadStream("it cannot be read");
             }
             to += part;
@@ -159,16 +166,17 @@ public:
     template <class T>
     void array(std::vector<T>& values) {
         static_assert(kIsPlain<T>);
-        values.resize(count(sizeof(T)));
+        values.resize(count(sizeof(T), sizeof(T)));
         bytes(values.data(), values.size() * sizeof(T));
     }
     void text(std::string& value) {
-        value.resize(count(1));
+        value.resize(count(1, 1));
         bytes(value.data(), value.size());
     }
     template <class T, class Each>
     void list(std::vector<T>& values, const Each& each) {
-        const std::uint64_t size = count(sizeof(std::uint64_t));  // each entry holds a length at least
+        const std::uint64_t size = count(sizeof(std::uint64_t), sizeof(T));  // each holds a length at least
+        values.reserve(size);
         for (std::uint64_t i = 0; i < size; ++i) {
             each(values.emplace_back());
         }
@@ -176,21 +184,73 @@ public:
     [[nodiscard]] std::uint64_t left() const { return m_left; }
 
 private:
-    std::uint64_t count(std::uint64_t entrySize) {
+    /// Bytes an entry takes in the stream at least, and in memory.
+    std::uint64_t count(std::uint64_t entrySize, std::uint64_t memorySize) {
         std::uint64_t entries = 0;
         plain(entries);
         if (entries > m_left / entrySize) {
             throw BadStream("an array is longer than the rest of it");
         }
+        if (entries > m_memoryLeft / memorySize) {
+            throw BadStream("it takes more memory than it may have");
+        }
+        m_memoryLeft -= entries * memorySize;
         return entries;
     }
 
-    QFile& m_file;
+    QIODevice& m_device;
     const ProgressSink& m_progress;
     const std::atomic_bool* m_cancelled;
     std::uint64_t m_size;
     std::uint64_t m_left;
+    std::uint64_t m_memoryLeft;
 };
+
+/// Of what a face's corners refer to, and pictures hold: validate() leaves to readers what is not drawn.
+template <class Vector>
+void checkCorners(const std::vector<std::uint32_t>& corners, const std::vector<Vector>& values,
+                  const char* what) {
+    if (std::all_of(values.begin(), values.end(), [](const Vector& v) { return isFinite(v); })) {
+        return;
+    }
+    for (const std::uint32_t index : corners) {
+        if (index != kNoIndex && !isFinite(values[index])) {
+            throw BadStream(what);
+        }
+    }
+}
+
+bool isFraction(float value) {
+    return value >= 0.0f && value <= 1.0f;
+}
+
+bool isColour(const glm::vec3& c) {
+    return isFraction(c.x) && isFraction(c.y) && isFraction(c.z);
+}
+
+/// What no reader of ours hands over, and what draws and saves does not look for.
+void checkDrawn(const MeshData& mesh) {
+    constexpr int kMaxSide = 8192;  // pixels, as for the readers
+    checkCorners(mesh.cornerNormals, mesh.normals, "a normal is no number");
+    checkCorners(mesh.cornerTexcoords, mesh.texcoords, "a texture coordinate is no number");
+    for (const Material& material : mesh.materials) {
+        if (!isColour(material.ambient) || !isColour(material.diffuse) || !isColour(material.specular) ||
+            !std::isfinite(material.shininess) || material.shininess <= 0.0f ||
+            !isFraction(material.opacity)) {
+            throw BadStream("a material is not in its range");
+        }
+    }
+    for (const Image& image : mesh.images) {
+        if (image.width < 1 || image.height < 1 || image.width > kMaxSide || image.height > kMaxSide) {
+            throw BadStream("a picture has no size, or is too large");
+        }
+    }
+}
+
+Error handOverError(const QFileDevice& file) {
+    return {"The mesh that was read cannot be handed over: " + file.errorString().toStdString() + ".",
+            file.fileName().toStdString(), "Make room in the folder for temporary files."};
+}
 
 Error streamError(const std::string& why) {
     return {"The import worker's answer cannot be used: " + why + ".", {}, "Try opening the file again."};
@@ -198,29 +258,39 @@ Error streamError(const std::string& why) {
 
 }  // namespace
 
+Status writeMeshStream(const MeshData& mesh, QFileDevice& file) {
+    Writer writer(file);
+    writer.bytes(kMagic, sizeof kMagic);
+    writer.plain(kMeshStreamVersion);
+    visitMesh(writer, mesh);
+    if (writer.good()) {
+        return Done{};
+    }
+    return handOverError(file);
+}
+
 Status writeMeshStream(const MeshData& mesh, const QString& path) {
     QFile file(path);
-    Writer writer(file);
-    if (file.open(QIODevice::WriteOnly | QIODevice::Unbuffered)) {
-        writer.bytes(kMagic, sizeof kMagic);
-        writer.plain(kMeshStreamVersion);
-        visitMesh(writer, mesh);
-        if (writer.good()) {
-            return Done{};
-        }
-    }
-    return Error{"The mesh that was read cannot be handed over: " + file.errorString().toStdString() + ".",
-                 path.toStdString(), "Make room in the folder for temporary files."};
+    return file.open(QIODevice::WriteOnly | QIODevice::Unbuffered) ? writeMeshStream(mesh, file)
+                                                                   : handOverError(file);
 }
 
 Result<MeshData> readMeshStream(const QString& path, const ProgressSink& progress,
-                                const std::atomic_bool* cancelled) {
+                                const std::atomic_bool* cancelled, std::uint64_t memoryBytes) {
     QFile file(path);
+    if (QFileInfo info(path); info.exists() && !info.isFile()) {  // opening a pipe could wait for ever
+        return streamError("it is no file");
+    }
     if (!file.open(QIODevice::ReadOnly | QIODevice::Unbuffered)) {
         return streamError(file.errorString().toStdString());
     }
+    return readMeshStream(file, progress, cancelled, memoryBytes);
+}
+
+Result<MeshData> readMeshStream(QIODevice& device, const ProgressSink& progress,
+                                const std::atomic_bool* cancelled, std::uint64_t memoryBytes) {
     try {
-        Reader reader(file, progress, cancelled);
+        Reader reader(device, progress, cancelled, memoryBytes);
         char magic[sizeof kMagic] = {};
         std::uint32_t version = 0;
         reader.bytes(magic, sizeof magic);
@@ -236,6 +306,7 @@ Result<MeshData> readMeshStream(const QString& path, const ProgressSink& progres
         if (const Status valid = validate(mesh); !valid) {
             return valid.error();
         }
+        checkDrawn(mesh);
         return mesh;
     } catch (const BadStream& bad) {
         return streamError(bad.what());

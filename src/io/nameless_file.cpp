@@ -34,9 +34,9 @@ QString NamelessFile::path() const {
     return QStringLiteral("/proc/%1/fd/%2").arg(::getpid()).arg(m_descriptor);
 }
 
-bool NamelessFile::isEmpty() const {
+std::uint64_t NamelessFile::size() const {
     struct stat info {};
-    return ::fstat(m_descriptor, &info) != 0 || info.st_size == 0;
+    return ::fstat(m_descriptor, &info) == 0 ? static_cast<std::uint64_t>(info.st_size) : 0;
 }
 
 void NamelessFile::close() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <cstdint>
 
 namespace hitscope {
 
@@ -17,9 +18,12 @@ public:
     [[nodiscard]] bool isOpen() const { return m_descriptor >= 0; }
     /// The system's reason where it could not be made.
     [[nodiscard]] const QString& whyNot() const { return m_whyNot; }
-    /// By which other processes of the same person open it too, as long as this lives.
+    /// By which this process, and others of the same person, open it once more, as long as this lives.
     [[nodiscard]] QString path() const;
-    [[nodiscard]] bool isEmpty() const;
+    /// To hand it to a child process; negative: it is not open.
+    [[nodiscard]] int descriptor() const { return m_descriptor; }
+    /// Bytes; 0 too where that cannot be told.
+    [[nodiscard]] std::uint64_t size() const;
     /// Gives its room on the disk back.
     void close();
 

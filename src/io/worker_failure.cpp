@@ -18,6 +18,10 @@ Error describeWorkerEnd(const WorkerEnd& end, const QString& path, const ImportL
         return {"The system stopped reading the file, probably for want of memory.", where,
                 "Close other programs, or open a smaller mesh."};
     }
+    if (end.crashed && end.code == SIGXFSZ) {
+        return {"The mesh takes more room than what is read may take.", where,
+                "The file may be damaged; otherwise split it, or open a smaller mesh."};
+    }
     if (end.crashed) {
         return {"The file makes the reader crash; it is probably damaged.", where,
                 "Try opening and saving it with another program."};

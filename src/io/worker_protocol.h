@@ -13,6 +13,9 @@ namespace hitscope {
 ///   progress 0.42 Reading faces
 ///   note 3 faces with fewer than three corners were left out.
 ///   error ["what","where","advice"]
+/// Errors about the file that the answer is written to, which has no name, are at kAnswerPlace.
+inline constexpr char kAnswerPlace[] = "<answer>";
+
 struct WorkerProgress {
     double fraction = 0.0;  ///< [0, 1]; negative: not known
     QString doing;

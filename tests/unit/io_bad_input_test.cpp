@@ -169,7 +169,7 @@ void BadInputTest::tooMuchMemory() {
         text += " 1";
     }
     ImportLimits limits;
-    limits.memoryBytes = 300u << 20;
+    limits.memoryBytes = 60u << 20;
     const Result<ImportedMesh> result =
         importMesh(writeFile(m_folder.path(), QStringLiteral("fat.obj"), text), limits);
     QVERIFY2(messageOf(result).contains(QStringLiteral("needs more memory than it may have")),

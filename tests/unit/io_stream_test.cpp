@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <sys/stat.h>
+
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <functional>
+#include <limits>
 #include <random>
 
 #include "io/mesh_stream.h"
@@ -47,12 +51,18 @@ MeshData everything() {
 
 }  // namespace
 
+Q_DECLARE_METATYPE(std::function<void(MeshData&)>)
+
 class StreamTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void carriesEverything();
     void refusesTruncations();
     void survivesMutations();
+    void refusesWhatCannotBeDrawn_data();
+    void refusesWhatCannotBeDrawn();
+    void takesNoMoreMemoryThanItMay();
+    void refusesAPipe();
     void canBeCancelled();
     void saysWhenItCannotWrite();
     void protocolLines();
@@ -102,6 +112,51 @@ void StreamTest::survivesMutations() {
             readMeshStream(writeFile(m_folder.path(), QStringLiteral("mutated"), bytes));
         QVERIFY(result ? validate(result.value()).ok() : !result.error().what.empty());
     }
+}
+
+void StreamTest::refusesWhatCannotBeDrawn_data() {
+    using Spoil = std::function<void(MeshData&)>;
+    constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+    QTest::addColumn<Spoil>("spoil");
+    const auto row = [](const char* title, const Spoil& spoil) { QTest::newRow(title) << spoil; };
+    row("position", [](MeshData& mesh) { mesh.positions[1].y = kNan; });
+    row("normal", [](MeshData& mesh) { mesh.normals[0].z = kNan; });
+    row("texture coordinate",
+        [](MeshData& mesh) { mesh.texcoords[2].x = std::numeric_limits<float>::infinity(); });
+    row("index", [](MeshData& mesh) { mesh.cornerVertices[3] = 4; });
+    row("colour", [](MeshData& mesh) { mesh.materials[0].diffuse.y = 1.5f; });
+    row("no colour", [](MeshData& mesh) { mesh.materials[0].specular.z = kNan; });
+    row("shininess", [](MeshData& mesh) { mesh.materials[0].shininess = 0.0f; });
+    row("opacity", [](MeshData& mesh) { mesh.materials[0].opacity = kNan; });
+    row("flat picture", [](MeshData& mesh) { mesh.images[0] = Image{0, 7, {}}; });
+    row("long picture", [](MeshData& mesh) {
+        mesh.images[0] = Image{8193, 1, std::vector<std::uint8_t>(4 * 8193)};
+    });
+}
+
+void StreamTest::refusesWhatCannotBeDrawn() {
+    QFETCH(std::function<void(MeshData&)>, spoil);
+    MeshData mesh = everything();
+    spoil(mesh);
+    QVERIFY(writeMeshStream(mesh, path()).ok());
+    QVERIFY(!readMeshStream(path()));
+}
+
+/// Four bytes of memory for each of the stream, where there are names without letters.
+void StreamTest::takesNoMoreMemoryThanItMay() {
+    MeshData mesh = everything();
+    mesh.materialLibraries.resize(10000);
+    QVERIFY(writeMeshStream(mesh, path()).ok());
+    QVERIFY(readMeshStream(path()).ok());
+    QVERIFY(readMeshStream(path(), {}, nullptr, 1 << 20).ok());
+    const QString message = messageOf(readMeshStream(path(), {}, nullptr, 100 << 10));
+    QVERIFY2(message.contains(QStringLiteral("it takes more memory than it may have")), qPrintable(message));
+}
+
+void StreamTest::refusesAPipe() {
+    const QString pipe = m_folder.filePath(QStringLiteral("pipe"));
+    QCOMPARE(::mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
+    QVERIFY(messageOf(readMeshStream(pipe)).contains(QStringLiteral("it is no file")));
 }
 
 void StreamTest::canBeCancelled() {

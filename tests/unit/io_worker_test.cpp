@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
 #include <signal.h>
+#include <unistd.h>
 
 #include <QDir>
 #include <QFile>
@@ -15,7 +17,7 @@
 using namespace hitscope;
 using namespace hitscope::test;
 
-/// Import workers that misbehave, played by shell scripts: $1 is the input, $2 the output.
+/// Import workers that misbehave, played by shell scripts: $1 is the input, the answer goes to descriptor 0.
 class WorkerTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
@@ -28,6 +30,9 @@ private Q_SLOTS:
     void passesItsLimitsOn();
     void hasNoTemporaryFilesToLeaveBehind();
     void stopsAHangingWorker();
+    void inheritsNoDescriptors();
+    void inheritsNoEnvironment();
+    void endsWhatTheWorkerStarted();
     void canBeCancelled();
     void destroyingItEndsTheWorker();
     void emitsOnce();
@@ -80,17 +85,20 @@ void WorkerTest::endsBadly_data() {
     row("nothing", "exit 0", "gave no usable answer");
     row("an error", "echo 'error [\"It hurts.\",\"a.obj, line 3\",\"Rest.\"]'; exit 1",
         "a.obj, line 3: It hurts. Rest.");
-    row("no room for its answer",
-        "echo \"error [\\\"It is full.\\\",\\\"$2\\\",\\\"Make room.\\\"]\"; exit 1",
+    row("no room for its answer", "echo 'error [\"It is full.\",\"<answer>\",\"Make room.\"]'; exit 1",
         qPrintable(QDir::tempPath() + QStringLiteral(": It is full. Make room.")));
     row("an error, then a crash", "echo 'error [\"It hurts.\"]'; kill -SEGV $$", "It hurts.");
-    row("garbage in the answer", "echo garbage > \"$2\"", "The import worker's answer cannot be used");
+    row("garbage in the answer", "echo garbage >&0", "The import worker's answer cannot be used");
     const QByteArray version = QByteArray::number(kMeshStreamVersion, 8);
     row("huge lengths",
-        "printf 'HSMESH\\r\\n\\" + version + "\\0\\0\\0\\377\\377\\377\\377\\377\\377\\377\\177' > \"$2\"",
+        "printf 'HSMESH\\r\\n\\" + version + "\\0\\0\\0\\377\\377\\377\\377\\377\\377\\377\\177' >&0",
         "an array is longer than the rest of it");
-    row("garbage on its output", "head -c 300000 /dev/zero; kill -SEGV $$",
-        "The file makes the reader crash");
+    row("garbage on its output", "head -c 30000 /dev/zero; kill -SEGV $$", "The file makes the reader crash");
+    row("a line without an end", "exec cat /dev/zero", "cannot be used: it says too much");
+    row("lines without an end", "exec yes 'progress 0.5 Reading faces'", "cannot be used: it says too much");
+    row("notes without an end", "exec yes 'note Mended.'", "cannot be used: it says too much");
+    row("an answer without an end", "exec cat /dev/zero >&0", "takes more room than what is read may take");
+    row("a child that stays", "sleep 1000 & exit 0", "gave no usable answer");
 }
 
 void WorkerTest::endsBadly() {
@@ -99,6 +107,7 @@ void WorkerTest::endsBadly() {
     play(script.constData());
     ImportLimits limits;
     limits.seconds = 7;
+    limits.memoryBytes = 1 << 20;
     const Result<ImportedMesh> result = importMesh(m_mesh, limits);
     QVERIFY2(messageOf(result).contains(message), qPrintable(messageOf(result)));
     QVERIFY(!result.error().where.empty() || message == QStringLiteral("It hurts."));
@@ -121,8 +130,8 @@ void WorkerTest::tellsProgressAndNotes() {
     mesh.faceStarts = {0, 3};
     mesh.cornerVertices = {0, 1, 2};
     QVERIFY(writeMeshStream(mesh, in("ready")).ok());
-    play(("echo 'progress 0.5 Reading faces'; echo nonsense; echo 'note Mended.'; cp '" +
-          in("ready").toStdString() + "' \"$2\"")
+    play(("echo 'progress 0.5 Reading faces'; echo nonsense; echo 'note Mended.'; cat '" +
+          in("ready").toStdString() + "' >&0")
              .c_str());
     MeshImport import(m_mesh);
     std::vector<std::pair<double, QString>> told;
@@ -141,11 +150,11 @@ void WorkerTest::tellsProgressAndNotes() {
 }
 
 void WorkerTest::passesItsLimitsOn() {
-    play("echo \"error [\\\"$3 $4 $#\\\"]\"; exit 1");
+    play("echo \"error [\\\"$2 $3 $#\\\"]\"; exit 1");
     ImportLimits limits;
     limits.seconds = 42;
     limits.memoryBytes = 123456789;
-    QCOMPARE(messageOf(importMesh(m_mesh, limits)), QStringLiteral("42 123456789 4"));
+    QCOMPARE(messageOf(importMesh(m_mesh, limits)), QStringLiteral("42 123456789 3"));
 }
 
 /// Killed at any moment, it leaves nothing: while it runs there is nothing that has a name.
@@ -153,7 +162,7 @@ void WorkerTest::hasNoTemporaryFilesToLeaveBehind() {
     QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("temporary")));
     const QByteArray usual = qgetenv("TMPDIR");
     qputenv("TMPDIR", QFile::encodeName(in("temporary")));
-    play("echo something > \"$2\"; echo ready >> \"$2\"; exec sleep 1000");
+    play("echo something >&0; exec sleep 1000");
     MeshImport import(m_mesh);
     import.start();
     qputenv("TMPDIR", usual);
@@ -170,6 +179,49 @@ void WorkerTest::stopsAHangingWorker() {
     QVERIFY2(messageOf(result).contains(QStringLiteral("took longer than 1 seconds and was stopped")),
              qPrintable(messageOf(result)));
     QVERIFY(workerIsGone());
+}
+
+void WorkerTest::inheritsNoDescriptors() {
+    const int folder = ::open("/", O_RDONLY | O_CLOEXEC);
+    const int forgotten = ::fcntl(folder, F_DUPFD, 77);  // nobody said that it is not to be inherited
+    play("cd /proc/$$/fd; echo \"error [\\\" $(echo *) \\\"]\"; exit 1");
+    const QString descriptors = messageOf(importMesh(m_mesh));
+    ::close(forgotten);
+    ::close(folder);
+    QStringList list = descriptors.simplified().split(' ');
+    QVERIFY2(list.contains(QStringLiteral("0")), qPrintable(descriptors));
+    QVERIFY2(!list.contains(QString::number(forgotten)), qPrintable(descriptors));
+    QVERIFY2(list.size() <= 5, qPrintable(descriptors));  // the shell's script and what it looks at are two
+}
+
+void WorkerTest::inheritsNoEnvironment() {
+    qputenv("HITSCOPE_SECRET", "x");
+    play("echo \"error [\\\"$(env | sed 's/=.*//' | sort | tr '\\n' ' ')\\\"]\"; exit 1");
+    const QString names = messageOf(importMesh(m_mesh));
+    qunsetenv("HITSCOPE_SECRET");
+    QStringList list = names.simplified().split(' ');
+    QVERIFY2(list.contains(QStringLiteral("LANG")), qPrintable(names));
+    for (const char* const known :
+         {"LANG", "LD_LIBRARY_PATH", "QT_PLUGIN_PATH", "ASAN_OPTIONS", "LSAN_OPTIONS", "TSAN_OPTIONS",
+          "UBSAN_OPTIONS", "PWD", "OLDPWD", "SHLVL", "_"}) {
+        list.removeAll(QString::fromLatin1(known));
+    }
+    QCOMPARE(list, QStringList());
+}
+
+void WorkerTest::endsWhatTheWorkerStarted() {
+    play(("sleep 1000 & echo $! > '" + in("child").toStdString() + "'; wait").c_str());
+    MeshImport import(m_mesh);
+    import.start();
+    QVERIFY(QTest::qWaitFor([&] { return readFile(in("child")).ends_with('\n'); }, 20000));
+    const pid_t child = std::stoi(readFile(in("child")));
+    import.cancel();
+    QVERIFY(QTest::qWaitFor(
+        [&] {  // gone, or dead and waiting for whoever reaps orphans here
+            const std::string state = readFile(QStringLiteral("/proc/%1/stat").arg(child));
+            return state.empty() || state.find(") Z") != std::string::npos;
+        },
+        20000));
 }
 
 void WorkerTest::canBeCancelled() {
@@ -191,7 +243,7 @@ void WorkerTest::destroyingItEndsTheWorker() {
     import->start();
     QVERIFY(waitForWorker());
     import.reset();
-    QVERIFY(workerIsGone());
+    QVERIFY(QTest::qWaitFor([&] { return workerIsGone(); }, 20000));
 }
 
 void WorkerTest::emitsOnce() {

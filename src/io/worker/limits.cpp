@@ -22,14 +22,17 @@ void limit(__rlimit_resource resource, std::uint64_t soft, std::uint64_t hard) {
 
 }  // namespace
 
-void limitThisProcess(std::uint64_t seconds, std::uint64_t memoryBytes) {
-    constexpr std::uint64_t kGrace = 5;  // seconds between the polite signal and the other one
+void limitThisProcess(std::uint64_t seconds, std::uint64_t memoryBytes, std::uint64_t mappedBytes) {
+    constexpr std::uint64_t kGrace = 5;           // seconds between the polite signal and the other one
+    constexpr std::uint64_t kPrograms = 1 << 30;  // addresses that code and shared libraries take, amply
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     limit(RLIMIT_CORE, 0, 0);
     limit(RLIMIT_CPU, seconds, seconds + kGrace);
     limit(RLIMIT_FSIZE, memoryBytes, memoryBytes);
-#ifndef HITSCOPE_ADDRESS_SANITIZER  // the sanitizer reserves terabytes of addresses
-    limit(RLIMIT_AS, memoryBytes, memoryBytes);
+#ifndef HITSCOPE_SANITIZED  // sanitizers reserve terabytes of addresses
+    limit(RLIMIT_DATA, memoryBytes, memoryBytes);
+    const std::uint64_t addresses = memoryBytes + mappedBytes + kPrograms;
+    limit(RLIMIT_AS, addresses, addresses);
 #endif
     std::signal(SIGXFSZ, SIG_IGN);  // the write fails instead, and is reported
 }

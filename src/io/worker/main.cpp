@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// hitscope-import INPUT OUTPUT SECONDS BYTES: reads a mesh file of any known format and writes it in the form
-// of io/mesh_stream.h; what it says on its standard output is described in io/worker_protocol.h. A process of
-// its own, so that a file that makes a parser crash, hang or eat all memory costs a message and nothing else.
+// hitscope-import INPUT SECONDS BYTES: reads a mesh file of any known format and writes it in the form of
+// io/mesh_stream.h to its standard input, which is a file without a name that the program made; what it says
+// on its standard output is described in io/worker_protocol.h. A process of its own, so that a file that
+// makes a parser crash, hang or eat all memory costs a message and nothing else; and locked (sandbox.h), so
+// that one that takes the parser over gets nothing by it.
+#include <unistd.h>
+
 #include <QCoreApplication>
+#include <QFile>
+#include <QFileInfo>
 #include <QStringList>
 #include <chrono>
 #include <cstdio>
@@ -12,6 +18,7 @@
 #include "io/mesh_stream.h"
 #include "io/readers/read_mesh.h"
 #include "io/worker/limits.h"
+#include "io/worker/sandbox.h"
 #include "io/worker_protocol.h"
 
 namespace {
@@ -41,7 +48,7 @@ private:
     std::chrono::steady_clock::time_point m_last{};
 };
 
-Status convert(const QString& input, const QString& output) {
+Status convert(const QString& input) {
     const Result<ImportedMesh> imported = readMesh(input, Progress());
     if (!imported) {
         return imported.error();
@@ -50,12 +57,18 @@ Status convert(const QString& input, const QString& output) {
         say(WorkerNote{note});
     }
     say(WorkerProgress{kReadingShare, QStringLiteral("Handing over")});
-    return writeMeshStream(imported.value().mesh, output);
+    QFile answer;
+    if (!answer.open(STDIN_FILENO, QIODevice::WriteOnly | QIODevice::Unbuffered)) {
+        return Error{"The mesh that was read cannot be handed over.", kAnswerPlace,
+                     "Try opening the file again."};
+    }
+    const Status written = writeMeshStream(imported.value().mesh, answer);
+    return written ? written : Error{written.error().what, kAnswerPlace, written.error().advice};
 }
 
-Status convertCaught(const QString& input, const QString& output) {
+Status convertCaught(const QString& input) {
     try {
-        return convert(input, output);
+        return convert(input);
     } catch (const std::bad_alloc&) {
         return Error{"Reading the file needs more memory than it may have.", input.toStdString(),
                      "The file may be damaged; otherwise split it, or open a smaller mesh."};
@@ -70,13 +83,16 @@ Status convertCaught(const QString& input, const QString& output) {
 int main(int argc, char** argv) {
     const QCoreApplication application(argc, argv);
     const QStringList arguments = QCoreApplication::arguments();
-    if (arguments.size() != 5) {
-        std::fputs("hitscope-import is started by Hitscope: hitscope-import INPUT OUTPUT SECONDS BYTES\n",
-                   stderr);
+    if (arguments.size() != 4) {
+        std::fputs("hitscope-import is started by Hitscope: hitscope-import INPUT SECONDS BYTES\n", stderr);
         return 2;
     }
-    limitThisProcess(arguments[3].toULongLong(), arguments[4].toULongLong());
-    if (const Status converted = convertCaught(arguments[1], arguments[2]); !converted) {
+    const QString& input = arguments[1];
+    limitThisProcess(arguments[2].toULongLong(), arguments[3].toULongLong(),
+                     static_cast<std::uint64_t>(QFileInfo(input).size()));
+    loadWhatComesLate();
+    lockThisProcess(input);
+    if (const Status converted = convertCaught(input); !converted) {
         say(converted.error());
         return 1;
     }
