@@ -7,6 +7,7 @@
 #include <assimp/MemoryIOWrapper.h>
 
 #include <QFile>
+#include <QFileInfo>
 #include <memory>
 
 #include "io/file_scope.h"
@@ -16,7 +17,8 @@ namespace {
 
 class FolderFiles : public Assimp::IOSystem {
 public:
-    explicit FolderFiles(QString folder) : m_folder(std::move(folder)) {}
+    explicit FolderFiles(QString file)
+        : m_file(std::move(file)), m_folder(QFileInfo(m_file).absolutePath()) {}
 
     bool Exists(const char* name) const override;
     [[nodiscard]] char getOsSeparator() const override { return '/'; }
@@ -24,21 +26,30 @@ public:
     void Close(Assimp::IOStream* stream) override;
 
 private:
+    /// Empty: it is none of them.
+    [[nodiscard]] QString find(const char* name) const;
+
+    QString m_file;
     QString m_folder;
 };
 
 }  // namespace
 
-std::unique_ptr<Assimp::IOSystem> makeFolderFiles(const QString& folder) {
-    return std::make_unique<FolderFiles>(folder);
+std::unique_ptr<Assimp::IOSystem> makeFolderFiles(const QString& file) {
+    return std::make_unique<FolderFiles>(file);
+}
+
+QString FolderFiles::find(const char* name) const {
+    const QString wanted = QString::fromUtf8(name);
+    return wanted == m_file ? m_file : resolveInside(m_folder, wanted);
 }
 
 bool FolderFiles::Exists(const char* name) const {
-    return !resolveInside(m_folder, QString::fromUtf8(name)).isEmpty();
+    return !find(name).isEmpty();
 }
 
 Assimp::IOStream* FolderFiles::Open(const char* name, const char* mode) {
-    QFile file(resolveInside(m_folder, QString::fromUtf8(name)));
+    QFile file(find(name));
     if (file.fileName().isEmpty() || !mode || mode[0] != 'r' || !file.open(QIODevice::ReadOnly)) {
         return nullptr;
     }

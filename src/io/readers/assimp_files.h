@@ -10,8 +10,9 @@ class IOSystem;
 
 namespace hitscope {
 
-/// All the files that Assimp gets to see: regular ones in `folder` and below it, read whole. Nothing can be
-/// written, and nothing outside be read, whatever a mesh file names.
-[[nodiscard]] std::unique_ptr<Assimp::IOSystem> makeFolderFiles(const QString& folder);
+/// All the files that Assimp gets to see: `file`, wherever that is if it is a link, and regular ones in its
+/// folder and below it, read whole. Nothing can be written, and nothing else be read, whatever a mesh file
+/// names.
+[[nodiscard]] std::unique_ptr<Assimp::IOSystem> makeFolderFiles(const QString& file);
 
 }  // namespace hitscope

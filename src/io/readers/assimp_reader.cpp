@@ -3,18 +3,27 @@
 
 #include <assimp/scene.h>
 
+#include <assimp/BaseImporter.h>
+#include <assimp/importerdesc.h>
+
 #include <QFileInfo>
 #include <algorithm>
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>
+#include <cmath>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 #include <new>
+#include <sstream>
 
+#include "core/finite.h"
+#include "io/readers/assimp_check.h"
 #include "io/readers/assimp_files.h"
 #include "io/readers/assimp_materials.h"
+#include "io/readers/dae_check.h"
+#include "io/readers/gltf_check.h"
 #include "io/readers/tidy.h"
 #include "io/welder.h"
 
@@ -38,6 +47,18 @@ private:
 glm::dmat4 toGlm(const aiMatrix4x4& m) {
     return glm::dmat4(m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3, m.a4, m.b4,
                       m.c4, m.d4);
+}
+
+/// Moves, turns, scales and shears; a matrix whose last row is not 0 0 0 1 would divide, at worst by zero.
+bool isPlacement(const glm::dmat4& m) {
+    constexpr double kNear = 1e-3;
+    const auto isNear = [](double value, double wanted) { return std::abs(value - wanted) <= kNear; };
+    for (int column = 0; column < 4; ++column) {
+        if (!isFinite(m[column]) || !isNear(m[column].w, column == 3 ? 1.0 : 0.0)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /// Adds instances of Assimp's meshes to one MeshData.
@@ -169,6 +190,12 @@ Status SceneMerger::merge() {
         const Visit visit = open.back();
         open.pop_back();
         const glm::dmat4 transform = visit.parent * toGlm(visit.node->mTransformation);
+        if (!isPlacement(transform)) {
+            return Error{
+                "Its matrix does not place anything: its last row is not 0 0 0 1, or not of numbers.",
+                "node \"" + std::string(visit.node->mName.C_Str()) + "\"",
+                "Write the file again with the program it came from."};
+        }
         for (unsigned i = 0; i < visit.node->mNumMeshes; ++i) {
             const unsigned index = visit.node->mMeshes[i];
             if (index >= m_scene.mNumMeshes) {
@@ -215,12 +242,84 @@ void noteWhatIsLeftOut(const aiScene& scene, ImportedMesh& imported) {
     }
 }
 
+/// Assimp tries all its readers, of some fifty formats, on a file that the one for its suffix does not want.
+void keepReadersOf(const std::string& suffix, Assimp::Importer& importer) {
+    for (std::size_t i = importer.GetImporterCount(); i > 0; --i) {
+        std::istringstream suffixes(importer.GetImporterInfo(i - 1)->mFileExtensions);
+        bool reads = false;
+        for (std::string each; suffixes >> each;) {
+            reads = reads || each == suffix;
+        }
+        if (!reads) {
+            Assimp::BaseImporter* const reader = importer.GetImporter(i - 1);
+            importer.UnregisterLoader(reader);
+            delete reader;
+        }
+    }
+}
+
+/// `why`: with a full stop or without.
+Error unreadable(const std::string& suffix, std::string why, const std::string& where) {
+    while (why.ends_with('.')) {
+        why.pop_back();
+    }
+    return {
+        "It cannot be read as " + QString::fromStdString(suffix).toUpper().toStdString() + ": " + why + ".",
+        where, "It may be damaged, or its suffix be wrong. Try opening and saving it with another program."};
+}
+
+/// The triangles that the file promises: Assimp leaves out, and says nothing, those whose corners there are
+/// not.
+Result<std::uint64_t> checkBefore(const std::string& suffix, std::string_view content,
+                                  const QString& folder) {
+    std::uint64_t triangles = 0;
+    if (suffix == "gltf" || suffix == "glb") {
+        const Result<GltfCounts> counts = checkGltf(content, folder);
+        if (!counts) {
+            return unreadable(suffix, counts.error().what, counts.error().where);
+        }
+        triangles = counts.value().triangles;
+    } else if (suffix == "dae") {
+        if (const Status checked = checkDae(content); !checked) {
+            return unreadable(suffix, checked.error().what, checked.error().where);
+        }
+    }
+    return triangles;
+}
+
+Status checkAfter(const aiScene& scene, std::uint64_t promised) {
+    if (Status checked = checkScene(scene); !checked) {
+        return checked;
+    }
+    std::uint64_t triangles = 0;
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+        const aiMesh& mesh = *scene.mMeshes[m];
+        for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+            triangles += mesh.mFaces[f].mNumIndices == 3 ? 1 : 0;
+        }
+    }
+    if (triangles < promised) {
+        return Error{std::to_string(promised - triangles) + " of its " + std::to_string(promised) +
+                         " triangles refer to vertices that it does not have.",
+                     {},
+                     "Write the file again with the program it came from."};
+    }
+    return Done{};
+}
+
 }  // namespace
 
-Result<ImportedMesh> readWithAssimp(const QString& path, const ProgressSink& progress) {
+Result<ImportedMesh> readWithAssimp(const QString& path, std::string_view content,
+                                    const ProgressSink& progress) {
     const QFileInfo info(path);
+    const std::string suffix = info.suffix().toLower().toStdString();
+    const Result<std::uint64_t> promised = checkBefore(suffix, content, info.absolutePath());
+    if (!promised) {
+        return promised.error();
+    }
     Assimp::Importer importer;
-    importer.SetIOHandler(makeFolderFiles(info.absolutePath()).release());  // the importer deletes it
+    keepReadersOf(suffix, importer);
+    importer.SetIOHandler(makeFolderFiles(info.absoluteFilePath()).release());  // the importer deletes it
     importer.SetProgressHandler(new Progress(progress));
     const aiScene* const scene = importer.ReadFile(info.absoluteFilePath().toUtf8().constData(), 0);
     if (!scene || !scene->mRootNode) {
@@ -228,14 +327,12 @@ Result<ImportedMesh> readWithAssimp(const QString& path, const ProgressSink& pro
         if (why.find("bad_alloc") != std::string::npos) {
             throw std::bad_alloc();
         }
-        return Error{
-            "It cannot be read as " + info.suffix().toUpper().toStdString() + ": " + why,
-            {},
-            "It may be damaged, or its suffix be wrong. Try opening and saving it with another program."};
+        return unreadable(suffix, why, {});
     }
-    const QString suffix = info.suffix().toLower();
-    const bool unshared =
-        suffix == QStringLiteral("fbx") || suffix == QStringLiteral("3ds") || suffix == QStringLiteral("dae");
+    if (const Status checked = checkAfter(*scene, promised.value()); !checked) {
+        return checked.error();
+    }
+    const bool unshared = suffix == "fbx" || suffix == "3ds" || suffix == "dae";
     ImportedMesh imported;
     SceneMerger merger(*scene, imported, unshared);
     if (const Status merged = merger.merge(); !merged) {

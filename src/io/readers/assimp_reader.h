@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <string_view>
 
 #include "core/result.h"
 #include "io/imported_mesh.h"
@@ -13,7 +14,9 @@ namespace hitscope {
 /// object. Formats whose readers give each face vertices of its own (FBX, 3DS, DAE) get them shared where
 /// their positions are equal. Animations and skins are left out, with a note.
 ///
-/// Assimp crashes, hangs and aborts on broken files: only ever called in the import worker.
-[[nodiscard]] Result<ImportedMesh> readWithAssimp(const QString& path, const ProgressSink& progress);
+/// `content` is the file's: what would make very much of little is refused by a look at it. Assimp crashes,
+/// hangs and aborts on broken files all the same: only ever called in the import worker.
+[[nodiscard]] Result<ImportedMesh> readWithAssimp(const QString& path, std::string_view content,
+                                                  const ProgressSink& progress);
 
 }  // namespace hitscope

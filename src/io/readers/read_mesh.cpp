@@ -78,7 +78,7 @@ Result<ImportedMesh> parseFile(const QString& path, const ProgressSink& progress
     if (suffix == QStringLiteral("off")) {
         return parseOff(content.bytes(), progress);
     }
-    return readWithAssimp(path, progress);
+    return readWithAssimp(path, content.bytes(), progress);
 }
 
 Status checkSurface(const MeshData& mesh, const QString& suffix) {
