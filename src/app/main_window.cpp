@@ -20,6 +20,7 @@
 #include "app/actions/cut_actions.h"
 #include "app/actions/display_actions.h"
 #include "app/actions/edit_actions.h"
+#include "app/actions/exchange_actions.h"
 #include "app/actions/export_actions.h"
 #include "app/actions/file_actions.h"
 #include "app/actions/help_actions.h"
@@ -108,6 +109,8 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_shots(new ShotActions(session, *m_viewport, *this)),
       m_cameraActions(new CameraActions(*m_viewport, this)),
       m_pictures(new PictureActions(*m_viewport, *this)),
+      m_exchange(new ExchangeActions({*m_viewport, *m_fileActions, *m_hitActions, *m_shots, *m_cameraActions},
+                                     this)),
       m_inspect(new InspectActions(session, *m_viewport, this)),
       m_help(new HelpActions(session, *m_viewport, this)) {
     new HelpTips(this);
@@ -223,21 +226,24 @@ void MainWindow::placeMesh(double extent) {
     m_fileActions->place(extent);
 }
 
+/// What is dragged out of the window does not come in again.
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (!FileActions::openable(*event->mimeData()).isEmpty()) {
+    if (event->source() == nullptr && ExchangeActions::canTake(*event->mimeData())) {
         event->acceptProposedAction();
     }
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    const QStringList files = FileActions::openable(*event->mimeData());
-    if (!files.isEmpty()) {
-        event->acceptProposedAction();
-        activateWindow();
-        // Later: the program that was dragged from waits for the drop's end.
-        QMetaObject::invokeMethod(
-            this, [this, files] { m_fileActions->askAndOpen(files); }, Qt::QueuedConnection);
+    if (event->source() != nullptr || !ExchangeActions::canTake(*event->mimeData())) {
+        return;
     }
+    event->acceptProposedAction();
+    activateWindow();
+    // Later: the program that was dragged from waits for the drop's end.
+    auto data = std::make_shared<QMimeData>();
+    data->setUrls(event->mimeData()->urls());
+    QMetaObject::invokeMethod(
+        this, [this, data] { m_exchange->take(*data); }, Qt::QueuedConnection);
 }
 
 // What is said
@@ -256,6 +262,7 @@ void MainWindow::connectMessages() {
     connect(m_shots, &ShotActions::said, this, &MainWindow::say);
     connect(m_cameraActions, &CameraActions::said, this, &MainWindow::say);
     connect(m_pictures, &PictureActions::said, this, &MainWindow::say);
+    connect(m_exchange, &ExchangeActions::said, this, &MainWindow::say);
     connect(m_hitActions, &HitActions::said, this,
             [this](const QString& text) { statusBar()->showMessage(text, kHintStays); });
     connect(m_textureLocator, &TextureLocator::said, this, [this](const QString& text) {
@@ -273,6 +280,7 @@ void MainWindow::connectMessages() {
     connect(m_hitActions, &HitActions::failed, this, &MainWindow::fail);
     connect(m_cameraActions, &CameraActions::failed, this, &MainWindow::fail);
     connect(m_pictures, &PictureActions::failed, this, &MainWindow::fail);
+    connect(m_exchange, &ExchangeActions::failed, this, &MainWindow::fail);
     connect(m_textureLocator, &TextureLocator::failed, this, &MainWindow::fail);
     connect(m_help, &HelpActions::failed, this, &MainWindow::fail);
     connect(m_viewport, &Viewport::failed, this, &MainWindow::fail);

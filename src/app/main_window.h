@@ -25,6 +25,7 @@ class CutActions;
 class DiscardGuard;
 class DisplayActions;
 class EditActions;
+class ExchangeActions;
 class ExportActions;
 class FileActions;
 class FrameRatePanel;
@@ -166,6 +167,7 @@ private:
     ShotActions* m_shots = nullptr;
     CameraActions* m_cameraActions = nullptr;
     PictureActions* m_pictures = nullptr;
+    ExchangeActions* m_exchange = nullptr;
     InspectActions* m_inspect = nullptr;
     HelpActions* m_help = nullptr;
     ChangeActions* m_change = nullptr;

@@ -11,6 +11,7 @@
 #include "app/actions/camera_actions.h"
 #include "app/actions/change_actions.h"
 #include "app/actions/cut_actions.h"
+#include "app/actions/export_actions.h"
 #include "app/actions/file_actions.h"
 #include "app/actions/hit_actions.h"
 #include "app/main_window.h"
@@ -157,6 +158,8 @@ QDockWidget* MainWindow::makeHitDock(const HitHistoryPanel& history) {
 }
 
 QDockWidget* MainWindow::makeSceneDock() {
+    m_scene.setWriteTarget(
+        [this](TargetId target, const QString& path) { return m_exports->writeTarget(target, path); });
     auto* panel = new ScenePanel(m_session, m_scene);
     connect(panel, &ScenePanel::filesWanted, this, [this] { m_fileActions->chooseAddition(); });
     connect(panel, &ScenePanel::targetWanted, this,

@@ -11,6 +11,7 @@
 #include "app/actions/cut_actions.h"
 #include "app/actions/display_actions.h"
 #include "app/actions/edit_actions.h"
+#include "app/actions/exchange_actions.h"
 #include "app/actions/export_actions.h"
 #include "app/actions/file_actions.h"
 #include "app/actions/help_actions.h"
@@ -47,6 +48,7 @@ void MainWindow::makeMenus() {
     hitscope::addAction(file, tr("&Quit"), tr("Ctrl+Q"), this, [this] { close(); });
     QMenu& edit = *menuBar()->addMenu(tr("&Edit"));
     m_edit->fill(edit);
+    m_exchange->fill(edit);
     m_cameraActions->fillEdit(edit);
     makeViewMenu();
     m_meshMenu = menuBar()->addMenu(tr("&Mesh"));

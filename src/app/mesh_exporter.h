@@ -9,7 +9,7 @@
 #include <list>
 #include <memory>
 
-#include "session/export_target.h"
+#include "session/export/export_target.h"
 
 namespace hitscope {
 

@@ -6,7 +6,7 @@
 
 #include "analysis/reference_agreement.h"
 #include "scene/scene_gpu.h"
-#include "session/export_target.h"
+#include "session/export/export_target.h"
 
 namespace hitscope::cli {
 

@@ -12,7 +12,7 @@
 #include "scene/picture.h"
 #include "scene/scene_gpu.h"
 #include "session/demo_shots.h"
-#include "session/export_target.h"
+#include "session/export/export_target.h"
 #include "session/session.h"
 
 namespace hitscope::cli {

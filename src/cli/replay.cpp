@@ -13,7 +13,7 @@
 #include "document/open_document.h"
 #include "document/session_file.h"
 #include "gl/context.h"
-#include "session/export_target.h"
+#include "session/export/export_target.h"
 #include "session/session.h"
 
 namespace hitscope::cli {

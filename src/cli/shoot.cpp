@@ -11,7 +11,7 @@
 #include "cli/agreement.h"
 #include "cli/load_scene.h"
 #include "gl/context.h"
-#include "session/export_target.h"
+#include "session/export/export_target.h"
 #include "session/shot_script_file.h"
 
 namespace hitscope::cli {

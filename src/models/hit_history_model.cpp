@@ -4,9 +4,12 @@
 #include <QDataStream>
 #include <QIODevice>
 #include <QMimeData>
+#include <QPointer>
 #include <algorithm>
 
 #include "analysis/hit_files.h"
+#include "io/staged_files.h"
+#include "models/dragged_file.h"
 #include "session/frame_costs.h"
 
 namespace hitscope {
@@ -186,7 +189,17 @@ QMimeData* HitHistoryModel::mimeData(const QModelIndexList& indexes) const {
     QByteArray bytes;
     QDataStream out(&bytes, QIODevice::WriteOnly);
     out << rows;
-    auto* data = new QMimeData;
+    // Dropped on another program it is a table: as text, or as a file.
+    const auto text = [model = QPointer<const HitHistoryModel>(this), rows] {
+        const std::vector<std::size_t> hits(rows.begin(), rows.end());
+        return model.isNull() ? QString() : model->csv(hits);
+    };
+    const auto write = [text](const QString& path) {
+        const QByteArray utf8 = text().toUtf8();
+        return writeWhole(path, std::string_view(utf8.constData(), static_cast<std::size_t>(utf8.size())))
+            .ok();
+    };
+    auto* data = new DraggedFile(QStringLiteral("hits.csv"), write, text);
     data->setData(QString::fromLatin1(kRowsType), bytes);
     return data;
 }

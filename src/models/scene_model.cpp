@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "models/dragged_file.h"
 #include "models/quantity_text.h"
 
 namespace hitscope {
@@ -170,6 +171,19 @@ QVariant SceneModel::headerData(int section, Qt::Orientation orientation, int ro
     }
 }
 
+/// The first of the rows: a file holds one.
+QMimeData* SceneModel::mimeData(const QModelIndexList& indexes) const {
+    const TargetId id = indexes.isEmpty() ? TargetId() : targetAt(indexes.front().row());
+    const Target* target = m_session.targets().find(id);
+    if (target == nullptr || !m_writeTarget) {
+        return nullptr;
+    }
+    QString name = target->name;
+    name.replace(u'/', u'_');
+    return new DraggedFile(name + QStringLiteral("_deformed.obj"),
+                           [write = m_writeTarget, id](const QString& path) { return write(id, path); });
+}
+
 Qt::ItemFlags SceneModel::flags(const QModelIndex& index) const {
     Qt::ItemFlags flags = QAbstractTableModel::flags(index) | Qt::ItemNeverHasChildren;
     if (index.column() == NameColumn) {
@@ -177,6 +191,7 @@ Qt::ItemFlags SceneModel::flags(const QModelIndex& index) const {
     } else if (index.column() == VisibleColumn) {
         flags |= Qt::ItemIsUserCheckable;
     }
+    flags.setFlag(Qt::ItemIsDragEnabled, static_cast<bool>(m_writeTarget));
     return index.isValid() ? flags : Qt::NoItemFlags;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <functional>
 #include <unordered_map>
 #include <vector>
 
@@ -41,6 +42,11 @@ public:
     /// A name (refused when empty) or a check state; all else is refused.
     bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
 
+    /// Writes a target to a file, for rows that are dragged to other programs; false: it could not.
+    using WriteTarget = std::function<bool(TargetId target, const QString& path)>;
+    void setWriteTarget(WriteTarget write) { m_writeTarget = std::move(write); }
+    [[nodiscard]] QMimeData* mimeData(const QModelIndexList& indexes) const override;
+
     [[nodiscard]] TargetId targetAt(int row) const;  ///< none: no such row
     [[nodiscard]] int rowOf(TargetId target) const;  ///< -1: no such target
 
@@ -59,6 +65,7 @@ private:
     /// What the views were told; the session's targets change before it says so.
     std::vector<TargetId> m_rows;
     std::unordered_map<TargetId, std::size_t> m_hits;
+    WriteTarget m_writeTarget;
     std::size_t m_counted = 0;  ///< hits of the history that are in m_hits
 };
 

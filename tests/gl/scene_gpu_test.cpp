@@ -12,7 +12,7 @@
 #include "io/import.h"
 #include "mesh/primitives.h"
 #include "session/demo_shots.h"
-#include "session/export_target.h"
+#include "session/export/export_target.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 

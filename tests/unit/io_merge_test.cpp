@@ -94,7 +94,7 @@ private Q_SLOTS:
             ObjExport file;
             file.mesh = what.mesh;
             file.positions = what.positions;
-            file.normals = what.normals;
+            file.normals = {what.normals, {}};
             file.sourceFolder = what.sourceFolder;
             QVERIFY(exportObj(file, path));
             const MeshData back = readBack(path);

@@ -14,7 +14,7 @@
 #include "app/settings/app_settings.h"
 #include "models/focus_target.h"
 #include "panels/help/help_text.h"
-#include "session/export_target.h"
+#include "session/export/export_target.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -69,6 +69,7 @@ void ExportActions::fill(QMenu& menu) {
         menu, tr("&Export Deformed Mesh…"), tr("Ctrl+E"), this, [this] { choose(); },
         QStringLiteral("export"));
     m_again = addAction(menu, tr("Export A&gain"), tr("Ctrl+Shift+E"), this, [this] { again(); });
+    m_again->setObjectName(QStringLiteral("exportAgain"));
     connect(&m_session, &Session::sceneReplaced, this, &ExportActions::follow);
     connect(&m_session.targets(), &SessionTargets::added, this, &ExportActions::follow);
     connect(&m_session.targets(), &SessionTargets::removed, this, &ExportActions::follow);
@@ -197,6 +198,19 @@ void ExportActions::begin(const QString& path, std::optional<NormalMode> normals
     if (const Target* target = focusTarget(m_session)) {
         beginOf({target}, path, shownAs(path, normals));
     }
+}
+
+bool ExportActions::writeTarget(TargetId target, const QString& path) {
+    const Target* const found = m_session.targets().find(target);
+    Status written = found == nullptr ? Status(Error{"The target is gone.", {}, {}}) : m_viewport.syncNow();
+    if (written) {
+        const Result<ExportReport> report = exportTarget(m_session, *found, path, shownAs(path, {}));
+        written = report ? Status(Done{}) : Status(report.error());
+    }
+    if (!written) {
+        Q_EMIT failed(written.error());
+    }
+    return written.ok();
 }
 
 Status ExportActions::write(const QString& path, std::optional<NormalMode> normals) {

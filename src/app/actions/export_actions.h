@@ -9,7 +9,7 @@
 
 #include "core/ids.h"
 #include "core/result.h"
-#include "session/export_options.h"
+#include "session/export/export_options.h"
 
 class QAction;
 class QMenu;
@@ -40,7 +40,9 @@ public:
     /// Begins to write the target in focus as it is on the screen, its normals too unless others are asked
     /// for. The suffix says the format.
     void begin(const QString& path, std::optional<NormalMode> normals);
-    /// The same, to its end. Errors are exportTarget()'s.
+    /// Writes a target as it is on the screen; what is wrong is said.
+    [[nodiscard]] bool writeTarget(TargetId target, const QString& path);
+    /// As begin(), to its end. Errors are exportTarget()'s.
     [[nodiscard]] Status write(const QString& path, std::optional<NormalMode> normals);
 
 Q_SIGNALS:

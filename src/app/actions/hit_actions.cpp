@@ -123,14 +123,25 @@ void HitActions::importFrom(const QString& path) {
     });
 }
 
-void HitActions::takeRecords(const Result<HitRecords>& table, const QString& path) {
+Status HitActions::importText(const QByteArray& text) {
+    const std::string_view bytes(text.constData(), static_cast<std::size_t>(text.size()));
+    const Result<HitRecords> table = readHitRecords(bytes, pipelineKeys());
+    if (!table) {
+        return table.error();
+    }
+    takeRecords(table, tr("the clipboard"));
+    return Done{};
+}
+
+/// from: a path, or words.
+void HitActions::takeRecords(const Result<HitRecords>& table, const QString& from) {
     if (!table) {
         Q_EMIT failed(table.error());
     } else if (Status taken = appendRecords(m_session, table.value()); !taken) {
         const Error& error = taken.error();
-        Q_EMIT failed({error.what, QFileInfo(path).fileName().toStdString(), error.advice});
+        Q_EMIT failed({error.what, QFileInfo(from).fileName().toStdString(), error.advice});
     } else {
-        Q_EMIT said(tr("Imported %1 hits from %2").arg(countText(table.value().hits.size()), path));
+        Q_EMIT said(tr("Imported %1 hits from %2").arg(countText(table.value().hits.size()), from));
     }
 }
 

@@ -36,6 +36,8 @@ public:
     /// Errors, and that it is done, come as signals.
     void exportTo(const QString& path);
     void importFrom(const QString& path);
+    /// The same of text; an error: it is no table of hits.
+    [[nodiscard]] Status importText(const QByteArray& text);
     [[nodiscard]] bool isBusy() const { return m_isBusy; }
 
 Q_SIGNALS:
@@ -49,7 +51,7 @@ private:
     void chooseImport();
     void run(const std::function<std::function<void()>()>& work);
     void follow();
-    void takeRecords(const Result<HitRecords>& table, const QString& path);
+    void takeRecords(const Result<HitRecords>& table, const QString& from);
 
     Session& m_session;
     HitEffects& m_effects;

@@ -123,9 +123,12 @@ void ShotActions::save(const ShotSeries& series) {
 void ShotActions::runScript() {
     const QString path =
         QFileDialog::getOpenFileName(&m_window, tr("Run shot script"), {}, tr("Shot scripts (*.json)"));
-    if (path.isEmpty()) {
-        return;
+    if (!path.isEmpty()) {
+        run(path);
     }
+}
+
+void ShotActions::run(const QString& path) {
     const Result<ShotScript> script = readShotScript(path);
     if (!script) {
         showError(&m_window, script.error());

@@ -25,8 +25,9 @@ public:
     /// `session`, `viewport` and `window`, the dialogs' parent, outlive this.
     ShotActions(Session& session, Viewport& viewport, QWidget& window);
 
-    void fill(QMenu& menu);    ///< once
-    void fill(QToolBar& bar);  ///< once
+    void fill(QMenu& menu);         ///< once
+    void fill(QToolBar& bar);       ///< once
+    void run(const QString& path);  ///< a shot script; what is wrong with it is said
     [[nodiscard]] AimPreview& aimPreview() { return *m_aimPreview; }
 
 Q_SIGNALS:

@@ -4,7 +4,7 @@
 #include <QDialog>
 #include <functional>
 
-#include "session/export_options.h"
+#include "session/export/export_options.h"
 
 class QCheckBox;
 class QComboBox;
@@ -26,7 +26,7 @@ public:
         std::size_t hits = 0;                 ///< that made what is shown
         NormalMode shown = NormalMode::True;  ///< normals on the screen
         /// What an export of the one target, or of all, would amount to.
-        std::function<ExportEstimate(bool all, const ExportOptions&)> estimate;
+        std::function<ExportEstimate(bool all, const ExportOptions&)> estimate = {};
     };
     explicit ExportDialog(Choice choice, QWidget* parent = nullptr);
 

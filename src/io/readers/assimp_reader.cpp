@@ -338,7 +338,7 @@ Result<ImportedMesh> readWithAssimp(const QString& path, std::string_view conten
     if (const Status merged = merger.merge(); !merged) {
         return merged.error();
     }
-    if (suffix == QStringLiteral("gltf") || suffix == QStringLiteral("glb")) {
+    if (suffix == "gltf" || suffix == "glb") {
         turnColoursToSrgb(imported.mesh);
     }
     convertMaterials(*scene, imported);

@@ -62,6 +62,7 @@ void ScenePanel::setUpTable() {
     QTableView& table = *m_ui->table;
     table.setModel(&m_model);
     table.setItemDelegate(new SceneDelegate(&table));
+    table.setDragDropMode(QAbstractItemView::DragOnly);  // to other programs, as a file
     table.verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     table.verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
     QHeaderView& columns = *table.horizontalHeader();

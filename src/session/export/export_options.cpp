@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/export_options.h"
+#include "session/export/export_options.h"
 
 #include <QFileInfo>
 #include <algorithm>

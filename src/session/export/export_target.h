@@ -11,7 +11,7 @@
 
 #include "core/result.h"
 #include "deform/hit.h"
-#include "session/export_options.h"
+#include "session/export/export_options.h"
 #include "session/target.h"
 
 namespace hitscope {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/export_target.h"
+#include "session/export/export_target.h"
 
 #include <QFileInfo>
 #include <algorithm>

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/exchange_actions.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QImage>
+#include <QMenu>
+#include <QMimeData>
+#include <QUrl>
+
+#include "app/actions/camera_actions.h"
+#include "app/actions/file_actions.h"
+#include "app/actions/hit_actions.h"
+#include "app/actions/menu_building.h"
+#include "app/actions/shot_actions.h"
+#include "session/shot_script_file.h"
+#include "viewport/viewport.h"
+
+namespace hitscope {
+
+ExchangeActions::ExchangeActions(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {}
+
+void ExchangeActions::fill(QMenu& menu) {
+    addAction(menu, tr("Copy Pictu&re"), tr("Ctrl+F12"), this, [this] { copyPicture(); });
+    addAction(menu, tr("&Paste"), QKeySequence::Paste, this, [this] {
+        paste();
+    })->setToolTip(tr("Files of meshes, sessions, hits and shots; hits and cameras as text"));
+}
+
+/// Files of hits and shots.
+QStringList ExchangeActions::tables(const QMimeData& data) {
+    QStringList paths;
+    for (const QUrl& url : data.urls()) {
+        const QString suffix = QFileInfo(url.toLocalFile()).suffix().toLower();
+        if (url.isLocalFile() && (suffix == QLatin1String("csv") || suffix == QLatin1String("json"))) {
+            paths.append(url.toLocalFile());
+        }
+    }
+    return paths;
+}
+
+bool ExchangeActions::canTake(const QMimeData& data) {
+    return !FileActions::openable(data).isEmpty() || !tables(data).isEmpty();
+}
+
+void ExchangeActions::take(const QMimeData& data) {
+    const QStringList files = FileActions::openable(data);
+    if (!files.isEmpty()) {
+        m_parts.files.askAndOpen(files);
+        return;
+    }
+    for (const QString& path : tables(data)) {
+        // Shots and hits both come as JSON; what is no script says best itself what is wrong with it as hits.
+        if (readShotScript(path)) {
+            m_parts.shots.run(path);
+        } else {
+            m_parts.hits.importFrom(path);
+        }
+    }
+}
+
+void ExchangeActions::paste() {
+    const QMimeData* const data = QGuiApplication::clipboard()->mimeData();
+    if (data != nullptr && canTake(*data)) {
+        take(*data);
+    } else if (data != nullptr && data->hasText()) {
+        pasteText(data->text());
+    } else {
+        Q_EMIT failed({"There is nothing on the clipboard that Hitscope can take.",
+                       {},
+                       "Copy files, hits as CSV or JSON, or a camera."});
+    }
+}
+
+void ExchangeActions::pasteText(const QString& text) {
+    if (m_parts.cameras.paste(text)) {
+        Q_EMIT said(tr("Looking through the camera on the clipboard."));
+    } else if (const Status imported = m_parts.hits.importText(text.toUtf8()); !imported) {
+        const Error& error = imported.error();
+        Q_EMIT failed({"The text on the clipboard is no camera, and no hits: " + error.what, error.where,
+                       "Copy hits as CSV or JSON, or a camera."});
+    }
+}
+
+void ExchangeActions::copyPicture() {
+    const Result<Image> drawn = m_parts.viewport.drawPicture(m_parts.viewport.pictureRequest());
+    if (!drawn) {
+        Q_EMIT failed(drawn.error());
+        return;
+    }
+    const Image& image = drawn.value();
+    QGuiApplication::clipboard()->setImage(
+        QImage(image.pixels.data(), image.width, image.height, 4 * image.width, QImage::Format_RGBA8888)
+            .copy());
+    Q_EMIT said(tr("Picture copied to the clipboard, %1 × %2 pixels.").arg(image.width).arg(image.height));
+}
+
+}  // namespace hitscope

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+
+#include "core/result.h"
+
+class QMenu;
+class QMimeData;
+
+namespace hitscope {
+
+class CameraActions;
+class FileActions;
+class HitActions;
+class ShotActions;
+class Viewport;
+
+/// What goes between the window and other programs: dropped files, and the clipboard. Meshes and sessions are
+/// opened, files and text of hits imported, shot scripts run, text of a camera looked through; out go
+/// pictures, and what the tables copy themselves.
+class ExchangeActions : public QObject {
+    Q_OBJECT
+public:
+    struct Parts {
+        Viewport& viewport;
+        FileActions& files;
+        HitActions& hits;
+        ShotActions& shots;
+        CameraActions& cameras;
+    };
+    /// All of them outlive this.
+    ExchangeActions(const Parts& parts, QObject* parent);
+
+    void fill(QMenu& menu);  ///< once
+
+    /// Whether files can be dropped: what take() does something with.
+    [[nodiscard]] static bool canTake(const QMimeData& data);
+    /// Opens, imports or runs what the files are, as if from the menus.
+    void take(const QMimeData& data);
+    void paste();
+    void copyPicture();
+
+Q_SIGNALS:
+    void said(const QString& text);
+    void failed(const hitscope::Error& error);
+
+private:
+    [[nodiscard]] static QStringList tables(const QMimeData& data);
+    void pasteText(const QString& text);
+
+    Parts m_parts;
+};
+
+}  // namespace hitscope

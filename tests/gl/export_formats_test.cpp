@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A scene as it is shown, in every format, and what is read back from it.
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <glm/geometric.hpp>
+
+#include "io/import.h"
+#include "mesh/primitives.h"
+#include "scene/scene_gpu.h"
+#include "session/demo_shots.h"
+#include "session/export/export_target.h"
+#include "support/gl_fixture.h"
+#include "support/test_program.h"
+
+using namespace hitscope;
+
+namespace {
+
+QByteArray contentOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+}  // namespace
+
+class ExportFormatsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void cleanup() { QCOMPARE(m_gl.errors(), QStringList()); }
+    void everyFormatIsReadBackAsMeant_data();
+    void everyFormatIsReadBackAsMeant();
+    void theWorldIsWhereTargetsStand();
+    void hitsAreCounted();
+    void stepsLeadToTheShapeShown();
+    void hitsNotShownAreLeftOut();
+    void whatIsNotAsMeantIsSaid();
+
+private:
+    [[nodiscard]] QString path(const QString& name) const { return m_folder.filePath(name); }
+    [[nodiscard]] const Target& target(std::size_t index) const { return *m_session->targets()[index]; }
+    [[nodiscard]] std::vector<const Target*> both() const { return {&target(0), &target(1)}; }
+    /// With several targets: all of them.
+    Result<ExportReport> write(const std::vector<const Target*>& targets, const QString& name,
+                               const ExportOptions& options) const {
+        return writeExport(copyForExport(*m_session, targets, options), path(name));
+    }
+    [[nodiscard]] MeshData read(const QString& name) const {
+        Result<ImportedMesh> imported = importMesh(path(name));
+        return imported ? std::move(imported.value().mesh) : MeshData();
+    }
+
+    test::GlFixture m_gl;
+    QTemporaryDir m_folder;
+    std::unique_ptr<Session> m_session;
+    std::unique_ptr<SceneGpu> m_gpu;
+};
+
+void ExportFormatsTest::initTestCase() {
+    if (!m_gl.open()) {
+        return;
+    }
+    m_session = std::make_unique<Session>();
+    std::vector<TargetPlan> plans;
+    plans.push_back(planMesh(makeHighPolyCube(2.5f)));
+    plans.push_back(planMesh(makeLowPolySphere(2.0f)));
+    plans[0].name = QStringLiteral("cube");
+    plans[1].name = QStringLiteral("sphere");
+    plans[1].transform.position = {7.0f, 0.0f, -1.0f};
+    plans[1].transform.rotation = glm::angleAxis(0.5f, glm::vec3(0, 1, 0));
+    m_session->loadScene({QStringLiteral("two"), std::move(plans)});
+    Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(*m_session);
+    QVERIFY(made);
+    m_gpu = std::move(made.value());
+    shootAll(*m_session, demoShots(*m_session, 60, 2));
+    QVERIFY(m_gpu->sync());
+    for (std::size_t t = 0; t < 2; ++t) {
+        QVERIFY(target(t).deformed.statistics().changedVertices > 0);
+    }
+}
+
+void ExportFormatsTest::everyFormatIsReadBackAsMeant_data() {
+    QTest::addColumn<int>("format");
+    QTest::addColumn<bool>("all");
+    for (const ExportFormatTraits& traits : exportFormats()) {
+        QTest::addRow("%s, one", traits.key) << static_cast<int>(traits.format) << false;
+        QTest::addRow("%s, all", traits.key) << static_cast<int>(traits.format) << true;
+    }
+}
+
+void ExportFormatsTest::everyFormatIsReadBackAsMeant() {
+    QFETCH(int, format);
+    QFETCH(bool, all);
+    const ExportFormatTraits& traits = traitsOf(static_cast<ExportFormat>(format));
+    for (const NormalMode normals : {NormalMode::True, NormalMode::Paper}) {
+        ExportOptions options;
+        options.format = traits.format;
+        options.normals = normals;
+        options.readBack = true;
+        options.steps = 7;
+        const QString name = QStringLiteral("mesh.") + QLatin1String(traits.suffix);
+        const Result<ExportReport> written = write(all ? both() : std::vector{&target(0)}, name, options);
+        QVERIFY2(written.ok(), written.ok() ? "" : written.error().message().c_str());
+        QCOMPARE(written.value().wasReadBack, traits.format != ExportFormat::Csv);
+        QVERIFY(!contentOf(path(name)).isEmpty());
+        if (traits.format == ExportFormat::Obj || traits.format == ExportFormat::Ply) {
+            std::size_t vertices = target(0).deformed.positions().size();
+            vertices += all ? target(1).deformed.positions().size() : 0;
+            QCOMPARE(read(name).positions.size(), vertices);
+        }
+    }
+}
+
+void ExportFormatsTest::theWorldIsWhereTargetsStand() {
+    ExportOptions options;
+    options.inWorld = true;
+    QVERIFY(write({&target(1)}, QStringLiteral("world.obj"), options));
+    options.inWorld = false;
+    QVERIFY(write({&target(1)}, QStringLiteral("file.obj"), options));
+    const MeshData world = read(QStringLiteral("world.obj"));
+    const MeshData file = read(QStringLiteral("file.obj"));
+    QCOMPARE(world.cornerVertices, file.cornerVertices);
+    float farthest = 0.0f;
+    for (std::size_t v = 0; v < world.positions.size(); ++v) {
+        const glm::vec3 expected = target(1).transform.toWorld(file.positions[v]);
+        farthest = std::max(farthest, glm::distance(world.positions[v], expected));
+    }
+    QVERIFY2(farthest < 1e-5f, qPrintable(QString::number(farthest)));
+    QVERIFY(glm::distance(world.positions[0], file.positions[0]) > 1.0f);
+}
+
+void ExportFormatsTest::hitsAreCounted() {
+    ExportOptions options;
+    options.format = ExportFormat::Csv;
+    QVERIFY(write({&target(0)}, QStringLiteral("changes.csv"), options));
+    const QList<QByteArray> lines = contentOf(path(QStringLiteral("changes.csv"))).trimmed().split('\n');
+    QCOMPARE(lines.size() - 1, qsizetype(target(0).deformed.statistics().changedVertices));
+    const qsizetype column = lines.first().trimmed().split(',').indexOf("hits");
+    QVERIFY(column > 0);
+    for (qsizetype line = 1; line < lines.size(); ++line) {
+        QVERIFY2(lines[line].trimmed().split(',').value(column).toInt() > 0, lines[line].constData());
+    }
+}
+
+// The last step of the animation is what the pipeline made: the check after writing adds the steps up.
+void ExportFormatsTest::stepsLeadToTheShapeShown() {
+    ExportOptions options;
+    options.format = ExportFormat::Glb;
+    options.readBack = true;
+    options.steps = 1000;
+    const SceneExport whole = copyForExport(*m_session, both(), options);
+    const Result<ExportReport> written = writeExport(whole, path(QStringLiteral("steps.glb")));
+    QVERIFY2(written.ok(), written.ok() ? "" : written.error().message().c_str());
+    const QByteArray glb = contentOf(path(QStringLiteral("steps.glb")));
+    QVERIFY(glb.contains("Deformed"));
+    QVERIFY(glb.contains("\"animations\""));
+    SceneExport fewer = whole;
+    fewer.hits.resize(fewer.hits.size() / 2);  // they do not make what is shown
+    QVERIFY(!writeExport(fewer, path(QStringLiteral("fewer.glb"))).ok() ||
+            !writeExport(fewer, path(QStringLiteral("fewer.glb"))).value().wasReadBack);
+}
+
+void ExportFormatsTest::hitsNotShownAreLeftOut() {
+    m_session->hits().show(10);
+    const SceneExport some = copyForExport(*m_session, both(), {});
+    m_session->hits().show({});
+    QVERIFY(m_gpu->sync());
+    const auto enabled =
+        std::count_if(some.hits.begin(), some.hits.end(), [](const Hit& hit) { return hit.enabled; });
+    QCOMPARE(enabled, 10);
+}
+
+void ExportFormatsTest::whatIsNotAsMeantIsSaid() {
+    ExportOptions options;
+    options.readBack = true;
+    SceneExport what = copyForExport(*m_session, std::vector{&target(0)}, options);
+    what.targets[0].positions[3].x = std::numeric_limits<float>::quiet_NaN();  // no file holds that
+    const Result<ExportReport> written = writeExport(what, path(QStringLiteral("broken.obj")));
+    QVERIFY(!written.ok());
+}
+
+HITSCOPE_TEST(ExportFormatsTest, QCoreApplication)
+#include "export_formats_test.moc"

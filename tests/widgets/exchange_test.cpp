@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What goes between the window and other programs: dropped and dragged files, and the clipboard.
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QDir>
+#include <QDropEvent>
+#include <QFile>
+#include <QImage>
+#include <QMimeData>
+#include <QStatusBar>
+#include <QTableView>
+#include <QTest>
+#include <QUrl>
+
+#include "app/actions/exchange_actions.h"
+#include "io/import.h"
+#include "mesh/same_bits.h"
+#include "panels/hit_history/hit_table.h"
+#include "panels/scene/scene_panel.h"
+#include "support/test_program.h"
+#include "window_support.h"
+
+using namespace hitscope;
+
+class ExchangeTest : public QObject {
+    Q_OBJECT
+public:
+    static void initMain() { MainWindow::setSurfaceFormat(); }
+
+private Q_SLOTS:
+    void init();
+    void cleanup();
+    void picturesAreCopied();
+    void hitsArePastedAsText();
+    void filesArePasted();
+    void otherTextIsRefused();
+    void hitsAreDropped();
+    void hitsAreDraggedOutAsATable();
+    void targetsAreDraggedOutAsAFile();
+    void whatIsDraggedOutDoesNotComeBack();
+
+private:
+    void addHit();
+    [[nodiscard]] QString writtenHits();
+    /// As the panel drags them.
+    [[nodiscard]] std::unique_ptr<QMimeData> draggedHits() const;
+
+    TestSettings m_settings;
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<Session> m_session;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+void ExchangeTest::init() {
+    m_folder = std::make_unique<QTemporaryDir>();
+    m_session = std::make_unique<Session>();
+    loadMesh(*m_session, makeHighPolyCube(2.5f));
+    m_window = std::make_unique<MainWindow>(*m_session);
+    showReady(*m_window);
+    addHit();
+}
+
+void ExchangeTest::cleanup() {
+    m_window.reset();
+    m_session.reset();
+    QGuiApplication::clipboard()->clear();
+}
+
+void ExchangeTest::addHit() {
+    Hit hit;
+    hit.target = m_session->targets().front()->id;
+    hit.point = {0.0f, 2.5f, 0.0f};
+    hit.direction = {0.0f, -1.0f, 0.0f};
+    QVERIFY(m_session->hits().add(hit).ok());
+}
+
+std::unique_ptr<QMimeData> ExchangeTest::draggedHits() const {
+    const QAbstractItemModel* model = m_window->findChild<HitTable*>()->model();
+    return std::unique_ptr<QMimeData>(model->mimeData({model->index(0, 0)}));
+}
+
+QString ExchangeTest::writtenHits() {
+    const QString path = m_folder->filePath(QStringLiteral("hits.csv"));
+    QFile file(path);
+    const QByteArray text = draggedHits()->text().toUtf8();
+    return file.open(QIODevice::WriteOnly) && file.write(text) == text.size() ? path : QString();
+}
+
+void ExchangeTest::picturesAreCopied() {
+    QTest::keyClick(m_window.get(), Qt::Key_F12, Qt::ControlModifier);
+    const QImage copied = QGuiApplication::clipboard()->image();
+    QCOMPARE(copied.size(), m_window->viewport().size() * m_window->devicePixelRatioF());
+    QVERIFY(m_window->statusBar()->currentMessage().contains(QString::number(copied.width())));
+    int colours = 0;
+    for (int x = 1; x < copied.width(); ++x) {
+        colours += copied.pixel(x, copied.height() / 2) != copied.pixel(x - 1, copied.height() / 2) ? 1 : 0;
+    }
+    QVERIFY2(colours > 10, qPrintable(QString::number(colours)));  // a mesh, not a plain
+}
+
+void ExchangeTest::hitsArePastedAsText() {
+    QGuiApplication::clipboard()->setText(draggedHits()->text());
+    QTest::keyClick(m_window.get(), Qt::Key_V, Qt::ControlModifier);
+    QCOMPARE(m_session->hits().history().size(), std::size_t{2});
+    const std::span<const Hit> hits = m_session->hits().history().hits();
+    QVERIFY(sameBits(hits[0].point, hits[1].point));
+    m_session->undo();
+    QCOMPARE(m_session->hits().history().size(), std::size_t{1});
+}
+
+void ExchangeTest::filesArePasted() {
+    auto* data = new QMimeData;
+    data->setUrls({QUrl::fromLocalFile(writtenHits())});
+    QGuiApplication::clipboard()->setMimeData(data);
+    QTest::keyClick(m_window.get(), Qt::Key_V, Qt::ControlModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), std::size_t{2}, kPatience);
+}
+
+void ExchangeTest::otherTextIsRefused() {
+    QGuiApplication::clipboard()->setText(QStringLiteral("Dear reader"));
+    QTest::keyClick(m_window.get(), Qt::Key_V, Qt::ControlModifier);
+    const auto box = [this] { return m_window->findChild<QMessageBox*>(); };
+    QTRY_VERIFY_WITH_TIMEOUT(box() != nullptr && box()->isVisible(), kPatience);
+    QVERIFY2(box()->text().contains(QStringLiteral("no camera, and no hits")), qPrintable(box()->text()));
+    box()->close();
+    QCOMPARE(m_session->hits().history().size(), std::size_t{1});
+}
+
+void ExchangeTest::hitsAreDropped() {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(writtenHits())});
+    QVERIFY(ExchangeActions::canTake(data));
+    QDropEvent drop({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(m_window.get(), &drop);
+    QVERIFY(drop.isAccepted());
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), std::size_t{2}, kPatience);
+}
+
+void ExchangeTest::hitsAreDraggedOutAsATable() {
+    const std::unique_ptr<QMimeData> data = draggedHits();
+    QVERIFY(data->hasText());
+    QVERIFY(data->hasUrls());
+    const QString path = data->urls().value(0).toLocalFile();
+    QVERIFY2(path.endsWith(QStringLiteral("/hits.csv")), qPrintable(path));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(QString::fromUtf8(file.readAll()), data->text());
+    QCOMPARE(data->urls().value(0).toLocalFile(), path);  // asked for twice, it is the same
+}
+
+void ExchangeTest::targetsAreDraggedOutAsAFile() {
+    const QAbstractItemModel* model = m_window->findChild<ScenePanel*>()->findChild<QTableView*>()->model();
+    QVERIFY(model->flags(model->index(0, 0)).testFlag(Qt::ItemIsDragEnabled));
+    const std::unique_ptr<QMimeData> data(model->mimeData({model->index(0, 0)}));
+    const QString path = data->urls().value(0).toLocalFile();
+    QVERIFY2(path.endsWith(QStringLiteral("_deformed.obj")), qPrintable(path));
+    const Result<ImportedMesh> read = importMesh(path);
+    QVERIFY(read.ok());
+    const std::span<const glm::vec3> shown = m_session->targets().front()->deformed.positions();
+    QVERIFY(std::equal(shown.begin(), shown.end(), read.value().mesh.positions.begin(),
+                       read.value().mesh.positions.end(),
+                       [](const glm::vec3& a, const glm::vec3& b) { return sameBits(a, b); }));
+    QVERIFY(m_session->targets().front()->deformed.statistics().changedVertices > 0);
+}
+
+void ExchangeTest::whatIsDraggedOutDoesNotComeBack() {
+    QMimeData text;
+    text.setText(QStringLiteral("no file"));
+    QVERIFY(!ExchangeActions::canTake(text));
+    QMimeData picture;
+    picture.setUrls({QUrl::fromLocalFile(QStringLiteral("/a.png"))});
+    QVERIFY(!ExchangeActions::canTake(picture));
+}
+
+HITSCOPE_TEST(ExchangeTest, QApplication)
+#include "exchange_test.moc"

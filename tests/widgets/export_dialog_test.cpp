@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the export dialog offers, and the export without one.
+#include <QAction>
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSettings>
+#include <QSpinBox>
+#include <QStatusBar>
+#include <QTest>
+#include <QTimer>
+
+#include "app/actions/export_actions.h"
+#include "app/dialogs/export_dialog.h"
+#include "panels/help/help_text.h"
+#include "support/test_program.h"
+#include "window_support.h"
+
+using namespace hitscope;
+
+class ExportDialogTest : public QObject {
+    Q_OBJECT
+public:
+    static void initMain() { MainWindow::setSurfaceFormat(); }
+
+private Q_SLOTS:
+    void offersWhatTheFormatHolds();
+    void putsAllTargetsIntoTheScene();
+    void readsLargeFilesBackOnlyWhenAsked();
+    void remembersTheLastChoice();
+    void exportsAgainWithoutAsking();
+
+private:
+    template <class Part>
+    [[nodiscard]] static Part& part(ExportDialog& dialog, const char* name) {
+        return *dialog.findChild<Part*>(QLatin1String(name));
+    }
+    static void choose(ExportDialog& dialog, ExportFormat format) {
+        part<QComboBox>(dialog, "format").setCurrentIndex(static_cast<int>(format));
+    }
+
+    TestSettings m_settings;
+    QTemporaryDir m_folder;
+};
+
+void ExportDialogTest::offersWhatTheFormatHolds() {
+    ExportDialog dialog({.target = QStringLiteral("one"), .targets = 1, .hits = 3});
+    QVERIFY(!part<QComboBox>(dialog, "what").isEnabled());
+    for (const ExportFormatTraits& traits : exportFormats()) {
+        choose(dialog, traits.format);
+        QCOMPARE(dialog.options().format, traits.format);
+        QCOMPARE(part<QComboBox>(dialog, "normals").isEnabled(), traits.hasNormals);
+        QCOMPARE(part<QCheckBox>(dialog, "hasSteps").isEnabled(), traits.hasSteps);
+        QCOMPARE(part<QCheckBox>(dialog, "readBack").isEnabled(), traits.format != ExportFormat::Csv);
+        for (const char* name : {"hasSteps", "readBack", "allNormals"}) {
+            const auto& box = part<QCheckBox>(dialog, name);
+            QCOMPARE(whyDisabled(box).isEmpty(), box.isEnabled());
+        }
+    }
+    choose(dialog, ExportFormat::Glb);
+    QCOMPARE(dialog.options().steps, std::size_t{0});
+    part<QCheckBox>(dialog, "hasSteps").setChecked(true);
+    part<QSpinBox>(dialog, "steps").setValue(5);
+    QCOMPARE(dialog.options().steps, std::size_t{5});
+    choose(dialog, ExportFormat::Stl);
+    QCOMPARE(dialog.options().steps, std::size_t{0});
+    ExportDialog noHits({.target = QStringLiteral("one"), .targets = 1, .hits = 0});
+    choose(noHits, ExportFormat::Glb);
+    QCOMPARE(whyDisabled(part<QCheckBox>(noHits, "hasSteps")), QStringLiteral("There are no hits yet."));
+}
+
+void ExportDialogTest::putsAllTargetsIntoTheScene() {
+    ExportDialog dialog({.target = QStringLiteral("one"), .targets = 3, .hits = 0});
+    QVERIFY(!dialog.isOfAll());
+    QVERIFY(!dialog.options().inWorld);
+    part<QComboBox>(dialog, "what").setCurrentIndex(1);
+    QVERIFY(dialog.isOfAll());
+    QVERIFY(dialog.options().inWorld);
+    QVERIFY(!part<QComboBox>(dialog, "frame").isEnabled());
+}
+
+void ExportDialogTest::readsLargeFilesBackOnlyWhenAsked() {
+    std::uint64_t bytes = 99'000'000;
+    ExportDialog::Choice choice{.target = QStringLiteral("one"), .targets = 2, .hits = 0};
+    choice.estimate = [&bytes](bool all, const ExportOptions&) {
+        return ExportEstimate{1000, 2000, all ? 2 * bytes : bytes};
+    };
+    ExportDialog dialog(choice);
+    QVERIFY(dialog.options().readBack);
+    QVERIFY(part<QLabel>(dialog, "preview").text().contains(QStringLiteral("99")));
+    part<QComboBox>(dialog, "what").setCurrentIndex(1);
+    QVERIFY(!dialog.options().readBack);
+    part<QCheckBox>(dialog, "readBack").setChecked(true);
+    part<QComboBox>(dialog, "what").setCurrentIndex(0);
+    part<QCheckBox>(dialog, "readBack").setChecked(false);
+    part<QComboBox>(dialog, "what").setCurrentIndex(1);
+    QVERIFY(dialog.options().readBack);
+}
+
+void ExportDialogTest::remembersTheLastChoice() {
+    QSettings settings;
+    {
+        ExportDialog dialog({.target = QStringLiteral("one"), .targets = 1, .hits = 2});
+        choose(dialog, ExportFormat::Gltf);
+        part<QCheckBox>(dialog, "hasSteps").setChecked(true);
+        part<QSpinBox>(dialog, "steps").setValue(9);
+        part<QComboBox>(dialog, "frame").setCurrentIndex(1);
+        part<QCheckBox>(dialog, "readBack").setChecked(false);
+        dialog.save(settings);
+    }
+    ExportDialog dialog({.target = QStringLiteral("one"), .targets = 1, .hits = 2});
+    dialog.load(settings);
+    QCOMPARE(dialog.options().format, ExportFormat::Gltf);
+    QCOMPARE(dialog.options().steps, std::size_t{9});
+    QVERIFY(dialog.options().inWorld);
+    QVERIFY(!dialog.options().readBack);
+}
+
+void ExportDialogTest::exportsAgainWithoutAsking() {
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    QSettings().clear();
+    Session session;
+    loadMesh(session, makeHighPolyCube(2.5f));
+    MainWindow window(session);
+    showReady(window);
+    auto* again = window.findChild<QAction*>(QStringLiteral("exportAgain"));
+    QVERIFY(again != nullptr);
+    QVERIFY(!again->isEnabled());
+    QCOMPARE(whyDisabled(*again), QStringLiteral("Nothing was exported yet."));
+    const QString path = m_folder.filePath(QStringLiteral("again.glb"));
+    QTimer timer;
+    connect(&timer, &QTimer::timeout, &window, [&] {
+        QWidget* const modal = QApplication::activeModalWidget();
+        if (auto* options = qobject_cast<ExportDialog*>(modal)) {
+            choose(*options, ExportFormat::Glb);
+            options->accept();
+        } else if (auto* dialog = qobject_cast<QFileDialog*>(modal)) {
+            timer.stop();
+            dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path);
+            QMetaObject::invokeMethod(dialog, "accept");
+        }
+    });
+    timer.start(50);
+    QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(path), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(window.statusBar()->currentMessage().contains(QStringLiteral("read back")),
+                             kPatience);
+    makeActive(window);
+    const qint64 before = QFileInfo(path).size();
+    Hit hit;
+    hit.target = session.targets().front()->id;
+    hit.point = {0.0f, 2.5f, 0.0f};
+    hit.direction = {0.0f, -1.0f, 0.0f};
+    QVERIFY(session.hits().add(hit).ok());
+    QVERIFY(again->isEnabled());
+    QVERIFY2(again->text().contains(QStringLiteral("again.glb")), qPrintable(again->text()));
+    QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(path).size() > before, kPatience);
+    const TargetId only = session.targets().front()->id;
+    session.targets().remove({&only, 1});
+    QVERIFY(!again->isEnabled());
+    QCOMPARE(whyDisabled(*again), QStringLiteral("What was exported last is not in the scene."));
+}
+
+HITSCOPE_TEST(ExportDialogTest, QApplication)
+#include "export_dialog_test.moc"
