@@ -70,7 +70,7 @@ private:
     struct Shape {
         explicit Shape(const Target& target)
             : deformed(target.deformed.sharedOriginal(), target.deformed.sharedRender()),
-              trueNormals(target.deformed.original(), target.deformed.render()) {}
+              trueNormals(target.deformed.sharedOriginal(), target.deformed.sharedRender()) {}
         DeformedMesh deformed;
         TrueNormals trueNormals;
         std::vector<std::uint32_t> moved;  ///< file vertices, since finishReadBack()

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/remaining_time.h"
 #include "models/frame_rate_text.h"
 #include "models/quantity_text.h"
 #include "models/verdict_text.h"
@@ -21,6 +22,19 @@ namespace {
 
 constexpr int kProgressDelay = 500;  // milliseconds
 constexpr int kDone = 100;           // per cent
+
+QString withRemaining(const QString& what, double fraction, double seconds) {
+    constexpr double kMinute = 60.0;
+    constexpr double kInMinutes = 90.0;
+    const std::optional<double> left = remainingSeconds(fraction, seconds);
+    if (!left) {
+        return what;
+    }
+    if (*left > kInMinutes) {
+        return StatusLine::tr("%1, about %2 min left").arg(what).arg(std::lround(*left / kMinute));
+    }
+    return StatusLine::tr("%1, about %2 s left").arg(what).arg(std::max(1L, std::lround(*left)));
+}
 
 }  // namespace
 
@@ -97,12 +111,15 @@ void StatusLine::showTask() {
     }
     if (task->id != m_task) {
         m_task = task->id;
+        m_taskTime.start();
         if (!m_progress->isVisible()) {
             m_progressDelay.start();
         }
     }
     const std::size_t others = m_session.tasks().size() - 1;
-    m_doing->setText(others == 0 ? task->what : tr("%1 (%2 more)").arg(task->what).arg(others));
+    const QString what =
+        withRemaining(task->what, task->fraction, 1.0e-3 * static_cast<double>(m_taskTime.elapsed()));
+    m_doing->setText(others == 0 ? what : tr("%1 (%2 more)").arg(what).arg(others));
     m_fraction->setMaximum(task->fraction < 0.0 ? 0 : kDone);
     m_fraction->setValue(task->fraction < 0.0 ? 0 : static_cast<int>(std::lround(task->fraction * kDone)));
     m_cancel->setVisible(static_cast<bool>(task->cancel));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 
@@ -50,7 +51,8 @@ private:
     QString m_rendererName;
     QToolButton* m_cancel = nullptr;
     QTimer m_progressDelay;
-    int m_task = 0;  ///< the one that is shown; 0: none
+    QElapsedTimer m_taskTime;  ///< since it is shown
+    int m_task = 0;            ///< the one that is shown; 0: none
 };
 
 }  // namespace hitscope

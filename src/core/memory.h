@@ -9,4 +9,7 @@ namespace hitscope {
 /// turn). Call first thing in main().
 void keepFreedMemory();
 
+/// Hands to the system what was kept: after work on a large mesh that took hundreds of megabytes for a while.
+void giveBackFreedMemory();
+
 }  // namespace hitscope

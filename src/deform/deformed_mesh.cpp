@@ -11,14 +11,20 @@
 namespace hitscope {
 
 DeformedMesh::DeformedMesh(std::shared_ptr<const MeshData> original, std::shared_ptr<const RenderMesh> render)
-    : m_original(std::move(original)),
-      m_render(std::move(render)),
-      m_vertices(m_render->vertices),
-      m_positions(m_original->positions),
-      m_listed(m_original->positions.size(), false) {}
+    : m_original(std::move(original)), m_render(std::move(render)) {}
+
+void DeformedMesh::makeOwn() {
+    if (m_isOriginal) {
+        m_vertices = m_render->vertices;
+        m_positions = m_original->positions;
+        m_listed.assign(m_positions.size(), false);
+        m_isOriginal = false;
+    }
+}
 
 void DeformedMesh::write(std::uint32_t first, std::span<const DynamicVertex> vertices,
                          std::vector<std::uint32_t>& moved) {
+    makeOwn();
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const glm::vec3& position = vertices[i].position;
         if (sameBits(position, m_vertices[first + i].position)) {
@@ -37,7 +43,9 @@ void DeformedMesh::write(std::uint32_t first, std::span<const DynamicVertex> ver
 }
 
 void DeformedMesh::reset() {
-    m_vertices = m_render->vertices;
+    if (!m_isOriginal) {
+        m_vertices = m_render->vertices;
+    }
     for (const std::uint32_t fileVertex : m_changed) {
         m_positions[fileVertex] = m_original->positions[fileVertex];
         m_listed[fileVertex] = false;
@@ -47,11 +55,11 @@ void DeformedMesh::reset() {
 }
 
 bool DeformedMesh::isChanged(std::uint32_t fileVertex) const {
-    return m_positions[fileVertex] != m_original->positions[fileVertex];
+    return positions()[fileVertex] != m_original->positions[fileVertex];
 }
 
 glm::vec3 DeformedMesh::displacement(std::uint32_t fileVertex) const {
-    return m_positions[fileVertex] - m_original->positions[fileVertex];
+    return positions()[fileVertex] - m_original->positions[fileVertex];
 }
 
 DisplacementStatistics DeformedMesh::statistics() const {

@@ -31,7 +31,8 @@ public:
     DeformedMesh(std::shared_ptr<const MeshData> original, std::shared_ptr<const RenderMesh> render);
 
     /// Takes over vertices [first, first + vertices.size()) as read back. Cost follows the range. File
-    /// vertices that are now somewhere else are appended to `moved`; some may be repeated.
+    /// vertices that are now somewhere else are appended to `moved`; some may be repeated. The first time the
+    /// whole original is copied.
     void write(std::uint32_t first, std::span<const DynamicVertex> vertices,
                std::vector<std::uint32_t>& moved);
     /// Back to the original.
@@ -40,9 +41,13 @@ public:
     void setMaterialsFrom(std::shared_ptr<const MeshData> original) { m_original = std::move(original); }
 
     /// Current render vertices; render().vertices.size() entries.
-    [[nodiscard]] std::span<const DynamicVertex> vertices() const { return m_vertices; }
+    [[nodiscard]] std::span<const DynamicVertex> vertices() const {
+        return m_isOriginal ? m_render->vertices : m_vertices;
+    }
     /// Current positions in the file's own order; original().positions.size() entries.
-    [[nodiscard]] std::span<const glm::vec3> positions() const { return m_positions; }
+    [[nodiscard]] std::span<const glm::vec3> positions() const {
+        return m_isOriginal ? m_original->positions : m_positions;
+    }
     [[nodiscard]] bool isChanged(std::uint32_t fileVertex) const;
     [[nodiscard]] glm::vec3 displacement(std::uint32_t fileVertex) const;
     /// Every changed vertex, each once and in no order, and perhaps some that are back at their original.
@@ -58,8 +63,12 @@ public:
     [[nodiscard]] std::shared_ptr<const RenderMesh> sharedRender() const { return m_render; }
 
 private:
+    void makeOwn();
+
     std::shared_ptr<const MeshData> m_original;
     std::shared_ptr<const RenderMesh> m_render;
+    bool m_isOriginal =
+        true;  ///< nothing was written yet: what follows is empty, as large meshes take memory
     std::vector<DynamicVertex> m_vertices;
     std::vector<glm::vec3> m_positions;
     std::vector<std::uint32_t> m_changed;  ///< file vertices that were ever changed, each once

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/parallel.h"
 #include "mesh/triangulate.h"
 
 namespace hitscope {
@@ -13,6 +14,8 @@ namespace {
 /// Every corner of a vertex is compared with every other; the hub of a larger fan has all its faces averaged
 /// once, so that the work stays in proportion to the mesh.
 constexpr std::size_t kMostFacesCompared = 256;
+
+constexpr std::size_t kVerticesAThread = 4096;  // fewer are done sooner than a thread is started
 
 /// The zero vector when v has no usable direction.
 glm::dvec3 unitOrZero(const glm::dvec3& v) {
@@ -121,25 +124,35 @@ VertexCorners::VertexCorners(const MeshData& mesh)
     }
 }
 
-std::vector<glm::vec3> cornerNormals(const MeshData& mesh, const VertexCorners& vertexCorners,
-                                     float creaseAngle) {
-    std::vector<glm::vec3> normals(mesh.cornerVertices.size(), glm::vec3(0.0f));
-    bool isComplete = true;
-    for (std::size_t c = 0; c < normals.size(); ++c) {
-        if (!mesh.cornerNormals.empty() && mesh.cornerNormals[c] != kNoIndex) {
-            normals[c] = glm::vec3(unitOrZero(glm::dvec3(mesh.normals[mesh.cornerNormals[c]])));
-        }
-        isComplete = isComplete && normals[c] != glm::vec3(0.0f);
+bool CornerNormals::isComplete() const {
+    return m_mesh.cornerNormals.size() == m_mesh.cornerVertices.size() &&
+           std::all_of(m_mesh.cornerNormals.begin(), m_mesh.cornerNormals.end(),
+                       [this](std::uint32_t n) { return n != kNoIndex && m_units[n] != glm::vec3(0.0f); });
+}
+
+CornerNormals::CornerNormals(const MeshData& mesh, const VertexCorners& vertexCorners, float creaseAngle)
+    : m_mesh(mesh) {
+    m_units.reserve(mesh.normals.size());
+    for (const glm::vec3& normal : mesh.normals) {
+        m_units.emplace_back(unitOrZero(glm::dvec3(normal)));
     }
-    if (isComplete) {
-        return normals;
+    if (isComplete()) {
+        return;
+    }
+    m_ofCorners.assign(mesh.cornerVertices.size(), glm::vec3(0.0f));
+    for (std::size_t c = 0; c < mesh.cornerNormals.size(); ++c) {
+        if (mesh.cornerNormals[c] != kNoIndex) {
+            m_ofCorners[c] = m_units[mesh.cornerNormals[c]];
+        }
     }
     const FaceNormals faces(mesh);
     const Smoothness smoothness(mesh, creaseAngle);
-    for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
-        computeMissing(vertexCorners.of(v), faces, smoothness, normals);
-    }
-    return normals;
+    // The corners of a vertex are its own: parts write to different ones.
+    inParts(mesh.vertexCount(), kVerticesAThread, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v) {
+            computeMissing(vertexCorners.of(v), faces, smoothness, m_ofCorners);
+        }
+    });
 }
 
 }  // namespace hitscope

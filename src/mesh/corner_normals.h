@@ -21,7 +21,21 @@ struct VertexCorners {
 
 /// One unit normal a corner: the file's where it has a usable one, else computed from the faces around the
 /// vertex (buildRenderMesh says how).
-[[nodiscard]] std::vector<glm::vec3> cornerNormals(const MeshData& mesh, const VertexCorners& vertexCorners,
-                                                   float creaseAngle);
+class CornerNormals {
+public:
+    /// `mesh` outlives this.
+    CornerNormals(const MeshData& mesh, const VertexCorners& vertexCorners, float creaseAngle);
+
+    [[nodiscard]] const glm::vec3& operator[](std::size_t corner) const {
+        return m_ofCorners.empty() ? m_units[m_mesh.cornerNormals[corner]] : m_ofCorners[corner];
+    }
+
+private:
+    [[nodiscard]] bool isComplete() const;
+
+    const MeshData& m_mesh;
+    std::vector<glm::vec3> m_units;      ///< of the file's normals; zero: not usable
+    std::vector<glm::vec3> m_ofCorners;  ///< empty: the file's do for all corners
+};
 
 }  // namespace hitscope

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
+#include "core/parallel.h"
 #include "mesh/corner_normals.h"
 #include "mesh/spatial_order.h"
 #include "mesh/triangulate.h"
@@ -13,54 +15,101 @@
 namespace hitscope {
 namespace {
 
-/// Everything of a corner but its vertex that makes it a render vertex of its own.
-struct CornerAttributes {
-    std::vector<glm::vec3> normals;
-    std::vector<glm::vec2> texcoords;
+// Fewer are done sooner than a thread is started.
+constexpr std::size_t kVerticesAThread = 8192;
+constexpr std::size_t kFacesAThread = 8192;
 
+/// std::sort() keeps so many equal ones in their order.
+constexpr std::size_t kMostKeptInOrder = 16;
+
+/// What makes a corner of a vertex a render vertex of its own.
+struct CornerAttributes {
+    const MeshData& mesh;
+    CornerNormals normals;
+
+    [[nodiscard]] glm::vec2 texcoord(std::uint32_t corner) const {
+        const std::uint32_t index = mesh.cornerTexcoords.empty() ? kNoIndex : mesh.cornerTexcoords[corner];
+        const glm::vec2 texcoord = index == kNoIndex ? glm::vec2(0.0f) : mesh.texcoords[index];
+        return std::isfinite(texcoord.x) && std::isfinite(texcoord.y) ? texcoord : glm::vec2(0.0f);
+    }
     [[nodiscard]] auto key(std::uint32_t corner) const {
         const glm::vec3& n = normals[corner];
-        const glm::vec2& t = texcoords[corner];
+        const glm::vec2 t = texcoord(corner);
         return std::tuple(n.x, n.y, n.z, t.x, t.y);
     }
 };
 
-std::vector<glm::vec2> cornerTexcoords(const MeshData& mesh) {
-    std::vector<glm::vec2> texcoords(mesh.cornerVertices.size(), glm::vec2(0.0f));
-    for (std::size_t c = 0; c < mesh.cornerTexcoords.size(); ++c) {
-        if (mesh.cornerTexcoords[c] == kNoIndex) {
-            continue;
+/// The render vertices of a run of the file's.
+struct VertexRun {
+    std::vector<DynamicVertex> vertices;
+    std::vector<glm::vec2> texcoords;
+    std::vector<std::uint32_t> fileVertices;
+
+    void add(const MeshData& mesh, std::size_t v, std::uint32_t corner, const CornerAttributes& attributes) {
+        vertices.push_back({mesh.positions[v], attributes.normals[corner]});
+        texcoords.push_back(attributes.texcoord(corner));
+        fileVertices.push_back(static_cast<std::uint32_t>(v));
+    }
+};
+
+/// Of vertices [begin, end); their corners get numbers from the run's first on.
+VertexRun makeRun(const MeshData& mesh, const VertexCorners& vertexCorners, std::size_t begin,
+                  std::size_t end, const CornerAttributes& attributes, std::span<std::uint32_t> numbers) {
+    VertexRun run;
+    run.vertices.reserve(end - begin);
+    run.texcoords.reserve(end - begin);
+    run.fileVertices.reserve(end - begin);
+    std::vector<std::pair<decltype(attributes.key(0)), std::uint32_t>> sorted;
+    for (std::size_t v = begin; v < end; ++v) {
+        sorted.clear();
+        bool isOne = true;
+        for (const std::uint32_t corner : vertexCorners.of(v)) {
+            sorted.emplace_back(attributes.key(corner), corner);
+            isOne = isOne && sorted.back().first == sorted.front().first;
         }
-        const glm::vec2& texcoord = mesh.texcoords[mesh.cornerTexcoords[c]];
-        if (std::isfinite(texcoord.x) && std::isfinite(texcoord.y)) {
-            texcoords[c] = texcoord;
+        if (!isOne || sorted.size() > kMostKeptInOrder) {
+            std::sort(sorted.begin(), sorted.end(),
+                      [](const auto& a, const auto& b) { return a.first < b.first; });
+        }
+        for (std::size_t i = 0; i < sorted.size(); ++i) {
+            if (i == 0 || sorted[i].first != sorted[i - 1].first) {
+                run.add(mesh, v, sorted[i].second, attributes);
+            }
+            numbers[sorted[i].second] = static_cast<std::uint32_t>(run.vertices.size() - 1);
         }
     }
-    return texcoords;
+    return run;
 }
 
 /// Fills vertices, texcoords, fileVertices and cornerRenderVertices, in the file's order of vertices.
 void makeVertices(const MeshData& mesh, const VertexCorners& vertexCorners,
                   const CornerAttributes& attributes, RenderMesh& render) {
+    const std::size_t count = mesh.vertexCount();
     render.cornerRenderVertices.resize(mesh.cornerVertices.size());
-    std::vector<std::uint32_t> corners;
-    for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
-        const auto around = vertexCorners.of(v);
-        corners.assign(around.begin(), around.end());
-        std::sort(corners.begin(), corners.end(), [&attributes](std::uint32_t a, std::uint32_t b) {
-            return attributes.key(a) < attributes.key(b);
-        });
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            if (i == 0 || attributes.key(corners[i]) != attributes.key(corners[i - 1])) {
-                render.vertices.push_back({mesh.positions[v], attributes.normals[corners[i]]});
-                render.texcoords.push_back(attributes.texcoords[corners[i]]);
-                render.fileVertices.push_back(static_cast<std::uint32_t>(v));
+    const std::size_t parts = std::clamp<std::size_t>(count / kVerticesAThread, 1, usefulThreads());
+    std::vector<VertexRun> runs(parts);
+    forEachAtOnce(parts, [&](std::size_t part) {
+        runs[part] = makeRun(mesh, vertexCorners, count * part / parts, count * (part + 1) / parts,
+                             attributes, render.cornerRenderVertices);
+    });
+    render.vertices = std::move(runs[0].vertices);
+    render.texcoords = std::move(runs[0].texcoords);
+    render.fileVertices = std::move(runs[0].fileVertices);
+    for (std::size_t part = 1; part < parts; ++part) {
+        const auto before = static_cast<std::uint32_t>(render.vertices.size());
+        const VertexRun run = std::exchange(runs[part], {});
+        render.vertices.insert(render.vertices.end(), run.vertices.begin(), run.vertices.end());
+        render.texcoords.insert(render.texcoords.end(), run.texcoords.begin(), run.texcoords.end());
+        render.fileVertices.insert(render.fileVertices.end(), run.fileVertices.begin(),
+                                   run.fileVertices.end());
+        for (std::size_t v = count * part / parts; v < count * (part + 1) / parts; ++v) {
+            for (const std::uint32_t corner : vertexCorners.of(v)) {
+                render.cornerRenderVertices[corner] += before;
             }
-            render.cornerRenderVertices[corners[i]] = static_cast<std::uint32_t>(render.vertices.size() - 1);
         }
     }
     render.drawnVertices = static_cast<std::uint32_t>(render.vertices.size());
-    for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
+    for (std::size_t v = 0; v < count; ++v) {
         if (vertexCorners.of(v).empty()) {
             render.vertices.push_back({mesh.positions[v], glm::vec3(0.0f)});
             render.texcoords.emplace_back(0.0f);
@@ -142,73 +191,109 @@ std::uint32_t materialOf(const MeshData& mesh, std::uint32_t face) {
     return mesh.faceMaterials.empty() ? kNoIndex : mesh.faceMaterials[face];
 }
 
-/// Triangles sorted by material (none last), then by place in space.
-void makeTriangles(const MeshData& mesh, RenderMesh& render) {
-    std::vector<std::uint32_t> triangles;
-    std::vector<std::uint32_t> faces;
+/// All faces' triangles in the file's order, as render vertices, and the face of each.
+struct FileTriangles {
+    std::vector<std::uint32_t> corners;  ///< 3 a triangle
+    std::vector<std::uint32_t> faces;    ///< 1 a triangle
+};
+
+/// A face of n corners has n - 2 triangles: so those before it are known.
+void cutFaces(const MeshData& mesh, const RenderMesh& render, std::size_t begin, std::size_t end,
+              Triangulator& triangulator, FileTriangles& triangles) {
     std::vector<std::uint32_t> corners;
-    Triangulator triangulator;
-    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+    for (std::size_t f = begin; f < end; ++f) {
         corners.clear();
         triangulator.triangulate(mesh.positions, mesh.face(f), corners);
-        for (const std::uint32_t corner : corners) {
-            triangles.push_back(render.cornerRenderVertices[mesh.faceStarts[f] + corner]);
+        const std::size_t first = mesh.faceStarts[f] - 2 * f;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            triangles.corners[3 * first + i] = render.cornerRenderVertices[mesh.faceStarts[f] + corners[i]];
         }
-        faces.insert(faces.end(), corners.size() / 3, static_cast<std::uint32_t>(f));
+        std::fill_n(triangles.faces.begin() + static_cast<std::ptrdiff_t>(first), corners.size() / 3,
+                    static_cast<std::uint32_t>(f));
     }
+}
 
-    struct Entry {
-        std::uint64_t key;
-        std::uint32_t triangle;
-    };
-    std::vector<Entry> entries;
-    entries.reserve(faces.size());
-    for (std::size_t t = 0; t < faces.size(); ++t) {
-        const std::uint32_t lowest = std::min({triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]});
-        entries.push_back(
-            {std::uint64_t{materialOf(mesh, faces[t])} << 32 | lowest, static_cast<std::uint32_t>(t)});
-    }
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-        return a.key != b.key ? a.key < b.key : a.triangle < b.triangle;
+FileTriangles fileTriangles(const MeshData& mesh, const RenderMesh& render) {
+    const std::size_t faces = mesh.faceCount();
+    FileTriangles triangles;
+    triangles.faces.resize(mesh.cornerVertices.size() - 2 * faces);
+    triangles.corners.resize(3 * triangles.faces.size());
+    const std::size_t parts = std::clamp<std::size_t>(faces / kFacesAThread, 1, usefulThreads());
+    std::vector<Triangulator> triangulators(parts);
+    forEachAtOnce(parts, [&](std::size_t part) {
+        cutFaces(mesh, render, faces * part / parts, faces * (part + 1) / parts, triangulators[part],
+                 triangles);
     });
-    render.triangles.reserve(triangles.size());
-    render.triangleFaces.reserve(faces.size());
-    for (const Entry& entry : entries) {
-        const std::size_t t = entry.triangle;
-        const std::uint32_t material = materialOf(mesh, faces[t]);
+    if (parts > 1 && !Triangulator::areAsOne(triangulators)) {
+        Triangulator alone;
+        cutFaces(mesh, render, 0, faces, alone, triangles);
+    }
+    return triangles;
+}
+
+/// 0 .. keys.size() - 1, sorted by their keys < count, equal ones as `order` has them.
+template <class Key>
+std::vector<std::uint32_t> sortedBy(const std::vector<std::uint32_t>& order, std::size_t count,
+                                    const Key& key) {
+    std::vector<std::uint32_t> starts(count + 1, 0);
+    for (const std::uint32_t index : order) {
+        ++starts[key(index) + 1];
+    }
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    std::vector<std::uint32_t> sorted(order.size());
+    for (const std::uint32_t index : order) {
+        sorted[starts[key(index)]++] = index;
+    }
+    return sorted;
+}
+
+/// Triangles sorted by material (none last), then by place in space.
+void makeTriangles(const MeshData& mesh, RenderMesh& render) {
+    const FileTriangles file = fileTriangles(mesh, render);
+    std::vector<std::uint32_t> order(file.faces.size());
+    std::iota(order.begin(), order.end(), 0u);
+    order = sortedBy(order, render.drawnVertices, [&file](std::uint32_t t) {
+        const std::uint32_t* corners = &file.corners[3 * std::size_t{t}];
+        return std::min({corners[0], corners[1], corners[2]});
+    });
+    if (!mesh.faceMaterials.empty()) {
+        const std::size_t none = mesh.materials.size();
+        order = sortedBy(order, none + 1, [&](std::uint32_t t) {
+            return std::min<std::size_t>(materialOf(mesh, file.faces[t]), none);
+        });
+    }
+    render.triangles.reserve(file.corners.size());
+    render.triangleFaces.reserve(file.faces.size());
+    for (const std::uint32_t t : order) {
+        const std::uint32_t material = materialOf(mesh, file.faces[t]);
         if (render.draws.empty() || render.draws.back().material != material) {
             render.draws.push_back({static_cast<std::uint32_t>(render.triangles.size()), 0, material});
         }
         render.draws.back().count += 3;
-        render.triangles.insert(render.triangles.end(),
-                                {triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]});
-        render.triangleFaces.push_back(faces[t]);
+        const std::uint32_t* corners = &file.corners[3 * std::size_t{t}];
+        render.triangles.insert(render.triangles.end(), corners, corners + 3);
+        render.triangleFaces.push_back(file.faces[t]);
     }
 }
 
 /// Each edge is listed with the lower-numbered of its render vertices, and so in their order; sorting the
-/// short lists finds the doubles.
-void makeEdges(const MeshData& mesh, const VertexCorners& vertexCorners, RenderMesh& render) {
-    std::vector<std::uint32_t> nextCorner(mesh.cornerVertices.size());
-    std::vector<std::uint32_t> previousCorner(mesh.cornerVertices.size());
-    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-        const std::uint32_t first = mesh.faceStarts[f];
-        const std::uint32_t end = mesh.faceStarts[f + 1];
-        for (std::uint32_t c = first; c < end; ++c) {
-            const std::uint32_t after = c + 1 < end ? c + 1 : first;
-            nextCorner[c] = after;
-            previousCorner[after] = c;
-        }
-    }
+/// short lists finds the doubles. Of render vertices [begin, end).
+std::vector<std::uint32_t> edgesOf(const MeshData& mesh, const VertexCorners& vertexCorners,
+                                   const std::vector<std::uint32_t>& faceOfCorner, const RenderMesh& render,
+                                   std::size_t begin, std::size_t end) {
+    std::vector<std::uint32_t> edges;
     std::vector<std::uint32_t> neighbours;
-    for (std::uint32_t r = 0; r < render.drawnVertices; ++r) {
+    for (auto r = static_cast<std::uint32_t>(begin); r < end; ++r) {
         const std::uint32_t v = render.fileVertices[r];
         if (render.renderVerticesOf(v).front() != r) {
             continue;
         }
         neighbours.clear();
         for (const std::uint32_t corner : vertexCorners.of(v)) {
-            for (const std::uint32_t other : {nextCorner[corner], previousCorner[corner]}) {
+            const std::uint32_t first = mesh.faceStarts[faceOfCorner[corner]];
+            const std::uint32_t behind = mesh.faceStarts[faceOfCorner[corner] + 1];
+            for (const std::uint32_t other :
+                 {corner + 1 < behind ? corner + 1 : first, corner > first ? corner - 1 : behind - 1}) {
                 const std::uint32_t neighbour = render.renderVerticesOf(mesh.cornerVertices[other]).front();
                 if (neighbour > r) {
                     neighbours.push_back(neighbour);
@@ -218,9 +303,35 @@ void makeEdges(const MeshData& mesh, const VertexCorners& vertexCorners, RenderM
         std::sort(neighbours.begin(), neighbours.end());
         neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
         for (const std::uint32_t neighbour : neighbours) {
-            render.edges.push_back(r);
-            render.edges.push_back(neighbour);
+            edges.push_back(r);
+            edges.push_back(neighbour);
         }
+    }
+    return edges;
+}
+
+void makeEdges(const MeshData& mesh, const VertexCorners& vertexCorners, RenderMesh& render) {
+    std::vector<std::uint32_t> faceOfCorner(mesh.cornerVertices.size());
+    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        std::fill(faceOfCorner.begin() + mesh.faceStarts[f], faceOfCorner.begin() + mesh.faceStarts[f + 1],
+                  static_cast<std::uint32_t>(f));
+    }
+    const std::size_t count = render.drawnVertices;
+    const std::size_t parts = std::clamp<std::size_t>(count / kVerticesAThread, 1, usefulThreads());
+    std::vector<std::vector<std::uint32_t>> runs(parts);
+    forEachAtOnce(parts, [&](std::size_t part) {
+        runs[part] = edgesOf(mesh, vertexCorners, faceOfCorner, render, count * part / parts,
+                             count * (part + 1) / parts);
+    });
+    faceOfCorner = {};
+    std::size_t edges = 0;
+    for (const std::vector<std::uint32_t>& run : runs) {
+        edges += run.size();
+    }
+    render.edges.reserve(edges);
+    for (std::vector<std::uint32_t>& run : runs) {
+        render.edges.insert(render.edges.end(), run.begin(), run.end());
+        run = {};
     }
 }
 
@@ -229,8 +340,7 @@ void makeEdges(const MeshData& mesh, const VertexCorners& vertexCorners, RenderM
 RenderMesh buildRenderMesh(const MeshData& mesh, float creaseAngle) {
     RenderMesh render;
     const VertexCorners vertexCorners(mesh);
-    makeVertices(mesh, vertexCorners,
-                 {cornerNormals(mesh, vertexCorners, creaseAngle), cornerTexcoords(mesh)}, render);
+    makeVertices(mesh, vertexCorners, {mesh, CornerNormals(mesh, vertexCorners, creaseAngle)}, render);
     orderVertices(render);
     makeFileVertexMap(mesh, render);
     makeTriangles(mesh, render);

@@ -2,59 +2,70 @@
 #include "mesh/spatial_order.h"
 
 #include <algorithm>
-#include <numeric>
+#include <vector>
+
+#include "core/parallel.h"
 
 namespace hitscope {
 namespace {
 
-Bounds boxAround(std::span<const glm::vec3> points, std::span<const std::uint32_t> members) {
+constexpr std::size_t kPointsAThread = 16384;  // fewer are done sooner than a thread is started
+
+struct Point {
+    glm::vec3 at;
+    std::uint32_t index;
+};
+
+glm::length_t longestAxis(std::span<const Point> points) {
     Bounds box;
-    for (const std::uint32_t member : members) {
-        box.add(points[member]);
+    for (const Point& point : points) {
+        box.add(point.at);
     }
-    return box;
+    const glm::vec3 size = box.size();
+    if (size.x >= size.y && size.x >= size.z) {
+        return 0;
+    }
+    return size.y >= size.z ? 1 : 2;
 }
 
-struct Splitter {
-    std::span<const glm::vec3> points;
-    std::span<std::uint32_t> order;
-
-    void split(std::size_t first, std::size_t count) {
-        const auto members = order.subspan(first, count);
-        if (count <= kClusterVertices) {
-            // Within a cluster the given order stays: it is the file's, and that serves the vertex cache.
-            std::sort(members.begin(), members.end());
-            return;
-        }
-        // The cut is at a multiple of the cluster size: each run of that size stays together.
-        const std::size_t clusters = (count + kClusterVertices - 1) / kClusterVertices;
-        const std::size_t half = clusters / 2 * kClusterVertices;
-        const glm::length_t axis = longestAxis(members);
-        std::nth_element(members.begin(), members.begin() + static_cast<std::ptrdiff_t>(half), members.end(),
-                         [this, axis](std::uint32_t a, std::uint32_t b) {
-                             return points[a][axis] != points[b][axis] ? points[a][axis] < points[b][axis]
-                                                                       : a < b;
-                         });
-        split(first, half);
-        split(first + half, count - half);
+void split(std::span<Point> points, std::size_t threads) {
+    if (points.size() <= kClusterVertices) {
+        // Within a cluster the given order stays: it is the file's, and that serves the vertex cache.
+        std::sort(points.begin(), points.end(),
+                  [](const Point& a, const Point& b) { return a.index < b.index; });
+        return;
     }
-
-    [[nodiscard]] glm::length_t longestAxis(std::span<const std::uint32_t> members) const {
-        const glm::vec3 size = boxAround(points, members).size();
-        if (size.x >= size.y && size.x >= size.z) {
-            return 0;
-        }
-        return size.y >= size.z ? 1 : 2;
+    // The cut is at a multiple of the cluster size: each run of that size stays together.
+    const std::size_t clusters = (points.size() + kClusterVertices - 1) / kClusterVertices;
+    const std::size_t half = clusters / 2 * kClusterVertices;
+    const glm::length_t axis = longestAxis(points);
+    std::nth_element(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(half), points.end(),
+                     [axis](const Point& a, const Point& b) {
+                         return a.at[axis] != b.at[axis] ? a.at[axis] < b.at[axis] : a.index < b.index;
+                     });
+    const auto first = [&] { split(points.first(half), threads / 2); };
+    const auto second = [&] { split(points.subspan(half), threads - threads / 2); };
+    if (threads > 1 && points.size() >= kPointsAThread) {
+        bothAtOnce(first, second);
+    } else {
+        first();
+        second();
     }
-};
+}
 
 }  // namespace
 
 std::vector<std::uint32_t> spatialOrder(std::span<const glm::vec3> points) {
-    std::vector<std::uint32_t> order(points.size());
-    std::iota(order.begin(), order.end(), 0u);
-    if (!points.empty()) {
-        Splitter{points, order}.split(0, points.size());
+    std::vector<Point> sorted;
+    sorted.reserve(points.size());
+    for (const glm::vec3& point : points) {
+        sorted.push_back({point, static_cast<std::uint32_t>(sorted.size())});
+    }
+    split(sorted, usefulThreads());
+    std::vector<std::uint32_t> order;
+    order.reserve(sorted.size());
+    for (const Point& point : sorted) {
+        order.push_back(point.index);
     }
     return order;
 }

@@ -58,6 +58,14 @@ void Triangulator::triangulate(std::span<const glm::vec3> positions, std::span<c
     }
 }
 
+bool Triangulator::areAsOne(std::span<const Triangulator> parts) {
+    std::uint64_t work = 0;
+    for (const Triangulator& part : parts) {
+        work += kMostWork - part.m_workLeft;
+    }
+    return work < kMostWork;
+}
+
 /// Drops the coordinate in which the polygon is thinnest, keeping it counter-clockwise.
 void Triangulator::project(std::span<const glm::vec3> positions, std::span<const std::uint32_t> vertices) {
     const glm::dvec3 normal = doubleAreaVector(positions, vertices);

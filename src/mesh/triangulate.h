@@ -25,6 +25,10 @@ public:
     void triangulate(std::span<const glm::vec3> positions, std::span<const std::uint32_t> vertices,
                      std::vector<std::uint32_t>& triangles);
 
+    /// Whether all objects together did no more than one alone may: what each made is then what one would
+    /// have made of all their polygons.
+    [[nodiscard]] static bool areAsOne(std::span<const Triangulator> parts);
+
 private:
     void project(std::span<const glm::vec3> positions, std::span<const std::uint32_t> vertices);
     [[nodiscard]] bool isConvex() const;
@@ -37,7 +41,8 @@ private:
     std::vector<std::uint32_t> m_previous;
     std::vector<std::uint32_t>
         m_reflex;  ///< corners that were reflex at the start; the others never become so
-    std::uint64_t m_workLeft = 300'000'000;  ///< point-in-triangle tests; without any left, fans
+    static constexpr std::uint64_t kMostWork = 300'000'000;
+    std::uint64_t m_workLeft = kMostWork;  ///< point-in-triangle tests; without any left, fans
 };
 
 }  // namespace hitscope

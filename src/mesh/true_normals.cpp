@@ -46,93 +46,117 @@ constexpr std::size_t kGroupsPerThread = 8192;
 
 }  // namespace
 
-TrueNormals::TrueNormals(const MeshData& mesh, const RenderMesh& render)
-    : m_faceStarts(mesh.faceStarts), m_cornerVertices(mesh.cornerVertices) {
-    m_originals.reserve(render.vertices.size());
-    for (const DynamicVertex& vertex : render.vertices) {
-        m_originals.push_back(vertex.normal);
+/// A group is what shares one normal: a file vertex and the faces that meet there at the same original
+/// normal (and so the render vertices that differ in texture coordinates only). Groups are numbered vertex by
+/// vertex. None of this changes.
+struct TrueNormals::Groups {
+    Groups(std::shared_ptr<const MeshData> ofMesh, std::shared_ptr<const RenderMesh> ofRender);
+
+    void groupRenderVertices();
+    void groupFaces();
+    [[nodiscard]] const glm::vec3& original(std::uint32_t renderVertex) const {
+        return render->vertices[renderVertex].normal;
     }
-    m_normals = m_originals;
-    groupRenderVertices(render);
-    groupFaces(render);
-    const auto groups = static_cast<std::uint32_t>(m_renderStarts.size() - 1);
-    m_visited.assign(groups, 0);
-    m_originalAreas.reserve(groups);
-    for (std::uint32_t group = 0; group < groups; ++group) {
-        m_originalAreas.push_back(areaOf(group, mesh.positions));
+    [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(renderStarts.size() - 1); }
+    [[nodiscard]] std::span<const std::uint32_t> members(std::uint32_t group) const {
+        return std::span(renderVertices)
+            .subspan(renderStarts[group], renderStarts[group + 1] - renderStarts[group]);
     }
+    /// Sum of the area vectors of a group's faces.
+    [[nodiscard]] glm::dvec3 areaOf(std::uint32_t group, std::span<const glm::vec3> positions) const;
+
+    std::shared_ptr<const MeshData> mesh;
+    std::shared_ptr<const RenderMesh> render;
+    std::vector<std::uint32_t> groupOf;       ///< one a render vertex
+    std::vector<std::uint32_t> vertexStarts;  ///< file vertex -> first of its groups; V + 1 entries
+    std::vector<std::uint32_t> renderStarts;  ///< group -> its run of renderVertices
+    std::vector<std::uint32_t> renderVertices;
+    std::vector<std::uint32_t> faceStarts;  ///< group -> its run of faces
+    std::vector<std::uint32_t> faces;
+};
+
+TrueNormals::Groups::Groups(std::shared_ptr<const MeshData> ofMesh,
+                            std::shared_ptr<const RenderMesh> ofRender)
+    : mesh(std::move(ofMesh)), render(std::move(ofRender)) {
+    groupRenderVertices();
+    groupFaces();
 }
 
-void TrueNormals::groupRenderVertices(const RenderMesh& render) {
-    const auto vertices = static_cast<std::uint32_t>(render.fileVertexStarts.size() - 1);
-    m_renderVertices = render.fileVertexRender;
-    m_vertexStarts.push_back(0);
+TrueNormals::TrueNormals(std::shared_ptr<const MeshData> mesh, std::shared_ptr<const RenderMesh> render)
+    : m_normals(std::make_shared<std::vector<glm::vec3>>()) {
+    m_normals->reserve(render->vertices.size());
+    for (const DynamicVertex& vertex : render->vertices) {
+        m_normals->push_back(vertex.normal);
+    }
+    m_groups = std::make_shared<const Groups>(std::move(mesh), std::move(render));
+}
+
+TrueNormals::TrueNormals(const MeshData& mesh, const RenderMesh& render)
+    : TrueNormals(std::make_shared<const MeshData>(mesh), std::make_shared<const RenderMesh>(render)) {}
+
+void TrueNormals::Groups::groupRenderVertices() {
+    const auto vertices = static_cast<std::uint32_t>(render->fileVertexStarts.size() - 1);
+    renderVertices = render->fileVertexRender;
+    renderStarts.reserve(renderVertices.size() + 1);
+    vertexStarts.reserve(vertices + 1);
+    vertexStarts.push_back(0);
     for (std::uint32_t v = 0; v < vertices; ++v) {
-        const std::uint32_t first = render.fileVertexStarts[v];
-        const std::uint32_t end = render.fileVertexStarts[v + 1];
-        const auto members = std::span(m_renderVertices).subspan(first, end - first);
-        std::sort(members.begin(), members.end(), [this](std::uint32_t a, std::uint32_t b) {
-            return key(m_originals[a]) < key(m_originals[b]);
-        });
+        const std::uint32_t first = render->fileVertexStarts[v];
+        const std::uint32_t end = render->fileVertexStarts[v + 1];
+        const auto around = std::span(renderVertices).subspan(first, end - first);
+        std::sort(around.begin(), around.end(),
+                  [this](std::uint32_t a, std::uint32_t b) { return key(original(a)) < key(original(b)); });
         for (std::uint32_t i = first; i < end; ++i) {
-            if (i == first || m_originals[m_renderVertices[i]] != m_originals[m_renderVertices[i - 1]]) {
-                m_renderStarts.push_back(i);
+            if (i == first || original(renderVertices[i]) != original(renderVertices[i - 1])) {
+                renderStarts.push_back(i);
             }
         }
-        m_vertexStarts.push_back(static_cast<std::uint32_t>(m_renderStarts.size()));
+        vertexStarts.push_back(static_cast<std::uint32_t>(renderStarts.size()));
     }
-    m_renderStarts.push_back(static_cast<std::uint32_t>(m_renderVertices.size()));
+    renderStarts.push_back(static_cast<std::uint32_t>(renderVertices.size()));
 }
 
-void TrueNormals::groupFaces(const RenderMesh& render) {
-    const std::size_t groups = m_renderStarts.size() - 1;
-    std::vector<std::uint32_t> groupOf(m_renderVertices.size());
-    for (std::size_t group = 0; group < groups; ++group) {
-        for (std::uint32_t i = m_renderStarts[group]; i < m_renderStarts[group + 1]; ++i) {
-            groupOf[m_renderVertices[i]] = static_cast<std::uint32_t>(group);
+void TrueNormals::Groups::groupFaces() {
+    groupOf.resize(renderVertices.size());
+    for (std::uint32_t group = 0; group < count(); ++group) {
+        for (const std::uint32_t member : members(group)) {
+            groupOf[member] = group;
         }
     }
-    m_cornerGroups.reserve(render.cornerRenderVertices.size());
-    for (const std::uint32_t renderVertex : render.cornerRenderVertices) {
-        m_cornerGroups.push_back(groupOf[renderVertex]);
-    }
-
     // A face that comes to a group with two corners is listed twice: it counts with its area each time,
     // before and after the dent alike.
-    m_groupFaceStarts.assign(groups + 1, 0);
-    for (const std::uint32_t group : m_cornerGroups) {
-        ++m_groupFaceStarts[group + 1];
+    const std::vector<std::uint32_t>& corners = render->cornerRenderVertices;
+    std::vector<std::uint32_t>& starts = faceStarts;
+    starts.assign(std::size_t{count()} + 2, 0);
+    for (const std::uint32_t renderVertex : corners) {
+        ++starts[groupOf[renderVertex] + 2];
     }
-    for (std::size_t group = 0; group < groups; ++group) {
-        m_groupFaceStarts[group + 1] += m_groupFaceStarts[group];
+    for (std::size_t group = 2; group < starts.size(); ++group) {
+        starts[group] += starts[group - 1];
     }
-    m_groupFaces.resize(m_cornerGroups.size());
-    std::vector<std::uint32_t> next(m_groupFaceStarts.begin(), m_groupFaceStarts.end() - 1);
-    for (std::size_t f = 0; f + 1 < m_faceStarts.size(); ++f) {
-        for (std::size_t c = m_faceStarts[f]; c < m_faceStarts[f + 1]; ++c) {
-            m_groupFaces[next[m_cornerGroups[c]]++] = static_cast<std::uint32_t>(f);
+    // Each start moves to the end of its run, where the next one starts.
+    faces.resize(corners.size());
+    for (std::size_t f = 0; f < mesh->faceCount(); ++f) {
+        for (std::size_t c = mesh->faceStarts[f]; c < mesh->faceStarts[f + 1]; ++c) {
+            faces[starts[groupOf[corners[c]] + 1]++] = static_cast<std::uint32_t>(f);
         }
     }
+    starts.pop_back();
 }
 
-glm::dvec3 TrueNormals::areaOf(std::uint32_t group, std::span<const glm::vec3> positions) const {
+glm::dvec3 TrueNormals::Groups::areaOf(std::uint32_t group, std::span<const glm::vec3> positions) const {
     glm::dvec3 sum(0.0);
-    for (std::uint32_t i = m_groupFaceStarts[group]; i < m_groupFaceStarts[group + 1]; ++i) {
-        const std::uint32_t face = m_groupFaces[i];
-        sum += doubleAreaVector(
-            positions, std::span(m_cornerVertices)
-                           .subspan(m_faceStarts[face], m_faceStarts[face + 1] - m_faceStarts[face]));
+    for (std::uint32_t i = faceStarts[group]; i < faceStarts[group + 1]; ++i) {
+        sum += doubleAreaVector(positions, mesh->face(faces[i]));
     }
     return sum;
 }
 
 void TrueNormals::recompute(std::uint32_t group, std::span<const glm::vec3> positions) {
-    const auto members =
-        std::span(m_renderVertices)
-            .subspan(m_renderStarts[group], m_renderStarts[group + 1] - m_renderStarts[group]);
-    const glm::vec3 original = m_originals[members.front()];
-    const glm::dvec3 before = m_originalAreas[group];
-    const glm::dvec3 now = areaOf(group, positions);
+    const std::span<const std::uint32_t> members = m_groups->members(group);
+    const glm::vec3 original = m_groups->original(members.front());
+    const glm::dvec3 before = m_groups->areaOf(group, m_groups->mesh->positions);
+    const glm::dvec3 now = m_groups->areaOf(group, positions);
     const double sizeBefore = glm::length(before);
     const double sizeNow = glm::length(now);
     const double sizes = sizeBefore * sizeNow;
@@ -143,34 +167,44 @@ void TrueNormals::recompute(std::uint32_t group, std::span<const glm::vec3> posi
         normal = glm::vec3(turned(glm::dvec3(original), before / sizeBefore, now / sizeNow));
     }
     for (const std::uint32_t member : members) {
-        m_normals[member] = normal;
+        (*m_normals)[member] = normal;
     }
+}
+
+void TrueNormals::makeOwn() {
+    if (m_normals.use_count() > 1) {
+        m_normals = std::make_shared<std::vector<glm::vec3>>(*m_normals);
+    }
+    m_visited.resize(m_groups->count(), 0);
 }
 
 void TrueNormals::update(std::span<const glm::vec3> positions,
                          std::span<const std::uint32_t> movedFileVertices,
                          std::vector<std::uint32_t>& updated) {
+    makeOwn();
     if (++m_pass == 0) {  // after 2^32 updates the marks of the first would count as new
         std::fill(m_visited.begin(), m_visited.end(), 0);
         m_pass = 1;
     }
     m_concerned.clear();
-    const auto visit = [&](std::uint32_t group) {
+    const auto visit = [&](std::uint32_t renderVertex) {
+        const std::uint32_t group = m_groups->groupOf[renderVertex];
         if (m_visited[group] == m_pass) {
             return;
         }
         m_visited[group] = m_pass;
         m_concerned.push_back(group);
-        updated.insert(updated.end(), m_renderVertices.begin() + m_renderStarts[group],
-                       m_renderVertices.begin() + m_renderStarts[group + 1]);
+        const std::span<const std::uint32_t> members = m_groups->members(group);
+        updated.insert(updated.end(), members.begin(), members.end());
     };
+    const std::vector<std::uint32_t>& faceStarts = m_groups->mesh->faceStarts;
+    const auto corners = m_groups->render->cornerRenderVertices.begin();
     for (const std::uint32_t vertex : movedFileVertices) {
-        const std::uint32_t firstGroup = m_vertexStarts[vertex];
-        const std::uint32_t endGroup = m_vertexStarts[vertex + 1];
-        for (std::uint32_t i = m_groupFaceStarts[firstGroup]; i < m_groupFaceStarts[endGroup]; ++i) {
-            const std::uint32_t face = m_groupFaces[i];
-            std::for_each(m_cornerGroups.begin() + m_faceStarts[face],
-                          m_cornerGroups.begin() + m_faceStarts[face + 1], visit);
+        const std::uint32_t firstGroup = m_groups->vertexStarts[vertex];
+        const std::uint32_t endGroup = m_groups->vertexStarts[vertex + 1];
+        for (std::uint32_t i = m_groups->faceStarts[firstGroup]; i < m_groups->faceStarts[endGroup]; ++i) {
+            const std::uint32_t face = m_groups->faces[i];
+            std::for_each(corners + faceStarts[face], corners + faceStarts[face + 1], visit);
         }
     }
     recompute(m_concerned, positions);
@@ -200,7 +234,13 @@ void TrueNormals::recompute(std::span<const std::uint32_t> groups, std::span<con
 }
 
 void TrueNormals::reset() {
-    m_normals = m_originals;
+    if (m_pass == 0) {
+        return;  // nothing was ever recomputed
+    }
+    makeOwn();
+    for (std::size_t i = 0; i < m_normals->size(); ++i) {
+        (*m_normals)[i] = m_groups->original(static_cast<std::uint32_t>(i));
+    }
 }
 
 }  // namespace hitscope

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -18,40 +19,30 @@ namespace hitscope {
 /// normals are the file's, bit for bit.
 class TrueNormals {
 public:
+    /// What belongs together; both stay as they are.
+    TrueNormals(std::shared_ptr<const MeshData> mesh, std::shared_ptr<const RenderMesh> render);
+    /// The same of copies.
     TrueNormals(const MeshData& mesh, const RenderMesh& render);
 
     /// Recomputes around the given file vertices (any order, repeats allowed), at the current `positions`
     /// (one for each file vertex). Appends to `updated` the render vertices whose normal may have changed.
-    /// Cost follows the input.
+    /// Cost follows the input, but for the first one, which makes the normals this one's own.
     void update(std::span<const glm::vec3> positions, std::span<const std::uint32_t> movedFileVertices,
                 std::vector<std::uint32_t>& updated);
     void reset();
 
-    /// One unit normal a render vertex.
-    [[nodiscard]] std::span<const glm::vec3> normals() const { return m_normals; }
+    /// One unit normal a render vertex. Valid until the next update() or reset().
+    [[nodiscard]] std::span<const glm::vec3> normals() const { return *m_normals; }
 
 private:
-    // A group is what shares one normal: a file vertex and the faces that meet there at the same original
-    // normal (and so the render vertices that differ in texture coordinates only). Groups are numbered vertex
-    // by vertex.
-    void groupRenderVertices(const RenderMesh& render);
-    void groupFaces(const RenderMesh& render);
-    [[nodiscard]] glm::dvec3 areaOf(std::uint32_t group, std::span<const glm::vec3> positions) const;
+    struct Groups;
     void recompute(std::uint32_t group, std::span<const glm::vec3> positions);
     void recompute(std::span<const std::uint32_t> groups, std::span<const glm::vec3> positions);
+    void makeOwn();
 
-    std::vector<glm::vec3> m_normals;
-    std::vector<glm::vec3> m_originals;           ///< one a render vertex
-    std::vector<std::uint32_t> m_faceStarts;      ///< as in MeshData
-    std::vector<std::uint32_t> m_cornerVertices;  ///< as in MeshData
-    std::vector<std::uint32_t> m_cornerGroups;    ///< one a corner
-    std::vector<std::uint32_t> m_vertexStarts;    ///< file vertex -> first of its groups; V + 1 entries
-    std::vector<std::uint32_t> m_renderStarts;    ///< group -> its run of m_renderVertices
-    std::vector<std::uint32_t> m_renderVertices;
-    std::vector<std::uint32_t> m_groupFaceStarts;  ///< group -> its run of m_groupFaces
-    std::vector<std::uint32_t> m_groupFaces;
-    std::vector<glm::dvec3> m_originalAreas;  ///< group -> sum of its faces' area vectors, undented
-    std::vector<std::uint32_t> m_visited;     ///< group -> the update() that recomputed it last
+    std::shared_ptr<const Groups> m_groups;  ///< shared by the copies, as the mesh's size in memory counts
+    std::shared_ptr<std::vector<glm::vec3>> m_normals;  ///< copied when one that is shared changes
+    std::vector<std::uint32_t> m_visited;               ///< group -> the update() that recomputed it last
     std::uint32_t m_pass = 0;
     std::vector<std::uint32_t> m_concerned;  ///< groups, of the update() that runs
 };

@@ -106,12 +106,18 @@ private:
 }  // namespace
 
 MeshSurface::MeshSurface(std::shared_ptr<const CollisionMesh> original)
-    : m_original(std::move(original)),
-      m_vertices(m_original->vertices()),
-      m_tree(m_original->tree()),
-      m_isAway(m_vertices.size(), 0) {}
+    : m_original(std::move(original)), m_tree(m_original->tree()) {}
+
+/// Large meshes take much memory: a surface has vertices of its own from its first dent on.
+void MeshSurface::makeOwn() {
+    if (m_vertices.empty()) {
+        m_vertices = m_original->vertices();
+        m_isAway.assign(m_vertices.size(), 0);
+    }
+}
 
 void MeshSurface::update(std::uint32_t first, std::span<const DynamicVertex> vertices) {
+    makeOwn();
     if (first > m_vertices.size() || vertices.size() > m_vertices.size() - first) {
         return;
     }
@@ -171,6 +177,7 @@ void MeshSurface::reset() {
     if (isDented()) {
         m_vertices = m_original->vertices();
         m_tree = m_original->tree();
+        m_tree.makeOwn();  // the next dent is not to wait for it
         m_isAway.assign(m_vertices.size(), 0);
         m_away = 0;
         m_movedMany = true;
@@ -183,15 +190,16 @@ void MeshSurface::update(Outermost& hull) {
     if (!isDented()) {
         hull = *m_original->hull();
     } else if (movedMany) {
-        hull = Outermost(m_tree, m_vertices, *m_original->corners());
+        hull = Outermost(m_tree, vertices(), *m_original->corners());
     } else {
-        hull.follow(m_tree, m_vertices, *m_original->corners(), moved);
+        hull.follow(m_tree, vertices(), *m_original->corners(), moved);
     }
 }
 
 Triangle MeshSurface::triangle(std::uint32_t index) const {
     const std::uint32_t* corners = &(*m_original->corners())[std::size_t{3} * index];
-    return {m_vertices[corners[0]], m_vertices[corners[1]], m_vertices[corners[2]]};
+    const std::vector<glm::vec3>& at = vertices();
+    return {at[corners[0]], at[corners[1]], at[corners[2]]};
 }
 
 std::optional<SurfaceCast> MeshSurface::cast(const glm::dvec3& start, const glm::dvec3& motion,

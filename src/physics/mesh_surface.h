@@ -51,13 +51,17 @@ public:
 
 private:
     Bounds moveRun(std::uint32_t first, std::span<const DynamicVertex> vertices);
+    void makeOwn();
+    [[nodiscard]] const std::vector<glm::vec3>& vertices() const {
+        return m_vertices.empty() ? m_original->vertices() : m_vertices;
+    }
 
     std::shared_ptr<const CollisionMesh> m_original;
-    std::vector<glm::vec3> m_vertices;
+    std::vector<glm::vec3> m_vertices;  ///< empty: the original ones
     TriangleTree m_tree;
     std::vector<std::uint32_t> m_moved;  ///< since the hull was last brought up to date; may repeat
     bool m_movedMany = false;            ///< too many for a list
-    std::vector<std::uint8_t> m_isAway;  ///< 1 a vertex: it is not at its original place
+    std::vector<std::uint8_t> m_isAway;  ///< as many as m_vertices, 1: it is not at its original place
     std::size_t m_away = 0;              ///< vertices that are not
 };
 

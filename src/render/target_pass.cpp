@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "render/bounded_draw.h"
 #include "render/change_map.h"
 #include "render/cut_away.h"
 #include "render/early_start.h"
@@ -30,10 +31,6 @@ constexpr float kHatch = 9.0f;      // logical pixels from one line to the next
 /// and all over the picture.
 constexpr std::uint32_t kIndicesARound = 24576;
 constexpr std::uint32_t kMostRounds = 8;
-
-const void* indexOffset(std::uint32_t first) {
-    return reinterpret_cast<const void*>(std::size_t{first} * sizeof(std::uint32_t));
-}
 
 const MaterialSet& materialsOf(const DrawItem& item) {
     static const MaterialSet defaults;
@@ -234,8 +231,7 @@ Status drawWithOneProgram(const FrameContext& context, DeformationPipeline& pipe
                 prepared = draw.item;
             }
             materialsOf(*draw.item).apply(program, part.material, parts.coloured);
-            glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(part.count), GL_UNSIGNED_INT,
-                           indexOffset(part.first));
+            drawBounded(context, GL_TRIANGLES, part.first, part.count);
         }
         if (rounds > 1) {
             glFlush();
@@ -291,8 +287,7 @@ Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeli
         pipeline.prepareDraw(program, item.target);
         program.set("u_model", item.model);
         glBindVertexArray(surfaceArrayOf(item));
-        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(item.buffers->triangleIndexCount()),
-                       GL_UNSIGNED_INT, nullptr);
+        drawBounded(context, GL_TRIANGLES, 0, item.buffers->triangleIndexCount());
         earlyStart.drawn(item.buffers->vertexCount());
     }
     return Done{};

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/parallel.h"
+
 namespace hitscope {
 
 namespace {
@@ -25,8 +27,11 @@ PreparedMesh prepareMesh(MeshData mesh) {
     PreparedMesh prepared;
     prepared.mesh = std::make_shared<const MeshData>(std::move(mesh));
     prepared.render = std::make_shared<const RenderMesh>(buildRenderMesh(*prepared.mesh));
-    prepared.trueNormals = std::make_shared<const TrueNormals>(*prepared.mesh, *prepared.render);
-    prepared.collision = collisionMesh(prepared.render);
+    bothAtOnce(
+        [&prepared] {
+            prepared.trueNormals = std::make_shared<const TrueNormals>(prepared.mesh, prepared.render);
+        },
+        [&prepared] { prepared.collision = collisionMesh(prepared.render); });
     return prepared;
 }
 

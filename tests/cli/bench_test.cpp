@@ -91,6 +91,31 @@ private Q_SLOTS:
                               QStringLiteral("hit with journal"), QStringLiteral("settings to journal")}));
     }
 
+    void ioMeasuresWhatComesInAndGoesOut() {
+        const CliRun run =
+            runBench(QStringLiteral("io --quick --quads 900 --triangles 200 --size 64x36 --json --strict"));
+        QVERIFY2(run.status == 0 || run.status == 1, qPrintable(run.err));
+        const QJsonArray records = recordsOf(run.out);
+        QStringList measured;
+        for (const auto& record : records) {
+            measured << text(record, "measured");
+            QVERIFY2(number(record, "value") > 0.0, qPrintable(measured.last()));
+        }
+        QCOMPARE(measured, QStringList({QStringLiteral("tinyobjloader"), QStringLiteral("assimp"),
+                                        QStringLiteral("first picture"), QStringLiteral("cp"),
+                                        QStringLiteral("export few"), QStringLiteral("export all"),
+                                        QStringLiteral("memory"), QStringLiteral("ply")}));
+        QCOMPARE(number(records[2], "at_most"), 2.0);
+        QCOMPARE(number(records[4], "at_most"), 1.5);
+        QCOMPARE(number(records[5], "at_most"), 3.0);
+        QVERIFY(number(records[2], "ratio") > 0.0);
+        bool allKept = true;
+        for (const auto& record : records) {
+            allKept = allKept && record.toObject()[QStringLiteral("kept")].toBool(true);
+        }
+        QCOMPARE(run.status == 0, allKept);
+    }
+
     // Table 2 has the paper's way beside Hitscope's, and the paper's ratio stands beside the measured ones.
     void paperStandsBesidePaper() {
         const CliRun run =
@@ -179,7 +204,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("arguments");
         QTest::addColumn<QString>("piece");
         QTest::addRow("nothing") << QString()
-                                 << QStringLiteral("paper, frame, modes, hit, physics, session or check");
+                                 << QStringLiteral("paper, frame, modes, hit, physics, session, io or check");
         QTest::addRow("unknown") << QStringLiteral("speed") << QStringLiteral("\"speed\"");
         QTest::addRow("size") << QStringLiteral("paper --size big") << QStringLiteral("--size");
         QTest::addRow("row") << QStringLiteral("paper --rows 10") << QStringLiteral("--rows");

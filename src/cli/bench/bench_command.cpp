@@ -16,13 +16,14 @@ struct Benchmark {
     int (*run)(const QStringList&);
 };
 
-constexpr std::array<Benchmark, 7> kBenchmarks{
+constexpr std::array<Benchmark, 8> kBenchmarks{
     {{"paper", "the paper's tables 1 and 2: frame rates of its nine scenes", paperCommand},
      {"frame", "frame time against the number of hits", frameCommand},
      {"modes", "frame time of each way to look at a scene, against plain shading", modesCommand},
      {"hit", "time a hit takes against the size of the mesh", hitCommand},
      {"physics", "steps and frames with 2,000 projectiles, colliders that follow the dents", physicsCommand},
      {"session", "saving, opening and recovering a session, its journal and its undo", sessionCommand},
+     {"io", "opening and exporting large files, beside other programs; memory", ioCommand},
      {"check", "the ratios that Hitscope promises, measured", checkCommand}}};
 
 int printUsage() {
@@ -44,7 +45,7 @@ int benchCommand(QStringList arguments) {
     }
     if (what.isEmpty()) {
         return cli::wrongUsage(
-            QStringLiteral("bench takes paper, frame, modes, hit, physics, session or check."));
+            QStringLiteral("bench takes paper, frame, modes, hit, physics, session, io or check."));
     }
     arguments.removeAt(1);
     for (const Benchmark& benchmark : kBenchmarks) {
@@ -54,8 +55,8 @@ int benchCommand(QStringList arguments) {
     }
     return cli::wrongUsage(
         QStringLiteral(
-            "there is no benchmark \"%1\"; bench takes paper, frame, modes, hit, physics, session or "
-            "check.")
+            "there is no benchmark \"%1\"; bench takes paper, frame, modes, hit, physics, session, io "
+            "or check.")
             .arg(what));
 }
 

@@ -15,6 +15,7 @@ int modesCommand(const QStringList& arguments);
 int hitCommand(const QStringList& arguments);
 int physicsCommand(const QStringList& arguments);
 int sessionCommand(const QStringList& arguments);
+int ioCommand(const QStringList& arguments);
 int checkCommand(const QStringList& arguments);
 
 }  // namespace hitscope::bench

@@ -2,314 +2,173 @@
 #include "io/readers/obj_reader.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <atomic>
 #include <unordered_map>
+#include <utility>
 
-#include "io/readers/obj_numbers.h"
-#include "io/readers/text_cursor.h"
+#include "core/parallel.h"
+#include "io/readers/obj_parser.h"
 #include "io/readers/tidy.h"
 
 namespace hitscope {
 namespace {
 
-/// Indices that point beyond what has been read so far may still turn out good: the largest is remembered.
-struct LargestIndex {
-    long long index = 0;
-    std::size_t line = 0;
-};
+constexpr std::size_t kLeastPart = 4 << 20;  // bytes; shorter ones are read sooner than a thread is started
 
-class ObjParser {
-public:
-    ObjParser(std::string_view text, const ProgressSink& progress) : m_text(text), m_progress(progress) {}
-
-    Result<ImportedMesh> parse();
-
-private:
-    std::string_view nextLine(TextCursor& text);
-    void parseLine(std::string_view line);
-    void parseVertex(TextCursor& line);
-    void parseNormal(TextCursor& line);
-    void parseTexcoord(TextCursor& line);
-    void parseFace(TextCursor& line);
-    void parseLineElement(TextCursor& line);
-    void parsePoints(TextCursor& line);
-    void parseSmoothing(TextCursor& line);
-    bool parseCorner(TextCursor& line);
-    bool parseName(std::string_view keyword, TextCursor& line);
-    void useMaterial(std::string_view name);
-    std::uint32_t vertexIndex(long long written, const char* of);
-    std::uint32_t otherIndex(long long written, std::size_t count);
-    void finish();
-    Error errorAtLine(const std::string& what) const;
-
-    std::string_view m_text;
-    const ProgressSink& m_progress;
-    ImportedMesh m_imported;
-    MeshData& m_mesh = m_imported.mesh;
-    std::vector<glm::dvec3> m_positions;
-    std::vector<glm::vec3> m_colours;
-    bool m_anyColour = false;
-    std::unordered_map<std::string, std::uint32_t> m_materials;
-    std::uint32_t m_material = kNoIndex;
-    std::uint32_t m_smoothing = 0;
-    bool m_anySmoothing = false;
-    LargestIndex m_largest;
-    std::size_t m_line = 0;
-    std::string m_joined;  ///< a line that was continued with a backslash
-    std::size_t m_smallFaces = 0;
-    std::size_t m_smallLines = 0;
-    std::size_t m_freeForm = 0;
-    bool m_lastLineCut = false;  ///< the line being read is the last, and has no line end
-};
-
-std::string_view trimEnd(std::string_view line) {
+std::string_view withoutBlanks(std::string_view line) {
     while (!line.empty() && TextCursor::isBlank(line.back())) {
         line.remove_suffix(1);
     }
     return line;
 }
 
-/// A line without its end, continued lines joined; counts lines.
-std::string_view ObjParser::nextLine(TextCursor& text) {
-    ++m_line;
-    std::string_view line = trimEnd(text.line());
-    if (line.empty() || line.back() != '\\') {
-        return line;
-    }
-    m_joined.clear();
-    while (!line.empty() && line.back() == '\\') {
-        m_joined.append(line.substr(0, line.size() - 1));
-        m_joined += ' ';
-        if (text.atEnd()) {
-            return trimEnd(m_joined);
-        }
-        ++m_line;
-        line = trimEnd(text.line());
-    }
-    m_joined.append(line);
-    return m_joined;
-}
-
-void ObjParser::parseVertex(TextCursor& line) {
-    glm::dvec3 position;
-    for (int i = 0; i < 3; ++i) {
-        position[i] = coordinate(line, "vertex");
-        if (!std::isfinite(static_cast<float>(position[i]))) {
-            throw BadLine{"A coordinate is not a number, infinite or too large."};
+/// Where a line starts, at `wanted` or soon after it, that does not continue the one before.
+std::size_t lineStartAfter(std::string_view text, std::size_t wanted) {
+    for (std::size_t end = text.find('\n', wanted); end != text.npos; end = text.find('\n', end + 1)) {
+        const std::size_t before = end == 0 ? text.npos : text.rfind('\n', end - 1);
+        const std::size_t start = before == text.npos ? 0 : before + 1;
+        if (!withoutBlanks(text.substr(start, end - start)).ends_with('\\')) {
+            return end + 1;
         }
     }
-    m_positions.push_back(position);
-    std::array<double, 4> more{};
-    const std::size_t count = optionalNumbers(line, more);
-    if (count >= 3) {  // x y z r g b, or x y z w r g b
-        const std::size_t red = count - 3;
-        m_colours.resize(m_positions.size() - 1, glm::vec3(1.0f));
-        m_colours.emplace_back(more[red], more[red + 1], more[red + 2]);
-        m_anyColour = true;
-    }
+    return text.size();
 }
 
-void ObjParser::parseNormal(TextCursor& line) {
-    glm::vec3 normal;
-    for (int i = 0; i < 3; ++i) {
-        normal[i] = static_cast<float>(coordinate(line, "normal"));
-    }
-    m_mesh.normals.push_back(normal);
-}
+/// Puts parts behind one another.
+class ObjJoiner {
+public:
+    /// How many entries there will be of each is known: arrays that grow take twice the room.
+    explicit ObjJoiner(const std::vector<ObjPart>& parts);
 
-void ObjParser::parseTexcoord(TextCursor& line) {
-    const double u = coordinate(line, "texture coordinate");
-    std::array<double, 2> more{};
-    optionalNumbers(line, more);
-    m_mesh.texcoords.emplace_back(u, more[0]);
-}
+    void add(ObjPart part);
+    Result<ImportedMesh> finish();
 
-/// Counted from one in the file, or from the end when negative.
-std::uint32_t ObjParser::vertexIndex(long long written, const char* of) {
-    const auto count = static_cast<long long>(m_positions.size());
-    if (written < 0 ? written < -count : written == 0 || written >= kNoIndex) {
-        throw BadLine{"The " + std::string(of) + " refers to vertex " + std::to_string(written) +
-                      ", but there are only " + std::to_string(count) + " so far."};
-    }
-    if (written > count && written > m_largest.index) {
-        m_largest = {written, m_line};
-    }
-    return static_cast<std::uint32_t>(written < 0 ? count + written : written - 1);
-}
+private:
+    template <class T>
+    static void append(std::vector<T>& to, std::vector<T>& from);
+    void addFaces(ObjPart& part);
+    void addVertices(ObjPart& part);
+    void addMaterials(ObjPart& part);
+    void addNotes();
 
-/// The same for normals and texture coordinates, which a face can do without: tidy() sorts bad ones out.
-std::uint32_t ObjParser::otherIndex(long long written, std::size_t count) {
-    const auto signedCount = static_cast<long long>(count);
-    const long long index = written < 0 ? signedCount + written : written - 1;
-    return index < 0 || index >= kNoIndex ? kNoIndex - 1 : static_cast<std::uint32_t>(index);
-}
+    ImportedMesh m_imported;
+    MeshData& m_mesh = m_imported.mesh;
+    std::vector<glm::dvec3> m_positions;
+    std::vector<glm::vec3> m_colours;
+    std::unordered_map<std::string, std::uint32_t> m_materials;
+    std::uint32_t m_material = kNoIndex;
+    std::uint32_t m_smoothing = 0;
+    bool m_anySmoothing = false;
+    LargestIndex m_largest;
+    std::size_t m_smallFaces = 0;
+    std::size_t m_smallLines = 0;
+    std::size_t m_freeForm = 0;
+};
 
-/// v, v/t, v//n or v/t/n; false at the end of the line.
-bool ObjParser::parseCorner(TextCursor& line) {
-    line.skipBlanks();
-    if (line.atEnd() || line.peek() == '#') {
-        return false;
-    }
-    const std::string_view word = line.rest().substr(0, 40);
-    const std::optional<long long> vertex = line.integer();
-    std::uint32_t texcoord = kNoIndex;
-    std::uint32_t normal = kNoIndex;
-    if (vertex && line.take('/')) {
-        if (const auto index = line.integer()) {
-            texcoord = otherIndex(*index, m_mesh.texcoords.size());
-        }
-        if (line.take('/')) {
-            if (const auto index = line.integer()) {
-                normal = otherIndex(*index, m_mesh.normals.size());
-            }
-        }
-    }
-    if (!vertex || !(line.atEnd() || TextCursor::isBlank(line.peek()))) {
-        throw BadLine{quoted(TextCursor(word).word()) + " is not a corner of a face."};
-    }
-    m_mesh.cornerVertices.push_back(vertexIndex(*vertex, "face"));
-    m_mesh.cornerTexcoords.push_back(texcoord);
-    m_mesh.cornerNormals.push_back(normal);
-    return true;
-}
-
-void ObjParser::parseFace(TextCursor& line) {
-    const std::size_t first = m_mesh.cornerVertices.size();
-    while (parseCorner(line)) {
-    }
-    if (m_mesh.cornerVertices.size() >= kNoIndex) {
-        throw BadLine{"The mesh has more face corners than Hitscope can count (4,294,967,294)."};
-    }
-    if (m_mesh.cornerVertices.size() - first < 3) {
-        if (m_lastLineCut) {
-            throw BadLine{"The file ends in the middle of a face."};
-        }
-        m_mesh.cornerVertices.resize(first);
-        m_mesh.cornerTexcoords.resize(first);
-        m_mesh.cornerNormals.resize(first);
-        ++m_smallFaces;
-        return;
-    }
-    m_mesh.faceStarts.push_back(static_cast<std::uint32_t>(m_mesh.cornerVertices.size()));
-    m_mesh.faceMaterials.push_back(m_material);
-    m_mesh.faceSmoothing.push_back(m_smoothing);
-}
-
-void ObjParser::parseLineElement(TextCursor& line) {
-    std::vector<std::uint32_t> vertices;
-    for (line.skipBlanks(); !line.atEnd() && line.peek() != '#'; line.skipBlanks()) {
-        const std::optional<long long> vertex = line.integer();
-        if (!vertex) {
-            throw BadLine{quoted(line.word()) + " is not a vertex of a line."};
-        }
-        if (line.peek() == '/') {
-            line.word();  // its texture coordinate
-        }
-        vertices.push_back(vertexIndex(*vertex, "line"));
-    }
-    if (vertices.size() < 2) {
-        ++m_smallLines;
-        return;
-    }
-    m_mesh.lines.push_back(std::move(vertices));
-}
-
-void ObjParser::parsePoints(TextCursor& line) {
-    for (line.skipBlanks(); !line.atEnd() && line.peek() != '#'; line.skipBlanks()) {
-        const std::optional<long long> vertex = line.integer();
-        if (!vertex) {
-            throw BadLine{quoted(line.word()) + " is not a point's vertex."};
-        }
-        m_mesh.points.push_back(vertexIndex(*vertex, "point"));
-    }
-}
-
-void ObjParser::parseSmoothing(TextCursor& line) {
-    line.skipBlanks();
-    const long long group = line.integer().value_or(-1);
-    const bool isNumber = group >= 0 && group < kNoIndex;
-    m_smoothing = isNumber ? static_cast<std::uint32_t>(group) : line.word() == "on" ? 1 : 0;
-    m_anySmoothing = true;
-}
-
-void ObjParser::useMaterial(std::string_view name) {
-    if (name.empty()) {
-        m_material = kNoIndex;
-        return;
-    }
-    const auto [known, isNew] =
-        m_materials.try_emplace(std::string(name), static_cast<std::uint32_t>(m_mesh.materials.size()));
-    if (isNew) {
-        m_mesh.materials.emplace_back().name = name;
-    }
-    m_material = known->second;
-}
-
-/// The lines whose argument is a name up to their end, blanks and all.
-bool ObjParser::parseName(std::string_view keyword, TextCursor& line) {
-    line.skipBlanks();
-    const std::string_view name = line.rest();
-    const std::size_t faces = m_mesh.faceStarts.empty() ? 0 : m_mesh.faceStarts.size() - 1;
-    if (keyword == "g") {
-        m_mesh.groups.push_back(
-            {FaceGroup::Kind::Group, std::string(name), static_cast<std::uint32_t>(faces)});
-    } else if (keyword == "o") {
-        m_mesh.groups.push_back(
-            {FaceGroup::Kind::Object, std::string(name), static_cast<std::uint32_t>(faces)});
-    } else if (keyword == "usemtl") {
-        useMaterial(name);
-    } else if (keyword == "mtllib") {
-        m_mesh.materialLibraries.emplace_back(name);
+template <class T>
+void ObjJoiner::append(std::vector<T>& to, std::vector<T>& from) {
+    if (to.empty() && to.capacity() == 0) {
+        to = std::move(from);
     } else {
-        return false;
+        to.insert(to.end(), from.begin(), from.end());
     }
-    return true;
+    from = {};
 }
 
-void ObjParser::parseLine(std::string_view text) {
-    TextCursor line(text);
-    const std::string_view keyword = line.word();
-    if (keyword.empty() || keyword.front() == '#') {
-        return;
+ObjJoiner::ObjJoiner(const std::vector<ObjPart>& parts) {
+    m_mesh.faceStarts.push_back(0);
+    if (parts.size() == 1) {
+        return;  // its arrays are taken as they are
     }
-    if (keyword == "v") {
-        parseVertex(line);
-    } else if (keyword == "f" || keyword == "fo") {
-        parseFace(line);
-    } else if (keyword == "vn") {
-        parseNormal(line);
-    } else if (keyword == "vt") {
-        parseTexcoord(line);
-    } else if (keyword == "s") {
-        parseSmoothing(line);
-    } else if (keyword == "l") {
-        parseLineElement(line);
-    } else if (keyword == "p") {
-        parsePoints(line);
-    } else if (!parseName(keyword, line)) {
-        m_freeForm += keyword == "curv" || keyword == "curv2" || keyword == "surf" ? 1 : 0;
-    }
+    const auto reserve = [&parts](auto& array, const auto& sizeOf) {
+        std::size_t size = 0;
+        for (const ObjPart& part : parts) {
+            size += sizeOf(part);
+        }
+        array.reserve(size);
+    };
+    const auto corners = [](const ObjPart& part) { return part.mesh.cornerVertices.size(); };
+    const auto faces = [](const ObjPart& part) { return part.faceCount(); };
+    reserve(m_positions, [](const ObjPart& part) { return part.positions.size(); });
+    reserve(m_mesh.normals, [](const ObjPart& part) { return part.mesh.normals.size(); });
+    reserve(m_mesh.texcoords, [](const ObjPart& part) { return part.mesh.texcoords.size(); });
+    reserve(m_mesh.cornerVertices, corners);
+    reserve(m_mesh.cornerTexcoords, corners);
+    reserve(m_mesh.cornerNormals, corners);
+    reserve(m_mesh.faceStarts, [](const ObjPart& part) { return part.faceCount() + 1; });
+    reserve(m_mesh.faceMaterials, faces);
+    reserve(m_mesh.faceSmoothing, faces);
 }
 
-Error ObjParser::errorAtLine(const std::string& what) const {
-    return {m_lastLineCut ? what + " The file ends there, in the middle of a line." : what,
-            "line " + std::to_string(m_line),
-            m_lastLineCut ? "Save or download it again: it is not whole."
-                          : "Correct the line, or write the file again with the program it came from."};
+void ObjJoiner::addVertices(ObjPart& part) {
+    const std::size_t before = m_positions.size();
+    if (!part.colours.empty()) {
+        m_colours.resize(before, glm::vec3(1.0f));
+        append(m_colours, part.colours);
+    }
+    append(m_positions, part.positions);
+    append(m_mesh.normals, part.mesh.normals);
+    append(m_mesh.texcoords, part.mesh.texcoords);
 }
 
-void ObjParser::finish() {
-    if (!m_anySmoothing) {
-        m_mesh.faceSmoothing.clear();
+void ObjJoiner::addMaterials(ObjPart& part) {
+    std::vector<std::uint32_t> numbers;
+    for (Material& material : part.mesh.materials) {
+        const auto [known, isNew] =
+            m_materials.try_emplace(material.name, static_cast<std::uint32_t>(m_mesh.materials.size()));
+        if (isNew) {
+            m_mesh.materials.push_back(std::move(material));
+        }
+        numbers.push_back(known->second);
     }
-    if (m_mesh.faceStarts.size() == 1) {
-        m_mesh.faceStarts.clear();
+    std::vector<std::uint32_t>& faces = part.mesh.faceMaterials;
+    const auto own = faces.begin() + static_cast<std::ptrdiff_t>(part.facesBeforeMaterial);
+    std::fill(faces.begin(), own, m_material);
+    const auto number = [&numbers](std::uint32_t local) {
+        return local == kNoIndex ? kNoIndex : numbers[local];
+    };
+    std::transform(own, faces.end(), own, number);
+    m_material = part.material ? number(*part.material) : m_material;
+}
+
+void ObjJoiner::addFaces(ObjPart& part) {
+    MeshData& mesh = part.mesh;
+    const auto corners = static_cast<std::uint32_t>(m_mesh.cornerVertices.size());
+    const auto faces = static_cast<std::uint32_t>(m_mesh.faceStarts.size() - 1);
+    for (std::size_t f = 1; f < mesh.faceStarts.size(); ++f) {
+        m_mesh.faceStarts.push_back(corners + mesh.faceStarts[f]);
     }
-    if (m_anyColour) {
-        m_colours.resize(m_mesh.positions.size(), glm::vec3(1.0f));
-        setColours(m_mesh, std::move(m_colours));
+    for (FaceGroup& group : mesh.groups) {
+        group.firstFace += faces;
+        m_mesh.groups.push_back(std::move(group));
     }
+    std::fill_n(mesh.faceSmoothing.begin(), part.facesBeforeSmoothing, m_smoothing);
+    m_smoothing = part.smoothing.value_or(m_smoothing);
+    m_anySmoothing = m_anySmoothing || part.smoothing;
+    append(m_mesh.cornerVertices, mesh.cornerVertices);
+    append(m_mesh.cornerTexcoords, mesh.cornerTexcoords);
+    append(m_mesh.cornerNormals, mesh.cornerNormals);
+    append(m_mesh.faceMaterials, mesh.faceMaterials);
+    append(m_mesh.faceSmoothing, mesh.faceSmoothing);
+}
+
+void ObjJoiner::add(ObjPart part) {
+    addMaterials(part);
+    addVertices(part);
+    addFaces(part);
+    append(m_mesh.points, part.mesh.points);
+    std::move(part.mesh.lines.begin(), part.mesh.lines.end(), std::back_inserter(m_mesh.lines));
+    std::move(part.mesh.materialLibraries.begin(), part.mesh.materialLibraries.end(),
+              std::back_inserter(m_mesh.materialLibraries));
+    if (part.largest.index > m_largest.index) {
+        m_largest = part.largest;
+    }
+    m_smallFaces += part.smallFaces;
+    m_smallLines += part.smallLines;
+    m_freeForm += part.freeForm;
+}
+
+void ObjJoiner::addNotes() {
     if (m_smallFaces > 0) {
         m_imported.notes += counted(m_smallFaces, "face with fewer than three corners was left out.",
                                     "faces with fewer than three corners were left out.");
@@ -322,44 +181,110 @@ void ObjParser::finish() {
         m_imported.notes += counted(m_freeForm, "free-form curve or surface was left out.",
                                     "free-form curves and surfaces were left out.");
     }
-    tidy(m_imported);
 }
 
-Result<ImportedMesh> ObjParser::parse() {
-    constexpr std::size_t kReportEvery = 1 << 16;  // lines
-    m_mesh.faceStarts.push_back(0);
-    TextCursor text(m_text);
-    std::size_t nextReport = kReportEvery;
-    while (!text.atEnd()) {
-        const std::string_view line = nextLine(text);
-        m_lastLineCut = text.atEnd() && m_text.back() != '\n';
-        try {
-            parseLine(line);
-        } catch (const BadLine& bad) {
-            return errorAtLine(bad.what);
-        }
-        if (m_progress && m_line >= nextReport) {
-            nextReport = m_line + kReportEvery;
-            m_progress(static_cast<double>(text.offset()) / static_cast<double>(m_text.size()),
-                       "Reading OBJ");
-        }
-    }
+Result<ImportedMesh> ObjJoiner::finish() {
     if (m_largest.index > static_cast<long long>(m_positions.size())) {
-        m_line = m_largest.line;
-        m_lastLineCut = false;
-        return errorAtLine("The face refers to vertex " + std::to_string(m_largest.index) +
-                           ", but the file has only " + std::to_string(m_positions.size()) + ".");
+        return ObjParser::errorAt("The face refers to vertex " + std::to_string(m_largest.index) +
+                                      ", but the file has only " + std::to_string(m_positions.size()) + ".",
+                                  m_largest.line);
     }
-    if (Status set = setPositions(m_mesh, std::move(m_positions)); !set) {
+    if (Status set = setPositions(m_mesh, std::exchange(m_positions, {})); !set) {
         return set.error();
     }
-    finish();
+    if (!m_anySmoothing) {
+        m_mesh.faceSmoothing = {};
+    }
+    if (m_mesh.faceStarts.size() == 1) {
+        m_mesh.faceStarts.clear();
+    }
+    if (!m_colours.empty()) {
+        m_colours.resize(m_mesh.positions.size(), glm::vec3(1.0f));
+        setColours(m_mesh, std::move(m_colours));
+    }
+    addNotes();
+    tidy(m_imported);
     return std::move(m_imported);
+}
+
+/// Tells how far all parts are together, from the thread that made it alone.
+class PartsProgress {
+public:
+    PartsProgress(std::size_t size, const ProgressSink& sink)
+        : m_size(size), m_sink(sink), m_thread(std::this_thread::get_id()) {}
+
+    void read(std::size_t bytes) {
+        const std::size_t done = m_done += bytes;
+        if (m_sink && std::this_thread::get_id() == m_thread) {
+            m_sink(static_cast<double>(done) / static_cast<double>(m_size), "Reading OBJ");
+        }
+    }
+
+private:
+    std::size_t m_size;
+    const ProgressSink& m_sink;
+    std::thread::id m_thread;
+    std::atomic<std::size_t> m_done = 0;
+};
+
+Result<ImportedMesh> join(std::vector<ObjPart> parts) {
+    ObjJoiner joiner(parts);
+    for (ObjPart& part : parts) {
+        joiner.add(std::exchange(part, {}));
+    }
+    return joiner.finish();
+}
+
+/// In parts at once, as far as a part can be read without those before it; nothing where it cannot, or a line
+/// is wrong.
+std::optional<ImportedMesh> parseInParts(std::string_view text, std::size_t count, const ProgressSink& sink) {
+    std::vector<std::size_t> starts{0};
+    for (std::size_t part = 1; part < count; ++part) {
+        starts.push_back(std::max(starts.back(), lineStartAfter(text, text.size() * part / count)));
+    }
+    starts.push_back(text.size());
+    std::vector<ObjPart> parts(count);
+    PartsProgress progress(text.size(), sink);
+    const ObjParser::Told told = [&progress](std::size_t bytes) { progress.read(bytes); };
+    forEachAtOnce(count, [&](std::size_t part) {
+        const std::string_view piece = text.substr(starts[part], starts[part + 1] - starts[part]);
+        parts[part] = ObjParser(piece, ObjParser::Whole::No, told).parse();
+    });
+    std::uint64_t corners = 0;
+    for (const ObjPart& part : parts) {
+        corners += part.mesh.cornerVertices.size();
+        if (part.error || corners >= kNoIndex) {
+            return std::nullopt;
+        }
+    }
+    Result<ImportedMesh> joined = join(std::move(parts));
+    return joined ? std::optional(std::move(joined).value()) : std::nullopt;
+}
+
+Result<ImportedMesh> parseText(std::string_view text, std::size_t parts, const ProgressSink& sink) {
+    if (parts > 1) {
+        if (std::optional<ImportedMesh> mesh = parseInParts(text, parts, sink)) {
+            return *std::move(mesh);
+        }
+    }
+    PartsProgress progress(text.size(), sink);
+    const ObjParser::Told told = [&progress](std::size_t bytes) { progress.read(bytes); };
+    std::vector<ObjPart> whole;
+    whole.push_back(ObjParser(text, ObjParser::Whole::Yes, told).parse());
+    if (whole.front().error) {
+        return *whole.front().error;
+    }
+    return join(std::move(whole));
 }
 
 }  // namespace
 
 Result<ImportedMesh> parseObj(std::string_view text, const ProgressSink& progress) {
+    const std::size_t parts = std::clamp<std::size_t>(text.size() / kLeastPart, 1, usefulThreads());
+    return parseObjInParts(text, parts, progress);
+}
+
+Result<ImportedMesh> parseObjInParts(std::string_view text, std::size_t parts, const ProgressSink& progress) {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (text.starts_with(kByteOrderMark)) {
         text.remove_prefix(kByteOrderMark.size());
@@ -367,9 +292,9 @@ Result<ImportedMesh> parseObj(std::string_view text, const ProgressSink& progres
     if (text.find('\n') == text.npos && text.find('\r') != text.npos) {  // line ends of old Macs
         std::string unixText(text);
         std::replace(unixText.begin(), unixText.end(), '\r', '\n');
-        return ObjParser(unixText, progress).parse();
+        return parseText(unixText, parts, progress);
     }
-    return ObjParser(text, progress).parse();
+    return parseText(text, parts, progress);
 }
 
 }  // namespace hitscope

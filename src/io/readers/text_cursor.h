@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <climits>
 #include <cmath>
@@ -107,15 +108,29 @@ private:
         m_at = stop;
         return true;
     }
-    /// Too small becomes zero, too large infinite.
+    /// Too small becomes zero, too large infinite: whatever the exponent says, zeros may make up for it.
     static double beyondRange(double, std::string_view digits) {
-        const bool tiny = digits.find("e-") != digits.npos || digits.find("E-") != digits.npos;
-        const double magnitude = tiny ? 0.0 : HUGE_VAL;
-        return digits.front() == '-' ? -magnitude : magnitude;
+        const bool isNegative = digits.front() == '-';
+        digits.remove_prefix(isNegative ? 1 : 0);
+        const std::string_view mantissa = digits.substr(0, digits.find_first_of("eE"));
+        const auto point = static_cast<long long>(std::min(mantissa.find('.'), mantissa.size()));
+        const auto first =
+            static_cast<long long>(std::min(mantissa.find_first_not_of("0."), mantissa.size()));
+        long long exponent = 0;
+        if (mantissa.size() < digits.size()) {
+            TextCursor written(digits.substr(mantissa.size() + 1));
+            exponent = std::clamp(written.integer().value_or(0), -kMostPlaces, kMostPlaces);
+        }
+        // The power of ten of the first digit that counts.
+        const long long place = (first < point ? point - 1 : point) - first + exponent;
+        const double magnitude = place < 0 ? 0.0 : HUGE_VAL;
+        return isNegative ? -magnitude : magnitude;
     }
     static long long beyondRange(long long, std::string_view digits) {
         return digits.front() == '-' ? LLONG_MIN : LLONG_MAX;
     }
+
+    static constexpr long long kMostPlaces = 1LL << 60;  ///< more than a file has digits
 
     const char* m_at;
     const char* m_begin;

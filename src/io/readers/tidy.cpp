@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "core/finite.h"
 
@@ -30,6 +31,22 @@ void clearIfUnused(std::vector<std::uint32_t>& indices) {
     }
 }
 
+/// Where floats would not keep the shape, since it is small beside its distance from the origin: its centre,
+/// in whole numbers. Else zero.
+glm::dvec3 centreIfFar(const std::vector<glm::dvec3>& positions) {
+    constexpr double kFar = 256.0;  // extents; floats then are 1/65,000 of one apart
+    glm::dvec3 lowest = positions.front();
+    glm::dvec3 highest = positions.front();
+    for (const glm::dvec3& position : positions) {
+        lowest = glm::min(lowest, position);
+        highest = glm::max(highest, position);
+    }
+    const glm::dvec3 size = highest - lowest;
+    const glm::dvec3 away = glm::max(glm::abs(lowest), glm::abs(highest));
+    const bool isFar = std::max({away.x, away.y, away.z}) > kFar * std::max({size.x, size.y, size.z});
+    return isFar ? glm::round(0.5 * lowest + 0.5 * highest) : glm::dvec3(0.0);
+}
+
 }  // namespace
 
 QString counted(std::size_t count, const char* one, const char* many) {
@@ -48,7 +65,17 @@ Status setPositions(MeshData& mesh, std::vector<glm::dvec3> filePositions) {
         }
         exact = exact && glm::dvec3(mesh.positions[v]) == filePositions[v];
     }
-    mesh.filePositions = exact ? std::vector<glm::dvec3>() : std::move(filePositions);
+    if (exact) {
+        return Done{};
+    }
+    mesh.placement.centre = centreIfFar(filePositions);
+    if (!mesh.placement.isIdentity()) {
+        std::transform(filePositions.begin(), filePositions.end(), mesh.positions.begin(),
+                       [&centre = mesh.placement.centre](const glm::dvec3& position) {
+                           return glm::vec3(position - centre);
+                       });
+    }
+    mesh.filePositions = std::move(filePositions);
     return Done{};
 }
 
@@ -86,6 +113,12 @@ void tidy(ImportedMesh& imported) {
     if (const std::size_t bad = dropBadCorners(mesh.cornerNormals, mesh.normals)) {
         imported.notes += counted(bad, "face corner refers to a normal that the file lacks; it is computed.",
                                   "face corners refer to normals that the file lacks; they are computed.");
+    }
+    if (!mesh.placement.isIdentity()) {
+        imported.notes += QStringLiteral(
+            "The mesh lies far from the origin. It is shown moved there, as its shape would be lost to "
+            "rounding; "
+            "exported files have its own coordinates.");
     }
     clearIfUnused(mesh.cornerTexcoords);
     clearIfUnused(mesh.cornerNormals);

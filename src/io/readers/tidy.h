@@ -11,7 +11,8 @@ namespace hitscope {
 /// "1 face was left out ..." / "12 faces were left out ...".
 [[nodiscard]] QString counted(std::size_t count, const char* one, const char* many);
 
-/// Sets positions from the file's own numbers, and keeps those where a float does not hold them.
+/// Sets positions from the file's own numbers, and keeps those where a float does not hold them. A shape that
+/// lies so far from the origin that floats would not keep it is moved there (MeshData::placement).
 /// An error names the first vertex (from 1) that is not finite as a float.
 [[nodiscard]] Status setPositions(MeshData& mesh, std::vector<glm::dvec3> filePositions);
 

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How fast files come in and go out, beside what other programs need for the same file.
+#include <QTemporaryDir>
+#include <QTextStream>
+#include <optional>
+
+#include "cli/bench/bench_command.h"
+#include "cli/bench/bench_options.h"
+#include "cli/bench/io_cost.h"
+#include "cli/bench/report_header.h"
+#include "cli/command_line.h"
+
+namespace hitscope::bench {
+
+namespace {
+
+constexpr int kMostFaces = 50'000'000;
+constexpr double kBytesPerQuad = 1500.0;  // of all that is in memory at once
+constexpr double kMostPeak = 1.2e9;       // bytes
+constexpr double kMostPlySeconds = 10.0;
+
+struct IoOptions {
+    CommonOptions common;
+    IoSizes sizes;
+    bool strict = false;
+};
+
+struct IoRow {
+    const char* what;
+    const char* field;
+    const Samples& samples;
+    const Samples* over = nullptr;   ///< what it is compared with
+    const char* overWhat = "";       ///< its name
+    std::optional<double> atMost{};  ///< of the quotient
+};
+
+std::vector<IoRow> rowsOf(const IoFigures& figures) {
+    return {{"tinyobjloader parses the OBJ file", "tinyobjloader", figures.tiny},
+            {"Assimp reads it", "assimp", figures.assimp, &figures.tiny, "tinyobjloader"},
+            {"Hitscope, to the first picture", "first picture", figures.picture, &figures.tiny,
+             "tinyobjloader", 2.0},
+            {"cp of it, with its sync", "cp", figures.copy},
+            {"export after three hits", "export few", figures.exportFew, &figures.copy, "cp", 1.5},
+            {"export after hits everywhere", "export all", figures.exportAll, &figures.copyAgain, "cp", 3.0}};
+}
+
+/// Whether all that has a limit keeps it.
+struct Judged {
+    Table table;
+    std::vector<QJsonObject> records;
+    bool allKept = true;
+
+    void add(const QString& what, const QString& field, const QString& measured, double value,
+             const QString& compared, std::optional<double> ratio, std::optional<double> atMost,
+             const QString& bound) {
+        const bool kept = !atMost || ratio.value_or(value) <= *atMost;
+        allKept = allKept && kept;
+        table.rows.push_back({what, measured, compared, bound,
+                              !atMost ? QString()
+                              : kept  ? QStringLiteral("yes")
+                                      : QStringLiteral("no")});
+        records.push_back({{QStringLiteral("measured"), field},
+                           {QStringLiteral("value"), value},
+                           {QStringLiteral("ratio"), ratio ? QJsonValue(*ratio) : QJsonValue()},
+                           {QStringLiteral("at_most"), atMost ? QJsonValue(*atMost) : QJsonValue()},
+                           {QStringLiteral("kept"), atMost ? QJsonValue(kept) : QJsonValue()}});
+    }
+};
+
+Judged judge(const IoFigures& figures, const IoOptions& options) {
+    Judged judged;
+    judged.table.title =
+        QStringLiteral("An OBJ file of %1 quads with texture coordinates and normals (%2 MB)")
+            .arg(grouped(static_cast<qulonglong>(options.sizes.quads)))
+            .arg(static_cast<double>(figures.objBytes) * 1.0e-6, 0, 'f', 1);
+    judged.table.columns = {QString(), QStringLiteral("median"), QStringLiteral("compared"),
+                            QStringLiteral("at most"), QStringLiteral("kept")};
+    for (const IoRow& row : rowsOf(figures)) {
+        const std::optional<double> ratio =
+            row.over == nullptr ? std::nullopt : std::optional(timeRatio(row.samples, *row.over));
+        const QString compared =
+            ratio ? QStringLiteral("%1 x %2").arg(*ratio, 0, 'f', 2).arg(QLatin1String(row.overWhat))
+                  : QString();
+        judged.add(QLatin1String(row.what), QLatin1String(row.field), shortTime(row.samples.median()),
+                   row.samples.median(), compared, ratio, row.atMost,
+                   row.atMost ? QString::number(*row.atMost) : QString());
+    }
+    const auto gigabytes = [](double bytes) {
+        return QStringLiteral("%1 GB").arg(1.0e-9 * bytes, 0, 'f', 2);
+    };
+    judged.add(QStringLiteral("memory of a program that draws it and its worker"), QStringLiteral("memory"),
+               gigabytes(figures.peakBytes), figures.peakBytes, {}, std::nullopt, kMostPeak,
+               gigabytes(kMostPeak));
+    if (!figures.ply.empty()) {
+        judged.add(QStringLiteral("a binary PLY of %1 triangles, to the first picture")
+                       .arg(grouped(static_cast<qulonglong>(options.sizes.plyTriangles))),
+                   QStringLiteral("ply"), shortTime(figures.ply.median()), figures.ply.median(), {},
+                   std::nullopt, kMostPlySeconds, shortTime(kMostPlySeconds));
+    }
+    judged.table.notes << QStringLiteral(
+        "Quotients are of times taken in turn. Memory is the share of both processes (PSS), looked at 50 "
+        "times a "
+        "second. Limits hold for 2,000,000 quads and 10,000,000 triangles.");
+    return judged;
+}
+
+/// Whether all limits are kept.
+Result<bool> runIo(const IoOptions& options) {
+    if (Status status = checkDestinations(options.common.destinations); !status) {
+        return status.error();
+    }
+    if (const QString why = whyItDoesNotFit(kBytesPerQuad * options.sizes.quads); !why.isEmpty()) {
+        return Error{"This is left out: " + why.toStdString() + ".", "", "Ask for fewer --quads."};
+    }
+    const Result<std::unique_ptr<BenchRoom>> room =
+        BenchRoom::open(options.sizes.width, options.sizes.height);
+    if (!room) {
+        return room.error();
+    }
+    const QTemporaryDir folder;
+    if (!folder.isValid()) {
+        return Error{"There is no room for temporary files.", folder.path().toStdString(),
+                     "Set TMPDIR to a folder you may write to."};
+    }
+    const Result<IoFigures> figures =
+        measureIo(*room.value(), options.sizes, folder.path(), options.common.plan);
+    if (!figures) {
+        return figures.error();
+    }
+    room.value()->say({});
+    Judged judged = judge(figures.value(), options);
+    Report report;
+    report.benchmark = QStringLiteral("io");
+    report.header = reportHeader(*room.value(), options.sizes.width, options.sizes.height);
+    report.fields = {QStringLiteral("measured"), QStringLiteral("value"), QStringLiteral("ratio"),
+                     QStringLiteral("at_most"), QStringLiteral("kept")};
+    report.tables.push_back(std::move(judged.table));
+    report.records = std::move(judged.records);
+    if (Status written = writeReport(report, options.common.destinations); !written) {
+        return written.error();
+    }
+    return judged.allKept;
+}
+
+}  // namespace
+
+int ioCommand(const QStringList& list) {
+    Arguments arguments(
+        QStringLiteral("Measures opening and exporting large mesh files, beside tinyobjloader, Assimp and "
+                       "cp. Makes the files "
+                       "itself, in the folder for temporary files."));
+    addMeasuringOptions(arguments);
+    arguments.addOption(QStringLiteral("quads"), QStringLiteral("Of the OBJ file."), QStringLiteral("n"),
+                        QStringLiteral("2000000"));
+    arguments.addOption(QStringLiteral("triangles"), QStringLiteral("Of the PLY file; 0: none."),
+                        QStringLiteral("n"), QStringLiteral("10000000"));
+    arguments.addOption(QStringLiteral("size"), QStringLiteral("Pixels of the picture."),
+                        QStringLiteral("WxH"), QStringLiteral("1280x720"));
+    arguments.addFlag(QStringLiteral("strict"), QStringLiteral("Exit status 1 if a limit is not kept."));
+    parseBenchArguments(arguments, list);
+    if (arguments.error().isEmpty() && arguments.wantsHelp()) {
+        QTextStream(stdout) << arguments.help(QStringLiteral("io"));
+        return 0;
+    }
+    IoOptions options;
+    options.common = takeMeasuringOptions(arguments);
+    options.sizes.quads = arguments.wholeNumber(QStringLiteral("quads"), 1, kMostFaces);
+    options.sizes.plyTriangles = arguments.wholeNumber(QStringLiteral("triangles"), 0, kMostFaces);
+    const Arguments::Size size = arguments.size(QStringLiteral("size"));
+    options.sizes.width = size.width;
+    options.sizes.height = size.height;
+    options.strict = arguments.isSet(QStringLiteral("strict"));
+    if (!arguments.error().isEmpty()) {
+        return cli::wrongUsage(arguments.error());
+    }
+    const Result<bool> kept = runIo(options);
+    if (!kept) {
+        return cli::finish(kept.error());
+    }
+    return options.strict && !kept.value() ? cli::kFailed : 0;
+}
+
+}  // namespace hitscope::bench

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <system_error>
+#include <thread>
+
+namespace hitscope {
+
+/// Threads that are worth starting here: [1, 8].
+inline std::size_t usefulThreads() {
+    return std::clamp(std::thread::hardware_concurrency(), 1u, 8u);
+}
+
+/// Calls a() on another thread and b() on this one, and waits for both; one after the other where there is no
+/// thread to be had. What either throws is thrown here.
+template <class A, class B>
+void bothAtOnce(const A& a, const B& b) {
+    std::exception_ptr thrown;
+    {
+        std::jthread helper;
+        bool started = true;
+        try {
+            helper = std::jthread([&a, &thrown] {
+                try {
+                    a();
+                } catch (...) {
+                    thrown = std::current_exception();
+                }
+            });
+        } catch (const std::system_error&) {
+            started = false;
+        }
+        if (!started) {
+            a();
+        }
+        b();
+    }
+    if (thrown) {
+        std::rethrow_exception(thrown);
+    }
+}
+
+/// Calls work(i) for all i of [0, count) at once, each on a thread of its own, and waits.
+template <class Work>
+void forEachAtOnce(std::size_t count, const Work& work) {
+    const auto call = [&work](const auto& self, std::size_t first, std::size_t end) -> void {
+        if (end - first == 1) {
+            work(first);
+            return;
+        }
+        const std::size_t middle = first + (end - first) / 2;
+        bothAtOnce([&] { self(self, middle, end); }, [&] { self(self, first, middle); });
+    };
+    if (count > 0) {
+        call(call, 0, count);
+    }
+}
+
+/// Calls work(begin, end) for neighbouring parts of [0, count), each of about `least` or more, at once, and
+/// waits.
+template <class Work>
+void inParts(std::size_t count, std::size_t least, const Work& work) {
+    const std::size_t parts =
+        std::clamp<std::size_t>(count / std::max<std::size_t>(least, 1), 1, usefulThreads());
+    forEachAtOnce(parts, [&](std::size_t part) { work(count * part / parts, count * (part + 1) / parts); });
+}
+
+}  // namespace hitscope
