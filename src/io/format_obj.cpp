@@ -18,7 +18,7 @@ struct NormalTable {
     std::vector<std::uint32_t> corners;
 };
 
-NormalTable tabulateNormals(const MeshData& mesh, const CornerNormals& normals) {
+NormalTable tabulateNormals(const MeshData& mesh, const CornerNormalView& normals) {
     NormalTable table;
     table.corners.assign(normals.size(), kNoIndex);
     std::vector<bool> used(mesh.normals.size());

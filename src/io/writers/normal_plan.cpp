@@ -39,7 +39,7 @@ std::vector<bool> touchedVertices(const MeshData& mesh, std::span<const glm::vec
 
 class Planner {
 public:
-    Planner(const MeshData& mesh, const CornerNormals& normals) : m_mesh(mesh), m_normals(normals) {}
+    Planner(const MeshData& mesh, const CornerNormalView& normals) : m_mesh(mesh), m_normals(normals) {}
 
     NormalPlan plan(const std::vector<bool>& touched, bool all);
 
@@ -52,7 +52,7 @@ private:
     void add(std::size_t corner, Welder& added);
 
     const MeshData& m_mesh;
-    const CornerNormals& m_normals;
+    const CornerNormalView& m_normals;
     std::vector<std::uint32_t> m_wantedBy;  // for each of the file's normals, the first corner to change it
     std::vector<bool> m_isShared;           // its corners want different ones
     NormalPlan m_plan;
@@ -127,7 +127,7 @@ bool isSameDirection(const glm::vec3& original, const glm::vec3& now) {
 }
 
 NormalPlan planNormals(const MeshData& mesh, std::span<const glm::vec3> positions,
-                       const CornerNormals& normals, bool all) {
+                       const CornerNormalView& normals, bool all) {
     const bool concerns = !normals.empty() && (all || !mesh.cornerNormals.empty());
     return concerns ? Planner(mesh, normals).plan(touchedVertices(mesh, positions), all) : NormalPlan();
 }

@@ -12,7 +12,7 @@ namespace hitscope {
 
 /// Normals of face corners without a copy for each: corner c has values[indices[c]], or values[c] where there
 /// are no indices.
-struct CornerNormals {
+struct CornerNormalView {
     std::span<const glm::vec3> values;       ///< unit length
     std::span<const std::uint32_t> indices;  ///< empty, or one for each corner
 
@@ -37,7 +37,7 @@ struct NormalPlan {
 /// The plan for a mesh whose vertices moved to `positions`. Corners that have no normal in the file get one
 /// only with `all`. Normals that only differ by having been made unit length count as unchanged.
 [[nodiscard]] NormalPlan planNormals(const MeshData& mesh, std::span<const glm::vec3> positions,
-                                     const CornerNormals& normals, bool all);
+                                     const CornerNormalView& normals, bool all);
 
 /// The file's normal is kept where the given one only differs by having been made unit length.
 [[nodiscard]] bool isSameDirection(const glm::vec3& original, const glm::vec3& now);

@@ -52,7 +52,7 @@ public:
     Status gather(const GoOn& goOn, const QString& path);
     [[nodiscard]] const MeshExport& mesh() const { return m_mesh; }
     /// Without a copy for each corner where there is one target in its file's coordinates.
-    [[nodiscard]] CornerNormals normals() const;
+    [[nodiscard]] CornerNormalView normals() const;
     [[nodiscard]] const QStringList& notes() const { return m_notes; }
 
 private:
@@ -83,13 +83,13 @@ bool Gathered::hasNormals(const TargetExport& target) const {
     return target.sourcePath.isEmpty() || !target.original->normals.empty() || m_what.options.allNormals;
 }
 
-CornerNormals Gathered::normals() const {
+CornerNormalView Gathered::normals() const {
     const TargetExport& first = m_what.targets.front();
     if (isMerged()) {
         return {m_mesh.normals, {}};
     }
-    return hasNormals(first) ? CornerNormals{first.normals, first.render->cornerRenderVertices}
-                             : CornerNormals();
+    return hasNormals(first) ? CornerNormalView{first.normals, first.render->cornerRenderVertices}
+                             : CornerNormalView();
 }
 
 Status Gathered::gather(const GoOn& goOn, const QString& path) {
@@ -154,7 +154,7 @@ Status Gathered::merge() {
     return Done{};
 }
 
-Result<QStringList> writeObj(const MeshExport& mesh, const CornerNormals& normals, bool allNormals,
+Result<QStringList> writeObj(const MeshExport& mesh, const CornerNormalView& normals, bool allNormals,
                              const QString& path) {
     ObjExport file;
     file.mesh = mesh.mesh;
@@ -170,7 +170,7 @@ Result<QStringList> writeObj(const MeshExport& mesh, const CornerNormals& normal
     return exportObj(file, path);
 }
 
-Result<QStringList> writeMesh(const MeshExport& mesh, const CornerNormals& normals,
+Result<QStringList> writeMesh(const MeshExport& mesh, const CornerNormalView& normals,
                               const ExportOptions& options, const QString& path) {
     switch (options.format) {
         case ExportFormat::Obj:
