@@ -22,9 +22,10 @@ void limit(__rlimit_resource resource, std::uint64_t soft, std::uint64_t hard) {
 
 }  // namespace
 
-void limitThisProcess(std::uint64_t seconds, std::uint64_t memoryBytes, std::uint64_t mappedBytes) {
-    constexpr std::uint64_t kGrace = 5;           // seconds between the polite signal and the other one
-    constexpr std::uint64_t kPrograms = 1 << 30;  // addresses that code and shared libraries take, amply
+void limitThisProcess(std::uint64_t seconds, std::uint64_t memoryBytes,
+                      [[maybe_unused]] std::uint64_t mappedBytes) {
+    constexpr std::uint64_t kGrace = 5;  // seconds between the polite signal and the other one
+    [[maybe_unused]] constexpr std::uint64_t kPrograms = 1 << 30;  // addresses of code and libraries, amply
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     limit(RLIMIT_CORE, 0, 0);
     limit(RLIMIT_CPU, seconds, seconds + kGrace);

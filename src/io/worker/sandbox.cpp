@@ -18,6 +18,12 @@
 namespace hitscope {
 namespace {
 
+#ifdef HITSCOPE_SANITIZED
+constexpr bool kIsSanitized = true;
+#else
+constexpr bool kIsSanitized = false;
+#endif
+
 /// All rights over files that a kernel of this version of Landlock knows of: what is not named here, it does
 /// not watch over. The headers of Debian 12 know the first two versions only.
 std::uint64_t rightsOf(long version) {
@@ -68,16 +74,14 @@ void loadWhatComesLate() {
 }
 
 Lock lockThisProcess(const QString& file) {
-#ifdef HITSCOPE_SANITIZED
-    Q_UNUSED(file);
-    return {};
-#else
+    if (kIsSanitized) {
+        return {};
+    }
     ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);  // or neither may be asked for
     Lock lock;
     lock.files = lockFiles(file);
     lock.calls = filterCalls();
     return lock;
-#endif
 }
 
 }  // namespace hitscope
