@@ -15,7 +15,9 @@ namespace {
 /// once, so that the work stays in proportion to the mesh.
 constexpr std::size_t kMostFacesCompared = 256;
 
-constexpr std::size_t kVerticesAThread = 4096;  // fewer are done sooner than a thread is started
+// Fewer are done sooner than a thread is started.
+constexpr std::size_t kVerticesAThread = 4096;
+constexpr std::size_t kFacesAThread = 16384;
 
 /// The zero vector when v has no usable direction.
 glm::dvec3 unitOrZero(const glm::dvec3& v) {
@@ -51,16 +53,17 @@ struct FaceNormals {
     std::vector<glm::dvec3> areas;  ///< twice the area, along the normal
     std::vector<glm::vec3> units;   ///< zero for a face without area
 
-    explicit FaceNormals(const MeshData& mesh) : faceOfCorner(mesh.cornerVertices.size()) {
-        areas.reserve(mesh.faceCount());
-        units.reserve(mesh.faceCount());
-        for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-            for (std::size_t c = mesh.faceStarts[f]; c < mesh.faceStarts[f + 1]; ++c) {
-                faceOfCorner[c] = static_cast<std::uint32_t>(f);
+    explicit FaceNormals(const MeshData& mesh)
+        : faceOfCorner(mesh.cornerVertices.size()), areas(mesh.faceCount()), units(mesh.faceCount()) {
+        inParts(mesh.faceCount(), kFacesAThread, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t f = begin; f < end; ++f) {
+                for (std::size_t c = mesh.faceStarts[f]; c < mesh.faceStarts[f + 1]; ++c) {
+                    faceOfCorner[c] = static_cast<std::uint32_t>(f);
+                }
+                areas[f] = doubleAreaVector(mesh.positions, mesh.face(f));
+                units[f] = glm::vec3(unitOrZero(areas[f]));
             }
-            areas.push_back(doubleAreaVector(mesh.positions, mesh.face(f)));
-            units.emplace_back(unitOrZero(areas.back()));
-        }
+        });
     }
 };
 
