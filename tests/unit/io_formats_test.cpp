@@ -264,6 +264,8 @@ void FormatsTest::otherMaterialsOfGltf() {
     const auto read = [&](std::string_view before, std::string_view added) {
         std::string text = plain;
         text.insert(text.find(before), added);
+        text.insert(1,
+                    R"("extensionsUsed": ["KHR_materials_unlit", "KHR_materials_pbrSpecularGlossiness"],)");
         return imported(writeFile(m_folder.path(), QStringLiteral("other.gltf"), text)).mesh;
     };
     const std::string_view paint = "\"name\": \"paint\",";
