@@ -3,6 +3,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <glm/gtc/matrix_transform.hpp>
+#include <set>
 
 #include "deform/reference.h"
 #include "io/export_obj.h"
@@ -178,8 +179,10 @@ private Q_SLOTS:
         static_cast<void>(reference.apply(onA));
         std::vector<glm::vec3> positions = mesh.positions;
         for (const MorphStep& step : own) {
+            std::set<std::uint32_t> once;
             for (const MovedVertex& moved : step.moved) {
                 positions[moved.vertex] = moved.position;
+                QVERIFY(once.insert(moved.vertex).second);
             }
         }
         std::size_t moved = 0;

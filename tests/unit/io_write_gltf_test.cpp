@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDir>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
 #include <cstring>
 
+#include "glb_support.h"
 #include "io/written_check.h"
 #include "mesh/corner_normals.h"
 #include "support/test_program.h"
@@ -55,83 +53,20 @@ struct Scene {
     }
 };
 
-/// The parts of a GLB.
-struct Glb {
-    QJsonObject json;
-    std::string buffer;
-
-    explicit Glb(const QString& path) {
-        const std::string bytes = readFile(path);
-        const auto number = [&bytes](std::size_t at) {
-            std::uint32_t value = 0;
-            std::memcpy(&value, bytes.data() + at, sizeof value);
-            return value;
+/// A strip of quads each of which has texture coordinates of its own.
+std::string seamedStrip() {
+    std::string text;
+    for (int i = 0; i < 12; ++i) {
+        text += "v " + std::to_string(i / 2) + " " + std::to_string(i % 2) + " 0\nvt 0." + std::to_string(i) +
+                " 0.5\n";
+    }
+    for (int q = 1; q <= 5; ++q) {
+        const auto corner = [q](int vertex) {
+            return " " + std::to_string(vertex) + "/" + std::to_string(q);
         };
-        if (bytes.size() < 28 || number(8) != bytes.size() || number(12) % 4 != 0) {
-            return;
-        }
-        json = QJsonDocument::fromJson(QByteArray(bytes.data() + 20, number(12))).object();
-        const std::size_t at = 20 + number(12);
-        if (bytes.substr(at + 4, 4) == std::string("BIN\0", 4) && at + 8 + number(at) == bytes.size()) {
-            buffer = bytes.substr(at + 8);
-        }
+        text += "f" + corner(2 * q - 1) + corner(2 * q + 1) + corner(2 * q + 2) + corner(2 * q) + "\n";
     }
-    [[nodiscard]] QJsonObject item(const char* list, qsizetype i) const {
-        return json[QLatin1String(list)].toArray().at(i).toObject();
-    }
-};
-
-/// What the specification asks of accessors and views; empty: all is well.
-QString brokenRule(const Glb& glb) {
-    const QJsonArray views = glb.json[QStringLiteral("bufferViews")].toArray();
-    qint64 end = 0;
-    for (const QJsonValue& value : views) {
-        const QJsonObject view = value.toObject();
-        const qint64 offset = view[QStringLiteral("byteOffset")].toInteger();
-        const qint64 length = view[QStringLiteral("byteLength")].toInteger();
-        if (offset % 4 != 0 || offset < end || length < 1) {
-            return QStringLiteral("a view at %1 of %2 bytes").arg(offset).arg(length);
-        }
-        end = offset + length;
-    }
-    if (end > static_cast<qint64>(glb.buffer.size()) ||
-        glb.json[QStringLiteral("buffers")]
-                .toArray()[0]
-                .toObject()[QStringLiteral("byteLength")]
-                .toInteger() != static_cast<qint64>(glb.buffer.size())) {
-        return QStringLiteral("the buffer's length");
-    }
-    for (const QJsonValue& value : glb.json[QStringLiteral("meshes")].toArray()) {
-        for (const QJsonValue& each : value.toObject()[QStringLiteral("primitives")].toArray()) {
-            const QJsonObject primitive = each.toObject();
-            QJsonArray sets = primitive[QStringLiteral("targets")].toArray();
-            sets.append(primitive[QStringLiteral("attributes")]);
-            for (const QJsonValue& set : sets) {
-                const QJsonObject position =
-                    glb.item("accessors", set.toObject()[QStringLiteral("POSITION")].toInt(-1));
-                if (position[QStringLiteral("min")].toArray().size() != 3 ||
-                    position[QStringLiteral("max")].toArray().size() != 3) {
-                    return QStringLiteral("a POSITION without limits");
-                }
-            }
-            const QJsonObject indices = glb.item("accessors", primitive[QStringLiteral("indices")].toInt(-1));
-            const QJsonObject view = glb.item("bufferViews", indices[QStringLiteral("bufferView")].toInt(-1));
-            if (view[QStringLiteral("target")].toInt() != 34963) {
-                return QStringLiteral("indices' target");
-            }
-        }
-    }
-    return {};
-}
-
-std::vector<float> floatsOf(const Glb& glb, int accessor) {
-    const QJsonObject object = glb.item("accessors", accessor);
-    const QJsonObject view = glb.item("bufferViews", object[QStringLiteral("bufferView")].toInt(-1));
-    std::vector<float> numbers(static_cast<std::size_t>(view[QStringLiteral("byteLength")].toInt()) /
-                               sizeof(float));
-    std::memcpy(numbers.data(), glb.buffer.data() + view[QStringLiteral("byteOffset")].toInt(),
-                numbers.size() * sizeof(float));
-    return numbers;
+    return text;
 }
 
 class TestIoWriteGltf : public QObject {
@@ -246,6 +181,76 @@ private Q_SLOTS:
         const QJsonObject second = animation[QStringLiteral("samplers")].toArray()[1].toObject();
         QCOMPARE(floatsOf(glb, second[QStringLiteral("output")].toInt()),
                  (std::vector<float>{0, 0, 0, 0, 0, 1}));
+    }
+
+    void verticesOnSeamsMoveTogether_data() {
+        QTest::addColumn<int>("moved");
+        QTest::newRow("sparse") << 3;
+        QTest::newRow("dense") << 11;
+    }
+    void verticesOnSeamsMoveTogether() {
+        QFETCH(int, moved);
+        QTemporaryDir folder;
+        Dented mesh(writeFile(folder.path(), QStringLiteral("a.obj"), seamedStrip()));
+        for (int v = 0; v < moved; ++v) {
+            mesh.move(static_cast<std::size_t>(v + 1), {0.0f, 0.0f, 0.5f});
+        }
+        const QString path = folder.filePath(QStringLiteral("a.glb"));
+        QVERIFY(exportGltf(mesh.what(), path, {}));
+        QVERIFY(verifyWritten(path, mesh.what()));
+        const Glb glb(path);
+        const QJsonObject primitive =
+            glb.item("meshes", 0)[QStringLiteral("primitives")].toArray()[0].toObject();
+        const QJsonObject attributes = primitive[QStringLiteral("attributes")].toObject();
+        const std::vector<float> vertices = floatsOf(glb, attributes[QStringLiteral("_FILE_VERTEX")].toInt());
+        QCOMPARE(vertices.size(), std::size_t{20});
+        const int target =
+            primitive[QStringLiteral("targets")].toArray()[0].toObject()[QStringLiteral("POSITION")].toInt();
+        QCOMPARE(glb.item("accessors", target).contains(QStringLiteral("sparse")), moved == 3);
+        const std::vector<float> deltas = floatsOf(glb, target);
+        QCOMPARE(deltas.size(), std::size_t{60});
+        for (std::size_t i = 0; i < 20; ++i) {
+            const bool isMoved = vertices[i] >= 1.0f && vertices[i] <= static_cast<float>(moved);
+            QCOMPARE(deltas[3 * i + 2], isMoved ? 0.5f : 0.0f);
+        }
+    }
+
+    void normalsOfTheStepsAddUp() {
+        Scene scene;
+        scene.dent();
+        MeshExport what = scene.mesh.what();
+        scene.mesh.normals[0] = {0.0f, 0.6f, 0.8f};  // vertex 0 stays, its faces do not
+        what.steps = {{"Hit 1", {{2, {1.0f, 1.0f, -0.1f}}}}, {"Hit 2", {{2, scene.mesh.positions[2]}}}};
+        const QString path = scene.path("a.glb");
+        QVERIFY(exportGltf(what, path, {.steps = true}));
+        const Glb glb(path);
+        const QJsonObject primitive =
+            glb.item("meshes", 0)[QStringLiteral("primitives")].toArray()[0].toObject();
+        const QJsonArray targets = primitive[QStringLiteral("targets")].toArray();
+        QCOMPARE(targets.size(), 3);
+        std::vector<std::vector<float>> turned;
+        for (const QJsonValue& target : targets) {
+            turned.push_back(floatsOf(glb, target.toObject()[QStringLiteral("NORMAL")].toInt()));
+            QCOMPARE(turned.back().size(), std::size_t{15});
+        }
+        QVERIFY(qAbs(turned[0][6] - 0.6f) < 1e-6f && qAbs(turned[0][1] - 0.6f) < 1e-6f);
+        QVERIFY(qAbs(turned[1][6] - 0.24f) < 1e-5f);  // as far as it went: 0.1 of 0.25
+        QVERIFY(turned[1][1] == 0.0f);
+        for (std::size_t i = 0; i < 15; ++i) {
+            QVERIFY(qAbs(turned[0][i] - turned[1][i] - turned[2][i]) < 1e-6f);
+        }
+    }
+
+    void coloursBecomeLight() {
+        Scene scene;
+        const QString path = scene.path("a.glb");
+        QVERIFY(exportGltf(scene.mesh.what(), path, {}));
+        const Glb glb(path);
+        const QJsonObject second =
+            glb.item("meshes", 0)[QStringLiteral("primitives")].toArray()[1].toObject();
+        const int colours =
+            second[QStringLiteral("attributes")].toObject()[QStringLiteral("COLOR_0")].toInt();
+        QVERIFY(qAbs(floatsOf(glb, colours)[7] - 0.21404f) < 1e-4f);  // green of the last, 0.5 in sRGB
     }
 
     void materialsBecomeMetallicRough() {

@@ -112,6 +112,32 @@ private Q_SLOTS:
         QCOMPARE(back.cornerVertices, mesh.original.mesh.cornerVertices);
     }
 
+    void longFilesAreReadInParts_data() {
+        QTest::addColumn<int>("blanks");
+        QTest::newRow("short") << 0;
+        QTest::newRow("blanks up to where a part ends in a number") << (1 << 20) - 3;
+    }
+    void longFilesAreReadInParts() {
+        QFETCH(int, blanks);
+        constexpr int kVertices = 60000;  // more than one part
+        std::string source =
+            "ply\nformat ascii 1.0\nelement vertex " + std::to_string(kVertices) +
+            "\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int "
+            "vertex_indices\nend_header\n";
+        source += std::string(static_cast<std::size_t>(blanks), ' ');
+        for (int v = 0; v < kVertices; ++v) {
+            source += std::to_string(100000 + v) + " 0." + std::to_string(v % 10) + " 5.25\n";
+        }
+        source += "3 0 1 2\n";
+        QTemporaryDir folder;
+        const Dented mesh(writeFile(folder.path(), QStringLiteral("a.ply"), source));
+        const QString path = folder.filePath(QStringLiteral("b.ply"));
+        const Result<QStringList> written = exportPly(mesh.what(), path, nothingAdded());
+        QVERIFY(written);
+        QCOMPARE(written.value(), QStringList());
+        QVERIFY(readFile(path) == source);
+    }
+
     void normalsThatTurnedAreReplaced() {
         QTemporaryDir folder;
         const std::string source =
@@ -225,6 +251,30 @@ private Q_SLOTS:
             const std::uint32_t now = back.cornerTexcoords[c];
             QCOMPARE(now == kNoIndex, then == kNoIndex);
             QVERIFY(now == kNoIndex || back.texcoords[now] == from.texcoords[then]);
+        }
+    }
+
+    void textureCoordinatesStay_data() {
+        QTest::addColumn<QByteArray>("faces");
+        QTest::addColumn<bool>("ofVertices");
+        QTest::newRow("one for each vertex") << QByteArray("f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n") << true;
+        QTest::newRow("a seam") << QByteArray("f 1/1 2/2 3/3\nf 1/5 3/3 4/4\n") << false;
+    }
+    void textureCoordinatesStay() {
+        QFETCH(QByteArray, faces);
+        QFETCH(bool, ofVertices);
+        QTemporaryDir folder;
+        const std::string vertices =
+            "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.1 0.2\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.7 0.7\n";
+        const Dented mesh(writeFile(folder.path(), QStringLiteral("a.obj"), vertices + faces.toStdString()));
+        const QString path = folder.filePath(QStringLiteral("b.ply"));
+        QVERIFY(exportPly(mesh.what(), path, {}));
+        QCOMPARE(readFile(path).find("property float s\n") != std::string::npos, ofVertices);
+        const MeshData& from = mesh.original.mesh;
+        const MeshData back = readBack(path);
+        QCOMPARE(back.cornerTexcoords.size(), std::size_t{6});
+        for (std::size_t c = 0; c < 6; ++c) {
+            QCOMPARE(back.texcoords[back.cornerTexcoords[c]], from.texcoords[from.cornerTexcoords[c]]);
         }
     }
 

@@ -54,8 +54,8 @@ private Q_SLOTS:
     void normalsAreOfTheDeformedFacets() {
         QTemporaryDir folder;
         Dented mesh(
-            writeFile(folder.path(), QStringLiteral("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
-        mesh.positions[2] = {0.0f, 0.0f, 1.0f};
+            writeFile(folder.path(), QStringLiteral("a.obj"), "v 0 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\n"));
+        mesh.positions[2] = {0.0f, 0.0f, 3.0f};
         const QString path = folder.filePath(QStringLiteral("b.stl"));
         QVERIFY(exportStl(mesh.what(), path, {}));
         const std::string bytes = readFile(path);

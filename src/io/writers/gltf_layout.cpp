@@ -94,32 +94,39 @@ private:
     const MeshData& m_mesh;
     std::span<const glm::vec3> m_originals;
     Triangulator m_triangulator;
-    std::vector<std::uint32_t> m_slots;  ///< of a file vertex: its first glTF vertex
+    std::vector<std::uint32_t> m_slots;  ///< of a file vertex: its first glTF vertex, if any
     std::vector<std::uint32_t> m_next;   ///< of a glTF vertex: the file vertex's next
     std::vector<std::uint32_t> m_corners;
 };
 
+/// At the cost of the faces: there may be many primitives.
 void PrimitiveMaker::takeVertices(GltfPrimitive& primitive, std::span<const std::uint32_t> faces,
                                   bool withUnused) {
-    std::vector<bool> used(m_mesh.positions.size());
+    std::vector<std::uint32_t>& vertices = primitive.fileVertices;
     if (withUnused) {
+        std::vector<bool> used(m_mesh.positions.size());
         for (const std::uint32_t vertex : m_mesh.cornerVertices) {
             used[vertex] = true;
         }
-        used.flip();
+        for (std::uint32_t v = 0; v < used.size(); ++v) {
+            if (!used[v]) {
+                vertices.push_back(v);
+            }
+        }
     }
     for (const std::uint32_t face : faces) {
         for (const std::uint32_t vertex : m_mesh.face(face)) {
-            used[vertex] = true;
+            if (m_slots[vertex] == kNoIndex) {
+                m_slots[vertex] = 0;
+                vertices.push_back(vertex);
+            }
         }
     }
-    for (std::uint32_t v = 0; v < used.size(); ++v) {
-        if (used[v]) {
-            m_slots[v] = static_cast<std::uint32_t>(primitive.fileVertices.size());
-            primitive.fileVertices.push_back(v);
-        }
+    std::sort(vertices.begin(), vertices.end());
+    for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+        m_slots[vertices[i]] = i;
     }
-    primitive.ownVertices = primitive.fileVertices.size();
+    primitive.ownVertices = vertices.size();
     primitive.corners.assign(primitive.ownVertices, kNoIndex);
     m_next.assign(primitive.ownVertices, kNoIndex);
 }
@@ -170,6 +177,9 @@ void PrimitiveMaker::make(GltfPrimitive& primitive, std::span<const std::uint32_
         }
     }
     primitive.sortCopies();
+    for (std::size_t i = 0; i < primitive.ownVertices; ++i) {
+        m_slots[primitive.fileVertices[i]] = kNoIndex;
+    }
 }
 
 }  // namespace

@@ -175,8 +175,11 @@ Status GltfMaterials::make(bool plain) {
             return converted;
         }
     }
-    // glTF's own default is a metal, which is dark wherever nothing is mirrored.
-    return plain ? convert(Material()) : Status(Done{});
+    // glTF's own default is a metal, which is dark wherever nothing is mirrored. Colours of vertices are
+    // multiplied with it.
+    Material ours;
+    ours.diffuse = m_mesh.colours.empty() ? ours.diffuse : glm::vec3(1.0f);
+    return plain ? convert(ours) : Status(Done{});
 }
 
 int GltfMaterials::indexOf(std::uint32_t material) const {

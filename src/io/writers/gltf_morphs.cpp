@@ -81,8 +81,27 @@ struct Entry {
     std::uint32_t delta;
 };
 
+/// Index of a vertex's delta; kNoIndex: it has none.
+std::uint32_t deltaOf(const MorphTarget& target, std::uint32_t vertex) {
+    const auto found =
+        std::lower_bound(target.deltas.begin(), target.deltas.end(), vertex,
+                         [](const MorphDelta& delta, std::uint32_t v) { return delta.vertex < v; });
+    const bool has = found != target.deltas.end() && found->vertex == vertex;
+    return has ? static_cast<std::uint32_t>(found - target.deltas.begin()) : kNoIndex;
+}
+
+/// At the cost of the primitive or of the target, whichever is smaller: there may be many of both.
 std::vector<Entry> entriesOf(const GltfPrimitive& primitive, const MorphTarget& target) {
     std::vector<Entry> entries;
+    if (primitive.fileVertices.size() < target.deltas.size()) {
+        for (std::uint32_t slot = 0; slot < primitive.fileVertices.size(); ++slot) {
+            const std::uint32_t delta = deltaOf(target, primitive.fileVertices[slot]);
+            if (delta != kNoIndex) {
+                entries.push_back({slot, delta});
+            }
+        }
+        return entries;
+    }
     std::vector<std::uint32_t> slots;
     for (std::uint32_t d = 0; d < target.deltas.size(); ++d) {
         slots.clear();
@@ -227,11 +246,7 @@ std::vector<MorphTarget> stepTargets(const MeshExport& what, const MorphTarget& 
 }
 
 bool isReached(const GltfPrimitive& primitive, const MorphTarget& target) {
-    std::vector<std::uint32_t> slots;
-    return std::any_of(target.deltas.begin(), target.deltas.end(), [&](const MorphDelta& delta) {
-        primitive.findVertices(delta.vertex, slots);
-        return !slots.empty();
-    });
+    return !entriesOf(primitive, target).empty();
 }
 
 QJsonObject addMorph(GltfDocument& document, const GltfPrimitive& primitive, const MorphTarget& target,
