@@ -6,7 +6,8 @@ qt_standard_project_setup()
 find_package(glm REQUIRED)
 find_package(assimp REQUIRED)
 find_package(tinyobjloader REQUIRED)
-find_package(TinyGLTF REQUIRED)
+find_path(TINYGLTF_INCLUDE tiny_gltf.h REQUIRED)          # it reads back the glTF that we wrote
+find_path(NLOHMANN_JSON_INCLUDE nlohmann/json.hpp REQUIRED)  # its own need
 find_package(OpenMesh REQUIRED)
 find_package(QCustomPlotQt6 REQUIRED)
 find_package(PkgConfig REQUIRED)

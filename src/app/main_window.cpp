@@ -8,6 +8,7 @@
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QMenu>
+#include <QMimeData>
 #include <QScreen>
 #include <QSessionManager>
 #include <QSettings>
@@ -240,10 +241,10 @@ void MainWindow::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
     activateWindow();
     // Later: the program that was dragged from waits for the drop's end.
-    auto data = std::make_shared<QMimeData>();
-    data->setUrls(event->mimeData()->urls());
+    auto dropped = std::make_shared<QMimeData>();
+    dropped->setUrls(event->mimeData()->urls());
     QMetaObject::invokeMethod(
-        this, [this, data] { m_exchange->take(*data); }, Qt::QueuedConnection);
+        this, [this, dropped] { m_exchange->take(*dropped); }, Qt::QueuedConnection);
 }
 
 // What is said

@@ -9,11 +9,15 @@
 namespace hitscope {
 
 void ContentHasher::add(std::string_view piece) {
-    m_pieces.push_back(XXH3_64bits(piece.data(), piece.size()));
+    m_pieces.push_back(ofPiece(piece));
 }
 
-std::uint64_t ContentHasher::hash() const {
-    return std::max<std::uint64_t>(XXH3_64bits(m_pieces.data(), m_pieces.size() * sizeof(std::uint64_t)), 1);
+std::uint64_t ContentHasher::ofPiece(std::string_view piece) {
+    return XXH3_64bits(piece.data(), piece.size());
+}
+
+std::uint64_t ContentHasher::ofPieces(const std::vector<std::uint64_t>& pieces) {
+    return std::max<std::uint64_t>(XXH3_64bits(pieces.data(), pieces.size() * sizeof(std::uint64_t)), 1);
 }
 
 std::uint64_t contentHash(std::string_view content) {

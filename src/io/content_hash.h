@@ -17,7 +17,11 @@ public:
     /// The next piece, of kHashedPiece bytes; the last one may be shorter.
     void add(std::string_view piece);
     /// Of all pieces; never 0, which stands for "not known".
-    [[nodiscard]] std::uint64_t hash() const;
+    [[nodiscard]] std::uint64_t hash() const { return ofPieces(m_pieces); }
+
+    /// The two steps alone, for pieces that are read at once.
+    [[nodiscard]] static std::uint64_t ofPiece(std::string_view piece);
+    [[nodiscard]] static std::uint64_t ofPieces(const std::vector<std::uint64_t>& pieces);
 
 private:
     std::vector<std::uint64_t> m_pieces;

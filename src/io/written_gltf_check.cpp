@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Draco, which Assimp brings, has a tinygltf of its own, of another layout and the same names: a library's
+// would become that one in a program that has both. So it is compiled in here, under a name of ours.
+#define tinygltf hitscope_tinygltf
+#define TINYGLTF_IMPLEMENTATION
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
 #include <tiny_gltf.h>
 
 #include <QFile>

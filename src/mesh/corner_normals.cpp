@@ -158,4 +158,15 @@ CornerNormals::CornerNormals(const MeshData& mesh, const VertexCorners& vertexCo
     });
 }
 
+std::vector<glm::vec3> cornerNormals(const MeshData& mesh, float creaseAngle) {
+    const VertexCorners vertexCorners(mesh);
+    const CornerNormals normals(mesh, vertexCorners, creaseAngle);
+    std::vector<glm::vec3> list;
+    list.reserve(mesh.cornerVertices.size());
+    for (std::size_t corner = 0; corner < mesh.cornerVertices.size(); ++corner) {
+        list.push_back(normals[corner]);
+    }
+    return list;
+}
+
 }  // namespace hitscope

@@ -38,4 +38,7 @@ private:
     std::vector<glm::vec3> m_ofCorners;  ///< empty: the file's do for all corners
 };
 
+/// The same as a list: one a corner.
+[[nodiscard]] std::vector<glm::vec3> cornerNormals(const MeshData& mesh, float creaseAngle);
+
 }  // namespace hitscope

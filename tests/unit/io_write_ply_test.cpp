@@ -84,9 +84,8 @@ private Q_SLOTS:
         std::string expected = replaced(kAscii, "more\r\n",
                                         "more\r\nproperty float dx\r\nproperty float dy\r\nproperty float "
                                         "dz\r\nproperty float displacement\r\nproperty uint hits\r\n");
-        expected =
-            replaced(expected, "2 1 9 \r\n2 1 0.1 0 2 8 9\r\n",
-                     "2 1 9 0 0 0 0 0 \r\n2 1.5 0.10000000149011612 0.25 2 8 9 0.5 0 0.25 0.559017 12\r\n");
+        expected = replaced(expected, "2 1 9 \r\n2 1 0.1 0 2 8 9\r\n",
+                            "2 1 9 0 0 0 0 0 \r\n2 1.5 0.1 0.25 2 8 9 0.5 0 0.25 0.559017 12\r\n");
         expected = replaced(expected, "1 1 0 0\r\n4 0 1 0.50 1 4\r\n",
                             "1 1 0 0 0 0 0 0 0\r\n4 0 1 0.50 1 4 0 0 0 0 0\r\n");
         QCOMPARE(QByteArray::fromStdString(readFile(path)), QByteArray::fromStdString(expected));

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QDir>
+#include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFile>
 #include <QImage>
@@ -131,7 +132,10 @@ void ExchangeTest::hitsAreDropped() {
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(writtenHits())});
     QVERIFY(ExchangeActions::canTake(data));
-    QDropEvent drop({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(m_window.get(), &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop({100.0, 100.0}, Qt::CopyAction, &data, Qt::LeftButton, {});
     QCoreApplication::sendEvent(m_window.get(), &drop);
     QVERIFY(drop.isAccepted());
     QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), std::size_t{2}, kPatience);

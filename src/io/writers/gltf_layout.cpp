@@ -207,8 +207,7 @@ void GltfPrimitive::findVertices(std::uint32_t fileVertex, std::vector<std::uint
 }
 
 std::vector<glm::vec3> originalNormals(const MeshExport& what) {
-    return what.normals.empty() ? std::vector<glm::vec3>()
-                                : cornerNormals(*what.mesh, VertexCorners(*what.mesh), kCreaseAngle);
+    return what.normals.empty() ? std::vector<glm::vec3>() : cornerNormals(*what.mesh, kCreaseAngle);
 }
 
 GltfLayout layOut(const MeshExport& what, std::span<const glm::vec3> originalNormals) {

@@ -145,8 +145,7 @@ void Merger::addNormals(const PlacedTarget& target) {
         m_mesh.normals.push_back(turned(normal));
     }
     if (m_has.normals && target.normals.empty()) {
-        for (const glm::vec3& normal :
-             cornerNormals(*target.mesh, VertexCorners(*target.mesh), kCreaseAngle)) {
+        for (const glm::vec3& normal : cornerNormals(*target.mesh, kCreaseAngle)) {
             m_merged.normals.push_back(turned(normal));
         }
     }

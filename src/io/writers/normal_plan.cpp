@@ -12,26 +12,28 @@ namespace hitscope {
 namespace {
 
 /// Vertices whose normals may have changed: those of faces of which a vertex moved.
-std::vector<bool> touchedVertices(const MeshData& mesh, std::span<const glm::vec3> positions) {
-    std::vector<bool> moved(positions.size());
+std::vector<std::uint8_t> touchedVertices(const MeshData& mesh, std::span<const glm::vec3> positions) {
+    std::vector<std::uint8_t> moved(positions.size());
     bool any = false;
     for (std::size_t v = 0; v < positions.size(); ++v) {
         if (!sameBits(positions[v], mesh.positions[v])) {
-            moved[v] = true;
+            moved[v] = 1;
             any = true;
         }
     }
     if (!any) {
         return {};
     }
-    std::vector<bool> touched(positions.size());
+    std::vector<std::uint8_t> touched(positions.size());
     for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-        bool isTouched = false;
+        std::uint8_t isTouched = 0;
         for (const std::uint32_t vertex : mesh.face(f)) {
-            isTouched = isTouched || moved[vertex];
+            isTouched |= moved[vertex];
         }
-        for (const std::uint32_t vertex : mesh.face(f)) {
-            touched[vertex] = touched[vertex] || isTouched;
+        if (isTouched != 0) {
+            for (const std::uint32_t vertex : mesh.face(f)) {
+                touched[vertex] = 1;
+            }
         }
     }
     return touched;
@@ -41,13 +43,13 @@ class Planner {
 public:
     Planner(const MeshData& mesh, const CornerNormalView& normals) : m_mesh(mesh), m_normals(normals) {}
 
-    NormalPlan plan(const std::vector<bool>& touched, bool all);
+    NormalPlan plan(const std::vector<std::uint8_t>& touched, bool all);
 
 private:
     [[nodiscard]] std::uint32_t inFile(std::size_t corner) const {
         return m_mesh.cornerNormals.empty() ? kNoIndex : m_mesh.cornerNormals[corner];
     }
-    void findWanted(const std::vector<bool>& touched);
+    void findWanted(const std::vector<std::uint8_t>& touched);
     void findDisagreement();
     void add(std::size_t corner, Welder& added);
 
@@ -55,13 +57,17 @@ private:
     const CornerNormalView& m_normals;
     std::vector<std::uint32_t> m_wantedBy;  // for each of the file's normals, the first corner to change it
     std::vector<bool> m_isShared;           // its corners want different ones
+    bool m_isAnyShared = false;
     NormalPlan m_plan;
 };
 
-void Planner::findWanted(const std::vector<bool>& touched) {
+void Planner::findWanted(const std::vector<std::uint8_t>& touched) {
     for (std::size_t c = 0; c < m_mesh.cornerVertices.size(); ++c) {
+        if (touched[m_mesh.cornerVertices[c]] == 0) {
+            continue;
+        }
         const std::uint32_t normal = inFile(c);
-        if (touched[m_mesh.cornerVertices[c]] && normal != kNoIndex && m_wantedBy[normal] == kNoIndex &&
+        if (normal != kNoIndex && m_wantedBy[normal] == kNoIndex &&
             !isSameDirection(m_mesh.normals[normal], m_normals[c])) {
             m_wantedBy[normal] = static_cast<std::uint32_t>(c);
         }
@@ -74,6 +80,7 @@ void Planner::findDisagreement() {
         if (normal != kNoIndex && m_wantedBy[normal] != kNoIndex &&
             !sameBits(m_normals[c], m_normals[m_wantedBy[normal]])) {
             m_isShared[normal] = true;
+            m_isAnyShared = true;
         }
     }
 }
@@ -85,7 +92,7 @@ void Planner::add(std::size_t corner, Welder& added) {
                                    added.index(isFinite(normal) ? normal : glm::vec3(0.0f)));
 }
 
-NormalPlan Planner::plan(const std::vector<bool>& touched, bool all) {
+NormalPlan Planner::plan(const std::vector<std::uint8_t>& touched, bool all) {
     m_wantedBy.assign(m_mesh.normals.size(), kNoIndex);
     m_isShared.assign(m_mesh.normals.size(), false);
     if (!touched.empty()) {

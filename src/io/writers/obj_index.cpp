@@ -4,8 +4,9 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <string_view>
+#include <atomic>
 
+#include "core/parallel.h"
 #include "io/content_hash.h"
 #include "io/descriptor.h"
 #include "io/writers/obj_lines.h"
@@ -14,25 +15,42 @@ namespace hitscope {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::uint64_t kPiece = ContentHasher::kHashedPiece;
+constexpr std::uint64_t kLeastRange = 4 << 20;  // bytes; shorter ones are read sooner than a thread starts
+
+/// What the lines of a range of the file come to.
+struct Range {
+    std::uint64_t start = 0;
+    std::uint64_t end = 0;
+    std::vector<ObjPart> parts;
+    std::uint64_t afterNormals = 0;
+    std::uint64_t firstFace = 0;  // its end: none
+    bool isRead = true;
+};
 
 class Indexer {
 public:
-    Indexer(int descriptor, const std::function<bool(double)>& goOn)
-        : m_descriptor(descriptor), m_goOn(goOn) {}
+    Indexer(int descriptor, ObjFaces faces, const std::function<bool(double)>& goOn)
+        : m_descriptor(descriptor), m_faces(faces), m_goOn(goOn) {}
 
     std::optional<ObjIndex> index();
 
 private:
     bool findLineEnd();
-    void takeLines(bool isLast);
-    void take(ObjPart& part, std::string_view line, std::uint64_t start);
-    void takeFace(ObjPart& part, std::string_view line, std::uint64_t start);
+    bool findStart();
+    [[nodiscard]] std::optional<std::uint64_t> lineStartAfter(std::uint64_t wanted) const;
+    bool cut(std::vector<Range>& ranges) const;
+    bool hash();
+    void read(Range& range, bool isTelling);
+    void takeLines(Range& range, std::string& text, std::uint64_t& textStart, bool isLast) const;
+    void take(Range& range, ObjPart& part, std::string_view line, std::uint64_t start) const;
 
     int m_descriptor;
+    ObjFaces m_faces;
     const std::function<bool(double)>& m_goOn;
     ObjIndex m_index;
-    std::string m_text;             // from a line's start on
-    std::uint64_t m_textStart = 0;  // in the file
+    std::uint64_t m_start = 0;  // behind the byte order mark
+    std::atomic<bool> m_isGivenUp = false;
 };
 
 /// The line end is the reader's: '\r' only where no '\n' is in the whole file.
@@ -58,34 +76,86 @@ bool Indexer::findLineEnd() {
     return true;
 }
 
-void Indexer::takeFace(ObjPart& part, std::string_view line, std::uint64_t start) {
-    ObjWords words(line, m_index.lineEnd);
-    words.next();
-    int corners = 0;
-    for (TextRange word = words.next(); word.end > word.start; word = words.next()) {
-        const std::string_view corner = words.text(word);
-        if (corner.front() == '#' || (++corners >= 3 && m_index.hasRelativeNormals)) {
-            break;
-        }
-        m_index.hasRelativeNormals = m_index.hasRelativeNormals || corner.find("/-") != corner.npos;
+bool Indexer::findStart() {
+    std::string head(std::min<std::uint64_t>(m_index.size, kByteOrderMark.size()), '\0');
+    char last = m_index.lineEnd;
+    if (!readAt(m_descriptor, 0, head.data(), head.size()) ||
+        (m_index.size > 0 && !readAt(m_descriptor, m_index.size - 1, &last, 1))) {
+        return false;
     }
-    if (corners >= 3) {
-        m_index.firstFace = std::min(m_index.firstFace, start);
-        ++part.faces;
-    }
+    m_start = head == kByteOrderMark ? head.size() : 0;
+    m_index.endsInLine = last != m_index.lineEnd;
+    return true;
 }
 
-void Indexer::take(ObjPart& part, std::string_view line, std::uint64_t start) {
+/// The first byte behind a line that does not go on, from `wanted` on; the file's end if there is none.
+std::optional<std::uint64_t> Indexer::lineStartAfter(std::uint64_t wanted) const {
+    constexpr std::uint64_t kBefore = 1 << 12;  // of blanks at most before a line's end
+    std::string window;
+    for (std::uint64_t at = wanted; at < m_index.size; at += kPiece) {
+        const std::uint64_t from = at > m_start + kBefore ? at - kBefore : m_start;
+        window.resize(std::min<std::uint64_t>(m_index.size - from, at - from + kPiece));
+        if (!readAt(m_descriptor, from, window.data(), window.size())) {
+            return std::nullopt;
+        }
+        for (std::size_t end = window.find(m_index.lineEnd, at - from); end != window.npos;
+             end = window.find(m_index.lineEnd, end + 1)) {
+            const std::size_t last = window.find_last_not_of(" \t\f\v\r\n", end);
+            if (last == window.npos || window[last] != '\\') {
+                return from + end + 1;
+            }
+        }
+    }
+    return m_index.size;
+}
+
+bool Indexer::cut(std::vector<Range>& ranges) const {
+    for (std::size_t r = 1; r < ranges.size(); ++r) {
+        const std::uint64_t wanted = m_start + (m_index.size - m_start) * r / ranges.size();
+        const std::optional<std::uint64_t> start = lineStartAfter(wanted);
+        if (!start) {
+            return false;
+        }
+        ranges[r].start = std::max(*start, ranges[r - 1].start);
+    }
+    ranges.front().start = m_start;
+    for (std::size_t r = 0; r < ranges.size(); ++r) {
+        ranges[r].end = r + 1 < ranges.size() ? ranges[r + 1].start : m_index.size;
+    }
+    return true;
+}
+
+bool Indexer::hash() {
+    std::vector<std::uint64_t> hashes((m_index.size + kPiece - 1) / kPiece);
+    std::atomic<bool> isRead = true;
+    inParts(hashes.size(), kLeastRange / kPiece, [&](std::size_t first, std::size_t end) {
+        std::string piece;
+        for (std::size_t i = first; i < end && isRead; ++i) {
+            piece.resize(std::min<std::uint64_t>(m_index.size - i * kPiece, kPiece));
+            if (!readAt(m_descriptor, i * kPiece, piece.data(), piece.size())) {
+                isRead = false;
+            }
+            hashes[i] = ContentHasher::ofPiece(piece);
+        }
+    });
+    m_index.hash = ContentHasher::ofPieces(hashes);
+    return isRead;
+}
+
+void Indexer::take(Range& range, ObjPart& part, std::string_view line, std::uint64_t start) const {
     switch (keywordOf(line, m_index.lineEnd)) {
         case ObjKeyword::Vertex:
             ++part.vertices;
             break;
         case ObjKeyword::Normal:
             ++part.normals;
-            m_index.afterNormals = start + line.size();
+            range.afterNormals = start + line.size();
             break;
         case ObjKeyword::Face:
-            takeFace(part, line, start);
+            if (m_faces == ObjFaces::AllLines || isObjFace(line, m_index.lineEnd)) {
+                range.firstFace = std::min(range.firstFace, start);
+                ++part.faces;
+            }
             break;
         case ObjKeyword::Library:
             ++part.libraries;
@@ -96,21 +166,42 @@ void Indexer::take(ObjPart& part, std::string_view line, std::uint64_t start) {
 }
 
 /// All lines but the last, which may go on in the next piece.
-void Indexer::takeLines(bool isLast) {
-    ObjPart part{m_textStart};
-    ObjLines lines(m_text, m_index.lineEnd);
+void Indexer::takeLines(Range& range, std::string& text, std::uint64_t& textStart, bool isLast) const {
+    ObjPart part{textStart};
+    ObjLines lines(text, m_index.lineEnd);
     TextRange line;
     std::size_t done = 0;
-    while (lines.next(line) && (isLast || line.end < m_text.size())) {
-        take(part, std::string_view(m_text).substr(line.start, line.end - line.start),
-             m_textStart + line.start);
+    while (lines.next(line) && (isLast || line.end < text.size())) {
+        take(range, part, std::string_view(text).substr(line.start, line.end - line.start),
+             textStart + line.start);
         done = line.end;
     }
     if (done > 0) {
         part.size = done;
-        m_index.parts.push_back(part);
-        m_textStart += done;
-        m_text.erase(0, done);
+        range.parts.push_back(part);
+        textStart += done;
+        text.erase(0, done);
+    }
+}
+
+void Indexer::read(Range& range, bool isTelling) {
+    range.firstFace = range.end;
+    std::string text;  // from a line's start on
+    std::uint64_t textStart = range.start;
+    for (std::uint64_t at = range.start; at < range.end && !m_isGivenUp;) {
+        const std::uint64_t size = std::min(range.end - at, kPiece);
+        const std::size_t before = text.size();
+        text.resize(before + size);
+        if (!readAt(m_descriptor, at, text.data() + before, size)) {
+            range.isRead = false;
+            return;
+        }
+        at += size;
+        takeLines(range, text, textStart, at == range.end);
+        if (isTelling && m_goOn &&
+            !m_goOn(static_cast<double>(at - range.start) / static_cast<double>(range.end - range.start))) {
+            m_isGivenUp = true;
+        }
     }
 }
 
@@ -120,38 +211,60 @@ std::optional<ObjIndex> Indexer::index() {
         return std::nullopt;
     }
     m_index.size = static_cast<std::uint64_t>(info.st_size);
-    m_index.firstFace = m_index.size;
-    if (!findLineEnd()) {
+    std::vector<Range> ranges(std::clamp<std::size_t>(m_index.size / kLeastRange, 1, usefulThreads()));
+    if (!findLineEnd() || !findStart() || !cut(ranges) || !hash()) {
         return std::nullopt;
     }
-    ContentHasher hasher;
-    for (std::uint64_t at = 0; at < m_index.size;) {
-        const std::size_t size = std::min<std::uint64_t>(m_index.size - at, ContentHasher::kHashedPiece);
-        const std::size_t before = m_text.size();
-        m_text.resize(before + size);
-        if (!readAt(m_descriptor, at, m_text.data() + before, size)) {
+    forEachAtOnce(ranges.size(), [&](std::size_t r) { read(ranges[r], r == 0); });  // 0: on this thread
+    m_index.firstFace = m_index.size;
+    for (const Range& range : ranges) {
+        if (!range.isRead || m_isGivenUp) {
             return std::nullopt;
         }
-        hasher.add(std::string_view(m_text).substr(before));
-        if (at == 0 && m_text.starts_with(kByteOrderMark)) {
-            m_text.erase(0, kByteOrderMark.size());
-            m_textStart = kByteOrderMark.size();
-        }
-        at += size;
-        m_index.endsInLine = m_text.empty() || m_text.back() != m_index.lineEnd;
-        takeLines(at == m_index.size);
-        if (m_goOn && !m_goOn(static_cast<double>(at) / static_cast<double>(m_index.size))) {
-            return std::nullopt;
+        m_index.parts.insert(m_index.parts.end(), range.parts.begin(), range.parts.end());
+        m_index.afterNormals = std::max(m_index.afterNormals, range.afterNormals);
+        if (range.firstFace < range.end) {
+            m_index.firstFace = std::min(m_index.firstFace, range.firstFace);
         }
     }
-    m_index.hash = hasher.hash();
     return std::move(m_index);
 }
 
 }  // namespace
 
-std::optional<ObjIndex> indexObj(int descriptor, const std::function<bool(double)>& goOn) {
-    return Indexer(descriptor, goOn).index();
+std::optional<ObjIndex> indexObj(int descriptor, ObjFaces faces, const std::function<bool(double)>& goOn) {
+    return Indexer(descriptor, faces, goOn).index();
+}
+
+bool hasRelativeNormals(int descriptor, const ObjIndex& index) {
+    std::atomic<bool> found = false;
+    inParts(index.parts.size(), kLeastRange / kPiece, [&](std::size_t first, std::size_t end) {
+        std::string text;
+        for (std::size_t p = first; p < end && !found; ++p) {
+            text.resize(index.parts[p].size);
+            if (index.parts[p].faces == 0 ||
+                !readAt(descriptor, index.parts[p].start, text.data(), text.size())) {
+                continue;
+            }
+            // In a comment it does no harm: the normals that are added come at the end then.
+            if (text.find("/-") != text.npos) {
+                found = true;
+            }
+        }
+    });
+    return found;
+}
+
+bool isObjFace(std::string_view line, char lineEnd) {
+    ObjWords words(line, lineEnd);
+    words.next();
+    for (int corner = 0; corner < 3; ++corner) {
+        const std::string_view word = words.text(words.next());
+        if (word.empty() || word.front() == '#') {
+            return false;
+        }
+    }
+    return true;
 }
 
 }  // namespace hitscope

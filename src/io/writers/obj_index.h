@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hitscope {
@@ -15,7 +16,7 @@ struct ObjPart {
     std::uint64_t size = 0;       ///< bytes
     std::uint32_t vertices = 0;   ///< v lines
     std::uint32_t normals = 0;    ///< vn lines
-    std::uint32_t faces = 0;      ///< f lines of three corners or more: those that are faces of the mesh
+    std::uint32_t faces = 0;      ///< f lines
     std::uint32_t libraries = 0;  ///< mtllib lines
 };
 
@@ -32,8 +33,18 @@ struct ObjIndex {
     std::uint64_t size = 0;           ///< bytes
 };
 
-/// Reads the whole file once, in pieces. Nothing where it cannot be read or `goOn` (given the share that is
-/// done, may be empty) says false.
-[[nodiscard]] std::optional<ObjIndex> indexObj(int descriptor, const std::function<bool(double)>& goOn);
+/// Which f lines are faces of the mesh: its reader leaves those of fewer than three corners out.
+enum class ObjFaces : std::uint8_t { AllLines, OfThreeCorners };
+
+/// Reads the whole file, on all processors. Nothing where it cannot be read or `goOn` (given the share that
+/// is done, may be empty, called on this thread) says false.
+[[nodiscard]] std::optional<ObjIndex> indexObj(int descriptor, ObjFaces faces,
+                                               const std::function<bool(double)>& goOn);
+
+/// Whether a face counts its normals from the end. Likewise reads the whole file.
+[[nodiscard]] bool hasRelativeNormals(int descriptor, const ObjIndex& index);
+
+/// Whether an f line has three corners or more.
+[[nodiscard]] bool isObjFace(std::string_view line, char lineEnd);
 
 }  // namespace hitscope

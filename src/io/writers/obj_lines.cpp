@@ -58,7 +58,14 @@ TextRange ObjWords::next() {
 }
 
 ObjKeyword keywordOf(std::string_view line, char lineEnd) {
-    if (!line.empty() && (line.front() == '#' || line.front() == 'u')) {  // most of what is of no concern
+    // Most lines begin at once with a keyword and a blank.
+    if (line.size() > 2 && line[1] == ' ' && (line[0] == 'v' || line[0] == 'f')) {
+        return line[0] == 'v' ? ObjKeyword::Vertex : ObjKeyword::Face;
+    }
+    if (line.size() > 3 && line[0] == 'v' && line[2] == ' ' && (line[1] == 'n' || line[1] == 't')) {
+        return line[1] == 'n' ? ObjKeyword::Normal : ObjKeyword::Other;
+    }
+    if (!line.empty() && line.front() == '#') {
         return ObjKeyword::Other;
     }
     ObjWords words(line, lineEnd);

@@ -34,8 +34,9 @@ std::string_view withoutNormal(std::string_view corner) {
 
 }  // namespace
 
-ObjPatcher::ObjPatcher(const ObjChanges& changes, const ObjIndex& index)
-    : m_changes(changes), m_index(index) {
+ObjPatcher::ObjPatcher(const ObjChanges& changes, const ObjIndex& index, ObjFaces faces,
+                       bool hasRelativeNormals)
+    : m_changes(changes), m_index(index), m_faces(faces) {
     Counts count;
     m_before.push_back(count);
     for (const ObjPart& part : index.parts) {
@@ -47,9 +48,7 @@ ObjPatcher::ObjPatcher(const ObjChanges& changes, const ObjIndex& index)
     }
     // Behind the last of the file's normals no number of theirs changes; faces that count from the end see
     // the added ones unless they come last of all.
-    m_addAt = index.hasRelativeNormals ? index.size
-              : index.afterNormals > 0 ? index.afterNormals
-                                       : index.firstFace;
+    m_addAt = hasRelativeNormals ? index.size : index.afterNormals > 0 ? index.afterNormals : index.firstFace;
     const std::vector<std::uint32_t>& corners = changes.mesh.cornerNormals;
     m_hasDangling = !changes.normals.added.empty() &&
                     std::find(corners.begin(), corners.end(), kNoIndex) != corners.end();
@@ -129,7 +128,8 @@ void ObjPatcher::rewriteLine(const Line& line, Counts& at, std::string& out) con
             }
             break;
         case ObjKeyword::Face:
-            if (normals.corners.empty() || !isFace(line.text)) {
+            if (normals.corners.empty() ||
+                (m_faces == ObjFaces::OfThreeCorners && !isObjFace(line.text, m_index.lineEnd))) {
                 break;
             }
             ++at.faces;
@@ -147,18 +147,6 @@ void ObjPatcher::rewriteLine(const Line& line, Counts& at, std::string& out) con
             break;
     }
     out += line.text;
-}
-
-bool ObjPatcher::isFace(std::string_view line) const {
-    ObjWords words(line, m_index.lineEnd);
-    words.next();
-    for (int corner = 0; corner < 3; ++corner) {
-        const std::string_view word = words.text(words.next());
-        if (word.empty() || word.front() == '#') {
-            return false;
-        }
-    }
-    return true;
 }
 
 void ObjPatcher::vertex(std::string_view line, std::size_t vertex, std::string& out) const {

@@ -26,7 +26,8 @@ struct ObjChanges {
 /// Rewrites parts of an OBJ file: the words that change, and nothing else.
 class ObjPatcher {
 public:
-    ObjPatcher(const ObjChanges& changes, const ObjIndex& index);
+    /// hasRelativeNormals: a face counts its normals from the end.
+    ObjPatcher(const ObjChanges& changes, const ObjIndex& index, ObjFaces faces, bool hasRelativeNormals);
 
     /// Whether part `p` of the index has something that changes.
     [[nodiscard]] bool changes(std::size_t p) const;
@@ -50,12 +51,12 @@ private:
     void normal(std::string_view line, std::size_t normal, std::string& out) const;
     void face(std::string_view line, std::size_t face, std::string& out) const;
     void library(std::string_view line, const std::string& name, std::string& out) const;
-    [[nodiscard]] bool isFace(std::string_view line) const;
     void appendAdded(std::string& out) const;
     [[nodiscard]] bool moved(std::size_t vertex) const;
 
     const ObjChanges& m_changes;
     const ObjIndex& m_index;
+    ObjFaces m_faces;
     std::vector<Counts> m_before;  // one a part, and the totals behind
     std::uint64_t m_addAt = 0;     // byte in the file before which the added normals come
     /// Corners may refer to normals that the file lacks; the added ones must not become these.

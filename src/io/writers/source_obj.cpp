@@ -7,7 +7,9 @@
 #include <QFile>
 #include <cerrno>
 #include <ctime>
+#include <utility>
 
+#include "core/parallel.h"
 #include "io/descriptor.h"
 #include "io/writers/obj_index.h"
 #include "io/writers/obj_patcher.h"
@@ -76,36 +78,56 @@ private:
         m_done = end;
         return start == end || (flush(to) && copyRange(m_source, start, end - start, to));
     }
-    bool rewrite(std::size_t p, int to);
+    bool rewrite(const std::vector<std::size_t>& parts, int to);
 
     const ObjExport& m_what;
     const ObjIndex& m_index;
     const ObjPatcher& m_patcher;
     int m_source;
     std::string m_out;
-    std::string m_text;
     std::uint64_t m_done = 0;  // bytes of the source
     bool m_couldNotRead = false;
 };
 
-bool SourceWriter::rewrite(std::size_t p, int to) {
-    const ObjPart& part = m_index.parts[p];
-    if (!copyUntil(part.start, to)) {
-        return false;
+/// The parts at once, and then in their order.
+bool SourceWriter::rewrite(const std::vector<std::size_t>& parts, int to) {
+    std::vector<std::string> texts(parts.size());
+    std::vector<std::uint8_t> isRead(parts.size());
+    inParts(parts.size(), 1, [&](std::size_t first, std::size_t end) {
+        std::string own;
+        for (std::size_t i = first; i < end; ++i) {
+            const ObjPart& part = m_index.parts[parts[i]];
+            own.resize(part.size);
+            isRead[i] = readAt(m_source, part.start, own.data(), own.size()) ? 1 : 0;
+            if (isRead[i] != 0) {
+                m_patcher.rewrite(parts[i], own, texts[i]);
+            }
+        }
+    });
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const ObjPart& part = m_index.parts[parts[i]];
+        m_couldNotRead = m_couldNotRead || isRead[i] == 0;
+        if (m_couldNotRead || !copyUntil(part.start, to)) {
+            return false;
+        }
+        m_out += texts[i];
+        m_done = part.start + part.size;
+        if (m_out.size() >= kBuffer && !flush(to)) {
+            return false;
+        }
     }
-    m_text.resize(part.size);
-    if (!readAt(m_source, part.start, m_text.data(), m_text.size())) {
-        m_couldNotRead = true;
-        return false;
-    }
-    m_patcher.rewrite(p, m_text, m_out);
-    m_done = part.start + part.size;
-    return m_out.size() < kBuffer || flush(to);
+    return true;
 }
 
 bool SourceWriter::write(int to) {
+    const std::size_t atOnce = 2 * usefulThreads();
+    std::vector<std::size_t> waiting;
     for (std::size_t p = 0; p < m_index.parts.size(); ++p) {
-        if (m_patcher.changes(p) && !rewrite(p, to)) {
+        if (m_patcher.changes(p)) {
+            waiting.push_back(p);
+        }
+        const bool isLast = p + 1 == m_index.parts.size();
+        if ((waiting.size() >= atOnce || isLast) && !rewrite(std::exchange(waiting, {}), to)) {
             return false;
         }
         const double share = static_cast<double>(p + 1) / static_cast<double>(m_index.parts.size());
@@ -133,8 +155,13 @@ Result<SourceCopy> copyWithChanges(const ObjExport& what, const QString& path, M
         return SourceCopy::NotThere;
     }
     const WriteMark before(source.get());
-    const std::optional<ObjIndex> index =
-        indexObj(source.get(), [&goOn](double share) { return goOn(kIndexShare * share); });
+    const auto within = [&goOn](double share) { return goOn(kIndexShare * share); };
+    ObjFaces faces = ObjFaces::AllLines;
+    std::optional<ObjIndex> index = indexObj(source.get(), faces, within);
+    if (index && index->hash == what.mesh->sourceHash && !fits(*index, *what.mesh)) {
+        faces = ObjFaces::OfThreeCorners;  // the reader left some out
+        index = indexObj(source.get(), faces, within);
+    }
     if (isGivenUp) {
         return givenUp(path);
     }
@@ -147,7 +174,8 @@ Result<SourceCopy> copyWithChanges(const ObjExport& what, const QString& path, M
     }
     const NormalPlan normals = planNormals(*what.mesh, what.positions, what.normals, what.allNormals);
     const ObjChanges changes{*what.mesh, what.positions, normals, libraries.value()};
-    const ObjPatcher patcher(changes, *index);
+    const ObjPatcher patcher(changes, *index, faces,
+                             !normals.added.empty() && hasRelativeNormals(source.get(), *index));
     ObjExport watched = what;
     watched.goOn = goOn;
     SourceWriter writer(watched, *index, patcher, source.get());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/export/export_target.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <algorithm>
 #include <atomic>
@@ -63,6 +64,7 @@ private:
     [[nodiscard]] bool needsHits() const;
     [[nodiscard]] bool isMerged() const { return m_what.targets.size() > 1 || m_what.options.inWorld; }
     [[nodiscard]] bool hasNormals(const TargetExport& target) const;
+    [[nodiscard]] bool stepsLeadToShown() const;
     Status merge();
 
     const SceneExport& m_what;
@@ -92,6 +94,22 @@ CornerNormalView Gathered::normals() const {
                              : CornerNormalView();
 }
 
+bool Gathered::stepsLeadToShown() const {
+    for (std::size_t t = 0; t < m_what.targets.size(); ++t) {
+        const TargetExport& target = m_what.targets[t];
+        std::vector<glm::vec3> end = target.original->positions;
+        for (const MorphStep& step : m_steps[t]) {
+            for (const MovedVertex& moved : step.moved) {
+                end[moved.vertex] = moved.position;
+            }
+        }
+        if (end != target.positions) {
+            return false;
+        }
+    }
+    return true;
+}
+
 Status Gathered::gather(const GoOn& goOn, const QString& path) {
     for (const TargetExport& target : m_what.targets) {
         One& one = m_targets.emplace_back();
@@ -115,6 +133,11 @@ Status Gathered::gather(const GoOn& goOn, const QString& path) {
             return givenUp(path);
         }
         m_steps = std::move(*steps);
+        if (!stepsLeadToShown()) {
+            m_notes += QCoreApplication::translate(
+                "Export",
+                "The animation ends at what the reference makes of the hits; what is shown differs.");
+        }
     }
     if (isMerged()) {
         return merge();
@@ -149,7 +172,7 @@ Status Gathered::merge() {
         return merged.error();
     }
     m_merged = std::move(merged.value());
-    m_notes = m_merged->notes;
+    m_notes += m_merged->notes;
     m_mesh = m_merged->what();
     return Done{};
 }
