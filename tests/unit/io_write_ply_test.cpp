@@ -307,7 +307,7 @@ private Q_SLOTS:
         QTemporaryDir folder;
         Dented mesh(writeFile(folder.path(), QStringLiteral("a.ply"), kAscii));
         const QString path = writeFile(folder.path(), QStringLiteral("b.ply"), "before");
-        for (int looks = 0; looks < 4; ++looks) {
+        for (int looks = 0; looks < 6; ++looks) {
             MeshExport what = mesh.what();
             int left = looks;
             what.goOn = [&left](double fraction) { return fraction >= 0.0 && fraction <= 1.0 && left-- > 0; };

@@ -176,18 +176,15 @@ void Merger::addGroups(const PlacedTarget& target) {
     }
 }
 
-/// Names of pictures hold in one folder only: from several, pictures that were read are taken along.
+/// Without a folder for all, pictures are those that were read, by their index.
 void Merger::addMaterials(const PlacedTarget& target) {
-    const auto take = [this, first = static_cast<int>(m_mesh.images.size())](std::string& name, int& image) {
+    const auto shift = [first = static_cast<int>(m_mesh.images.size())](int& image) {
         image = image < 0 ? image : image + first;
-        if (!m_has.oneFolder && image >= 0) {
-            name.clear();
-        }
     };
     for (Material material : target.mesh->materials) {
-        take(material.diffuseTexture, material.diffuseImage);
-        take(material.normalMap.texture, material.normalMap.image);
-        take(material.metalRoughness.texture, material.metalRoughness.image);
+        shift(material.diffuseImage);
+        shift(material.normalMap.image);
+        shift(material.metalRoughness.image);
         m_mesh.materials.push_back(std::move(material));
     }
     m_mesh.images.insert(m_mesh.images.end(), target.mesh->images.begin(), target.mesh->images.end());
