@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <assimp/scene.h>
+
+#include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
 #include <functional>
+#include <utility>
 
 #include "io/import.h"
-#include "io/readers/dae_check.h"
+#include "io/readers/assimp_check.h"
 #include "io/readers/gltf_check.h"
 #include "io_support.h"
 #include "support/test_program.h"
@@ -81,6 +85,9 @@ private Q_SLOTS:
     void daeIsRefused();
     void daeOpens_data();
     void daeOpens();
+    void fbx_data();
+    void fbx();
+    void arraysShorterThanTheySay();
     void otherFormatsUnderTheSuffix();
     void instancesCountAsOftenAsTheyAre();
     void tellsWhatItLeavesOut();
@@ -200,6 +207,75 @@ void BombsTest::daeOpens() {
     const Result<ImportedMesh> result = importMesh(write("a.dae", dae(nodes.toStdString())));
     QVERIFY2(result.ok(), qPrintable(messageOf(result)));
     QCOMPARE(result.value().mesh.faceCount(), static_cast<std::size_t>(triangles));
+}
+
+void BombsTest::fbx_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("steps");
+    QTest::addColumn<bool>("circle");
+    QTest::addColumn<QString>("message");
+    QTest::newRow("models that double") << "a.fbx" << 24 << false << "more nodes than can be opened";
+    QTest::newRow("a circle") << "a.fbx" << 2 << true << "a model is a part of itself";
+    QTest::newRow("eight times") << "a.fbx" << 3 << false << "no error";
+}
+
+/// The quad of the test data, below models each of which stands twice in the one before.
+void BombsTest::fbx() {
+    QFETCH(QString, name);
+    QFETCH(int, steps);
+    QFETCH(bool, circle);
+    QFETCH(QString, message);
+    std::string text = readFile(QStringLiteral(HITSCOPE_TEST_DATA "/quad.fbx"));
+    std::string models;
+    std::string links = "C: \"OO\",5000,0\n";
+    const auto link = [&links](int child, int parent) {
+        links += "\tC: \"OO\"," + std::to_string(child) + "," + std::to_string(parent) + "\n";
+    };
+    for (int n = 0; n <= steps; ++n) {
+        models += "\tModel: " + std::to_string(5000 + n) + ", \"Model::m\", \"Null\" {\n\t}\n";
+        for (int twice = 0; twice < 2 && n < steps; ++twice) {
+            link(5001 + n, 5000 + n);
+        }
+    }
+    link(2000, 5000 + steps);
+    if (circle) {
+        link(5000, 5000 + steps);
+    }
+    text.replace(text.find("C: \"OO\",2000,0\n"), 16, links);
+    text.insert(text.find("\tMaterial: 3000"), models);
+    const Result<ImportedMesh> result = importMesh(write(qPrintable(name), text));
+    QVERIFY2(messageOf(result).contains(message), qPrintable(messageOf(result)));
+    QVERIFY(!result || result.value().mesh.faceCount() == std::size_t{2} << steps);
+}
+
+/// As Assimp's readers leave them behind for some broken files.
+void BombsTest::arraysShorterThanTheySay() {
+    aiMesh mesh;
+    aiMesh* meshes[] = {&mesh};
+    aiNode root;
+    aiScene scene;
+    scene.mMeshes = meshes;
+    scene.mNumMeshes = 1;
+    scene.mRootNode = &root;
+    mesh.mVertices = new aiVector3D[3];
+    mesh.mNumVertices = 3;
+    mesh.mFaces = new aiFace[2];
+    mesh.mNumFaces = 2;
+    mesh.mFaces[1].mIndices = new unsigned[3]{0, 1, 2};
+    mesh.mFaces[1].mNumIndices = 3;
+    QVERIFY(checkScene(scene).ok());
+    for (unsigned* const count : {&mesh.mNumVertices, &mesh.mNumFaces, &mesh.mFaces[1].mNumIndices}) {
+        const unsigned right = std::exchange(*count, 1000);
+        QVERIFY(!checkScene(scene).ok());
+        *count = right;
+    }
+    mesh.mNormals = new aiVector3D[1];
+    mesh.mNumVertices = 30;
+    QVERIFY(!checkScene(scene).ok());
+    mesh.mNumVertices = 3;
+    scene.mMeshes = nullptr;  // they are not on the heap
+    scene.mNumMeshes = 0;
+    scene.mRootNode = nullptr;
 }
 
 /// Assimp would look for a reader that wants the content, whatever the suffix.

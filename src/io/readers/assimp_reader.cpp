@@ -23,6 +23,7 @@
 #include "io/readers/assimp_files.h"
 #include "io/readers/assimp_materials.h"
 #include "io/readers/dae_check.h"
+#include "io/readers/fbx_check.h"
 #include "io/readers/gltf_check.h"
 #include "io/readers/tidy.h"
 #include "io/welder.h"
@@ -279,8 +280,9 @@ Result<std::uint64_t> checkBefore(const std::string& suffix, std::string_view co
             return unreadable(suffix, counts.error().what, counts.error().where);
         }
         triangles = counts.value().triangles;
-    } else if (suffix == "dae") {
-        if (const Status checked = checkDae(content); !checked) {
+    } else if (suffix == "dae" || suffix == "fbx") {
+        const Status checked = suffix == "dae" ? checkDae(content) : checkFbx(content);
+        if (!checked) {
             return unreadable(suffix, checked.error().what, checked.error().where);
         }
     }

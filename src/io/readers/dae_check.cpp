@@ -12,19 +12,6 @@
 namespace hitscope {
 namespace {
 
-/// What is counted stays far below where its sums would overflow.
-constexpr std::uint64_t kVeryMany = 1ull << 40;
-
-struct Counts {
-    std::uint64_t nodes = 0;
-    std::uint64_t numbers = 0;  ///< indices of faces' corners
-
-    void add(const Counts& other) {
-        nodes = std::min(nodes + other.nodes, kVeryMany);
-        numbers = std::min(numbers + other.numbers, kVeryMany);
-    }
-};
-
 struct Node {
     std::vector<std::size_t> children;
     std::vector<QString> instances;   ///< of nodes
@@ -51,12 +38,11 @@ class DaeOutline {
 public:
     void take(const QXmlStreamReader& xml);
     /// Of all scenes together, with every instance. False: an instance holds itself.
-    bool expand(Counts& all);
+    bool expand(NodeCounts& all) const;
 
 private:
     void begin(const QXmlStreamReader& xml);
     void end(QStringView name);
-    bool expandNode(std::size_t top);
     [[nodiscard]] std::vector<std::size_t> below(const Node& node) const;
 
     std::vector<Node> m_nodes;
@@ -69,9 +55,6 @@ private:
     QString m_controller;
     bool m_inScene = false;
     bool m_inPrimitive = false;
-    enum class Mark : std::uint8_t { New, Open, Done };
-    std::vector<Mark> m_marks;
-    std::vector<Counts> m_counts;
 };
 
 void DaeOutline::begin(const QXmlStreamReader& xml) {
@@ -139,50 +122,22 @@ std::vector<std::size_t> DaeOutline::below(const Node& node) const {
     return found;
 }
 
-/// With a stack of its own: files can nest deeper than a thread's stack.
-bool DaeOutline::expandNode(std::size_t top) {
-    std::vector<std::size_t> open{top};
-    while (!open.empty()) {
-        const std::size_t index = open.back();
-        const std::vector<std::size_t> parts = below(m_nodes[index]);
-        if (m_marks[index] == Mark::New) {
-            m_marks[index] = Mark::Open;
-            for (const std::size_t part : parts) {
-                if (m_marks[part] == Mark::Open) {
-                    return false;
-                }
-                if (m_marks[part] == Mark::New) {
-                    open.push_back(part);
-                }
-            }
-            continue;
+bool DaeOutline::expand(NodeCounts& all) const {
+    std::vector<std::vector<std::size_t>> parts;
+    std::vector<NodeCounts> counts;
+    for (const Node& node : m_nodes) {
+        parts.push_back(below(node));
+        NodeCounts& own = counts.emplace_back();
+        for (const QString& geometry : node.geometries) {
+            own.add({0, m_numbersOf.value(m_skinOf.value(geometry, geometry))});
         }
-        open.pop_back();
-        if (m_marks[index] == Mark::Done) {
-            continue;
-        }
-        Counts counts{1, 0};
-        for (const std::size_t part : parts) {
-            counts.add(m_counts[part]);
-        }
-        for (const QString& geometry : m_nodes[index].geometries) {
-            counts.add({0, m_numbersOf.value(m_skinOf.value(geometry, geometry))});
-        }
-        m_counts[index] = counts;
-        m_marks[index] = Mark::Done;
     }
-    return true;
-}
-
-bool DaeOutline::expand(Counts& all) {
-    m_marks.assign(m_nodes.size(), Mark::New);
-    m_counts.assign(m_nodes.size(), {});
+    if (!addUpParts(parts, counts)) {
+        return false;
+    }
     for (std::size_t n = 0; n < m_nodes.size(); ++n) {
         if (m_nodes[n].isTop) {
-            if (!expandNode(n)) {
-                return false;
-            }
-            all.add(m_counts[n]);
+            all.add(counts[n]);
         }
     }
     return true;
@@ -215,11 +170,11 @@ Status checkDae(std::string_view file) {
     if (xml.hasError()) {
         return Error{xml.errorString().toStdString(), "line " + std::to_string(xml.lineNumber()), {}};
     }
-    Counts all;
+    NodeCounts all;
     if (!outline.expand(all)) {
         return Error{"a node is an instance of what it is in", {}, {}};
     }
-    if (all.nodes > kMostInstances || all.numbers > kMostCorners) {
+    if (all.tooMany()) {
         return Error{"with all instances it has more nodes or vertices than can be opened", {}, {}};
     }
     return Done{};
