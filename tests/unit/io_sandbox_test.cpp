@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "core/sanitizers.h"
+#include "io/worker/call_filter.h"
 #include "io/worker/sandbox.h"
 #include "io/worker_location.h"
 #include "io_support.h"
@@ -51,12 +52,13 @@ bool calls(long number, Arguments... arguments) {
 
 enum Outcome { Could, CouldNot, NotLocked };
 
-/// In a process of its own, which locks itself first.
+/// In a process of its own, which locks itself first; by the filter of calls alone where that is asked for,
+/// since the other lock would hide what it lets through.
 Outcome tryLocked(const QString& mesh, Needs needs, const Deed& deed) {
     const pid_t child = ::fork();
     if (child == 0) {
         loadWhatComesLate();
-        const Lock lock = lockThisProcess(mesh);
+        const Lock lock = needs == Needs::Calls ? Lock{false, filterCalls()} : lockThisProcess(mesh);
         if ((needs == Needs::Files && !lock.files) || (needs == Needs::Calls && !lock.calls)) {
             ::_exit(NotLocked);
         }
