@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <exception>
 #include <system_error>
@@ -9,9 +10,16 @@
 
 namespace hitscope {
 
+/// For tests: as if there were so many processors; 0: those that there are.
+inline std::atomic<std::size_t>& pretendedProcessors() {
+    static std::atomic<std::size_t> processors = 0;
+    return processors;
+}
+
 /// Threads that are worth starting here: [1, 8].
 inline std::size_t usefulThreads() {
-    return std::clamp(std::thread::hardware_concurrency(), 1u, 8u);
+    const std::size_t pretended = pretendedProcessors();
+    return std::clamp<std::size_t>(pretended > 0 ? pretended : std::thread::hardware_concurrency(), 1, 8);
 }
 
 /// Calls a() on another thread and b() on this one, and waits for both; one after the other where there is no

@@ -129,7 +129,7 @@ void ObjPartsTest::numbersMayBeLong() {
     QCOMPARE(double{read.value().mesh.positions[0].x}, value);
     QCOMPARE(std::signbit(read.value().mesh.positions[0].x), std::signbit(value));
     for (const std::string& tooLarge : {"1" + std::string(400, '0'), std::string("1e999999999999999999999"),
-                                       "0." + std::string(400, '0') + "1e999"}) {
+                                        "0." + std::string(400, '0') + "1e999"}) {
         QVERIFY(!parseObj("v " + tooLarge + " 0 0\n").ok());
     }
 }
