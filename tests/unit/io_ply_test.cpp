@@ -88,6 +88,9 @@ private Q_SLOTS:
     void readsBinary_data();
     void readsBinary();
     void readsStrips();
+    void readsBinaryStrips();
+    void readsColoursOfAnyType_data();
+    void readsColoursOfAnyType();
     void readsFaceTexcoords();
     void leavesOutSmallFaces();
     void refuses_data();
@@ -136,6 +139,67 @@ void PlyTest::readsStrips() {
     QVERIFY2(result.ok(), qPrintable(messageOf(result)));
     // Every second triangle turned, the winding starting anew after -1, and no triangle of two vertices.
     QCOMPARE(result.value().mesh.cornerVertices, (Indices{0, 1, 2, 2, 1, 3, 2, 3, 4, 4, 3, 5}));
+}
+
+void PlyTest::readsBinaryStrips() {
+    for (const bool big : {false, true}) {
+        std::string file = "ply\nformat binary_" + std::string(big ? "big" : "little") +
+                           "_endian 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+                           "property float z\nelement tristrips 1\nproperty list int int vertex_indices\n"
+                           "end_header\n";
+        for (int v = 0; v < 5; ++v) {
+            for (const int coordinate : {v / 2, v % 2, 0}) {
+                append(file, static_cast<float>(coordinate), big);
+            }
+        }
+        append(file, std::int32_t{8}, big);
+        for (const std::int32_t index : {0, 1, 2, 3, -1, 2, 3, 4}) {
+            append(file, index, big);
+        }
+        const Result<ImportedMesh> read = parsePly(file);
+        QVERIFY2(read.ok(), qPrintable(messageOf(read)));
+        QCOMPARE(read.value().mesh.cornerVertices, (Indices{0, 1, 2, 2, 1, 3, 2, 3, 4}));
+    }
+}
+
+void PlyTest::readsColoursOfAnyType_data() {
+    QTest::addColumn<QString>("type");
+    QTest::addColumn<QString>("prefix");
+    QTest::addColumn<QString>("colour");
+    QTest::addRow("bytes") << "uchar"
+                           << ""
+                           << "255 0 51";
+    QTest::addRow("diffuse bytes") << "uint8"
+                                   << "diffuse_"
+                                   << "255 0 51";
+    QTest::addRow("floats") << "float"
+                            << ""
+                            << "1 0 0.2";
+    QTest::addRow("diffuse floats") << "float32"
+                                    << "diffuse_"
+                                    << "1 0 0.2";
+    QTest::addRow("shorts") << "ushort"
+                            << ""
+                            << "65535 0 13107";
+}
+
+void PlyTest::readsColoursOfAnyType() {
+    QFETCH(QString, type);
+    QFETCH(QString, prefix);
+    QFETCH(QString, colour);
+    QString file =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
+        "property double z\nproperty float quality\n";
+    for (const char* channel : {"red", "green", "blue"}) {
+        file += "property " + type + " " + prefix + channel + "\n";
+    }
+    file += "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    for (const char* position : {"0 0 0", "1 0 0", "0 1 0"}) {
+        file += QString(position) + " 0.5 " + colour + "\n";
+    }
+    const Result<ImportedMesh> read = parsePly((file + "3 0 1 2\n").toStdString());
+    QVERIFY2(read.ok(), qPrintable(messageOf(read)));
+    QCOMPARE(read.value().mesh.colours, std::vector<glm::vec3>(3, glm::vec3(1.0f, 0.0f, 0.2f)));
 }
 
 void PlyTest::readsFaceTexcoords() {
