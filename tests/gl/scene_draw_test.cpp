@@ -6,6 +6,7 @@
 
 #include "gl/render_target.h"
 #include "mesh/panel_texture.h"
+#include "scene/reapplication.h"
 #include "scene/scene_gpu.h"
 #include "session/primitive_target.h"
 #include "support/gl_fixture.h"
@@ -78,6 +79,39 @@ private Q_SLOTS:
         QVERIFY(draw(session, *gpu.value()).pixels == plain.pixels);
     }
 
+    void coloursStayWithOtherBuffers() {
+        Session session;
+        std::vector<TargetPlan> coloured = plans();
+        MeshData mesh = *coloured[1].shape.mesh;
+        mesh.colours.assign(mesh.positions.size(), glm::vec3(1.0f, 0.0f, 0.0f));
+        coloured[1].shape = prepareMesh(std::move(mesh));
+        session.loadScene({{}, std::move(coloured), 0.0f});
+        auto gpu = SceneGpu::create(session);
+        QVERIFY(gpu);
+        const Image shown = draw(session, *gpu.value());
+        const Image plain = draw(session, *gpu.value(), false);
+        QCOMPARE(differing(plain, shown, 0), 0);
+        QVERIFY(differing(plain, shown, 1) > 500);
+        // So many hits are applied again beside the picture, into buffers of their own.
+        Hit beside;
+        beside.target = session.targets()[0]->id;
+        beside.point = glm::vec3(100.0f);
+        beside.direction = glm::vec3(0, 0, 1);
+        const std::vector<Hit> hits(Reapplication::kWorthSlicing + 1, beside);
+        QVERIFY(session.hits().add(hits));
+        QVERIFY(gpu.value()->sync().ok());
+        session.settings().setPipeline(PipelineKind::Reference);
+        static_cast<void>(draw(session, *gpu.value()));
+        QVERIFY(session.tasks().current() != nullptr);
+        while (session.tasks().current() != nullptr) {
+            static_cast<void>(draw(session, *gpu.value()));
+        }
+        const Image again = draw(session, *gpu.value());
+        const Image againPlain = draw(session, *gpu.value(), false);
+        QCOMPARE(differing(againPlain, again, 0), 0);
+        QVERIFY(differing(againPlain, again, 1) > 500);
+    }
+
 private:
     /// Two cubes side by side, far enough apart that neither shades the other.
     static std::vector<TargetPlan> plans() {
@@ -88,7 +122,7 @@ private:
     }
 
     /// From the front, however little of the scene is visible.
-    Image draw(const Session& session, SceneGpu& gpu) const {
+    Image draw(const Session& session, SceneGpu& gpu, bool colours = true) const {
         SceneGpu::View view;
         view.width = kWidth;
         view.height = kHeight;
@@ -98,6 +132,7 @@ private:
         }
         view.camera.frame(bounds, 2.0f);
         view.options.floor = false;
+        view.options.vertexColours = colours;
         const gl::RenderTarget into(kWidth, kHeight);
         const Status drawn = gpu.draw(view, into.framebuffer());
         return drawn.ok() ? into.read() : Image{};
