@@ -64,8 +64,10 @@ private:
         "name", "transform-feedback");
     QCommandLineOption m_out = option(
         "out",
-        QStringLiteral("Write the deformed mesh as OBJ; of several, the one with most changed vertices. The "
-                       "exit status is 1 where it is not what the reference makes of the hits."),
+        QStringLiteral(
+            "Write the deformed mesh: OBJ, PLY, STL, GLB, glTF or CSV, by its suffix; of several, the one "
+            "with most changed vertices. The "
+            "exit status is 1 where it is not what the reference makes of the hits."),
         "file");
     QCommandLineOption m_hits =
         option("hits",

@@ -20,7 +20,7 @@ namespace hitscope {
 struct ObjExport {
     const MeshData* mesh = nullptr;
     std::span<const glm::vec3> positions;  ///< one for each of mesh->positions
-    CornerNormalView normals = {};            ///< of the deformed state; empty: those of the file, if it has any
+    CornerNormalView normals = {};         ///< of the deformed state; empty: those of the file, if it has any
     /// Whether corners that have no normal in the mesh's file are to get one.
     bool allNormals = false;
     QString sourceFolder = {};  ///< where the textures' relative paths start; empty: none to copy
