@@ -188,10 +188,12 @@ void WorkerTest::inheritsNoDescriptors() {
     const QString descriptors = messageOf(importMesh(m_mesh));
     ::close(forgotten);
     ::close(folder);
-    QStringList list = descriptors.simplified().split(' ');
+    const QStringList list = descriptors.simplified().split(' ');
     QVERIFY2(list.contains(QStringLiteral("0")), qPrintable(descriptors));
     QVERIFY2(!list.contains(QString::number(forgotten)), qPrintable(descriptors));
-    QVERIFY2(list.size() <= 5, qPrintable(descriptors));  // the shell's script and what it looks at are two
+    for (const QString& each : list) {  // the shell has some of its own, of low numbers
+        QVERIFY2(each.toInt() < 20, qPrintable(descriptors));
+    }
 }
 
 void WorkerTest::inheritsNoEnvironment() {
