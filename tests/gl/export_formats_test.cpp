@@ -157,7 +157,8 @@ void ExportFormatsTest::stepsLeadToTheShapeShown() {
     const QByteArray glb = contentOf(path(QStringLiteral("steps.glb")));
     QVERIFY(glb.contains("Deformed"));
     QVERIFY(glb.contains("\"animations\""));
-    QCOMPARE(written.value().notes, QStringList());
+    QVERIFY2(!written.value().notes.join(u' ').contains(QStringLiteral("what is shown differs")),
+             qPrintable(written.value().notes.join(u' ')));
     SceneExport fewer = whole;
     fewer.hits.resize(fewer.hits.size() / 2);  // they do not make what is shown
     const Result<ExportReport> other = writeExport(fewer, path(QStringLiteral("fewer.glb")));
