@@ -20,13 +20,25 @@ constexpr std::uint64_t kLeastRange = 4 << 20;  // bytes; shorter ones are read 
 
 /// What the lines of a range of the file come to.
 struct Range {
-    std::uint64_t start = 0;
+    std::uint64_t start = 0;  // of its first line
     std::uint64_t end = 0;
+    std::size_t firstPiece = 0;  // those of the file that it hashes
+    std::size_t endPiece = 0;
     std::vector<ObjPart> parts;
     std::uint64_t afterNormals = 0;
     std::uint64_t firstFace = 0;  // its end: none
+    bool hasRelativeNormals = false;
     bool isRead = true;
 };
+
+/// A face's number that counts from the end, of a normal or a texture coordinate.
+bool hasRelativeNumber(std::string_view text, const ObjPart& part) {
+    if (part.faces == 0) {
+        return false;
+    }
+    // The numbers of vertices have signs too; where there are none, one sign is enough to look for.
+    return text.find('-') != text.npos && (part.vertices + part.normals == 0 || text.find("/-") != text.npos);
+}
 
 class Indexer {
 public:
@@ -40,7 +52,6 @@ private:
     bool findStart();
     [[nodiscard]] std::optional<std::uint64_t> lineStartAfter(std::uint64_t wanted) const;
     bool cut(std::vector<Range>& ranges) const;
-    bool hash();
     void read(Range& range, bool isTelling);
     void takeLines(Range& range, std::string& text, std::uint64_t& textStart, bool isLast) const;
     void take(Range& range, ObjPart& part, std::string_view line, std::uint64_t start) const;
@@ -49,7 +60,8 @@ private:
     ObjFaces m_faces;
     const std::function<bool(double)>& m_goOn;
     ObjIndex m_index;
-    std::uint64_t m_start = 0;  // behind the byte order mark
+    std::uint64_t m_start = 0;            // behind the byte order mark
+    std::vector<std::uint64_t> m_hashes;  // of the file's pieces
     std::atomic<bool> m_isGivenUp = false;
 };
 
@@ -109,37 +121,24 @@ std::optional<std::uint64_t> Indexer::lineStartAfter(std::uint64_t wanted) const
     return m_index.size;
 }
 
+/// Each has the lines that start in its pieces.
 bool Indexer::cut(std::vector<Range>& ranges) const {
+    ranges.front().start = m_start;
+    ranges.back().endPiece = m_hashes.size();
     for (std::size_t r = 1; r < ranges.size(); ++r) {
-        const std::uint64_t wanted = m_start + (m_index.size - m_start) * r / ranges.size();
-        const std::optional<std::uint64_t> start = lineStartAfter(wanted);
+        const std::size_t piece = m_hashes.size() * r / ranges.size();
+        const std::optional<std::uint64_t> start = lineStartAfter(piece * kPiece);
         if (!start) {
             return false;
         }
         ranges[r].start = std::max(*start, ranges[r - 1].start);
+        ranges[r].firstPiece = piece;
+        ranges[r - 1].endPiece = piece;
     }
-    ranges.front().start = m_start;
     for (std::size_t r = 0; r < ranges.size(); ++r) {
         ranges[r].end = r + 1 < ranges.size() ? ranges[r + 1].start : m_index.size;
     }
     return true;
-}
-
-bool Indexer::hash() {
-    std::vector<std::uint64_t> hashes((m_index.size + kPiece - 1) / kPiece);
-    std::atomic<bool> isRead = true;
-    inParts(hashes.size(), kLeastRange / kPiece, [&](std::size_t first, std::size_t end) {
-        std::string piece;
-        for (std::size_t i = first; i < end && isRead; ++i) {
-            piece.resize(std::min<std::uint64_t>(m_index.size - i * kPiece, kPiece));
-            if (!readAt(m_descriptor, i * kPiece, piece.data(), piece.size())) {
-                isRead = false;
-            }
-            hashes[i] = ContentHasher::ofPiece(piece);
-        }
-    });
-    m_index.hash = ContentHasher::ofPieces(hashes);
-    return isRead;
 }
 
 void Indexer::take(Range& range, ObjPart& part, std::string_view line, std::uint64_t start) const {
@@ -178,6 +177,8 @@ void Indexer::takeLines(Range& range, std::string& text, std::uint64_t& textStar
     }
     if (done > 0) {
         part.size = done;
+        range.hasRelativeNormals =
+            range.hasRelativeNormals || hasRelativeNumber(std::string_view(text).substr(0, done), part);
         range.parts.push_back(part);
         textStart += done;
         text.erase(0, done);
@@ -187,19 +188,28 @@ void Indexer::takeLines(Range& range, std::string& text, std::uint64_t& textStar
 void Indexer::read(Range& range, bool isTelling) {
     range.firstFace = range.end;
     std::string text;  // from a line's start on
+    std::string piece;
     std::uint64_t textStart = range.start;
-    for (std::uint64_t at = range.start; at < range.end && !m_isGivenUp;) {
-        const std::uint64_t size = std::min(range.end - at, kPiece);
-        const std::size_t before = text.size();
-        text.resize(before + size);
-        if (!readAt(m_descriptor, at, text.data() + before, size)) {
+    for (std::size_t i = range.firstPiece; i <= range.endPiece && !m_isGivenUp; ++i) {
+        // The last line goes on in the next range's pieces.
+        const std::uint64_t at = i * kPiece;
+        const std::uint64_t end =
+            i < range.endPiece ? std::min(m_index.size, at + kPiece) : std::max(range.end, at);
+        piece.resize(at < end ? end - at : 0);
+        if (!readAt(m_descriptor, at, piece.data(), piece.size())) {
             range.isRead = false;
             return;
         }
-        at += size;
-        takeLines(range, text, textStart, at == range.end);
+        if (i < range.endPiece) {
+            m_hashes[i] = ContentHasher::ofPiece(piece);
+        }
+        const std::uint64_t from = std::clamp(range.start, at, at + piece.size());
+        const std::uint64_t to = std::clamp(range.end, from, at + piece.size());
+        text.append(piece, from - at, to - from);
+        takeLines(range, text, textStart, i == range.endPiece);
+        const double done = static_cast<double>(i - range.firstPiece + 1);
         if (isTelling && m_goOn &&
-            !m_goOn(static_cast<double>(at - range.start) / static_cast<double>(range.end - range.start))) {
+            !m_goOn(done / static_cast<double>(range.endPiece - range.firstPiece + 1))) {
             m_isGivenUp = true;
         }
     }
@@ -212,7 +222,8 @@ std::optional<ObjIndex> Indexer::index() {
     }
     m_index.size = static_cast<std::uint64_t>(info.st_size);
     std::vector<Range> ranges(std::clamp<std::size_t>(m_index.size / kLeastRange, 1, usefulThreads()));
-    if (!findLineEnd() || !findStart() || !cut(ranges) || !hash()) {
+    m_hashes.resize((m_index.size + kPiece - 1) / kPiece);
+    if (!findLineEnd() || !findStart() || !cut(ranges)) {
         return std::nullopt;
     }
     forEachAtOnce(ranges.size(), [&](std::size_t r) { read(ranges[r], r == 0); });  // 0: on this thread
@@ -222,11 +233,13 @@ std::optional<ObjIndex> Indexer::index() {
             return std::nullopt;
         }
         m_index.parts.insert(m_index.parts.end(), range.parts.begin(), range.parts.end());
+        m_index.hasRelativeNormals = m_index.hasRelativeNormals || range.hasRelativeNormals;
         m_index.afterNormals = std::max(m_index.afterNormals, range.afterNormals);
         if (range.firstFace < range.end) {
             m_index.firstFace = std::min(m_index.firstFace, range.firstFace);
         }
     }
+    m_index.hash = ContentHasher::ofPieces(m_hashes);
     return std::move(m_index);
 }
 
@@ -234,25 +247,6 @@ std::optional<ObjIndex> Indexer::index() {
 
 std::optional<ObjIndex> indexObj(int descriptor, ObjFaces faces, const std::function<bool(double)>& goOn) {
     return Indexer(descriptor, faces, goOn).index();
-}
-
-bool hasRelativeNormals(int descriptor, const ObjIndex& index) {
-    std::atomic<bool> found = false;
-    inParts(index.parts.size(), kLeastRange / kPiece, [&](std::size_t first, std::size_t end) {
-        std::string text;
-        for (std::size_t p = first; p < end && !found; ++p) {
-            text.resize(index.parts[p].size);
-            if (index.parts[p].faces == 0 ||
-                !readAt(descriptor, index.parts[p].start, text.data(), text.size())) {
-                continue;
-            }
-            // In a comment it does no harm: the normals that are added come at the end then.
-            if (text.find("/-") != text.npos) {
-                found = true;
-            }
-        }
-    });
-    return found;
 }
 
 bool isObjFace(std::string_view line, char lineEnd) {

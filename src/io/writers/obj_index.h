@@ -28,7 +28,7 @@ struct ObjIndex {
     std::string newLine = "\n";  ///< for lines that are added: also "\r\n" or "\r"
     std::uint64_t afterNormals = 0;   ///< byte behind the last vn line; 0: there is none
     std::uint64_t firstFace = 0;      ///< byte at which the first face starts; the file's size: none
-    bool hasRelativeNormals = false;  ///< a face counts its normals from the end
+    bool hasRelativeNormals = false;  ///< a face may count its normals from the end
     bool endsInLine = false;          ///< the last line has no end
     std::uint64_t size = 0;           ///< bytes
 };
@@ -40,9 +40,6 @@ enum class ObjFaces : std::uint8_t { AllLines, OfThreeCorners };
 /// is done, may be empty, called on this thread) says false.
 [[nodiscard]] std::optional<ObjIndex> indexObj(int descriptor, ObjFaces faces,
                                                const std::function<bool(double)>& goOn);
-
-/// Whether a face counts its normals from the end. Likewise reads the whole file.
-[[nodiscard]] bool hasRelativeNormals(int descriptor, const ObjIndex& index);
 
 /// Whether an f line has three corners or more.
 [[nodiscard]] bool isObjFace(std::string_view line, char lineEnd);

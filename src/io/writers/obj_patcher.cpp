@@ -34,8 +34,7 @@ std::string_view withoutNormal(std::string_view corner) {
 
 }  // namespace
 
-ObjPatcher::ObjPatcher(const ObjChanges& changes, const ObjIndex& index, ObjFaces faces,
-                       bool hasRelativeNormals)
+ObjPatcher::ObjPatcher(const ObjChanges& changes, const ObjIndex& index, ObjFaces faces)
     : m_changes(changes), m_index(index), m_faces(faces) {
     Counts count;
     m_before.push_back(count);
@@ -48,7 +47,9 @@ ObjPatcher::ObjPatcher(const ObjChanges& changes, const ObjIndex& index, ObjFace
     }
     // Behind the last of the file's normals no number of theirs changes; faces that count from the end see
     // the added ones unless they come last of all.
-    m_addAt = hasRelativeNormals ? index.size : index.afterNormals > 0 ? index.afterNormals : index.firstFace;
+    m_addAt = index.hasRelativeNormals ? index.size
+              : index.afterNormals > 0 ? index.afterNormals
+                                       : index.firstFace;
     const std::vector<std::uint32_t>& corners = changes.mesh.cornerNormals;
     m_hasDangling = !changes.normals.added.empty() &&
                     std::find(corners.begin(), corners.end(), kNoIndex) != corners.end();

@@ -26,8 +26,7 @@ struct ObjChanges {
 /// Rewrites parts of an OBJ file: the words that change, and nothing else.
 class ObjPatcher {
 public:
-    /// hasRelativeNormals: a face counts its normals from the end.
-    ObjPatcher(const ObjChanges& changes, const ObjIndex& index, ObjFaces faces, bool hasRelativeNormals);
+    ObjPatcher(const ObjChanges& changes, const ObjIndex& index, ObjFaces faces);
 
     /// Whether part `p` of the index has something that changes.
     [[nodiscard]] bool changes(std::size_t p) const;

@@ -174,8 +174,7 @@ Result<SourceCopy> copyWithChanges(const ObjExport& what, const QString& path, M
     }
     const NormalPlan normals = planNormals(*what.mesh, what.positions, what.normals, what.allNormals);
     const ObjChanges changes{*what.mesh, what.positions, normals, libraries.value()};
-    const ObjPatcher patcher(changes, *index, faces,
-                             !normals.added.empty() && hasRelativeNormals(source.get(), *index));
+    const ObjPatcher patcher(changes, *index, faces);
     ObjExport watched = what;
     watched.goOn = goOn;
     SourceWriter writer(watched, *index, patcher, source.get());
