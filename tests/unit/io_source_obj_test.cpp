@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <random>
+#include <utility>
 
 #include "export_support.h"
 #include "io/export_obj.h"
@@ -45,6 +46,7 @@ private Q_SLOTS:
     void renamesLibrariesInTheWay();
     void saysThatTheFileChanged_data();
     void saysThatTheFileChanged();
+    void noticesAChangeMeanwhile();
     void copiesLargeFiles();
     void isRightForAnyFile();
     void canBeGivenUp();
@@ -155,6 +157,10 @@ void SourceObjTest::replacesNormals_data() {
     QTest::addRow("that others share")
         << vertices + "vt 0 0\nvn 0 0 1\n# faces\nf 1/1/1 2//1 3/1/1 # first\nf 4//1 5//1 6//1\n"
         << vertices + "vt 0 0\nvn 0 0 1\nvn 1 0 0\n# faces\nf 1/1/2 2//1 3/1/1 # first\nf 4//1 5//1 6//1\n";
+    const auto withReturns = [](QByteArray text) { return text.replace("\n", "\r\n"); };
+    QTest::addRow("that others share, with CRLF")
+        << withReturns(vertices + "vn 0 0 1\nf 1//1 2//1 3//1\nf 4//1 5//1 6//1\n")
+        << withReturns(vertices + "vn 0 0 1\nvn 1 0 0\nf 1//2 2//1 3//1\nf 4//1 5//1 6//1\n");
     QTest::addRow("counted from the end")
         << vertices + "vn 0 0 1\nf -6//-1 2//-1 3//-1\nf 4//1 5//1 6//-1"
         << vertices + "vn 0 0 1\nf -6//2 2//-1 3//-1\nf 4//1 5//1 6//-1\nvn 1 0 0\n";
@@ -174,7 +180,7 @@ void SourceObjTest::replacesNormals() {
             mesh.positions[0].z = -0.5f;
             normals[0] = {1, 0, 0};
         });
-    after.replace("v 0 0 0\n", "v 0 0 -0.5\n");
+    after.replace("v 0 0 0", "v 0 0 -0.5");
     QCOMPARE(QByteArray::fromStdString(moved.text), after);
 }
 
@@ -237,6 +243,29 @@ void SourceObjTest::saysThatTheFileChanged() {
     QVERIFY(written.text.starts_with("# Written by Hitscope"));
 }
 
+// Somebody writes to the file while it is copied.
+void SourceObjTest::noticesAChangeMeanwhile() {
+    const QString folder = m_folder->filePath(QStringLiteral("source"));
+    const QString path = writeFile(folder, QStringLiteral("mesh.obj"), kRich);
+    const MeshData mesh = read(path).mesh;
+    ObjExport what = exportOf(mesh, mesh.positions);
+    what.sourceFolder = folder;
+    what.sourcePath = path;
+    bool isChanged = false;
+    what.goOn = [&](double) {
+        if (!std::exchange(isChanged, true)) {
+            writeFile(folder, QStringLiteral("mesh.obj"), std::string(kRich) + "# more\n");
+        }
+        return true;
+    };
+    const QString target = m_folder->filePath(QStringLiteral("target/mesh.obj"));
+    const Result<QStringList> written = exportObj(what, target);
+    QVERIFY(written.ok());
+    QVERIFY2(written.value().join(u' ').contains(QStringLiteral("has changed")),
+             qPrintable(written.value().join(u' ')));
+    QVERIFY(readFile(target).starts_with("# Written by Hitscope"));
+}
+
 // More than one piece, whose ends fall into lines.
 void SourceObjTest::copiesLargeFiles() {
     std::string text;
@@ -258,6 +287,14 @@ void SourceObjTest::copiesLargeFiles() {
         }
     });
     QCOMPARE(moved.text == wanted, true);
+    // All of them: those too whose lines are cut by a piece's end.
+    const QByteArray all = QByteArray::fromStdString(text).replace("0.50 1", "0.625 1");
+    const Exported every = exported(text, [](MeshData& mesh, std::vector<glm::vec3>&) {
+        for (glm::vec3& position : mesh.positions) {
+            position.y = 0.625f;
+        }
+    });
+    QCOMPARE(every.text == all.toStdString(), true);
 }
 
 /// Lines as programs and people write them, in any order.
