@@ -160,8 +160,10 @@ void ExportDialogTest::exportsAgainWithoutAsking() {
     QVERIFY2(again->text().contains(QStringLiteral("again.glb")), qPrintable(again->text()));
     QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
     QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(path).size() > before, kPatience);
-    const TargetId only = session.targets().front()->id;
-    session.targets().remove({&only, 1});
+    const TargetId first = session.targets().front()->id;
+    session.targets().add({planMesh(makeLowPolyCube())});
+    session.targets().remove({&first, 1});
+    QCOMPARE(session.targets().size(), std::size_t{1});  // which the file is not of
     QVERIFY(!again->isEnabled());
     QCOMPARE(whyDisabled(*again), QStringLiteral("What was exported last is not in the scene."));
 }
