@@ -138,10 +138,10 @@ void ExportDialog::follow() {
     }
     const QLocale locale;
     m_preview->setText(
-        tr("%1 vertices, %2 faces, about %3")
-            .arg(locale.toString(static_cast<qulonglong>(size.vertices)),
-                 locale.toString(static_cast<qulonglong>(size.faces)),
-                 locale.formattedDataSize(static_cast<qint64>(size.bytes), 1, QLocale::DataSizeSIFormat)));
+        tr("About %1; vertices: %2, faces: %3")
+            .arg(locale.formattedDataSize(static_cast<qint64>(size.bytes), 1, QLocale::DataSizeSIFormat),
+                 locale.toString(static_cast<qulonglong>(size.vertices)),
+                 locale.toString(static_cast<qulonglong>(size.faces))));
 }
 
 bool ExportDialog::isOfAll() const {
