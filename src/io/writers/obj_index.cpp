@@ -24,7 +24,7 @@ struct Range {
     std::uint64_t end = 0;
     std::size_t firstPiece = 0;  // those of the file that it hashes
     std::size_t endPiece = 0;
-    std::vector<ObjPart> parts;
+    std::vector<SourcePart> parts;
     std::uint64_t afterNormals = 0;
     std::uint64_t firstFace = 0;  // its end: none
     bool hasRelativeNormals = false;
@@ -32,7 +32,7 @@ struct Range {
 };
 
 /// A face's number that counts from the end, of a normal or a texture coordinate.
-bool hasRelativeNumber(std::string_view text, const ObjPart& part) {
+bool hasRelativeNumber(std::string_view text, const SourcePart& part) {
     if (part.faces == 0) {
         return false;
     }
@@ -54,7 +54,7 @@ private:
     bool cut(std::vector<Range>& ranges) const;
     void read(Range& range, bool isTelling);
     void takeLines(Range& range, std::string& text, std::uint64_t& textStart, bool isLast) const;
-    void take(Range& range, ObjPart& part, std::string_view line, std::uint64_t start) const;
+    void take(Range& range, SourcePart& part, std::string_view line, std::uint64_t start) const;
 
     int m_descriptor;
     ObjFaces m_faces;
@@ -141,7 +141,7 @@ bool Indexer::cut(std::vector<Range>& ranges) const {
     return true;
 }
 
-void Indexer::take(Range& range, ObjPart& part, std::string_view line, std::uint64_t start) const {
+void Indexer::take(Range& range, SourcePart& part, std::string_view line, std::uint64_t start) const {
     switch (keywordOf(line, m_index.lineEnd)) {
         case ObjKeyword::Vertex:
             ++part.vertices;
@@ -166,7 +166,7 @@ void Indexer::take(Range& range, ObjPart& part, std::string_view line, std::uint
 
 /// All lines but the last, which may go on in the next piece.
 void Indexer::takeLines(Range& range, std::string& text, std::uint64_t& textStart, bool isLast) const {
-    ObjPart part{textStart};
+    SourcePart part{textStart};
     ObjLines lines(text, m_index.lineEnd);
     TextRange line;
     std::size_t done = 0;

@@ -11,7 +11,7 @@
 namespace hitscope {
 
 /// Some whole lines of an OBJ file, and how many of them say what an export may change.
-struct ObjPart {
+struct SourcePart {
     std::uint64_t start = 0;      ///< byte in the file
     std::uint64_t size = 0;       ///< bytes
     std::uint32_t vertices = 0;   ///< v lines
@@ -22,7 +22,8 @@ struct ObjPart {
 
 /// What must be known of an OBJ file to find its vertices, normals and faces again.
 struct ObjIndex {
-    std::vector<ObjPart> parts;  ///< all of the file but its byte order mark, in order; about a megabyte each
+    std::vector<SourcePart>
+        parts;                   ///< all of the file but its byte order mark, in order; about a megabyte each
     std::uint64_t hash = 0;      ///< contentHash()
     char lineEnd = '\n';         ///< or '\r', for files of old Macs
     std::string newLine = "\n";  ///< for lines that are added: also "\r\n" or "\r"

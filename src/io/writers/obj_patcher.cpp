@@ -38,7 +38,7 @@ ObjPatcher::ObjPatcher(const ObjChanges& changes, const ObjIndex& index, ObjFace
     : m_changes(changes), m_index(index), m_faces(faces) {
     Counts count;
     m_before.push_back(count);
-    for (const ObjPart& part : index.parts) {
+    for (const SourcePart& part : index.parts) {
         count.vertices += part.vertices;
         count.normals += part.normals;
         count.faces += part.faces;
@@ -60,7 +60,7 @@ bool ObjPatcher::moved(std::size_t vertex) const {
 }
 
 bool ObjPatcher::changes(std::size_t p) const {
-    const ObjPart& part = m_index.parts[p];
+    const SourcePart& part = m_index.parts[p];
     const Counts& first = m_before[p];
     const Counts& end = m_before[p + 1];
     const std::uint64_t partEnd = part.start + part.size;
@@ -96,7 +96,7 @@ void ObjPatcher::appendAdded(std::string& out) const {
 }
 
 void ObjPatcher::rewrite(std::size_t p, std::string_view text, std::string& out) const {
-    const ObjPart& part = m_index.parts[p];
+    const SourcePart& part = m_index.parts[p];
     Counts at = m_before[p];
     ObjLines lines(text, m_index.lineEnd);
     TextRange range;

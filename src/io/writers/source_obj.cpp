@@ -45,7 +45,7 @@ bool fits(const ObjIndex& index, const MeshData& mesh) {
     std::size_t normals = 0;
     std::size_t faces = 0;
     std::size_t libraries = 0;
-    for (const ObjPart& part : index.parts) {
+    for (const SourcePart& part : index.parts) {
         vertices += part.vertices;
         normals += part.normals;
         faces += part.faces;
@@ -96,7 +96,7 @@ bool SourceWriter::rewrite(const std::vector<std::size_t>& parts, int to) {
     inParts(parts.size(), 1, [&](std::size_t first, std::size_t end) {
         std::string own;
         for (std::size_t i = first; i < end; ++i) {
-            const ObjPart& part = m_index.parts[parts[i]];
+            const SourcePart& part = m_index.parts[parts[i]];
             own.resize(part.size);
             isRead[i] = readAt(m_source, part.start, own.data(), own.size()) ? 1 : 0;
             if (isRead[i] != 0) {
@@ -105,7 +105,7 @@ bool SourceWriter::rewrite(const std::vector<std::size_t>& parts, int to) {
         }
     });
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        const ObjPart& part = m_index.parts[parts[i]];
+        const SourcePart& part = m_index.parts[parts[i]];
         m_couldNotRead = m_couldNotRead || isRead[i] == 0;
         if (m_couldNotRead || !copyUntil(part.start, to)) {
             return false;
