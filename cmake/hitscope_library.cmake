@@ -24,7 +24,7 @@ target_compile_definitions(hitscope_options INTERFACE
   HITSCOPE_VERSION="${PROJECT_VERSION}")
 if(HITSCOPE_SANITIZE STREQUAL "address")
   target_compile_options(hitscope_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
-    -fno-omit-frame-pointer)
+    -fno-omit-frame-pointer $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # GCC takes sanitized code for that
   target_link_options(hitscope_options INTERFACE -fsanitize=address,undefined)
 elseif(HITSCOPE_SANITIZE STREQUAL "thread")
   target_compile_options(hitscope_options INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
