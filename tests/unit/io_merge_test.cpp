@@ -24,7 +24,7 @@ const char* const kPlate =
     "front\nusemtl wood\nf "
     "1/1/1 2/2/1 3/3/1\ng back\nf 1//1 3//1 4//1\n";
 
-PlacedTarget placedTarget(const Dented& mesh, const char* name) {
+PlacedTarget placedTarget(const DentedFile& mesh, const char* name) {
     PlacedTarget target;
     target.mesh = &mesh.original.mesh;
     target.positions = mesh.positions;
@@ -63,9 +63,9 @@ private Q_SLOTS:
     void targetsInOneFile() {
         QFETCH(QString, suffix);
         QTemporaryDir folder;
-        Dented plate(writePlate(folder.path()));
+        DentedFile plate(writePlate(folder.path()));
         plate.normals.assign(6, {0.0f, 0.0f, 1.0f});
-        Dented bare(
+        DentedFile bare(
             writeFile(folder.path(), QStringLiteral("bare.obj"), "v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 3\n"));
         plate.move(2, {0.0f, 0.0f, 0.5f});
         PlacedTarget first = placedTarget(plate, "thing");
@@ -112,7 +112,7 @@ private Q_SLOTS:
 
     void normalsTurnWithTheTarget() {
         QTemporaryDir folder;
-        Dented plate(writePlate(folder.path()));
+        DentedFile plate(writePlate(folder.path()));
         plate.normals.assign(6, {0.0f, 0.0f, 1.0f});
         PlacedTarget target = placedTarget(plate, "a");
         target.transform = glm::rotate(glm::dmat4(1.0), glm::radians(90.0), glm::dvec3(1.0, 0.0, 0.0));
@@ -124,8 +124,8 @@ private Q_SLOTS:
 
     void picturesOfSeveralFoldersComeAlong() {
         QTemporaryDir folder;
-        const Dented one(writePlate(folder.filePath(QStringLiteral("one"))));
-        const Dented two(writePlate(folder.filePath(QStringLiteral("two"))));
+        const DentedFile one(writePlate(folder.filePath(QStringLiteral("one"))));
+        const DentedFile two(writePlate(folder.filePath(QStringLiteral("two"))));
         const std::vector<PlacedTarget> targets{placedTarget(one, "one"), placedTarget(two, "two")};
         const Result<MergedTargets> merged = mergeTargets(targets);
         QVERIFY(merged);
@@ -141,7 +141,7 @@ private Q_SLOTS:
 
     void spansOfOtherLengthsAreRefused() {
         QTemporaryDir folder;
-        const Dented one(writePlate(folder.path()));
+        const DentedFile one(writePlate(folder.path()));
         PlacedTarget target = placedTarget(one, "one");
         target.positions = target.positions.first(2);
         QVERIFY(!mergeTargets({&target, 1}));

@@ -33,7 +33,7 @@ QByteArray woodPng() {
 
 struct Scene {
     QTemporaryDir folder;
-    Dented mesh;
+    DentedFile mesh;
 
     Scene() : mesh(write()) { mesh.normals = cornerNormals(mesh.original.mesh, 0.7853982f); }
     QString write() {
@@ -196,7 +196,7 @@ private Q_SLOTS:
     void verticesOnSeamsMoveTogether() {
         QFETCH(int, moved);
         QTemporaryDir folder;
-        Dented mesh(writeFile(folder.path(), QStringLiteral("a.obj"), seamedStrip()));
+        DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.obj"), seamedStrip()));
         for (int v = 0; v < moved; ++v) {
             mesh.move(static_cast<std::size_t>(v + 1), {0.0f, 0.0f, 0.5f});
         }

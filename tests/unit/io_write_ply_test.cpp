@@ -66,7 +66,7 @@ private Q_SLOTS:
     void comesBackByteForByte() {
         QFETCH(QByteArray, source);
         QTemporaryDir folder;
-        const Dented mesh(writeFile(folder.path(), QStringLiteral("a.ply"), source.toStdString()));
+        const DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.ply"), source.toStdString()));
         const QString path = folder.filePath(QStringLiteral("b.ply"));
         const Result<QStringList> written = exportPly(mesh.what(), path, nothingAdded());
         QVERIFY2(written, qPrintable(messageOf(written)));
@@ -76,7 +76,7 @@ private Q_SLOTS:
 
     void replacesOnlyWhatMovedInText() {
         QTemporaryDir folder;
-        Dented mesh(writeFile(folder.path(), QStringLiteral("a.ply"), kAscii));
+        DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.ply"), kAscii));
         mesh.move(1, {0.5f, 0.0f, 0.25f});
         mesh.hits[1] = 12;
         const QString path = folder.filePath(QStringLiteral("b.ply"));
@@ -93,7 +93,7 @@ private Q_SLOTS:
 
     void replacesOnlyWhatMovedInBytes() {
         QTemporaryDir folder;
-        Dented mesh(writeFile(folder.path(), QStringLiteral("a.ply"), binarySource<true>()));
+        DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.ply"), binarySource<true>()));
         mesh.move(2, {0.5f, 0.75f, -1.0f});
         const QString path = folder.filePath(QStringLiteral("b.ply"));
         const Result<QStringList> written = exportPly(mesh.what(), path, {});
@@ -129,7 +129,7 @@ private Q_SLOTS:
         }
         source += "3 0 1 2\n";
         QTemporaryDir folder;
-        const Dented mesh(writeFile(folder.path(), QStringLiteral("a.ply"), source));
+        const DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.ply"), source));
         const QString path = folder.filePath(QStringLiteral("b.ply"));
         const Result<QStringList> written = exportPly(mesh.what(), path, nothingAdded());
         QVERIFY(written);
@@ -144,7 +144,7 @@ private Q_SLOTS:
             "z\nproperty float nx\nproperty float ny\nproperty float nz\nelement face 1\nproperty list uchar "
             "int "
             "vertex_indices\nend_header\n0 0 0 0 0 2.0\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n";
-        Dented mesh(writeFile(folder.path(), QStringLiteral("a.ply"), source));
+        DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.ply"), source));
         mesh.normals = {{0, 0, 1}, {0, 1, 0}, {0, 0, 1}};
         const QString path = folder.filePath(QStringLiteral("b.ply"));
         QVERIFY(exportPly(mesh.what(), path, nothingAdded()));
@@ -154,7 +154,7 @@ private Q_SLOTS:
 
     void keepsAllInAnotherEncoding() {
         QTemporaryDir folder;
-        Dented mesh(writeFile(folder.path(), QStringLiteral("a.ply"), binarySource<true>()));
+        DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.ply"), binarySource<true>()));
         PlyOptions options = nothingAdded();
         options.encoding = PlyOptions::Encoding::Ascii;
         const QString text = folder.filePath(QStringLiteral("text.ply"));
@@ -164,7 +164,7 @@ private Q_SLOTS:
             body.ends_with("end_header\n2 -7 300\n0\n0 0 0.5 0.25\n0.1 1 0.5 1.25\n0.2 4 0.5 2.25\n3 0 1 2 "
                            "43981\n"),
             body.c_str());
-        Dented again(text);
+        DentedFile again(text);
         options.encoding = PlyOptions::Encoding::Binary;
         const QString binary = folder.filePath(QStringLiteral("binary.ply"));
         QVERIFY(exportPly(again.what(), binary, options));
@@ -173,8 +173,8 @@ private Q_SLOTS:
 
     void namesThatAreTakenGetANumber() {
         QTemporaryDir folder;
-        Dented mesh(writeFile(folder.path(), QStringLiteral("a.ply"),
-                              replaced(kAscii, "uchar quality", "uchar hits")));
+        DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.ply"),
+                                  replaced(kAscii, "uchar quality", "uchar hits")));
         const QString path = folder.filePath(QStringLiteral("b.ply"));
         const Result<QStringList> written = exportPly(mesh.what(), path, {});
         QVERIFY(written);
@@ -202,7 +202,7 @@ private Q_SLOTS:
         QFETCH(QString, why);
         QTemporaryDir folder;
         const QString source = writeFile(folder.path(), QStringLiteral("a.ply"), kAscii);
-        Dented mesh(source);
+        DentedFile mesh(source);
         mesh.move(0, {0.0f, 0.0f, 1.0f});
         writeFile(folder.path(), QStringLiteral("a.ply"), now.toStdString());
         const QString path = folder.filePath(QStringLiteral("b.ply"));
@@ -222,7 +222,7 @@ private Q_SLOTS:
     void wholeMeshes() {
         QFETCH(PlyOptions::Encoding, encoding);
         QTemporaryDir folder;
-        Dented mesh(
+        DentedFile mesh(
             writeFile(folder.path(), QStringLiteral("a.obj"),
                       "v 0.1 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 0 0 0.2\nv 7 7 7 1 1 1\nvt 0.1 "
                       "0.2\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3 4/1\nf 1/2 3/1 2/3\nf 1 2 3\n"));
@@ -265,7 +265,8 @@ private Q_SLOTS:
         QTemporaryDir folder;
         const std::string vertices =
             "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.1 0.2\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.7 0.7\n";
-        const Dented mesh(writeFile(folder.path(), QStringLiteral("a.obj"), vertices + faces.toStdString()));
+        const DentedFile mesh(
+            writeFile(folder.path(), QStringLiteral("a.obj"), vertices + faces.toStdString()));
         const QString path = folder.filePath(QStringLiteral("b.ply"));
         QVERIFY(exportPly(mesh.what(), path, {}));
         QCOMPARE(readFile(path).find("property float s\n") != std::string::npos, ofVertices);
@@ -279,8 +280,8 @@ private Q_SLOTS:
 
     void hardEdgesLoseTheirNormals() {
         QTemporaryDir folder;
-        Dented mesh(writeFile(folder.path(), QStringLiteral("a.obj"),
-                              "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\nf 1 3 2\n"));
+        DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.obj"),
+                                  "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\nf 1 3 2\n"));
         mesh.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, -1}, {0, 0, 1}, {0, 0, 1}};
         const QString path = folder.filePath(QStringLiteral("b.ply"));
         const Result<QStringList> written = exportPly(mesh.what(), path, {});
@@ -291,7 +292,7 @@ private Q_SLOTS:
 
     void placedMeshesGoBackToTheirFile() {
         QTemporaryDir folder;
-        Dented mesh(writeFile(folder.path(), QStringLiteral("a.ply"), kAscii));
+        DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.ply"), kAscii));
         place(mesh.original.mesh, 0.5f);
         mesh.positions = mesh.original.mesh.positions;
         const QString path = folder.filePath(QStringLiteral("b.ply"));
@@ -305,7 +306,7 @@ private Q_SLOTS:
 
     void givenUpNothingIsWritten() {
         QTemporaryDir folder;
-        Dented mesh(writeFile(folder.path(), QStringLiteral("a.ply"), kAscii));
+        DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.ply"), kAscii));
         const QString path = writeFile(folder.path(), QStringLiteral("b.ply"), "before");
         for (int looks = 0; looks < 6; ++looks) {
             MeshExport what = mesh.what();
@@ -322,7 +323,7 @@ private Q_SLOTS:
     void ontoItsOwnSource() {
         QTemporaryDir folder;
         const QString path = writeFile(folder.path(), QStringLiteral("a.ply"), kAscii);
-        Dented mesh(path);
+        DentedFile mesh(path);
         mesh.move(3, {0.0f, 0.0f, 1.0f});
         QVERIFY(exportPly(mesh.what(), path, nothingAdded()));
         QCOMPARE(readFile(path), replaced(kAscii, "4 0 1 0.50 1 4", "4 0 1 1.5 1 4"));

@@ -28,7 +28,7 @@ private Q_SLOTS:
     void trianglesAsDrawn() {
         QFETCH(bool, isAscii);
         QTemporaryDir folder;
-        Dented mesh(writeFile(folder.path(), QStringLiteral("a.obj"), kPolygons));
+        DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.obj"), kPolygons));
         mesh.move(3, {0.0f, 0.0f, -0.3f});
         const QString path = folder.filePath(QStringLiteral("b.stl"));
         const Result<QStringList> written = exportStl(mesh.what(), path, {.isAscii = isAscii});
@@ -53,7 +53,7 @@ private Q_SLOTS:
 
     void normalsAreOfTheDeformedFacets() {
         QTemporaryDir folder;
-        Dented mesh(
+        DentedFile mesh(
             writeFile(folder.path(), QStringLiteral("a.obj"), "v 0 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\n"));
         mesh.positions[2] = {0.0f, 0.0f, 3.0f};
         const QString path = folder.filePath(QStringLiteral("b.stl"));
@@ -70,7 +70,7 @@ private Q_SLOTS:
 
     void givenUpNothingIsWritten() {
         QTemporaryDir folder;
-        Dented mesh(writeFile(folder.path(), QStringLiteral("a.obj"), kPolygons));
+        DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.obj"), kPolygons));
         MeshExport what = mesh.what();
         what.goOn = [](double fraction) { return fraction < 1.0; };
         const QString path = folder.filePath(QStringLiteral("b.stl"));
@@ -82,7 +82,7 @@ private Q_SLOTS:
 
     void changesAsCsv() {
         QTemporaryDir folder;
-        Dented mesh(writeFile(folder.path(), QStringLiteral("a.obj"), kPolygons));
+        DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.obj"), kPolygons));
         mesh.move(3, {0.5f, 0.0f, -0.25f});
         const QString path = folder.filePath(QStringLiteral("b.csv"));
         QVERIFY(exportChangesCsv(mesh.what(), path, {}));

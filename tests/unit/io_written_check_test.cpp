@@ -17,7 +17,7 @@ const char* const kSource =
     "v 0.125 0 0\nv 1.5 0 0\nv 1 1 0\nv 0 1 0\nv 7 7.75 7\no one\nf 1 2 3 4\nf 1 3 2\nf 4 3 1\n";
 
 /// Exports to a file of that suffix.
-QString write(const Dented& mesh, const QString& suffix, const QTemporaryDir& folder) {
+QString write(const DentedFile& mesh, const QString& suffix, const QTemporaryDir& folder) {
     const QString path = folder.filePath(QStringLiteral("written.") + suffix);
     const MeshExport what = mesh.what();
     bool isWritten = false;
@@ -55,7 +55,7 @@ private Q_SLOTS:
     void soundFilesPass() {
         QFETCH(QString, suffix);
         QTemporaryDir folder;
-        Dented mesh(writeFile(folder.path(), QStringLiteral("a.obj"), kSource));
+        DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.obj"), kSource));
         mesh.move(1, {0.0f, 0.0f, -1.75f});
         const Status same = verifyWritten(write(mesh, suffix, folder), mesh.what());
         QVERIFY2(same, qPrintable(messageOf(same)));
@@ -104,7 +104,7 @@ private Q_SLOTS:
         QFETCH(QByteArray, to);
         QFETCH(QString, says);
         QTemporaryDir folder;
-        Dented mesh(writeFile(folder.path(), QStringLiteral("a.obj"), kSource));
+        DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.obj"), kSource));
         mesh.move(1, {0.0f, 0.0f, -1.75f});
         const QString path = write(mesh, suffix.section(u'.', 0, 0), folder);
         QVERIFY(verifyWritten(path, mesh.what()));

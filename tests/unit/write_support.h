@@ -11,14 +11,14 @@
 namespace hitscope::test {
 
 /// A mesh read from a file, and a deformed state of it.
-struct Dented {
+struct DentedFile {
     ImportedMesh original;
     std::vector<glm::vec3> positions;
     std::vector<std::uint32_t> hits;
     std::vector<glm::vec3> normals;
     QString sourcePath;
 
-    explicit Dented(const QString& path) : sourcePath(path) {
+    explicit DentedFile(const QString& path) : sourcePath(path) {
         Result<ImportedMesh> imported = readMesh(path, {});
         if (!imported) {
             qWarning("%s", imported.error().message().c_str());
