@@ -271,6 +271,8 @@ void MainWindow::connectMessages() {
         say(text);
     });
     connect(m_shots, &ShotActions::noticeWanted, this, [this](const QString& text) { m_notice->say(text); });
+    connect(m_exports, &ExportActions::noticeWanted, this,
+            [this](const QString& text) { m_notice->say(text); });
     // Later: it is found out in the middle of drawing a frame.
     connect(
         m_pipelines, &PipelineChooser::fellBack, this,

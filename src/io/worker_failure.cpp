@@ -15,7 +15,7 @@ Error describeWorkerEnd(const WorkerEnd& end, const QString& path, const ImportL
                 "binary PLY."};
     }
     if (end.crashed && end.code == SIGKILL) {
-        return {"The system stopped reading the file, probably for want of memory.", where,
+        return {"The system stopped reading the file, probably because memory ran out.", where,
                 "Close other programs, or open a smaller mesh."};
     }
     if (end.crashed && end.code == SIGXFSZ) {

@@ -79,7 +79,7 @@ void WorkerTest::endsBadly_data() {
     row("segmentation fault", "kill -SEGV $$", "The file makes the reader crash; it is probably damaged.");
     row("abort", "kill -ABRT $$", "The file makes the reader crash");
     row("killed for memory", "kill -KILL $$",
-        "The system stopped reading the file, probably for want of memory.");
+        "The system stopped reading the file, probably because memory ran out.");
     row("too much processor time", "kill -XCPU $$", "took longer than 7 seconds");
     row("exit status", "exit 3", "gave no usable answer (exit status 3)");
     row("nothing", "exit 0", "gave no usable answer");

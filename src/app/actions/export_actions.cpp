@@ -61,7 +61,10 @@ void ExportActions::tellWritten(const QString& name, const QString& path, const 
     if (wasReadBack) {
         text += tr("; read back, it is the same");
     }
-    Q_EMIT said(notes.isEmpty() ? text : text + QStringLiteral(". ") + notes.join(u' '));
+    Q_EMIT said(text);
+    if (!notes.isEmpty()) {  // the status bar has no room for them
+        Q_EMIT noticeWanted(tr("In %1:").arg(QFileInfo(path).fileName()) + u' ' + notes.join(u' '));
+    }
 }
 
 void ExportActions::fill(QMenu& menu) {

@@ -47,6 +47,7 @@ public:
 
 Q_SIGNALS:
     void said(const QString& text);
+    void noticeWanted(const QString& text);  ///< what the file does not hold
     void failed(const hitscope::Error& error);
     void began(const hitscope::Target& target, const QString& path);
     void ended(const QString& path, bool isWritten);

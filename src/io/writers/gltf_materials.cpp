@@ -107,7 +107,7 @@ Result<int> GltfMaterials::texture(const std::string& name, int image) {
     const Picture picture = find(name, image);
     int index = -1;
     if (picture.bytes.isEmpty()) {
-        m_notes += QStringLiteral("The picture \"%1\" cannot be had and is left out.")
+        m_notes += QStringLiteral("The picture \"%1\" cannot be read; it is left out.")
                        .arg(QString::fromStdString(name));
     } else {
         const Result<int> source = addPicture(picture);

@@ -248,7 +248,7 @@ QStringList GltfParts::notes() const {
     if (m_copies > 0) {
         notes += QStringLiteral(
                      "Vertices with several normals, texture coordinates, materials or objects are "
-                     "there several times (%1 more).")
+                     "repeated (%1 added).")
                      .arg(m_copies);
     }
     if (m_mesh.positions.size() > kMostNumbered) {

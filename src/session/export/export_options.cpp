@@ -3,7 +3,10 @@
 
 #include <QFileInfo>
 #include <algorithm>
+#include <map>
+#include <string>
 
+#include "io/file_scope.h"
 #include "session/target.h"
 
 namespace hitscope {
@@ -16,6 +19,33 @@ constexpr std::uint64_t kPlyVertex = 44;   // position, normal, displacement, it
 constexpr std::uint64_t kGltfVertex = 44;  // position, normal, texture coordinate, number in the file
 constexpr std::uint64_t kMorph = 24;       // change of position and normal
 constexpr std::uint64_t kFacet = 50;       // of a binary STL
+constexpr std::uint64_t kPixel = 2;        // of a PNG
+
+/// Of the pictures that go into a glTF file or beside it: as they are, or as PNG.
+std::uint64_t pictureBytes(const Target& target) {
+    const MeshData& mesh = target.deformed.original();
+    std::map<int, std::string> pictures;  // each once
+    for (const Material& material : mesh.materials) {
+        pictures.emplace(material.diffuseImage, material.diffuseTexture);
+        pictures.emplace(material.normalMap.image, material.normalMap.texture);
+        pictures.emplace(material.metalRoughness.image, material.metalRoughness.texture);
+    }
+    std::uint64_t bytes = 0;
+    for (const auto& [index, name] : pictures) {
+        if (index < 0) {
+            continue;
+        }
+        const QString file =
+            name.empty() || target.sourcePath.isEmpty()
+                ? QString()
+                : resolveTexture(QFileInfo(target.sourcePath).absolutePath(), QString::fromStdString(name));
+        const Image& image = mesh.images[static_cast<std::size_t>(index)];
+        bytes += file.isEmpty() ? kPixel * static_cast<std::uint64_t>(image.width) *
+                                      static_cast<std::uint64_t>(image.height)
+                                : static_cast<std::uint64_t>(QFileInfo(file).size());
+    }
+    return bytes;
+}
 
 std::uint64_t bytesOf(const Target& target, const ExportOptions& options) {
     const MeshData& mesh = target.deformed.original();
@@ -40,7 +70,7 @@ std::uint64_t bytesOf(const Target& target, const ExportOptions& options) {
             return kFacet * (corners - 2 * faces);
         case ExportFormat::Glb:
         case ExportFormat::Gltf:
-            return (kGltfVertex + kMorph) * drawn + 12 * (corners - 2 * faces);
+            return (kGltfVertex + kMorph) * drawn + 12 * (corners - 2 * faces) + pictureBytes(target);
         case ExportFormat::Csv:
             break;
     }

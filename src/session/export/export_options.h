@@ -47,7 +47,7 @@ struct ExportOptions {
 struct ExportEstimate {
     std::size_t vertices = 0;
     std::size_t faces = 0;
-    std::uint64_t bytes = 0;  ///< about; without pictures
+    std::uint64_t bytes = 0;  ///< about
 };
 [[nodiscard]] ExportEstimate estimateExport(std::span<const Target* const> targets,
                                             const ExportOptions& options);
