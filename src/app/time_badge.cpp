@@ -12,8 +12,8 @@ namespace hitscope {
 namespace {
 
 QString timeText(const PhysicsWorld& physics) {
-    const double scale = physics.timeScale();
-    if (physics.isPaused()) {
+    const double scale = physics.clock().timeScale();
+    if (physics.clock().isPaused()) {
         return TimeBadge::tr("Paused");
     }
     if (scale == 1.0) {

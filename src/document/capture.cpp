@@ -55,9 +55,10 @@ SessionDocument captureSettings(const Session& session, const CapturedView& view
     }
     document.constants = settings.constantsSetting();
     document.projectile = settings.projectile();
-    document.simulation = {settings.pipeline(), settings.flightMode(),
-                           physics.step(),      physics.timeScale(),
-                           physics.isPaused(),  std::min(physics.time(), SimulationSettings::kLongest)};
+    document.simulation = {
+        settings.pipeline(),        settings.flightMode(),
+        physics.clock().step(),     physics.clock().timeScale(),
+        physics.clock().isPaused(), std::min(physics.clock().time(), SimulationSettings::kLongest)};
     document.lights = settings.lights();
     document.cameras = view.cameras;
     document.display = view.display;

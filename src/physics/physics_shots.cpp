@@ -70,8 +70,8 @@ ProjectileId PhysicsWorld::shoot(const glm::vec3& origin, const glm::vec3& direc
     flight.body->setUserIndex2(static_cast<int>(id.value));
     flight.body->setUserIndex3(shot.passesOthers ? VolleyFilter::kPassesAll : volley);
     // Half a step less, so that rounding never adds one; it lives for a step at least.
-    flight.end =
-        d->time() + std::max(0.5 * d->stepSeconds, static_cast<double>(shot.lifetime) - 0.5 * d->stepSeconds);
+    flight.end = d->clock.time() +
+                 std::max(0.5 * d->clock.step(), static_cast<double>(shot.lifetime) - 0.5 * d->clock.step());
     d->world.addRigidBody(flight.body.get());
     flight.body->setGravity(toBullet(fallOf(shot)));  // the world has just set its own
     Flight& kept = d->flights.emplace(id, std::move(flight)).first->second;
@@ -109,7 +109,7 @@ std::vector<ProjectileState> PhysicsWorld::projectiles() const {
     std::vector<ProjectileState> states;
     states.reserve(d->flights.size());
     for (const auto& [id, flight] : d->flights) {
-        states.push_back({id, flight.position, glm::mix(flight.previous, flight.position, d->between()),
+        states.push_back({id, flight.position, glm::mix(flight.previous, flight.position, d->clock.between()),
                           fromBullet(flight.body->getLinearVelocity()), flight.settings.radius,
                           flight.settings.colour, std::span(flight.trail).first(flight.trailCount)});
     }
@@ -128,7 +128,7 @@ bool PhysicsWorld::isApproached(TargetId target, float reach) const {
     btVector3 least;
     btVector3 most;
     found->second.body->getAabb(least, most);
-    const auto step = static_cast<btScalar>(d->stepSeconds);
+    const auto step = static_cast<btScalar>(d->clock.step());
     const auto comesNear = [&](const Flight& flight) {
         const btVector3 from = flight.body->getWorldTransform().getOrigin();
         const btVector3 to =
@@ -203,7 +203,7 @@ std::optional<Impact> PhysicsWorld::hitscan(const glm::vec3& origin, const glm::
     Touch touch{0.0f, struck->surface, 0.0f};
     TargetBody& target = d->targets.at(struck->target);
     bounce(flight, target, touch);
-    return impactOf(struck->target, target.transform, flight.velocity, touch, d->time());
+    return impactOf(struck->target, target.transform, flight.velocity, touch, d->clock.time());
 }
 
 std::optional<Impact> PhysicsWorld::predict(const glm::vec3& origin, const glm::vec3& direction,
@@ -213,7 +213,7 @@ std::optional<Impact> PhysicsWorld::predict(const glm::vec3& origin, const glm::
     }
     const ProjectileSettings shot = clamped(settings);
     glm::vec3 velocity = glm::normalize(direction) * shot.speed;
-    double time = d->time();
+    double time = d->clock.time();
     const std::optional<Strike> struck = isInstant
                                              ? d->castLine(origin, glm::normalize(direction) * kWholeWorld)
                                              : d->fly(origin, shot, velocity, time);
@@ -230,11 +230,11 @@ std::optional<Impact> PhysicsWorld::predict(const glm::vec3& origin, const glm::
 std::optional<Strike> PhysicsWorld::Private::fly(glm::vec3 position, const ProjectileSettings& shot,
                                                  glm::vec3& velocity, double& now) {
     const SweepScene scene = surfacesNow();
-    const auto seconds = static_cast<float>(stepSeconds);
-    const auto most = static_cast<int>(std::ceil(static_cast<double>(shot.lifetime) / stepSeconds));
+    const auto seconds = static_cast<float>(clock.step());
+    const auto most = static_cast<int>(std::ceil(static_cast<double>(shot.lifetime) / clock.step()));
     for (int i = 0; i < most && isUsable(position); ++i) {
         velocity += fallOf(shot) * seconds;
-        now += stepSeconds;
+        now += clock.step();
         const glm::vec3 motion = velocity * seconds;
         const auto contact = scene.sweep(position, motion, shot.radius);
         if (contact && !contact->target) {

@@ -108,8 +108,8 @@ void PhysicsWorld::Private::approach(ProjectileId id, Flight& flight) {
     if (!body.isActive()) {
         return;
     }
-    flight.velocity += fallOf(flight.settings) * static_cast<float>(stepSeconds);
-    const glm::vec3 motion = flight.velocity * static_cast<float>(stepSeconds);
+    flight.velocity += fallOf(flight.settings) * static_cast<float>(clock.step());
+    const glm::vec3 motion = flight.velocity * static_cast<float>(clock.step());
     const float radius = flight.settings.radius;
     if (glm::length(motion) < kNoMotion * radius) {
         return;
@@ -161,7 +161,8 @@ void PhysicsWorld::Private::strike(ProjectileId id, Flight& flight, TargetId tar
     if (counts) {
         flight.hasHit = true;
         // Where the target was when Bullet found the contact: it has moved on since.
-        impacts.push_back(impactOf(target, targets.at(target).previous, flight.velocity, touch, time()));
+        impacts.push_back(
+            impactOf(target, targets.at(target).previous, flight.velocity, touch, clock.time()));
         impacts.back().projectile = id;
     }
 }
@@ -209,7 +210,7 @@ void PhysicsWorld::Private::removeSpentFlights() {
     for (auto it = flights.begin(); it != flights.end();) {
         const auto current = it++;
         const glm::vec3 position = fromBullet(current->second.body->getWorldTransform().getOrigin());
-        if (time() >= current->second.end || !isUsable(position)) {
+        if (clock.time() >= current->second.end || !isUsable(position)) {
             removeFlight(current);
         }
     }
@@ -217,8 +218,8 @@ void PhysicsWorld::Private::removeSpentFlights() {
 
 void PhysicsWorld::Private::keepTrails() {
     const double apart = kTrailSeconds / static_cast<double>(Flight::kTrailPoints);
-    const std::int64_t every = std::max<std::int64_t>(1, std::llround(apart / stepSeconds));
-    if ((steps + 1) % every == 0) {
+    const std::int64_t every = std::max<std::int64_t>(1, std::llround(apart / clock.step()));
+    if ((clock.steps() + 1) % every == 0) {
         for (auto& [id, flight] : flights) {
             flight.keepTrail();
         }
@@ -267,7 +268,7 @@ bool PhysicsWorld::Private::approachAll(const IsTimeUp& isTimeUp) {
 }
 
 void PhysicsWorld::Private::endStep() {
-    ++steps;
+    clock.count();
     collectTouches(dispatcher, contacts);
     auto next = contacts.cbegin();
     for (auto& [id, flight] : flights) {
@@ -285,7 +286,7 @@ void PhysicsWorld::Private::endStep() {
 bool PhysicsWorld::Private::step(const IsTimeUp& isTimeUp) {
     if (part == StepPart::None) {
         if (!beginStep()) {
-            ++steps;
+            clock.count();
             return true;
         }
         part = StepPart::Approach;
@@ -299,7 +300,7 @@ bool PhysicsWorld::Private::step(const IsTimeUp& isTimeUp) {
     if (part == StepPart::Solve) {
         keepTrails();
         letBounceSlowly();
-        world.stepSimulation(static_cast<btScalar>(stepSeconds), 0);
+        world.stepSimulation(static_cast<btScalar>(clock.step()), 0);
         part = StepPart::Move;
         if (isTimeUp && isTimeUp()) {
             return false;

@@ -245,7 +245,7 @@ std::vector<TargetPose> PhysicsWorld::dynamicTargets() const {
         if (target.physics.isDynamic) {
             const RigidTransform& from = target.previous;
             const RigidTransform& to = target.transform;
-            const float t = d->between();
+            const float t = d->clock.between();
             states.push_back({id,
                               to,
                               {glm::mix(from.position, to.position, t),
@@ -284,17 +284,12 @@ void PhysicsWorld::removeFloor() {
 
 // Time
 
-int PhysicsWorld::stepsDue(double seconds) {
-    if (d->isPaused || !(seconds > 0.0) || !std::isfinite(seconds)) {
-        return 0;
-    }
-    d->waiting += seconds * d->timeScale;
-    // A frame of exactly n steps must not lose one to rounding.
-    const double due = std::floor(d->waiting / d->stepSeconds + 1.0e-6);
-    const double most = std::round(kLongestFrame / d->stepSeconds);
-    const int count = static_cast<int>(std::min(due, most));
-    d->waiting = due > most ? 0.0 : std::max(0.0, d->waiting - count * d->stepSeconds);
-    return count;
+StepClock& PhysicsWorld::clock() {
+    return d->clock;
+}
+
+const StepClock& PhysicsWorld::clock() const {
+    return d->clock;
 }
 
 std::optional<std::vector<Impact>> PhysicsWorld::takeStep(const IsTimeUp& isTimeUp) {
@@ -315,7 +310,7 @@ bool PhysicsWorld::isMidStep() const {
 
 std::vector<Impact> PhysicsWorld::advance(double seconds) {
     std::vector<Impact> impacts;
-    for (int steps = stepsDue(seconds); steps > 0; --steps) {
+    for (int steps = d->clock.stepsDue(seconds); steps > 0; --steps) {
         const std::vector<Impact> some = takeStep();
         impacts.insert(impacts.end(), some.begin(), some.end());
     }
@@ -324,58 +319,8 @@ std::vector<Impact> PhysicsWorld::advance(double seconds) {
 
 std::vector<Impact> PhysicsWorld::stepOnce() {
     std::vector<Impact> impacts = takeStep();
-    showLastStep();
+    d->clock.showLastStep();
     return impacts;
-}
-
-void PhysicsWorld::showLastStep() {
-    d->waiting = std::nextafter(d->stepSeconds, 0.0);
-}
-
-double PhysicsWorld::time() const {
-    return d->time();
-}
-
-void PhysicsWorld::setTime(double seconds) {
-    if (std::isfinite(seconds)) {
-        d->finishStep();
-        d->timeBefore = seconds;
-        d->steps = 0;
-    }
-}
-
-double PhysicsWorld::step() const {
-    return d->stepSeconds;
-}
-
-void PhysicsWorld::setStep(double seconds) {
-    const ParameterDescriptor& range = stepParameter();
-    if (std::isfinite(seconds)) {
-        d->finishStep();
-        d->timeBefore = d->time();
-        d->steps = 0;
-        d->waiting = 0.0;
-        d->stepSeconds = std::clamp(seconds, range.minimum, range.maximum);
-    }
-}
-
-double PhysicsWorld::timeScale() const {
-    return d->timeScale;
-}
-
-void PhysicsWorld::setTimeScale(double scale) {
-    const ParameterDescriptor& range = timeScaleParameter();
-    if (std::isfinite(scale)) {
-        d->timeScale = std::clamp(scale, range.minimum, range.maximum);
-    }
-}
-
-bool PhysicsWorld::isPaused() const {
-    return d->isPaused;
-}
-
-void PhysicsWorld::setPaused(bool paused) {
-    d->isPaused = paused;
 }
 
 bool PhysicsWorld::isMoving() const {

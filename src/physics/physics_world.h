@@ -14,6 +14,7 @@
 #include "mesh/render_mesh.h"
 #include "physics/collider.h"
 #include "physics/projectile_settings.h"
+#include "physics/step_clock.h"
 
 namespace hitscope {
 
@@ -117,13 +118,12 @@ public:
     [[nodiscard]] std::size_t projectileCount() const;
 
     // Time
-    /// Advances by `seconds` times the time scale in fixed steps (a remainder waits for the next call; at
-    /// most kLongestFrame a call, the rest of the time is dropped so that a slow frame cannot snowball).
-    /// Returns the impacts in the order they happened. Paused: nothing happens.
+    /// How long steps are and how many are due; see takeStep().
+    [[nodiscard]] StepClock& clock();
+    [[nodiscard]] const StepClock& clock() const;
+    /// Takes the steps due after `seconds` (see StepClock::stepsDue()). Returns the impacts in the order they
+    /// happened.
     [[nodiscard]] std::vector<Impact> advance(double seconds);
-    /// The same in parts, for who has to see to things between steps: how many steps it is time for, each
-    /// then to be taken by takeStep().
-    [[nodiscard]] int stepsDue(double seconds);
     /// Takes a step, or goes on with the one under way, until time is up: some of it is always done, and a
     /// step taken in parts comes out the same. Returns its impacts, or nothing while it is under way.
     /// Whatever else changes the world finishes it first; its impacts are then had by the next call.
@@ -132,17 +132,6 @@ public:
     [[nodiscard]] bool isMidStep() const;
     /// One step, paused or not.
     [[nodiscard]] std::vector<Impact> stepOnce();
-    /// What is drawn until time goes on is the last step, not a place before it.
-    void showLastStep();
-    /// Seconds simulated so far.
-    [[nodiscard]] double time() const;
-    void setTime(double seconds);  ///< while there are no projectiles
-    [[nodiscard]] double step() const;
-    void setStep(double seconds);  ///< clamped to stepParameter()
-    [[nodiscard]] double timeScale() const;
-    void setTimeScale(double scale);  ///< clamped to timeScaleParameter()
-    [[nodiscard]] bool isPaused() const;
-    void setPaused(bool paused);
     /// Something would move if time went on.
     [[nodiscard]] bool isMoving() const;
 
@@ -161,8 +150,6 @@ public:
                                                            float distance) const;
 
     static constexpr double kTrailSeconds = 0.15;
-    static constexpr double kStep = 1.0 / 240.0;   ///< seconds; the default
-    static constexpr double kLongestFrame = 0.25;  ///< seconds of simulated time
 
 private:
     struct Private;

@@ -187,7 +187,7 @@ const ParameterDescriptor& stepParameter() {
         .label = "Physics step",
         .unit = "s",
         .description = "Simulated time goes in steps of this length, however long a frame takes.",
-        .defaultValue = PhysicsWorld::kStep,
+        .defaultValue = StepClock::kStep,
         .minimum = 1.0 / 2000.0,
         .maximum = 1.0 / 60.0,
         .step = 0.001,

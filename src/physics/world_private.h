@@ -123,9 +123,6 @@ struct PhysicsWorld::Private {
     void wakeAll();
     [[nodiscard]] std::optional<physics::SurfacePoint> surfacePoint(TargetId target, const glm::vec3& from,
                                                                     int triangle) const;
-    [[nodiscard]] double time() const { return timeBefore + static_cast<double>(steps) * stepSeconds; }
-    /// How far the moment to draw is from the step before the last to the last, [0, 1].
-    [[nodiscard]] float between() const { return static_cast<float>(waiting / stepSeconds); }
 
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher{&configuration};
@@ -149,12 +146,7 @@ struct PhysicsWorld::Private {
     std::vector<Impact> impacts;  ///< of the step under way, or of one that is over and not taken yet
     bool isStepToTake = false;    ///< the latter
     std::uint32_t nextProjectile = 1;
-    double stepSeconds = kStep;
-    double timeBefore = 0.0;  ///< simulated before the step's length was last set
-    std::int64_t steps = 0;   ///< since then
-    double waiting = 0.0;     ///< seconds not simulated yet, < stepSeconds
-    double timeScale = timeScaleParameter().defaultValue;
-    bool isPaused = false;
+    StepClock clock{[this] { finishStep(); }};
 };
 
 }  // namespace hitscope

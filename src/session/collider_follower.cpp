@@ -64,7 +64,7 @@ void ColliderFollower::note(const TargetHitsEdit& edit) {
     }
     followed.state->edit(edit);
     if (!followed.dueStep) {
-        followed.dueStep = m_steps + std::llround(kDelay / m_physics.step());
+        followed.dueStep = m_steps + std::llround(kDelay / m_physics.clock().step());
     }
     const bool appends =
         edit.before.empty() && edit.first + edit.after.size() == m_hits.of(edit.target).size();

@@ -21,7 +21,8 @@ std::function<bool()> workLimit(int looks) {
 }
 
 void advanceWithin(Session& session, double seconds, double most, const PaceClock& clock) {
-    const double aStep = session.simulation().physics().step() / session.simulation().physics().timeScale();
+    const double aStep =
+        session.simulation().physics().clock().step() / session.simulation().physics().clock().timeScale();
     const double begin = clock();
     const auto isTimeUp = [&] { return clock() - begin >= most; };
     double left = seconds;

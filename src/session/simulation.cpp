@@ -93,7 +93,7 @@ std::optional<Hit> Simulation::predictedHit(const ScheduledShot& shot) {
 
 void Simulation::schedule(std::span<const ScheduledShot> shots) {
     if (!shots.empty()) {
-        m_schedule.add(shots, m_physics.time(), m_tally.begin(shots.size()));
+        m_schedule.add(shots, m_physics.clock().time(), m_tally.begin(shots.size()));
         sayWhatShotsDid();
     }
     Q_EMIT scheduleChanged();
@@ -146,8 +146,8 @@ bool Simulation::updateColliders(const IsTimeUp& isTimeUp) {
 /// Between steps, so that an instant shot finds the dents of those before it. Returns whether all that are
 /// due have been fired.
 bool Simulation::fireScheduled(const IsTimeUp& isTimeUp) {
-    const double now = m_physics.time();
-    const double length = m_physics.step();
+    const double now = m_physics.clock().time();
+    const double length = m_physics.clock().step();
     bool anyFired = false;
     while (m_schedule.isDue(now, length) && !(anyFired && isTimeUp && isTimeUp())) {
         if (m_schedule.isNextInstant() && !m_colliders.updateAll(isTimeUp)) {
@@ -222,7 +222,7 @@ bool Simulation::step(const IsTimeUp& isTimeUp) {
 
 void Simulation::advance(double seconds, const IsTimeUp& isTimeUp) {
     const bool wasMoving = isMoving();
-    for (int steps = m_physics.stepsDue(seconds); steps > 0 && step(isTimeUp); --steps) {
+    for (int steps = m_physics.clock().stepsDue(seconds); steps > 0 && step(isTimeUp); --steps) {
     }
     if (wasMoving) {
         followDynamicTargets();
@@ -231,36 +231,36 @@ void Simulation::advance(double seconds, const IsTimeUp& isTimeUp) {
 }
 
 void Simulation::stepOnce() {
-    m_physics.showLastStep();
+    m_physics.clock().showLastStep();
     step({});
     followDynamicTargets();
     Q_EMIT m_session.pictureChanged();
 }
 
 void Simulation::setPaused(bool paused) {
-    if (paused != m_physics.isPaused()) {
-        m_physics.setPaused(paused);
+    if (paused != m_physics.clock().isPaused()) {
+        m_physics.clock().setPaused(paused);
         Q_EMIT timeChanged();
         Q_EMIT m_session.pictureChanged();
     }
 }
 
 void Simulation::setTime(double seconds) {
-    m_physics.setTime(seconds);
+    m_physics.clock().setTime(seconds);
 }
 
 void Simulation::setTimeScale(double scale) {
-    m_physics.setTimeScale(scale);
+    m_physics.clock().setTimeScale(scale);
     Q_EMIT timeChanged();
 }
 
 void Simulation::setStep(double seconds) {
-    m_physics.setStep(seconds);
+    m_physics.clock().setStep(seconds);
     Q_EMIT timeChanged();
 }
 
 bool Simulation::isMoving() const {
-    return !m_physics.isPaused() && (m_physics.isMoving() || m_schedule.size() > 0);
+    return !m_physics.clock().isPaused() && (m_physics.isMoving() || m_schedule.size() > 0);
 }
 
 void Simulation::followDynamicTargets() {

@@ -64,7 +64,7 @@ public:
     bool updateColliders(const IsTimeUp& isTimeUp = {});
     /// Time goes on and something moves with it: projectiles, dynamic targets.
     [[nodiscard]] bool isMoving() const;
-    [[nodiscard]] bool isPaused() const { return m_physics.isPaused(); }
+    [[nodiscard]] bool isPaused() const { return m_physics.clock().isPaused(); }
     void setPaused(bool paused);
     /// 1: as real time goes; clamped to timeScaleParameter().
     void setTimeScale(double scale);

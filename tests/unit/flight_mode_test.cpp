@@ -92,10 +92,10 @@ private Q_SLOTS:
             while (session.simulation().isMoving()) {
                 session.simulation().advance(0.25);  // what bounced off before would be in the way
             }
-            const double before = session.simulation().physics().time();
+            const double before = session.simulation().physics().clock().time();
             session.simulation().fire({0.0, {from, ahead}, shot, false});
             while (session.hits().history().size() == hits &&
-                   session.simulation().physics().time() < before + 0.5) {
+                   session.simulation().physics().clock().time() < before + 0.5) {
                 session.simulation().stepOnce();
             }
             QCOMPARE(session.hits().history().size(), ++hits);

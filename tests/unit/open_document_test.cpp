@@ -100,9 +100,11 @@ void OpenDocumentTest::trySame(const Session& session) {
     QVERIFY(opened.settings().flightMode() == session.settings().flightMode());
     QVERIFY(opened.settings().lights() == session.settings().lights());
     QCOMPARE(opened.settings().pipeline(), session.settings().pipeline());
-    QCOMPARE(opened.simulation().physics().step(), session.simulation().physics().step());
-    QCOMPARE(opened.simulation().physics().timeScale(), session.simulation().physics().timeScale());
-    QCOMPARE(opened.simulation().physics().isPaused(), session.simulation().physics().isPaused());
+    QCOMPARE(opened.simulation().physics().clock().step(), session.simulation().physics().clock().step());
+    QCOMPARE(opened.simulation().physics().clock().timeScale(),
+             session.simulation().physics().clock().timeScale());
+    QCOMPARE(opened.simulation().physics().clock().isPaused(),
+             session.simulation().physics().clock().isPaused());
     QCOMPARE(opened.sceneName(), session.sceneName());
     QCOMPARE(opened.targets().floorHeight(), session.targets().floorHeight());
     QCOMPARE(opened.hits().selected(), session.hits().selected());

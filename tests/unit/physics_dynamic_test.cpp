@@ -80,7 +80,7 @@ private Q_SLOTS:
         settings.speed = 200.0f;  // it does not fall far on the way
         world.shoot({3 - 1.2f, 20, 0}, {1, 0, 0}, settings);
         std::vector<Impact> impacts;
-        while (impacts.empty() && world.time() < 0.5) {
+        while (impacts.empty() && world.clock().time() < 0.5) {
             impacts = world.stepOnce();
         }
         QCOMPARE(impacts.size(), std::size_t{1});

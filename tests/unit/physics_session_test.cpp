@@ -103,7 +103,7 @@ private Q_SLOTS:
             } else {
                 session.simulation().shoot(towards(aim, from));
                 while (session.simulation().isMoving() && session.hits().history().size() == checked) {
-                    session.simulation().advance(PhysicsWorld::kStep);
+                    session.simulation().advance(StepClock::kStep);
                 }
             }
             // Before the hit itself dents what it struck.
@@ -212,9 +212,9 @@ private Q_SLOTS:
         session.simulation().shoot(towards(session.targets()[0]->transform.position, {0, 9, 0}));
         QVERIFY(!session.simulation().isMoving());
         session.simulation().advance(1);
-        QCOMPARE(session.simulation().physics().time(), 0.0);
+        QCOMPARE(session.simulation().physics().clock().time(), 0.0);
         session.simulation().stepOnce();
-        QVERIFY(std::abs(session.simulation().physics().time() - 0.001) < 1e-12);
+        QVERIFY(std::abs(session.simulation().physics().clock().time() - 0.001) < 1e-12);
         session.simulation().setPaused(false);
         QVERIFY(session.simulation().isMoving());
     }
@@ -319,11 +319,11 @@ private Q_SLOTS:
         session.simulation().shoot({{0, 50, 9}, {0, 0, 1}});
         const auto stepsOf = [&session](double seconds, double perLook) {
             double now = 0.0;
-            const double before = session.simulation().physics().time();
+            const double before = session.simulation().physics().clock().time();
             advanceWithin(session, seconds, 0.016, [&] { return now += perLook; });
-            return std::lround((session.simulation().physics().time() - before) / PhysicsWorld::kStep);
+            return std::lround((session.simulation().physics().clock().time() - before) / StepClock::kStep);
         };
-        QCOMPARE(stepsOf(4 * PhysicsWorld::kStep, 0.0), 4L);
+        QCOMPARE(stepsOf(4 * StepClock::kStep, 0.0), 4L);
         QCOMPARE(stepsOf(0.25, 0.0), 60L);
         // A step with a projectile looks twice, and then at whether to begin another: 2, 4, 6; 8, 10, 12; 14,
         // 16 ms.
@@ -333,9 +333,9 @@ private Q_SLOTS:
         for (; stepsOf(0.25, 1.0) == 0; ++calls) {
             QVERIFY(calls < 3);
         }
-        QCOMPARE(stepsOf(PhysicsWorld::kStep, 0.0), 1L);  // nothing to catch up with
+        QCOMPARE(stepsOf(StepClock::kStep, 0.0), 1L);  // nothing to catch up with
         session.simulation().setTimeScale(0.1);
-        QCOMPARE(stepsOf(20 * PhysicsWorld::kStep, 0.0), 2L);
+        QCOMPARE(stepsOf(20 * StepClock::kStep, 0.0), 2L);
     }
 
     void saysWhyATargetCannotBeHit() {

@@ -24,7 +24,7 @@ float boxDistance(const glm::vec3& p, const glm::vec3& halfExtent) {
 
 /// Where a projectile that flies along gravity's parabola is after `steps` steps, as Bullet integrates.
 glm::vec3 fallen(glm::vec3 position, glm::vec3 velocity, int steps) {
-    const auto dt = static_cast<float>(PhysicsWorld::kStep);
+    const auto dt = static_cast<float>(StepClock::kStep);
     for (int i = 0; i < steps; ++i) {
         velocity.y -= 9.81f * dt;
         position += velocity * dt;
@@ -139,7 +139,7 @@ void PhysicsTest::directionIsTheFlights() {
     const glm::vec3 expected(30, fall, 0);
     QVERIFY(glm::length(impact.direction - glm::normalize(expected)) < 1e-4f);
     QVERIFY(std::abs(impact.speed - glm::length(expected)) < 1e-2f);
-    QCOMPARE(std::lround(impact.time / PhysicsWorld::kStep), 80L);
+    QCOMPARE(std::lround(impact.time / StepClock::kStep), 80L);
 }
 
 void PhysicsTest::impulseStopsAndThrowsBack() {
@@ -221,15 +221,15 @@ void PhysicsTest::timeIsCountedInSteps() {
     for (int i = 0; i < 1000; ++i) {
         QVERIFY(world.advance(0.001).empty());
     }
-    QVERIFY(std::abs(world.time() - 1.0) < 1.5 * PhysicsWorld::kStep);
-    const double before = world.time();
+    QVERIFY(std::abs(world.clock().time() - 1.0) < 1.5 * StepClock::kStep);
+    const double before = world.clock().time();
     // A frame that took ten seconds is not caught up with.
     QVERIFY(world.advance(10).empty());
-    QCOMPARE(std::lround((world.time() - before) / PhysicsWorld::kStep),
-             std::lround(PhysicsWorld::kLongestFrame / PhysicsWorld::kStep));
+    QCOMPARE(std::lround((world.clock().time() - before) / StepClock::kStep),
+             std::lround(StepClock::kLongestFrame / StepClock::kStep));
     QVERIFY(world.advance(-1).empty());
     QVERIFY(world.advance(std::numeric_limits<double>::quiet_NaN()).empty());
-    QVERIFY(world.time() < before + 0.26);
+    QVERIFY(world.clock().time() < before + 0.26);
 }
 
 void PhysicsTest::removedTargetIsNotHit() {

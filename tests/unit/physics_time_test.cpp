@@ -16,21 +16,21 @@ private Q_SLOTS:
         PhysicsWorld world;
         world.shoot({0, 0, 0}, {1, 0, 0}, {});
         QVERIFY(run(world, 0.1).empty());
-        world.setPaused(true);
-        QVERIFY(world.isPaused());
+        world.clock().setPaused(true);
+        QVERIFY(world.clock().isPaused());
         const glm::vec3 before = world.projectiles().front().drawn;
-        const double time = world.time();
+        const double time = world.clock().time();
         QVERIFY(run(world, 1).empty());
         QVERIFY(world.projectiles().front().drawn == before);
-        QCOMPARE(world.time(), time);
-        world.setPaused(false);
+        QCOMPARE(world.clock().time(), time);
+        world.clock().setPaused(false);
         QVERIFY(run(world, 0.1).empty());
         QVERIFY(world.projectiles().front().position.x > before.x + 1.0f);
     }
 
     void oneStepIsOneStep() {
         PhysicsWorld world;
-        world.setPaused(true);
+        world.clock().setPaused(true);
         world.shoot({0, 0, 0}, {1, 0, 0}, withSpeed(24));
         for (int i = 1; i <= 5; ++i) {
             QVERIFY(world.stepOnce().empty());
@@ -39,20 +39,20 @@ private Q_SLOTS:
             // What is drawn is what the step made.
             QVERIFY(glm::length(state.drawn - state.position) < 1e-5f);
         }
-        QCOMPARE(std::lround(world.time() * 240), 5L);
+        QCOMPARE(std::lround(world.clock().time() * 240), 5L);
     }
 
     void slowMotionIsSlow() {
         PhysicsWorld world;
-        world.setTimeScale(0.1);
+        world.clock().setTimeScale(0.1);
         world.shoot({0, 0, 0}, {1, 0, 0}, {});
         QVERIFY(run(world, 2).empty());
-        QVERIFY(std::abs(world.time() - 0.2) < 0.006);
+        QVERIFY(std::abs(world.clock().time() - 0.2) < 0.006);
         QVERIFY(std::abs(world.projectiles().front().position.x - 6.0f) < 0.2f);
-        world.setTimeScale(std::numeric_limits<double>::quiet_NaN());
-        QCOMPARE(world.timeScale(), 0.1);
-        world.setTimeScale(1e9);
-        QCOMPARE(world.timeScale(), timeScaleParameter().maximum);
+        world.clock().setTimeScale(std::numeric_limits<double>::quiet_NaN());
+        QCOMPARE(world.clock().timeScale(), 0.1);
+        world.clock().setTimeScale(1e9);
+        QCOMPARE(world.clock().timeScale(), timeScaleParameter().maximum);
     }
 
     /// Slow motion shows the same flight, not another one.
@@ -60,7 +60,7 @@ private Q_SLOTS:
         std::vector<Impact> impacts;
         for (const double scale : {1.0, 0.1, 0.37, 3.0}) {
             PhysicsWorld world;
-            world.setTimeScale(scale);
+            world.clock().setTimeScale(scale);
             place(world, {1}, {{7, 0, 0}, {1, 0, 0, 0}}, sphereMesh(2, 40, 20));
             world.shoot({0, 0.3f, 0.2f}, {1, 0, 0}, {});
             const auto struck = run(world, 1.0 / scale);
@@ -138,17 +138,17 @@ private Q_SLOTS:
         QVERIFY(impacts.has_value());
         QCOMPARE(impacts->size(), std::size_t{1});
         QVERIFY(!world.isMidStep());
-        QCOMPARE(std::lround(world.time() * 240), 1L);
+        QCOMPARE(std::lround(world.clock().time() * 240), 1L);
     }
 
     void drawnBetweenTheSteps() {
         PhysicsWorld world;
         world.shoot({0, 0, 0}, {1, 0, 0}, withSpeed(24));
         // A step is 0.1 m here; frames of a fifth of a step must move on evenly.
-        QVERIFY(world.advance(PhysicsWorld::kStep).empty());
+        QVERIFY(world.advance(StepClock::kStep).empty());
         float last = world.projectiles().front().drawn.x;
         for (int i = 0; i < 40; ++i) {
-            QVERIFY(world.advance(PhysicsWorld::kStep / 5).empty());
+            QVERIFY(world.advance(StepClock::kStep / 5).empty());
             const float x = world.projectiles().front().drawn.x;
             QVERIFY2(std::abs(x - last - 0.02f) < 1e-3f, qPrintable(QString("%1: %2").arg(i).arg(x - last)));
             last = x;
@@ -157,18 +157,18 @@ private Q_SLOTS:
 
     void stepCanBeSet() {
         PhysicsWorld world;
-        QCOMPARE(world.step(), 1.0 / 240.0);
+        QCOMPARE(world.clock().step(), 1.0 / 240.0);
         QVERIFY(world.advance(0.1).empty());
-        world.setStep(0.001);
-        const double before = world.time();
+        world.clock().setStep(0.001);
+        const double before = world.clock().time();
         world.shoot({0, 0, 0}, {1, 0, 0}, withSpeed(10));
         QVERIFY(world.stepOnce().empty());
-        QVERIFY(std::abs(world.time() - before - 0.001) < 1e-12);
+        QVERIFY(std::abs(world.clock().time() - before - 0.001) < 1e-12);
         QVERIFY(std::abs(world.projectiles().front().position.x - 0.01f) < 1e-6f);
-        world.setStep(5.0);
-        QCOMPARE(world.step(), stepParameter().maximum);
-        world.setStep(std::numeric_limits<double>::quiet_NaN());
-        QCOMPARE(world.step(), stepParameter().maximum);
+        world.clock().setStep(5.0);
+        QCOMPARE(world.clock().step(), stepParameter().maximum);
+        world.clock().setStep(std::numeric_limits<double>::quiet_NaN());
+        QCOMPARE(world.clock().step(), stepParameter().maximum);
     }
 
     void oldestGoesWhenThereAreTooMany() {

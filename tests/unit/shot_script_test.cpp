@@ -137,10 +137,10 @@ private Q_SLOTS:
                 session.simulation().advance(frame);
                 passed += frame;
             }
-            const auto steps = std::lround(session.simulation().physics().time() * 240.0);
+            const auto steps = std::lround(session.simulation().physics().clock().time() * 240.0);
             // The first step is under way at step 0: shot k leaves before step 24 k.
             QCOMPARE(left(), static_cast<std::size_t>(1 + (steps - 1) / 24));
-            while (session.simulation().physics().time() < 0.3 - 1e-9) {
+            while (session.simulation().physics().clock().time() < 0.3 - 1e-9) {
                 session.simulation().stepOnce();
             }
             QCOMPARE(left(), std::size_t{3});
@@ -214,7 +214,7 @@ private Q_SLOTS:
         const auto hit = session.simulation().predictedHit(aside, isInstant);
         QVERIFY(hit.has_value());
         QCOMPARE(session.hits().history().size(), std::size_t{0});
-        QCOMPARE(session.simulation().physics().time(), 0.0);
+        QCOMPARE(session.simulation().physics().clock().time(), 0.0);
         if (isInstant) {
             QVERIFY(session.simulation().hitscan(aside));
         } else {

@@ -92,7 +92,7 @@ private Q_SLOTS:
         const TaskList::Task* task = session.tasks().current();
         QVERIFY(task != nullptr && task->cancel);
         QVERIFY(task->fraction > 0.25 && task->fraction < 0.35);
-        QCOMPARE(session.simulation().physics().time(), 0.0);  // no step before all are fired
+        QCOMPARE(session.simulation().physics().clock().time(), 0.0);  // no step before all are fired
         QSignalSpy went(&session.simulation(), &Simulation::shotsWent);
         session.tasks().cancel(task->id);
         QVERIFY(session.tasks().current() == nullptr);

@@ -147,7 +147,7 @@ void ShootingTest::quickShotArrivesInTime() {
             viewport().navigation().flyStep({0.0f, 0.0f, notches > 0 ? 0.6f : -2.0f});
         }
         m_session->hits().clear();
-        const double before = m_session->simulation().physics().time();
+        const double before = m_session->simulation().physics().clock().time();
         click(centre());
         QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), std::size_t{1}, kPatience);
         QVERIFY(m_session->hits().history().hits().front().time - before <= 0.12);
@@ -157,10 +157,10 @@ void ShootingTest::quickShotArrivesInTime() {
 
 void ShootingTest::firstFrameAfterIdlenessMovesOn() {
     waitUntilIdle();
-    const double before = m_session->simulation().physics().time();
+    const double before = m_session->simulation().physics().clock().time();
     std::vector<double> times;
     connect(&viewport(), &Viewport::framePainted, this,
-            [&] { times.push_back(m_session->simulation().physics().time() - before); });
+            [&] { times.push_back(m_session->simulation().physics().clock().time() - before); });
     click(centre());
     QTRY_VERIFY_WITH_TIMEOUT(times.size() >= 2, kPatience);
     QVERIFY(times[1] > 0.0);

@@ -26,7 +26,7 @@ private Q_SLOTS:
 
 private:
     [[nodiscard]] QLabel& badge() const { return *m_window->findChild<QLabel*>("timeBadge"); }
-    [[nodiscard]] double time() const { return m_session->simulation().physics().time(); }
+    [[nodiscard]] double time() const { return m_session->simulation().physics().clock().time(); }
 };
 
 void TimeTest::init() {
@@ -56,7 +56,7 @@ void TimeTest::stepKeyMakesOneStepAndPauses() {
     QVERIFY(m_session->simulation().isPaused());
     const double before = time();
     QTest::keyClick(&m_window->viewport(), Qt::Key_Period);
-    QVERIFY(std::abs(time() - before - m_session->simulation().physics().step()) < 1e-12);
+    QVERIFY(std::abs(time() - before - m_session->simulation().physics().clock().step()) < 1e-12);
     QVERIFY(m_window->findChild<QAction*>("pauseTime")->isChecked());
 }
 
@@ -64,16 +64,16 @@ void TimeTest::slowMotionAndScale() {
     auto* box = m_window->findChild<QDoubleSpinBox*>("timeScale");
     QVERIFY(box != nullptr && box->isVisible());
     QTest::keyClick(&m_window->viewport(), Qt::Key_Comma);
-    QCOMPARE(m_session->simulation().physics().timeScale(), 0.1);
+    QCOMPARE(m_session->simulation().physics().clock().timeScale(), 0.1);
     QCOMPARE(box->value(), 0.1);
     QVERIFY(badge().text().contains(QStringLiteral("0.1")));
     QTest::keyClick(&m_window->viewport(), Qt::Key_Comma);
-    QCOMPARE(m_session->simulation().physics().timeScale(), 1.0);
+    QCOMPARE(m_session->simulation().physics().clock().timeScale(), 1.0);
     box->setFocus();
     box->selectAll();
     QTest::keyClicks(box, box->locale().toString(2.5, 'f', 2));
     QTest::keyClick(box, Qt::Key_Return);
-    QCOMPARE(m_session->simulation().physics().timeScale(), 2.5);
+    QCOMPARE(m_session->simulation().physics().clock().timeScale(), 2.5);
     QVERIFY(badge().text().contains(QStringLiteral("2.5")));
     QVERIFY(m_window->viewport().hasFocus());
 }
@@ -90,7 +90,7 @@ void TimeTest::whatIsSetIsRemembered() {
     m_window.reset();
     m_session = std::make_unique<Session>();
     m_window = std::make_unique<MainWindow>(*m_session);
-    QVERIFY(std::abs(m_session->simulation().physics().step() - 0.001) < 1e-12);
+    QVERIFY(std::abs(m_session->simulation().physics().clock().step() - 0.001) < 1e-12);
     QTRY_VERIFY_WITH_TIMEOUT(m_session->settings().coverTexture() != nullptr, kPatience);
     QCOMPARE(m_session->settings().coverTexture()->width, 1024);
 }

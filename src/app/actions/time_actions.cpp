@@ -107,11 +107,12 @@ void TimeActions::stepOnce() {
 }
 
 void TimeActions::follow() {
-    const double scale = m_session.simulation().physics().timeScale();
+    const double scale = m_session.simulation().physics().clock().timeScale();
     m_pause->setChecked(m_session.simulation().isPaused());
     m_slow->setChecked(isNear(scale, kSlowMotion));
     for (QAction* action : m_steps->actions()) {
-        action->setChecked(isNear(action->data().toDouble(), m_session.simulation().physics().step()));
+        action->setChecked(
+            isNear(action->data().toDouble(), m_session.simulation().physics().clock().step()));
     }
     if (m_scale != nullptr) {
         const QSignalBlocker quiet(m_scale);

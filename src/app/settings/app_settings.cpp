@@ -196,7 +196,7 @@ void saveSessionSettings(QSettings& settings, const Session& session) {
     settings.setValue(QStringLiteral("projectile/powerFollowsImpulse"), projectile.powerFollowsImpulse);
     writeColour(settings, QStringLiteral("projectile/colour"), projectile.colour);
     settings.setValue(QStringLiteral("physicsStep"),
-                      QString::number(session.simulation().physics().step(), 'g', 17));
+                      QString::number(session.simulation().physics().clock().step(), 'g', 17));
 }
 
 }  // namespace hitscope

@@ -67,7 +67,7 @@ public:
         m_world.removeProjectiles();
         const ProjectileSettings shot = settings();
         const float away =
-            kSphereRadius + shot.radius + 0.5f * shot.speed * static_cast<float>(PhysicsWorld::kStep);
+            kSphereRadius + shot.radius + 0.5f * shot.speed * static_cast<float>(StepClock::kStep);
         for (int i = 0; i < kProjectiles; ++i) {
             const float height = 1.0f - 2.0f * (static_cast<float>(i) + 0.5f) / kProjectiles;
             const float across = std::sqrt(1.0f - height * height);

@@ -57,7 +57,7 @@ private:
             origin.y = bounds.max.y + 1.0f;
             m_session.simulation().shoot({origin, {0.0f, 1.0f, 0.0f}});
         }
-        m_session.simulation().advance(kStepsToFullTrails * PhysicsWorld::kStep);
+        m_session.simulation().advance(kStepsToFullTrails * StepClock::kStep);
     }
 
     const BenchRoom& m_room;
