@@ -33,6 +33,7 @@
 #include "app/actions/theme_actions.h"
 #include "app/actions/time_actions.h"
 #include "app/actions/viewport_menu.h"
+#include "app/coming_picture.h"
 #include "app/dialogs/dialogs.h"
 #include "app/dialogs/go_to_vertex.h"
 #include "app/dialogs/texture_chooser.h"
@@ -130,6 +131,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     makeToolBar();
     makeStartCard();
     new TimeBadge(session, m_viewport);
+    new ComingPicture(*m_files, *m_viewport);
     m_textureChooser->restore(m_settings.coverTexture);
     m_cameraActions->load(QSettings());
     connectFiles();

@@ -142,13 +142,36 @@ void SceneFiles::takeImported(const std::shared_ptr<ImportedMesh>& imported) {
         work->notes << (several ? QFileInfo(path).fileName() + QStringLiteral(": ") + note : note);
     }
     work->import.reset();
+    const bool isAlone = !several && work->into == Into::NewScene;
+    if (isAlone && m_makeDrawing) {
+        showThenPrepare(imported, path);
+    } else {
+        prepare(imported, path);
+    }
+}
+
+void SceneFiles::showThenPrepare(const std::shared_ptr<ImportedMesh>& imported, const QString& path) {
+    const auto picture = std::make_shared<QImage>();
+    workBeside(
+        this, [imported, picture, drawing = m_makeDrawing()] { *picture = drawing(imported->mesh); },
+        [work = m_work, picture, imported, path](SceneFiles& self, bool) {
+            if (work == self.m_work) {
+                if (!picture->isNull()) {
+                    Q_EMIT self.seen(*picture);
+                }
+                self.prepare(imported, path);
+            }
+        });
+}
+
+void SceneFiles::prepare(const std::shared_ptr<ImportedMesh>& imported, const QString& path) {
     runElsewhere(
         [imported, path] {
             ScenePlan plan;
             plan.targets.push_back(planMesh(std::move(imported->mesh), path));
             return plan;
         },
-        [this, work, path] {
+        [this, work = m_work, path] {
             work->read << path;
             importNext();
         });

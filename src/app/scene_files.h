@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QImage>
 #include <QObject>
 #include <QString>
 #include <QStringList>
@@ -35,10 +36,16 @@ public:
     void cancel();
     [[nodiscard]] bool isOpening() const { return m_work != nullptr; }
 
+    /// Draws a mesh before it is prepared, on any thread; null where that is not worth it.
+    using Drawing = std::function<QImage(const MeshData&)>;
+    /// `make` is called on this thread for each file that is to be a scene of its own.
+    void setDrawing(std::function<Drawing()> make) { m_makeDrawing = std::move(make); }
+
 Q_SIGNALS:
     void started(const QString& name);  ///< also with each further file
     /// fraction in [0, 1]; negative: not known.
     void progressed(double fraction, const QString& doing);
+    void seen(const QImage& picture);  ///< what is coming, where a Drawing drew it
     /// The session has the files' meshes. `notes`: what was dropped or mended on the way, in words.
     void opened(const QStringList& paths, const QStringList& notes, hitscope::SceneFiles::Into into);
     void made(const QString& name, hitscope::SceneFiles::Into into);  ///< the session has it
@@ -51,6 +58,8 @@ private:
 
     void importNext();
     void takeImported(const std::shared_ptr<ImportedMesh>& imported);
+    void showThenPrepare(const std::shared_ptr<ImportedMesh>& imported, const QString& path);
+    void prepare(const std::shared_ptr<ImportedMesh>& imported, const QString& path);
     void leaveOut(const Error& error);
     void runElsewhere(const std::function<ScenePlan()>& make, const std::function<void()>& then);
     void takeMade(const std::shared_ptr<Work>& work, const std::function<void()>& then);
@@ -63,6 +72,7 @@ private:
     QString m_name;                            ///< of what is being opened or made
     std::unique_ptr<TaskProgress> m_progress;  ///< null: nothing is
     std::shared_ptr<Work> m_work;              ///< null: nothing is being opened
+    std::function<Drawing()> m_makeDrawing;
 };
 
 }  // namespace hitscope

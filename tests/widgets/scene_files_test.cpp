@@ -7,7 +7,9 @@
 #include <QTableView>
 #include <QTest>
 #include <QToolButton>
+#include <cstdlib>
 
+#include "app/coming_picture.h"
 #include "app/notice_bar.h"
 #include "app/scene_files.h"
 #include "mesh/primitives.h"
@@ -46,6 +48,7 @@ private Q_SLOTS:
     void whatCannotBeReadIsLeftOut();
     void filesAndTargetsAreAdded();
     void cancellingLeavesTheScene();
+    void aLargeMeshIsSeenBeforeItIsPrepared();
     void sampleScenesAreMade_data();
     void sampleScenesAreMade();
     void deleteInTheViewportRemovesTheTarget();
@@ -126,6 +129,63 @@ void SceneFilesTest::cancellingLeavesTheScene() {
     QTest::qWait(600);
     QCOMPARE(made.count(), 0);
     QCOMPARE(session.targets().size(), std::size_t{16});
+}
+
+/// Which pixels are not the background, whose colour changes from row to row only.
+QImage coverOf(const QImage& picture) {
+    QImage cover(picture.size(), QImage::Format_Grayscale8);
+    for (int y = 0; y < picture.height(); ++y) {
+        const QRgb ground = picture.pixel(0, y);
+        for (int x = 0; x < picture.width(); ++x) {
+            const QRgb here = picture.pixel(x, y);
+            const int gap = std::abs(qRed(here) - qRed(ground)) + std::abs(qGreen(here) - qGreen(ground)) +
+                            std::abs(qAlpha(here) - qAlpha(ground));
+            cover.scanLine(y)[x] = gap > 20 ? 255 : 0;
+        }
+    }
+    return cover;
+}
+
+void SceneFilesTest::aLargeMeshIsSeenBeforeItIsPrepared() {
+    writeObj(makeUvSphere(700, 400, 3.0f), path("large.obj"));
+    Session session;
+    MainWindow window(session);
+    showReady(window);
+    DisplayOptions options = window.viewport().options();
+    options.floor = false;
+    window.viewport().setOptions(options);
+    auto* files = window.findChild<SceneFiles*>();
+    auto* coming = window.findChild<ComingPicture*>();
+    QImage seen;
+    QString sceneThen = QStringLiteral("none");
+    connect(files, &SceneFiles::seen, this, [&](const QImage& picture) {
+        seen = picture;
+        sceneThen = session.sceneName();
+    });
+    QSignalSpy ended(files, &SceneFiles::ended);
+    files->open({path("a.obj")});
+    QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, kPatience);
+    QVERIFY(seen.isNull());  // it is there at once
+    files->open({path("large.obj")});
+    QTRY_VERIFY_WITH_TIMEOUT(coming->isVisible(), kPatience);
+    QVERIFY(!seen.isNull());
+    QCOMPARE(sceneThen, QStringLiteral("a"));
+    QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 2, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!coming->isVisible(), kPatience);
+    // Where it is going to be.
+    const QImage drawn = window.viewport().grabFramebuffer().scaled(seen.size());
+    const QImage before = coverOf(seen);
+    const QImage after = coverOf(drawn);
+    int covered = 0;
+    int different = 0;
+    for (int y = 0; y < after.height(); ++y) {
+        for (int x = 0; x < after.width(); ++x) {
+            covered += after.constScanLine(y)[x] != 0 ? 1 : 0;
+            different += after.constScanLine(y)[x] != before.constScanLine(y)[x] ? 1 : 0;
+        }
+    }
+    QVERIFY(covered > after.width() * after.height() / 10);
+    QVERIFY2(different < covered / 20, qPrintable(QString::number(different)));
 }
 
 void SceneFilesTest::sampleScenesAreMade_data() {

@@ -37,8 +37,9 @@ struct IoRow {
 std::vector<IoRow> rowsOf(const IoFigures& figures) {
     return {{"tinyobjloader parses the OBJ file", "tinyobjloader", figures.tiny},
             {"Assimp reads it", "assimp", figures.assimp, &figures.tiny, "tinyobjloader"},
-            {"Hitscope, to the first picture", "first picture", figures.picture, &figures.tiny,
+            {"Hitscope, to the first picture, a coarse one", "first picture", figures.coarse, &figures.tiny,
              "tinyobjloader", 2.0},
+            {"Hitscope, to the full picture", "picture", figures.picture, &figures.tiny, "tinyobjloader"},
             {"cp of it, with its sync", "cp", figures.copy},
             {"export after three hits", "export few", figures.exportFew, &figures.copy, "cp", 1.5},
             {"export after hits everywhere", "export all", figures.exportAll, &figures.copyAgain, "cp", 3.0}};

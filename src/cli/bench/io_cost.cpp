@@ -18,6 +18,8 @@
 #include "session/export/export_target.h"
 #include "session/session.h"
 #include "session/target_plan.h"
+#include "view/coarse_picture.h"
+#include "view/lights.h"
 
 namespace hitscope::bench {
 
@@ -50,6 +52,19 @@ public:
         plan.targets.push_back(planMesh(std::move(imported.value().mesh), m_path));
         m_session->loadScene(std::move(plan));
         return draw();
+    }
+    /// As far as the picture that the window shows while the rest is made.
+    Status seeCoarsely() const {
+        const Result<ImportedMesh> imported = importMesh(m_path);
+        if (!imported) {
+            return imported.error();
+        }
+        const MeshData& mesh = imported.value().mesh;
+        Camera camera;
+        camera.frame(mesh.bounds(), static_cast<float>(m_sizes.width) / static_cast<float>(m_sizes.height));
+        const Image image =
+            drawCoarsely(mesh, camera, DirectionalLight().direction, m_sizes.width / 2, m_sizes.height / 2);
+        return image.empty() ? Status(Error{"Nothing was drawn.", m_path.toStdString(), ""}) : Status(Done{});
     }
     /// Hits of which each reaches so many times as far as the mesh is large.
     Status shoot(std::size_t count, float reach) {
@@ -139,6 +154,7 @@ Status measureOpening(const BenchRoom& room, const QString& obj, OpenedFile& mes
         room.measure(QStringLiteral("opening"),
                      {Variant{"tinyobjloader", 1.0, {}, [&] { return readWithTinyObjLoader(obj); }},
                       Variant{"Assimp", 1.0, {}, [&] { return readWithAssimp(obj); }},
+                      Variant{"coarse", 1.0, {}, [&] { return mesh.seeCoarsely(); }},
                       Variant{"picture", 1.0, [&] { return mesh.prepare(); }, [&] { return mesh.open(); }}},
                      plan);
     if (!samples) {
@@ -146,7 +162,8 @@ Status measureOpening(const BenchRoom& room, const QString& obj, OpenedFile& mes
     }
     figures.tiny = std::move(samples.value()[0]);
     figures.assimp = std::move(samples.value()[1]);
-    figures.picture = std::move(samples.value()[2]);
+    figures.coarse = std::move(samples.value()[2]);
+    figures.picture = std::move(samples.value()[3]);
     return Done{};
 }
 

@@ -11,7 +11,8 @@ struct IoFigures {
     qint64 objBytes = 0;
     Samples tiny;     ///< tinyobjloader alone parses the OBJ file
     Samples assimp;   ///< Assimp does
-    Samples picture;  ///< Hitscope, from the file to the first picture
+    Samples coarse;   ///< Hitscope, from the file to the coarse picture that the window shows meanwhile
+    Samples picture;  ///< Hitscope, from the file to the picture
     Samples copy;     ///< cp and sync of the OBJ file, in turn with:
     Samples exportFew;
     Samples copyAgain;  ///< likewise
