@@ -111,8 +111,10 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_shots(new ShotActions(session, *m_viewport, *this)),
       m_cameraActions(new CameraActions(*m_viewport, this)),
       m_pictures(new PictureActions(*m_viewport, *this)),
-      m_exchange(new ExchangeActions({*m_viewport, *m_fileActions, *m_hitActions, *m_shots, *m_cameraActions},
-                                     this)),
+      m_exchange(
+          new ExchangeActions({*m_viewport, *m_fileActions, *m_hitActions, *m_shots, *m_cameraActions,
+                               *m_exports, [this] { return captureSession(m_session, view().capture()); }},
+                              this)),
       m_inspect(new InspectActions(session, *m_viewport, this)),
       m_help(new HelpActions(session, *m_viewport, this)) {
     new HelpTips(this);

@@ -8,6 +8,7 @@
 #include <QDropEvent>
 #include <QFile>
 #include <QImage>
+#include <QMenu>
 #include <QMimeData>
 #include <QStatusBar>
 #include <QTableView>
@@ -15,6 +16,7 @@
 #include <QUrl>
 
 #include "app/actions/exchange_actions.h"
+#include "document/session_file.h"
 #include "io/import.h"
 #include "mesh/same_bits.h"
 #include "panels/hit_history/hit_table.h"
@@ -39,6 +41,8 @@ private Q_SLOTS:
     void hitsAreDropped();
     void hitsAreDraggedOutAsATable();
     void targetsAreDraggedOutAsAFile();
+    void copiedFilesArePasted_data();
+    void copiedFilesArePasted();
     void whatIsDraggedOutDoesNotComeBack();
 
 private:
@@ -166,6 +170,50 @@ void ExchangeTest::targetsAreDraggedOutAsAFile() {
                        read.value().mesh.positions.end(),
                        [](const glm::vec3& a, const glm::vec3& b) { return sameBits(a, b); }));
     QVERIFY(m_session->targets().front()->deformed.statistics().changedVertices > 0);
+}
+
+void ExchangeTest::copiedFilesArePasted_data() {
+    QTest::addColumn<QString>("entry");
+    QTest::addColumn<QString>("ending");
+    QTest::newRow("picture") << QStringLiteral("&Picture") << QStringLiteral(".png");
+    QTest::newRow("session") << QStringLiteral("&Session") << QStringLiteral(".hitscope");
+    QTest::newRow("mesh") << QStringLiteral("Deformed &Mesh") << QStringLiteral("_deformed.obj");
+    QTest::newRow("vertex changes") << QStringLiteral("&Vertex Changes") << QStringLiteral("_deformed.csv");
+}
+
+void ExchangeTest::copiedFilesArePasted() {
+    QFETCH(QString, entry);
+    QFETCH(QString, ending);
+    QMenu* menu = nullptr;
+    for (QMenu* candidate : m_window->findChildren<QMenu*>()) {
+        if (candidate->title() == QStringLiteral("Copy as &File")) {
+            menu = candidate;
+        }
+    }
+    QVERIFY(menu != nullptr);
+    for (QAction* action : menu->actions()) {
+        if (action->text() == entry) {
+            action->trigger();
+        }
+    }
+    const QMimeData* data = QGuiApplication::clipboard()->mimeData();
+    const QString path = data->urls().value(0).toLocalFile();
+    QVERIFY2(path.endsWith(ending), qPrintable(path));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    if (ending == QStringLiteral(".png")) {
+        QCOMPARE(QImage(path).width(), m_window->viewport().pictureRequest().width);
+    } else if (ending == QStringLiteral(".hitscope")) {
+        const Result<SessionDocument> read = readSessionFile(path);
+        QVERIFY(read.ok());
+        QCOMPARE(read.value().hits.size(), std::size_t{1});
+    } else if (ending == QStringLiteral("_deformed.obj")) {
+        QCOMPARE(importMesh(path).value().mesh.vertexCount(),
+                 m_session->targets().front()->deformed.positions().size());
+    } else {
+        const DisplacementStatistics moved = m_session->targets().front()->deformed.statistics();
+        QCOMPARE(file.readAll().count('\n'), static_cast<qsizetype>(moved.changedVertices) + 1);
+    }
 }
 
 void ExchangeTest::whatIsDraggedOutDoesNotComeBack() {

@@ -11,10 +11,12 @@
 #include <QUrl>
 
 #include "app/actions/camera_actions.h"
+#include "app/actions/copy_as_file.h"
 #include "app/actions/file_actions.h"
 #include "app/actions/hit_actions.h"
 #include "app/actions/menu_building.h"
 #include "app/actions/shot_actions.h"
+#include "document/session_document.h"
 #include "session/shot_script_file.h"
 #include "viewport/viewport.h"
 
@@ -24,6 +26,10 @@ ExchangeActions::ExchangeActions(const Parts& parts, QObject* parent) : QObject(
 
 void ExchangeActions::fill(QMenu& menu) {
     addAction(menu, tr("Copy Pictu&re"), tr("Ctrl+F12"), this, [this] { copyPicture(); });
+    auto* files = new CopyAsFile({m_parts.viewport, m_parts.exports, m_parts.capture}, this);
+    connect(files, &CopyAsFile::said, this, &ExchangeActions::said);
+    connect(files, &CopyAsFile::failed, this, &ExchangeActions::failed);
+    files->fill(menu);
     addAction(menu, tr("&Paste"), QKeySequence::Paste, this, [this] {
         paste();
     })->setToolTip(tr("Files of meshes, sessions, hits and shots; hits and cameras as text"));

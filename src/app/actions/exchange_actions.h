@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QStringList>
+#include <functional>
 
 #include "core/result.h"
 
@@ -12,14 +13,16 @@ class QMimeData;
 namespace hitscope {
 
 class CameraActions;
+class ExportActions;
 class FileActions;
 class HitActions;
 class ShotActions;
 class Viewport;
+struct SessionDocument;
 
 /// What goes between the window and other programs: dropped files, and the clipboard. Meshes and sessions are
 /// opened, files and text of hits imported, shot scripts run, text of a camera looked through; out go
-/// pictures, and what the tables copy themselves.
+/// pictures, files, and what the tables copy themselves.
 class ExchangeActions : public QObject {
     Q_OBJECT
 public:
@@ -29,6 +32,8 @@ public:
         HitActions& hits;
         ShotActions& shots;
         CameraActions& cameras;
+        ExportActions& exports;
+        std::function<SessionDocument()> capture;  ///< the session as it is now
     };
     /// All of them outlive this.
     ExchangeActions(const Parts& parts, QObject* parent);
