@@ -2,16 +2,15 @@
 #include "io/writers/source_obj.h"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 
 #include <QFile>
 #include <cerrno>
-#include <ctime>
+#include <memory>
 #include <utility>
 
 #include "core/parallel.h"
 #include "io/descriptor.h"
-#include "io/writers/obj_index.h"
+#include "io/writers/obj_index_cache.h"
 #include "io/writers/obj_patcher.h"
 
 namespace hitscope {
@@ -22,23 +21,6 @@ constexpr double kIndexShare = 0.4;  // of the progress
 Error givenUp(const QString& path) {
     return {"The export was cancelled.", path.toStdString(), "The file is as it was."};
 }
-
-/// What tells that somebody wrote to a file.
-struct WriteMark {
-    explicit WriteMark(int descriptor) {
-        struct stat info {};
-        if (::fstat(descriptor, &info) == 0) {
-            size = info.st_size;
-            modified = info.st_mtim;
-        }
-    }
-    bool operator==(const WriteMark& other) const {
-        return size == other.size && modified.tv_sec == other.modified.tv_sec &&
-               modified.tv_nsec == other.modified.tv_nsec;
-    }
-    off_t size = -1;
-    timespec modified{};
-};
 
 bool fits(const ObjIndex& index, const MeshData& mesh) {
     std::size_t vertices = 0;
@@ -154,13 +136,13 @@ Result<SourceCopy> copyWithChanges(const ObjExport& what, const QString& path, M
     if (!source.isOpen()) {
         return SourceCopy::NotThere;
     }
-    const WriteMark before(source.get());
+    const FileStamp before(source.get());
     const auto within = [&goOn](double share) { return goOn(kIndexShare * share); };
     ObjFaces faces = ObjFaces::AllLines;
-    std::optional<ObjIndex> index = indexObj(source.get(), faces, within);
+    std::shared_ptr<const ObjIndex> index = indexedObj(source.get(), faces, within);
     if (index && index->hash == what.mesh->sourceHash && !fits(*index, *what.mesh)) {
         faces = ObjFaces::OfThreeCorners;  // the reader left some out
-        index = indexObj(source.get(), faces, within);
+        index = indexedObj(source.get(), faces, within);
     }
     if (isGivenUp) {
         return givenUp(path);
@@ -182,7 +164,7 @@ Result<SourceCopy> copyWithChanges(const ObjExport& what, const QString& path, M
     if (isGivenUp) {
         return givenUp(path);
     }
-    if (writer.couldNotRead() || !(WriteMark(source.get()) == before)) {
+    if (writer.couldNotRead() || !(FileStamp(source.get()) == before)) {
         return SourceCopy::Changed;  // while it was copied
     }
     return added ? Result<SourceCopy>(SourceCopy::Written) : Result<SourceCopy>(added.error());
