@@ -8,7 +8,7 @@
 layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) buffer Vertices { float b_vertices[]; };  // position and normal
-layout(std430, binding = 1) readonly buffer Hits { vec4 b_hits[]; };  // three a hit
+layout(std430, binding = 1) readonly buffer Hits { vec4 b_hits[]; };  // three a hit, six a curve
 layout(std430, binding = 2) readonly buffer Indices { uint b_indices[]; };
 layout(std430, binding = 3) readonly buffer Clusters { uvec4 b_clusters[]; };
 
@@ -16,6 +16,13 @@ uniform int u_hitBase;
 uniform int u_indexBase;
 uniform int u_clusterBase;
 uniform int u_firstVertex;  // where the bound part of the vertices starts
+
+#ifdef HITSCOPE_FORMS
+vec4 curveTerms(int curve, int pair)
+{
+    return b_hits[3 * (u_hitBase + curve) + pair];
+}
+#endif
 
 vec3 load(uint at)
 {
@@ -42,7 +49,11 @@ void main()
             vec4 a = b_hits[hit];
             vec4 b = b_hits[hit + 1u];
             vec4 c = b_hits[hit + 2u];
+#ifdef HITSCOPE_FORMS
+            if (deformBy(position, normal, a.xyz, b.xyz, vec3(a.w, b.w, c.x), c.y)) {
+#else
             if (deform(position, normal, a.xyz, b.xyz, vec3(a.w, b.w, c.x))) {
+#endif
                 reached = true;
             }
         }

@@ -67,6 +67,25 @@ float turnedComponent(float s, float len)
     return abs(s) < 1e-20 ? 0.0 : exactDivide(s, len);
 }
 
+// Moves position p by v and turns unit normal n by it.
+void push(inout vec3 p, inout vec3 n, vec3 v)
+{
+    PRECISE vec3 moved = p + v;
+    p = moved;
+
+    PRECISE vec3 s = n + v;
+    PRECISE vec3 ss = s * s;
+    PRECISE float ssxy = ss.x + ss.y;
+    PRECISE float len2 = ssxy + ss.z;
+    // Where the sum is (nearly) zero there is no direction to turn to.
+    if (len2 > 1e-12) {
+        PRECISE float len = exactSqrt(len2);
+        PRECISE vec3 turned =
+            vec3(turnedComponent(s.x, len), turnedComponent(s.y, len), turnedComponent(s.z, len));
+        n = turned;
+    }
+}
+
 // Moves position p and turns unit normal n if p is within max_distance of the hit at h with unit direction d.
 // constants: max_distance (m), power (m^2), max_magnitude (m). Returns whether it is.
 bool deform(inout vec3 p, inout vec3 n, vec3 h, vec3 d, vec3 constants)
@@ -91,19 +110,11 @@ bool deform(inout vec3 p, inout vec3 n, vec3 h, vec3 d, vec3 constants)
         m = min(ratio, constants.z);
     }
     PRECISE vec3 v = d * m;
-    PRECISE vec3 moved = p + v;
-    p = moved;
-
-    PRECISE vec3 s = n + v;
-    PRECISE vec3 ss = s * s;
-    PRECISE float ssxy = ss.x + ss.y;
-    PRECISE float len2 = ssxy + ss.z;
-    // Where the sum is (nearly) zero there is no direction to turn to.
-    if (len2 > 1e-12) {
-        PRECISE float len = exactSqrt(len2);
-        PRECISE vec3 turned =
-            vec3(turnedComponent(s.x, len), turnedComponent(s.y, len), turnedComponent(s.z, len));
-        n = turned;
-    }
+    push(p, n, v);
     return true;
 }
+
+// HITSCOPE_FORMS  defined: hits may have another form than the paper's
+#ifdef HITSCOPE_FORMS
+#include "dent_forms.glsl"
+#endif

@@ -8,6 +8,8 @@
 // HITSCOPE_PACKED_MAGNITUDES  defined: four numbers of the third array stand in a vector
 // HITSCOPE_HITS_IN_BLOCK  defined: the arrays are a uniform block
 // HITSCOPE_OWN_HITS_ONLY  defined: the loop starts and ends with the target's own hits
+// HITSCOPE_FORMS          defined: hits may have another form than the paper's; of uniform arrays, how many curves
+//                         they hold
 
 #if defined(HITSCOPE_UNIFORM_HITS) || defined(HITSCOPE_HIT_LISTS)
 #include "deform.glsl"
@@ -15,13 +17,17 @@
 
 #ifdef HITSCOPE_UNIFORM_HITS
 
-// Nine numbers a hit (src/pipeline/hit_arrays.h). Software renderers fetch each for every vertex, and all four of a
+// Nine numbers a hit (src/pipeline/hit_arrays.h), and one for its form. Software renderers fetch each for every vertex, and all four of a
 // vector of which one is wanted: where the driver packs floats, they are an array of floats.
 #ifdef HITSCOPE_HITS_IN_BLOCK
 layout(std140) uniform HitArrays {
     vec4 u_hitPoints[HITSCOPE_UNIFORM_HITS];      // and max_distance
     vec4 u_hitDirections[HITSCOPE_UNIFORM_HITS];  // and power
     vec4 u_hitMagnitudes[(HITSCOPE_UNIFORM_HITS + 3) / 4];
+#ifdef HITSCOPE_FORMS
+    vec4 u_hitForms[(HITSCOPE_UNIFORM_HITS + 3) / 4];
+    vec4 u_hitCurves[4 * HITSCOPE_FORMS];
+#endif
 };
 #else
 uniform vec4 u_hitPoints[HITSCOPE_UNIFORM_HITS];
@@ -31,10 +37,25 @@ uniform vec4 u_hitMagnitudes[(HITSCOPE_UNIFORM_HITS + 3) / 4];
 #else
 uniform float u_hitMagnitudes[HITSCOPE_UNIFORM_HITS];
 #endif
+#ifdef HITSCOPE_FORMS
+#ifdef HITSCOPE_PACKED_MAGNITUDES
+uniform vec4 u_hitForms[(HITSCOPE_UNIFORM_HITS + 3) / 4];
+#else
+uniform float u_hitForms[HITSCOPE_UNIFORM_HITS];
+#endif
+uniform vec4 u_hitCurves[4 * HITSCOPE_FORMS];
+#endif
 #endif
 uniform int u_hitCount;  // hits in the arrays
 uniform int u_firstHit;  // this target's are [u_firstHit, u_lastHit)
 uniform int u_lastHit;
+
+#ifdef HITSCOPE_FORMS
+vec4 curveTerms(int curve, int pair)
+{
+    return u_hitCurves[4 * curve + pair];
+}
+#endif
 
 bool applyHits(inout vec3 p, inout vec3 n)
 {
@@ -55,7 +76,16 @@ bool applyHits(inout vec3 p, inout vec3 n)
 #endif
         vec4 a = u_hitPoints[i];
         vec4 b = u_hitDirections[i];
+#ifdef HITSCOPE_FORMS
+#ifdef HITSCOPE_PACKED_MAGNITUDES
+        float form = u_hitForms[i >> 2][i & 3];
+#else
+        float form = u_hitForms[i];
+#endif
+        if (deformBy(p, n, a.xyz, b.xyz, vec3(a.w, b.w, magnitude), form)) {
+#else
         if (deform(p, n, a.xyz, b.xyz, vec3(a.w, b.w, magnitude))) {
+#endif
             reached = true;
         }
     }
@@ -65,7 +95,7 @@ bool applyHits(inout vec3 p, inout vec3 n)
 #elif defined(HITSCOPE_HIT_LISTS)
 
 // What the buffers hold: src/pipeline/hit_batch.h.
-uniform samplerBuffer u_hits;  // three texels a hit
+uniform samplerBuffer u_hits;  // three texels a hit, six a curve
 uniform usamplerBuffer u_hitIndices;  // four a texel
 uniform usamplerBuffer u_clusters;  // the batch's: first vertex, vertices, first index, indices
 uniform int u_hitBase;              // where the batch's hits, its indices ...
@@ -73,6 +103,13 @@ uniform int u_indexBase;
 uniform int u_clusterBase;  // ... and cluster 0 of the target, if it were there, start
 
 layout(location = 7) in uint a_cluster;
+
+#ifdef HITSCOPE_FORMS
+vec4 curveTerms(int curve, int pair)
+{
+    return texelFetch(u_hits, 3 * (u_hitBase + curve) + pair);
+}
+#endif
 
 bool applyHits(inout vec3 p, inout vec3 n)
 {
@@ -85,7 +122,11 @@ bool applyHits(inout vec3 p, inout vec3 n)
         vec4 a = texelFetch(u_hits, hit);
         vec4 b = texelFetch(u_hits, hit + 1);
         vec4 c = texelFetch(u_hits, hit + 2);
+#ifdef HITSCOPE_FORMS
+        if (deformBy(p, n, a.xyz, b.xyz, vec3(a.w, b.w, c.x), c.y)) {
+#else
         if (deform(p, n, a.xyz, b.xyz, vec3(a.w, b.w, c.x))) {
+#endif
             reached = true;
         }
     }

@@ -10,6 +10,15 @@ layout(location = 1) in vec3 a_normal;
 uniform vec3 u_point;
 uniform vec3 u_direction;
 uniform vec3 u_constants;
+#ifdef HITSCOPE_FORMS
+uniform float u_form;
+uniform vec4 u_curve[4];
+
+vec4 curveTerms(int curve, int pair)
+{
+    return u_curve[pair];
+}
+#endif
 
 out vec3 capturedPosition;
 out vec3 capturedNormal;
@@ -18,7 +27,11 @@ void main()
 {
     vec3 position = a_position;
     vec3 normal = a_normal;
+#ifdef HITSCOPE_FORMS
+    deformBy(position, normal, u_point, u_direction, u_constants, u_form);
+#else
     deform(position, normal, u_point, u_direction, u_constants);
+#endif
     capturedPosition = position;
     capturedNormal = normal;
     gl_Position = vec4(position, 1.0);

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "deform/dent_shape.h"
 #include "session/shown_number.h"
 
 namespace hitscope {
@@ -38,8 +39,9 @@ std::optional<std::uint32_t> DentHits::deepestOf(std::size_t hit) const {
 std::vector<std::size_t> DentHits::madeBy(std::span<const std::uint32_t> vertices, const Bounds& box) const {
     // On their way vertices leave the box by less than this.
     const auto reaches = [&box](const Hit& hit) {
-        const glm::vec3 nearest = glm::clamp(hit.point, box.min, box.max);
-        return glm::distance(hit.point, nearest) <= 2.0f * hit.constants.maxDistance;
+        const HitReach reach = reachOf(hit);
+        const glm::vec3 nearest = glm::clamp(reach.centre, box.min, box.max);
+        return glm::distance(reach.centre, nearest) <= 2.0f * reach.radius;
     };
     const auto isIn = [vertices](std::uint32_t vertex) {
         return std::binary_search(vertices.begin(), vertices.end(), vertex);

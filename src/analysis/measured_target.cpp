@@ -28,9 +28,10 @@ public:
     /// Returns whether the hit moved a corner.
     bool apply(const Hit& hit) {
         bool isMoved = false;
+        const DentShape dent = dentShapeOf(hit);
         for (glm::vec3& position : m_positions) {
             glm::vec3 normal(0.0f, 0.0f, 1.0f);  // has no part in where the vertex goes
-            isMoved = deform(position, normal, hit) || isMoved;
+            isMoved = deform(position, normal, dent) || isMoved;
         }
         return isMoved;
     }

@@ -8,6 +8,8 @@
 #include <glm/vector_relational.hpp>
 #include <iterator>
 
+#include "deform/dent_shape.h"
+
 namespace hitscope {
 namespace {
 
@@ -15,8 +17,8 @@ namespace {
 // involved. Sixteen units in float's last place, where the sums in question lose a few.
 constexpr float kRounding = 1e-6f;
 
-float reachOf(const Hit& hit) {
-    return hit.constants.maxDistance * (1.0f + 2.0f * kRounding);
+float withRounding(float reach) {
+    return reach * (1.0f + 2.0f * kRounding);
 }
 
 /// Square of the distance from `point` to the box; infinite if that is empty.
@@ -25,32 +27,77 @@ float distanceSquared(const Bounds& box, const glm::vec3& point) {
     return gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
 }
 
-bool reaches(const Hit& hit, const Bounds& box) {
-    const float reach = reachOf(hit);
-    return distanceSquared(box, hit.point) <= reach * reach;
+bool reaches(const HitReach& hit, const Bounds& box) {
+    const float reach = withRounding(hit.radius);
+    return distanceSquared(box, hit.centre) <= reach * reach;
 }
 
 float largestCoordinate(const glm::vec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// `box` and wherever the hit may move what lies within it. The part within reach moves along the direction,
-/// by power / maxDistance at least and by what it is at the nearest place at most (eq. 4).
-Bounds grownBy(const Bounds& box, const Hit& hit) {
-    const float reach = reachOf(hit);
-    Bounds part;
-    part.min = glm::max(box.min, hit.point - reach);
-    part.max = glm::min(box.max, hit.point + reach);
+/// How far vertices may move along the direction, metres; negative: against it.
+struct Push {
+    float least = 0.0f;
+    float most = 0.0f;
+};
+
+/// By power / maxDistance at least and by what it is at the nearest place at most (eq. 4).
+Push paperPush(const Hit& hit, float nearest, float reach) {
     const float cap = hit.constants.maxMagnitude;
-    const float nearest = std::sqrt(distanceSquared(box, hit.point)) * (1.0f - 2.0f * kRounding);
     const float most = nearest > 0.0f ? std::min(hit.constants.power / nearest, cap) : cap;
-    const float least = std::min(hit.constants.power / reach, most);
-    const float slack =
-        kRounding *
-        (std::max({largestCoordinate(part.min), largestCoordinate(part.max), largestCoordinate(hit.point)}) +
-         reach + most);
-    const glm::vec3 shortest = hit.direction * least;
-    const glm::vec3 longest = hit.direction * most;
+    return {std::min(hit.constants.power / reach, most), most};
+}
+
+/// The farther a vertex lies back, the farther it is pushed: out at the sphere's front, which no part of the
+/// shoulder is before.
+Push pressPush(const DentShape& press, const Bounds& part) {
+    float back = 0.0f;
+    for (glm::length_t i = 0; i < 3; ++i) {
+        back += std::min((part.min[i] - press.point[i]) * press.direction[i],
+                         (part.max[i] - press.point[i]) * press.direction[i]);
+    }
+    return {0.0f, std::clamp(press.power - back, 0.0f, press.power + press.reach) + press.magnitude};
+}
+
+/// `part`: of a cluster's box, within reach. `nearest`: metres from the hit's point to it.
+Push pushWithin(const Hit& hit, const Bounds& part, float nearest, float reach) {
+    const float cap = hit.constants.maxMagnitude;
+    constexpr float kCraterRim = 0.25f;  // of its depth
+    if (hit.form.presses()) {
+        return pressPush(dentShapeOf(hit), part);
+    }
+    switch (hit.form.profile) {
+        case DentProfile::Paper:
+            return paperPush(hit, nearest, reach);
+        case DentProfile::Smooth:
+            return {0.0f, paperPush(hit, nearest, reach).most};
+        case DentProfile::Crater:
+            return {-kCraterRim * cap, cap};
+        case DentProfile::Curve: {
+            const auto [lowest, highest] = std::minmax_element(hit.form.curve.begin(), hit.form.curve.end());
+            return {std::min(*lowest, 0.0f) * cap, std::max(*highest, 0.0f) * cap};
+        }
+        default:
+            return {0.0f, cap};
+    }
+}
+
+/// `box` and wherever the hit may move what lies within it. The part within reach moves along the direction.
+Bounds grownBy(const Bounds& box, const Hit& hit) {
+    const HitReach sphere = reachOf(hit);
+    const float reach = withRounding(sphere.radius);
+    Bounds part;
+    part.min = glm::max(box.min, sphere.centre - reach);
+    part.max = glm::min(box.max, sphere.centre + reach);
+    const float nearest = std::sqrt(distanceSquared(box, sphere.centre)) * (1.0f - 2.0f * kRounding);
+    const Push push = pushWithin(hit, part, nearest, reach);
+    const float slack = kRounding * (std::max({largestCoordinate(part.min), largestCoordinate(part.max),
+                                               largestCoordinate(sphere.centre)}) +
+                                     reach + push.most);
+    const glm::vec3 direction = pushOf(hit);
+    const glm::vec3 shortest = direction * push.least;
+    const glm::vec3 longest = direction * push.most;
     part.min += glm::min(shortest, longest) - slack;
     part.max += glm::max(shortest, longest) + slack;
     Bounds grown = box;
@@ -125,11 +172,12 @@ void ClusterReach::replace(std::uint32_t cluster, const Bounds& box) {
 void ClusterReach::find(const Tree& tree, const Hit& hit, std::vector<std::uint32_t>& found) const {
     std::array<std::size_t, 64> stack{};  // a level has one node waiting at most, and levels are 32
     std::size_t waiting = 0;
-    const float reach = reachOf(hit);
+    const HitReach sphere = reachOf(hit);
+    const float reach = withRounding(sphere.radius);
     const float reachSquared = reach * reach;
     std::size_t node = 1;
     for (;;) {
-        if (distanceSquared(tree[node], hit.point) <= reachSquared) {
+        if (distanceSquared(tree[node], sphere.centre) <= reachSquared) {
             if (node < m_leaves) {
                 stack[waiting++] = 2 * node + 1;
                 node = 2 * node;
@@ -159,8 +207,9 @@ void ClusterReach::advance(const Hit& hit, std::vector<std::uint32_t>& reached) 
 
 void ClusterReach::advanceWithin(std::span<const std::uint32_t> among, const Hit& hit,
                                  std::vector<std::uint32_t>& reached) {
+    const HitReach sphere = reachOf(hit);
     for (const std::uint32_t cluster : among) {
-        if (reaches(hit, m_now[m_leaves + cluster])) {
+        if (reaches(sphere, m_now[m_leaves + cluster])) {
             reached.push_back(cluster);
             grow(cluster, hit);
         }
@@ -176,7 +225,8 @@ void ClusterReach::everReached(const Hit& hit, std::vector<std::uint32_t>& reach
 }
 
 bool ClusterReach::mayEverReach(const Hit& hit) const {
-    return reaches(hit, m_ever[1]) || reaches(hit, m_now[1]);
+    const HitReach sphere = reachOf(hit);
+    return reaches(sphere, m_ever[1]) || reaches(sphere, m_now[1]);
 }
 
 void ClusterReach::restart(std::span<const std::uint32_t> clusters) {
@@ -206,7 +256,7 @@ void ClusterReach::place(std::uint32_t first, std::span<const DynamicVertex> ver
         const std::uint32_t count = std::min(cluster.first + cluster.count, end) - begin;
         Bounds box = around(vertices.subspan(begin - first, count));
         for (const Hit& hit : since) {
-            if (reaches(hit, box)) {
+            if (reaches(reachOf(hit), box)) {
                 box = grownBy(box, hit);
             }
         }

@@ -32,7 +32,7 @@ public:
 
     // Clusters are lists of indices into clusters(), ascending; what is found is appended.
 
-    /// Finds the clusters that may have a vertex within hit.constants.maxDistance of hit.point, and takes
+    /// Finds the clusters that may have a vertex within reachOf(hit), and takes
     /// into account what the hit may do to them. Call once for each hit, in order.
     void advance(const Hit& hit, std::vector<std::uint32_t>& reached);
     /// Likewise, among these clusters only: for taking some through all the hits again.

@@ -29,11 +29,12 @@ DentPreview previewDent(const RenderMesh& mesh, std::span<const DynamicVertex> c
     DentPreview preview;
     Moved moved;
     std::vector<std::uint32_t> fileVertices;
+    const DentShape shape = dentShapeOf(hit);
     for (const VertexRange& range : reach) {
         for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
             DynamicVertex vertex = current[i];
             // A move that is rounded away is none.
-            if (deform(vertex.position, vertex.normal, hit) && vertex.position != current[i].position) {
+            if (deform(vertex.position, vertex.normal, shape) && vertex.position != current[i].position) {
                 moved.emplace_back(i, vertex.position);
                 fileVertices.push_back(mesh.fileVertices[i]);
                 preview.depth = std::max(preview.depth, glm::distance(vertex.position, current[i].position));

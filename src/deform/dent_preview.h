@@ -22,7 +22,7 @@ struct DentPreview {
 };
 
 /// `current`: the target's render vertices, one for each of the mesh's. `reach`: ranges of them outside of
-/// which none is within hit.constants.maxDistance of hit.point. `triangles`: indices of those to show. Costs
+/// which none is within reachOf(hit). `triangles`: indices of those to show. Costs
 /// by the reach and the triangles given.
 [[nodiscard]] DentPreview previewDent(const RenderMesh& mesh, std::span<const DynamicVertex> current,
                                       std::span<const VertexRange> reach,

@@ -119,10 +119,11 @@ void TargetEffects::splice(const TargetHitsEdit& edit) {
 HitEffect TargetEffects::apply(const Hit& hit, std::uint32_t cluster) {
     HitEffect effect;
     const Cluster& run = m_mesh->clusters[cluster];
+    const DentShape dent = dentShapeOf(hit);
     for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
         DynamicVertex& vertex = m_vertices[i];
         const glm::vec3 before = vertex.position;
-        if (!deform(vertex.position, vertex.normal, hit) || vertex.position == before || !isFirstOf(i)) {
+        if (!deform(vertex.position, vertex.normal, dent) || vertex.position == before || !isFirstOf(i)) {
             continue;
         }
         const std::uint32_t fileVertex = m_mesh->fileVertices[i];
@@ -263,9 +264,10 @@ std::vector<std::uint32_t> TargetEffects::movedBy(std::size_t index, std::span<c
             if (m_keepsParts && std::none_of(m_parts[i].begin(), m_parts[i].end(), isHere)) {
                 continue;  // it moved nothing here
             }
+            const DentShape dent = dentShapeOf(hits[i]);
             for (std::uint32_t v = 0; v < run.count; ++v) {
                 const glm::vec3 before = vertices[v].position;
-                deform(vertices[v].position, vertices[v].normal, hits[i]);
+                deform(vertices[v].position, vertices[v].normal, dent);
                 if (i == index && vertices[v].position != before && isFirstOf(run.first + v)) {
                     moved.push_back(m_mesh->fileVertices[run.first + v]);
                 }

@@ -20,6 +20,15 @@ glm::vec3 unsignedZero(const glm::vec3& v) {
     return {unsignedZero(v.x), unsignedZero(v.y), unsignedZero(v.z)};
 }
 
+void addForm(Fingerprint& print, const DentForm& form) {
+    print.add(static_cast<std::uint8_t>(form.profile));
+    print.add(static_cast<std::uint8_t>(form.direction));
+    print.add(unsignedZero(form.radius));
+    for (const float ordinate : form.curve) {
+        print.add(unsignedZero(ordinate));
+    }
+}
+
 }  // namespace
 
 void Fingerprint::addBytes(std::uint64_t number, int count) {
@@ -71,6 +80,9 @@ std::uint64_t hitsFingerprint(std::span<const Hit> hits, std::span<const TargetI
         print.add(unsignedZero(hit.impulse));
         print.add(hit.triangle);
         print.add(static_cast<std::uint8_t>(hit.enabled ? 1 : 0));
+        if (!hit.form.isPaper()) {
+            addForm(print, hit.form);
+        }
     }
     return print.value();
 }

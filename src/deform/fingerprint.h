@@ -35,8 +35,11 @@ private:
 /// Of hits, whatever pipeline or renderer applied them. The number of hits (64 bits), and of each hit in
 /// order: the place of its target in `targets` from 0 (32 bits; their number where it is none of them),
 /// point, direction, normal (3 floats each), max_distance, power, max_magnitude (floats), time (a double),
-/// speed, impulse (floats), triangle (32 bits), enabled (a byte, 0 or 1). The sign of a zero does not count:
-/// readers of JSON lose it. Hit::pipeline and Hit::flight do not count either; they deform nothing.
+/// speed, impulse (floats), triangle (32 bits), enabled (a byte, 0 or 1); of a hit whose form is not the
+/// paper's also profile and direction (a byte each, their places in kDentProfileKeys and kDentDirectionKeys
+/// from 0), the radius that presses (a float; else 0) and the ordinates of the curve (8 floats; the usual
+/// ones of another profile). The sign of a zero does not count: readers of JSON lose it. Hit::pipeline and
+/// Hit::flight do not count either; they deform nothing.
 [[nodiscard]] std::uint64_t hitsFingerprint(std::span<const Hit> hits, std::span<const TargetId> targets);
 
 /// Of positions as the active pipeline made them, to the last bit, the sign of zeros among it. The number of

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include "core/finite.h"
 
@@ -68,6 +69,10 @@ Result<Hit> checkedHit(Hit hit) {
             return outOfRange(hitParameters()[i], value);
         }
     }
+    if (const std::string_view fault = faultOf(hit.form); !fault.empty()) {
+        return Error{std::string(fault), "hit form", "Choose another form, or leave this hit out."};
+    }
+    hit.form = plain(hit.form);
     // In double no float can overflow or vanish here.
     const glm::dvec3 direction(hit.direction);
     const double lengthSquared = glm::dot(direction, direction);

@@ -7,6 +7,7 @@
 #include "core/ids.h"
 #include "core/result.h"
 #include "deform/deformation_constants.h"
+#include "deform/dent_form.h"
 #include "mesh/mesh_data.h"
 
 namespace hitscope {
@@ -35,6 +36,8 @@ struct Hit {
     glm::vec3 flight{0.0f};  ///< unit, local frame: `direction` as the projectile had it, where that was
                              ///< changed since; zero: it was not
 
+    DentForm form = {};  ///< of its dent; the usual one is the paper's
+
     bool operator==(const Hit&) const = default;
 };
 
@@ -42,8 +45,9 @@ struct Hit {
 /// flush.
 [[nodiscard]] DeformationConstants withoutTiny(const DeformationConstants& constants);
 
-/// A hit with its direction made unit length; an error for a non-finite number, a zero direction or constants
-/// out of range. Every way into a HitHistory passes through here (DESIGN: "refused where it enters").
+/// A hit with its direction made unit length and its form plain(); an error for a non-finite number, a zero
+/// direction, constants out of range or a form that no hit can have. Every way into a HitHistory passes
+/// through here (DESIGN: "refused where it enters").
 [[nodiscard]] Result<Hit> checkedHit(Hit hit);
 
 }  // namespace hitscope

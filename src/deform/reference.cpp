@@ -19,9 +19,12 @@ std::ptrdiff_t offset(std::size_t index) {
 }  // namespace
 
 void deformEverywhere(std::span<DynamicVertex> vertices, std::span<const Hit> hits) {
+    std::vector<DentShape> dents;
+    dents.reserve(hits.size());
+    std::transform(hits.begin(), hits.end(), std::back_inserter(dents), dentShapeOf);
     for (DynamicVertex& vertex : vertices) {
-        for (const Hit& hit : hits) {
-            deform(vertex.position, vertex.normal, hit);
+        for (const DentShape& dent : dents) {
+            deform(vertex.position, vertex.normal, dent);
         }
     }
 }
@@ -31,6 +34,9 @@ ReferenceDeformation::ReferenceDeformation(const RenderMesh& mesh)
 
 Hit ReferenceDeformation::hit(std::size_t index) const {
     const Dent& dent = m_dents[index];
+    if (dent.formed != nullptr) {
+        return *dent.formed;
+    }
     return {.target = {}, .point = dent.point, .direction = dent.direction, .constants = dent.constants};
 }
 
@@ -93,6 +99,7 @@ void ReferenceDeformation::finishHit() {
 
 /// Returns whether all of it has been applied.
 bool ReferenceDeformation::continueHit(const Hit& hit, const IsTimeUp& isTimeUp) {
+    const DentShape dent = dentShapeOf(hit);
     while (!m_progress.isDone()) {
         const std::size_t end = std::min(m_progress.next + kClustersBetweenLooks, m_progress.reached.size());
         const std::span<const std::uint32_t> some =
@@ -101,7 +108,7 @@ bool ReferenceDeformation::continueHit(const Hit& hit, const IsTimeUp& isTimeUp)
             const Cluster& cluster = m_mesh.clusters[index];
             const auto vertices = std::span(m_vertices).subspan(cluster.first, cluster.count);
             for (DynamicVertex& vertex : vertices) {
-                deform(vertex.position, vertex.normal, hit);
+                deform(vertex.position, vertex.normal, dent);
             }
             m_reach.place(cluster.first, vertices);
         }

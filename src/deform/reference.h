@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -49,8 +50,12 @@ private:
         glm::vec3 point;
         glm::vec3 direction;
         DeformationConstants constants;
+        std::shared_ptr<const Hit> formed;  ///< all of the hit; null: its form is the paper's
 
-        [[nodiscard]] static Dent of(const Hit& hit) { return {hit.point, hit.direction, hit.constants}; }
+        [[nodiscard]] static Dent of(const Hit& hit) {
+            return {hit.point, hit.direction, hit.constants,
+                    hit.form.isPaper() ? nullptr : std::make_shared<const Hit>(hit)};
+        }
     };
     [[nodiscard]] Hit hit(std::size_t index) const;
 

@@ -53,11 +53,19 @@ Result<std::unique_ptr<DeformationPipeline>> ComputePipeline::create(const Pipel
     if (!program) {
         return program.error();
     }
-    return std::unique_ptr<DeformationPipeline>(new ComputePipeline(std::move(program).value()));
+    gl::Defines defines = options.deformDefines;
+    defines.emplace_back("HITSCOPE_FORMS", "1");
+    Result<gl::Program> forms = gl::Program::build({.defines = std::move(defines), .compute = "deform.comp"});
+    if (!forms) {
+        return forms.error();
+    }
+    return std::unique_ptr<DeformationPipeline>(
+        new ComputePipeline(std::move(program).value(), std::move(forms).value()));
 }
 
-ComputePipeline::ComputePipeline(gl::Program program)
+ComputePipeline::ComputePipeline(gl::Program program, gl::Program forms)
     : m_program(std::move(program)),
+      m_forms(std::move(forms)),
       m_hits(sizeof(PackedHit), kHits),
       m_indices(sizeof(std::uint32_t), 2 * HitBatch::kMostIndices),
       m_clusters(sizeof(ClusterHits), 2 * kClusters),
@@ -69,10 +77,11 @@ const PipelineTraits& ComputePipeline::traits() const {
 
 void ComputePipeline::deform(TargetId /*target*/, TargetBuffers& buffers, const HitBatch& batch) {
     const KeepState keep;
-    m_program.use();
-    m_program.set("u_hitBase", static_cast<int>(m_hits.write(batch.hits().data(), batch.hits().size())));
-    m_program.set("u_indexBase",
-                  static_cast<int>(m_indices.write(batch.indices().data(), batch.indices().size())));
+    const gl::Program& program = batch.hasForms() ? m_forms : m_program;
+    program.use();
+    program.set("u_hitBase", static_cast<int>(m_hits.write(batch.records().data(), batch.records().size())));
+    program.set("u_indexBase",
+                static_cast<int>(m_indices.write(batch.indices().data(), batch.indices().size())));
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, Hits, m_hits.id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, Indices, m_indices.id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, Clusters, m_clusters.id());
@@ -86,20 +95,21 @@ void ComputePipeline::deform(TargetId /*target*/, TargetBuffers& buffers, const 
         const auto part = rest.first(std::min(rest.size(), kClusters));
         const auto end = std::find_if(part.begin(), part.end(), tooFar);
         const auto count = static_cast<std::size_t>(end - part.begin());
-        dispatch(buffers, rest.first(count));
+        dispatch(program, buffers, rest.first(count));
         rest = rest.subspan(count);
     }
     glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                     GL_BUFFER_UPDATE_BARRIER_BIT | GL_TRANSFORM_FEEDBACK_BARRIER_BIT);
 }
 
-void ComputePipeline::dispatch(const TargetBuffers& buffers, std::span<const ClusterHits> clusters) {
+void ComputePipeline::dispatch(const gl::Program& program, const TargetBuffers& buffers,
+                               std::span<const ClusterHits> clusters) {
     const std::size_t first = clusters.front().firstVertex / kStep * kStep;
     const std::size_t end = clusters.back().firstVertex + clusters.back().vertexCount;
     glBindBufferRange(GL_SHADER_STORAGE_BUFFER, Vertices, buffers.dynamicBuffer(), vertexBytes(first),
                       vertexBytes(end - first));
-    m_program.set("u_firstVertex", static_cast<int>(first));
-    m_program.set("u_clusterBase", static_cast<int>(m_clusters.write(clusters.data(), clusters.size())));
+    program.set("u_firstVertex", static_cast<int>(first));
+    program.set("u_clusterBase", static_cast<int>(m_clusters.write(clusters.data(), clusters.size())));
     glDispatchCompute(static_cast<GLuint>(clusters.size()), 1, 1);
 }
 

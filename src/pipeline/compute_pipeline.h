@@ -16,11 +16,13 @@ public:
     [[nodiscard]] const PipelineTraits& traits() const override;
 
 private:
-    explicit ComputePipeline(gl::Program program);
+    ComputePipeline(gl::Program program, gl::Program forms);
     void deform(TargetId target, TargetBuffers& buffers, const HitBatch& batch) override;
-    void dispatch(const TargetBuffers& buffers, std::span<const ClusterHits> clusters);
+    void dispatch(const gl::Program& program, const TargetBuffers& buffers,
+                  std::span<const ClusterHits> clusters);
 
-    gl::Program m_program;
+    gl::Program m_program;  ///< for the paper's function alone
+    gl::Program m_forms;    ///< for all forms
     StreamBuffer m_hits;
     StreamBuffer m_indices;
     StreamBuffer m_clusters;

@@ -2,13 +2,22 @@
 #include "pipeline/hit_batch.h"
 
 #include <algorithm>
+#include <cstring>
 #include <numeric>
 
 namespace hitscope {
 
+namespace {
+
+constexpr std::size_t kRecordsPerCurve = 2;
+static_assert(sizeof(CurveTerms) <= kRecordsPerCurve * sizeof(PackedHit));
+
+}  // namespace
+
 bool HitBatch::hasRoom(std::size_t reached) const {
     // A hit alone makes one list, however many clusters share it.
-    return m_hits.empty() || (m_hits.size() < kMostHits && m_reaches.size() + reached <= kMostIndices);
+    const std::size_t records = m_hits.size() + kRecordsPerCurve * m_curves;
+    return m_hits.empty() || (records < kMostHits && m_reaches.size() + reached <= kMostIndices);
 }
 
 void HitBatch::add(const Hit& hit, std::span<const std::uint32_t> reached) {
@@ -16,12 +25,9 @@ void HitBatch::add(const Hit& hit, std::span<const std::uint32_t> reached) {
         return;
     }
     const auto index = static_cast<std::uint32_t>(m_hits.size());
-    m_hits.push_back({hit.point,
-                      hit.constants.maxDistance,
-                      hit.direction,
-                      hit.constants.power,
-                      hit.constants.maxMagnitude,
-                      {}});
+    const DentShape& shape = m_hits.emplace_back(dentShapeOf(hit));
+    m_hasForms = m_hasForms || shape.kind != DentKind::Paper;
+    m_curves += shape.kind == DentKind::Curve ? 1 : 0;
     for (const std::uint32_t cluster : reached) {
         std::uint32_t& slot = m_slotOf[cluster];
         if (slot == kNoIndex) {
@@ -41,6 +47,9 @@ void HitBatch::clear() {
     m_reached.clear();
     m_counts.clear();
     m_hits.clear();
+    m_curves = 0;
+    m_hasForms = false;
+    m_records.clear();
     m_reaches.clear();
     m_indices.clear();
     m_work.clear();
@@ -62,6 +71,25 @@ void HitBatch::finish() {
     for (const std::uint32_t cluster : clusters) {
         const std::uint32_t slot = m_slotOf[cluster];
         addWork(cluster, std::span(hits).subspan(starts[slot], m_counts[slot]));
+    }
+    pack();
+}
+
+void HitBatch::pack() {
+    m_records.clear();
+    m_records.resize(m_hits.size() + kRecordsPerCurve * m_curves);
+    std::size_t curve = m_hits.size();
+    for (std::size_t i = 0; i < m_hits.size(); ++i) {
+        const DentShape& hit = m_hits[i];
+        const bool hasCurve = hit.kind == DentKind::Curve;
+        m_records[i] = {hit.point, hit.reach,     hit.direction,
+                        hit.power, hit.magnitude, formCode(hit.kind, hasCurve ? curve : 0),
+                        {}};
+        if (hasCurve) {
+            // Two records are 24 numbers without a gap.
+            std::memcpy(static_cast<void*>(&m_records[curve]), hit.curve.data(), sizeof hit.curve);
+            curve += kRecordsPerCurve;
+        }
     }
 }
 

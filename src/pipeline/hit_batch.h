@@ -6,22 +6,30 @@
 #include <span>
 #include <vector>
 
+#include "deform/dent_shape.h"
 #include "deform/hit.h"
 #include "deform/vertex_range.h"
 #include "mesh/render_mesh.h"
 
 namespace hitscope {
 
-/// A hit as the shaders of hits.glsl and deform.comp read it from a buffer: three vec4.
+/// A hit's DentShape as the shaders of hits.glsl and deform.comp read it from a buffer: three vec4.
 struct PackedHit {
     glm::vec3 point;
     float maxDistance;
     glm::vec3 direction;
     float power;
     float maxMagnitude;
-    float unused[3];
+    float code;  ///< formCode(); the curve's place is that of a record, from the batch's first
+    float unused[2];
 };
 static_assert(sizeof(PackedHit) == 48);
+
+/// What tells deformBy() of dent_forms.glsl the form of a hit: exact in a float for places below two million.
+[[nodiscard]] constexpr float formCode(DentKind kind, std::size_t curve) {
+    constexpr std::size_t kKinds = 8;
+    return static_cast<float>(static_cast<std::size_t>(kind) + kKinds * curve);
+}
 
 /// A cluster and the hits of a batch that may reach it: entries [firstIndex, firstIndex + indexCount) of the
 /// batch's list of hits, in the order they strike. A uvec4 to the shaders.
@@ -42,7 +50,7 @@ public:
         : m_clusters(clusters), m_slotOf(clusters.size(), kNoIndex) {}
 
     static constexpr std::size_t kMostIndices = 65536;
-    static constexpr std::size_t kMostHits = 4096;
+    static constexpr std::size_t kMostHits = 4096;  ///< records(), but for a curve of the last
 
     /// Whether add() may be called for one more hit that may reach that many clusters. Empty batches have
     /// room.
@@ -54,7 +62,11 @@ public:
 
     /// Sorts the hits by cluster: call when all are added, and before reading the rest.
     void finish();
-    [[nodiscard]] std::span<const PackedHit> hits() const { return m_hits; }
+    [[nodiscard]] std::span<const DentShape> hits() const { return m_hits; }
+    /// As the shaders read them: a record a hit, and behind them two for each curve.
+    [[nodiscard]] std::span<const PackedHit> records() const { return m_records; }
+    /// Some hit has another form than the paper's function.
+    [[nodiscard]] bool hasForms() const { return m_hasForms; }
     [[nodiscard]] std::span<const std::uint32_t> indices() const { return m_indices; }  ///< into hits()
     /// The clusters reached, ascending.
     [[nodiscard]] std::span<const ClusterHits> clusters() const { return m_work; }
@@ -66,10 +78,14 @@ private:
         std::uint32_t slot;
         std::uint32_t hit;
     };
+    void pack();
     void addWork(std::uint32_t cluster, std::span<const std::uint32_t> hits);
 
     std::span<const Cluster> m_clusters;
-    std::vector<PackedHit> m_hits;
+    std::vector<DentShape> m_hits;
+    std::size_t m_curves = 0;  ///< of m_hits
+    bool m_hasForms = false;
+    std::vector<PackedHit> m_records;
     std::vector<std::uint32_t> m_slotOf;   ///< cluster -> its place in m_reached, or kNoIndex
     std::vector<std::uint32_t> m_reached;  ///< clusters, in the order in which they were first reached
     std::vector<std::uint32_t> m_counts;   ///< slot -> hits

@@ -6,11 +6,14 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <memory>
+#include <span>
 
 #include "deform/deform.h"
 #include "gl/objects.h"
 #include "gl/program.h"
 #include "mesh/render_mesh.h"
+#include "pipeline/hit_batch.h"
 #include "pipeline/keep_capture_state.h"
 #include "pipeline/trial_random.h"
 
@@ -20,6 +23,7 @@ namespace {
 constexpr std::size_t kTestHits = 32;
 constexpr std::size_t kVerticesPerHit = 256;
 constexpr float kExtent = 2.5f;  // metres, as the paper's targets
+constexpr GLsizei kCurveVectors = 4;
 
 /// Hits, and vertices: the first kVerticesPerHit for the first hit, and so on.
 struct Cases {
@@ -27,13 +31,31 @@ struct Cases {
     std::vector<DynamicVertex> vertices;
 };
 
+/// Every kind but the paper's, in turn.
+DentForm formOf(std::size_t index) {
+    constexpr std::size_t kForms = 6;
+    DentForm form;
+    if (index % kForms == 0) {
+        form.direction = DentDirection::Press;
+        form.radius = 0.05f + 0.1f * static_cast<float>(index);
+    } else {
+        form.profile = static_cast<DentProfile>(index % kForms);
+        form.curve = {1.0f, 0.4f, 0.7f, 0.7f, -0.5f, -0.1f, 0.25f, 0.0f};
+    }
+    return form;
+}
+
 /// Makes the same cases every time, which the standard's distributions do not promise.
 class CaseMaker {
 public:
-    [[nodiscard]] Cases make() {
+    /// Of the paper's function, or of the other forms.
+    [[nodiscard]] Cases make(bool ofForms) {
         Cases cases;
         for (std::size_t i = 0; i < kTestHits; ++i) {
             cases.hits.push_back(hit(i));
+            if (ofForms) {
+                cases.hits.back().form = formOf(i);
+            }
             for (std::size_t j = 0; j < kVerticesPerHit; ++j) {
                 cases.vertices.push_back(vertex(cases.hits.back(), j));
             }
@@ -120,6 +142,7 @@ public:
     /// The vertices as `program` deforms them.
     [[nodiscard]] std::vector<DynamicVertex> run(const gl::Program& program) const {
         std::vector<DynamicVertex> result(m_cases.vertices.size());
+        glBindVertexArray(m_array.id());
         glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, m_captured.id());
         glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, static_cast<GLsizeiptr>(m_bytes), result.data(),
                      GL_STREAM_READ);
@@ -127,11 +150,12 @@ public:
         program.use();
         glBeginTransformFeedback(GL_POINTS);
         for (std::size_t i = 0; i < m_cases.hits.size(); ++i) {
-            const Hit& hit = m_cases.hits[i];
-            const DeformationConstants& c = hit.constants;
-            program.set("u_point", hit.point);
-            program.set("u_direction", hit.direction);
-            program.set("u_constants", glm::vec3(c.maxDistance, c.power, c.maxMagnitude));
+            const DentShape dent = dentShapeOf(m_cases.hits[i]);
+            program.set("u_point", dent.point);
+            program.set("u_direction", dent.direction);
+            program.set("u_constants", glm::vec3(dent.reach, dent.power, dent.magnitude));
+            program.set("u_form", formCode(dent.kind, 0));
+            glUniform4fv(program.location("u_curve"), kCurveVectors, dent.curve.data());
             glDrawArrays(GL_POINTS, static_cast<GLint>(i * kVerticesPerHit), kVerticesPerHit);
         }
         glEndTransformFeedback();
@@ -158,15 +182,43 @@ std::vector<DynamicVertex> onCpu(const Cases& cases) {
     return vertices;
 }
 
-/// The defines' variant held against the expected vertices.
-Result<Exactness> measure(const Rig& rig, const std::vector<DynamicVertex>& expected, gl::Defines defines) {
-    const Result<gl::Program> program =
-        gl::Program::build({"selftest.vert", {}, std::move(defines), {"capturedPosition", "capturedNormal"}});
-    if (!program) {
-        return program.error();
+/// One part of the function: what a program makes of its cases, held against the expected vertices.
+class Part {
+public:
+    explicit Part(bool ofForms)
+        : m_ofForms(ofForms),
+          m_cases(CaseMaker().make(ofForms)),
+          m_expected(onCpu(m_cases)),
+          m_rig(m_cases) {}
+
+    [[nodiscard]] Status measure(gl::Defines defines, VertexDifference& compared) const {
+        if (m_ofForms) {
+            defines.emplace_back("HITSCOPE_FORMS", "1");
+        }
+        const Result<gl::Program> program = gl::Program::build(
+            {"selftest.vert", {}, std::move(defines), {"capturedPosition", "capturedNormal"}});
+        if (!program) {
+            return program.error();
+        }
+        compared.add(m_rig.run(program.value()), m_expected);
+        return Done{};
     }
+
+private:
+    bool m_ofForms;
+    Cases m_cases;
+    std::vector<DynamicVertex> m_expected;
+    Rig m_rig;
+};
+
+/// The defines' variant.
+Result<Exactness> measure(std::span<const std::unique_ptr<Part>> parts, const gl::Defines& defines) {
     Exactness exactness;
-    exactness.compared.add(rig.run(program.value()), expected);
+    for (const std::unique_ptr<Part>& part : parts) {
+        if (Status status = part->measure(defines, exactness.compared); !status) {
+            return status.error();
+        }
+    }
     return exactness;
 }
 
@@ -180,17 +232,18 @@ gl::Defines definesOf(const Exactness& exactness) {
 }
 
 Result<Exactness> measureExactness(const gl::Defines& defines) {
-    const Cases cases = CaseMaker().make();
-    const std::vector<DynamicVertex> expected = onCpu(cases);
     const KeepCaptureState keep;
-    const Rig rig(cases);
-    Result<Exactness> native = measure(rig, expected, defines);
+    std::array<std::unique_ptr<Part>, 2> parts;
+    for (const bool ofForms : {false, true}) {
+        parts[ofForms ? 1 : 0] = std::make_unique<Part>(ofForms);
+    }
+    Result<Exactness> native = measure(parts, defines);
     if (!native || native.value().isExact()) {
         return native;
     }
     gl::Defines withFma = defines;
     withFma.emplace_back("HITSCOPE_EXACT_BY_FMA", "1");
-    Result<Exactness> corrected = measure(rig, expected, std::move(withFma));
+    Result<Exactness> corrected = measure(parts, withFma);
     if (!corrected || !corrected.value().isExact()) {
         return native;
     }

@@ -18,8 +18,9 @@ constexpr std::uint32_t kSide = 9;       // clusters of the large target, in eit
 constexpr std::uint32_t kSmallSide = 2;  // of the small one
 constexpr std::uint32_t kMissing = 30;   // vertices of the last cluster: as in most meshes it is not full
 constexpr float kCell = 0.25f;           // metres of a cluster
-constexpr std::size_t kHits = 40;
-constexpr std::size_t kPollEvery = 4;  // steps: uniform arrays apply all hits again at each
+constexpr std::size_t kHits = 46;
+constexpr std::size_t kFirstForm = 18;  // hits before have the paper's function: there are programs for them
+constexpr std::size_t kPollEvery = 4;   // steps: uniform arrays apply all hits again at each
 
 using Vertices = std::array<std::vector<DynamicVertex>, kTargets>;
 
@@ -85,11 +86,31 @@ public:
         } else if (index % 2 == 0) {  // as far as some vertex that lies where it has been pushed to
             rimOnVertex(hit, vertices);
         }
+        if (index >= kFirstForm) {
+            giveForm(hit, index);
+        }
         m_done[target].apply(std::span(&hit, 1));
         return hit;
     }
 
 private:
+    /// Every profile and direction in turn, now and then the paper's among them.
+    void giveForm(Hit& hit, std::size_t index) {
+        constexpr std::size_t kProfiles = kDentProfileKeys.size();
+        hit.form.profile = static_cast<DentProfile>(index % kProfiles);
+        if (hit.form.profile == DentProfile::Curve) {
+            std::generate(hit.form.curve.begin(), hit.form.curve.end(),
+                          [this] { return 2.0f * m_random.uniform() - 1.0f; });
+        }
+        if (index % 4 == 1) {
+            hit.form = {.radius = 0.5f * hit.constants.maxDistance, .direction = DentDirection::Press};
+        } else if (index % 4 == 2) {
+            hit.normal = m_random.direction();
+            hit.form.direction = DentDirection::IntoSurface;
+        }
+        hit.form = plain(hit.form);
+    }
+
     void rimOnVertex(Hit& hit, std::span<const DynamicVertex> vertices) {
         for (int tries = 0; tries < 64; ++tries) {
             const float distance =
@@ -165,6 +186,7 @@ Trial makeTrial() {
     for (std::size_t i = 12; i < 18; ++i) {  // as they arrive
         script.append(all.subspan(i, 1));
     }
+    script.look();
     script.append(all.subspan(18, 16));  // all at once
     script.look();
     script.remove(30);  // among the last: taken back and done again

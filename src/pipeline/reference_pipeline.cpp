@@ -28,19 +28,12 @@ void ReferencePipeline::followWrites(TargetId target, const TargetBuffers& buffe
 }
 
 void ReferencePipeline::deform(TargetId target, TargetBuffers& buffers, const HitBatch& batch) {
-    m_hits.clear();
-    for (const PackedHit& hit : batch.hits()) {
-        m_hits.push_back({.target = target,
-                          .point = hit.point,
-                          .direction = hit.direction,
-                          .constants = {hit.maxDistance, hit.power, hit.maxMagnitude}});
-    }
     const std::span<DynamicVertex> vertices(m_vertices.at(target));
     for (const ClusterHits& cluster : batch.clusters()) {
         const auto indices = batch.indices().subspan(cluster.firstIndex, cluster.indexCount);
         for (DynamicVertex& vertex : vertices.subspan(cluster.firstVertex, cluster.vertexCount)) {
             for (const std::uint32_t index : indices) {
-                hitscope::deform(vertex.position, vertex.normal, m_hits[index]);
+                hitscope::deform(vertex.position, vertex.normal, batch.hits()[index]);
             }
         }
     }

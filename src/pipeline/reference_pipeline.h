@@ -22,7 +22,6 @@ private:
                       std::span<const VertexRange> ranges) override;
 
     std::unordered_map<TargetId, std::vector<DynamicVertex>> m_vertices;  ///< as in the dynamic buffers
-    std::vector<Hit> m_hits;
 };
 
 }  // namespace hitscope

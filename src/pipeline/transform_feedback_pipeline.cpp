@@ -43,16 +43,22 @@ Result<std::unique_ptr<DeformationPipeline>> TransformFeedbackPipeline::create(
     const PipelineOptions& options) {
     gl::Defines defines = options.deformDefines;
     defines.emplace_back("HITSCOPE_HIT_LISTS", "1");
-    Result<CapturePass> pass = CapturePass::create(std::move(defines));
+    Result<CapturePass> pass = CapturePass::create(defines);
     if (!pass) {
         return pass.error();
     }
-    return std::unique_ptr<DeformationPipeline>(
-        new TransformFeedbackPipeline(std::move(pass).value(), options.startsBuffersLate));
+    defines.emplace_back("HITSCOPE_FORMS", "1");
+    Result<CapturePass> forms = CapturePass::create(std::move(defines));
+    if (!forms) {
+        return forms.error();
+    }
+    return std::unique_ptr<DeformationPipeline>(new TransformFeedbackPipeline(
+        std::move(pass).value(), std::move(forms).value(), options.startsBuffersLate));
 }
 
-TransformFeedbackPipeline::TransformFeedbackPipeline(CapturePass pass, bool startsLate)
+TransformFeedbackPipeline::TransformFeedbackPipeline(CapturePass pass, CapturePass forms, bool startsLate)
     : m_pass(std::move(pass)),
+      m_forms(std::move(forms)),
       m_hits(GL_RGBA32F, sizeof(PackedHit), kTexels / kTexelsPerHit, startsLate),
       m_indices(GL_RGBA32UI, sizeof(std::uint32_t), kIndicesPerTexel * kTexels, startsLate),
       m_clusters(GL_RGBA32UI, sizeof(ClusterHits), kTexels, startsLate) {}
@@ -81,15 +87,17 @@ void TransformFeedbackPipeline::learnTarget(TargetId /*target*/, TargetBuffers& 
 }
 
 void TransformFeedbackPipeline::deform(TargetId /*target*/, TargetBuffers& buffers, const HitBatch& batch) {
-    const std::size_t firstHit = m_hits.write(batch.hits().data(), batch.hits().size());
+    const std::size_t firstHit = m_hits.write(batch.records().data(), batch.records().size());
     const std::size_t firstIndex = m_indices.write(batch.indices().data(), batch.indices().size());
     for (auto rest = batch.clusters(); !rest.empty(); rest = rest.subspan(std::min(rest.size(), kTexels))) {
-        deformPart(buffers, rest.first(std::min(rest.size(), kTexels)), firstHit, firstIndex);
+        deformPart(batch.hasForms() ? m_forms : m_pass, buffers, rest.first(std::min(rest.size(), kTexels)),
+                   firstHit, firstIndex);
     }
 }
 
-void TransformFeedbackPipeline::deformPart(TargetBuffers& buffers, std::span<const ClusterHits> clusters,
-                                           std::size_t firstHit, std::size_t firstIndex) {
+void TransformFeedbackPipeline::deformPart(CapturePass& pass, TargetBuffers& buffers,
+                                           std::span<const ClusterHits> clusters, std::size_t firstHit,
+                                           std::size_t firstIndex) {
     const auto firstCluster = static_cast<int>(m_clusters.write(clusters.data(), clusters.size()));
     m_runs.clear();
     for (std::size_t i = 0; i < clusters.size(); ++i) {
@@ -103,10 +111,10 @@ void TransformFeedbackPipeline::deformPart(TargetBuffers& buffers, std::span<con
             m_runs.push_back({{cluster.firstVertex, cluster.vertexCount}, base});
         }
     }
-    m_pass.run(
+    pass.run(
         buffers, m_runs, [&](const gl::Program& program) { prepare(program, firstHit, firstIndex); },
         [&](std::span<const VertexRange> ranges) {
-            copyBack(m_pass.scratch(), buffers.dynamicBuffer(), ranges);
+            copyBack(pass.scratch(), buffers.dynamicBuffer(), ranges);
         });
 }
 

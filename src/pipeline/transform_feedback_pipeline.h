@@ -16,14 +16,15 @@ public:
     [[nodiscard]] const PipelineTraits& traits() const override;
 
 private:
-    TransformFeedbackPipeline(CapturePass pass, bool startsLate);
+    TransformFeedbackPipeline(CapturePass pass, CapturePass forms, bool startsLate);
     void deform(TargetId target, TargetBuffers& buffers, const HitBatch& batch) override;
     void learnTarget(TargetId target, TargetBuffers& buffers) override;
-    void deformPart(TargetBuffers& buffers, std::span<const ClusterHits> clusters, std::size_t firstHit,
-                    std::size_t firstIndex);
+    void deformPart(CapturePass& pass, TargetBuffers& buffers, std::span<const ClusterHits> clusters,
+                    std::size_t firstHit, std::size_t firstIndex);
     void prepare(const gl::Program& program, std::size_t firstHit, std::size_t firstIndex) const;
 
-    CapturePass m_pass;
+    CapturePass m_pass;   ///< for the paper's function alone
+    CapturePass m_forms;  ///< for all forms
     StreamTexture m_hits;
     StreamTexture m_indices;
     StreamTexture m_clusters;

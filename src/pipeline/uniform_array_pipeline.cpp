@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "pipeline/hit_rooms.h"
+
 namespace hitscope {
 namespace {
 
@@ -15,33 +17,10 @@ std::uint64_t nextStamp() {
     return ++last;
 }
 
-int limit(const std::optional<int>& asIf, GLenum name) {
-    GLint value = 0;
-    glGetIntegerv(name, &value);
-    return asIf.value_or(value);
-}
-
 Result<CapturePass> passFor(const HitRoom& room, const gl::Defines& deformDefines) {
     gl::Defines defines = hitArrayDefines(room);
     defines.insert(defines.end(), deformDefines.begin(), deformDefines.end());
     return CapturePass::create(std::move(defines));
-}
-
-/// Where to try to keep hits, the best first. OpenGL leaves it to the driver how densely arrays are packed.
-std::vector<HitRoom> roomsToTry(const PipelineOptions& options) {
-    const std::size_t uniforms =
-        hitsInUniforms(limit(options.vertexUniformComponents, GL_MAX_VERTEX_UNIFORM_COMPONENTS));
-    const std::size_t block = hitsInBlock(limit(options.uniformBlockBytes, GL_MAX_UNIFORM_BLOCK_SIZE));
-    std::vector<HitRoom> rooms;
-    if (uniforms >= kMostArrayHits) {
-        rooms.push_back({HitStorage::Floats, uniforms});
-    }
-    if (block > uniforms) {
-        rooms.push_back({HitStorage::UniformBlock, block});
-    }
-    rooms.push_back({HitStorage::Floats, uniforms});
-    rooms.push_back({HitStorage::Vectors, uniforms});
-    return rooms;
 }
 
 std::vector<Hit> hitsOf(std::span<const KeptHit> kept) {
@@ -72,34 +51,68 @@ std::vector<Hit> difference(std::span<const KeptHit> a, std::span<const KeptHit>
 
 }  // namespace
 
-Result<std::unique_ptr<DeformationPipeline>> UniformArrayPipeline::create(PipelineKind kind,
-                                                                          const PipelineOptions& options) {
+/// In the first of them that the driver takes.
+Result<UniformArrayPipeline::Way> UniformArrayPipeline::wayIn(std::span<const HitRoom> rooms,
+                                                              const PipelineOptions& options) {
     std::optional<Error> refused;
-    for (const HitRoom& room : roomsToTry(options)) {
+    for (const HitRoom& room : rooms) {
         // The capturing program has arrays that take up the other programs' share as well: if it links, they
         // will.
         const bool isBlock = room.storage == HitStorage::UniformBlock;
-        const HitRoom tried{room.storage, room.hits + (isBlock ? 0 : kOtherUniformsInHits)};
+        const std::size_t others = room.hasForms() ? kOtherUniformsInForms : kOtherUniformsInHits;
+        const HitRoom tried{room.storage, room.hits + (isBlock ? 0 : others), room.curves};
         Result<CapturePass> pass = passFor(tried, options.deformDefines);
         if (pass) {
-            return std::unique_ptr<DeformationPipeline>(
-                new UniformArrayPipeline(kind, std::move(pass).value(), room, options.deformDefines));
+            return Way{room, std::move(pass).value()};
         }
         refused = pass.error();
     }
     return *refused;
 }
 
-UniformArrayPipeline::UniformArrayPipeline(PipelineKind kind, CapturePass pass, const HitRoom& room,
-                                           gl::Defines defines)
-    : m_kind(kind), m_pass(std::move(pass)), m_room(room), m_deformDefines(std::move(defines)) {}
+Result<std::unique_ptr<DeformationPipeline>> UniformArrayPipeline::create(PipelineKind kind,
+                                                                          const PipelineOptions& options) {
+    Result<Way> way = wayIn(roomsToTry(options), options);
+    if (!way) {
+        return way.error();
+    }
+    return std::unique_ptr<DeformationPipeline>(
+        new UniformArrayPipeline(kind, std::move(way).value(), options));
+}
+
+UniformArrayPipeline::UniformArrayPipeline(PipelineKind kind, Way way, PipelineOptions options)
+    : m_kind(kind), m_options(std::move(options)), m_paper(std::move(way)) {}
 
 CapacityReport UniformArrayPipeline::capacity() const {
-    CapacityReport report{m_room.hits, isCulled(), 0, m_dropped, m_room.hits < kMostArrayHits};
+    const std::size_t hits = way().room.hits;
+    CapacityReport report{hits, isCulled(), 0, m_dropped, hits < kMostArrayHits};
     for (const auto& [id, window] : m_windows) {
         report.used = std::max(report.used, window.hits().size());
     }
     return report;
+}
+
+/// Only hits that are enabled and whose target is there take up room.
+bool UniformArrayPipeline::isKept(const Hit& hit) const {
+    return hit.enabled && m_targets.contains(hit.target);
+}
+
+/// Whether the paper's function alone is not enough for the hits [firstHit, ...).
+bool UniformArrayPipeline::needsForms(std::size_t firstHit) const {
+    return std::any_of(
+        m_history.begin() + static_cast<std::ptrdiff_t>(firstHit), m_history.end(),
+        [this](const KeptHit& kept) { return !kept.hit.form.hasPaperFunction() && isKept(kept.hit); });
+}
+
+/// Programs of their own, so that the others cost no more than they did. Where the driver takes none, hits of
+/// other forms are dropped.
+void UniformArrayPipeline::takeUpForms() {
+    if (!std::exchange(m_triedForms, true)) {
+        if (Result<Way> way = wayIn(formRoomsToTry(m_options), m_options)) {
+            m_forms = std::move(way).value();
+        }
+    }
+    m_usesForms = m_forms.has_value();
 }
 
 void UniformArrayPipeline::addTarget(TargetId target, TargetBuffers& buffers) {
@@ -140,19 +153,28 @@ void UniformArrayPipeline::follow(const HistoryEdit& edit) {
 }
 
 HitWindow& UniformArrayPipeline::windowOf(TargetId target) {
-    return m_windows.try_emplace(isCulled() ? target : TargetId{}, m_room.hits).first->second;
+    const HitRoom& room = way().room;
+    return m_windows.try_emplace(isCulled() ? target : TargetId{}, room.hits, room.curves).first->second;
 }
 
-/// Only hits that are enabled and whose target is there take up room.
 void UniformArrayPipeline::push(std::size_t index, std::vector<KeptHit>& dropped) {
     const auto& [unset, serial, hit] = m_history[index];
-    if (hit.enabled && m_targets.contains(hit.target)) {
-        windowOf(hit.target).push({index, serial, hit}, dropped);
+    if (!isKept(hit)) {
+        return;
     }
+    if (!m_usesForms && !hit.form.hasPaperFunction()) {
+        dropped.push_back({index, serial, hit});
+        return;
+    }
+    windowOf(hit.target).push({index, serial, hit}, dropped);
 }
 
 /// Takes the hits [firstHit, ...) of the history, which come after all those before.
 void UniformArrayPipeline::append(std::size_t firstHit) {
+    if (!m_usesForms && needsForms(firstHit)) {
+        refill();
+        return;
+    }
     std::vector<KeptHit> dropped;
     std::set<TargetId> concerned;
     for (std::size_t i = firstHit; i < m_history.size(); ++i) {
@@ -169,6 +191,10 @@ void UniformArrayPipeline::append(std::size_t firstHit) {
 /// The history changed in its past: what the windows hold is found anew.
 void UniformArrayPipeline::refill() {
     m_windows.clear();
+    m_usesForms = false;
+    if (needsForms(0)) {
+        takeUpForms();
+    }
     std::vector<KeptHit> dropped;
     for (std::size_t i = 0; i < m_history.size(); ++i) {
         push(i, dropped);
@@ -241,14 +267,14 @@ void UniformArrayPipeline::reconsider(TargetState& target, std::span<const Hit> 
 /// all fit in one page.
 void UniformArrayPipeline::fillPages() {
     m_pages.clear();
-    m_pages.push_back({HitArrays(m_room), nextStamp()});
+    m_pages.push_back({HitArrays(way().room), nextStamp()});
     for (auto& [id, target] : m_targets) {
         std::vector<Hit> hits = hitsOf(target.kept);
         if (isCulled()) {
             std::erase_if(hits, [&reach = target.reach](const Hit& hit) { return !reach.mayEverReach(hit); });
         }
-        if (m_pages.back().arrays.left() < hits.size()) {
-            m_pages.push_back({HitArrays(m_room), nextStamp()});
+        if (!m_pages.back().arrays.hasRoom(hits)) {
+            m_pages.push_back({HitArrays(way().room), nextStamp()});
         }
         HitArrays& arrays = m_pages.back().arrays;
         target.page = m_pages.size() - 1;
@@ -279,7 +305,8 @@ void UniformArrayPipeline::requestReadBack() {
         for (const VertexRange& range : target.unread.take()) {
             runs.push_back({range});
         }
-        m_pass.run(
+        CapturePass& pass = way().pass;
+        pass.run(
             *target.buffers, runs,
             [&](const gl::Program& program) {
                 show(m_pages[target.page], program);
@@ -288,7 +315,7 @@ void UniformArrayPipeline::requestReadBack() {
             },
             [&](std::span<const VertexRange> ranges) {
                 m_readBack.request({{.target = entry.first,
-                                     .buffer = m_pass.scratch(),
+                                     .buffer = pass.scratch(),
                                      .packed = true,
                                      .ranges = {ranges.begin(), ranges.end()},
                                      .moment = {m_nextSerial, target.epoch}}});
@@ -335,11 +362,11 @@ const ClusterReach* UniformArrayPipeline::reach(TargetId target) const {
 }
 
 gl::Defines UniformArrayPipeline::drawDefines() const {
-    gl::Defines defines = hitArrayDefines(m_room);
+    gl::Defines defines = hitArrayDefines(way().room);
     if (isCulled()) {
         defines.emplace_back("HITSCOPE_OWN_HITS_ONLY", "1");
     }
-    defines.insert(defines.end(), m_deformDefines.begin(), m_deformDefines.end());
+    defines.insert(defines.end(), m_options.deformDefines.begin(), m_options.deformDefines.end());
     return defines;
 }
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "deform/cluster_reach.h"
@@ -56,7 +58,18 @@ private:
         HitArrays arrays;
         std::uint64_t stamp = 0;  ///< names what is in them, among all pipelines there ever were
     };
-    UniformArrayPipeline(PipelineKind kind, CapturePass pass, const HitRoom& room, gl::Defines defines);
+    /// Arrays in a program, and what captures with it.
+    struct Way {
+        HitRoom room;
+        CapturePass pass;
+    };
+    UniformArrayPipeline(PipelineKind kind, Way way, PipelineOptions options);
+    [[nodiscard]] static Result<Way> wayIn(std::span<const HitRoom> rooms, const PipelineOptions& options);
+    [[nodiscard]] Way& way() { return m_usesForms ? *m_forms : m_paper; }
+    [[nodiscard]] const Way& way() const { return m_usesForms ? *m_forms : m_paper; }
+    [[nodiscard]] bool isKept(const Hit& hit) const;
+    [[nodiscard]] bool needsForms(std::size_t firstHit) const;
+    void takeUpForms();
     [[nodiscard]] bool isCulled() const { return m_kind == PipelineKind::UniformArrayCulled; }
     [[nodiscard]] HitWindow& windowOf(TargetId target);
     void push(std::size_t index, std::vector<KeptHit>& dropped);
@@ -70,9 +83,11 @@ private:
     [[nodiscard]] ReadBackQueue::Take delivery(const ReadBackSink& sink);
 
     PipelineKind m_kind;
-    CapturePass m_pass;
-    HitRoom m_room;
-    gl::Defines m_deformDefines;
+    PipelineOptions m_options;
+    Way m_paper;                 ///< for hits with the paper's function
+    std::optional<Way> m_forms;  ///< for hits of all forms; made when there is one
+    bool m_triedForms = false;
+    bool m_usesForms = false;
     std::vector<KeptHit> m_history;  ///< all of it; `index` is set when one is kept
     std::uint64_t m_nextSerial = 1;
     std::map<TargetId, HitWindow> m_windows;  ///< as the paper has it: one, of no target

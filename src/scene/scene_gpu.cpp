@@ -7,6 +7,7 @@
 
 #include "analysis/change_values.h"
 #include "analysis/comparison.h"
+#include "deform/dent_shape.h"
 #include "pipeline/measure_exactness.h"
 #include "pipeline/pipeline_trial.h"
 #include "render/original_shape.h"
@@ -316,7 +317,9 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
     if (view.selectionMarks && session.hits().selected()) {
         const Hit& hit = session.hits().history().hits()[*session.hits().selected()];
         if (const Target* target = session.targets().find(hit.target)) {
-            frame.highlightedHit = Sphere{target->transform.toWorld(hit.point), hit.constants.maxDistance};
+            const HitReach reach = reachOf(hit);
+            frame.highlightedHit = Sphere{target->transform.toWorld(reach.centre),
+                                          hit.form.presses() ? hit.form.radius : reach.radius};
         }
     }
     Status status = d->drawAll(frame, view, framebuffer);

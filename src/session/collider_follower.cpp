@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "deform/dent_shape.h"
+
 namespace hitscope {
 
 namespace {
@@ -73,7 +75,7 @@ void ColliderFollower::note(const TargetHitsEdit& edit) {
     }
     for (const Hit& hit : edit.after) {
         if (followed.farthest) {
-            *followed.farthest += hit.constants.maxMagnitude;
+            *followed.farthest += farthestPush(hit);
         }
     }
 }

@@ -71,6 +71,7 @@ bool keepsPlaces(const HistoryEdit& edit) {
                       [](Hit before, const Hit& after) {
                           before.enabled = after.enabled;
                           before.constants = after.constants;
+                          before.form = after.form;
                           return before == after;
                       });
 }

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "deform/dent_preview.h"
+#include "deform/dent_shape.h"
 #include "session/paced_advance.h"
 #include "session/shown_number.h"
 #include "viewport/viewport.h"
@@ -108,15 +109,16 @@ void AimPreview::show() {
     if (target == nullptr) {
         return;
     }
-    const float distance = hit->constants.maxDistance;
+    const HitReach sphere = reachOf(*hit);
     const RenderMesh& mesh = target->deformed.render();
-    const std::vector<VertexRange> reach = clustersNear(mesh, clusterBoxes(*target), hit->point, distance);
+    const std::vector<VertexRange> reach =
+        clustersNear(mesh, clusterBoxes(*target), sphere.centre, sphere.radius);
     if (vertexCount(reach) > kMostVertices) {
         showText(tr("Too many vertices in reach to count"));
         return;
     }
     const std::vector<std::uint32_t> near =
-        m_session.simulation().physics().trianglesNear(target->id, hit->point, distance);
+        m_session.simulation().physics().trianglesNear(target->id, sphere.centre, sphere.radius);
     const DentPreview preview = previewDent(mesh, target->deformed.vertices(), reach, near, *hit);
     auto ghost = std::make_shared<std::vector<glm::vec3>>();
     ghost->reserve(preview.dent.size());

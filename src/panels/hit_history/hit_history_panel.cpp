@@ -9,6 +9,7 @@
 #include <QScrollBar>
 #include <algorithm>
 
+#include "deform/dent_shape.h"
 #include "models/quantity_text.h"
 #include "panels/help/help_text.h"
 #include "panels/hit_history/hit_columns.h"
@@ -229,7 +230,7 @@ void HitHistoryPanel::flyToCurrent() {
     if (target != nullptr) {
         const Hit& hit = m_session.hits().history().hits()[*index];
         const glm::vec3 point = target->transform.toWorld(hit.point);
-        const float reach = kSurroundings * hit.constants.maxDistance;
+        const float reach = kSurroundings * reachOf(hit).radius;
         Bounds part;
         part.add(point - reach);
         part.add(point + reach);
