@@ -35,6 +35,14 @@ void mix(std::uint64_t& state, const Hit& hit) {
     mix(state, hit.constants.power);
     mix(state, hit.constants.maxMagnitude);
     mix(state, std::uint64_t{hit.enabled});
+    if (!hit.form.isPaper()) {
+        mix(state, static_cast<std::uint64_t>(hit.form.profile));
+        mix(state, static_cast<std::uint64_t>(hit.form.direction));
+        mix(state, hit.form.radius);
+        for (const float ordinate : hit.form.curve) {
+            mix(state, ordinate);
+        }
+    }
 }
 
 }  // namespace

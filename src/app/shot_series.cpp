@@ -48,6 +48,7 @@ ShotScript makeScript(const ShotSeries& series, const Viewport& viewport) {
     const Ray middle = viewport.rayThrough(kMiddle);
     ShotScript script;
     script.projectile = viewport.aiming().projectileFor(middle);
+    script.projectile.form = viewport.session().settings().constantsSetting().form;
     script.projectile.mostAlive = std::max(script.projectile.mostAlive, series.count);
     script.isInstant = series.isInstant || viewport.session().settings().flightMode() == FlightMode::Instant;
     // A burst is raised as one: the cone keeps its shape, and its middle lands where it is aimed at.

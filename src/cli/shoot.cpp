@@ -33,6 +33,9 @@ ShotScript burstAt(const Session& session, const ShootOptions& options) {
                                      met ? glm::distance(met->point, camera.eye()) : camera.distance());
     script.projectile.mostAlive = std::max(script.projectile.mostAlive, options.burst);
     script.isInstant = flight == FlightMode::Instant;
+    if (!options.form.isPaper()) {
+        script.projectile.form = options.form;
+    }
     script.shots = burst({camera.eye(), camera.forward()}, options.burst,
                          static_cast<float>(glm::radians(options.cone)), options.seed, options.interval);
     return script;
@@ -117,6 +120,9 @@ Status runShoot(const ShootOptions& options) {
     Session session;
     QTextStream notes(stderr);
     if (Status status = loadScene(session, options.meshPath, notes); !status) {
+        return status;
+    }
+    if (Status status = session.settings().setForm(options.form); !status) {
         return status;
     }
     const Result<ShotScript> script = scriptOf(session, options);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/result.h"
+#include "deform/dent_form.h"
 #include "deform/pipeline_kind.h"
 #include "session/flight_mode.h"
 
@@ -24,6 +25,7 @@ struct ShootOptions {
     /// a mesh, which may be of any size.
     std::optional<FlightMode> flight;
     std::optional<PipelineKind> pipeline;
+    DentForm form;        ///< of the dents; a script may have one of its own
     QString savePath;     ///< where the script goes; empty: nowhere
     QString meshOutPath;  ///< where the deformed mesh goes, that of most changed vertices; empty: nowhere
     QString hitsOutPath;  ///< where all hits go; empty: nowhere

@@ -5,6 +5,7 @@
 #include "cli/command_line.h"
 #include "cli/pipeline_argument.h"
 #include "cli/shoot.h"
+#include "deform/dent_form_text.h"
 #include "session/shot_script.h"
 
 namespace hitscope::cli {
@@ -40,6 +41,7 @@ public:
 private:
     [[nodiscard]] Status readBurst(const QCommandLineParser& parser, ShootOptions& options) const;
     [[nodiscard]] bool shoots(const QCommandLineParser& parser) const;
+    [[nodiscard]] Result<DentForm> readForm(const QCommandLineParser& parser) const;
 
     QCommandLineOption m_script = option("script", QStringLiteral("Shot script to run."), "file");
     QCommandLineOption m_burst =
@@ -69,6 +71,22 @@ private:
             "with most changed vertices. The "
             "exit status is 1 where it is not what the reference makes of the hits."),
         "file");
+    QCommandLineOption m_profile = option(
+        "profile",
+        QStringLiteral(
+            "How far vertices move by their distance from the hit: paper, smooth, wendland, linear, crater, "
+            "or curve."),
+        "name", "paper");
+    QCommandLineOption m_direction = option(
+        "dent-direction",
+        QStringLiteral("Which way vertices move: projectile, surface (against its normal), or press (out of "
+                       "the projectile's sphere)."),
+        "name", "projectile");
+    QCommandLineOption m_curve =
+        option("curve",
+               QStringLiteral("The curve of --profile curve: eight numbers from -1 to 1 with commas between, "
+                              "from the hit to max_distance, in parts of max_magnitude."),
+               "numbers");
     QCommandLineOption m_hits =
         option("hits",
                QStringLiteral("Begin with the hits of a CSV or JSON file, as the window exports them. Shots "
@@ -80,7 +98,7 @@ private:
 
 void ShootArguments::addTo(QCommandLineParser& parser) const {
     parser.addOptions({m_script, m_burst, m_cone, m_seed, m_every, m_instant, m_flight, m_save, m_pipeline,
-                       m_out, m_hits, m_hitsOut});
+                       m_out, m_hits, m_hitsOut, m_profile, m_direction, m_curve});
 }
 
 Status ShootArguments::readBurst(const QCommandLineParser& parser, ShootOptions& options) const {
@@ -106,14 +124,47 @@ Status ShootArguments::readBurst(const QCommandLineParser& parser, ShootOptions&
 
 /// With hits from a file, only where something is said about shots.
 bool ShootArguments::shoots(const QCommandLineParser& parser) const {
-    const QList<QCommandLineOption> about{m_script, m_burst,   m_cone,   m_seed,
-                                          m_every,  m_instant, m_flight, m_save};
+    const QList<QCommandLineOption> about{m_script, m_burst, m_cone,    m_seed,      m_every, m_instant,
+                                          m_flight, m_save,  m_profile, m_direction, m_curve};
     return !parser.isSet(m_hits) ||
            std::any_of(about.begin(), about.end(), [&](const auto& one) { return parser.isSet(one); });
 }
 
+Result<DentForm> ShootArguments::readForm(const QCommandLineParser& parser) const {
+    DentForm form;
+    const auto profile = profileNamed(parser.value(m_profile).toStdString());
+    if (!profile) {
+        return wrong("--profile takes paper, smooth, wendland, linear, crater or curve.");
+    }
+    const auto direction = directionNamed(parser.value(m_direction).toStdString());
+    if (!direction) {
+        return wrong("--dent-direction takes projectile, surface or press.");
+    }
+    if (*direction == DentDirection::Press && (parser.isSet(m_profile) || parser.isSet(m_curve))) {
+        return wrong("--dent-direction press has the projectile's shape, and takes no --profile.");
+    }
+    if (parser.isSet(m_curve)) {
+        const auto curve = curveFrom(parser.value(m_curve).toStdString());
+        if (!curve) {
+            return wrong("--curve takes eight numbers from -1 to 1 with commas between.");
+        }
+        if (parser.isSet(m_profile) && *profile != DentProfile::Curve) {
+            return wrong("--curve needs --profile curve.");
+        }
+        form.curve = *curve;
+    }
+    form.profile = parser.isSet(m_curve) ? DentProfile::Curve : *profile;
+    form.direction = *direction;
+    return form;
+}
+
 Result<ShootOptions> ShootArguments::read(const QCommandLineParser& parser) const {
     ShootOptions options;
+    const Result<DentForm> form = readForm(parser);
+    if (!form) {
+        return form.error();
+    }
+    options.form = form.value();
     if (Status read = readBurst(parser, options); !read) {
         return read.error();
     }

@@ -14,6 +14,7 @@
 #include "deform/fingerprint.h"
 #include "document/document_section.h"
 #include "document/fields.h"
+#include "document/form_fields.h"
 #include "document/session_document.h"
 #include "document/view_fields.h"
 #include "session/primitive_target.h"
@@ -186,6 +187,7 @@ struct Fields<ConstantsSetting> {
     static void visit(Visit& visit, Setting& setting) {
         visitParameters(visit, setting.constants, deformationParameters());
         visit.flag("relative", setting.relative);
+        visitForm(visit, setting.form);
     }
 };
 
@@ -300,6 +302,7 @@ struct Fields<Hit> {
         if (Visit::reads() || !document_words::isPlainZero(hit.flight)) {
             visit.vector("flight", hit.flight);
         }
+        visitForm(visit, hit.form);
         if (Visit::reads() || !hit.enabled) {
             visit.flag("enabled", hit.enabled);
         }

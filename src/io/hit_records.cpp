@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "deform/dent_form_text.h"
 #include "io/hit_records_fields.h"
 #include "io/number_text.h"
 
@@ -50,6 +51,8 @@ auto* floatOf(AnyHit& hit, Field field) {
             return &hit.constants.power;
         case Field::MaxMagnitude:
             return &hit.constants.maxMagnitude;
+        case Field::PressRadius:
+            return &hit.form.radius;
         default:
             return static_cast<decltype(&hit.speed)>(nullptr);
     }
@@ -110,7 +113,9 @@ std::string valueOf(const HitRecords& table, std::size_t index, Field field) {
     const Hit& hit = table.hits[index];
     if (const float* value = floatOf(hit, field)) {
         const bool isNormal = field >= Field::NormalX && field <= Field::NormalZ;
-        return isNormal && hit.normal == glm::vec3(0.0f) ? std::string() : floatText(*value);
+        const bool isUnknown = (isNormal && hit.normal == glm::vec3(0.0f)) ||
+                               (field == Field::PressRadius && !hit.form.presses());
+        return isUnknown ? std::string() : floatText(*value);
     }
     const bool isKnown = !table.effects.empty() && table.effects[index].has_value();
     const HitEffect* effect = isKnown ? &*table.effects[index] : nullptr;
@@ -142,6 +147,12 @@ std::string valueOf(const HitRecords& table, std::size_t index, Field field) {
             return effect != nullptr ? floatText(effect->greatest) : std::string();
         case Field::Enabled:
             return hit.enabled ? "1" : "0";
+        case Field::Profile:
+            return hit.form.isPaper() ? std::string() : std::string(keyOf(hit.form.profile));
+        case Field::DentDirection:
+            return hit.form.isPaper() ? std::string() : std::string(keyOf(hit.form.direction));
+        case Field::Curve:
+            return hit.form.profile == DentProfile::Curve ? curveText(hit.form.curve, ' ') : std::string();
         default:
             break;
     }
@@ -176,6 +187,22 @@ Status RecordReader::setPipeline(Hit& hit, std::string_view key) {
     return Done{};
 }
 
+Status RecordReader::setForm(DentForm& form, Field field, std::string_view value) {
+    if (field == Field::Profile) {
+        const auto profile = profileNamed(value);
+        form.profile = profile.value_or(form.profile);
+        return profile ? Status(Done{}) : Status(notA("a profile's key", field, value));
+    }
+    if (field == Field::DentDirection) {
+        const auto direction = directionNamed(value);
+        form.direction = direction.value_or(form.direction);
+        return direction ? Status(Done{}) : Status(notA("projectile, surface or press", field, value));
+    }
+    const std::optional<CurveOrdinates> curve = curveFrom(value, ' ');
+    form.curve = curve.value_or(form.curve);
+    return curve ? Status(Done{}) : Status(notA("eight numbers from -1 to 1", field, value));
+}
+
 Status RecordReader::set(Hit& hit, Field field, std::string_view value) {
     if (value.empty()) {
         return kFields[static_cast<std::size_t>(field)].isRequired ? Status(notA("given", field, value))
@@ -191,6 +218,10 @@ Status RecordReader::set(Hit& hit, Field field, std::string_view value) {
             return setTarget(hit, value);
         case Field::Pipeline:
             return setPipeline(hit, value);
+        case Field::Profile:
+        case Field::DentDirection:
+        case Field::Curve:
+            return setForm(hit.form, field, value);
         case Field::Time: {
             const std::optional<double> time = numberIn<double>(value);
             hit.time = time.value_or(0.0);

@@ -33,14 +33,18 @@ enum class Field : std::uint8_t {
     Pipeline,
     Affected,
     Greatest,
-    Enabled
+    Enabled,
+    Profile,
+    DentDirection,
+    Curve,
+    PressRadius
 };
 struct FieldName {
     Field field = Field::Number;
     std::string_view name;
     bool isRequired = false;
 };
-inline constexpr std::array<FieldName, 22> kFields{{
+inline constexpr std::array<FieldName, 26> kFields{{
     {Field::Number, "number"},
     {Field::Time, "time_s"},
     {Field::Target, "target", true},
@@ -63,10 +67,15 @@ inline constexpr std::array<FieldName, 22> kFields{{
     {Field::Affected, "affected_vertices"},
     {Field::Greatest, "greatest_displacement_m"},
     {Field::Enabled, "enabled"},
+    {Field::Profile, "profile"},
+    {Field::DentDirection, "dent_direction"},
+    {Field::Curve, "curve"},
+    {Field::PressRadius, "press_radius_m"},
 }};
 
 [[nodiscard]] constexpr bool isText(Field field) {
-    return field == Field::Target || field == Field::Pipeline;
+    return field == Field::Target || field == Field::Pipeline || field == Field::Profile ||
+           field == Field::DentDirection || field == Field::Curve;
 }
 /// Nothing: no such name.
 [[nodiscard]] std::optional<Field> fieldNamed(std::string_view name);
@@ -85,6 +94,7 @@ public:
 
 private:
     [[nodiscard]] Status setTarget(Hit& hit, std::string_view name);
+    [[nodiscard]] static Status setForm(DentForm& form, Field field, std::string_view value);
     [[nodiscard]] Status setPipeline(Hit& hit, std::string_view key);
 
     HitRecords m_table;

@@ -203,7 +203,8 @@ std::optional<Impact> PhysicsWorld::hitscan(const glm::vec3& origin, const glm::
     Touch touch{0.0f, struck->surface, 0.0f};
     TargetBody& target = d->targets.at(struck->target);
     bounce(flight, target, touch);
-    return impactOf(struck->target, target.transform, flight.velocity, touch, d->clock.time());
+    return impactOf(struck->target, target.transform, flight.velocity, touch, d->clock.time(),
+                    flight.settings);
 }
 
 std::optional<Impact> PhysicsWorld::predict(const glm::vec3& origin, const glm::vec3& direction,
@@ -223,7 +224,7 @@ std::optional<Impact> PhysicsWorld::predict(const glm::vec3& origin, const glm::
     const TargetBody& target = d->targets.at(struck->target);
     Touch touch{0.0f, struck->surface, 0.0f};
     touch.impulse = bounceImpulse(velocity, shot.mass, target.physics, struck->surface.normal);
-    return impactOf(struck->target, target.transform, velocity, touch, time);
+    return impactOf(struck->target, target.transform, velocity, touch, time, shot);
 }
 
 /// As step() would move it.

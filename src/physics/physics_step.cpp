@@ -61,7 +61,7 @@ void physics::bounce(Flight& flight, TargetBody& target, Touch& touch) {
 }
 
 Impact physics::impactOf(TargetId target, const RigidTransform& where, const glm::vec3& velocity,
-                         const Touch& touch, double time) {
+                         const Touch& touch, double time, const ProjectileSettings& shot) {
     Impact impact;
     impact.target = target;
     impact.point = touch.deepest.point;
@@ -73,6 +73,8 @@ Impact physics::impactOf(TargetId target, const RigidTransform& where, const glm
         touch.deepest.triangle < 0 ? kNoIndex : static_cast<std::uint32_t>(touch.deepest.triangle);
     impact.impulse = touch.impulse;
     impact.time = time;
+    impact.radius = shot.radius;
+    impact.form = shot.form;
     return impact;
 }
 
@@ -161,8 +163,8 @@ void PhysicsWorld::Private::strike(ProjectileId id, Flight& flight, TargetId tar
     if (counts) {
         flight.hasHit = true;
         // Where the target was when Bullet found the contact: it has moved on since.
-        impacts.push_back(
-            impactOf(target, targets.at(target).previous, flight.velocity, touch, clock.time()));
+        impacts.push_back(impactOf(target, targets.at(target).previous, flight.velocity, touch, clock.time(),
+                                   flight.settings));
         impacts.back().projectile = id;
     }
 }

@@ -50,6 +50,8 @@ struct Impact {
     float speed = 0.0f;                 ///< m/s, just before impact
     float impulse = 0.0f;               ///< newton seconds
     double time = 0.0;                  ///< seconds of simulated time, end of the step
+    float radius = 0.0f;                ///< metres, of the projectile
+    std::optional<DentForm> form;       ///< ProjectileSettings::form
 };
 
 /// The Bullet world: targets, a floor, projectiles. Deterministic: the same calls give the same impacts.

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "core/parameter.h"
+#include "deform/dent_form.h"
 
 namespace hitscope {
 
@@ -25,6 +27,7 @@ struct ProjectileSettings {
     glm::vec3 colour{0.90f, 0.58f, 0.30f};  ///< sRGB, [0, 1]; what a projectile looks like in flight
     float gravity = kEarthGravity;          ///< m/s^2, downwards: how it falls
     bool passesOthers = false;              ///< it passes through all other projectiles
+    std::optional<DentForm> form = {};      ///< of the dents it makes; nothing: the session's setting
 
     bool operator==(const ProjectileSettings&) const = default;
 };

@@ -80,9 +80,9 @@ void bounce(Flight& flight, TargetBody& target, Touch& touch);
 [[nodiscard]] float bounceImpulse(const glm::vec3& velocity, float mass, const TargetPhysics& target,
                                   const glm::vec3& normal);
 
-/// `where`: of the target when the touch was found.
+/// `where`: of the target when the touch was found. `shot`: of the projectile.
 [[nodiscard]] Impact impactOf(TargetId target, const RigidTransform& where, const glm::vec3& velocity,
-                              const Touch& touch, double time);
+                              const Touch& touch, double time, const ProjectileSettings& shot);
 
 }  // namespace physics
 

@@ -2,14 +2,17 @@
 #pragma once
 
 #include "deform/deformation_constants.h"
+#include "deform/dent_form.h"
 
 namespace hitscope {
 
-/// The deformation constants that a session's shots are made with.
+/// The deformation constants, and the form of dents, that a session's shots are made with.
 struct ConstantsSetting {
     DeformationConstants constants;  ///< as set; where they are relative, those of a target of kUsualExtent
     /// Dents grow and shrink with the target, so that a mesh of any size dents as the paper's targets do.
     bool relative = true;
+    /// Of the dents; whatever has no part in it now is kept for when it has. The radius is each shot's.
+    DentForm form = {};
 
     bool operator==(const ConstantsSetting&) const = default;
 };

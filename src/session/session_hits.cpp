@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "session/flight_mode.h"
 #include "session/session.h"
 
 namespace hitscope {
@@ -236,6 +237,7 @@ void SessionHits::giveConstants(std::span<const std::size_t> indices) {
     for (const std::size_t index : rows) {
         hits.push_back(m_history.hits()[index]);
         hits.back().constants = constantsOf(hits.back());
+        hits.back().form = formOf(hits.back());
     }
     // Constants in force are within what a hit may have, so this is not refused.
     static_cast<void>(replace(rows, hits, SessionUndo::Kind::HitConstants));
@@ -260,6 +262,25 @@ DeformationConstants SessionHits::constantsOf(const Hit& hit) const {
         constants.power = std::clamp(power, 0.0f, cap);
     }
     return constants;
+}
+
+DentForm SessionHits::formOf(const Hit& hit, float radius) const {
+    return withRadius(m_session.m_settings.constantsSetting().form, hit, radius);
+}
+
+DentForm SessionHits::withRadius(DentForm form, const Hit& hit, float radius) const {
+    if (form.presses() && radius > 0.0f) {
+        form.radius = radius;
+    } else if (form.presses() && hit.form.radius > 0.0f) {
+        form.radius = hit.form.radius;
+    } else if (form.presses()) {
+        const SessionSettings& settings = m_session.m_settings;
+        const Target* on = m_session.m_targets.find(hit.target);
+        form.radius = projectileOf(settings.flightMode(), settings.projectile(),
+                                   on != nullptr ? on->extent() : kUsualExtent, 0.0f)
+                          .radius;
+    }
+    return plain(form);
 }
 
 AppliedHits SessionHits::applied() const {

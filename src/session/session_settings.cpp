@@ -2,11 +2,30 @@
 #include "session/session_settings.h"
 
 #include <algorithm>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "session/session.h"
 
 namespace hitscope {
+
+namespace {
+
+Status checked(const ConstantsSetting& setting) {
+    if (!isValid(setting.constants)) {
+        return Error{"A deformation constant is out of its range.", "",
+                     "Keep to the ranges the panel shows."};
+    }
+    DentForm form = setting.form;
+    form.radius = form.presses() ? kUsualExtent : 0.0f;  // it will be known of each shot
+    if (const std::string_view fault = faultOf(form); !fault.empty()) {
+        return Error{std::string(fault), "", "Choose another fall-off."};
+    }
+    return Done{};
+}
+
+}  // namespace
 
 SessionSettings::SessionSettings(Session& session) : m_session(session) {}
 
@@ -45,9 +64,8 @@ void SessionSettings::take(const SettingsState& state) {
 // Constants
 
 Status SessionSettings::setConstants(const ConstantsSetting& setting, SessionUndo::Merge merge) {
-    if (!isValid(setting.constants)) {
-        return Error{"A deformation constant is out of its range.", "",
-                     "Keep to the ranges the panel shows."};
+    if (Status status = checked(setting); !status) {
+        return status;
     }
     SettingsState after = m_now;
     after.constants = setting;
@@ -56,9 +74,8 @@ Status SessionSettings::setConstants(const ConstantsSetting& setting, SessionUnd
 }
 
 Status SessionSettings::restoreConstants(const ConstantsSetting& setting) {
-    if (!isValid(setting.constants)) {
-        return Error{"A deformation constant is out of its range.", "",
-                     "Keep to the ranges the panel shows."};
+    if (Status status = checked(setting); !status) {
+        return status;
     }
     SettingsState after = m_now;
     after.constants = setting;

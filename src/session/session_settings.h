@@ -32,10 +32,16 @@ public:
     /// Constants of the hits to come; those made keep theirs. One step to undo. Refused when out of range.
     [[nodiscard]] Status setConstants(const DeformationConstants& constants,
                                       SessionUndo::Merge merge = SessionUndo::Merge::Never) {
-        return setConstants(ConstantsSetting{constants, m_now.constants.relative}, merge);
+        return setConstants(ConstantsSetting{constants, m_now.constants.relative, m_now.constants.form},
+                            merge);
     }
     [[nodiscard]] Status setConstants(const ConstantsSetting& setting,
                                       SessionUndo::Merge merge = SessionUndo::Merge::Never);
+    /// Of the dents of the hits to come; likewise.
+    [[nodiscard]] Status setForm(const DentForm& form, SessionUndo::Merge merge = SessionUndo::Merge::Never) {
+        return setConstants(ConstantsSetting{m_now.constants.constants, m_now.constants.relative, form},
+                            merge);
+    }
     /// Likewise, and nothing to undo: as they were when the program ended.
     [[nodiscard]] Status restoreConstants(const ConstantsSetting& setting);
 

@@ -22,9 +22,11 @@ struct TimedShot {
 
 /// Shots that can be repeated: the same session, script and physics step give the same hits.
 struct ShotScript {
-    ProjectileSettings projectile;  ///< how they are shot; whether power follows the impulse is the session's
-    bool isInstant = false;         ///< without flight
-    std::vector<TimedShot> shots;   ///< by time
+    /// How they are shot, and the form of their dents if it is the script's; the constants, and whether power
+    /// follows the impulse, are the session's.
+    ProjectileSettings projectile;
+    bool isInstant = false;        ///< without flight
+    std::vector<TimedShot> shots;  ///< by time
 
     /// Seconds from the start to the last shot; 0 for none.
     [[nodiscard]] double duration() const { return shots.empty() ? 0.0 : shots.back().time; }

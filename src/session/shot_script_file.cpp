@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "deform/dent_form_text.h"
 #include "io/staged_files.h"
 
 namespace hitscope {
@@ -138,6 +139,69 @@ Result<ProjectileSettings> projectileOf(const QJsonValue& value) {
     return settings;
 }
 
+QJsonObject toJson(const DentForm& form) {
+    const auto text = [](std::string_view key) {
+        return QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size()));
+    };
+    QJsonObject object{{QStringLiteral("profile"), text(keyOf(form.profile))},
+                       {QStringLiteral("direction"), text(keyOf(form.direction))}};
+    if (form.profile == DentProfile::Curve) {
+        QJsonArray curve;
+        for (const float ordinate : form.curve) {
+            curve.append(static_cast<double>(ordinate));
+        }
+        object[QStringLiteral("curve")] = curve;
+    }
+    return object;
+}
+
+Result<CurveOrdinates> curveOf(const QJsonValue& value) {
+    const QJsonArray parts = value.toArray();
+    CurveOrdinates curve{};
+    bool usable = parts.size() == static_cast<qsizetype>(curve.size());
+    for (qsizetype i = 0; usable && i < parts.size(); ++i) {
+        usable = parts[i].isDouble() && std::abs(parts[i].toDouble()) <= 1.0;
+        curve[static_cast<std::size_t>(i)] = static_cast<float>(parts[i].toDouble());
+    }
+    if (!usable) {
+        return wrong(QStringLiteral("dent.curve"), QStringLiteral("has to be eight numbers from -1 to 1"));
+    }
+    return curve;
+}
+
+Result<std::optional<DentForm>> formOf(const QJsonValue& value) {
+    if (value.isUndefined()) {
+        return std::optional<DentForm>();
+    }
+    const QString where = QStringLiteral("dent");
+    if (!value.isObject()) {
+        return wrong(where, QStringLiteral("has to be an object"));
+    }
+    const QJsonObject object = value.toObject();
+    const QString profile = QStringLiteral("profile");
+    const QString direction = QStringLiteral("direction");
+    const QString curve = QStringLiteral("curve");
+    if (Status status = onlyMembers(object, {profile, direction, curve}, where); !status) {
+        return status.error();
+    }
+    DentForm form;
+    const auto named = profileNamed(object[profile].toString(QStringLiteral("paper")).toStdString());
+    const auto way = directionNamed(object[direction].toString(QStringLiteral("projectile")).toStdString());
+    if (!named || !way) {
+        return wrong(where + u'.' + (named ? direction : profile), QStringLiteral("is not known"));
+    }
+    form.profile = *named;
+    form.direction = *way;
+    if (object.contains(curve)) {
+        const Result<CurveOrdinates> ordinates = curveOf(object[curve]);
+        if (!ordinates) {
+            return ordinates.error();
+        }
+        form.curve = ordinates.value();
+    }
+    return std::optional(form);
+}
+
 Result<std::vector<TimedShot>> shotsOf(const QJsonValue& value) {
     if (!value.isArray()) {
         return wrong(QStringLiteral("shots"), QStringLiteral("has to be a list"));
@@ -179,11 +243,14 @@ QByteArray formatShotScript(const ShotScript& script) {
                                  {QStringLiteral("from"), toJson(shot.ray.origin)},
                                  {QStringLiteral("direction"), toJson(shot.ray.direction)}});
     }
-    return QJsonDocument(QJsonObject{{QStringLiteral("hitscope-shots"), kVersion},
-                                     {QStringLiteral("instant"), script.isInstant},
-                                     {QStringLiteral("projectile"), projectile},
-                                     {QStringLiteral("shots"), shots}})
-        .toJson();
+    QJsonObject whole{{QStringLiteral("hitscope-shots"), kVersion},
+                      {QStringLiteral("instant"), script.isInstant},
+                      {QStringLiteral("projectile"), projectile},
+                      {QStringLiteral("shots"), shots}};
+    if (script.projectile.form) {
+        whole[QStringLiteral("dent")] = toJson(*script.projectile.form);
+    }
+    return QJsonDocument(whole).toJson();
 }
 
 Result<ShotScript> parseShotScript(const QByteArray& json) {
@@ -201,7 +268,8 @@ Result<ShotScript> parseShotScript(const QByteArray& json) {
     if (object[version].toDouble() != kVersion) {
         return wrong(version, QStringLiteral("has to be %1").arg(kVersion));
     }
-    const QStringList known{version, instant, QStringLiteral("projectile"), QStringLiteral("shots")};
+    const QStringList known{version, instant, QStringLiteral("projectile"), QStringLiteral("dent"),
+                            QStringLiteral("shots")};
     if (Status status = onlyMembers(object, known, QStringLiteral("shot script")); !status) {
         return status.error();
     }
@@ -212,6 +280,11 @@ Result<ShotScript> parseShotScript(const QByteArray& json) {
     if (!projectile) {
         return projectile.error();
     }
+    const Result<std::optional<DentForm>> form = formOf(object[QStringLiteral("dent")]);
+    if (!form) {
+        return form.error();
+    }
+    projectile.value().form = form.value();
     Result<std::vector<TimedShot>> shots = shotsOf(object[QStringLiteral("shots")]);
     if (!shots) {
         return shots.error();

@@ -10,8 +10,9 @@
 namespace hitscope {
 
 /// A script as JSON: {"hitscope-shots": 1, "instant": false, "projectile": {"speed": 30, ...}, "shots":
-/// [{"time": 0, "from": [x, y, z], "direction": [x, y, z]}, ...]}. Seconds, metres, world. What is read back
-/// is equal in every bit.
+/// [{"time": 0, "from": [x, y, z], "direction": [x, y, z]}, ...]}, and where the form of the dents is the
+/// script's "dent": {"profile": "curve", "direction": "projectile", "curve": [1, ... 0]}. Seconds, metres,
+/// world. What is read back is equal in every bit.
 [[nodiscard]] QByteArray formatShotScript(const ShotScript& script);
 /// The error says which member is wrong, and what it has to be: unknown members, wrong types, numbers out of
 /// range, shots that are not in the order of their times, more than ShotScript::kMostShots. Directions are

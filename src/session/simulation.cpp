@@ -118,6 +118,8 @@ void Simulation::sayWhatShotsDid() {
 std::optional<Hit> Simulation::hitOf(const Impact& impact) const {
     Hit hit = localHit(impact);
     hit.constants = m_session.m_hits.constantsOf(hit);
+    hit.form = impact.form ? m_session.m_hits.withRadius(*impact.form, hit, impact.radius)
+                           : m_session.m_hits.formOf(hit, impact.radius);
     hit.pipeline = static_cast<std::uint8_t>(m_session.m_settings.pipeline());
     Result<Hit> checked = checkedHit(hit);
     return checked && m_session.m_targets.find(impact.target) != nullptr ? std::optional(checked.value())

@@ -37,6 +37,32 @@ private Q_SLOTS:
         QVERIFY(fingerprintOf(other) != fingerprintOf(first));
     }
 
+    // The mesh is the reference's, and the same options make it again, from hits that were saved, too.
+    void formsOfDents_data() {
+        QTest::addColumn<QStringList>("options");
+        QTest::newRow("smooth") << QStringList{"--profile", "smooth"};
+        QTest::newRow("wendland") << QStringList{"--profile", "wendland"};
+        QTest::newRow("linear") << QStringList{"--profile", "linear", "--dent-direction", "surface"};
+        QTest::newRow("crater") << QStringList{"--profile", "crater"};
+        QTest::newRow("curve") << QStringList{"--curve", "1,0.5,0.75,0.5,-0.25,-0.1,0.1,0"};
+        QTest::newRow("press") << QStringList{"--dent-direction", "press"};
+    }
+    void formsOfDents() {
+        QFETCH(const QStringList, options);
+        const QTemporaryDir folder;
+        const QString hits = folder.filePath(QStringLiteral("hits.csv"));
+        const QStringList burst{"--burst", "20", "--cone", "3", "--instant"};
+        const CliRun paper = shoot(burst);
+        const CliRun run = shoot(burst + options + QStringList{"--hits-out", hits});
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        QVERIFY2(!run.out.contains(QStringLiteral("differ")), qPrintable(run.out));
+        QVERIFY(fingerprintOf(run) != fingerprintOf(paper));
+        QCOMPARE(fingerprintOf(shoot({"--hits", hits})), fingerprintOf(run));
+        const QString script = folder.filePath(QStringLiteral("shots.json"));
+        QCOMPARE(fingerprintOf(shoot(burst + options + QStringList{"--save", script})), fingerprintOf(run));
+        QCOMPARE(fingerprintOf(shoot({"--script", script})), fingerprintOf(run));
+    }
+
     void meshesOfAnySizeAreHit() {
         const QTemporaryDir folder;
         for (const char* extent : {"0.00005", "50000"}) {
@@ -68,6 +94,10 @@ private Q_SLOTS:
         QCOMPARE(shoot({"--flight", "slow"}).status, 2);
         QCOMPARE(shoot({"--burst", "0"}).status, 2);
         QCOMPARE(shoot({"--cone", "400"}).status, 2);
+        QCOMPARE(shoot({"--profile", "paprika"}).status, 2);
+        QCOMPARE(shoot({"--dent-direction", "up"}).status, 2);
+        QCOMPARE(shoot({"--curve", "1,2,3"}).status, 2);
+        QCOMPARE(shoot({"--dent-direction", "press", "--profile", "linear"}).status, 2);
         QCOMPARE(shoot({"--script", "a", "--burst", "3"}).status, 2);
         const CliRun missing = shoot({"--script", "/nowhere/shots.json"});
         QCOMPARE(missing.status, 1);

@@ -212,6 +212,13 @@ void DocumentJsonTest::hits() {
     TRY_CHANGE(hits[0].normal, glm::vec3(0.0f));
     TRY_CHANGE(hits[0].triangle, kNoIndex);
     TRY_CHANGE(hits[0].flight, glm::vec3(0.0f, 0.0f, -1.0f));
+    TRY_CHANGE(hits[0].form.profile, DentProfile::Crater);
+    TRY_CHANGE(hits[0].form.direction, DentDirection::IntoSurface);
+    const DentForm press{.radius = 0.123f, .direction = DentDirection::Press};
+    TRY_CHANGE(hits[0].form, press);
+    const DentForm curve{.curve = {1.0f, 0.1f, -0.3f, 0.7f, -1.0f, 0.0f, 1e-5f, 0.9f},
+                         .profile = DentProfile::Curve};
+    TRY_CHANGE(hits[0].form, curve);
     for (const int pipeline : {0, 1, 2, 4, 5, 200, 254, 255}) {
         TRY_CHANGE(hits[0].pipeline, static_cast<std::uint8_t>(pipeline));
     }
@@ -222,6 +229,9 @@ void DocumentJsonTest::settings() {
     TRY_CHANGE(constants.constants.power, 0.06f);
     TRY_CHANGE(constants.constants.maxMagnitude, 0.31f);
     TRY_CHANGE(constants.relative, false);
+    TRY_CHANGE(constants.form.profile, DentProfile::Wendland);
+    TRY_CHANGE(constants.form.direction, DentDirection::Press);
+    TRY_CHANGE(constants.form.curve[3], -0.125f);
     TRY_CHANGE(projectile.radius, 0.2f);
     TRY_CHANGE(projectile.radius, 1.0e-7f);  // the end of the range, as a float
     TRY_CHANGE(projectile.mass, 1.1f);
@@ -362,8 +372,9 @@ void DocumentJsonTest::olderFilesOpen() {
 
 /// Does not compile where a type has come to have one more member: it belongs into the file, and above.
 void DocumentJsonTest::membersAreKnown() {
-    [[maybe_unused]] const auto& [h1, h2, h3, h4, h5, h6, h7, h8, h9, h10, h11, h12] = Hit();
-    [[maybe_unused]] const auto& [p1, p2, p3, p4, p5, p6, p7, p8, p9, p10, p11, p12] = ProjectileSettings();
+    [[maybe_unused]] const auto& [h1, h2, h3, h4, h5, h6, h7, h8, h9, h10, h11, h12, h13] = Hit();
+    [[maybe_unused]] const auto& [p1, p2, p3, p4, p5, p6, p7, p8, p9, p10, p11, p12, p13] =
+        ProjectileSettings();
     [[maybe_unused]] const auto& [d1, d2, d3, d4, d5, d6, d7, d8, d9, d10, d11, d12, d13, d14, d15, d16,
                                   d17] = DisplayOptions();
     [[maybe_unused]] const auto& [b1, b2, b3, b4] = BeforeAfterOptions();
@@ -377,7 +388,8 @@ void DocumentJsonTest::membersAreKnown() {
     [[maybe_unused]] const auto& [t1, t2, t3, t4] = LightTerms();
     [[maybe_unused]] const auto& [physics1, physics2, physics3, physics4] = TargetPhysics();
     [[maybe_unused]] const auto& [constants1, constants2, constants3] = DeformationConstants();
-    [[maybe_unused]] const auto& [setting1, setting2] = ConstantsSetting();
+    [[maybe_unused]] const auto& [setting1, setting2, setting3] = ConstantsSetting();
+    [[maybe_unused]] const auto& [form1, form2, form3, form4] = DentForm();
     [[maybe_unused]] const auto& [placement1, placement2] = Placement();
 }
 

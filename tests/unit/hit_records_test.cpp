@@ -50,6 +50,10 @@ HitRecords randomTable(std::mt19937& random, std::size_t count) {
                            ? kNoIndex
                            : (random() % 2 == 0 ? 100'000 : static_cast<std::uint32_t>(random()));
         hit.pipeline = random() % 3 == 0 ? kUnknownPipeline : static_cast<std::uint8_t>(random() % 2);
+        hit.form.profile = static_cast<DentProfile>(random() % kDentProfileKeys.size());
+        hit.form.direction = static_cast<DentDirection>(random() % kDentDirectionKeys.size());
+        hit.form.curve[random() % kCurvePoints] = part(random);
+        hit.form.radius = 0.001f + std::abs(part(random));
         const Result<Hit> checked = checkedHit(hit);
         if (checked) {
             table.hits.push_back(checked.value());

@@ -37,6 +37,33 @@ private Q_SLOTS:
         QCOMPARE(read.value().isInstant, true);
     }
 
+    void formsAreReadBack_data() {
+        QTest::addColumn<int>("profile");
+        QTest::addColumn<int>("direction");
+        for (std::size_t profile = 0; profile < kDentProfileKeys.size(); ++profile) {
+            for (std::size_t direction = 0; direction < kDentDirectionKeys.size(); ++direction) {
+                QTest::addRow("%d, %d", static_cast<int>(profile), static_cast<int>(direction))
+                    << static_cast<int>(profile) << static_cast<int>(direction);
+            }
+        }
+    }
+    void formsAreReadBack() {
+        QFETCH(const int, profile);
+        QFETCH(const int, direction);
+        DentForm form;
+        form.profile = static_cast<DentProfile>(profile);
+        form.direction = static_cast<DentDirection>(direction);
+        if (form.profile == DentProfile::Curve) {
+            form.curve = {0.1f, -1.0f, 1.0f / 3.0f, 1.0f, 0.0f, 0.7f, 1e-6f, 0.3f};
+        }
+        ShotScript script = usual();
+        QVERIFY(!formatShotScript(script).contains("dent"));
+        script.projectile.form = form;
+        const Result<ShotScript> read = parseShotScript(formatShotScript(script));
+        QVERIFY(read.ok());
+        QVERIFY(read.value().projectile.form == form);
+    }
+
     void littleIsNeeded() {
         const Result<ShotScript> read = parseShotScript(R"({"hitscope-shots": 1, "shots": [
             {"time": 0.5, "from": [0, 1, 2], "direction": [0, 0, -4]}]})");
@@ -70,6 +97,14 @@ private Q_SLOTS:
         QTest::newRow("projectile member")
             << QByteArray(R"({"hitscope-shots": 1, "shots": [], "projectile": {"rate_of_fire": 1}})")
             << "rate_of_fire";
+        const auto dent = [](const QByteArray& members) {
+            return QByteArray(R"({"hitscope-shots": 1, "shots": [], "dent": )") + members + "}";
+        };
+        QTest::newRow("dent") << dent("1") << "dent";
+        QTest::newRow("profile") << dent(R"({"profile": "paprika"})") << "dent.profile";
+        QTest::newRow("direction") << dent(R"({"direction": "up"})") << "dent.direction";
+        QTest::newRow("seven points") << dent(R"({"curve": [1, 1, 1, 1, 1, 1, 0]})") << "dent.curve";
+        QTest::newRow("a point too high") << dent(R"({"curve": [1, 1, 1, 2, 1, 1, 1, 0]})") << "dent.curve";
         QTest::newRow("shot") << shots("7") << "shots[0]";
         QTest::newRow("shot member") << shots(R"({"time": 0, "form": [0, 0, 0]})") << "form";
         QTest::newRow("time") << shots(R"({"time": "0", "from": [0, 0, 0], "direction": [1, 0, 0]})")

@@ -7,6 +7,7 @@
 #include "app/actions/shading_actions.h"
 #include "app/settings/change_settings.h"
 #include "app/settings/cut_settings.h"
+#include "app/settings/form_settings.h"
 #include "app/settings/light_settings.h"
 
 namespace hitscope {
@@ -169,7 +170,8 @@ void loadSessionSettings(const QSettings& settings, Session& session) {
     // Each value was checked against the same ranges, so this is not refused.
     const bool relative =
         settings.value(QStringLiteral("constants/relative"), ConstantsSetting{}.relative).toBool();
-    static_cast<void>(session.settings().restoreConstants(ConstantsSetting{constants, relative}));
+    static_cast<void>(
+        session.settings().restoreConstants(ConstantsSetting{constants, relative, loadForm(settings)}));
     loadProjectile(settings, session);
 }
 
@@ -186,6 +188,7 @@ void saveSessionSettings(QSettings& settings, const Session& session) {
                           QString::number(parameterValue(session.settings().constants(), i), 'g', 9));
     }
     settings.setValue(QStringLiteral("constants/relative"), session.settings().constantsSetting().relative);
+    saveForm(settings, session.settings().constantsSetting().form);
     const ProjectileSettings& projectile = session.settings().projectile();
     const auto& shot = projectileParameters();
     for (std::size_t i = 0; i < shot.size(); ++i) {
