@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "analysis/hit_files.h"
+#include "models/dent_form_names.h"
 #include "models/hit_history_model.h"
 #include "models/quantity_text.h"
 #include "session/frame_costs.h"
@@ -142,6 +143,9 @@ QString HitHistoryModel::toolTip(const Hit& hit, std::size_t row) const {
     QString tip = tr("Max distance %1 m, power %2 m², max magnitude %3 m")
                       .arg(shownFloat(hit.constants.maxDistance), shownFloat(hit.constants.power),
                            shownFloat(hit.constants.maxMagnitude));
+    if (!hit.form.isPaper()) {
+        tip += u'\n' + tr("Form of the dent: %1").arg(nameOf(hit.form));
+    }
     const HitState state = stateOf(row);
     if (state == Disabled) {
         tip.prepend(tr("Disabled: the mesh is as if this hit had not been made.") + u'\n');

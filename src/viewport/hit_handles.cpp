@@ -9,6 +9,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/mat4x4.hpp>
 
+#include "deform/dent_shape.h"
 #include "viewport/hit_grip.h"
 #include "viewport/viewport.h"
 
@@ -107,8 +108,9 @@ std::optional<HitHandles::Shape> HitHandles::shape() const {
     if (target == nullptr || !target->visible) {
         return std::nullopt;
     }
-    return Shape{target->transform.toWorld(hit->point), target->transform.directionToWorld(hit->direction),
-                 hit->constants.maxDistance, hit->constants.maxMagnitude};
+    return Shape{target->transform.toWorld(hit->point), target->transform.directionToWorld(pushOf(*hit)),
+                 hit->form.presses() ? hit->form.radius : hit->constants.maxDistance,
+                 hit->constants.maxMagnitude};
 }
 
 /// In the left of two pictures.
@@ -252,7 +254,9 @@ float HitHandles::distanceInPlane(const QPointF& place) const {
 void HitHandles::dragSize(const QPointF& to) {
     const float reach = m_before.reach * (distanceInPlane(to) / distanceInPlane(m_from));
     const float distance = roundedTo(hitParameters()[kMaxDistance], std::max(reach, 0.01f * m_before.reach));
-    m_editing.change(SizePart, [distance](Hit& hit) { hit.constants.maxDistance = distance; });
+    m_editing.change(SizePart, [distance](Hit& hit) {
+        (hit.form.presses() ? hit.form.radius : hit.constants.maxDistance) = distance;
+    });
 }
 
 float HitHandles::alongArrow(const QPointF& place) const {
@@ -299,6 +303,9 @@ void HitHandles::dragDirection(const QPointF& to) {
     m_editing.change(DirectionPart, [direction](Hit& edited) {
         edited.flight = edited.flight != glm::vec3(0.0f) ? edited.flight : edited.direction;
         edited.direction = direction;
+        if (edited.form.direction == DentDirection::IntoSurface) {
+            edited.form.direction = DentDirection::Projectile;
+        }
     });
 }
 

@@ -7,6 +7,7 @@
 #include <QMessageBox>
 #include <QSettings>
 
+#include "panels/deformation_constants/form_fields.h"
 #include "panels/deformation_constants/parameter_editor.h"
 #include "panels/help/help_text.h"
 #include "session/hit_editing.h"
@@ -18,6 +19,7 @@ namespace hitscope {
 namespace {
 
 constexpr double kPerCent = 100.0;
+constexpr int kCurvePart = 3;  // of gestures; the constants come before
 constexpr double kPerSize = 1.0 / static_cast<double>(kUsualExtent);
 
 enum Size { Relative, InMetres };  // rows of the form's combo box
@@ -60,10 +62,12 @@ DeformationConstantsPanel::DeformationConstantsPanel(Session& session, HitEditin
     QSettings settings;
     m_presets.load(settings);
     makeEditors();
+    makeForm();
     makePresetMenu();
     connect(m_ui->preset, &QComboBox::activated, this, &DeformationConstantsPanel::choosePreset);
     connect(m_ui->size, &QComboBox::activated, this, [this](int row) {
-        apply({m_session.settings().constants(), row == Relative});
+        apply({m_session.settings().constants(), row == Relative,
+               m_session.settings().constantsSetting().form});
     });
     connect(m_ui->applyToSelected, &QPushButton::clicked, this,
             [this] { m_session.hits().giveConstants(m_editing.rows()); });
@@ -72,6 +76,8 @@ DeformationConstantsPanel::DeformationConstantsPanel(Session& session, HitEditin
     connect(&session.hits(), &SessionHits::appended, this, &DeformationConstantsPanel::showHits);
     connect(&session.hits(), &SessionHits::reset, this, &DeformationConstantsPanel::showHits);
     connect(&session.settings(), &SessionSettings::projectileChanged, this,
+            &DeformationConstantsPanel::showInForce);
+    connect(&session.settings(), &SessionSettings::flightModeChanged, this,
             &DeformationConstantsPanel::showInForce);
     connect(&session.settings(), &SessionSettings::constantsChanged, this,
             &DeformationConstantsPanel::showConstants);
@@ -103,6 +109,48 @@ void DeformationConstantsPanel::makeEditors() {
     }
 }
 
+void DeformationConstantsPanel::makeForm() {
+    m_form = new FormFields(this);
+    m_ui->layout->insertWidget(m_ui->layout->indexOf(m_ui->choices) + 1, m_form);
+    connect(m_form, &FormFields::profileChosen, this, [this](DentProfile profile) {
+        DentForm form = m_session.settings().constantsSetting().form;
+        form.profile = profile;
+        setForm(form);
+    });
+    connect(m_form, &FormFields::directionChosen, this, [this](DentDirection direction) {
+        DentForm form = m_session.settings().constantsSetting().form;
+        form.direction = direction;
+        setForm(form);
+    });
+    connect(m_ui->falloff, &FalloffPlot::curveEdited, this, [this](const CurveOrdinates& curve) {
+        DentForm form = m_session.settings().constantsSetting().form;
+        form.curve = curve;
+        setForm(form, m_gesture.change(kCurvePart));
+    });
+    connect(m_ui->falloff, &FalloffPlot::curveFinished, this, [this] { m_gesture.end(); });
+}
+
+void DeformationConstantsPanel::setForm(const DentForm& form, SessionUndo::Merge merge) {
+    const ConstantsSetting& now = m_session.settings().constantsSetting();
+    apply({now.constants, now.relative, form}, merge);
+}
+
+void DeformationConstantsPanel::showForm() {
+    const DentForm& form = m_session.settings().constantsSetting().form;
+    m_form->show(form);
+    m_editors[kMaxDistance]->enable(form.usesDistance(),
+                                    tr("A press reaches as far as the projectile does."));
+    m_editors[kPower]->enable(form.usesPower(),
+                              tr("Power has a part in the profiles Paper and Smooth only."));
+}
+
+DentForm DeformationConstantsPanel::formOn(TargetId target) const {
+    Hit hit;
+    hit.target = target;
+    const DentForm& form = m_session.settings().constantsSetting().form;
+    return form.presses() ? m_session.hits().withRadius(form, hit) : form;
+}
+
 void DeformationConstantsPanel::makePresetMenu() {
     auto* menu = new QMenu(m_ui->presets);
     menu->addAction(tr("Save as Preset…"), this, &DeformationConstantsPanel::savePreset);
@@ -129,6 +177,7 @@ void DeformationConstantsPanel::showConstants() {
         m_editors[i]->setValue(parameterValue(m_session.settings().constants(), i));
     }
     const std::optional<std::size_t> preset = m_presets.find(m_session.settings().constants());
+    showForm();
     m_ui->preset->setCurrentIndex(preset ? static_cast<int>(*preset) : -1);
     m_ui->size->setCurrentIndex(relative ? Relative : InMetres);
     enableIf(*m_delete, preset && !m_presets.all()[*preset].isOurs,
@@ -142,17 +191,25 @@ void DeformationConstantsPanel::showInForce() {
     const Target* target = selected != nullptr ? selected : ofOneSize(m_session);
     if (relative && target == nullptr) {
         // Power is per cent of a square: in these units of length it is a hundred times as much.
-        m_ui->falloff->show(scaled(m_session.settings().constants(), static_cast<float>(kPerCent * kPerSize)),
+        const auto scale = static_cast<float>(kPerCent * kPerSize);
+        DentForm form = formOn({});
+        form.radius *= scale;
+        m_ui->falloff->show(scaled(m_session.settings().constants(), scale), form,
                             FalloffPlot::Unit::PerCentOfTarget);
     } else {
-        m_ui->falloff->show(target != nullptr ? m_session.settings().constantsOn(*target)
-                                              : m_session.settings().constants());
+        m_ui->falloff->show(
+            target != nullptr ? m_session.settings().constantsOn(*target) : m_session.settings().constants(),
+            formOn(target != nullptr ? target->id : TargetId{}));
     }
     QString text = inForceText();
     const ProjectileSettings& projectile = m_session.settings().projectile();
     if (projectile.powerFollowsImpulse) {
         text += u' ' + tr("Power follows the impulse: it is this at %1 N·s.")
                            .arg(shownFloat(projectile.referenceImpulse));
+    }
+    if (const DentForm form = formOn(target != nullptr ? target->id : TargetId{}); form.presses()) {
+        text += u' ' + tr("Press: the projectile's radius, %1 now, and half of it in at most.")
+                           .arg(lengthText(static_cast<double>(form.radius)));
     }
     m_ui->inForce->setText(text);
 }
@@ -198,7 +255,7 @@ void DeformationConstantsPanel::apply(const ConstantsSetting& setting, SessionUn
 
 void DeformationConstantsPanel::choosePreset(int row) {
     apply({m_presets.all()[static_cast<std::size_t>(row)].constants,
-           m_session.settings().constantsSetting().relative});
+           m_session.settings().constantsSetting().relative, m_session.settings().constantsSetting().form});
 }
 
 void DeformationConstantsPanel::savePreset() {

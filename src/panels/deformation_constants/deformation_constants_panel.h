@@ -15,6 +15,7 @@ class DeformationConstantsForm;
 namespace hitscope {
 
 class HitEditing;
+class FormFields;
 class ParameterEditor;
 
 /// The dock "Deformation constants": the three constants of the paper's function for the hits to come, live,
@@ -29,6 +30,11 @@ public:
 
 private:
     void makeEditors();
+    void makeForm();
+    void setForm(const DentForm& form, SessionUndo::Merge merge = SessionUndo::Merge::Never);
+    void showForm();
+    /// The form in force on a target of that id; 0: on one of the usual size.
+    [[nodiscard]] DentForm formOn(TargetId target) const;
     void makePresetMenu();
     void listPresets();
     void showConstants();
@@ -44,6 +50,7 @@ private:
     HitEditing& m_editing;
     UndoGesture m_gesture;
     std::unique_ptr<Ui::DeformationConstantsForm> m_ui;
+    FormFields* m_form = nullptr;
     std::vector<ParameterEditor*> m_editors;  ///< in the order of deformationParameters()
     ConstantsPresets m_presets;
     QAction* m_delete = nullptr;

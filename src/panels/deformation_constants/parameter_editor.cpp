@@ -135,6 +135,22 @@ void ParameterEditor::showDiffering() {
     m_reset->setEnabled(true);
 }
 
+void ParameterEditor::setVisible(bool isVisible) {
+    for (QWidget* widget : {static_cast<QWidget*>(m_label), static_cast<QWidget*>(m_slider),
+                            static_cast<QWidget*>(m_box), static_cast<QWidget*>(m_reset)}) {
+        widget->setVisible(isVisible);
+    }
+}
+
+void ParameterEditor::enable(bool enabled, const QString& why) {
+    for (QWidget* widget : {static_cast<QWidget*>(m_slider), static_cast<QWidget*>(m_box)}) {
+        enableIf(*widget, enabled, why);
+    }
+    if (!enabled) {
+        enableIf(*m_reset, false, why);
+    }
+}
+
 int ParameterEditor::sliderFor(double value) const {
     const double share = (value / m_span - m_usual.minimum) / (m_usual.maximum - m_usual.minimum);
     return static_cast<int>(

@@ -30,6 +30,8 @@ public:
     void setReset(double value);  ///< where the reset button goes; at first the default
     void setValue(double value);  ///< emits nothing
     void showDiffering();         ///< it stands for several values
+    void setVisible(bool isVisible);
+    void enable(bool enabled, const QString& why);  ///< enableIf()
 
 Q_SIGNALS:
     void edited(double value);

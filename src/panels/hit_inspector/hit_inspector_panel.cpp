@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "panels/deformation_constants/falloff_plot.h"
+#include "panels/deformation_constants/form_fields.h"
 #include "panels/deformation_constants/parameter_editor.h"
 #include "panels/fields/number_box.h"
 #include "panels/help/help_text.h"
@@ -19,7 +21,8 @@ namespace hitscope {
 
 namespace {
 
-constexpr float kSameDirection = 4.5e-4f;  // between unit vectors
+constexpr std::size_t kRadiusParameter = 1;  // of projectileParameters()
+constexpr float kSameDirection = 4.5e-4f;    // between unit vectors
 
 bool isAlong(const glm::vec3& one, const glm::vec3& other) {
     return glm::distance(one, other) < kSameDirection;  // a cosine is rounded by more than that
@@ -56,6 +59,7 @@ HitInspectorPanel::HitInspectorPanel(Session& session, HitEditing& editing, QWid
     : QWidget(parent), m_session(session), m_editing(editing), m_ui(std::make_unique<Ui::HitInspector>()) {
     m_ui->setupUi(this);
     makeEditors();
+    makeForm();
     makeDirection();
     makePoint();
     listPresets();
@@ -93,6 +97,72 @@ void HitInspectorPanel::makeEditors() {
         connect(editor, &ParameterEditor::finished, &m_editing, &HitEditing::endGesture);
         m_editors.push_back(editor);
     }
+}
+
+void HitInspectorPanel::makeForm() {
+    m_form = new FormFields(this);
+    m_falloff = new FalloffPlot(this);
+    const int below = m_ui->fieldsLayout->indexOf(m_ui->parameters) + 1;
+    m_ui->fieldsLayout->insertWidget(below, m_form);
+    m_ui->fieldsLayout->insertWidget(below + 1, m_falloff);
+    ParameterDescriptor radius = projectileParameters()[kRadiusParameter];
+    radius.key = "press_radius";
+    radius.label = "Press radius";
+    radius.description = "Radius of the sphere that vertices are pushed out of.";
+    m_radius =
+        new ParameterEditor(radius, radius, *m_ui->parameters, static_cast<int>(m_editors.size()), this);
+    connect(m_radius, &ParameterEditor::edited, this, [this](double value) {
+        m_editing.change(Radius, [value](Hit& hit) { hit.form.radius = static_cast<float>(value); });
+    });
+    connect(m_radius, &ParameterEditor::finished, &m_editing, &HitEditing::endGesture);
+    connect(m_form, &FormFields::profileChosen, this, [this](DentProfile profile) {
+        const CurveOrdinates curve = m_session.settings().constantsSetting().form.curve;
+        once(Profile, [profile, curve](Hit& hit) {
+            const bool hadCurve = hit.form.profile == DentProfile::Curve;
+            hit.form.profile = profile;
+            hit.form.curve = hadCurve ? hit.form.curve : curve;
+        });
+    });
+    connect(m_form, &FormFields::directionChosen, this, [this](DentDirection direction) {
+        once(Push, [this, direction](Hit& hit) {
+            DentForm form = hit.form;
+            form.direction = direction;
+            hit.form = m_session.hits().withRadius(form, hit);
+        });
+    });
+    connect(m_falloff, &FalloffPlot::curveEdited, this, [this](const CurveOrdinates& curve) {
+        m_editing.change(Curve, [curve](Hit& hit) {
+            if (hit.form.profile == DentProfile::Curve) {
+                hit.form.curve = curve;
+            }
+        });
+    });
+    connect(m_falloff, &FalloffPlot::curveFinished, &m_editing, &HitEditing::endGesture);
+}
+
+void HitInspectorPanel::showForm(const Hit& hit) {
+    const DentForm& form = hit.form;
+    const bool sameProfile = isSame(hit, [](const Hit& one) { return one.form.profile; });
+    const bool sameDirection = isSame(hit, [](const Hit& one) { return one.form.direction; });
+    m_form->show(form);
+    m_form->showDiffering(!sameProfile, !sameDirection);
+    m_editors[kMaxDistance]->enable(form.usesDistance() || !sameDirection,
+                                    tr("A press reaches as far as the projectile does."));
+    m_editors[kPower]->enable(form.usesPower() || !sameProfile || !sameDirection,
+                              tr("Power has a part in the profiles Paper and Smooth only."));
+    m_radius->setVisible(form.presses());
+    m_radius->setValue(static_cast<double>(form.radius));
+    if (!isSame(hit, [](const Hit& one) { return one.form.radius; })) {
+        m_radius->showDiffering();
+    }
+    const bool turns = form.direction != DentDirection::IntoSurface || !knowsSurface(hit) || !sameDirection;
+    for (QWidget* widget :
+         {static_cast<QWidget*>(m_ui->azimuth), static_cast<QWidget*>(m_ui->azimuthSlider),
+          static_cast<QWidget*>(m_ui->elevation), static_cast<QWidget*>(m_ui->elevationSlider)}) {
+        enableIf(*widget, turns, tr("Vertices move into the surface, wherever the projectile came from."));
+    }
+    m_falloff->setVisible(!form.hasPaperFunction());
+    m_falloff->show(hit.constants, form);
 }
 
 void HitInspectorPanel::makeDirection() {
@@ -147,6 +217,7 @@ void HitInspectorPanel::show() {
     showTitle();
     if (hit != nullptr) {
         showConstants(*hit);
+        showForm(*hit);
         showPreset(*hit);
         showDirection(*hit);
         showPoint(*hit);
@@ -210,7 +281,10 @@ void HitInspectorPanel::choosePreset(int row) {
         once(Preset,
              [this, chosen = m_presets.all()[preset]](Hit& hit) { hit.constants = presetFor(chosen, hit); });
     } else {
-        once(Preset, [this](Hit& hit) { hit.constants = m_session.hits().constantsOf(hit); });
+        once(Preset, [this](Hit& hit) {
+            hit.constants = m_session.hits().constantsOf(hit);
+            hit.form = m_session.hits().formOf(hit);
+        });
     }
     show();
 }

@@ -17,12 +17,14 @@ class HitInspector;
 namespace hitscope {
 
 class DirectionFields;
+class FalloffPlot;
+class FormFields;
 class NumberBox;
 class ParameterEditor;
 
 /// The dock "Hit": what the selected hits are made of, changed live: constants by slider, box and preset,
-/// direction as it was shot, into the surface or by angles, and the point. Of several hits it shows where
-/// they differ, and what is changed is changed in all of them.
+/// form, direction as it was shot, into the surface or by angles, and the point. Of several hits it shows
+/// where they differ, and what is changed is changed in all of them.
 class HitInspectorPanel : public QWidget {
     Q_OBJECT
 public:
@@ -34,9 +36,10 @@ public:
 
 private:
     /// What HitEditing tells gestures apart by; the constants come first.
-    enum Part : int { Preset = 3, Direction, PointX, PointY, PointZ };
+    enum Part : int { Preset = 3, Direction, PointX, PointY, PointZ, Profile, Push, Radius, Curve };
 
     void makeEditors();
+    void makeForm();
     void makeDirection();
     void makePoint();
     void listPresets();
@@ -44,6 +47,7 @@ private:
     void showTitle();
     void showConstants(const Hit& hit);
     void showPreset(const Hit& hit);
+    void showForm(const Hit& hit);
     void showDirection(const Hit& hit);
     void showPoint(const Hit& hit);
     void choosePreset(int row);
@@ -58,6 +62,9 @@ private:
     HitEditing& m_editing;
     std::unique_ptr<Ui::HitInspector> m_ui;
     std::vector<ParameterEditor*> m_editors;  ///< in the order of deformationParameters()
+    FormFields* m_form = nullptr;
+    ParameterEditor* m_radius = nullptr;  ///< of a press
+    FalloffPlot* m_falloff = nullptr;     ///< of another form than the paper's
     DirectionFields* m_direction = nullptr;
     std::array<NumberBox*, 3> m_point{};
     ConstantsPresets m_presets;
