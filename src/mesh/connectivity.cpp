@@ -5,50 +5,13 @@
 #include <algorithm>
 #include <vector>
 
+#include "mesh/refine/face_gate.h"
+
 namespace hitscope {
 namespace {
 
 using HalfEdges = OpenMesh::PolyConnectivity;
 using Vertices = std::vector<OpenMesh::VertexHandle>;
-
-/// Decides whether OpenMesh can take a face. It is asked before: OpenMesh reports some of these on the error
-/// stream, and stops the program on others.
-class Gate {
-public:
-    explicit Gate(const HalfEdges& halfEdges) : m_halfEdges(halfEdges) {}
-
-    [[nodiscard]] bool admits(const Vertices& face) {
-        for (std::size_t i = 0; i < face.size(); ++i) {
-            // A vertex with faces all around it has no gap for another; an edge with a face on this side
-            // already has no room for a third face, or for one that is turned over.
-            if (!m_halfEdges.is_boundary(face[i]) || !isSideFree(face[i], face[(i + 1) % face.size()])) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-private:
-    /// Finding an edge means going round the vertex. Where faces in no order share a hub, that takes time in
-    /// proportion to the square of their number (100,000: minutes), so the steps are limited; once they are
-    /// used up, only small vertices are gone round.
-    [[nodiscard]] bool isSideFree(OpenMesh::VertexHandle from, OpenMesh::VertexHandle to) {
-        int steps = 0;
-        for (const OpenMesh::HalfedgeHandle side : m_halfEdges.voh_range(from)) {
-            if (m_halfEdges.to_vertex_handle(side) == to) {
-                return m_halfEdges.is_boundary(side);
-            }
-            m_stepsLeft -= m_stepsLeft > 0 ? 1 : 0;
-            if (m_stepsLeft == 0 && ++steps > 64) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    const HalfEdges& m_halfEdges;
-    std::uint64_t m_stepsLeft = 100'000'000;
-};
 
 std::size_t countComponents(const HalfEdges& halfEdges) {
     std::vector<bool> seen(halfEdges.n_faces(), false);
@@ -97,7 +60,7 @@ Connectivity connect(const MeshData& mesh) {
     // itself, with a line on this stream that nobody asked for.
     omerr().disable();
     Connectivity result;
-    Gate gate(halfEdges);
+    FaceGate gate(halfEdges);
     Vertices face;
     for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
         if (repeatsVertex(mesh.face(f))) {

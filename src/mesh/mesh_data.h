@@ -98,6 +98,9 @@ struct MeshData {
     std::vector<std::uint32_t> points;              ///< OBJ p elements: vertex indices; kept for export only
     std::vector<std::string> materialLibraries;     ///< OBJ mtllib names, as the file has them
     std::uint64_t sourceHash = 0;  ///< contentHash() of the OBJ or PLY file it was read from; 0: not known
+    /// Empty: the vertices are those of the file. Else (refined, simplified, smoothed) V entries: a vertex's
+    /// number in the file, kNoIndex: it is new.
+    std::vector<std::uint32_t> sourceVertices;
     std::vector<std::string> pictureFiles;  ///< textures, as the file names them, whose files are pictures
 
     [[nodiscard]] std::size_t vertexCount() const { return positions.size(); }
@@ -107,6 +110,11 @@ struct MeshData {
         return std::span(cornerVertices).subspan(faceStarts[f], faceStarts[f + 1] - faceStarts[f]);
     }
     [[nodiscard]] Bounds bounds() const;
+    /// Whether it is what was read or made, and nothing was done to it since (sourceVertices).
+    [[nodiscard]] bool isAsRead() const { return sourceVertices.empty(); }
+    [[nodiscard]] bool isNew(std::size_t vertex) const {
+        return !sourceVertices.empty() && sourceVertices[vertex] == kNoIndex;
+    }
 };
 
 /// Checks every length and index above and that all positions are finite; the error names the first that is

@@ -66,6 +66,9 @@ Status checkVertices(const MeshData& mesh) {
         mesh.placement.scale <= 0.0) {
         return Error{"The placement's centre or scale is not a usable number.", "placement", kBroken};
     }
+    if (!mesh.sourceVertices.empty() && mesh.sourceVertices.size() != vertices) {
+        return wrongLength("source vertices", mesh.sourceVertices.size(), vertices);
+    }
     if (!mesh.colours.empty() && mesh.colours.size() != vertices) {
         return wrongLength("vertex colours", mesh.colours.size(), vertices);
     }

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/refine/collapses.h"
+
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
+#include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
+#include <OpenMesh/Tools/Decimater/Observer.hh>
+#include <algorithm>
+#include <optional>
+
+#include "mesh/connectivity.h"
+#include "mesh/refine/face_gate.h"
+
+namespace hitscope {
+
+namespace {
+
+struct CollapsedTraits : OpenMesh::DefaultTraits {
+    using Point = OpenMesh::Vec3d;
+    using Normal = OpenMesh::Vec3d;
+};
+using CollapsedMesh = OpenMesh::TriMesh_ArrayKernelT<CollapsedTraits>;
+using Vertex = OpenMesh::VertexHandle;
+
+/// What the corners of faces are, by the half-edges' vertices; on the way of a collapse.
+struct CornerBook {
+    const MeshData* mesh = nullptr;
+    std::vector<CollapsedTriangle> triangles;     // by face
+    std::vector<std::array<Vertex, 3>> vertices;  // of their corners, likewise
+
+    [[nodiscard]] const CollapsedTriangle& triangle(OpenMesh::FaceHandle face) const {
+        return triangles[static_cast<std::size_t>(face.idx())];
+    }
+    [[nodiscard]] std::size_t slot(OpenMesh::FaceHandle face, Vertex vertex) const {
+        const std::array<Vertex, 3>& all = vertices[static_cast<std::size_t>(face.idx())];
+        return static_cast<std::size_t>(std::find(all.begin(), all.end(), vertex) - all.begin());
+    }
+    [[nodiscard]] const RefineCorner& corner(OpenMesh::FaceHandle face, Vertex vertex) const {
+        return triangle(face).corners[slot(face, vertex)];
+    }
+    [[nodiscard]] bool isSameTexcoord(std::uint32_t a, std::uint32_t b) const {
+        return a == b || (a != kNoIndex && b != kNoIndex && mesh->texcoords[a] == mesh->texcoords[b]);
+    }
+    [[nodiscard]] bool isSameNormal(std::uint32_t a, std::uint32_t b) const {
+        return a == b || (a != kNoIndex && b != kNoIndex && mesh->normals[a] == mesh->normals[b]);
+    }
+
+    /// The corner that a face gets at v1 in place of the one at v0: what a face that goes has there, if it
+    /// has the same as this one at v0. Nothing: neither has, and the collapse would tear a seam or move a
+    /// border.
+    [[nodiscard]] std::optional<RefineCorner> moved(
+        const OpenMesh::Decimater::CollapseInfoT<CollapsedMesh>& at, OpenMesh::FaceHandle face) const {
+        const RefineCorner& from = corner(face, at.v0);
+        std::optional<RefineCorner> found;
+        for (const OpenMesh::FaceHandle going : {at.fl, at.fr}) {
+            if (!going.is_valid() || triangle(going).part != triangle(face).part) {
+                continue;
+            }
+            const RefineCorner& same = corner(going, at.v0);
+            if (isSameTexcoord(same.texcoord, from.texcoord)) {
+                const bool isSmooth = isSameNormal(same.normal, from.normal);
+                if (!found || isSmooth) {
+                    found = corner(going, at.v1);
+                    found->normal = isSmooth ? found->normal : kNoIndex;
+                }
+            }
+        }
+        return found;
+    }
+};
+
+/// Keeps the corners of faces right while edges are collapsed.
+template <class MeshT>
+class SeamModule : public OpenMesh::Decimater::ModBaseT<MeshT> {
+public:
+    DECIMATING_MODULE(SeamModule, MeshT, Seams)
+
+    explicit SeamModule(MeshT& mesh) : Base(mesh, true) {}
+    void setBook(CornerBook& book) { m_book = &book; }
+
+    float collapse_priority(const CollapseInfo& at) override {
+        for (const OpenMesh::FaceHandle face : Base::mesh().vf_range(at.v0)) {
+            if (face != at.fl && face != at.fr && !m_book->moved(at, face)) {
+                return static_cast<float>(Base::ILLEGAL_COLLAPSE);
+            }
+        }
+        return static_cast<float>(Base::LEGAL_COLLAPSE);
+    }
+
+    void preprocess_collapse(const CollapseInfo& at) override {
+        for (const OpenMesh::FaceHandle face : Base::mesh().vf_range(at.v0)) {
+            if (face == at.fl || face == at.fr) {
+                continue;
+            }
+            const std::optional<RefineCorner> corner = m_book->moved(at, face);
+            const std::size_t slot = m_book->slot(face, at.v0);
+            const auto index = static_cast<std::size_t>(face.idx());
+            if (corner) {
+                m_book->triangles[index].corners[slot] = *corner;
+            }
+            m_book->triangles[index].isChanged = true;
+            m_book->vertices[index][slot] = at.v1;
+        }
+    }
+
+private:
+    CornerBook* m_book = nullptr;
+};
+
+/// Asks now and then whether to go on.
+class Watch : public OpenMesh::Decimater::Observer {
+public:
+    Watch(const MeshGoOn& goOn, std::size_t collapses)
+        : Observer(kEvery), m_goOn(goOn), m_all(std::max<std::size_t>(collapses, 1)) {}
+
+    void notify(size_t step) override {
+        const double share = static_cast<double>(step) / static_cast<double>(m_all);
+        m_isGivenUp = m_isGivenUp || (m_goOn && !m_goOn(std::min(share, 1.0)));
+    }
+    [[nodiscard]] bool abort() const override { return m_isGivenUp; }
+
+private:
+    static constexpr std::size_t kEvery = 1000;
+    const MeshGoOn& m_goOn;
+    std::size_t m_all;
+    bool m_isGivenUp = false;
+};
+
+/// The triangles as half-edges; those that cannot be are kept apart.
+class Collapser {
+public:
+    Collapser(const MeshData& mesh, const std::vector<std::uint32_t>& places,
+              const std::vector<CollapsedTriangle>& triangles, const std::vector<bool>& stays)
+        : m_source(mesh), m_places(places), m_triangles(triangles), m_handles(mesh.vertexCount()) {
+        m_book.mesh = &mesh;
+        m_mesh.request_vertex_status();
+        m_mesh.request_edge_status();
+        m_mesh.request_face_status();
+        m_mesh.request_face_normals();
+        omerr().disable();
+        FaceGate gate(m_mesh);
+        std::vector<Vertex> locked;
+        for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+            add(t, gate, locked);
+        }
+        for (const Vertex vertex : m_mesh.vertices()) {
+            const bool isFree = !m_mesh.is_isolated(vertex) && !m_mesh.is_boundary(vertex);
+            m_mesh.status(vertex).set_locked(!isFree);
+        }
+        for (const Vertex vertex : locked) {
+            m_mesh.status(vertex).set_locked(true);
+        }
+        for (std::size_t v = 0; v < stays.size(); ++v) {
+            if (stays[v] && m_handles[v].is_valid()) {
+                m_mesh.status(m_handles[v]).set_locked(true);
+            }
+        }
+        m_mesh.update_face_normals();
+    }
+
+    [[nodiscard]] bool collapse(std::size_t wanted, const MeshGoOn& goOn) {
+        const std::size_t apart = m_triangles.size() - m_mesh.n_faces();
+        const std::size_t left = wanted > apart ? wanted - apart : 0;
+        if (left >= m_mesh.n_faces()) {
+            return true;
+        }
+        OpenMesh::Decimater::DecimaterT<CollapsedMesh> decimater(m_mesh);
+        OpenMesh::Decimater::ModQuadricT<CollapsedMesh>::Handle quadric;
+        OpenMesh::Decimater::ModNormalFlippingT<CollapsedMesh>::Handle flipping;
+        SeamModule<CollapsedMesh>::Handle seams;
+        decimater.add(quadric);
+        decimater.module(quadric).unset_max_err();
+        decimater.add(flipping);
+        decimater.add(seams);
+        decimater.module(seams).setBook(m_book);
+        Watch watch(goOn, (m_mesh.n_faces() - left) / 2);
+        decimater.set_observer(&watch);
+        decimater.initialize();
+        decimater.decimate_to_faces(0, left);
+        return !watch.abort();
+    }
+
+    [[nodiscard]] std::vector<CollapsedTriangle> left() const {
+        std::vector<CollapsedTriangle> left;
+        for (std::size_t t = 0; t < m_triangles.size(); ++t) {
+            const OpenMesh::FaceHandle face = m_faces[t];
+            if (!face.is_valid()) {
+                left.push_back(m_triangles[t]);
+            } else if (!m_mesh.status(face).deleted()) {
+                left.push_back(m_book.triangle(face));
+            }
+        }
+        return left;
+    }
+
+private:
+    void add(std::uint32_t t, FaceGate& gate, std::vector<Vertex>& locked) {
+        std::array<std::uint32_t, 3> corners{};
+        std::vector<Vertex> vertices;
+        for (std::size_t i = 0; i < 3; ++i) {
+            corners[i] = m_places[m_triangles[t].corners[i].vertex];
+            Vertex& handle = m_handles[corners[i]];
+            if (!handle.is_valid()) {
+                const glm::dvec3 at(m_source.positions[corners[i]]);
+                handle = m_mesh.add_vertex({at.x, at.y, at.z});
+            }
+            vertices.push_back(handle);
+        }
+        OpenMesh::FaceHandle face;
+        if (!repeatsVertex(corners) && gate.admits(vertices)) {
+            face = m_mesh.add_face(vertices);
+        }
+        m_faces.push_back(face);
+        if (face.is_valid()) {
+            m_book.triangles.push_back(m_triangles[t]);
+            m_book.vertices.push_back({vertices[0], vertices[1], vertices[2]});
+        } else {
+            locked.insert(locked.end(), vertices.begin(), vertices.end());
+        }
+    }
+
+    const MeshData& m_source;
+    const std::vector<std::uint32_t>& m_places;
+    const std::vector<CollapsedTriangle>& m_triangles;
+    std::vector<Vertex> m_handles;              ///< by place
+    std::vector<OpenMesh::FaceHandle> m_faces;  ///< by triangle; not valid: it is apart
+    CollapsedMesh m_mesh;
+    CornerBook m_book;
+};
+
+}  // namespace
+
+Result<std::vector<CollapsedTriangle>> collapse(const MeshData& mesh,
+                                                const std::vector<std::uint32_t>& places,
+                                                const std::vector<CollapsedTriangle>& triangles,
+                                                const std::vector<bool>& stays, std::size_t wanted,
+                                                const MeshGoOn& goOn) {
+    Collapser collapser(mesh, places, triangles, stays);
+    if (!collapser.collapse(wanted, goOn)) {
+        return Error{"Simplifying was cancelled.", "", "The mesh is as it was."};
+    }
+    return collapser.left();
+}
+
+}  // namespace hitscope
