@@ -14,6 +14,7 @@
 #include <cstdio>
 
 #include "io/descriptor.h"
+#include "io/pending_files.h"
 
 namespace hitscope {
 
@@ -138,6 +139,7 @@ Status StagedFiles::fill(const QString& path, Existing existing, unsigned mode,
         return cannotSave(path, errno);
     }
     m_files.push_back({place, temporary, existing});
+    notePending(temporary);
     struct stat before {};
     if (existing == Existing::Replace && ::stat(QFile::encodeName(place).constData(), &before) == 0) {
         if (!S_ISREG(before.st_mode)) {
@@ -187,8 +189,9 @@ Status StagedFiles::commit() {
         const bool isNamed = file.existing == Existing::Keep
                                  ? renameToNew(file.temporary.constData(), path.constData())
                                  : ::rename(file.temporary.constData(), path.constData()) == 0;
+        const int reason = errno;
+        forgetPending(file.temporary);
         if (!isNamed) {
-            const int reason = errno;
             removeNew(i);
             m_isDone = true;
             return cannotSave(file.path, reason);
@@ -207,6 +210,7 @@ void StagedFiles::removeNew(std::size_t named) {
     for (std::size_t i = 0; i < m_files.size(); ++i) {
         if (i >= named) {
             ::unlink(m_files[i].temporary.constData());
+            forgetPending(m_files[i].temporary);
         } else if (m_files[i].existing == Existing::Keep) {
             ::unlink(QFile::encodeName(m_files[i].path).constData());
         }

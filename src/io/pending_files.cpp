@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/pending_files.h"
+
+#include <unistd.h>
+
+#include <QDir>
+#include <QFile>
+#include <mutex>
+#include <set>
+
+namespace hitscope {
+
+namespace {
+
+constexpr int kTries = 100;
+
+struct PendingFiles {
+    std::mutex mutex;
+    std::set<QByteArray> paths;
+};
+
+PendingFiles& pendingFiles() {
+    static auto* const files = new PendingFiles;  // for as long as any thread runs
+    return *files;
+}
+
+}  // namespace
+
+void notePending(const QByteArray& path) {
+    const std::scoped_lock lock(pendingFiles().mutex);
+    pendingFiles().paths.insert(path);
+}
+
+void forgetPending(const QByteArray& path) {
+    const std::scoped_lock lock(pendingFiles().mutex);
+    pendingFiles().paths.erase(path);
+}
+
+void removePendingFiles() {
+    const std::scoped_lock lock(pendingFiles().mutex);
+    for (const QByteArray& path : pendingFiles().paths) {
+        if (::unlink(path.constData()) != 0) {
+            QDir folder(QFile::decodeName(path));
+            for (int tries = 0; tries < kTries && folder.exists() && !folder.removeRecursively(); ++tries) {
+                // Another thread has written into it meanwhile.
+            }
+        }
+    }
+    pendingFiles().paths.clear();
+}
+
+}  // namespace hitscope

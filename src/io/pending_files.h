@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+
+namespace hitscope {
+
+// Files and folders that are being written under names that nobody is to see: for a program that is to end in
+// the middle of it. On any thread.
+
+void notePending(const QByteArray& path);
+void forgetPending(const QByteArray& path);  ///< it has its name, or is gone
+void removePendingFiles();                   ///< from the disk, folders with all that is in them
+
+}  // namespace hitscope
