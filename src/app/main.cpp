@@ -14,20 +14,18 @@
 #include "core/memory.h"
 #include "session/session.h"
 #include "session/welcome.h"
+#include "usage/usage.h"
 #include "viewport/surface_format.h"
 
 namespace {
 
 void describe(QCommandLineParser& parser) {
-    parser.setApplicationDescription(
-        QCoreApplication::translate("main", "Shoot a mesh, see exactly what moved, save the result."));
+    const hitscope::Usage& usage = hitscope::windowUsage().all;
+    parser.setApplicationDescription(usage.description);
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument(
-        QStringLiteral("file"),
-        QCoreApplication::translate(
-            "main", "Session (.hitscope) or mesh to open: OBJ, PLY, STL, glTF, GLB, OFF, FBX, 3DS or DAE."),
-        QStringLiteral("[file]"));
+    parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("Session or mesh to open."),
+                                 usage.files);
 }
 
 /// Help and version are for terminals, where there may be no display.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/agreement.h"
 
-#include <QTextStream>
 #include <algorithm>
 
 #include "deform/fingerprint.h"
@@ -62,14 +61,13 @@ Status useAskedPipeline(Session& session, SceneGpu& gpu, std::optional<PipelineK
     if (verdict == nullptr || verdict->isExact()) {
         return Done{};
     }
-    QTextStream notes(stderr);
-    notes << QString::fromStdString(describe(session.readBack().verdict(), wanted));
+    const QString known = QString::fromStdString(describe(session.readBack().verdict(), wanted));
     const std::optional<PipelineKind> better = session.readBack().verdict().insteadOf(wanted);
     if (asked || !better) {
-        notes << "\n";
+        note(known);
         return Done{};
     }
-    notes << "; using " << QString::fromUtf8(pipelineTraits(*better).name) << " instead\n";
+    note(known + QStringLiteral("; using %1 instead").arg(QString::fromUtf8(pipelineTraits(*better).name)));
     return usePipeline(session, gpu, *better);
 }
 
@@ -111,25 +109,57 @@ Status exportNamed(const Session& session, const Target& target, const QString& 
     if (!written) {
         return written.error();
     }
-    QTextStream notes(stderr);
-    for (const QString& note : written.value().notes) {
-        notes << note << "\n";
+    for (const QString& said : written.value().notes) {
+        note(said);
     }
     return Done{};
 }
 
-Status exportAgrees(const Session& session, const std::optional<ReferenceAgreement>& agreement,
-                    const QString& path) {
+Outcome exportAgrees(const Session& session, const std::optional<ReferenceAgreement>& agreement,
+                     const QString& path) {
     if (!agreement || agreement->isExact()) {
         return Done{};
     }
-    return Error{(QStringLiteral("The mesh is not what the reference makes of the hits: by %1, %2.")
-                      .arg(nameOfActive(session), differenceText(*agreement)))
-                     .toStdString(),
-                 path.toStdString(),
-                 session.settings().pipeline() == PipelineKind::Reference
-                     ? "Please report this with the mesh."
-                     : "It was written; --pipeline reference writes the right one."};
+    return differs({(QStringLiteral("The mesh is not what the reference makes of the hits: by %1, %2.")
+                         .arg(nameOfActive(session), differenceText(*agreement)))
+                        .toStdString(),
+                    path.toStdString(),
+                    session.settings().pipeline() == PipelineKind::Reference
+                        ? "Please report this with the mesh."
+                        : "It was written; --pipeline reference writes the right one."});
+}
+
+void addAgreement(JsonReport& report, const Session& session,
+                  const std::optional<ReferenceAgreement>& agreement) {
+    report.text("pipeline", QString::fromUtf8(pipelineTraits(session.settings().pipeline()).key));
+    report.count("dropped_hits", session.readBack().droppedHits());
+    if (!agreement) {
+        report.nothing("agreement");
+        return;
+    }
+    report.beginObject("agreement").truth("exact", agreement->isExact());
+    report.count("vertices", agreement->vertices).count("different", agreement->different);
+    report.count("different_normals", agreement->differentNormal).number("largest_m", agreement->largest);
+    report.endObject();
+}
+
+void addFingerprints(JsonReport& report, const Session& session) {
+    report.text("hits_fingerprint", QString::fromStdString(fingerprintText(hitsFingerprint(session))));
+    report.text("positions_fingerprint",
+                QString::fromStdString(fingerprintText(positionsFingerprint(session))));
+}
+
+void addTargets(JsonReport& report, const Session& session) {
+    report.beginArray("targets");
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        const DisplacementStatistics statistics = target->deformed.statistics();
+        report.beginObject().text("name", target->name);
+        report.count("vertices", target->deformed.original().vertexCount());
+        report.count("hits", session.hits().history().hitsOn(target->id).size());
+        report.count("changed_vertices", statistics.changedVertices).number("largest_m", statistics.maximum);
+        report.number("mean_m", statistics.mean).number("rms_m", statistics.rms).endObject();
+    }
+    report.endArray();
 }
 
 QString fingerprintLines(const Session& session) {

@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "analysis/reference_agreement.h"
+#include "cli/command_line.h"
+#include "cli/json_report.h"
 #include "scene/scene_gpu.h"
 #include "session/export/export_target.h"
 
@@ -33,11 +35,18 @@ namespace hitscope::cli {
                                  NormalMode normals);
 
 /// An error that says by how much what was written to `path` is not what the reference makes of the hits.
-[[nodiscard]] Status exportAgrees(const Session& session, const std::optional<ReferenceAgreement>& agreement,
-                                  const QString& path);
+[[nodiscard]] Outcome exportAgrees(const Session& session, const std::optional<ReferenceAgreement>& agreement,
+                                   const QString& path);
 
 /// Two lines: of the hits, and of the positions as the active pipeline made them.
 [[nodiscard]] QString fingerprintLines(const Session& session);
+
+// The same for programs: "pipeline", "dropped_hits", "agreement"; "hits_fingerprint",
+// "positions_fingerprint"; "targets", with what hits did to each.
+void addAgreement(JsonReport& report, const Session& session,
+                  const std::optional<ReferenceAgreement>& agreement);
+void addFingerprints(JsonReport& report, const Session& session);
+void addTargets(JsonReport& report, const Session& session);
 
 /// The target whose hits changed most vertices; the first, if none changed any. There is one at least.
 [[nodiscard]] const Target& mostChangedTarget(const Session& session);

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Puts a session, its meshes and textures into one folder.
-#include <QCommandLineParser>
 #include <QDir>
 #include <QFileInfo>
 #include <QTextStream>
 #include <algorithm>
 
 #include "cli/command_line.h"
-#include "cli/commands.h"
+#include "cli/common_options.h"
+#include "cli/opened_scene.h"
+#include "cli/standard_streams.h"
+#include "cli/verbs.h"
 #include "document/collect_session.h"
-#include "document/session_file.h"
 
 namespace hitscope::cli {
 
@@ -31,30 +32,10 @@ SessionDocument withPlaces(const PreparedSession& prepared) {
     return document;
 }
 
-Error missingOf(const PreparedSession& prepared) {
-    QStringList missing;
-    for (const MeshTrouble& trouble : prepared.troubles) {
-        if (trouble.kind != MeshTrouble::Kind::Changed) {  // collectSession() looks at these
-            missing << QString::fromStdString(trouble.error.where);
-        }
-    }
-    return {"Meshes of this session cannot be had.", missing.join(QStringLiteral(", ")).toStdString(),
-            "Put them there, or beside the session as they were when that was saved."};
-}
-
 Status collect(const QString& session, const QString& folder) {
-    Result<SessionDocument> document = readSessionFile(session);
-    if (!document) {
-        return document.error();
-    }
-    MeshPlaces places;
-    places.folder = QFileInfo(session).absolutePath();
-    const Result<PreparedSession> prepared = prepareSession(std::move(document).value(), places);
+    const Result<PreparedSession> prepared = prepareFrom(session);
     if (!prepared) {
         return prepared.error();
-    }
-    if (!prepared.value().isWhole()) {
-        return missingOf(prepared.value());
     }
     MeshesByPath meshes;
     for (const TargetState& target : prepared.value().scene.targets) {
@@ -67,31 +48,37 @@ Status collect(const QString& session, const QString& folder) {
     if (!notes) {
         return notes.error();
     }
-    for (const QString& note : notes.value()) {
-        QTextStream(stderr) << "note: " << note << "\n";
+    for (const QString& said : notes.value()) {
+        note(QStringLiteral("note: ") + said);
     }
     QTextStream(stdout) << "In " << QDir::toNativeSeparators(folder) << ": " << QFileInfo(session).fileName()
                         << "\n";
     return Done{};
 }
 
+int run(Invocation& given) {
+    if (isStandardStream(given.file(0))) {
+        given.complain(QStringLiteral("collect takes a session file, not the standard input."));
+        return kWrongUsage;
+    }
+    return finish(collect(given.file(0), given.file(1)));
+}
+
 }  // namespace
 
-int collectCommand(const QStringList& arguments) {
-    QCommandLineParser parser;
-    parser.setApplicationDescription(QStringLiteral(
-        "Puts a session, its meshes, materials and textures into one folder, which can be moved and\n"
-        "handed on. Nothing that exists is replaced."));
-    parser.addHelpOption();
-    parser.addPositionalArgument(QStringLiteral("session"), QStringLiteral("Session file (.hitscope)."));
-    parser.addPositionalArgument(QStringLiteral("folder"), QStringLiteral("Folder; made if missing."));
-    if (const std::optional<int> status = parse(parser, QStringLiteral("collect"), arguments)) {
-        return *status;
-    }
-    if (parser.positionalArguments().size() != 2) {
-        return wrongUsage(QStringLiteral("collect takes a session file and a folder."));
-    }
-    return finish(collect(parser.positionalArguments()[0], parser.positionalArguments()[1]));
+Verb collectVerb() {
+    return {{.name = QStringLiteral("collect"),
+             .files = QStringLiteral("SESSION FOLDER"),
+             .about = QStringLiteral("put a session, its meshes and textures into one folder"),
+             .description = QStringLiteral(
+                 "Puts a session, its meshes, materials and textures into one folder, which can be "
+                 "moved and handed on; it is made where it is missing. Nothing that exists is replaced."),
+             .options = {quietOption()},
+             .examples = {{QStringLiteral("A session to hand on."),
+                           QStringLiteral("hitscope-cli collect dents.hitscope to-share")}},
+             .leastFiles = 2,
+             .mostFiles = 2},
+            run};
 }
 
 }  // namespace hitscope::cli

@@ -5,33 +5,43 @@
 #include <QCoreApplication>
 #include <QTextStream>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 
 namespace hitscope::cli {
 
-int wrongUsage(const QString& text) {
+namespace {
+
+bool quietSoFar = false;
+
+}  // namespace
+
+int wrongUsage(const QString& text, const QString& verb) {
     QTextStream(stderr) << "hitscope-cli: " << text << "\n"
-                        << "Run hitscope-cli --help for what it can do.\n";
+                        << "Run hitscope-cli " << (verb.isEmpty() ? QString() : verb + u' ')
+                        << "--help for what it can do.\n";
     return kWrongUsage;
 }
 
-int finish(const Status& status) {
-    if (!status) {
-        QTextStream(stderr) << "hitscope-cli: " << QString::fromStdString(status.error().message()) << "\n";
-        return kFailed;
+int finish(const Outcome& outcome) {
+    if (!outcome) {
+        QTextStream(stderr) << "hitscope-cli: " << QString::fromStdString(outcome.error().message()) << "\n";
     }
-    return 0;
+    return outcome.status();
 }
 
-std::optional<int> parse(QCommandLineParser& parser, const QString& command, const QStringList& arguments) {
-    if (!parser.parse(arguments)) {
-        return wrongUsage(parser.errorText());
+void note(const QString& text) {
+    if (!quietSoFar) {
+        QTextStream(stderr) << text << "\n";
     }
-    if (parser.isSet(QStringLiteral("help"))) {
-        QTextStream(stdout) << helpText(parser, command);
-        return 0;
-    }
-    return std::nullopt;
+}
+
+void setQuiet(bool quiet) {
+    quietSoFar = quiet;
+}
+
+bool isQuiet() {
+    return quietSoFar;
 }
 
 QString helpText(const QCommandLineParser& parser, const QString& command) {
@@ -53,9 +63,12 @@ int flushOutput(int status) {
         std::fputc('\n', stdout);
         std::fflush(stdout);
     }
+    if (errno == EPIPE) {  // who read it has seen enough
+        return kSignalled + SIGPIPE;
+    }
     const QString why = errno != 0 ? qt_error_string(errno) : QStringLiteral("it is closed or full");
     QTextStream(stderr) << "hitscope-cli: The standard output cannot be written: " << why << ".\n";
-    return status == 0 ? kFailed : status;
+    return status == kGood ? kBadInput : status;
 }
 
 }  // namespace hitscope::cli

@@ -4,8 +4,9 @@
 #include <QTextStream>
 
 #include "cli/agreement.h"
-#include "cli/commands.h"
-#include "cli/load_scene.h"
+#include "cli/common_options.h"
+#include "cli/opened_scene.h"
+#include "cli/verbs.h"
 #include "gl/context.h"
 #include "gl/render_target.h"
 #include "io/save_image.h"
@@ -18,6 +19,17 @@
 namespace hitscope::cli {
 
 namespace {
+
+struct DemoOptions {
+    QString folder;    ///< where pictures and mesh go; made if missing
+    QString meshPath;  ///< empty: the paper's scene
+    int shots = 50;
+    unsigned seed = 1;
+    std::optional<PipelineKind> pipeline;   ///< what is shown and exported; nothing: the usual one
+    NormalMode normals = NormalMode::True;  ///< of pictures and mesh
+    int width = 1280;                       ///< pixels
+    int height = 720;                       ///< pixels
+};
 
 /// The demo's parts that need the same things: the session on a GPU without a window, and where the results
 /// go.
@@ -93,40 +105,15 @@ Result<QStringList> comparePipelines(Demo& demo, const Session& session) {
     return lines;
 }
 
-}  // namespace
-
-Status runDemo(const DemoOptions& options) {
-    QTextStream out(stdout);
-    if (!QDir().mkpath(options.folder)) {
-        return Error{"The folder cannot be made.", options.folder.toStdString(),
-                     "Choose one you may write to."};
-    }
-    Result<std::unique_ptr<gl::OffscreenContext>> context = gl::OffscreenContext::create();
-    if (!context) {
-        return context.error();
-    }
-    gl::collectDebugMessages();
-    Session session;
-    if (Status status = loadScene(session, options.meshPath, out); !status) {
-        return status;
-    }
-    Result<std::unique_ptr<SceneGpu>> gpu = SceneGpu::create(session);
-    if (!gpu) {
-        return gpu.error();
-    }
-    Demo demo(session, *gpu.value(), options);
-    if (Status status = demo.picture(QStringLiteral("before.png"), WireframeMode::Off); !status) {
-        return status;
-    }
-    shootAll(session, demoShots(session, options.shots, options.seed));
-    session.targets().select({});
-
+/// Shoots, lets each pipeline apply the hits, and writes what the one asked for made of them.
+Outcome writeResults(Demo& demo, OpenedScene& scene, const DemoOptions& options, QTextStream& out) {
+    Session& session = scene.session();
     const Result<QStringList> compared = comparePipelines(demo, session);
     if (!compared) {
-        return compared.error();
+        return cannotDraw(compared.error());
     }
-    if (Status used = useAskedPipeline(session, *gpu.value(), options.pipeline); !used) {
-        return used;
+    if (Status used = useAskedPipeline(session, scene.gpu(), options.pipeline); !used) {
+        return cannotDraw(used.error());
     }
     const std::optional<ReferenceAgreement> shown = agreementOfActive(session);
     const Target& exported = mostChangedTarget(session);
@@ -139,9 +126,9 @@ Status runDemo(const DemoOptions& options) {
         }
     }
     if (const std::vector<std::string> errors = gl::takeErrors(); !errors.empty()) {
-        return Error{"OpenGL reports: " + errors.front(), "", "Please report this with the renderer's name."};
+        return cannotDraw(
+            {"OpenGL reports: " + errors.front(), "", "Please report this with the renderer's name."});
     }
-
     out << "Renderer: " << QString::fromStdString(gl::rendererInfo().renderer);
     out << "\n"
         << QString::fromStdString(describe(session.readBack().verdict(), session.settings().pipeline()))
@@ -153,6 +140,69 @@ Status runDemo(const DemoOptions& options) {
         << ": before.png, after.png, wireframe.png, deformed.obj (" << exported.name << ")\n";
     out.flush();
     return exportAgrees(session, shown, meshPath);
+}
+
+Outcome runDemo(const DemoOptions& options) {
+    QTextStream out(stdout);
+    if (!QDir().mkpath(options.folder)) {
+        return Error{"The folder cannot be made.", options.folder.toStdString(),
+                     "Choose one you may write to."};
+    }
+    OpenedScene scene;
+    if (Outcome opened = scene.open({options.meshPath, PipelineKind::Reference}); !opened) {
+        return opened;
+    }
+    gl::collectDebugMessages();
+    Demo demo(scene.session(), scene.gpu(), options);
+    if (Status status = demo.picture(QStringLiteral("before.png"), WireframeMode::Off); !status) {
+        return status;
+    }
+    shootAll(scene.session(), demoShots(scene.session(), options.shots, options.seed));
+    scene.session().targets().select({});
+    return writeResults(demo, scene, options, out);
+}
+
+QStringList normalWords() {
+    return {QStringLiteral("true"), QStringLiteral("paper")};  // by NormalMode
+}
+
+int run(Invocation& given) {
+    DemoOptions options;
+    options.folder = given.text("out");
+    options.shots = given.wholeNumber("shots", 1, 100000);
+    options.seed = given.seed("seed");
+    options.pipeline = givenPipeline(given);
+    options.normals = static_cast<NormalMode>(given.word("normals"));
+    options.meshPath = given.file(0);
+    return given.error().isEmpty() ? finish(runDemo(options)) : kWrongUsage;
+}
+
+}  // namespace
+
+Verb demoVerb() {
+    return {
+        {.name = QStringLiteral("demo"),
+         .files = QStringLiteral("[MESH]"),
+         .about = QStringLiteral("shoot, compare the pipelines, write pictures and the deformed mesh"),
+         .description = QStringLiteral("Shoots at the paper's scene, or at one mesh, with no display; "
+                                       "compares the pipelines and writes "
+                                       "before.png, after.png, wireframe.png and deformed.obj. Ends with 1 "
+                                       "where the mesh is not what the "
+                                       "reference makes of the hits."),
+         .options = {folderOption("out", QStringLiteral("Folder for the results; made where it is missing."),
+                                  QStringLiteral("hitscope-demo")),
+                     valueOption("shots", "N", QStringLiteral("Number of shots, 1 to 100000."),
+                                 QStringLiteral("50")),
+                     valueOption("seed", "NUMBER", QStringLiteral("Another seed gives other shots."),
+                                 QStringLiteral("1")),
+                     pipelineOption(QStringLiteral("transform-feedback")),
+                     wordOption("normals", "KIND", normalWords(), QStringLiteral("In pictures and mesh."),
+                                QStringLiteral("true")),
+                     quietOption()},
+         .examples = {{QStringLiteral("The paper's scene."),
+                       QStringLiteral("hitscope-cli demo --out results")}},
+         .mostFiles = 1},
+        run};
 }
 
 }  // namespace hitscope::cli

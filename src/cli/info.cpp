@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QFileInfo>
 #include <QTextStream>
 #include <memory>
 #include <utility>
 
 #include "analysis/measured_target.h"
-#include "cli/commands.h"
+#include "cli/common_options.h"
+#include "cli/opened_scene.h"
+#include "cli/verbs.h"
 #include "gl/context.h"
 #include "io/import.h"
+#include "models/statistics_report.h"
 #include "pipeline/graphics_report.h"
 #include "pipeline/measure_exactness.h"
 #include "pipeline/pipeline_trial.h"
@@ -79,40 +83,140 @@ void printGeometry(Table& table, const MeshMeasurement& measurement) {
     }
 }
 
-}  // namespace
+/// The rest of what the mesh statistics show.
+void printShape(Table& table, const MeshMeasurement& measurement) {
+    for (const char* const key : {"edge_length_mean", "edge_length_min", "edge_length_max", "face_area_min",
+                                  "face_area_max", "aspect_min", "aspect_max"}) {
+        const StatisticsRow& row = statisticsRow(key);
+        const bool isEdge = row.section == StatisticsRow::Section::Edges;
+        const QString name = isEdge                             ? QStringLiteral("edge length, %1")
+                             : std::string_view(row.unit) == "" ? QStringLiteral("face, %1")
+                                                                : QStringLiteral("face area, %1");
+        table.row(name.arg(QString::fromLatin1(row.name).toLower()),
+                  statisticsText(row, measurement, StatisticsSide::Original));
+    }
+}
 
-Status runInfo(const QString& meshPath) {
-    Result<ImportedMesh> imported = importMesh(meshPath);
+/// All rows by their keys; of an undented mesh the original alone.
+void addStatistics(JsonReport& report, const MeshMeasurement& measurement, bool isDented) {
+    for (const StatisticsSide side : {StatisticsSide::Original, StatisticsSide::Deformed}) {
+        if (side == StatisticsSide::Deformed && !isDented) {
+            continue;
+        }
+        report.beginObject(side == StatisticsSide::Original ? "original" : "deformed");
+        for (const StatisticsRow& row : statisticsRows()) {
+            const bool isSaid =
+                row.sides == StatisticsRow::Sides::Both ||
+                (row.sides == StatisticsRow::Sides::Deformed) == (side == StatisticsSide::Deformed);
+            if (!isSaid) {
+                continue;
+            }
+            const std::optional<double> value = statisticsValue(row, measurement, side);
+            if (row.kind == StatisticsRow::Kind::YesNo && value) {
+                report.truth(row.key, *value != 0.0);
+            } else {
+                report.number(row.key, value);
+            }
+        }
+        report.endObject();
+    }
+}
+
+Outcome describeMesh(const QString& path, JsonReport& report, QTextStream& out) {
+    Result<ImportedMesh> imported = importMesh(path);
     if (!imported) {
         return imported.error();
     }
     const auto shared = std::make_shared<const MeshData>(std::move(imported.value().mesh));
     const MeshData& mesh = *shared;
-    QTextStream out(stdout);
-    out << meshPath << "\n";
+    out << path << "\n";
     Table table(out);
     const MeshMeasurement measurement = measure(shared);
     printTopology(table, measurement);
     printGeometry(table, measurement);
+    printShape(table, measurement);
     table.row(QStringLiteral("texture coordinates"), mesh.texcoords.size());
     table.row(QStringLiteral("normals"), mesh.normals.size());
     table.rowUnlessZero(QStringLiteral("groups"), mesh.groups.size());
     table.rowUnlessZero(QStringLiteral("materials"), mesh.materials.size());
     table.rowUnlessZero(QStringLiteral("textures"), mesh.images.size());
-    for (const QString& note : imported.value().notes) {
-        out << "  note: " << note << "\n";
+    report.beginObject().text("file", path).beginArray("targets").beginObject();
+    report.text("name", QFileInfo(path).completeBaseName());
+    report.count("texture_coordinates", mesh.texcoords.size()).count("normals", mesh.normals.size());
+    report.count("groups", mesh.groups.size()).count("materials", mesh.materials.size());
+    report.count("textures", mesh.images.size());
+    addStatistics(report, measurement, false);
+    report.endObject().endArray().beginArray("notes");
+    for (const QString& said : imported.value().notes) {
+        out << "  note: " << said << "\n";
+        report.text({}, said);
     }
+    report.endArray().endObject();
     return Done{};
 }
 
-Status runRendererInfo() {
+/// The file's vertices that hits moved, where they are.
+std::vector<MovedVertex> movedOf(const Target& target) {
+    std::vector<MovedVertex> moved;
+    for (const std::uint32_t vertex : target.deformed.onceChanged()) {
+        moved.push_back({vertex, target.deformed.positions()[vertex]});
+    }
+    return moved;
+}
+
+Outcome describeSession(const QString& path, JsonReport& report, QTextStream& out) {
+    OpenedScene scene;
+    if (Outcome opened = scene.open({path}); !opened) {
+        return opened;
+    }
+    const Session& session = scene.session();
+    out << path << ": " << session.hits().history().size() << " hits\n";
+    report.beginObject().text("file", path).count("hits", session.hits().history().size());
+    report.beginArray("targets");
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        MeasuredTarget measured(target->id, target->deformed.sharedOriginal());
+        measured.follow(movedOf(*target), {});
+        MeshMeasurement measurement;
+        measured.addTo(measurement, target->transform, true);
+        conclude(measurement);
+        out << "\n" << statisticsAsText(target->name, measurement);
+        report.beginObject().text("name", target->name);
+        report.count("hits", session.hits().history().hitsOn(target->id).size());
+        addStatistics(report, measurement, true);
+        report.endObject();
+    }
+    report.endArray().endObject();
+    return Done{};
+}
+
+Outcome describeFiles(Invocation& given) {
+    JsonReport report("info");
+    QString text;
+    QTextStream out(&text);
+    report.beginArray("files");
+    for (const QString& path : given.files()) {
+        if (!text.isEmpty()) {
+            out << "\n";
+        }
+        if (Outcome described =
+                namesSession(path) ? describeSession(path, report, out) : describeMesh(path, report, out);
+            !described) {
+            return described;
+        }
+    }
+    report.endArray();
+    out.flush();
+    return giveReport(given, report, text);
+}
+
+Outcome describeRenderer(Invocation& given) {
     const Result<std::unique_ptr<gl::OffscreenContext>> context = gl::OffscreenContext::create();
     if (!context) {
-        return context.error();
+        return cannotDraw(context.error());
     }
     const Result<Exactness> exactness = measureExactness();
     if (!exactness) {
-        return exactness.error();
+        return cannotDraw(exactness.error());
     }
     RendererVerdict verdict;
     PipelineOptions options;
@@ -121,8 +225,52 @@ Status runRendererInfo() {
         verdict.pipelines[traits.kind] = tryPipeline(traits.kind, options);
     }
     verdict.picking = tryPicking();
-    QTextStream(stdout) << QString::fromStdString(toText(graphicsReport(exactness.value(), verdict)));
-    return Done{};
+    JsonReport report("info");
+    report.beginObject("renderer").text("name", QString::fromStdString(gl::rendererInfo().renderer));
+    report.text("opengl",
+                QStringLiteral("%1.%2").arg(gl::rendererInfo().major).arg(gl::rendererInfo().minor));
+    report.beginArray("pipelines");
+    for (const PipelineTraits& traits : allPipelines()) {
+        report.beginObject().text("pipeline", QString::fromUtf8(traits.key));
+        report.truth("exact", verdict.pipelines[traits.kind].isExact());
+        report.text("verdict", QString::fromStdString(describe(verdict, traits.kind))).endObject();
+    }
+    report.endArray().endObject();
+    return giveReport(given, report,
+                      QString::fromStdString(toText(graphicsReport(exactness.value(), verdict))));
+}
+
+int run(Invocation& given) {
+    if (given.isSet("renderer") != given.files().isEmpty()) {
+        given.complain(QStringLiteral("info takes mesh files or sessions, or --renderer alone."));
+        return kWrongUsage;
+    }
+    return finish(given.isSet("renderer") ? describeRenderer(given) : describeFiles(given));
+}
+
+}  // namespace
+
+Verb infoVerb() {
+    return {
+        {.name = QStringLiteral("info"),
+         .files = QStringLiteral("[MESH|SESSION...]"),
+         .about = QStringLiteral("measure meshes and sessions, or describe the graphics driver"),
+         .description = QStringLiteral(
+             "Prints what the mesh statistics of the window show: of a mesh file as it is, of each target of "
+             "a "
+             "session original, deformed and the change. With --renderer, what draws here, how many hits its "
+             "uniform arrays hold, and whether each pipeline deforms as the reference in every bit."),
+         .options = QList<UsageOption>{flagOption(
+                        "renderer", QStringLiteral("Describe the graphics driver, and whether pipelines are "
+                                                   "bit-exact on it."))} +
+                    reportOptions(),
+         .examples = {{QStringLiteral("What is in two files."),
+                       QStringLiteral("hitscope-cli info bunny.obj part.ply")},
+                      {QStringLiteral("What hits have changed, as JSON."),
+                       QStringLiteral("hitscope-cli info --json dents.hitscope")},
+                      {QStringLiteral("What draws here."), QStringLiteral("hitscope-cli info --renderer")}},
+         .mostFiles = -1},
+        run};
 }
 
 }  // namespace hitscope::cli

@@ -1,128 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QCommandLineParser>
 #include <QCoreApplication>
 #include <QGuiApplication>
 #include <QLocale>
 #include <QTextStream>
-#include <limits>
+#include <algorithm>
 #include <memory>
 #include <string_view>
 
 #include "cli/bench/bench_command.h"
 #include "cli/command_line.h"
-#include "cli/commands.h"
-#include "cli/pipeline_argument.h"
-#include "cli/shoot.h"
-#include "cli/verify.h"
+#include "cli/interruption.h"
+#include "cli/verbs.h"
 #include "core/memory.h"
+#include "usage/help_text.h"
 
 namespace {
 
-using hitscope::cli::finish;
-using hitscope::cli::wrongUsage;
+using namespace hitscope::cli;
 
-int demo(const QStringList& arguments) {
-    QCommandLineParser parser;
-    parser.setApplicationDescription(QStringLiteral(
-        "Shoots at the paper's scene, or at one mesh, with no display; compares the pipelines and writes\n"
-        "before.png, after.png, wireframe.png and deformed.obj. The exit status is 1 where the mesh is not\n"
-        "what the reference makes of the hits."));
-    parser.addHelpOption();
-    const QCommandLineOption out(QStringLiteral("out"), QStringLiteral("Folder for the results."),
-                                 QStringLiteral("folder"), QStringLiteral("hitscope-demo"));
-    const QCommandLineOption shots(QStringLiteral("shots"), QStringLiteral("Number of shots, 1 to 100000."),
-                                   QStringLiteral("number"), QStringLiteral("50"));
-    const QCommandLineOption seed(QStringLiteral("seed"), QStringLiteral("Another seed gives other shots."),
-                                  QStringLiteral("number"), QStringLiteral("1"));
-    const QCommandLineOption pipeline(QStringLiteral("pipeline"),
-                                      QStringLiteral("Whose result is shown and exported: %1.")
-                                          .arg(hitscope::cli::pipelineWords().join(QStringLiteral(", "))),
-                                      QStringLiteral("name"), QStringLiteral("transform-feedback"));
-    const QCommandLineOption normals(QStringLiteral("normals"),
-                                     QStringLiteral("In pictures and mesh: true or paper."),
-                                     QStringLiteral("kind"), QStringLiteral("true"));
-    parser.addOptions({out, shots, seed, pipeline, normals});
-    parser.addPositionalArgument(QStringLiteral("mesh"), QStringLiteral("Mesh file to shoot at."),
-                                 QStringLiteral("[mesh]"));
-    if (const std::optional<int> status = hitscope::cli::parse(parser, QStringLiteral("demo"), arguments)) {
-        return *status;
-    }
-    hitscope::cli::DemoOptions options;
-    bool shotsOk = false;
-    bool seedOk = false;
-    options.folder = parser.value(out);
-    options.shots = parser.value(shots).toInt(&shotsOk);
-    options.seed = parser.value(seed).toUInt(&seedOk);
-    if (!shotsOk || options.shots < 1 || options.shots > 100000) {
-        return wrongUsage(QStringLiteral("--shots takes a whole number from 1 to 100000."));
-    }
-    if (!seedOk) {
-        return wrongUsage(QStringLiteral("--seed takes a whole number, 0 or more."));
-    }
-    const std::optional<hitscope::PipelineKind> kind = hitscope::cli::pipelineNamed(parser.value(pipeline));
-    if (!kind) {
-        return wrongUsage(QStringLiteral("--pipeline takes one of %1.")
-                              .arg(hitscope::cli::pipelineWords().join(QStringLiteral(", "))));
-    }
-    options.pipeline = parser.isSet(pipeline) ? kind : std::nullopt;
-    if (parser.value(normals) == QStringLiteral("paper")) {
-        options.normals = hitscope::NormalMode::Paper;
-    } else if (parser.value(normals) != QStringLiteral("true")) {
-        return wrongUsage(QStringLiteral("--normals takes true or paper."));
-    }
-    if (parser.positionalArguments().size() > 1) {
-        return wrongUsage(QStringLiteral("demo takes one mesh at most."));
-    }
-    options.meshPath = parser.positionalArguments().value(0);
-    return finish(hitscope::cli::runDemo(options));
-}
-
-int info(const QStringList& arguments) {
-    QCommandLineParser parser;
-    parser.setApplicationDescription(QStringLiteral("Describes a mesh file or the graphics driver."));
-    parser.addHelpOption();
-    const QCommandLineOption renderer(
-        QStringLiteral("renderer"),
-        QStringLiteral("Describe the graphics driver, and whether pipelines are bit-exact on it."));
-    parser.addOption(renderer);
-    parser.addPositionalArgument(QStringLiteral("mesh"), QStringLiteral("Mesh file."),
-                                 QStringLiteral("[mesh]"));
-    if (const std::optional<int> status = hitscope::cli::parse(parser, QStringLiteral("info"), arguments)) {
-        return *status;
-    }
-    if (parser.positionalArguments().size() != (parser.isSet(renderer) ? 0 : 1)) {
-        return wrongUsage(QStringLiteral("info takes one mesh file, or --renderer alone."));
-    }
-    if (parser.isSet(renderer)) {
-        return finish(hitscope::cli::runRendererInfo());
-    }
-    return finish(hitscope::cli::runInfo(parser.positionalArguments().constFirst()));
-}
-
-int printUsage() {
-    QTextStream(stdout)
-        << "Usage: hitscope-cli COMMAND [options]\n\n"
-        << "Commands:\n"
-        << "  demo      shoot at the paper's scene or a mesh, compare the pipelines, write pictures\n"
-        << "            and the deformed mesh\n"
-        << "  shoot     shoot a burst or a saved script, print what was hit; hits and mesh in and out\n"
-        << "  verify    compare every pipeline with the reference, vertex by vertex\n"
-        << "  replay    open a session, apply its hits again, compare the positions with those saved\n"
-        << "  collect   put a session, its meshes and textures into one folder\n"
-        << "  picture   draw a scene into a picture of any size\n"
-        << "  sequence  draw a turntable, or the hits one by one, into PNG files\n"
-        << "  info      describe a mesh file or the graphics driver (--renderer)\n"
-        << "  bench     measure the pipelines: frames, hits, the paper's tables\n\n"
-        << "Options:\n"
-        << "  --help     this text; hitscope-cli COMMAND --help for a command's options\n"
-        << "  --version  the version\n";
-    return 0;
+const Verb* verbNamed(const QString& name) {
+    const auto found = std::find_if(verbs().begin(), verbs().end(),
+                                    [&name](const Verb& verb) { return verb.usage.name == name; });
+    return found == verbs().end() ? nullptr : &*found;
 }
 
 /// Pictures may have text in them, for which Qt wants fonts, and for these a platform: one without windows.
+/// Help is for who waits for it, and takes neither.
 std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv) {
-    const std::string_view command = argc > 1 ? argv[1] : "";
-    if (command != "picture" && command != "sequence") {
+    const Verb* verb = argc > 1 ? verbNamed(QString::fromLocal8Bit(argv[1])) : nullptr;
+    const bool asksForHelp = std::any_of(argv + 1, argv + argc, [](std::string_view argument) {
+        return argument == "--help" || argument == "-h";
+    });
+    if (verb == nullptr || !verb->needsFonts || asksForHelp) {
         return std::make_unique<QCoreApplication>(argc, argv);
     }
     qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -139,48 +48,43 @@ std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv) {
     return application;
 }
 
+int runVerb(const Verb& verb, const QStringList& arguments) {
+    hitscope::Invocation given(verb.usage, arguments);
+    if (given.error().isEmpty() && given.wantsHelp()) {
+        QTextStream(stdout) << helpText(programUsage(), verb.usage);
+        return kGood;
+    }
+    int status = kWrongUsage;
+    if (given.error().isEmpty()) {
+        setQuiet(verb.usage.find(QStringLiteral("quiet")) != nullptr && given.isSet("quiet"));
+        status = verb.run(given);
+    }
+    return given.error().isEmpty() ? status : wrongUsage(given.error(), verb.usage.name);
+}
+
 int run(QStringList arguments) {
-    const QString command = arguments.value(1);
-    if (command == QLatin1String("--help") || command == QLatin1String("-h") ||
-        command == QLatin1String("help")) {
-        return printUsage();
+    const QString name = arguments.value(1);
+    if (name == QLatin1String("--help") || name == QLatin1String("-h")) {
+        QTextStream(stdout) << helpText(programUsage());
+        return kGood;
     }
-    if (command == QLatin1String("--version") || command == QLatin1String("-v")) {
+    if (name == QLatin1String("--version") || name == QLatin1String("-v")) {
         QTextStream(stdout) << "hitscope-cli " << QCoreApplication::applicationVersion() << "\n";
-        return 0;
+        return kGood;
     }
-    if (command.isEmpty()) {
-        return wrongUsage(QStringLiteral("a command is missing."));
+    if (name.isEmpty()) {
+        return wrongUsage(QStringLiteral("a verb is missing."));
+    }
+    const Verb* verb = verbNamed(name);
+    if (verb == nullptr) {
+        return wrongUsage(QStringLiteral("there is no verb \"%1\".").arg(name));
     }
     arguments.removeAt(1);
-    if (command == QLatin1String("demo")) {
-        return demo(arguments);
-    }
-    if (command == QLatin1String("shoot")) {
-        return hitscope::cli::shootCommand(arguments);
-    }
-    if (command == QLatin1String("verify")) {
-        return hitscope::cli::verifyCommand(arguments);
-    }
-    if (command == QLatin1String("replay")) {
-        return hitscope::cli::replayCommand(arguments);
-    }
-    if (command == QLatin1String("collect")) {
-        return hitscope::cli::collectCommand(arguments);
-    }
-    if (command == QLatin1String("info")) {
-        return info(arguments);
-    }
-    if (command == QLatin1String("picture")) {
-        return hitscope::cli::pictureCommand(arguments);
-    }
-    if (command == QLatin1String("sequence")) {
-        return hitscope::cli::sequenceCommand(arguments);
-    }
-    if (command == QLatin1String("bench")) {
+    if (!verb->run) {
         return hitscope::bench::benchCommand(arguments);
     }
-    return wrongUsage(QStringLiteral("there is no command \"%1\".").arg(command));
+    arguments.removeFirst();
+    return runVerb(*verb, arguments);
 }
 
 }  // namespace
@@ -191,6 +95,7 @@ int main(int argc, char** argv) {
     QLocale::setDefault(QLocale::c());  // scripts read what it writes, pictures among it
     QCoreApplication::setApplicationName(QStringLiteral("hitscope-cli"));
     QCoreApplication::setApplicationVersion(QStringLiteral(HITSCOPE_VERSION));
+    endInOrder();
 
-    return hitscope::cli::flushOutput(run(QCoreApplication::arguments()));
+    return flushOutput(run(QCoreApplication::arguments()));
 }

@@ -9,10 +9,11 @@
 #include "analysis/hit_effects.h"
 #include "cli/agreement.h"
 #include "cli/command_line.h"
-#include "cli/commands.h"
-#include "cli/load_scene.h"
+#include "cli/film.h"
 #include "cli/picture_arguments.h"
-#include "gl/context.h"
+#include "cli/progress_line.h"
+#include "cli/standard_streams.h"
+#include "cli/verbs.h"
 #include "io/save_image.h"
 #include "scene/picture_sequence.h"
 #include "session/demo_shots.h"
@@ -26,22 +27,21 @@ constexpr int kMostTurntablePictures = 100'000;
 
 /// A scene that can be drawn with no display.
 struct Studio {
-    std::unique_ptr<gl::OffscreenContext> context;
-    Session session;
+    OpenedScene opened;
     std::unique_ptr<HitEffects> effects;  // null: nobody asks for numbers of hits
     std::unique_ptr<ChangeValues> changeValues;
-    std::unique_ptr<SceneGpu> scene;  // below the session and the context, so that it goes first
     PictureRequest request;
 };
 
 /// What the surfaces are coloured by, of the hits that there are.
-Status measureChange(Studio& studio, ChangeQuantity quantity) {
-    if (Status current = studio.scene->sync(); !current) {
+Outcome measureChange(Studio& studio, ChangeQuantity quantity) {
+    Session& session = studio.opened.session();
+    if (Outcome current = studio.opened.sync(); !current) {
         return current;
     }
-    studio.changeValues = std::make_unique<ChangeValues>(studio.session);
+    studio.changeValues = std::make_unique<ChangeValues>(session);
     if (quantity == ChangeQuantity::HitCount) {
-        studio.effects = std::make_unique<HitEffects>(studio.session);
+        studio.effects = std::make_unique<HitEffects>(session);
         studio.effects->finish();
         studio.changeValues->setHitCounts(
             [&effects = *studio.effects](TargetId target) { return effects.counts(target); });
@@ -52,84 +52,89 @@ Status measureChange(Studio& studio, ChangeQuantity quantity) {
     return Done{};
 }
 
-Status open(Studio& studio, const PictureArguments& arguments) {
-    Result<std::unique_ptr<gl::OffscreenContext>> context = gl::OffscreenContext::create();
-    if (!context) {
-        return context.error();
+/// The session's camera, or all of the scene in the picture, or the one that was given.
+Status placeCamera(Studio& studio, const PictureArguments& arguments) {
+    PictureRequest& request = studio.request;
+    const Bounds bounds = studio.opened.session().targets().bounds();
+    request.camera.setSceneRadius(bounds.empty() ? 1.0f : bounds.diagonal());
+    request.camera.frame(bounds, static_cast<float>(request.width) / static_cast<float>(request.height));
+    const SessionDocument* document = studio.opened.document();
+    const bool isGiven = !arguments.camera.isEmpty();
+    const std::string text = isGiven               ? arguments.camera.toStdString()
+                             : document != nullptr ? document->cameras.current
+                                                   : std::string();
+    if (text.empty()) {
+        return Done{};
     }
-    studio.context = std::move(context).value();
-    gl::collectDebugMessages();
-    QTextStream notes(stderr);
-    if (Status loaded = loadScene(studio.session, arguments.meshPath, notes); !loaded) {
-        return loaded;
+    Result<Camera> camera = parseCamera(text, request.camera);
+    if (!camera && isGiven) {
+        return Error{camera.error().what, "--camera", camera.error().advice};
     }
-    Result<std::unique_ptr<SceneGpu>> scene = SceneGpu::create(studio.session);
-    if (!scene) {
-        return scene.error();
+    if (camera) {
+        request.camera = camera.value();
     }
-    studio.scene = std::move(scene).value();
-    if (Status used = useAskedPipeline(studio.session, *studio.scene, arguments.pipeline); !used) {
-        return used;
-    }
-    shootAll(studio.session, demoShots(studio.session, arguments.shots, arguments.seed));
-    studio.session.targets().select({});
+    return Done{};
+}
 
+Outcome open(Studio& studio, Invocation& given, const PictureArguments& arguments) {
+    if (Outcome opened = studio.opened.open(arguments.scene); !opened) {
+        return opened;
+    }
+    gl::collectDebugMessages();
+    Session& session = studio.opened.session();
+    shootAll(session, demoShots(session, arguments.shots, arguments.seed));
+    session.targets().select({});
+
+    const SessionDocument* document = studio.opened.document();
     PictureRequest& request = studio.request;
     request.width = arguments.width;
     request.height = arguments.height;
-    request.options = arguments.options;
-    if (arguments.options.change.on) {
-        if (Status measured = measureChange(studio, arguments.options.change.quantity); !measured) {
+    request.options = readDisplay(given, document != nullptr ? document->display : DisplayOptions());
+    if (request.options.change.on) {
+        if (request.options.change.quantity ==
+            ChangeQuantity::Difference) {  // of a session: takes two pipelines
+            request.options.change.quantity = ChangeQuantity::Displacement;
+        }
+        if (Outcome measured = measureChange(studio, request.options.change.quantity); !measured) {
             return measured;
         }
         request.labels = arguments.labels && !QFontDatabase::families().isEmpty();
         if (arguments.labels && !request.labels) {
-            notes << "No fonts are installed here, so there is no colour bar in the picture.\n";
+            note(QStringLiteral("No fonts are installed here, so there is no colour bar in the picture."));
         }
     }
-    const Bounds bounds = studio.session.targets().bounds();
-    request.camera.setSceneRadius(bounds.empty() ? 1.0f : bounds.diagonal());
-    if (arguments.camera.isEmpty()) {
-        request.camera.frame(bounds, static_cast<float>(request.width) / static_cast<float>(request.height));
-        return Done{};
-    }
-    Result<Camera> camera = parseCamera(arguments.camera.toStdString(), request.camera);
-    if (!camera) {
-        return Error{camera.error().what, "--camera", camera.error().advice};
-    }
-    request.camera = camera.value();
-    return Done{};
+    return placeCamera(studio, arguments);
 }
 
-Status glErrors() {
+Outcome glErrors() {
     const std::vector<std::string> errors = gl::takeErrors();
-    return errors.empty() ? Status(Done{})
-                          : Error{"OpenGL reports: " + errors.front(), "",
-                                  "Please report this with the renderer's name."};
+    return errors.empty() ? Outcome(Done{})
+                          : cannotDraw({"OpenGL reports: " + errors.front(), "",
+                                        "Please report this with the renderer's name."});
 }
 
 /// What was shot at the scene, to be compared between machines.
-Status printFingerprints(Studio& studio, const PictureArguments& arguments) {
+Outcome printFingerprints(Studio& studio, const PictureArguments& arguments) {
     if (arguments.shots == 0) {
         return Done{};
     }
-    if (Status current = studio.scene->sync(); !current) {
+    if (Outcome current = studio.opened.sync(); !current) {
         return current;
     }
-    QTextStream(stdout) << fingerprintLines(studio.session);
+    QTextStream(stdout) << fingerprintLines(studio.opened.session());
     return Done{};
 }
 
-Status drawOne(const PictureArguments& arguments, const QString& path) {
+Outcome drawOne(Invocation& given, const PictureArguments& arguments, const QString& path) {
     Studio studio;
-    if (Status opened = open(studio, arguments); !opened) {
+    if (Outcome opened = open(studio, given, arguments); !opened) {
         return opened;
     }
-    const Result<Image> image = drawPicture(*studio.scene, studio.request);
+    const Result<Image> image = drawPicture(studio.opened.gpu(), studio.request);
     if (!image) {
-        return image.error();
+        return cannotDraw(image.error());
     }
-    if (Status errors = glErrors(); !errors) {
+    if (Outcome errors = glErrors(); !errors) {
         return errors;
     }
     if (Status saved = savePicture(image.value(), path); !saved) {
@@ -138,22 +143,16 @@ Status drawOne(const PictureArguments& arguments, const QString& path) {
     return printFingerprints(studio, arguments);
 }
 
-/// turntable: how many pictures; 0: a replay.
-Status drawMany(const PictureArguments& arguments, int turntable, const QString& folder) {
-    if (!QDir().mkpath(folder)) {
-        return Error{"The folder cannot be made.", folder.toStdString(), "Choose one you may write to."};
-    }
-    Studio studio;
-    if (Status opened = open(studio, arguments); !opened) {
-        return opened;
-    }
+/// Numbered PNG files in the folder. turntable: how many pictures; 0: a replay. Gives how many there are.
+Result<int> drawPictures(Studio& studio, int turntable, const QString& folder) {
     Result<PictureSequence> sequence =
-        turntable > 0 ? PictureSequence::turntable(*studio.scene, studio.request, turntable)
-                      : PictureSequence::replay(studio.session, studio.request);
+        turntable > 0 ? PictureSequence::turntable(studio.opened.gpu(), studio.request, turntable)
+                      : PictureSequence::replay(studio.opened.session(), studio.request);
     if (!sequence) {
         return sequence.error();
     }
     const int count = sequence.value().count();
+    ProgressLine progress(QStringLiteral("Drawing"), count);
     for (int number = 1; number <= count; ++number) {
         const Result<Image> image = sequence.value().next();
         if (!image) {
@@ -161,84 +160,126 @@ Status drawMany(const PictureArguments& arguments, int turntable, const QString&
         }
         const QString base = turntable > 0 ? QStringLiteral("turntable") : QStringLiteral("replay");
         if (Status saved = savePicture(image.value(), sequencePath(folder, base, number, count)); !saved) {
-            return saved;
+            return saved.error();
+        }
+        progress.show(number);
+    }
+    return count;
+}
+
+Outcome drawMany(Invocation& given, const PictureArguments& arguments, int turntable, const QString& place) {
+    const bool isFilm = namesFilm(place);
+    const ScratchFolder scratch;
+    if (Status made = scratch.check(); isFilm && !made) {
+        return made;
+    }
+    const QString folder = isFilm ? scratch.file(QStringLiteral("pictures")) : place;
+    if (!QDir().mkpath(folder)) {
+        return Error{"The folder cannot be made.", folder.toStdString(), "Choose one you may write to."};
+    }
+    Studio studio;
+    if (Outcome opened = open(studio, given, arguments); !opened) {
+        return opened;
+    }
+    const Result<int> count = drawPictures(studio, turntable, folder);
+    if (!count) {
+        return count.error();
+    }
+    if (isFilm) {
+        const QString pattern = sequencePath(
+            folder, turntable > 0 ? QStringLiteral("turntable") : QStringLiteral("replay"), 1, count.value());
+        if (Outcome filmed = writeFilm(pattern, given.number("rate", 0.1, 240.0), place); !filmed) {
+            return filmed;
         }
     }
-    QTextStream(stdout) << count << " pictures in " << QDir::toNativeSeparators(folder) << "\n";
-    if (Status printed = printFingerprints(studio, arguments); !printed) {
+    QTextStream(stdout) << count.value() << " pictures in " << QDir::toNativeSeparators(place) << "\n";
+    if (Outcome printed = printFingerprints(studio, arguments); !printed) {
         return printed;
     }
     return glErrors();
 }
 
-}  // namespace
-
-int pictureCommand(const QStringList& arguments) {
-    QCommandLineParser parser;
-    parser.setApplicationDescription(
-        QStringLiteral("Draws the paper's scene, or a mesh, into a picture, with no display."));
-    parser.addHelpOption();
-    const PictureOptions options(parser);
-    parser.addPositionalArgument(
-        QStringLiteral("picture"),
-        QStringLiteral("File to write: .%1.").arg(pictureSuffixes().join(QStringLiteral(", ."))));
-    parser.addPositionalArgument(QStringLiteral("mesh"), QStringLiteral("Mesh file."),
-                                 QStringLiteral("[mesh]"));
-    if (const std::optional<int> status = parse(parser, QStringLiteral("picture"), arguments)) {
-        return *status;
+int picture(Invocation& given) {
+    const PictureArguments arguments = readPictureArguments(given, given.file(1));
+    if (!given.error().isEmpty()) {
+        return kWrongUsage;
     }
-    const QStringList paths = parser.positionalArguments();
-    if (paths.isEmpty() || paths.size() > 2) {
-        return wrongUsage(QStringLiteral("picture takes the file to write, and one mesh at most."));
-    }
-    Result<PictureArguments> read = options.read(parser);
-    if (!read) {
-        return wrongUsage(QString::fromStdString(read.error().what));
-    }
-    read.value().meshPath = paths.value(1);
-    if (Status known = checkPictureName(paths.constFirst()); !known) {
+    if (Status known = checkPictureName(given.file(0)); !known) {
         return finish(known);  // before the work
     }
-    return finish(drawOne(read.value(), paths.constFirst()));
+    return finish(drawOne(given, arguments, given.file(0)));
 }
 
-int sequenceCommand(const QStringList& arguments) {
-    QCommandLineParser parser;
-    parser.setApplicationDescription(QStringLiteral(
-        "Draws a turntable, or the hits appearing one by one, into numbered PNG files, with no display."));
-    parser.addHelpOption();
-    const QCommandLineOption turntable(QStringLiteral("turntable"),
-                                       QStringLiteral("Number of pictures in one turn around the scene."),
-                                       QStringLiteral("number"));
-    const QCommandLineOption replay(QStringLiteral("replay"),
-                                    QStringLiteral("A picture before the hits, and one after each."));
-    parser.addOptions({turntable, replay});
-    const PictureOptions options(parser);
-    parser.addPositionalArgument(QStringLiteral("folder"),
-                                 QStringLiteral("Where the pictures go; made if missing."));
-    parser.addPositionalArgument(QStringLiteral("mesh"), QStringLiteral("Mesh file."),
-                                 QStringLiteral("[mesh]"));
-    if (const std::optional<int> status = parse(parser, QStringLiteral("sequence"), arguments)) {
-        return *status;
+int sequence(Invocation& given) {
+    if (given.isSet("turntable") == given.isSet("replay")) {
+        given.complain(QStringLiteral("sequence takes either --turntable or --replay."));
     }
-    if (parser.isSet(turntable) == parser.isSet(replay)) {
-        return wrongUsage(QStringLiteral("sequence takes either --turntable or --replay."));
+    const int turntable =
+        given.isSet("turntable") ? given.wholeNumber("turntable", 1, kMostTurntablePictures) : 0;
+    static_cast<void>(given.number("rate", 0.1, 240.0));
+    const PictureArguments arguments = readPictureArguments(given, given.file(1));
+    if (!given.error().isEmpty()) {
+        return kWrongUsage;
     }
-    const std::optional<int> count = wholeNumber(parser.value(turntable), 1, kMostTurntablePictures);
-    if (parser.isSet(turntable) && !count) {
-        return wrongUsage(
-            QStringLiteral("--turntable takes a whole number from 1 to %1.").arg(kMostTurntablePictures));
+    if (namesFilm(given.file(0))) {
+        if (Outcome ready = checkFilm(arguments.width, arguments.height); !ready) {
+            return finish(ready);  // before the work
+        }
     }
-    const QStringList paths = parser.positionalArguments();
-    if (paths.isEmpty() || paths.size() > 2) {
-        return wrongUsage(QStringLiteral("sequence takes the folder to write to, and one mesh at most."));
-    }
-    Result<PictureArguments> read = options.read(parser);
-    if (!read) {
-        return wrongUsage(QString::fromStdString(read.error().what));
-    }
-    read.value().meshPath = paths.value(1);
-    return finish(drawMany(read.value(), count.value_or(0), paths.constFirst()));
+    return finish(drawMany(given, arguments, turntable, given.file(0)));
+}
+
+}  // namespace
+
+Verb pictureVerb() {
+    return {
+        {.name = QStringLiteral("picture"),
+         .files = QStringLiteral("PICTURE [MESH|SESSION]"),
+         .about = QStringLiteral("draw a scene into a picture of any size"),
+         .description =
+             QStringLiteral("Draws the paper's scene, a mesh, or a session as it was seen when it was "
+                            "saved, into a picture, with no display. PICTURE is a file to write: .%1.")
+                 .arg(pictureSuffixes().join(QStringLiteral(", ."))),
+         .options = pictureOptions(),
+         .examples = {{QStringLiteral("A session, coloured by displacement."),
+                       QStringLiteral("hitscope-cli picture --change displacement dents.png dents.hitscope")},
+                      {QStringLiteral("A mesh with its edges, on a transparent background."),
+                       QStringLiteral(
+                           "hitscope-cli picture --wireframe over --transparent --no-floor bunny.png "
+                           "bunny.obj")}},
+         .leastFiles = 1,
+         .mostFiles = 2},
+        picture,
+        true};
+}
+
+Verb sequenceVerb() {
+    return {{.name = QStringLiteral("sequence"),
+             .files = QStringLiteral("FOLDER|FILM [MESH|SESSION]"),
+             .about = QStringLiteral("draw a turntable, or the hits one by one, into PNG files or a film"),
+             .description = QStringLiteral("Draws a turntable, or the hits appearing one by one, with no "
+                                           "display: into numbered PNG files in a "
+                                           "folder, which is made where it is missing, or, where ffmpeg is "
+                                           "installed, into a film: .%1.")
+                                .arg(filmSuffixes().join(QStringLiteral(", ."))),
+             .options =
+                 QList<UsageOption>{
+                     valueOption("turntable", "N",
+                                 QStringLiteral("Number of pictures in one turn around the scene.")),
+                     flagOption("replay", QStringLiteral("A picture before the hits, and one "
+                                                         "after each.")),
+                     valueOption("rate", "N", QStringLiteral("Of a film, pictures a second, 0.1 to 240."),
+                                 QStringLiteral("25"))} +
+                 pictureOptions(),
+             .examples =
+                 {{QStringLiteral("One turn around a mesh as a film."),
+                   QStringLiteral("hitscope-cli sequence --turntable 12 --size 320x180 turn.mp4 bunny.obj")},
+                  {QStringLiteral("The hits of a session one by one, as PNG files."),
+                   QStringLiteral("hitscope-cli sequence --replay --size 320x180 frames dents.hitscope")}},
+             .leastFiles = 1,
+             .mostFiles = 2},
+            sequence,
+            true};
 }
 
 }  // namespace hitscope::cli

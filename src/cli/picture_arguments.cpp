@@ -3,8 +3,10 @@
 
 #include <array>
 
+#include "cli/common_options.h"
 #include "cli/cut_argument.h"
-#include "cli/pipeline_argument.h"
+#include "deform/change_quantity.h"
+#include "view/camera_text.h"
 
 namespace hitscope::cli {
 
@@ -13,42 +15,12 @@ namespace {
 constexpr int kMostShots = 100'000;
 constexpr int kLargestSide = 1'000'000;  // pixels; what the driver can draw is asked for later
 
-QCommandLineOption option(const char* name, const QString& text, const char* value = nullptr,
-                          const char* standard = nullptr) {
-    QCommandLineOption made(QString::fromLatin1(name), text);
-    if (value != nullptr) {
-        made.setValueName(QString::fromLatin1(value));
-    }
-    if (standard != nullptr) {
-        made.setDefaultValue(QString::fromLatin1(standard));
+QStringList words(std::initializer_list<const char*> list) {
+    QStringList made;
+    for (const char* word : list) {
+        made << QString::fromLatin1(word);
     }
     return made;
-}
-
-Error wrong(const QCommandLineOption& option, const QString& takes) {
-    return {("--" + option.names().constFirst() + " takes " + takes + '.').toStdString(), "", ""};
-}
-
-/// Which of the words the option has; -1: none.
-qsizetype wordOf(const QCommandLineParser& parser, const QCommandLineOption& option,
-                 const QStringList& words) {
-    return words.indexOf(parser.value(option));
-}
-
-const QStringList& themes() {
-    static const QStringList words{QStringLiteral("light"), QStringLiteral("dark")};  // by Theme
-    return words;
-}
-
-const QStringList& wireframes() {
-    static const QStringList words{QStringLiteral("off"), QStringLiteral("over"),
-                                   QStringLiteral("only")};  // by WireframeMode
-    return words;
-}
-
-const QStringList& normalModes() {
-    static const QStringList words{QStringLiteral("true"), QStringLiteral("paper")};  // by NormalMode
-    return words;
 }
 
 /// By ChangeQuantity; but for the difference to a second pipeline, which is its last.
@@ -62,108 +34,168 @@ QStringList changeKeys() {
     return keys;
 }
 
-QString oneOf(const QStringList& words) {
-    return QStringLiteral("one of ") + words.join(QStringLiteral(", "));
+/// Ways to draw that are on or off.
+struct DrawingFlag {
+    const char* option;
+    const char* help;
+    bool DisplayOptions::*member;
+    bool turnsOn;
+};
+constexpr std::array<DrawingFlag, 9> kFlags{
+    {{"transparent", "No background.", &DisplayOptions::transparent, true},
+     {"no-floor", "No floor.", &DisplayOptions::floor, false},
+     {"no-textures", "Without the meshes' textures.", &DisplayOptions::textures, false},
+     {"no-colours", "Without the meshes' vertex colours.", &DisplayOptions::vertexColours, false},
+     {"shadows", "Soft shadows of the directional light.", &DisplayOptions::shadows, true},
+     {"flat", "One normal for each triangle, instead of smooth.", &DisplayOptions::flat, true},
+     {"back-faces", "Faces that turn their back to the eye in red.", &DisplayOptions::backFaces, true},
+     {"needles", "Normals as needles.", &DisplayOptions::needles, true},
+     {"dots", "Vertices as dots.", &DisplayOptions::dots, true}}};
+
+QList<UsageOption> changeOptions() {
+    return {wordOption("change", "QUANTITY", changeKeys(), QStringLiteral("Colour by change.")),
+            wordOption("colour-map", "MAP", words({"viridis", "cividis", "cool-warm"}),
+                       QStringLiteral("Colours of --change.")),
+            valueOption("range", "LOW,HIGH",
+                        QStringLiteral("Values at the ends of the colour map; without it, those "
+                                       "of the changed vertices.")),
+            flagOption("isolines", QStringLiteral("Lines of equal change.")),
+            flagOption("no-labels", QStringLiteral("No colour bar in the picture.")),
+            wordOption("ghost", "MODE", words({"off", "wire", "translucent"}),
+                       QStringLiteral("The original over the deformed.")),
+            valueOption("wipe", "SHARE",
+                        QStringLiteral("The original left of a line at that share of the width, 0 to "
+                                       "1, the deformed right of it.")),
+            valueOption("exaggerate", "FACTOR",
+                        QStringLiteral("Draw displacements so many times as large, 1 to 20."))};
+}
+
+void readSize(Invocation& given, PictureArguments& arguments) {
+    const QStringList sides = given.text("size").split(u'x');
+    bool isWidth = false;
+    bool isHeight = false;
+    arguments.width = sides.value(0).toInt(&isWidth);
+    arguments.height = sides.value(1).toInt(&isHeight);
+    const auto fits = [](int side) { return side >= 1 && side <= kLargestSide; };
+    if (sides.size() != 2 || !isWidth || !isHeight || !fits(arguments.width) || !fits(arguments.height)) {
+        given.complain(QStringLiteral("--size takes width and height in pixels, as in 1920x1080."));
+    }
+}
+
+void readChange(Invocation& given, ChangeMapOptions& change) {
+    if (given.isSet("change")) {
+        change.on = true;
+        change.quantity = allChangeQuantities()[given.word("change")].quantity;
+    }
+    change.isolines = change.isolines || given.isSet("isolines");
+    if (given.isSet("colour-map")) {
+        change.style().map = static_cast<ColourMap>(given.word("colour-map"));
+    }
+    if (given.isSet("range")) {
+        const QStringList ends = given.text("range").split(u',');
+        bool isLow = false;
+        bool isHigh = false;
+        const ChangeRange range{ends.value(0).toFloat(&isLow), ends.value(1).toFloat(&isHigh)};
+        if (ends.size() != 2 || !isLow || !isHigh || !(range.low < range.high)) {
+            given.complain(QStringLiteral("--range takes two numbers, the lower first, as in 0,0.3."));
+        }
+        change.style().automatic = false;
+        change.style().fixed = range;
+    }
+}
+
+void readBeforeAfter(Invocation& given, BeforeAfterOptions& options) {
+    if (given.isSet("ghost")) {
+        options.ghost = static_cast<GhostMode>(given.word("ghost"));
+    }
+    if (given.isSet("wipe")) {
+        options.wipe = true;
+        options.wipeAt = static_cast<float>(given.number("wipe", 0.0, 1.0));
+    }
+    if (given.isSet("exaggerate")) {
+        options.exaggeration = static_cast<float>(given.number("exaggerate", 1.0, kLargestExaggeration));
+    }
 }
 
 }  // namespace
 
-std::optional<int> wholeNumber(const QString& text, int lowest, int highest) {
-    bool isNumber = false;
-    const int value = text.toInt(&isNumber);
-    return isNumber && value >= lowest && value <= highest ? std::optional(value) : std::nullopt;
+QList<UsageOption> pictureOptions() {
+    QList<UsageOption> options{
+        valueOption("size", "WxH", QStringLiteral("Pixels of the picture."), QStringLiteral("1280x720")),
+        valueOption("camera", "TEXT",
+                    QStringLiteral(
+                        "Camera, as Edit > Copy Camera gives it: \"camera pivot 0 0 0 yaw 35 pitch 20 "
+                        "distance 12 fov 50 perspective\"; without it, the session's, or the whole scene.")),
+        valueOption("cut", "PLANE",
+                    QStringLiteral(
+                        "Cut the targets open: x=0.1 hides what lies beyond 0.1 m along x, -x=0.1 the other "
+                        "side, 1,1,0=0.5 cuts across that direction.")),
+        flagOption("fill-cut", QStringLiteral("Close what is cut, as if targets were solid.")),
+        wordOption("theme", "NAME", words({"light", "dark"}), QStringLiteral("Background."),
+                   QStringLiteral("dark")),
+        wordOption("wireframe", "MODE", words({"off", "over", "only"}),
+                   QStringLiteral("Edges of the file's polygons.")),
+        wordOption("normals", "KIND", words({"true", "paper"}), QStringLiteral("What shades."))};
+    for (const DrawingFlag& flag : kFlags) {
+        options << flagOption(flag.option, QString::fromLatin1(flag.help));
+    }
+    options << changeOptions() << pipelineOption(QStringLiteral("transform-feedback, or that of the session"))
+            << valueOption("until", "N", QStringLiteral("Of a session, only the first N hits."))
+            << valueOption("shots", "N", QStringLiteral("Number of shots before the picture, 0 to 100000."),
+                           QStringLiteral("0"))
+            << valueOption("seed", "NUMBER", QStringLiteral("Another seed gives other shots."),
+                           QStringLiteral("1"));
+    return options << quietOption();
 }
 
-PictureOptions::PictureOptions(QCommandLineParser& parser)
-    : m_size(option("size", QStringLiteral("Pixels of the picture."), "WxH", "1280x720")),
-      m_camera(option("camera",
-                      QStringLiteral("Camera, as Edit > Copy Camera gives it: \"camera pivot 0 0 0 yaw 35 "
-                                     "pitch 20 distance 12 fov 50 perspective\". Default: the whole scene."),
-                      "text")),
-      m_transparent(option("transparent", QStringLiteral("No background."))),
-      m_cut(option(
-          "cut",
-          QStringLiteral("Cut the targets open: x=0.1 hides what lies beyond 0.1 m along x, -x=0.1 the "
-                         "other side, 1,1,0=0.5 cuts across that direction."),
-          "plane")),
-      m_fillCut(option("fill-cut", QStringLiteral("Close what is cut, as if targets were solid."))),
-      m_noFloor(option("no-floor", QStringLiteral("No floor."))),
-      m_theme(option("theme", QStringLiteral("Background: light or dark."), "name", "dark")),
-      m_wireframe(
-          option("wireframe", QStringLiteral("Edges: off, over the surface, or only."), "mode", "off")),
-      m_normals(option("normals", QStringLiteral("Shading: true or paper."), "kind", "true")),
-      m_change(
-          option("change", QStringLiteral("Colour by change: ") + oneOf(changeKeys()) + u'.', "quantity")),
-      m_noLabels(option("no-labels", QStringLiteral("No colour bar in the picture."))),
-      m_pipeline(option("pipeline",
-                        QStringLiteral("Pipeline that applies the hits: ") + oneOf(pipelineWords()) + u'.',
-                        "name", "transform-feedback")),
-      m_shots(
-          option("shots", QStringLiteral("Number of shots before the picture, 0 to 100000."), "number", "0")),
-      m_seed(option("seed", QStringLiteral("Another seed gives other shots."), "number", "1")) {
-    parser.addOptions({m_size, m_camera, m_transparent, m_cut, m_fillCut, m_noFloor, m_theme, m_wireframe,
-                       m_normals, m_change, m_noLabels, m_pipeline, m_shots, m_seed});
-}
-
-Result<PictureArguments> PictureOptions::read(const QCommandLineParser& parser) const {
+PictureArguments readPictureArguments(Invocation& given, const QString& scene) {
     PictureArguments arguments;
-    const QStringList size = parser.value(m_size).split(u'x');
-    const auto width = wholeNumber(size.value(0), 1, kLargestSide);
-    const auto height = wholeNumber(size.value(1), 1, kLargestSide);
-    if (size.size() != 2 || !width || !height) {
-        return wrong(m_size, QStringLiteral("width and height in pixels, as in 1920x1080"));
-    }
-    arguments.width = *width;
-    arguments.height = *height;
-    const qsizetype theme = wordOf(parser, m_theme, themes());
-    const qsizetype wireframe = wordOf(parser, m_wireframe, wireframes());
-    const qsizetype normals = wordOf(parser, m_normals, normalModes());
-    const std::array<std::pair<const QCommandLineOption&, QStringList>, 4> words{
-        {{m_theme, themes()},
-         {m_wireframe, wireframes()},
-         {m_normals, normalModes()},
-         {m_pipeline, pipelineWords()}}};
-    for (const auto& word : words) {
-        if (wordOf(parser, word.first, word.second) < 0) {
-            return wrong(word.first, oneOf(word.second));
+    arguments.scene = {scene, givenPipeline(given)};
+    if (given.isSet("until")) {
+        arguments.scene.until = static_cast<std::size_t>(given.wholeNumber("until", 0, 2147483647));
+        if (!namesSession(scene)) {
+            given.complain(QStringLiteral("--until goes with a session."));
         }
     }
-    arguments.options.theme = static_cast<Theme>(theme);
-    arguments.options.wireframe = static_cast<WireframeMode>(wireframe);
-    arguments.options.normals = static_cast<NormalMode>(normals);
-    if (parser.isSet(m_pipeline)) {
-        arguments.pipeline = pipelineNamed(parser.value(m_pipeline));
+    readSize(given, arguments);
+    arguments.labels = !given.isSet("no-labels");
+    arguments.shots = given.wholeNumber("shots", 0, kMostShots);
+    arguments.seed = given.seed("seed");
+    arguments.camera = given.text("camera");
+    if (const Result<Camera> camera = parseCamera(arguments.camera.toStdString(), Camera());
+        given.isSet("camera") && !camera) {
+        given.complain(QStringLiteral("--camera: ") + QString::fromStdString(camera.error().message()));
     }
-    arguments.options.transparent = parser.isSet(m_transparent);
-    arguments.options.floor = !parser.isSet(m_noFloor);
-    arguments.labels = !parser.isSet(m_noLabels);
-    if (parser.isSet(m_change)) {
-        const qsizetype change = wordOf(parser, m_change, changeKeys());
-        if (change < 0) {
-            return wrong(m_change, oneOf(changeKeys()));
-        }
-        arguments.options.change.on = true;
-        arguments.options.change.quantity = allChangeQuantities()[static_cast<std::size_t>(change)].quantity;
-    }
-    if (parser.isSet(m_cut)) {
-        const std::optional<CuttingPlane> cut = parseCut(parser.value(m_cut));
-        if (!cut) {
-            return wrong(m_cut,
-                         QStringLiteral("an axis or a direction, and metres, as in x=0.1 or 1,1,0=0.5"));
-        }
-        arguments.options.cut = *cut;
-        arguments.options.cut.fill = parser.isSet(m_fillCut);
-    }
-    const auto shots = wholeNumber(parser.value(m_shots), 0, kMostShots);
-    bool seedOk = false;
-    arguments.seed = parser.value(m_seed).toUInt(&seedOk);
-    if (!shots || !seedOk) {
-        return shots ? wrong(m_seed, QStringLiteral("a whole number, 0 or more"))
-                     : wrong(m_shots, QStringLiteral("a whole number from 0 to %1").arg(kMostShots));
-    }
-    arguments.shots = *shots;
-    arguments.camera = parser.value(m_camera);
+    static_cast<void>(readDisplay(given, {}));  // what is wrong with it is said before the work
     return arguments;
+}
+
+DisplayOptions readDisplay(Invocation& given, DisplayOptions options) {
+    options.theme = static_cast<Theme>(given.word("theme"));
+    if (given.isSet("wireframe")) {
+        options.wireframe = static_cast<WireframeMode>(given.word("wireframe"));
+    }
+    if (given.isSet("normals")) {
+        options.normals = static_cast<NormalMode>(given.word("normals"));
+    }
+    for (const DrawingFlag& flag : kFlags) {
+        if (given.isSet(flag.option)) {
+            options.*flag.member = flag.turnsOn;
+        }
+    }
+    readChange(given, options.change);
+    readBeforeAfter(given, options.beforeAfter);
+    if (given.isSet("cut")) {
+        const std::optional<CuttingPlane> cut = parseCut(given.text("cut"));
+        if (!cut) {
+            given.complain(
+                QStringLiteral("--cut takes an axis or a direction, and metres, as in x=0.1 or 1,1,0=0.5."));
+        }
+        options.cut = cut.value_or(CuttingPlane{});
+    }
+    options.cut.fill = options.cut.fill || given.isSet("fill-cut");
+    options.sideBySide = false;
+    return options;
 }
 
 }  // namespace hitscope::cli

@@ -3,150 +3,237 @@
 
 #include <QDir>
 #include <QTextStream>
-#include <algorithm>
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
 #include "analysis/hit_files.h"
 #include "cli/agreement.h"
-#include "cli/load_scene.h"
-#include "gl/context.h"
-#include "session/export/export_target.h"
+#include "cli/common_options.h"
+#include "cli/opened_scene.h"
+#include "cli/progress_line.h"
+#include "cli/standard_streams.h"
+#include "cli/verbs.h"
+#include "document/capture.h"
+#include "document/session_file.h"
+#include "io/save_image.h"
+#include "scene/picture.h"
 #include "session/shot_script_file.h"
+#include "view/camera_text.h"
 
 namespace hitscope::cli {
 
 namespace {
 
-ShotScript burstAt(const Session& session, const ShootOptions& options) {
-    constexpr float kPicture = 16.0f / 9.0f;
-    constexpr float kFarthest = 1.0e7f;  // metres
-    Camera camera;
-    camera.frame(session.targets().bounds(), kPicture);
-    const auto met = session.simulation().physics().castRay(camera.eye(), camera.forward(), kFarthest);
-    const Target* target = met ? session.targets().find(met->target) : nullptr;
-    const FlightMode flight =
-        options.flight.value_or(options.meshPath.isEmpty() ? FlightMode::Paper : FlightMode::Quick);
-    ShotScript script;
-    script.projectile = projectileOf(flight, session.settings().projectile(),
-                                     target != nullptr ? target->extent() : kUsualExtent,
-                                     met ? glm::distance(met->point, camera.eye()) : camera.distance());
-    script.projectile.mostAlive = std::max(script.projectile.mostAlive, options.burst);
-    script.isInstant = flight == FlightMode::Instant;
-    if (!options.form.isPaper()) {
-        script.projectile.form = options.form;
-    }
-    script.shots = burst({camera.eye(), camera.forward()}, options.burst,
-                         static_cast<float>(glm::radians(options.cone)), options.seed, options.interval);
-    return script;
-}
-
-/// The shots there are, which may be none; saved where that is asked for.
-Result<ShotScript> scriptOf(const Session& session, const ShootOptions& options) {
-    ShotScript script;
-    if (!options.scriptPath.isEmpty()) {
-        Result<ShotScript> read = readShotScript(options.scriptPath);
-        if (!read) {
-            return read.error();
-        }
-        script = std::move(read).value();
-    } else if (options.shoots) {
-        script = burstAt(session, options);
-    }
-    if (!options.savePath.isEmpty()) {
-        if (Status status = writeShotScript(script, options.savePath); !status) {
-            return status.error();
-        }
-    }
-    return script;
-}
-
 Status addHits(Session& session, const QString& path) {
     if (path.isEmpty()) {
         return Done{};
     }
-    const Result<HitRecords> hits = readHitFile(path);
+    if (!isStandardStream(path)) {
+        const Result<HitRecords> hits = readHitFile(path);
+        return hits ? appendRecords(session, hits.value()) : Status(hits.error());
+    }
+    const Result<QByteArray> bytes = readAllOf(path, static_cast<qint64>(kMostRecordBytes));
+    if (!bytes) {
+        return bytes.error();
+    }
+    const Result<HitRecords> hits = readHitRecords(
+        {bytes.value().constData(), static_cast<std::size_t>(bytes.value().size())}, pipelineKeys());
     return hits ? appendRecords(session, hits.value()) : Status(hits.error());
 }
 
-void printTargets(QTextStream& out, const Session& session) {
-    for (const std::unique_ptr<Target>& target : session.targets()) {
-        const std::size_t hits = session.hits().history().hitsOn(target->id).size();
-        if (hits > 0) {
-            out << target->name << ": " << hits << " hits, " << target->deformed.statistics().changedVertices
-                << " vertices changed\n";
+/// Constants of the hits to come.
+Status setConstants(Session& session, const ShootOptions& options) {
+    ConstantsSetting setting = session.settings().constantsSetting();
+    for (std::size_t i = 0; i < options.constants.size(); ++i) {
+        if (options.constants[i]) {
+            setParameterValue(setting.constants, i, *options.constants[i]);
         }
     }
-}
-
-/// The files asked for and the fingerprints; then whether the mesh is the reference's.
-Status writeResults(QTextStream& out, Session& session, const ShootOptions& options) {
-    if (!options.hitsOutPath.isEmpty()) {
-        HitEffects effects(session);
-        effects.finish();
-        if (Status status = writeHitFile(recordsOf(session, &effects), options.hitsOutPath); !status) {
+    setting.relative = setting.relative && !options.absolute;
+    if (options.form) {
+        if (Status status = session.settings().setForm(*options.form); !status) {
             return status;
         }
     }
-    const std::optional<ReferenceAgreement> agreement = agreementOfActive(session);
-    out << agreementLine(session, agreement) << "\n" << fingerprintLines(session);
-    if (options.meshOutPath.isEmpty()) {
-        return Done{};
-    }
-    const Target& exported = mostChangedTarget(session);
-    if (Status status = exportNamed(session, exported, options.meshOutPath, NormalMode::True); !status) {
-        return status;
-    }
-    out << "In " << QDir::toNativeSeparators(options.meshOutPath) << ": " << exported.name << "\n";
-    out.flush();
-    return exportAgrees(session, agreement, options.meshOutPath);
+    return session.settings().setConstants(setting);
 }
 
 /// Until all shots have left and what they launched has hit or gone.
-void play(Session& session) {
+void play(Session& session, const ShotScript& script, ProgressLine& progress, int before) {
+    schedule(session, script);
+    const auto shots = static_cast<int>(script.shots.size());
     while (session.simulation().isMoving()) {
         session.simulation().stepOnce();
+        progress.show(before + shots - static_cast<int>(session.simulation().shotsToCome()));
     }
+}
+
+/// All shots that are asked for; gives them.
+Result<ShotScript> fireAll(Session& session, const ShootOptions& options) {
+    if (options.shots == ShootOptions::Shots::Random) {
+        ProgressLine progress(QStringLiteral("Shooting"), options.count);
+        int before = 0;
+        return shootAtSurface(session, options,
+                              [&](const ShotScript& shot) { play(session, shot, progress, before++); });
+    }
+    Result<ShotScript> script = shotsOf(session, options);
+    if (script) {
+        ProgressLine progress(QStringLiteral("Shooting"), static_cast<int>(script.value().shots.size()));
+        play(session, script.value(), progress, 0);
+    }
+    return script;
+}
+
+/// As whoever opens it will see it.
+CapturedView viewOf(const OpenedScene& scene) {
+    if (const SessionDocument* document = scene.document()) {
+        return {document->cameras, document->display};
+    }
+    Camera camera;
+    const Bounds bounds = scene.session().targets().bounds();
+    camera.setSceneRadius(bounds.empty() ? 1.0f : bounds.diagonal());
+    camera.frame(bounds, 16.0f / 9.0f);
+    return {{cameraText(camera), {}}, {}};
+}
+
+Outcome writePicture(OpenedScene& scene, const QString& path) {
+    PictureRequest request;
+    request.camera.frame(scene.session().targets().bounds(),
+                         static_cast<float>(request.width) / static_cast<float>(request.height));
+    const Result<Image> image = drawPicture(scene.gpu(), request);
+    return image ? Outcome(savePicture(image.value(), path)) : cannotDraw(image.error());
+}
+
+Status writeHits(Session& session, const QString& path) {
+    HitEffects effects(session);
+    effects.finish();
+    const HitRecords table = recordsOf(session, &effects);
+    return isStandardStream(path) ? writeAllTo(path, toCsv(table)) : writeHitFile(table, path);
+}
+
+/// All files that are asked for, but for the mesh.
+Outcome writeFiles(OpenedScene& scene, const ShootOptions& options, const ShotScript& script) {
+    Session& session = scene.session();
+    if (!options.savePath.isEmpty()) {
+        if (Status saved = writeShotScript(script, options.savePath); !saved) {
+            return saved;
+        }
+    }
+    if (!options.hitsOutPath.isEmpty()) {
+        if (Status saved = writeHits(session, options.hitsOutPath); !saved) {
+            return saved;
+        }
+    }
+    if (!options.sessionPath.isEmpty()) {
+        if (Status saved = writeSessionFile(captureSession(session, viewOf(scene)), options.sessionPath);
+            !saved) {
+            return saved;
+        }
+    }
+    return options.picturePath.isEmpty() ? Outcome(Done{}) : writePicture(scene, options.picturePath);
+}
+
+QString targetLines(const Session& session) {
+    QString text;
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        const std::size_t hits = session.hits().history().hitsOn(target->id).size();
+        if (hits > 0) {
+            text += QStringLiteral("%1: %2 hits, %3 vertices changed\n")
+                        .arg(target->name)
+                        .arg(hits)
+                        .arg(target->deformed.statistics().changedVertices);
+        }
+    }
+    return text;
+}
+
+/// What was hit, and whether the mesh is the reference's; then the mesh.
+Outcome reportShots(Invocation& given, OpenedScene& scene, const ShootOptions& options, std::size_t shots) {
+    Session& session = scene.session();
+    const std::optional<ReferenceAgreement> agreement = agreementOfActive(session);
+    JsonReport report("shoot");
+    report.text("scene", options.scenePath).count("shots", shots);
+    report.count("hits", session.hits().history().size());
+    addAgreement(report, session, agreement);
+    addFingerprints(report, session);
+    addTargets(report, session);
+    QString text = QStringLiteral("%1 shots, %2 hits\n").arg(shots).arg(session.hits().history().size()) +
+                   targetLines(session) + agreementLine(session, agreement) + u'\n' +
+                   fingerprintLines(session);
+    Outcome result = Done{};
+    if (!options.meshOutPath.isEmpty() && !session.targets().empty()) {
+        const Target& exported = mostChangedTarget(session);
+        if (Status status = exportNamed(session, exported, options.meshOutPath, NormalMode::True); !status) {
+            return status;
+        }
+        text +=
+            QStringLiteral("In %1: %2\n").arg(QDir::toNativeSeparators(options.meshOutPath), exported.name);
+        result = exportAgrees(session, agreement, options.meshOutPath);
+    }
+    const Status said = giveReport(given, report, text);
+    return said ? result : Outcome(said);
+}
+
+Outcome shoot(Invocation& given, const ShootOptions& options) {
+    OpenedScene scene;
+    if (Outcome opened = scene.open({options.scenePath, options.pipeline}); !opened) {
+        return opened;
+    }
+    Session& session = scene.session();
+    for (const Status& prepared : {setConstants(session, options), addHits(session, options.hitsPath)}) {
+        if (!prepared) {
+            return prepared;
+        }
+    }
+    session.simulation().setPaused(false);  // as a session may have been saved
+    const Result<ShotScript> script = fireAll(session, options);
+    if (!script) {
+        return script.error();
+    }
+    if (Outcome synced = scene.sync(); !synced) {
+        return synced;
+    }
+    if (Outcome written = writeFiles(scene, options, script.value()); !written) {
+        return written;
+    }
+    return reportShots(given, scene, options, script.value().shots.size());
+}
+
+int run(Invocation& given) {
+    const ShootOptions options = readShootOptions(given);
+    if (!given.error().isEmpty()) {
+        return kWrongUsage;
+    }
+    for (const QString& path : {options.picturePath}) {
+        if (const Status known = path.isEmpty() ? Status(Done{}) : checkPictureName(path); !known) {
+            return finish(known);  // before the work
+        }
+    }
+    return finish(shoot(given, options));
 }
 
 }  // namespace
 
-Status runShoot(const ShootOptions& options) {
-    QTextStream out(stdout);
-    Result<std::unique_ptr<gl::OffscreenContext>> context = gl::OffscreenContext::create();
-    if (!context) {
-        return context.error();
-    }
-    Session session;
-    QTextStream notes(stderr);
-    if (Status status = loadScene(session, options.meshPath, notes); !status) {
-        return status;
-    }
-    if (Status status = session.settings().setForm(options.form); !status) {
-        return status;
-    }
-    const Result<ShotScript> script = scriptOf(session, options);
-    if (!script) {
-        return script.error();
-    }
-    Result<std::unique_ptr<SceneGpu>> gpu = SceneGpu::create(session);
-    if (!gpu) {
-        return gpu.error();
-    }
-    if (Status status = useAskedPipeline(session, *gpu.value(), options.pipeline); !status) {
-        return status;
-    }
-    if (Status status = addHits(session, options.hitsPath); !status) {
-        return status;
-    }
-    schedule(session, script.value());
-    play(session);
-    if (Status status = gpu.value()->sync(); !status) {
-        return status;
-    }
-    out << script.value().shots.size() << " shots, " << session.hits().history().size() << " hits\n";
-    printTargets(out, session);
-    return writeResults(out, session, options);
+Verb shootVerb() {
+    return {
+        {.name = QStringLiteral("shoot"),
+         .files = QStringLiteral("[MESH|SESSION]"),
+         .about =
+             QStringLiteral("shoot at a mesh or a session, print what was hit; hits and mesh in and out"),
+         .description = QStringLiteral("Shoots with no display, at the paper's scene where no file is named, "
+                                       "and prints what was hit, and a "
+                                       "fingerprint each of the hits and of the positions: equal ones mean "
+                                       "equal results, in every bit. "
+                                       "The same command makes the same hits on every machine."),
+         .options = shootOptions(),
+         .examples =
+             {{QStringLiteral("Fifty shots at random places, and the dented mesh."),
+               QStringLiteral("hitscope-cli shoot --random 50 --seed 7 --out dented.obj bunny.obj")},
+              {QStringLiteral("One shot from above, as a session for the window."),
+               QStringLiteral("hitscope-cli shoot --at 0,0.1,0 --direction 0,-1,0 --session one.hitscope "
+                              "bunny.obj")},
+              {QStringLiteral("A burst with a larger dent, reported as JSON."),
+               QStringLiteral("hitscope-cli shoot --burst 20 --cone 3 --max-distance 0.8 --json bunny.obj")}},
+         .mostFiles = 1},
+        run};
 }
 
 }  // namespace hitscope::cli

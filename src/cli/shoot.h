@@ -2,41 +2,58 @@
 #pragma once
 
 #include <QString>
-#include <QStringList>
+#include <functional>
 #include <optional>
+#include <vector>
 
 #include "core/result.h"
 #include "deform/dent_form.h"
 #include "deform/pipeline_kind.h"
 #include "session/flight_mode.h"
+#include "session/session.h"
+#include "session/shot_script.h"
+#include "usage/invocation.h"
 
 namespace hitscope::cli {
 
+/// What shoot is asked for.
 struct ShootOptions {
-    QString meshPath;    ///< empty: the paper's scene
-    QString hitsPath;    ///< hits that come before the shots; empty: none
-    bool shoots = true;  ///< false: only those hits
-    QString scriptPath;  ///< empty: a burst
-    int burst = 20;
-    double cone = 5.0;  ///< degrees from its middle to its edge
+    enum class Shots : std::uint8_t { None, Burst, Random, At, Script };
+
+    QString scenePath;  ///< as SceneWish has it
+    QString hitsPath;   ///< hits that come before the shots; empty: none
+    Shots shots = Shots::Burst;
+    QString scriptPath;
+    int count = 20;      ///< of a burst, of random shots
+    glm::vec3 at{0.0f};  ///< metres, world: where one shot is aimed at
+    glm::vec3 direction{0.0f, 0.0f, -1.0f};
+    double cone = 5.0;  ///< degrees from a burst's middle to its edge
     unsigned seed = 1;
-    double interval = 0.0;  ///< seconds between the burst's shots
-    /// How the burst flies; a script says so itself. Nothing: as in the paper at the paper's scene, quick at
-    /// a mesh, which may be of any size.
+    double interval = 0.0;  ///< seconds between shots
+    /// How shots fly; a script says so itself. Nothing: as in the paper at the paper's scene, instant at one
+    /// place, quick at a mesh, which may be of any size.
     std::optional<FlightMode> flight;
     std::optional<PipelineKind> pipeline;
-    DentForm form;        ///< of the dents; a script may have one of its own
-    QString savePath;     ///< where the script goes; empty: nowhere
+    std::vector<std::optional<double>> constants;   ///< by deformationParameters(); nothing: as they are
+    std::optional<DentForm> form;                   ///< of the dents; nothing: as it is
+    bool absolute = false;                          ///< they hold on targets of any size
+    std::vector<std::optional<double>> projectile;  ///< by projectileParameters(); likewise
+    QString savePath;                               ///< where the script goes; empty: nowhere
     QString meshOutPath;  ///< where the deformed mesh goes, that of most changed vertices; empty: nowhere
     QString hitsOutPath;  ///< where all hits go; empty: nowhere
+    QString sessionPath;  ///< where the session goes; empty: nowhere
+    QString picturePath;  ///< where a picture goes; empty: nowhere
 };
 
-/// Shoots a script, or a burst at the middle of the scene from where all of it is seen, with no display;
-/// prints what was hit, a number that is the same for the same hits, and one for the same positions, in every
-/// bit. An error, after all is written, if the mesh is not what the reference makes of the hits.
-[[nodiscard]] Status runShoot(const ShootOptions& options);
+/// What shoot takes on the command line, and what was given.
+[[nodiscard]] QList<UsageOption> shootOptions();
+[[nodiscard]] ShootOptions readShootOptions(Invocation& given);
 
-/// hitscope-cli shoot; returns the exit status.
-int shootCommand(const QStringList& arguments);
+/// Of random shots: each is aimed at the surface as the ones before have left it, and `play` lets it land.
+/// Gives them all, at the times when they left.
+[[nodiscard]] ShotScript shootAtSurface(Session& session, const ShootOptions& options,
+                                        const std::function<void(const ShotScript& shot)>& play);
+/// All others, in the scene as it is.
+[[nodiscard]] Result<ShotScript> shotsOf(const Session& session, const ShootOptions& options);
 
 }  // namespace hitscope::cli

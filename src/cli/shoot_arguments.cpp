@@ -1,222 +1,196 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QCommandLineParser>
-#include <algorithm>
+#include <glm/geometric.hpp>
 
-#include "cli/command_line.h"
-#include "cli/pipeline_argument.h"
+#include "cli/common_options.h"
+#include "cli/form_options.h"
 #include "cli/shoot.h"
-#include "deform/dent_form_text.h"
-#include "session/shot_script.h"
 
 namespace hitscope::cli {
 
 namespace {
 
-QCommandLineOption option(const char* name, const QString& help, const char* value = "",
-                          const char* usual = "") {
-    return {QString::fromLatin1(name), help, QString::fromLatin1(value), QString::fromLatin1(usual)};
+using Shots = ShootOptions::Shots;
+
+/// "max_distance" as an option: "max-distance".
+QByteArray optionName(const ParameterDescriptor& parameter) {
+    return QByteArray(parameter.key.data(), static_cast<qsizetype>(parameter.key.size())).replace('_', '-');
 }
 
-Error wrong(const char* what) {
-    return {what, "", ""};
+QString text(std::string_view words) {
+    return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
 }
 
-/// One that needs no numbers beside it.
-std::optional<FlightMode> flightNamed(const QString& name) {
+/// Of a projectile, what a shot alone is made with.
+bool isOfShots(const ParameterDescriptor& parameter) {
+    return parameter.key == "speed" || parameter.key == "radius" || parameter.key == "mass" ||
+           parameter.key == "gravity";
+}
+
+UsageOption parameterOption(const ParameterDescriptor& parameter, const QString& without) {
+    const QString unit = parameter.unit.empty() ? QString() : QStringLiteral(", in ") + text(parameter.unit);
+    return valueOption(optionName(parameter).constData(), "NUMBER",
+                       QStringLiteral("%1%2, from %3 to %4; without it, %5.")
+                           .arg(text(parameter.label), unit)
+                           .arg(parameter.minimum)
+                           .arg(parameter.maximum)
+                           .arg(without));
+}
+
+QStringList flightWords() {
+    QStringList words;
     for (const FlightModeTraits& traits : allFlightModes()) {
-        if (traits.mode != FlightMode::Own && name == QLatin1String(traits.key)) {
-            return traits.mode;
+        if (traits.mode != FlightMode::Own) {
+            words << text(traits.key);
         }
     }
-    return std::nullopt;
+    return words;
 }
 
-/// What shoot takes on the command line.
-class ShootArguments {
-public:
-    void addTo(QCommandLineParser& parser) const;
-    /// The error says which option is wrong.
-    [[nodiscard]] Result<ShootOptions> read(const QCommandLineParser& parser) const;
-
-private:
-    [[nodiscard]] Status readBurst(const QCommandLineParser& parser, ShootOptions& options) const;
-    [[nodiscard]] bool shoots(const QCommandLineParser& parser) const;
-    [[nodiscard]] Result<DentForm> readForm(const QCommandLineParser& parser) const;
-
-    QCommandLineOption m_script = option("script", QStringLiteral("Shot script to run."), "file");
-    QCommandLineOption m_burst =
-        option("burst", QStringLiteral("Shots in a burst, 1 to 100000."), "number", "20");
-    QCommandLineOption m_cone = option(
-        "cone", QStringLiteral("Degrees from the burst's middle to its edge, 0 to 180."), "number", "5");
-    QCommandLineOption m_seed =
-        option("seed", QStringLiteral("Another seed gives another burst."), "number", "1");
-    QCommandLineOption m_every =
-        option("every", QStringLiteral("Seconds between a burst's shots, 0 to 10."), "number", "0");
-    QCommandLineOption m_instant = option("instant", QStringLiteral("Without flight: as --flight instant."));
-    QCommandLineOption m_flight =
-        option("flight",
-               QStringLiteral(
-                   "How a burst flies: quick (there in 0.1 s, by the size of the mesh), instant, or paper "
-                   "(30 m/s, radius 0.1 m). Default: quick at a mesh, paper at the paper's scene."),
-               "mode");
-    QCommandLineOption m_save = option("save", QStringLiteral("Save the shots as a script."), "file");
-    QCommandLineOption m_pipeline = option(
-        "pipeline",
-        QStringLiteral("Pipeline that applies the hits: %1.").arg(pipelineWords().join(QStringLiteral(", "))),
-        "name", "transform-feedback");
-    QCommandLineOption m_out = option(
-        "out",
-        QStringLiteral(
-            "Write the deformed mesh: OBJ, PLY, STL, GLB, glTF or CSV, by its suffix; of several, the one "
-            "with most changed vertices. The "
-            "exit status is 1 where it is not what the reference makes of the hits."),
-        "file");
-    QCommandLineOption m_profile = option(
-        "profile",
-        QStringLiteral(
-            "How far vertices move by their distance from the hit: paper, smooth, wendland, linear, crater, "
-            "or curve."),
-        "name", "paper");
-    QCommandLineOption m_direction = option(
-        "dent-direction",
-        QStringLiteral("Which way vertices move: projectile, surface (against its normal), or press (out of "
-                       "the projectile's sphere)."),
-        "name", "projectile");
-    QCommandLineOption m_curve =
-        option("curve",
-               QStringLiteral("The curve of --profile curve: eight numbers from -1 to 1 with commas between, "
-                              "from the hit to max_distance, in parts of max_magnitude."),
-               "numbers");
-    QCommandLineOption m_hits =
-        option("hits",
-               QStringLiteral("Begin with the hits of a CSV or JSON file, as the window exports them. Shots "
-                              "follow where a script or a burst is asked for."),
-               "file");
-    QCommandLineOption m_hitsOut = option(
-        "hits-out", QStringLiteral("Write all hits: as JSON to a name with .json, else as CSV."), "file");
-};
-
-void ShootArguments::addTo(QCommandLineParser& parser) const {
-    parser.addOptions({m_script, m_burst, m_cone, m_seed, m_every, m_instant, m_flight, m_save, m_pipeline,
-                       m_out, m_hits, m_hitsOut, m_profile, m_direction, m_curve});
+/// By the descriptors; those that are no options are never there.
+template <class Parameters>
+std::vector<std::optional<double>> parametersOf(Invocation& given, const Parameters& parameters,
+                                                bool allOfThem) {
+    std::vector<std::optional<double>> values;
+    for (const ParameterDescriptor& parameter : parameters) {
+        const QByteArray name = optionName(parameter);
+        values.push_back(allOfThem || isOfShots(parameter)
+                             ? given.numberIfSet(name.constData(), parameter.minimum, parameter.maximum)
+                             : std::nullopt);
+    }
+    return values;
 }
 
-Status ShootArguments::readBurst(const QCommandLineParser& parser, ShootOptions& options) const {
-    bool ok = false;
-    options.burst = parser.value(m_burst).toInt(&ok);
-    if (!ok || options.burst < 1 || options.burst > ShotScript::kMostShots) {
-        return wrong("--burst takes a whole number from 1 to 100000.");
+glm::vec3 givenVector(Invocation& given, const char* name) {
+    const std::optional<glm::vec3> vector = vectorOf(given.text(name));
+    if (!vector) {
+        given.complain(QStringLiteral("--%1 takes three numbers, as in 0,1.5,-2.").arg(QLatin1String(name)));
     }
-    options.cone = parser.value(m_cone).toDouble(&ok);
-    if (!ok || !(options.cone >= 0.0 && options.cone <= 180.0)) {
-        return wrong("--cone takes a number from 0 to 180.");
-    }
-    options.seed = parser.value(m_seed).toUInt(&ok);
-    if (!ok) {
-        return wrong("--seed takes a whole number, 0 or more.");
-    }
-    options.interval = parser.value(m_every).toDouble(&ok);
-    if (!ok || !(options.interval >= 0.0 && options.interval <= 10.0)) {
-        return wrong("--every takes a number from 0 to 10.");
-    }
-    return Done{};
+    return vector.value_or(glm::vec3(0.0f));
 }
 
-/// With hits from a file, only where something is said about shots.
-bool ShootArguments::shoots(const QCommandLineParser& parser) const {
-    const QList<QCommandLineOption> about{m_script, m_burst, m_cone,    m_seed,      m_every, m_instant,
-                                          m_flight, m_save,  m_profile, m_direction, m_curve};
-    return !parser.isSet(m_hits) ||
-           std::any_of(about.begin(), about.end(), [&](const auto& one) { return parser.isSet(one); });
-}
-
-Result<DentForm> ShootArguments::readForm(const QCommandLineParser& parser) const {
-    DentForm form;
-    const auto profile = profileNamed(parser.value(m_profile).toStdString());
-    if (!profile) {
-        return wrong("--profile takes paper, smooth, wendland, linear, crater or curve.");
-    }
-    const auto direction = directionNamed(parser.value(m_direction).toStdString());
-    if (!direction) {
-        return wrong("--dent-direction takes projectile, surface or press.");
-    }
-    if (*direction == DentDirection::Press && (parser.isSet(m_profile) || parser.isSet(m_curve))) {
-        return wrong("--dent-direction press has the projectile's shape, and takes no --profile.");
-    }
-    if (parser.isSet(m_curve)) {
-        const auto curve = curveFrom(parser.value(m_curve).toStdString());
-        if (!curve) {
-            return wrong("--curve takes eight numbers from -1 to 1 with commas between.");
-        }
-        if (parser.isSet(m_profile) && *profile != DentProfile::Curve) {
-            return wrong("--curve needs --profile curve.");
-        }
-        form.curve = *curve;
-    }
-    form.profile = parser.isSet(m_curve) ? DentProfile::Curve : *profile;
-    form.direction = *direction;
-    return form;
-}
-
-Result<ShootOptions> ShootArguments::read(const QCommandLineParser& parser) const {
-    ShootOptions options;
-    const Result<DentForm> form = readForm(parser);
-    if (!form) {
-        return form.error();
-    }
-    options.form = form.value();
-    if (Status read = readBurst(parser, options); !read) {
-        return read.error();
-    }
-    if (parser.isSet(m_script) && (parser.isSet(m_burst) || parser.isSet(m_cone) || parser.isSet(m_seed))) {
-        return wrong("--script and --burst exclude each other.");
-    }
-    if (parser.positionalArguments().size() > 1) {
-        return wrong("shoot takes one mesh at most.");
-    }
-    if (parser.isSet(m_instant)) {
-        options.flight = FlightMode::Instant;
-    } else if (parser.isSet(m_flight)) {
-        options.flight = flightNamed(parser.value(m_flight));
-        if (!options.flight) {
-            return wrong("--flight takes quick, instant or paper.");
+/// Which of the ways to shoot is asked for: one at most.
+Shots givenShots(Invocation& given) {
+    constexpr std::array<std::pair<const char*, Shots>, 4> kWays{
+        {{"script", Shots::Script}, {"burst", Shots::Burst}, {"random", Shots::Random}, {"at", Shots::At}}};
+    std::optional<Shots> asked;
+    for (const auto& [name, way] : kWays) {
+        if (given.isSet(name) && asked) {
+            given.complain(QStringLiteral("--script, --burst, --random and --at exclude each other."));
+        } else if (given.isSet(name)) {
+            asked = way;
         }
     }
-    const std::optional<PipelineKind> pipeline = pipelineNamed(parser.value(m_pipeline));
-    if (!pipeline) {
-        return Error{
-            "--pipeline takes one of " + pipelineWords().join(QStringLiteral(", ")).toStdString() + ".", "",
-            ""};
+    // With hits from a file, only where something is said about shots.
+    const bool saysMore = given.isSet("cone") || given.isSet("seed") || given.isSet("every") ||
+                          given.isSet("instant") || given.isSet("flight") || given.isSet("save") ||
+                          given.isSet("profile") || given.isSet("dent-direction") || given.isSet("curve");
+    return asked.value_or(given.isSet("hits") && !saysMore ? Shots::None : Shots::Burst);
+}
+
+void readAim(Invocation& given, ShootOptions& options) {
+    if (options.shots != Shots::At) {
+        if (given.isSet("direction")) {
+            given.complain(QStringLiteral("--direction goes with --at."));
+        }
+        return;
     }
-    options.pipeline = parser.isSet(m_pipeline) ? pipeline : std::nullopt;
-    options.shoots = shoots(parser);
-    options.hitsPath = parser.value(m_hits);
-    options.scriptPath = parser.value(m_script);
-    options.savePath = parser.value(m_save);
-    options.meshOutPath = parser.value(m_out);
-    options.hitsOutPath = parser.value(m_hitsOut);
-    options.meshPath = parser.positionalArguments().value(0);
-    return options;
+    options.at = givenVector(given, "at");
+    options.direction = givenVector(given, "direction");
+    if (const float length = glm::length(options.direction); length > 0.0f) {
+        options.direction /= length;
+    } else {
+        given.complain(QStringLiteral("--direction takes a direction, which 0,0,0 is not."));
+    }
 }
 
 }  // namespace
 
-int shootCommand(const QStringList& arguments) {
-    QCommandLineParser parser;
-    parser.setApplicationDescription(QStringLiteral(
-        "Shoots a burst or a saved script with no display, and prints what was hit, and a fingerprint each\n"
-        "of the hits and of the positions: equal ones mean equal results, in every bit."));
-    parser.addHelpOption();
-    const ShootArguments taken;
-    taken.addTo(parser);
-    parser.addPositionalArgument(QStringLiteral("mesh"), QStringLiteral("Mesh file to shoot at."),
-                                 QStringLiteral("[mesh]"));
-    if (const std::optional<int> status = parse(parser, QStringLiteral("shoot"), arguments)) {
-        return *status;
+QList<UsageOption> shootOptions() {
+    QList<UsageOption> options{
+        valueOption("burst", "N", QStringLiteral("A burst at the middle of the scene, of 1 to 100000 shots."),
+                    QStringLiteral("20")),
+        valueOption("random", "N",
+                    QStringLiteral("Shots at random places of the surface, 1 to 100000, each "
+                                   "within 30 degrees of its normal and with nothing in its way.")),
+        valueOption("at", "X,Y,Z", QStringLiteral("One shot through that place, metres, along --direction.")),
+        valueOption("direction", "X,Y,Z", QStringLiteral("Where the shot of --at goes."),
+                    QStringLiteral("0,0,-1")),
+        fileOption("script", QStringLiteral("The shots of a script, as --save and the window write it.")),
+        fileOption("hits",
+                   QStringLiteral("Begin with the hits of a CSV or JSON file, as the window exports them. "
+                                  "Shots follow where something is said about shots.")),
+        valueOption("cone", "DEGREES", QStringLiteral("From a burst's middle to its edge, 0 to 180."),
+                    QStringLiteral("5")),
+        valueOption("seed", "NUMBER", QStringLiteral("Another seed gives another burst, other random shots."),
+                    QStringLiteral("1")),
+        valueOption("every", "SECONDS", QStringLiteral("Time between shots, 0 to 10."), QStringLiteral("0")),
+        wordOption(
+            "flight", "MODE", flightWords(),
+            QStringLiteral("How shots fly: quick, there in 0.1 s, by the size of the mesh; instant; or as in "
+                           "the paper, 30 m/s, radius 0.1 m. Without it, paper at the paper's scene, instant "
+                           "with --at, else quick.")),
+        flagOption("instant", QStringLiteral("As --flight instant."))};
+    for (const ParameterDescriptor& parameter : deformationParameters()) {
+        options << parameterOption(
+            parameter, QStringLiteral("as the session has it, or %1").arg(parameter.defaultValue));
     }
-    const Result<ShootOptions> options = taken.read(parser);
-    return options ? finish(runShoot(options.value()))
-                   : wrongUsage(QString::fromStdString(options.error().what));
+    options << formOptions();
+    options << flagOption("absolute",
+                          QStringLiteral("Constants are in metres on any target. Otherwise they are those "
+                                         "of a target 5 m across, and grow and shrink with the target."));
+    for (const ParameterDescriptor& parameter : projectileParameters()) {
+        if (isOfShots(parameter)) {
+            options << parameterOption(parameter, QStringLiteral("as --flight says"));
+        }
+    }
+    options << pipelineOption(QStringLiteral("transform-feedback, or that of the session"))
+            << fileOption(
+                   "out",
+                   QStringLiteral("Write the deformed mesh: OBJ, PLY, STL, GLB, glTF or CSV, by its suffix; "
+                                  "of several, the one with most changed vertices. The exit status is 1 "
+                                  "where it is not what the reference makes of the hits."))
+            << fileOption("session", QStringLiteral("Write a session (.hitscope) that the window opens."))
+            << fileOption("hits-out",
+                          QStringLiteral("Write all hits: as JSON to a name with .json, else as CSV."))
+            << fileOption("picture", QStringLiteral("Write a picture of the scene, 1280 by 720 pixels."))
+            << fileOption("save", QStringLiteral("Save the shots as a script."));
+    return options + reportOptions();
+}
+
+ShootOptions readShootOptions(Invocation& given) {
+    ShootOptions options;
+    options.scenePath = given.file(0);
+    options.shots = givenShots(given);
+    readAim(given, options);
+    options.count = given.wholeNumber("burst", 1, ShotScript::kMostShots);
+    if (options.shots == Shots::Random) {
+        options.count = given.wholeNumber("random", 1, ShotScript::kMostShots);
+    }
+    options.cone = given.number("cone", 0.0, 180.0);
+    options.seed = given.seed("seed");
+    options.interval = given.number("every", 0.0, 10.0);
+    if (options.shots == Shots::Script && (given.isSet("cone") || given.isSet("seed"))) {
+        given.complain(QStringLiteral("--cone and --seed are not for --script."));
+    }
+    if (given.isSet("flight")) {
+        options.flight = allFlightModes()[given.word("flight")].mode;
+    }
+    if (given.isSet("instant")) {
+        options.flight = FlightMode::Instant;
+    }
+    options.constants = parametersOf(given, deformationParameters(), true);
+    options.form = givenForm(given);
+    options.absolute = given.isSet("absolute");
+    options.projectile = parametersOf(given, projectileParameters(), false);
+    options.pipeline = givenPipeline(given);
+    options.hitsPath = given.text("hits");
+    options.scriptPath = given.text("script");
+    options.savePath = given.text("save");
+    options.meshOutPath = given.text("out");
+    options.hitsOutPath = given.text("hits-out");
+    options.sessionPath = given.text("session");
+    options.picturePath = given.text("picture");
+    return options;
 }
 
 }  // namespace hitscope::cli

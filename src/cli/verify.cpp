@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/verify.h"
-
-#include <QCommandLineParser>
+// Applies hits with every pipeline that runs here and holds each against the reference.
 #include <QTextStream>
 
 #include "analysis/hit_files.h"
 #include "cli/agreement.h"
-#include "cli/command_line.h"
-#include "cli/load_scene.h"
+#include "cli/common_options.h"
+#include "cli/opened_scene.h"
+#include "cli/verbs.h"
 #include "deform/fingerprint.h"
-#include "gl/context.h"
 
 namespace hitscope::cli {
 
@@ -19,89 +17,113 @@ QString inHex(std::uint64_t fingerprint) {
     return QString::fromStdString(fingerprintText(fingerprint));
 }
 
-/// Of one that runs here: prints its line, and gives how many vertices differ.
-Result<std::size_t> verifyPipeline(Session& session, SceneGpu& gpu, PipelineKind kind, QTextStream& out) {
-    if (Status used = usePipeline(session, gpu, kind); !used) {
-        return used.error();
+/// What came of all of them.
+struct Verification {
+    JsonReport report{"verify"};
+    QString text;
+    QStringList differing;
+};
+
+/// One that runs here.
+Outcome verifyPipeline(OpenedScene& scene, PipelineKind kind, Verification& all) {
+    if (Outcome used = scene.use(kind); !used) {
+        return used;
     }
-    const std::optional<ReferenceAgreement> agreement = agreementOfActive(session);
-    out << agreementLine(session, agreement) << "; positions " << inHex(positionsFingerprint(session))
-        << "\n";
-    return agreement ? agreement->different + agreement->differentNormal : std::size_t{0};
+    const std::optional<ReferenceAgreement> agreement = agreementOfActive(scene.session());
+    const QString positions = inHex(positionsFingerprint(scene.session()));
+    all.text +=
+        QStringLiteral("%1; positions %2\n").arg(agreementLine(scene.session(), agreement), positions);
+    addAgreement(all.report, scene.session(), agreement);
+    all.report.text("positions_fingerprint", positions);
+    if (agreement && !agreement->isExact()) {
+        all.differing << QString::fromUtf8(pipelineTraits(kind).name);
+    }
+    return Done{};
 }
 
-Status verify(const QString& meshPath, const QString& hitsPath) {
-    QTextStream out(stdout);
-    Result<std::unique_ptr<gl::OffscreenContext>> context = gl::OffscreenContext::create();
-    if (!context) {
-        return context.error();
-    }
-    Session session;
-    if (Status loaded = loadScene(session, meshPath, out); !loaded) {
-        return loaded;
-    }
-    Result<std::unique_ptr<SceneGpu>> gpu = SceneGpu::create(session);
-    if (!gpu) {
-        return gpu.error();
-    }
-    const Result<HitRecords> hits = readHitFile(hitsPath);
-    if (!hits) {
-        return hits.error();
-    }
-    if (Status added = appendRecords(session, hits.value()); !added) {
-        return added;
-    }
-    out << "Renderer: " << QString::fromStdString(gl::rendererInfo().renderer) << "\n"
-        << session.hits().history().size() << " hits, fingerprint " << inHex(hitsFingerprint(session))
-        << "\n";
-    QStringList differing;
+Outcome verifyAll(OpenedScene& scene, Verification& all) {
+    all.report.beginArray("pipelines");
     for (const PipelineTraits& traits : allPipelines()) {
-        const QString name = QString::fromUtf8(traits.name);
-        if (const QString unavailable = session.readBack().whyUnavailable(traits.kind);
-            !unavailable.isEmpty()) {
-            out << name << ": not here. " << unavailable << "\n";
-            continue;
+        all.report.beginObject();
+        const QString unavailable = scene.session().readBack().whyUnavailable(traits.kind);
+        if (!unavailable.isEmpty()) {
+            all.text += QStringLiteral("%1: not here. %2\n").arg(QString::fromUtf8(traits.name), unavailable);
+            all.report.text("pipeline", QString::fromUtf8(traits.key)).text("not_here", unavailable);
+        } else if (Outcome verified = verifyPipeline(scene, traits.kind, all); !verified) {
+            return verified;
         }
-        const Result<std::size_t> different = verifyPipeline(session, *gpu.value(), traits.kind, out);
-        if (!different) {
-            return different.error();
+        all.report.endObject();
+    }
+    all.report.endArray();
+    return Done{};
+}
+
+Outcome verify(Invocation& given) {
+    OpenedScene scene;
+    if (Outcome opened = scene.open({given.file(0)}); !opened) {
+        return opened;
+    }
+    Session& session = scene.session();
+    if (given.isSet("hits")) {
+        const Result<HitRecords> hits = readHitFile(given.text("hits"));
+        if (!hits) {
+            return hits.error();
         }
-        if (different.value() > 0) {
-            differing << name;
+        if (Status added = appendRecords(session, hits.value()); !added) {
+            return added;
         }
     }
-    return differing.isEmpty() ? Status(Done{})
-                               : Error{"The hits are applied wrongly by " +
-                                           differing.join(QStringLiteral(", ")).toStdString() + ".",
-                                       hitsPath.toStdString(), ""};
+    Verification all;
+    const QString renderer = QString::fromStdString(gl::rendererInfo().renderer);
+    all.report.text("renderer", renderer).count("hits", session.hits().history().size());
+    all.report.text("hits_fingerprint", inHex(hitsFingerprint(session)));
+    all.text = QStringLiteral("Renderer: %1\n%2 hits, fingerprint %3\n")
+                   .arg(renderer)
+                   .arg(session.hits().history().size())
+                   .arg(inHex(hitsFingerprint(session)));
+    if (Outcome verified = verifyAll(scene, all); !verified) {
+        return verified;
+    }
+    if (const Status said = giveReport(given, all.report, all.text); !said) {
+        return said;
+    }
+    return all.differing.isEmpty()
+               ? Outcome(Done{})
+               : differs({"The hits are applied wrongly by " +
+                              all.differing.join(QStringLiteral(", ")).toStdString() + ".",
+                          (given.isSet("hits") ? given.text("hits") : given.file(0)).toStdString(), ""});
+}
+
+int run(Invocation& given) {
+    if (!given.isSet("hits") && !namesSession(given.file(0))) {
+        given.complain(QStringLiteral("verify needs --hits, a file of hits, or a session."));
+        return kWrongUsage;
+    }
+    return finish(verify(given));
 }
 
 }  // namespace
 
-int verifyCommand(const QStringList& arguments) {
-    QCommandLineParser parser;
-    parser.setApplicationDescription(QStringLiteral(
-        "Applies the hits of a file with every pipeline that runs here, and holds each vertex against the\n"
-        "C++ reference. A pipeline that keeps the last hits only is held against these. Prints a line for\n"
-        "each; the exit status is 1 where one differs."));
-    parser.addHelpOption();
-    const QCommandLineOption hits(QStringLiteral("hits"),
-                                  QStringLiteral("The hits: CSV or JSON, as the window exports them."),
-                                  QStringLiteral("file"));
-    parser.addOption(hits);
-    parser.addPositionalArgument(QStringLiteral("mesh"),
-                                 QStringLiteral("Mesh file they were made on. Default: the paper's scene."),
-                                 QStringLiteral("[mesh]"));
-    if (const std::optional<int> status = parse(parser, QStringLiteral("verify"), arguments)) {
-        return *status;
-    }
-    if (!parser.isSet(hits)) {
-        return wrongUsage(QStringLiteral("verify needs --hits, a file of hits."));
-    }
-    if (parser.positionalArguments().size() > 1) {
-        return wrongUsage(QStringLiteral("verify takes one mesh at most."));
-    }
-    return finish(verify(parser.positionalArguments().value(0), parser.value(hits)));
+Verb verifyVerb() {
+    return {{.name = QStringLiteral("verify"),
+             .files = QStringLiteral("[MESH|SESSION]"),
+             .about = QStringLiteral("compare every pipeline with the reference, vertex by vertex"),
+             .description = QStringLiteral(
+                 "Applies the hits of a file or a session with every pipeline that runs here, and holds each "
+                 "vertex "
+                 "against the C++ reference. A pipeline that keeps the last hits only is held against these. "
+                 "Ends "
+                 "with 1 where one differs. Without a file, hits are those of the paper's scene."),
+             .options =
+                 QList<UsageOption>{fileOption("hits", QStringLiteral("The hits: CSV or JSON, as the window "
+                                                                      "exports them."))} +
+                 reportOptions(),
+             .examples = {{QStringLiteral("The hits of a session, by every pipeline."),
+                           QStringLiteral("hitscope-cli verify dents.hitscope")},
+                          {QStringLiteral("Hits in a table, on the mesh that they were made on."),
+                           QStringLiteral("hitscope-cli verify --hits hits.csv bunny.obj")}},
+             .mostFiles = 1},
+            run};
 }
 
 }  // namespace hitscope::cli

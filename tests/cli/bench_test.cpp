@@ -227,7 +227,7 @@ private Q_SLOTS:
 
     void fileThatCannotBeWrittenFailsAtOnce() {
         const CliRun run = runBench(QStringLiteral("paper --json /nowhere/at/all.json"));
-        QCOMPARE(run.status, 1);
+        QCOMPARE(run.status, 3);
         QVERIFY2(run.err.contains(QStringLiteral("/nowhere/at/all.json")), qPrintable(run.err));
         QVERIFY(run.out.isEmpty());
     }

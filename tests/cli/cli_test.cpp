@@ -204,7 +204,7 @@ private Q_SLOTS:
              {QStringList{QStringLiteral("info"), mesh},
               QStringList{QStringLiteral("demo"), QStringLiteral("--out"), folder.path(), mesh}}) {
             const CliRun run = runCli(arguments);
-            QCOMPARE(run.status, 1);
+            QCOMPARE(run.status, 3);
             QCOMPARE(run.err.count(QLatin1Char('\n')), 1);
             QVERIFY2(run.err.contains(name), qPrintable(run.err));
             QVERIFY(!QFile::exists(folder.filePath(QStringLiteral("deformed.obj"))));
@@ -213,14 +213,16 @@ private Q_SLOTS:
 
     void missingFileIsNamed() {
         const CliRun run = runCli({QStringLiteral("info"), QStringLiteral("/nowhere/mesh.obj")});
-        QCOMPARE(run.status, 1);
+        QCOMPARE(run.status, 3);
         QVERIFY2(run.err.contains(QStringLiteral("/nowhere/mesh.obj")), qPrintable(run.err));
     }
 
     void helpNamesTheCommand() {
         for (const char* const command :
-             {"demo", "shoot", "picture", "sequence", "info", "bench frame", "bench hit", "bench paper",
-              "bench modes", "bench physics", "bench session", "bench check"}) {
+             {"demo",      "shoot",       "picture",     "sequence",      "info",          "replay",
+              "verify",    "export",      "convert",     "compare",       "changes",       "explain",
+              "dents",     "section",     "sweep",       "collect",       "help",          "bench frame",
+              "bench hit", "bench paper", "bench modes", "bench physics", "bench session", "bench check"}) {
             const QString name = QString::fromLatin1(command);
             const CliRun run = runCli(name.split(u' ') << QStringLiteral("--help"));
             QCOMPARE(run.status, 0);
@@ -230,7 +232,8 @@ private Q_SLOTS:
     }
 
     void complainsInWholeSentences() {
-        for (const char* const command : {"demo", "shoot", "picture", "sequence", "info", "bench frame"}) {
+        for (const char* const command :
+             {"demo", "shoot", "picture", "sequence", "info", "export", "sweep", "help", "bench frame"}) {
             const CliRun run =
                 runCli(QString::fromLatin1(command).split(u' ') << QStringLiteral("--nonsense"));
             QCOMPARE(run.status, 2);
@@ -250,7 +253,7 @@ private Q_SLOTS:
                 {QStringLiteral("-c"), QStringLiteral("exec \"$HITSCOPE_CLI\" %1 >/dev/full").arg(line)});
             QVERIFY(shell.waitForFinished(60'000));
             const QByteArray said = shell.readAllStandardError();
-            QCOMPARE(shell.exitCode(), 1);
+            QCOMPARE(shell.exitCode(), 3);
             QVERIFY2(said.contains("No space left on device"), said.constData());
         }
     }
@@ -280,7 +283,7 @@ private Q_SLOTS:
         const QString blocked = writeFile(folder, QStringLiteral("file"), "x");
         const CliRun run =
             runCli({QStringLiteral("demo"), QStringLiteral("--out"), blocked + QStringLiteral("/in")});
-        QCOMPARE(run.status, 1);
+        QCOMPARE(run.status, 3);
         QVERIFY(run.err.contains(blocked));
     }
 };

@@ -179,7 +179,7 @@ void PictureTest::wrongUsage_data() {
     row("sequence out", "--turntable or --replay");
     row("sequence --turntable 3 --replay out", "--turntable or --replay");
     row("sequence --turntable 0 out", "--turntable takes");
-    row("sequence --replay", "folder");
+    row("sequence --replay", "FOLDER");
 }
 
 void PictureTest::wrongUsage() {
@@ -192,15 +192,15 @@ void PictureTest::wrongUsage() {
 
 void PictureTest::errorsSayWhatToDo() {
     CliRun run = runCli(words("picture --size 900000x10") << path(QStringLiteral("huge.png")));
-    QCOMPARE(run.status, 1);
+    QCOMPARE(run.status, 4);
     QVERIFY2(run.err.contains(QStringLiteral("900000 x 10")) && run.err.contains(QStringLiteral("smaller")),
              qPrintable(run.err));
     QVERIFY(!QFile::exists(path(QStringLiteral("huge.png"))));
     run = runCli(words("picture --camera nowhere") << path(QStringLiteral("b.png")));
-    QCOMPARE(run.status, 1);
+    QCOMPARE(run.status, 2);
     QVERIFY2(run.err.contains(QStringLiteral("--camera")), qPrintable(run.err));
     run = runCli(words("picture") << path(QStringLiteral("no/such/folder.png")));
-    QCOMPARE(run.status, 1);
+    QCOMPARE(run.status, 3);
     QVERIFY2(run.err.contains(QStringLiteral("folder.png")), qPrintable(run.err));
 }
 
@@ -211,14 +211,14 @@ void PictureTest::suffixTellsTheFormat() {
     QCOMPARE(QImageReader::imageFormat(jpeg), QByteArray("jpeg"));
     QCOMPARE(QImage(jpeg).size(), QSize(96, 64));
     run = runCli(words("picture --size 96x64 --transparent") << path(QStringLiteral("b.jpg")));
-    QVERIFY2(run.status == 1 && run.err.contains(QStringLiteral("transparent")), qPrintable(run.err));
+    QVERIFY2(run.status == 3 && run.err.contains(QStringLiteral("transparent")), qPrintable(run.err));
     for (const char* const name : {"c.gif", "c.psd", "c"}) {
         run = runCli(words("picture --size 96x64") << path(QString::fromLatin1(name)));
-        QVERIFY2(run.status == 1 && run.err.contains(QStringLiteral(".png, .jpg")), qPrintable(run.err));
+        QVERIFY2(run.status == 3 && run.err.contains(QStringLiteral(".png, .jpg")), qPrintable(run.err));
         QVERIFY(!QFile::exists(path(QString::fromLatin1(name))));
     }
     run = runCli(words("picture --size 96x64 /dev/full"));
-    QVERIFY2(run.status == 1 && run.err.contains(QStringLiteral("No space left on device")),
+    QVERIFY2(run.status == 3 && run.err.contains(QStringLiteral("No space left on device")),
              qPrintable(run.err));
 }
 

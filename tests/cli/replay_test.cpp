@@ -99,7 +99,7 @@ private Q_SLOTS:
         const CliRun none = replay({file, "--until", "0", "--pipeline", "reference"});
         QCOMPARE(none.status, 0);
         QVERIFY(printOf(none, "positions") != printOf(some, "positions"));
-        QCOMPARE(replay({file, "--until", "26"}).status, 1);
+        QCOMPARE(replay({file, "--until", "26"}).status, 3);
     }
 
     void meshFile() {
@@ -114,7 +114,7 @@ private Q_SLOTS:
         QVERIFY(beside.err.contains("The mesh has changed since the session was saved"));
         QVERIFY(QFile::remove(m_folder.filePath("rock.obj")));
         const CliRun gone = replay({m_folder.filePath("b.hitscope")});
-        QCOMPARE(gone.status, 1);
+        QCOMPARE(gone.status, 3);
         QVERIFY2(gone.err.contains("/nowhere/rock.obj: The mesh of this session is not there."),
                  qPrintable(gone.err));
     }
@@ -126,7 +126,7 @@ private Q_SLOTS:
         QCOMPARE(replay({"a", "--until", "-1"}).status, 2);
         QVERIFY(replay({m_folder.filePath("none.hitscope")}).err.contains("There is no such file."));
         const CliRun bad = replay({write("bad.hitscope", "{\n\"format\": 3}")});
-        QCOMPARE(bad.status, 1);
+        QCOMPARE(bad.status, 3);
         QVERIFY2(bad.err.contains("bad.hitscope, line 2, format: It has to be a text."), qPrintable(bad.err));
     }
 };

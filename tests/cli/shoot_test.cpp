@@ -100,7 +100,7 @@ private Q_SLOTS:
         QCOMPARE(shoot({"--dent-direction", "press", "--profile", "linear"}).status, 2);
         QCOMPARE(shoot({"--script", "a", "--burst", "3"}).status, 2);
         const CliRun missing = shoot({"--script", "/nowhere/shots.json"});
-        QCOMPARE(missing.status, 1);
+        QCOMPARE(missing.status, 3);
         QVERIFY(missing.err.contains(QStringLiteral("/nowhere/shots.json")));
     }
 };

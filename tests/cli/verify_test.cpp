@@ -179,14 +179,14 @@ private Q_SLOTS:
         QCOMPARE(run({"verify"}).status, 2);
         QCOMPARE(run({"verify", "--hits", "a.csv", "two.obj"}).status, 2);
         const CliRun missing = run({"verify", "--hits", "/nowhere/hits.csv"});
-        QCOMPARE(missing.status, 1);
+        QCOMPARE(missing.status, 3);
         QVERIFY(missing.err.contains(QStringLiteral("/nowhere/hits.csv")));
         QFile other(path("other.csv"));
         QVERIFY(other.open(QIODevice::WriteOnly));
         other.write("not hits\n");
         other.close();
         const CliRun unread = run({"shoot", "--hits", other.fileName()});
-        QCOMPARE(unread.status, 1);
+        QCOMPARE(unread.status, 3);
         QVERIFY2(unread.err.contains(QStringLiteral("other.csv, line 1")), qPrintable(unread.err));
     }
 };

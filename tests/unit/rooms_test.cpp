@@ -15,6 +15,7 @@ const std::map<QString, QStringList>& mayInclude() {
     static const std::map<QString, QStringList> table = [] {
         std::map<QString, QStringList> rooms;
         rooms["core"] = {};
+        rooms["usage"] = {"core"};
         rooms["mesh"] = {"core"};
         rooms["deform"] = rooms["mesh"] + QStringList{"mesh"};
         rooms["view"] = rooms["deform"] + QStringList{"deform"};
@@ -32,8 +33,8 @@ const std::map<QString, QStringList>& mayInclude() {
         rooms["models"] = rooms["analysis"] + QStringList{"analysis"};
         rooms["panels"] = rooms["models"] + QStringList{"models"};
         rooms["viewport"] = rooms["scene"] + QStringList{"scene"};
-        rooms["app"] = rooms["panels"] + QStringList{"panels", "scene", "viewport", "document"};
-        rooms["cli"] = rooms["scene"] + QStringList{"scene", "document"};
+        rooms["app"] = rooms["panels"] + QStringList{"panels", "scene", "viewport", "document", "usage"};
+        rooms["cli"] = rooms["scene"] + QStringList{"scene", "document", "models", "usage"};
         return rooms;
     }();
     return table;

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/common_options.h"
+
+#include <QTextStream>
+#include <cmath>
+
+#include "cli/pipeline_argument.h"
+#include "cli/standard_streams.h"
+
+namespace hitscope::cli {
+
+UsageOption quietOption() {
+    return flagOption(
+        "quiet",
+        QStringLiteral("No notes and no progress, and with --report no text; errors are still said."));
+}
+
+QList<UsageOption> reportOptions() {
+    return {
+        flagOption("json", QStringLiteral("Print the report as JSON in place of the text.")),
+        fileOption("report", QStringLiteral("Write the report as JSON into a file, whole or not at all.")),
+        quietOption()};
+}
+
+UsageOption pipelineOption(const QString& standard) {
+    return wordOption("pipeline", "NAME", pipelineWords(),
+                      QStringLiteral("Pipeline that applies the hits; without it, %1.").arg(standard));
+}
+
+std::optional<PipelineKind> givenPipeline(Invocation& given) {
+    return given.isSet("pipeline") ? std::optional(allPipelines()[given.word("pipeline")].kind)
+                                   : std::nullopt;
+}
+
+UsageOption targetOption(const QString& standard) {
+    return valueOption("target", "NAME",
+                       QStringLiteral("The target of that name; without it, %1.").arg(standard));
+}
+
+Status giveReport(const Invocation& given, JsonReport& report, const QString& text) {
+    const std::string json = report.take();
+    const bool isData = given.isSet("json") || isStandardStream(given.text("report"));
+    if (isData || !isQuiet() || !given.isSet("report")) {
+        QTextStream(stdout) << (isData ? QString::fromStdString(json) : text);
+    }
+    return given.isSet("report") && !isStandardStream(given.text("report"))
+               ? writeAllTo(given.text("report"), json)
+               : Status(Done{});
+}
+
+std::optional<glm::vec3> vectorOf(const QString& text) {
+    const QStringList parts = text.split(u',');
+    glm::vec3 made(0.0f);
+    for (int axis = 0; axis < 3; ++axis) {
+        bool isNumber = false;
+        made[axis] = parts.value(axis).toFloat(&isNumber);
+        if (parts.size() != 3 || !isNumber || !std::isfinite(made[axis])) {
+            return std::nullopt;
+        }
+    }
+    return made;
+}
+
+}  // namespace hitscope::cli

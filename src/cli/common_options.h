@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <optional>
+
+#include "cli/command_line.h"
+#include "cli/json_report.h"
+#include "deform/pipeline_kind.h"
+#include "usage/invocation.h"
+
+namespace hitscope::cli {
+
+// Options that several verbs take alike.
+
+/// --quiet
+[[nodiscard]] UsageOption quietOption();
+/// --json, --report and --quiet, of verbs that report.
+[[nodiscard]] QList<UsageOption> reportOptions();
+/// --pipeline; `standard` says in words what is taken without it.
+[[nodiscard]] UsageOption pipelineOption(const QString& standard);
+/// What --pipeline names; nothing: it is not there.
+[[nodiscard]] std::optional<PipelineKind> givenPipeline(Invocation& given);
+/// --target
+[[nodiscard]] UsageOption targetOption(const QString& standard);
+
+/// The text to the standard output, or, with --json, the report; and the report into --report's file.
+[[nodiscard]] Status giveReport(const Invocation& given, JsonReport& report, const QString& text);
+
+/// "x,y,z" of finite numbers; nothing: it is none.
+[[nodiscard]] std::optional<glm::vec3> vectorOf(const QString& text);
+
+}  // namespace hitscope::cli

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/form_options.h"
+
+#include "deform/dent_form_text.h"
+
+namespace hitscope::cli {
+
+namespace {
+
+template <class Keys>
+QStringList wordsOf(const Keys& keys) {
+    QStringList words;
+    for (const std::string_view key : keys) {
+        words << QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size()));
+    }
+    return words;
+}
+
+}  // namespace
+
+QList<UsageOption> formOptions() {
+    return {wordOption("profile", "NAME", wordsOf(kDentProfileKeys),
+                       QStringLiteral("How far vertices move by their distance from the hit. Without it, as "
+                                      "the session has it, or paper.")),
+            wordOption("dent-direction", "NAME", wordsOf(kDentDirectionKeys),
+                       QStringLiteral("Which way vertices move: as the projectile flew, into the surface "
+                                      "(against its normal), or out of the projectile's sphere (press).")),
+            valueOption("curve", "NUMBERS",
+                        QStringLiteral("The curve of --profile curve: eight numbers from -1 to 1 with commas "
+                                       "between, from the hit to max_distance, in parts of max_magnitude."))};
+}
+
+std::optional<DentForm> givenForm(Invocation& given) {
+    if (!given.isSet("profile") && !given.isSet("dent-direction") && !given.isSet("curve")) {
+        return std::nullopt;
+    }
+    DentForm form;
+    if (given.isSet("profile")) {
+        form.profile = static_cast<DentProfile>(given.word("profile"));
+    }
+    if (given.isSet("dent-direction")) {
+        form.direction = static_cast<DentDirection>(given.word("dent-direction"));
+    }
+    if (form.presses() && (given.isSet("profile") || given.isSet("curve"))) {
+        given.complain(
+            QStringLiteral("--dent-direction press has the projectile's shape, and takes no --profile."));
+    }
+    if (given.isSet("curve")) {
+        const auto curve = curveFrom(given.text("curve").toStdString());
+        if (!curve) {
+            given.complain(QStringLiteral("--curve takes eight numbers from -1 to 1 with commas between."));
+        }
+        if (given.isSet("profile") && form.profile != DentProfile::Curve) {
+            given.complain(QStringLiteral("--curve needs --profile curve."));
+        }
+        form.curve = curve.value_or(form.curve);
+        form.profile = DentProfile::Curve;
+    }
+    return form;
+}
+
+}  // namespace hitscope::cli

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Help, manual pages and completion, all from the table of options.
+#include <QCoreApplication>
+#include <QTextStream>
+
+#include "cli/command_line.h"
+#include "cli/verbs.h"
+#include "usage/completion.h"
+#include "usage/help_text.h"
+#include "usage/man_page.h"
+
+namespace hitscope::cli {
+
+namespace {
+
+const QStringList& pages() {
+    static const QStringList names{QStringLiteral("hitscope-cli"), QStringLiteral("hitscope")};
+    return names;
+}
+
+int help(Invocation& given) {
+    QTextStream out(stdout);
+    const auto programOf = [](std::size_t page) -> const ProgramUsage& {
+        return page == 0 ? programUsage() : windowUsage();
+    };
+    const std::size_t page = given.word("program");
+    if (given.isSet("completion")) {
+        const std::size_t shell = given.word("completion");
+        if (!given.error().isEmpty()) {
+            return kWrongUsage;
+        }
+        out << completion(programOf(page), completionShells()[static_cast<qsizetype>(shell)]);
+    } else if (given.isSet("man")) {
+        out << manPage(programOf(page), QCoreApplication::applicationVersion());
+    } else if (given.files().isEmpty()) {
+        out << helpText(programUsage());
+    } else {
+        for (const Usage& verb : programUsage().verbs) {
+            if (verb.name == given.file(0)) {
+                out << helpText(programUsage(), verb);
+                return kGood;
+            }
+        }
+        given.complain(QStringLiteral("there is no verb \"%1\".").arg(given.file(0)));
+    }
+    return given.error().isEmpty() ? kGood : kWrongUsage;
+}
+
+}  // namespace
+
+Verb helpVerb() {
+    return {{.name = QStringLiteral("help"),
+             .files = QStringLiteral("[VERB]"),
+             .about = QStringLiteral("print help, the manual pages, or completion for a shell"),
+             .description = QStringLiteral(
+                 "Prints what a verb takes, or all verbs; the manual page; or what a shell sources to "
+                 "complete command lines. All come from one table of options."),
+             .options = {flagOption("man", QStringLiteral("Print the manual page, for man(1).")),
+                         wordOption("completion", "SHELL", completionShells(),
+                                    QStringLiteral("Print completion for that shell.")),
+                         wordOption("program", "NAME", pages(), QStringLiteral("Whose page or completion."),
+                                    pages().constFirst())},
+             .examples = {{QStringLiteral("What shoot takes."), QStringLiteral("hitscope-cli help shoot")},
+                          {QStringLiteral("Complete command lines in this shell."),
+                           QStringLiteral("source <(hitscope-cli help --completion bash)")}},
+             .mostFiles = 1},
+            help};
+}
+
+}  // namespace hitscope::cli

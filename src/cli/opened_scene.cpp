@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/opened_scene.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <utility>
+
+#include "cli/agreement.h"
+#include "cli/standard_streams.h"
+#include "document/document_json.h"
+#include "document/session_file.h"
+#include "io/import.h"
+
+namespace hitscope::cli {
+
+bool namesSession(const QString& path) {
+    return isStandardStream(path) || path.endsWith(QLatin1String(kSessionSuffix), Qt::CaseInsensitive);
+}
+
+Result<PreparedSession> prepareFrom(const QString& path) {
+    const auto read = [&path]() -> Result<SessionDocument> {
+        if (!isStandardStream(path)) {
+            return readSessionFile(path);
+        }
+        const Result<QByteArray> bytes = readAllOf(path, qint64{1} << 31);
+        return bytes ? readDocument(bytes.value()) : Result<SessionDocument>(bytes.error());
+    };
+    Result<SessionDocument> document = read();
+    if (!document) {
+        return document.error();
+    }
+    MeshPlaces places;
+    places.folder = isStandardStream(path) ? QDir::currentPath() : QFileInfo(path).absolutePath();
+    Result<PreparedSession> prepared = prepareSession(std::move(document).value(), places);
+    if (!prepared) {
+        return prepared;
+    }
+    for (const MeshTrouble& trouble : prepared.value().troubles) {
+        if (trouble.kind != MeshTrouble::Kind::Changed) {
+            return Error{trouble.error.what, trouble.error.where,
+                         "Put it there, or beside the session as it was when that was saved."};
+        }
+        note(QStringLiteral("note: ") + QString::fromStdString(trouble.error.message()));
+    }
+    for (const QString& said : prepared.value().notes) {
+        note(QStringLiteral("note: ") + said);
+    }
+    return prepared;
+}
+
+Outcome OpenedScene::load(const SceneWish& wish) {
+    if (wish.path.isEmpty()) {
+        loadPaperRow(*m_session, kDefaultPaperRow);
+        return Done{};
+    }
+    if (namesSession(wish.path)) {
+        restoreSession(*m_session, *m_prepared);
+        return Done{};
+    }
+    Result<ImportedMesh> imported = importMesh(wish.path);
+    if (!imported) {
+        return imported.error();
+    }
+    for (const QString& said : imported.value().notes) {
+        note(QStringLiteral("note: ") + said);
+    }
+    loadMesh(*m_session, std::move(imported.value().mesh), QFileInfo(wish.path).absoluteFilePath());
+    return Done{};
+}
+
+Outcome OpenedScene::open(const SceneWish& wish) {
+    if (namesSession(wish.path)) {
+        Result<PreparedSession> prepared = prepareFrom(wish.path);
+        if (!prepared) {
+            return prepared.error();
+        }
+        if (wish.until && *wish.until > prepared.value().document.hits.size()) {
+            return Error{
+                "The session has only " + std::to_string(prepared.value().document.hits.size()) + " hits.",
+                wish.path.toStdString(), "Choose another --until."};
+        }
+        m_prepared = std::move(prepared).value();
+    }
+    Result<std::unique_ptr<gl::OffscreenContext>> context = gl::OffscreenContext::create();
+    if (!context) {
+        return cannotDraw(context.error());
+    }
+    m_context = std::move(context).value();
+    m_session = std::make_unique<Session>();
+    Result<std::unique_ptr<SceneGpu>> gpu = SceneGpu::create(*m_session);
+    if (!gpu) {
+        return cannotDraw(gpu.error());
+    }
+    m_gpu = std::move(gpu).value();
+    if (Outcome loaded = load(wish); !loaded) {
+        return loaded;
+    }
+    if (m_prepared) {
+        m_session->hits().show(wish.until);
+        return use(wish.pipeline.value_or(m_prepared->document.simulation.pipeline));
+    }
+    const Status used = useAskedPipeline(*m_session, *m_gpu, wish.pipeline);
+    return used ? Outcome(Done{}) : cannotDraw(used.error());
+}
+
+Outcome OpenedScene::use(PipelineKind kind) {
+    const Status used = usePipeline(*m_session, *m_gpu, kind);
+    return used ? Outcome(Done{}) : cannotDraw(used.error());
+}
+
+Outcome OpenedScene::sync() {
+    const Status synced = m_gpu->sync();
+    return synced ? Outcome(Done{}) : cannotDraw(synced.error());
+}
+
+}  // namespace hitscope::cli

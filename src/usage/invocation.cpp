@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "usage/invocation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hitscope {
+
+namespace {
+
+QString named(const char* name) {
+    return QString::fromLatin1(name);
+}
+
+QString countText(int count) {
+    return count == 1 ? QStringLiteral("one file") : QStringLiteral("%1 files").arg(count);
+}
+
+/// "shoot takes one file at most."
+QString wrongCount(const Usage& usage, qsizetype count) {
+    const bool tooFew = count < usage.leastFiles;
+    const int limit = tooFew ? usage.leastFiles : usage.mostFiles;
+    if (limit == 0) {
+        return QStringLiteral("%1 takes no files.").arg(usage.name);
+    }
+    return QStringLiteral("%1 takes %2%3: %4.")
+        .arg(usage.name, countText(limit),
+             usage.leastFiles == usage.mostFiles ? QString()
+             : tooFew                            ? QStringLiteral(" at least")
+                                                 : QStringLiteral(" at most"),
+             usage.files);
+}
+
+}  // namespace
+
+Invocation::Invocation(const Usage& usage, const QStringList& arguments) : m_usage(usage) {
+    m_parser.addHelpOption();
+    for (const UsageOption& option : usage.options) {
+        QCommandLineOption made(option.name);
+        made.setValueName(option.value);
+        if (!option.standard.isEmpty()) {
+            made.setDefaultValue(option.standard);
+        }
+        m_parser.addOption(made);
+    }
+    if (!m_parser.parse(QStringList{usage.name} + arguments)) {
+        complain(m_parser.errorText());
+        return;
+    }
+    const qsizetype count = files().size();
+    if (!wantsHelp() && (count < usage.leastFiles || (usage.mostFiles >= 0 && count > usage.mostFiles))) {
+        complain(wrongCount(usage, count));
+    }
+}
+
+bool Invocation::wantsHelp() const {
+    return m_parser.isSet(QStringLiteral("help"));
+}
+
+void Invocation::complain(const QString& sentence) {
+    if (m_error.isEmpty()) {
+        m_error = sentence;
+    }
+}
+
+const UsageOption& Invocation::optionOf(const char* name) const {
+    const UsageOption* option = m_usage.find(named(name));
+    if (option == nullptr) {
+        qFatal("%s has no option --%s", qPrintable(m_usage.name), name);
+    }
+    return *option;
+}
+
+bool Invocation::isSet(const char* name) const {
+    return m_parser.isSet(optionOf(name).name);
+}
+
+QString Invocation::text(const char* name) const {
+    return m_parser.value(optionOf(name).name);
+}
+
+QStringList Invocation::texts(const char* name) const {
+    return m_parser.values(optionOf(name).name);
+}
+
+int Invocation::wholeNumber(const char* name, int least, int most) {
+    bool isNumber = false;
+    const int value = text(name).toInt(&isNumber);
+    if (!isNumber || value < least || value > most) {
+        complain(
+            QStringLiteral("--%1 takes a whole number from %2 to %3.").arg(named(name)).arg(least).arg(most));
+        return least;
+    }
+    return value;
+}
+
+double Invocation::number(const char* name, double least, double most) {
+    bool isNumber = false;
+    const double value = text(name).toDouble(&isNumber);
+    if (!isNumber || !(value >= least && value <= most)) {
+        complain(QStringLiteral("--%1 takes a number from %2 to %3.").arg(named(name)).arg(least).arg(most));
+        return least;
+    }
+    return value;
+}
+
+std::optional<double> Invocation::numberIfSet(const char* name, double least, double most) {
+    return text(name).isEmpty() && !isSet(name) ? std::nullopt : std::optional(number(name, least, most));
+}
+
+std::uint32_t Invocation::seed(const char* name) {
+    bool isNumber = false;
+    const uint value = text(name).toUInt(&isNumber);
+    if (!isNumber) {
+        complain(QStringLiteral("--%1 takes a whole number from 0 to 4294967295.").arg(named(name)));
+    }
+    return isNumber ? value : 0;
+}
+
+std::size_t Invocation::word(const char* name) {
+    const UsageOption& option = optionOf(name);
+    const qsizetype place = option.words.indexOf(text(name));
+    if (place < 0) {
+        complain(QStringLiteral("--%1 takes one of %2.")
+                     .arg(option.name, option.words.join(QStringLiteral(", "))));
+    }
+    return static_cast<std::size_t>(std::max<qsizetype>(place, 0));
+}
+
+}  // namespace hitscope

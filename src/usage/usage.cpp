@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "usage/usage.h"
+
+#include <algorithm>
+
+namespace hitscope {
+
+QString UsageOption::fullHelp() const {
+    QString text = help;
+    if (!words.isEmpty()) {
+        text += QStringLiteral(" One of %1.").arg(words.join(QStringLiteral(", ")));
+    }
+    if (!standard.isEmpty()) {
+        text += QStringLiteral(" Default: %1.").arg(standard);
+    }
+    return text;
+}
+
+QString UsageOption::synopsis() const {
+    return QStringLiteral("--") + name + (value.isEmpty() ? QString() : u'=' + value);
+}
+
+UsageOption flagOption(const char* name, const QString& help) {
+    return {.name = QString::fromLatin1(name), .help = help, .value = {}, .standard = {}, .words = {}};
+}
+
+UsageOption valueOption(const char* name, const char* value, const QString& help, const QString& standard) {
+    return {.name = QString::fromLatin1(name),
+            .help = help,
+            .value = QString::fromLatin1(value),
+            .standard = standard,
+            .words = {},
+            .takes = UsageOption::Takes::Text};
+}
+
+UsageOption fileOption(const char* name, const QString& help, const QString& standard) {
+    UsageOption option = valueOption(name, "FILE", help, standard);
+    option.takes = UsageOption::Takes::File;
+    return option;
+}
+
+UsageOption folderOption(const char* name, const QString& help, const QString& standard) {
+    UsageOption option = valueOption(name, "FOLDER", help, standard);
+    option.takes = UsageOption::Takes::Folder;
+    return option;
+}
+
+UsageOption wordOption(const char* name, const char* value, const QStringList& words, const QString& help,
+                       const QString& standard) {
+    UsageOption option = valueOption(name, value, help, standard);
+    option.takes = UsageOption::Takes::Word;
+    option.words = words;
+    return option;
+}
+
+const UsageOption* Usage::find(const QString& option) const {
+    const auto found = std::find_if(options.begin(), options.end(),
+                                    [&option](const UsageOption& each) { return each.name == option; });
+    return found == options.end() ? nullptr : &*found;
+}
+
+}  // namespace hitscope
