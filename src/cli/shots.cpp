@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <limits>
 #include <random>
 
 #include "cli/shoot.h"
@@ -94,10 +95,10 @@ glm::vec3 aslant(const glm::vec3& normal, std::mt19937& random) {
     return glm::normalize(normal + kSpread * (aside - glm::dot(aside, normal) * normal));
 }
 
-/// A shot that meets the surface where it is aimed at, or, where none is found in some tries, one that meets
-/// a target at all; nothing: not even that.
+/// `away` metres from it and above `lowest` (world y): a shot that meets the surface where it is aimed at,
+/// or, where none is found in some tries, one that meets a target at all; nothing: not even that.
 std::optional<Ray> shotAtSurface(const Session& session, const SurfacePlaces& places, float away,
-                                 std::mt19937& random) {
+                                 float lowest, std::mt19937& random) {
     constexpr int kTries = 64;
     constexpr float kNear = 1.0e-3f;  // of `away`: the same place
     std::optional<Ray> second;
@@ -106,6 +107,9 @@ std::optional<Ray> shotAtSurface(const Session& session, const SurfacePlaces& pl
         for (const float side : {1.0f, -1.0f}) {
             const glm::vec3 from = aslant(side * place.normal, random);
             const Ray ray{place.point + away * from, -from};
+            if (ray.origin.y < lowest) {
+                continue;  // the floor would be in its way
+            }
             const auto met = session.simulation().physics().castRay(ray.origin, ray.direction, 2.0f * away);
             if (met && session.targets().find(met->target) != nullptr) {
                 if (glm::distance(met->point, place.point) <= kNear * away) {
@@ -200,8 +204,10 @@ std::optional<Ray> strikingShot(Session& session, const SurfacePlaces& places, c
                                 float away, std::mt19937& random) {
     constexpr int kTries = 32;
     session.simulation().updateColliders();  // without a time limit: all of them
+    const float lowest = script.isInstant ? -std::numeric_limits<float>::infinity()
+                                          : session.targets().floorHeight() + script.projectile.radius;
     for (int attempt = 0; attempt < kTries; ++attempt) {
-        const std::optional<Ray> ray = shotAtSurface(session, places, away, random);
+        const std::optional<Ray> ray = shotAtSurface(session, places, away, lowest, random);
         const ScheduledShot shot{0.0, ray.value_or(Ray{}), script.projectile, script.isInstant};
         if (ray && session.simulation().predictedHit(shot)) {
             return ray;

@@ -25,9 +25,10 @@ Verb benchVerb() {
 }
 
 const std::vector<Verb>& verbs() {
-    static const std::vector<Verb> all{infoVerb(),    shootVerb(),    replayVerb(),  verifyVerb(),
-                                       pictureVerb(), sequenceVerb(), collectVerb(), demoVerb(),
-                                       benchVerb(),   helpVerb()};
+    static const std::vector<Verb> all{
+        infoVerb(),     shootVerb(),   replayVerb(),  verifyVerb(), exportVerb(),  convertVerb(),
+        compareVerb(),  changesVerb(), explainVerb(), dentsVerb(),  sectionVerb(), pictureVerb(),
+        sequenceVerb(), sweepVerb(),   collectVerb(), demoVerb(),   benchVerb(),   helpVerb()};
     return all;
 }
 

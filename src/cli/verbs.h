@@ -25,6 +25,14 @@ struct Verb {
 [[nodiscard]] Verb verifyVerb();
 [[nodiscard]] Verb pictureVerb();
 [[nodiscard]] Verb sequenceVerb();
+[[nodiscard]] Verb exportVerb();
+[[nodiscard]] Verb convertVerb();
+[[nodiscard]] Verb compareVerb();
+[[nodiscard]] Verb changesVerb();
+[[nodiscard]] Verb explainVerb();
+[[nodiscard]] Verb dentsVerb();
+[[nodiscard]] Verb sectionVerb();
+[[nodiscard]] Verb sweepVerb();
 [[nodiscard]] Verb collectVerb();
 [[nodiscard]] Verb demoVerb();
 [[nodiscard]] Verb benchVerb();

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What each dent of a session measures, and where a plane cuts a scene.
+#include <algorithm>
+#include <map>
+
+#include "analysis/dent_hits.h"
+#include "cli/common_options.h"
+#include "cli/opened_scene.h"
+#include "cli/target_argument.h"
+#include "cli/verbs.h"
+#include "mesh/dent.h"
+#include "mesh/disjoint_sets.h"
+
+namespace hitscope::cli {
+
+namespace {
+
+/// One connected piece of moved surface.
+struct Dent {
+    std::vector<std::uint32_t> vertices;  ///< of the file, ascending
+    DentMeasures measures;
+    std::vector<std::size_t> hits;  ///< rows of the history
+};
+
+/// 3 a triangle, the file's vertices.
+std::vector<std::uint32_t> fileTriangles(const RenderMesh& mesh) {
+    std::vector<std::uint32_t> triangles;
+    triangles.reserve(mesh.triangles.size());
+    for (const std::uint32_t vertex : mesh.triangles) {
+        triangles.push_back(mesh.fileVertices[vertex]);
+    }
+    return triangles;
+}
+
+/// The moved vertices, those together that edges of triangles join; by their lowest.
+std::vector<std::vector<std::uint32_t>> movedPieces(const DeformedMesh& mesh,
+                                                    std::span<const std::uint32_t> triangles) {
+    DisjointSets sets(mesh.positions().size());
+    for (std::size_t i = 0; i < triangles.size(); i += 3) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t a = triangles[i + corner];
+            const std::uint32_t b = triangles[i + (corner + 1) % 3];
+            if (mesh.isChanged(a) && mesh.isChanged(b)) {
+                sets.join(a, b);
+            }
+        }
+    }
+    std::map<std::uint32_t, std::vector<std::uint32_t>> byRoot;
+    for (const std::uint32_t vertex : mesh.onceChanged()) {
+        if (mesh.isChanged(vertex)) {
+            byRoot[sets.find(vertex).root].push_back(vertex);
+        }
+    }
+    std::vector<std::vector<std::uint32_t>> pieces;
+    for (auto& [root, vertices] : byRoot) {
+        std::sort(vertices.begin(), vertices.end());
+        pieces.push_back(std::move(vertices));
+    }
+    return pieces;
+}
+
+std::vector<Dent> dentsOf(const Session& session, const Target& target) {
+    const std::vector<std::uint32_t> triangles = fileTriangles(target.deformed.render());
+    const std::span<const glm::vec3> before = target.deformed.original().positions;
+    const std::span<const glm::vec3> after = target.deformed.positions();
+    std::vector<Hit> hits;
+    std::vector<std::size_t> rows;
+    const std::span<const Hit> shown = session.hits().shown();
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        if (shown[i].target == target.id && session.hits().isApplied(i)) {
+            hits.push_back(shown[i]);
+            rows.push_back(i);
+        }
+    }
+    DentHits who;
+    who.follow(target.deformed.sharedRender(), hits);
+    std::vector<Dent> dents;
+    for (std::vector<std::uint32_t>& vertices : movedPieces(target.deformed, triangles)) {
+        const std::optional<DentMeasures> measures = measureDent(vertices, triangles, before, after);
+        if (!measures) {
+            continue;  // vertices of no triangle
+        }
+        Bounds box;
+        for (const std::uint32_t vertex : vertices) {
+            box.add(before[vertex]);
+            box.add(after[vertex]);
+        }
+        Dent dent{std::move(vertices), *measures, {}};
+        for (const std::size_t hit : who.madeBy(dent.vertices, box)) {
+            dent.hits.push_back(rows[hit]);
+        }
+        dents.push_back(std::move(dent));
+    }
+    return dents;
+}
+
+void addDent(JsonReport& report, QString& text, std::size_t number, const Dent& dent, const Target& target) {
+    const DentMeasures& m = dent.measures;
+    const glm::vec3 at = target.deformed.original().positions[m.deepest];
+    report.beginObject().count("dent", number).count("vertices", m.vertices).number("depth_m", m.depth);
+    report.number("rim_diameter_m", m.rimDiameter).number("affected_area_m2", m.affectedArea);
+    report.number("displaced_volume_m3", m.displacedVolume)
+        .count("deepest_vertex", std::uint64_t{m.deepest} + 1);
+    report.vector("deepest_was_at_m", at).vector("axis", m.axis).beginArray("hits");
+    for (const std::size_t hit : dent.hits) {
+        report.count({}, hit + 1);
+    }
+    report.endArray().endObject();
+    text +=
+        QStringLiteral(
+            "dent %1, %2: depth %3 m, rim %4 m, area %5 m², volume %6 m³, %7 vertices moved, deepest %8\n")
+            .arg(number)
+            .arg(dent.hits.empty() ? QStringLiteral("no hit of the history") : hitNumbersText(dent.hits))
+            .arg(m.depth, 0, 'g', 6)
+            .arg(m.rimDiameter, 0, 'g', 6)
+            .arg(m.affectedArea, 0, 'g', 6)
+            .arg(m.displacedVolume, 0, 'g', 6)
+            .arg(m.vertices)
+            .arg(m.deepest + 1);
+}
+
+Outcome dents(Invocation& given) {
+    OpenedScene scene;
+    if (Outcome opened = scene.open({given.file(0), givenPipeline(given)}); !opened) {
+        return opened;
+    }
+    const Result<std::vector<const Target*>> targets = targetsNamed(scene.session(), given.text("target"));
+    if (!targets) {
+        return targets.error();
+    }
+    JsonReport report("dents");
+    QString text;
+    report.beginArray("targets");
+    for (const Target* target : targets.value()) {
+        const std::vector<Dent> found = dentsOf(scene.session(), *target);
+        text += found.empty() ? QString() : target->name + u'\n';
+        report.beginObject().text("name", target->name).beginArray("dents");
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            addDent(report, text, i + 1, found[i], *target);
+        }
+        report.endArray().endObject();
+    }
+    report.endArray();
+    return giveReport(given, report, text.isEmpty() ? QStringLiteral("There are no dents.\n") : text);
+}
+
+int run(Invocation& given) {
+    if (!namesSession(given.file(0))) {
+        given.complain(QStringLiteral("dents takes a session (.hitscope, or - for the standard input)."));
+        return kWrongUsage;
+    }
+    return finish(dents(given));
+}
+
+}  // namespace
+
+Verb dentsVerb() {
+    return {{.name = QStringLiteral("dents"),
+             .files = QStringLiteral("SESSION"),
+             .about = QStringLiteral("measure each dent: depth, rim, area, volume"),
+             .description = QStringLiteral("Measures each connected piece of surface that hits have moved: "
+                                           "depth along its axis, diameter of the "
+                                           "rim, area before, volume between before and after, and the hits "
+                                           "that made it. Dents that overlap are "
+                                           "one."),
+             .options = QList<UsageOption>{targetOption(QStringLiteral("all")),
+                                           pipelineOption(QStringLiteral("that of the session"))} +
+                        reportOptions(),
+             .examples = {{QStringLiteral("Every dent of a session."),
+                           QStringLiteral("hitscope-cli dents dents.hitscope")}},
+             .leastFiles = 1,
+             .mostFiles = 1},
+            run};
+}
+
+}  // namespace hitscope::cli

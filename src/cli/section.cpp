@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a plane cuts a scene: a table, a drawing, a summary.
+#include <algorithm>
+
+#include "analysis/scene_section.h"
+#include "cli/common_options.h"
+#include "cli/cut_argument.h"
+#include "cli/opened_scene.h"
+#include "cli/section_drawing.h"
+#include "cli/standard_streams.h"
+#include "cli/target_argument.h"
+#include "cli/verbs.h"
+#include "models/section_report.h"
+
+namespace hitscope::cli {
+
+namespace {
+
+SceneSection cutAll(const std::vector<const Target*>& targets, const CuttingPlane& cut) {
+    SceneSection section;
+    section.cut = cut;
+    for (const Target* target : targets) {
+        std::vector<MovedVertex> moved;
+        for (const std::uint32_t vertex : target->deformed.onceChanged()) {
+            moved.push_back({vertex, target->deformed.positions()[vertex]});
+        }
+        SectionedTarget sectioned(target->deformed.sharedRender());
+        sectioned.follow(moved);
+        TargetSection made = sectioned.cut({cut.normal, cut.offset}, target->transform);
+        made.target = target->id;
+        made.name = target->name;
+        if (!made.original.empty() || !made.deformed.empty()) {
+            section.targets.push_back(std::move(made));
+        }
+    }
+    return section;
+}
+
+void addCurves(JsonReport& report, const char* key, const std::vector<SectionCurve>& curves) {
+    report.beginArray(key);
+    for (const SectionCurve& curve : curves) {
+        report.beginObject().truth("closed", curve.closed).beginArray("points_m");
+        for (const glm::vec3& point : curve.points) {
+            report.vector({}, point);
+        }
+        report.endArray().endObject();
+    }
+    report.endArray();
+}
+
+JsonReport reportOf(const SceneSection& section) {
+    JsonReport report("section");
+    report.vector("normal", section.cut.normal).number("offset_m", section.cut.offset).beginArray("targets");
+    for (const TargetSection& target : section.targets) {
+        report.beginObject().text("name", target.name).number("greatest_depth_m", target.depths.greatest);
+        addCurves(report, "original", target.original);
+        addCurves(report, "deformed", target.deformed);
+        report.endObject();
+    }
+    report.endArray();
+    return report;
+}
+
+Outcome section(Invocation& given, const CuttingPlane& cut) {
+    OpenedScene scene;
+    if (Outcome opened = scene.open({given.file(0), givenPipeline(given)}); !opened) {
+        return opened;
+    }
+    const Result<std::vector<const Target*>> targets = targetsNamed(scene.session(), given.text("target"));
+    if (!targets) {
+        return targets.error();
+    }
+    const SceneSection made = cutAll(targets.value(), cut);
+    if (made.targets.empty()) {
+        note(QStringLiteral("The plane cuts no target."));
+    }
+    const std::string csv = sectionCsv(made, {}).toStdString();
+    for (const auto& [option, bytes] :
+         {std::pair<const char*, std::string>{"csv", csv}, {"svg", sectionSvg(made)}}) {
+        if (Status written = given.isSet(option) ? writeAllTo(given.text(option), bytes) : Status(Done{});
+            !written) {
+            return written;
+        }
+    }
+    const bool isOutputTaken = isStandardStream(given.text("csv")) || isStandardStream(given.text("svg"));
+    JsonReport report = reportOf(made);
+    return giveReport(given, report, isOutputTaken ? QString() : sectionText(made, {}) + u'\n');
+}
+
+int run(Invocation& given) {
+    const std::optional<CuttingPlane> cut = parseCut(given.text("plane"));
+    if (!cut) {
+        given.complain(
+            given.isSet("plane")
+                ? QStringLiteral(
+                      "--plane takes an axis or a direction, and metres, as in x=0.1 or 1,1,0=0.5.")
+                : QStringLiteral("section needs --plane, as in x=0.1."));
+        return kWrongUsage;
+    }
+    return finish(section(given, *cut));
+}
+
+}  // namespace
+
+Verb sectionVerb() {
+    return {
+        {.name = QStringLiteral("section"),
+         .files = QStringLiteral("SESSION|MESH"),
+         .about = QStringLiteral("cut a scene by a plane: the profile as CSV, SVG or JSON"),
+         .description = QStringLiteral("Cuts the targets by a plane, as they were and as they are, and "
+                                       "prints the length of the profile and "
+                                       "the greatest depth. Depth at a corner is the distance to the nearest "
+                                       "place of the original's profile."),
+         .options =
+             QList<UsageOption>{
+                 valueOption("plane", "PLANE",
+                             QStringLiteral("x=0.1 cuts across x at 0.1 m, 1,1,0=0.5 across "
+                                            "that direction, 0.5 m along it.")),
+                 fileOption("csv", QStringLiteral("Write a line for each corner; - for the "
+                                                  "standard output.")),
+                 fileOption("svg", QStringLiteral("Write a drawing to scale, in millimetres of "
+                                                  "paper; - likewise.")),
+                 targetOption(QStringLiteral("all")), pipelineOption(QStringLiteral("that of the session"))} +
+             reportOptions(),
+         .examples = {{QStringLiteral("A profile as a drawing and a table."),
+                       QStringLiteral("hitscope-cli section --plane z=0 --svg profile.svg --csv profile.csv "
+                                      "dents.hitscope")}},
+         .leastFiles = 1,
+         .mostFiles = 1},
+        run};
+}
+
+}  // namespace hitscope::cli
