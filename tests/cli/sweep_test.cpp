@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sweep that is interrupted and goes on, and the same sweep run by others.
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <csignal>
+#include <map>
+
+#include "cli/run_cli.h"
+#include "cli/scene_files.h"
+#include "support/test_program.h"
+
+using namespace hitscope::test;
+
+class SweepTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase();
+    void interruptedItGoesOn();
+    void othersMakeTheSameTable_data();
+    void othersMakeTheSameTable();
+    void anotherContentIsAnotherJob();
+    void plansAreChecked_data();
+    void plansAreChecked();
+    void whatFailsIsSaid();
+
+private:
+    [[nodiscard]] QString in(const QString& name) const { return m_folder.filePath(name); }
+    [[nodiscard]] QByteArray read(const QString& name) const {
+        QFile file(in(name));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    [[nodiscard]] std::map<QString, QDateTime> reports(const QString& folder) const {
+        std::map<QString, QDateTime> found;
+        for (const QFileInfo& info :
+             QDir(in(folder + QStringLiteral("/jobs"))).entryInfoList(QDir::Files | QDir::Hidden)) {
+            found[info.fileName()] = info.lastModified();
+        }
+        return found;
+    }
+    QTemporaryDir m_folder;
+};
+
+void SweepTest::initTestCase() {
+    writeBytes(in("ball.obj"), ballObj());
+    writeBytes(in("coarse ball.obj"), ballObj(8, 10));
+    writeBytes(in("plan.json"),
+               "{\"hitscope-sweep\": 1, \"scenes\": [\"ball.obj\", \"coarse ball.obj\"],\n \"options\": "
+               "{\"random\": 4, "
+               "\"pipeline\": \"reference\", \"max-distance\": [0.3, 0.5], \"seed\": [1, 2, 3]}}");
+}
+
+void SweepTest::interruptedItGoesOn() {
+    QProcess process;
+    process.start(qEnvironmentVariable("HITSCOPE_CLI"),
+                  {"sweep", "--jobs", "1", "--out", in("here"), in("plan.json")});
+    QTRY_VERIFY_WITH_TIMEOUT(reports("here").size() >= 3 || process.state() == QProcess::NotRunning, 100'000);
+    ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+    QVERIFY(process.waitForFinished(60'000));
+    QCOMPARE(process.exitStatus(), QProcess::CrashExit);  // by the signal, as shells see it
+    QTest::qWait(500);                                    // what it had started ends with it
+    std::map<QString, QDateTime> before = reports("here");
+    QVERIFY(before.size() >= 3 && before.size() < 12);
+    for (const auto& [name, time] : before) {
+        QVERIFY2(!name.startsWith(u'.'), qPrintable(name));  // nothing is half written
+    }
+    const CliRun rest = runCli({"sweep", "--out", in("here"), in("plan.json")});
+    QVERIFY2(rest.status == 0, qPrintable(rest.err));
+    QVERIFY2(rest.out.startsWith(QStringLiteral("12 of 12 jobs")), qPrintable(rest.out));
+    const std::map<QString, QDateTime> after = reports("here");
+    QCOMPARE(after.size(), std::size_t{12});
+    for (const auto& [name, time] : before) {
+        QCOMPARE(after.at(name), time);  // not again
+    }
+    const QByteArray table = read("here/table.csv");
+    QVERIFY(table.startsWith("job,scene,max-distance,seed,shots,hits,"));
+    QCOMPARE(table.count('\n'), 13);
+    QVERIFY(read("here/plots.svg").contains("<polyline") && read("here/table.json").contains("\"axes\""));
+}
+
+void SweepTest::othersMakeTheSameTable_data() {
+    QTest::addColumn<QString>("way");
+    QTest::addColumn<QString>("runs");  // what runs the printed text, in a shell
+    QTest::newRow("shell") << "--list"
+                           << "bash";
+    QTest::newRow("parallel") << "--list"
+                              << "parallel";
+    QTest::newRow("job array")
+        << "--slurm"
+        << "cat > j.sh && sed -n 's/^#SBATCH --array=0-//p' j.sh | { read -r n; for i in "
+           "$(seq 0 \"$n\"); do SLURM_ARRAY_TASK_ID=$i bash j.sh; done; }";
+    QTest::newRow("snakemake") << "--snakemake"
+                               << "cat > S && snakemake --snakefile S --cores 2 --quiet";
+}
+
+void SweepTest::othersMakeTheSameTable() {
+    QFETCH(QString, way);
+    QFETCH(QString, runs);
+    for (const char* program : {"parallel", "snakemake"}) {
+        if (runs.contains(QLatin1String(program)) &&
+            QStandardPaths::findExecutable(QLatin1String(program)).isEmpty()) {
+            QSKIP("It is not installed here.");
+        }
+    }
+    const QString folder = QString::fromLatin1(QTest::currentDataTag()).replace(u' ', u'-');
+    QProcess shell;
+    shell.setWorkingDirectory(m_folder.path());
+    shell.start(
+        "bash",
+        {"-o", "pipefail", "-c",
+         QStringLiteral("\"$HITSCOPE_CLI\" sweep %1 --program \"$HITSCOPE_CLI\" --out %2 plan.json | { %3; }")
+             .arg(way, folder, runs)});
+    QVERIFY(shell.waitForFinished(300'000));
+    QVERIFY2(shell.exitCode() == 0, shell.readAllStandardError().constData());
+    const CliRun merged = runCli({"sweep", "--merge", "--out", in(folder), in("plan.json")});
+    QVERIFY2(merged.status == 0, qPrintable(merged.err));
+    for (const char* name : {"/table.csv", "/table.json", "/plots.svg"}) {
+        QCOMPARE(read(folder + QLatin1String(name)), read(QStringLiteral("here") + QLatin1String(name)));
+    }
+    QVERIFY(runCli({"sweep", "--list", "--out", in(folder), in("plan.json")}).out.isEmpty());
+}
+
+void SweepTest::anotherContentIsAnotherJob() {
+    writeBytes(in("small.json"),
+               "{\"hitscope-sweep\": 1, \"scenes\": [\"m.obj\"], \"options\": {\"random\": 1}}");
+    writeBytes(in("m.obj"), ballObj(6, 6));
+    const QStringList arguments{"sweep", "--list", in("small.json")};
+    const QString first = runCli(arguments).out;
+    QCOMPARE(runCli(arguments).out, first);
+    writeBytes(in("m.obj"), ballObj(6, 8));
+    QVERIFY(runCli(arguments).out != first);
+}
+
+void SweepTest::plansAreChecked_data() {
+    QTest::addColumn<QByteArray>("plan");
+    QTest::addColumn<QString>("says");
+    QTest::newRow("no object") << QByteArray("[]") << "A plan is a JSON object";
+    QTest::newRow("version") << QByteArray("{\"options\": {}}") << "hitscope-sweep";
+    QTest::newRow("member") << QByteArray("{\"hitscope-sweep\": 1, \"meshes\": []}") << "meshes";
+    QTest::newRow("option") << QByteArray("{\"hitscope-sweep\": 1, \"options\": {\"speeed\": 3}}")
+                            << "speeed";
+    QTest::newRow("out") << QByteArray("{\"hitscope-sweep\": 1, \"options\": {\"out\": \"a.obj\"}}")
+                         << "options, out";
+    QTest::newRow("range") << QByteArray("{\"hitscope-sweep\": 1, \"options\": {\"max-distance\": [1, -1]}}")
+                           << "--max-distance takes";
+    QTest::newRow("twice") << QByteArray("{\"hitscope-sweep\": 1, \"options\": {\"seed\": [1, 1]}}")
+                           << "each once";
+    QTest::newRow("null") << QByteArray("{\"hitscope-sweep\": 1, \"options\": {\"seed\": null}}")
+                          << "options, seed";
+    QTest::newRow("no list") << QByteArray("{\"hitscope-sweep\": 1, \"scenes\": 3, \"options\": {}}")
+                             << "scenes";
+    QTest::newRow("no file") << QByteArray(
+                                    "{\"hitscope-sweep\": 1, \"scenes\": [\"no.obj\"], \"options\": {}}")
+                             << "no.obj";
+}
+
+void SweepTest::plansAreChecked() {
+    QFETCH(QByteArray, plan);
+    QFETCH(QString, says);
+    const CliRun run = runCli({"sweep", "--list", "--out", in("never"), writeBytes(in("wrong.json"), plan)});
+    QCOMPARE(run.status, 3);
+    QVERIFY2(run.err.contains(says), qPrintable(run.err));
+    QVERIFY(!QFileInfo::exists(in("never")));
+}
+
+void SweepTest::whatFailsIsSaid() {
+    writeBytes(in("broken.obj"), "v 0 0 0\nf 1 2 3\n");
+    writeBytes(
+        in("mixed.json"),
+        "{\"hitscope-sweep\": 1, \"scenes\": [\"broken.obj\", \"ball.obj\"], \"options\": {\"random\": 1}}");
+    const CliRun run = runCli({"sweep", "--out", in("mixed"), in("mixed.json")});
+    QCOMPARE(run.status, 3);
+    QVERIFY2(run.err.contains(QStringLiteral("broken.obj")) &&
+                 run.err.contains(QStringLiteral("1 jobs have no result")),
+             qPrintable(run.err));
+    QCOMPARE(read("mixed/table.csv").count('\n'), 2);
+}
+
+HITSCOPE_TEST(SweepTest, QCoreApplication)
+#include "sweep_test.moc"
