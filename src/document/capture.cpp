@@ -19,6 +19,9 @@ SavedTarget saved(const Target& target) {
     saved.id = target.id;
     saved.name = target.name.left(kLongestName);
     saved.source.mesh = target.source;
+    for (const std::shared_ptr<const MeshStep>& step : target.steps) {
+        saved.steps.push_back(*step);
+    }
     saved.textures = target.textures;
     saved.placement = target.deformed.original().placement;
     saved.transform = target.transform;

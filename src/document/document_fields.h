@@ -15,6 +15,7 @@
 #include "document/document_section.h"
 #include "document/fields.h"
 #include "document/form_fields.h"
+#include "document/mesh_step_fields.h"
 #include "document/session_document.h"
 #include "document/view_fields.h"
 #include "session/primitive_target.h"
@@ -173,6 +174,9 @@ struct Fields<SavedTarget> {
         visit.text("name", target.name);
         visit.object("source", target.source);
         visit.object("placement", target.placement);
+        if (Visit::reads() || !target.steps.empty()) {
+            visit.list("mesh_steps", "mesh step", target.steps, SessionDocument::kMostSteps);
+        }
         visit.rows("textures", "texture", target.textures, SessionDocument::kMostTextures);
         visit.vector("position", target.transform.position);
         visit.rotation("rotation", target.transform.rotation);

@@ -13,6 +13,7 @@
 #include "physics/projectile_settings.h"
 #include "session/constants_setting.h"
 #include "session/flight_mode.h"
+#include "session/mesh_steps/mesh_step.h"
 #include "session/target_source.h"
 #include "session/vertex_selection.h"
 #include "view/display_options.h"
@@ -33,7 +34,8 @@ struct SavedTarget {
     TargetId id;  ///< by which hits name it; 1 to kMostId, and no other target's
     QString name;
     SavedSource source;
-    Placement placement;  ///< of the file's coordinates; scale > 0
+    Placement placement;          ///< of the file's coordinates; scale > 0
+    std::vector<MeshStep> steps;  ///< done to that mesh, in their order
     std::vector<LocatedTexture> textures;
     RigidTransform transform;
     bool visible = true;
@@ -115,6 +117,7 @@ struct SessionDocument {
     static constexpr std::uint32_t kMostId = 0x7fffffffu;  ///< of a target
     static constexpr std::size_t kMostTargets = 100'000;
     static constexpr std::size_t kMostHits = 10'000'000;
+    static constexpr std::size_t kMostSteps = 1'000;        ///< of a target's mesh
     static constexpr std::size_t kMostTextures = 10'000;    ///< of a target
     static constexpr std::size_t kMostCameras = 1'000;      ///< kept
     static constexpr std::size_t kMostText = 10'000;        ///< bytes of a name or a path

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/source_mesh.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QEventLoop>
 #include <QFileInfo>
@@ -25,6 +26,7 @@ std::string keyOf(const SavedTarget& target) {
     mesh.id = TargetId{1};
     mesh.source = target.source;
     mesh.placement = target.placement;
+    mesh.steps = target.steps;
     mesh.textures = target.textures;
     std::string key;
     FieldWriter(key, FieldWriter::Layout::Compact).whole({}, mesh);
@@ -87,13 +89,39 @@ std::optional<TargetPlan> SourceMeshes::make(const SavedTarget& target) {
     const auto* primitive = std::get_if<Primitive>(&target.source.mesh);
     TargetPlan plan = primitive != nullptr ? planPrimitive(*primitive)
                                            : planBuiltIn(std::get<BuiltInMesh>(target.source.mesh));
-    if (!target.placement.isIdentity()) {
+    if (!target.placement.isIdentity() || !target.steps.empty()) {
         MeshData mesh = *plan.shape.mesh;
         placeAgain(mesh, target.placement);
+        MeshSteps steps;
+        std::optional<MeshData> made = stepped(target, std::move(mesh), steps);
+        if (!made) {
+            return std::nullopt;
+        }
         // As a mesh that was placed: it collides with its triangles.
-        plan = planMesh(prepareMesh(std::move(mesh)), target.source.mesh);
+        plan = planMesh(prepareMesh(std::move(*made)), target.source.mesh, std::move(steps));
     }
     return plan;
+}
+
+std::optional<MeshData> SourceMeshes::stepped(const SavedTarget& target, MeshData mesh, MeshSteps& steps) {
+    for (const MeshStep& step : target.steps) {
+        steps.push_back(std::make_shared<const MeshStep>(step));
+    }
+    if (steps.empty()) {
+        return mesh;
+    }
+    Result<MeshData> made = withSteps(std::move(mesh), steps, [this](double share) {
+        if (m_control.progress) {
+            m_control.progress(share,
+                               QCoreApplication::translate("hitscope::OpenDocument", "Refining the mesh"));
+        }
+        return !m_control.isCancelled();
+    });
+    if (!made) {
+        note(target, MeshTrouble::Kind::Missing, made.error());
+        return std::nullopt;
+    }
+    return std::move(made).value();
 }
 
 std::optional<TargetPlan> SourceMeshes::import(const SavedTarget& target, const MeshFile& file) {
@@ -114,7 +142,12 @@ std::optional<TargetPlan> SourceMeshes::import(const SavedTarget& target, const 
     MeshData mesh = std::move(imported.value().mesh);
     placeAgain(mesh, target.placement);
     std::vector<LocatedTexture> textures = addTextures(target, mesh);
-    TargetPlan plan = planMesh(prepareMesh(std::move(mesh)), *found);
+    MeshSteps steps;
+    std::optional<MeshData> made = stepped(target, std::move(mesh), steps);
+    if (!made) {
+        return std::nullopt;
+    }
+    TargetPlan plan = planMesh(prepareMesh(std::move(*made)), *found, std::move(steps));
     plan.textures = std::move(textures);
     return plan;
 }

@@ -25,6 +25,8 @@ public:
 private:
     std::optional<TargetPlan> make(const SavedTarget& target);
     std::optional<TargetPlan> import(const SavedTarget& target, const MeshFile& file);
+    /// What was done to the mesh is done to it again.
+    std::optional<MeshData> stepped(const SavedTarget& target, MeshData mesh, MeshSteps& steps);
     void note(const SavedTarget& target, MeshTrouble::Kind kind, const Error& error);
     std::optional<MeshFile> find(const SavedTarget& target, const MeshFile& file) const;
     /// Gives the mesh its pictures that were found elsewhere; returns where they are now.

@@ -67,6 +67,7 @@ private:
     void groupsBefore(std::size_t face);
     void stateOf(std::size_t face);
     void corner(std::size_t c);
+    void sayNew();
     void linesAndPoints();
     /// To be asked before each vertex and face. `done`: of all of them.
     bool isGivenUp(std::size_t done);
@@ -205,11 +206,26 @@ void ObjText::linesAndPoints() {
     }
 }
 
+/// Runs of vertices that the mesh's file does not have, from 1.
+void ObjText::sayNew() {
+    for (std::size_t v = 0; v < m_mesh.vertexCount(); ++v) {
+        if (!m_mesh.isNew(v)) {
+            continue;
+        }
+        const std::size_t first = v + 1;
+        while (v + 1 < m_mesh.vertexCount() && m_mesh.isNew(v + 1)) {
+            ++v;
+        }
+        m_text += "# New vertices: " + std::to_string(first) + " to " + std::to_string(v + 1) + '\n';
+    }
+}
+
 std::string ObjText::format() {
     constexpr std::size_t kVertexBytes = 36;  // typical lengths of lines
     constexpr std::size_t kCornerBytes = 18;
     m_text.reserve(kVertexBytes * m_mesh.positions.size() + kCornerBytes * m_mesh.cornerVertices.size());
     m_text = "# Written by Hitscope " HITSCOPE_VERSION "\n";
+    sayNew();
     for (const std::string& library : m_libraries) {
         m_text += "mtllib " + library + '\n';
     }

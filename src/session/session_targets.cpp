@@ -315,48 +315,6 @@ void SessionTargets::setTexture(std::span<const TargetId> ids, const std::shared
     change(std::move(edits), {SessionUndo::Kind::TargetTexture, 1});
 }
 
-std::map<TargetId, TargetId> SessionTargets::replaceMeshes(std::span<const TargetState> meshes,
-                                                           const std::function<Hit(const Hit&)>& carried) {
-    std::map<std::size_t, TargetState> others;  // by index
-    std::map<TargetId, TargetId> ids;
-    for (const TargetState& mesh : meshes) {
-        if (const std::optional<std::size_t> index = indexOf(mesh.id)) {
-            TargetState other = *m_targets[*index];
-            other.id = ids[mesh.id] = TargetId{m_next++};
-            other.shape = mesh.shape;
-            other.collider = mesh.collider;
-            other.source = mesh.source;
-            other.sourcePath = mesh.sourcePath;
-            other.textures = mesh.textures;
-            others.emplace(*index, std::move(other));
-        }
-    }
-    // All that come first, each behind the one that goes.
-    std::vector<TargetEdit> edits;
-    std::vector<TargetEdit> going;
-    for (auto& [index, other] : others) {
-        going.push_back({index, TargetState(*m_targets[index]), std::nullopt});
-        edits.push_back({index + edits.size() + 1, std::nullopt, std::move(other)});
-    }
-    std::move(going.begin(), going.end(), std::back_inserter(edits));
-    const std::span<const Hit> history = m_session.m_hits.history().hits();
-    std::vector<std::size_t> rows;
-    std::vector<Hit> hits;
-    for (std::size_t row = 0; row < history.size(); ++row) {
-        if (const auto id = ids.find(history[row].target); id != ids.end()) {
-            rows.push_back(row);
-            hits.push_back(carried(history[row]));
-            hits.back().target = id->second;
-        }
-    }
-    const auto selected = ids.find(m_selected);
-    const TargetId toSelect = selected != ids.end() ? selected->second : m_selected;
-    change(std::move(edits), {SessionUndo::Kind::ReloadMesh, ids.size()},
-           m_session.m_hits.m_history.replace(rows, hits));
-    select(toSelect);
-    return ids;
-}
-
 Status SessionTargets::setTransform(TargetId id, const RigidTransform& transform, SessionUndo::Merge merge) {
     const float length = glm::length(transform.rotation);
     if (!isFinite(transform) || !(length > 1.0e-6f)) {

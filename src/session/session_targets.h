@@ -65,9 +65,11 @@ public:
                     const LocatedTexture& located);
     /// Gives targets other meshes: shape, collider and source of the state with the target's id, all else
     /// stays. As each is then another mesh it gets an id of its own, which is returned by the one before.
-    /// Each hit on them becomes `carried` of it, on the target of the new id.
+    /// Each hit on them, in their order, becomes `carried` of it, on the target of the new id; nothing: it
+    /// goes.
     std::map<TargetId, TargetId> replaceMeshes(std::span<const TargetState> meshes,
-                                               const std::function<Hit(const Hit&)>& carried);
+                                               const std::function<std::optional<Hit>(const Hit&)>& carried,
+                                               SessionUndo::Kind kind = SessionUndo::Kind::ReloadMesh);
     /// Hits go along, since they are kept in the local frame. The rotation is made unit. Refused when a
     /// number is not finite or the rotation is none.
     [[nodiscard]] Status setTransform(TargetId id, const RigidTransform& transform,

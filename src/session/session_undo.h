@@ -90,6 +90,10 @@ public:
         TargetPhysics,
         TargetTexture,
         ReloadMesh,  ///< from a file that has changed
+        RefineMesh,
+        SimplifyMesh,
+        SmoothMesh,
+        ApplyHits,  ///< to the mesh, as its new original
         Projectile,
         FlightMode,
         CoverTexture,

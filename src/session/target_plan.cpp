@@ -80,10 +80,15 @@ TargetPlan planMesh(const PreparedMesh& mesh, const QString& sourcePath) {
     return planMesh(mesh, sourcePath.isEmpty() ? TargetSource() : meshFileAt(sourcePath));
 }
 
-TargetPlan planMesh(const PreparedMesh& mesh, const TargetSource& source) {
+TargetPlan planMesh(const PreparedMesh& mesh, const TargetSource& source, MeshSteps steps) {
     const auto* file = std::get_if<MeshFile>(&source);
-    return {QString::fromStdString(mesh.mesh->name),  mesh,  {}, MeshCollider{mesh.collision},
-            file != nullptr ? file->path : QString(), source};
+    return {QString::fromStdString(mesh.mesh->name),
+            mesh,
+            {},
+            MeshCollider{mesh.collision},
+            file != nullptr ? file->path : QString(),
+            source,
+            std::move(steps)};
 }
 
 TargetState stateOf(TargetPlan plan, TargetId id) {
@@ -93,6 +98,7 @@ TargetState stateOf(TargetPlan plan, TargetId id) {
     state.transform = plan.transform;
     state.sourcePath = std::move(plan.sourcePath);
     state.source = std::move(plan.source);
+    state.steps = std::move(plan.steps);
     state.textures = std::move(plan.textures);
     state.shape = std::move(plan.shape);
     // A primitive is struck as what it is until its first dent, then as its triangles.

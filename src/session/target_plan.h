@@ -22,6 +22,7 @@ struct TargetPlan {
     Collider collider;
     QString sourcePath = {};                    ///< the file it comes from; empty: made by us
     TargetSource source = {};                   ///< what its mesh can be made from again
+    MeshSteps steps = {};                       ///< that made `shape` of it
     std::vector<LocatedTexture> textures = {};  ///< that are not where the mesh file says
 };
 
@@ -38,8 +39,8 @@ struct ScenePlan {
 /// A target at the mesh's own coordinates, which collides with its triangles. `mesh` has passed validate().
 [[nodiscard]] TargetPlan planMesh(MeshData mesh, const QString& sourcePath = {});
 [[nodiscard]] TargetPlan planMesh(const PreparedMesh& mesh, const QString& sourcePath = {});
-/// Likewise, of something that is known.
-[[nodiscard]] TargetPlan planMesh(const PreparedMesh& mesh, const TargetSource& source);
+/// Likewise, of something that is known, to which the steps were done.
+[[nodiscard]] TargetPlan planMesh(const PreparedMesh& mesh, const TargetSource& source, MeshSteps steps = {});
 
 /// The target that is to have that id.
 [[nodiscard]] TargetState stateOf(TargetPlan plan, TargetId id);

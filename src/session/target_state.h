@@ -9,6 +9,7 @@
 
 #include "core/ids.h"
 #include "physics/physics_world.h"
+#include "session/mesh_steps/mesh_step.h"
 #include "session/prepared_mesh.h"
 #include "session/target_source.h"
 
@@ -22,6 +23,7 @@ struct TargetState {
     bool visible = true;                   ///< hidden, it is neither drawn nor hit; its hits stay
     QString sourcePath;                    ///< the file it came from; empty: made by us
     TargetSource source;                   ///< what its mesh can be made from again
+    MeshSteps steps;                       ///< that made `shape` of it
     std::vector<LocatedTexture> textures;  ///< pictures of its mesh that are not where the file says
     TargetPhysics physics;                 ///< whether it stays where it is put
     PreparedMesh shape;

@@ -356,6 +356,10 @@ void FileActions::place(double extent) {
         return;
     }
     const Target& target = *m_parts.session.targets().front();
+    if (!target.steps.empty()) {
+        Q_EMIT said(tr("The mesh was refined, simplified or smoothed at this size: undo that first."));
+        return;
+    }
     const TargetSource source = target.source;
     MeshData mesh = target.deformed.original();
     if (extent > 0.0) {

@@ -18,6 +18,9 @@ void ChangesCsv::header() {
     if (m_columns.hits) {
         m_csv.text("hits");
     }
+    if (m_columns.isNew) {
+        m_csv.text("new");
+    }
     m_csv.endRow();
 }
 
@@ -28,7 +31,7 @@ template <class Vector>
 void putChanges(const MeshExport& what, bool allVertices, PieceWriter& out) {
     const FilePositions positions(what);
     CsvWriter csv;
-    ChangesCsv rows(csv, {.turned = false, .hits = !what.hits.empty()});
+    ChangesCsv rows(csv, {.turned = false, .hits = !what.hits.empty(), .isNew = !what.mesh->isAsRead()});
     rows.header();
     for (std::size_t v = 0; v < what.positions.size() && out.goesOn(v, what.positions.size()); ++v) {
         if (!allVertices && !positions.isMoved(v)) {
@@ -37,7 +40,7 @@ void putChanges(const MeshExport& what, bool allVertices, PieceWriter& out) {
         const glm::dvec3 displacement = positions.displacement(v);
         rows.row<Vector>(static_cast<std::uint32_t>(v), Vector(positions.original(v)),
                          Vector(positions.now(v)), Vector(displacement), glm::length(displacement), 0.0f,
-                         what.hits.empty() ? 0 : what.hits[v]);
+                         what.hits.empty() ? 0 : what.hits[v], what.mesh->isNew(v));
         out.put(csv.take());
     }
     out.put(csv.take());

@@ -16,6 +16,7 @@ public:
     struct Columns {
         bool turned = true;
         bool hits = true;
+        bool isNew = false;  ///< and one that tells vertices which the mesh's file does not have
     };
     ChangesCsv(CsvWriter& csv, Columns columns) : m_csv(csv), m_columns(columns) {}
 
@@ -23,7 +24,7 @@ public:
     /// vertex: from 0; turned: degrees. Number: float or double.
     template <class Vector>
     void row(std::uint32_t vertex, const Vector& original, const Vector& current, const Vector& displacement,
-             double length, float turned, std::uint32_t hits) {
+             double length, float turned, std::uint32_t hits, bool isNew = false) {
         m_csv.count(std::uint64_t{vertex} + 1);
         for (const Vector& vector : {original, current, displacement}) {
             m_csv.exact(vector.x).exact(vector.y).exact(vector.z);
@@ -34,6 +35,9 @@ public:
         }
         if (m_columns.hits) {
             m_csv.count(hits);
+        }
+        if (m_columns.isNew) {
+            m_csv.count(isNew ? 1 : 0);
         }
         m_csv.endRow();
     }

@@ -91,6 +91,12 @@ void Merger::addVertices(const PlacedTarget& target) {
         m_mesh.positions.push_back(original);
         m_merged.positions.push_back(isMoved ? placed(target.transform, target.positions[v]) : original);
     }
+    if (std::ranges::any_of(m_targets, [](const PlacedTarget& one) { return !one.mesh->isAsRead(); })) {
+        for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+            m_mesh.sourceVertices.push_back(mesh.isAsRead() ? static_cast<std::uint32_t>(v)
+                                                            : mesh.sourceVertices[v]);
+        }
+    }
     const bool isLinear = hasLinearColours(target.sourcePath);
     for (std::size_t v = 0; m_has.colours && v < mesh.positions.size(); ++v) {
         glm::vec3 colour = mesh.colours.empty() ? glm::vec3(1.0f) : mesh.colours[v];

@@ -35,6 +35,10 @@ public:
         if (hasHits()) {
             add("hits", PlyType::Uint32);
         }
+        if (!what.mesh->isAsRead()) {
+            add("new", PlyType::Uint8);            // 1: no vertex of the source
+            add("source_vertex", PlyType::Int32);  // its number there, from 0; -1: none
+        }
     }
 
     [[nodiscard]] const std::vector<PlyProperty>& properties() const { return m_properties; }
@@ -49,6 +53,11 @@ public:
         }
         if (hasHits()) {
             values.append(text, PlyType::Uint32, m_what.hits[vertex]);
+        }
+        if (const MeshData& mesh = *m_what.mesh; !mesh.isAsRead()) {
+            values.append(text, PlyType::Uint8, mesh.isNew(vertex) ? 1.0 : 0.0);
+            values.append(text, PlyType::Int32,
+                          mesh.isNew(vertex) ? -1.0 : static_cast<double>(mesh.sourceVertices[vertex]));
         }
     }
 

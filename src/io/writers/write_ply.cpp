@@ -206,7 +206,9 @@ Result<QStringList> exportPly(const MeshExport& what, const QString& path, const
     }
     try {
         QStringList notes;
-        if (QFileInfo(what.sourcePath).suffix().compare(QStringLiteral("ply"), Qt::CaseInsensitive) == 0) {
+        const bool isPly =
+            QFileInfo(what.sourcePath).suffix().compare(QStringLiteral("ply"), Qt::CaseInsensitive) == 0;
+        if (isPly && what.mesh->isAsRead()) {
             PlyCopy copy(what, options);
             if (copy.check()) {
                 const Status written =

@@ -65,6 +65,7 @@ private:
     [[nodiscard]] bool isMerged() const { return m_what.targets.size() > 1 || m_what.options.inWorld; }
     [[nodiscard]] bool hasNormals(const TargetExport& target) const;
     [[nodiscard]] bool stepsLeadToShown() const;
+    void noteSteps(const TargetExport& target);
     Status merge();
 
     const SceneExport& m_what;
@@ -149,7 +150,24 @@ Status Gathered::gather(const GoOn& goOn, const QString& path) {
     m_mesh.hits = m_targets.front().hits;
     m_mesh.steps = std::move(m_steps.front());
     m_mesh.sourcePath = target.sourcePath;
+    noteSteps(target);
     return Done{};
+}
+
+/// A file that a mesh was refined or simplified from cannot be copied with changes: it is another mesh.
+void Gathered::noteSteps(const TargetExport& target) {
+    const MeshData& mesh = *target.original;
+    if (mesh.isAsRead()) {
+        return;
+    }
+    const auto added = static_cast<std::size_t>(
+        std::count(mesh.sourceVertices.begin(), mesh.sourceVertices.end(), kNoIndex));
+    m_notes +=
+        QCoreApplication::translate(
+            "Export", "%1 is no longer the mesh of its file: it was written in full. New vertices: %2 of %3.")
+            .arg(QString::fromStdString(target.name))
+            .arg(added)
+            .arg(mesh.vertexCount());
 }
 
 Status Gathered::merge() {
@@ -166,6 +184,7 @@ Status Gathered::merge() {
         one.transform[3] = glm::dvec4(glm::dvec3(target.transform.position), 1.0);
         one.name = target.name;
         one.sourcePath = target.sourcePath;
+        noteSteps(target);
     }
     Result<MergedTargets> merged = mergeTargets(placed);
     if (!merged) {
@@ -187,7 +206,8 @@ Result<QStringList> writeObj(const MeshExport& mesh, const CornerNormalView& nor
     file.sourceFolder = mesh.sourceFolder;
     if (!mesh.sourcePath.isEmpty()) {
         file.sourceFolder = QFileInfo(mesh.sourcePath).absolutePath();
-        file.sourcePath = exportFormatOf(mesh.sourcePath) == ExportFormat::Obj ? mesh.sourcePath : QString();
+        const bool isSource = mesh.mesh->isAsRead() && exportFormatOf(mesh.sourcePath) == ExportFormat::Obj;
+        file.sourcePath = isSource ? mesh.sourcePath : QString();
     }
     file.goOn = mesh.goOn;
     return exportObj(file, path);
