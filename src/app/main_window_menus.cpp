@@ -19,6 +19,7 @@
 #include "app/actions/inspect_actions.h"
 #include "app/actions/light_actions.h"
 #include "app/actions/menu_building.h"
+#include "app/actions/mesh_actions.h"
 #include "app/actions/picture_actions.h"
 #include "app/actions/shot_actions.h"
 #include "app/actions/theme_actions.h"
@@ -54,6 +55,11 @@ void MainWindow::makeMenus() {
     m_meshMenu = menuBar()->addMenu(tr("&Mesh"));
     m_fileActions->fillMesh(*m_meshMenu);
     m_textureLocator->fill(*m_meshMenu);
+    m_meshMenu->addSeparator();
+    auto* meshActions = new MeshActions(m_session, m_shots->aimPreview(), *this);
+    meshActions->fill(*m_meshMenu);
+    connect(meshActions, &MeshActions::said, this, &MainWindow::say);
+    connect(meshActions, &MeshActions::failed, this, &MainWindow::fail);
     m_meshMenu->addSeparator();
     m_pipelines->fill(*m_meshMenu->addMenu(tr("&Pipeline")));
     makeShootMenu();

@@ -9,6 +9,7 @@
 #include "cli/common_options.h"
 #include "cli/opened_scene.h"
 #include "cli/progress_line.h"
+#include "cli/refine_option.h"
 #include "cli/standard_streams.h"
 #include "cli/verbs.h"
 #include "document/capture.h"
@@ -54,6 +55,19 @@ Status setConstants(Session& session, const ShootOptions& options) {
         }
     }
     return session.settings().setConstants(setting);
+}
+
+/// All that comes before the shots.
+Status prepare(Session& session, const ShootOptions& options) {
+    if (options.refineTo) {
+        if (Status refined = refineAll(session, *options.refineTo); !refined) {
+            return refined;
+        }
+    }
+    if (Status set = setConstants(session, options); !set) {
+        return set;
+    }
+    return addHits(session, options.hitsPath);
 }
 
 /// Until all shots have left and what they launched has hit or gone.
@@ -178,10 +192,8 @@ Outcome shoot(Invocation& given, const ShootOptions& options) {
         return opened;
     }
     Session& session = scene.session();
-    for (const Status& prepared : {setConstants(session, options), addHits(session, options.hitsPath)}) {
-        if (!prepared) {
-            return prepared;
-        }
+    if (Status prepared = prepare(session, options); !prepared) {
+        return prepared;
     }
     session.simulation().setPaused(false);  // as a session may have been saved
     const Result<ShotScript> script = fireAll(session, options);

@@ -20,8 +20,9 @@ namespace hitscope::cli {
 struct ShootOptions {
     enum class Shots : std::uint8_t { None, Burst, Random, At, Script };
 
-    QString scenePath;  ///< as SceneWish has it
-    QString hitsPath;   ///< hits that come before the shots; empty: none
+    QString scenePath;              ///< as SceneWish has it
+    std::optional<float> refineTo;  ///< metres: edges of all targets are no longer; nothing: they stay
+    QString hitsPath;               ///< hits that come before the shots; empty: none
     Shots shots = Shots::Burst;
     QString scriptPath;
     int count = 20;      ///< of a burst, of random shots

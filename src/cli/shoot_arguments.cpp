@@ -3,6 +3,7 @@
 
 #include "cli/common_options.h"
 #include "cli/form_options.h"
+#include "cli/refine_option.h"
 #include "cli/shoot.h"
 
 namespace hitscope::cli {
@@ -134,7 +135,7 @@ QList<UsageOption> shootOptions() {
         options << parameterOption(
             parameter, QStringLiteral("as the session has it, or %1").arg(parameter.defaultValue));
     }
-    options << formOptions();
+    options << formOptions() << refineOption();
     options << flagOption("absolute",
                           QStringLiteral("Constants are in metres on any target. Otherwise they are those "
                                          "of a target 5 m across, and grow and shrink with the target."));
@@ -180,6 +181,7 @@ ShootOptions readShootOptions(Invocation& given) {
     }
     options.constants = parametersOf(given, deformationParameters(), true);
     options.form = givenForm(given);
+    options.refineTo = givenRefinement(given);
     options.absolute = given.isSet("absolute");
     options.projectile = parametersOf(given, projectileParameters(), false);
     options.pipeline = givenPipeline(given);

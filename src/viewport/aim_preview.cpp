@@ -126,11 +126,17 @@ void AimPreview::show() {
         ghost->push_back(target->transform.toWorld(corner));
     }
     m_viewport.setGhost(std::move(ghost));
+    m_aim = Aim{target->id, hit->point, distance};
+    Q_EMIT shown();
     const std::size_t count = preview.affectedVertices;
     const auto metres = static_cast<double>(preview.depth);
     const QString depth = metres >= kMillimetre ? shownNumber(metres, 'f', 3) : shownNumber(metres, 'g', 3);
-    showText(count == 1 ? tr("1 vertex, %1 m deep").arg(depth)
-                        : tr("%1 vertices, %2 m deep").arg(shownCount(count), depth));
+    QString text = count == 1 ? tr("1 vertex, %1 m deep").arg(depth)
+                              : tr("%1 vertices, %2 m deep").arg(shownCount(count), depth);
+    if (count < kFewVertices) {
+        text += tr("\nFew vertices for a dent: Ctrl+R refines the mesh here");
+    }
+    showText(text);
 }
 
 void AimPreview::showText(const QString& text) {

@@ -5,6 +5,7 @@
 #include <QPointF>
 #include <QTimer>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "session/session.h"
@@ -28,9 +29,22 @@ public:
     /// Whether a click shoots at all; off while another tool has the mouse.
     void setClicksShoot(bool on);
 
+    /// Where the hit would be that the preview shows.
+    struct Aim {
+        TargetId target;
+        glm::vec3 point{0.0f};  ///< metres, local frame
+        float reach = 0.0f;     ///< metres
+    };
+    [[nodiscard]] const std::optional<Aim>& aim() const { return m_aim; }  ///< nothing: none was shown yet
+    /// A dent of fewer vertices is hardly one: the preview offers to refine the mesh there.
+    static constexpr std::size_t kFewVertices = 10;
+
     static constexpr int kRest = 150;  ///< milliseconds without a move
     /// More vertices in reach than this would hold the window up: they are not counted.
     static constexpr std::size_t kMostVertices = 30'000;
+
+Q_SIGNALS:
+    void shown();  ///< aim() is another
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -50,6 +64,7 @@ private:
     bool m_enabled = true;
     bool m_clicksShoot = true;
     bool m_isOver = false;  ///< the cursor is over the viewport, no button pressed
+    std::optional<Aim> m_aim;
     TargetId m_boxesOf;
     std::uint64_t m_boxesRevision = 0;
     std::vector<Bounds> m_boxes;

@@ -63,6 +63,31 @@ private Q_SLOTS:
         QCOMPARE(fingerprintOf(shoot({"--script", script})), fingerprintOf(run));
     }
 
+    void refinesBeforeItShoots() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("box.obj"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(
+            "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv 0 0 -1\nf 1 2 3 4\nf 2 1 5\nf 3 2 5\nf 4 3 5\nf 1 4 "
+            "5\n");
+        file.close();
+        const QString out = folder.filePath(QStringLiteral("fine.ply"));
+        const QStringList few{"--burst", "2", "--cone", "1", "--instant", path};
+        const CliRun run = shoot(QStringList{"--refine", "0.1", "--out", out} + few);
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        QFile written(out);
+        QVERIFY(written.open(QIODevice::ReadOnly));
+        const QByteArray bytes = written.readAll();
+        QVERIFY(bytes.contains("property uchar new\n"));
+        QVERIFY(bytes.contains("property int source_vertex\n"));
+        QCOMPARE(shoot(QStringList{"--refine", "0.1"} + few).status, 0);
+        QVERIFY(fingerprintOf(run) != fingerprintOf(shoot(few)));
+        for (const char* wrong : {"0", "-1", "x"}) {
+            QVERIFY(shoot(QStringList{"--refine", QLatin1String(wrong)} + few).status != 0);
+        }
+    }
+
     void meshesOfAnySizeAreHit() {
         const QTemporaryDir folder;
         for (const char* extent : {"0.00005", "50000"}) {

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/mesh_actions.h"
+
+#include <QAction>
+#include <QMenu>
+
+#include "app/actions/menu_building.h"
+#include "models/focus_target.h"
+#include "panels/help/help_text.h"
+#include "session/session.h"
+#include "viewport/aim_preview.h"
+
+namespace hitscope {
+
+MeshActions::MeshActions(Session& session, AimPreview& aim, QWidget& window)
+    : QObject(&window), m_session(session), m_aim(aim), m_window(window), m_editor(session) {
+    connect(&m_editor, &MeshEditor::edited, this, &MeshActions::said);
+    connect(&m_editor, &MeshEditor::failed, this, &MeshActions::failed);
+    connect(&m_editor, &MeshEditor::cancelled, this,
+            [this] { Q_EMIT said(tr("Cancelled. The mesh is unchanged.")); });
+    connect(&m_editor, &MeshEditor::busyChanged, this, &MeshActions::follow);
+    for (const auto signal :
+         {&SessionTargets::added, &SessionTargets::removed, &SessionTargets::selectedChanged}) {
+        connect(&session.targets(), signal, this, &MeshActions::follow);
+    }
+    connect(&session.hits(), &SessionHits::reset, this, &MeshActions::follow);
+    connect(&session, &Session::sceneReplaced, this, &MeshActions::follow);
+    connect(&aim, &AimPreview::shown, this, &MeshActions::follow);
+}
+
+void MeshActions::fill(QMenu& menu) {
+    m_refine = addAction(menu, tr("&Refine…"), {}, this, [this] { show(MeshStepDialog::Kind::Refine); });
+    m_refineAtAim = addAction(menu, tr("Refine at the &Aim"), tr("Ctrl+R"), this, [this] { refineAtAim(); });
+    m_refineAtAim->setToolTip(tr("Makes the mesh finer where the shot under the cursor would make its dent"));
+    m_simplify =
+        addAction(menu, tr("S&implify…"), {}, this, [this] { show(MeshStepDialog::Kind::Simplify); });
+    m_smooth = addAction(menu, tr("S&mooth…"), {}, this, [this] { show(MeshStepDialog::Kind::Smooth); });
+    m_apply = addAction(menu, tr("Appl&y Hits"), {}, this, [this] { applyHits(); });
+    m_apply->setToolTip(tr("The dented shape becomes the original, and its hits leave the history"));
+    follow();
+}
+
+void MeshActions::follow() {
+    if (m_refine == nullptr) {
+        return;
+    }
+    const Target* target = focusTarget(m_session);
+    const QString why = m_editor.isBusy() ? tr("A mesh is being changed.") : tr("Select a target first.");
+    for (QAction* action : {m_refine, m_simplify, m_smooth}) {
+        enableIf(*action, target != nullptr && !m_editor.isBusy(), why);
+    }
+    const bool hasHits = target != nullptr && !m_session.hits().history().hitsOn(target->id).empty();
+    enableIf(*m_apply, hasHits && !m_editor.isBusy(),
+             target == nullptr ? why : tr("The target has no hits."));
+    enableIf(*m_refineAtAim, m_aim.aim().has_value() && !m_editor.isBusy(),
+             m_editor.isBusy() ? why : tr("Rest the cursor on a target first."));
+}
+
+void MeshActions::show(MeshStepDialog::Kind kind) {
+    const Target* target = focusTarget(m_session);
+    if (target == nullptr || m_editor.isBusy()) {
+        return;
+    }
+    const TargetId id = target->id;
+    auto* dialog =
+        new MeshStepDialog(kind, target->shape.mesh, target->name, meshEdit(m_session, id, {}), &m_window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, id] { m_editor.start(id, dialog->edit()); });
+    dialog->open();
+}
+
+void MeshActions::applyHits() {
+    if (const Target* target = focusTarget(m_session)) {
+        m_editor.start(target->id, meshEdit(m_session, target->id, MergedHits{}));
+    }
+}
+
+void MeshActions::refineAtAim() {
+    constexpr float kPartsOfReach = 5.0f;  // edges from the hit to the end of its reach
+    const std::optional<AimPreview::Aim>& aim = m_aim.aim();
+    if (!aim || m_session.targets().find(aim->target) == nullptr) {
+        return;
+    }
+    MeshEdit edit = meshEdit(m_session, aim->target,
+                             RefineOptions{.method = RefineMethod::Midpoint,
+                                           .edgeLength = aim->reach / kPartsOfReach,
+                                           .keepQuads = true,
+                                           .region = {}});
+    edit.where = MeshEdit::Where::Aim;
+    edit.aim = {aim->point, aim->reach};
+    m_editor.start(aim->target, std::move(edit));
+}
+
+}  // namespace hitscope

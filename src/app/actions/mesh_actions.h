@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+#include "app/dialogs/mesh_step_dialog.h"
+#include "app/mesh_editor.h"
+
+class QAction;
+class QMenu;
+class QWidget;
+
+namespace hitscope {
+
+class AimPreview;
+
+/// What the Mesh menu does to the target in focus: refine, simplify, smooth, apply its hits.
+class MeshActions : public QObject {
+    Q_OBJECT
+public:
+    /// All outlive this; `window` is the dialogs' parent.
+    MeshActions(Session& session, AimPreview& aim, QWidget& window);
+
+    void fill(QMenu& menu);  ///< once
+
+Q_SIGNALS:
+    void said(const QString& text);
+    void failed(const hitscope::Error& error);
+
+private:
+    void show(MeshStepDialog::Kind kind);
+    void applyHits();
+    void refineAtAim();
+    void follow();
+
+    Session& m_session;
+    AimPreview& m_aim;
+    QWidget& m_window;
+    MeshEditor m_editor;
+    QAction* m_refine = nullptr;
+    QAction* m_refineAtAim = nullptr;
+    QAction* m_simplify = nullptr;
+    QAction* m_smooth = nullptr;
+    QAction* m_apply = nullptr;
+};
+
+}  // namespace hitscope

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <memory>
+
+#include "core/result.h"
+#include "session/mesh_steps/mesh_edit.h"
+
+namespace hitscope {
+
+class Session;
+class TaskProgress;
+
+/// Refines, simplifies and smooths targets' meshes beside the window's work, one after the other; the status
+/// bar shows it, with a button to cancel.
+class MeshEditor : public QObject {
+    Q_OBJECT
+public:
+    /// `session` outlives this.
+    explicit MeshEditor(Session& session, QObject* parent = nullptr);
+    ~MeshEditor() override;
+
+    [[nodiscard]] bool isBusy() const { return m_work != nullptr; }
+    /// Ends with edited(), failed() or cancelled(). Not while busy, nor of a target that is not there.
+    void start(TargetId target, MeshEdit edit);
+
+Q_SIGNALS:
+    void busyChanged();
+    void edited(const QString& said);  ///< what came of it, in words
+    void failed(const hitscope::Error& error);
+    void cancelled();
+
+private:
+    struct Work;
+    void report(const std::shared_ptr<Work>& work, double share);
+    void finish(const std::shared_ptr<Work>& work, bool done);
+    void giveUp();
+
+    Session& m_session;
+    std::unique_ptr<TaskProgress> m_progress;
+    std::shared_ptr<Work> m_work;  ///< null: nothing is done
+};
+
+}  // namespace hitscope

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "core/result.h"
+#include "session/session.h"
+#include "usage/invocation.h"
+
+namespace hitscope::cli {
+
+/// --refine
+[[nodiscard]] UsageOption refineOption();
+/// Metres; nothing: it is not there.
+[[nodiscard]] std::optional<float> givenRefinement(Invocation& given);
+/// All targets of the session, by the middles of edges; quads stay quads.
+[[nodiscard]] Status refineAll(Session& session, float edgeLength);
+
+}  // namespace hitscope::cli
