@@ -24,7 +24,7 @@ namespace hitscope {
 
 namespace {
 
-constexpr int kPreviewAfter = 250;             // milliseconds after the last change
+constexpr int kPreviewAfter = 250;     // milliseconds after the last change
 constexpr float kUsualParts = 100.0f;  // edges along a mesh's largest extent
 constexpr float kPartsOfReach = 5.0f;  // edges from a hit to the end of its reach
 
