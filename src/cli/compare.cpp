@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far apart two meshes, two sessions, or two pipelines' results of one are.
+#include <QFontDatabase>
 #include <algorithm>
 #include <map>
 
@@ -55,6 +56,7 @@ Outcome drawMap(OpenedScene& scene, const std::vector<TargetShape>& other, const
     request.options.change.on = true;
     request.options.change.quantity = ChangeQuantity::Difference;
     request.changeValues = &values;
+    request.labels = !QFontDatabase::families().isEmpty();  // what the colours mean
     const Result<Image> image = drawPicture(scene.gpu(), request);
     return image ? Outcome(savePicture(image.value(), path)) : cannotDraw(image.error());
 }
@@ -205,7 +207,8 @@ Verb compareVerb() {
                        QStringLiteral("hitscope-cli compare --with reference --map map.png dents.hitscope")}},
          .leastFiles = 1,
          .mostFiles = 2},
-        run};
+        run,
+        true};
 }
 
 }  // namespace hitscope::cli

@@ -80,8 +80,10 @@ void addBar(std::string& svg, const Paper& paper) {
     const double length = niceStep(0.0, (kWidth - 2.0 * kMargin) / paper.scale(), kParts);
     const double y = paper.height() - kMargin;
     svg += "  <path class=\"bar\" d=\"M" + decimals(kMargin) + ' ' + decimals(y) + "h" +
-           decimals(length * paper.scale()) + "\"/>\n  <text x=\"" + decimals(kMargin) + "\" y=\"" +
-           decimals(y + 5.0) + "\">" + QString::number(length, 'g', 3).toStdString() + " m</text>\n";
+           decimals(length * paper.scale()) +
+           "\"/>\n  <text font-family=\"sans-serif\" font-size=\"4\" fill=\"#222\" x=\"" + decimals(kMargin) +
+           "\" y=\"" + decimals(y + 5.0) + "\">" + QString::number(length, 'g', 3).toStdString() +
+           " m</text>\n";
 }
 
 }  // namespace
@@ -96,7 +98,7 @@ std::string sectionSvg(const SceneSection& section) {
         height +
         "\">\n  <style>.original{fill:none;stroke:#888;stroke-width:.3;stroke-dasharray:1.5 1}"
         ".deformed{fill:none;stroke:#c0392b;stroke-width:.4}.bar{stroke:#222;stroke-width:.4}"
-        "text{font:4px sans-serif;fill:#222}</style>\n";
+        "</style>\n";
     for (const TargetSection& target : section.targets) {
         addCurves(svg, paper, target.original, "original");
         addCurves(svg, paper, target.deformed, "deformed");

@@ -76,11 +76,11 @@ std::string escaped(const QString& text) {
 }
 
 std::string textAt(double x, double y, const char* anchor, const std::string& text) {
-    return "  <text x=\"" + number(x) + "\" y=\"" + number(y) + "\" text-anchor=\"" + anchor + "\">" + text +
-           "</text>\n";
+    return "  <text font-family=\"sans-serif\" font-size=\"11\" fill=\"#222\" x=\"" + number(x) + "\" y=\"" +
+           number(y) + "\" text-anchor=\"" + anchor + "\">" + text + "</text>\n";
 }
 
-/// One diagram, at its place, over ranges that all of its row have in common.
+/// One diagram, at its place, over the x of all of its row, and up to the highest of its own points.
 class Panel {
 public:
     Panel(double left, double top, Point low, Point high)
@@ -182,14 +182,17 @@ std::string legend(const SweepTable& table, const Layout& layout, double y) {
 std::string rowOf(const SweepTable& table, const Layout& layout, const QStringList& scenes,
                   std::size_t metric) {
     std::vector<Lines> columns;
+    std::vector<double> highest;  // one a column: scenes may differ in size by orders of magnitude
     Point low{1.0e300, 0.0};
-    Point high{-1.0e300, 0.0};
+    double right = -1.0e300;
     for (const QString& scene : scenes) {
         columns.push_back(linesOf(table, layout, scene, kMetrics[metric]));
+        highest.push_back(0.0);
         for (const auto& [value, points] : columns.back()) {
             for (const Point& point : points) {
                 low.x = std::min(low.x, point.x);
-                high = {std::max(high.x, point.x), std::max(high.y, point.y)};
+                right = std::max(right, point.x);
+                highest.back() = std::max(highest.back(), point.y);
             }
         }
     }
@@ -197,7 +200,8 @@ std::string rowOf(const SweepTable& table, const Layout& layout, const QStringLi
     const double top = kTop + static_cast<double>(metric) * (kPanelHeight + kBottom + kTop);
     const QString below = layout.x < 0 ? QStringLiteral("job") : table.plan.axes[layout.x];
     for (std::size_t column = 0; column < columns.size(); ++column) {
-        const Panel panel(kLeft + static_cast<double>(column) * (kPanelWidth + kLeft), top, low, high);
+        const Panel panel(kLeft + static_cast<double>(column) * (kPanelWidth + kLeft), top, low,
+                          {right, highest[column]});
         const QString& scene = scenes[static_cast<qsizetype>(column)];
         const QString title = scene.isEmpty() ? QStringLiteral("the paper's scene") : scene.section(u'/', -1);
         svg += panel.frame(escaped(title) + ": " + kMetrics[metric].name, escaped(below));
@@ -224,7 +228,7 @@ std::string toSvg(const SweepTable& table) {
     std::string svg =
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
         number(width) + "\" height=\"" + number(height) +
-        "\">\n  <style>text{font:11px sans-serif;fill:#222}.frame{fill:none;stroke:#999}</style>\n"
+        "\">\n  <style>.frame{fill:none;stroke:#999}</style>\n"
         "  <rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
     for (std::size_t metric = 0; metric < kMetrics.size(); ++metric) {
         svg += rowOf(table, layout, scenes, metric);
