@@ -8,6 +8,10 @@
 uniform mat3 u_floorShadow;  // from (x, z, 1) of the floor to the shadow map's texture coordinates and depth
 #endif
 
+#ifdef HITSCOPE_OCCLUSION
+#include "occlusion.glsl"
+#endif
+
 in vec3 v_position;  // from the eye; the rest as in floor.vert
 #ifdef HITSCOPE_DIRECTIONAL
 flat in vec4 v_sun;
@@ -84,7 +88,11 @@ void main()
 #ifdef HITSCOPE_SHADOWS
     sunlit = sunlitShare(u_floorShadow * vec3(plane, 1.0));
 #endif
-    vec3 colour = mix(display(floorLight(sunlit)), u_lineColour.rgb, line);
+    vec3 light = display(floorLight(sunlit));
+#ifdef HITSCOPE_OCCLUSION
+    light *= openShare(vec3(0.0, 1.0, 0.0));
+#endif
+    vec3 colour = mix(light, u_lineColour.rgb, line);
     float away = distance(plane, u_centre.xz) / u_reach;
     float opacity = 1.0 - smoothstep(0.15, 1.0, away);
     // From below one looks through the floor.

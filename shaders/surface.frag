@@ -15,6 +15,9 @@
 // HITSCOPE_CUT           defined: one sees into the targets; their inside has a colour of its own, and the light that
 //                        would come in there
 // HITSCOPE_CUT_FILLED    defined: the cutting plane closes what it opens
+// HITSCOPE_ENVIRONMENT   defined: a studio lights it, not the lights (environment.glsl)
+// HITSCOPE_MATCAP        defined: the normal alone says the colour (matcap.glsl)
+// HITSCOPE_OCCLUSION     defined: what is close by keeps light away (occlusion.glsl); for samples of a refined picture
 // HITSCOPE_CHANGE_MAP    defined: the colour is that of a quantity of change, softly lit (change_map.glsl)
 
 #include "lighting.glsl"
@@ -22,6 +25,15 @@
 #include "change_map.glsl"
 #ifdef HITSCOPE_SHADOWS
 #include "shadow.glsl"
+#endif
+#ifdef HITSCOPE_ENVIRONMENT
+#include "environment.glsl"
+#endif
+#ifdef HITSCOPE_MATCAP
+#include "matcap.glsl"
+#endif
+#ifdef HITSCOPE_OCCLUSION
+#include "occlusion.glsl"
 #endif
 
 in vec3 v_position;  // from the eye
@@ -183,12 +195,25 @@ void main()
 #endif
 #endif
 
+#ifdef HITSCOPE_MATCAP
+    vec3 light = matcapLight(surface);
+#elif defined(HITSCOPE_ENVIRONMENT)
+    vec3 light = environmentLight(surface);
+#else
     vec3 light = phong(surface);
+#endif
 #ifdef HITSCOPE_MARKS
     float grazing = 1.0 - abs(dot(surface.normal, normalize(v_position)));
     light += u_rim.rgb * (u_rim.a * grazing * grazing * grazing);
     light = mix(light, u_ringColour, ringed);
 #endif
     o_colour = vec4(display(light), opacity);
+#ifdef HITSCOPE_OCCLUSION
+    float open = openShare(surface.normal);
+#ifdef HITSCOPE_MARKS
+    open = mix(open, 1.0, ringed);
+#endif
+    o_colour.rgb *= open;
+#endif
 #endif
 }

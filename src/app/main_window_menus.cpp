@@ -68,6 +68,9 @@ void MainWindow::makeMenus() {
     inspect.addSeparator();
     m_goToVertex->fill(inspect);
     m_lights->fill(*menuBar()->addMenu(tr("&Lights")));
+    const auto followEnvironment = [this] { m_lights->setEnvironment(m_viewport->options().environment); };
+    connect(m_viewport, &Viewport::optionsChanged, m_lights, followEnvironment);
+    followEnvironment();
     makeHelpMenu();
 }
 

@@ -125,11 +125,12 @@ SessionFiles::View MainWindow::view() {
             [this](const SessionDocument& document) { restoreView(document); }};
 }
 
-/// The theme, and what is transparent, stay the window's.
+/// The theme, what is transparent and whether pictures are refined stay the window's.
 void MainWindow::restoreView(const SessionDocument& document) {
     DisplayOptions display = document.display;
     display.theme = m_viewport->options().theme;
     display.transparent = m_viewport->options().transparent;
+    display.refine = m_viewport->options().refine;
     m_viewport->setOptions(display);
     m_display->follow();
     m_change->follow();

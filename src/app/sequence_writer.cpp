@@ -2,6 +2,7 @@
 #include "app/sequence_writer.h"
 
 #include <QTimer>
+#include <algorithm>
 #include <utility>
 
 #include "io/save_image.h"
@@ -29,6 +30,7 @@ Status SequenceWriter::start(const Plan& plan) {
     stop();
     m_plan = plan;
     m_drawn = 0;
+    m_samples = 0;
     m_written = 0;
     ++m_run;
     Status made = m_viewport.withScene([this](SceneGpu& scene) -> Status {
@@ -58,12 +60,14 @@ void SequenceWriter::step() {
         return;  // took() goes on
     }
     Status drawn = m_viewport.withScene([this](SceneGpu&) -> Status {
-        Result<Image> image = m_sequence->next();
+        Result<std::optional<Image>> image = m_sequence->advance();
         if (!image) {
             return image.error();
         }
-        ++m_drawn;
-        write(image.value());
+        if (image.value()) {
+            ++m_drawn;
+            write(*image.value());
+        }
         return Done{};
     });
     if (!drawn) {
@@ -72,10 +76,17 @@ void SequenceWriter::step() {
         return;
     }
     QTimer::singleShot(0, this, &SequenceWriter::step);
+    if (const int each = m_plan.picture.samples; each > 1) {
+        // A picture may begin anew.
+        m_samples = std::min(std::max(m_samples + 1, m_drawn * each), (m_drawn + 1) * each);
+        m_task->report(std::min(1.0, static_cast<double>(m_samples) / (each * m_count)));
+        Q_EMIT sampled(m_samples, each * m_count);
+    }
 }
 
 void SequenceWriter::write(const Image& image) {
-    const QString path = sequencePath(m_plan.folder, m_plan.base, m_drawn, m_count);
+    const QString path =
+        !m_plan.path.isEmpty() ? m_plan.path : sequencePath(m_plan.folder, m_plan.base, m_drawn, m_count);
     m_writers.start([this, image, path, run = m_run] {
         const Status saved = savePicture(image, path);
         QMetaObject::invokeMethod(
@@ -93,7 +104,9 @@ void SequenceWriter::took(int run, const Status& saved) {
         return;
     }
     ++m_written;
-    m_task->report(static_cast<double>(m_written) / m_count);
+    if (m_plan.picture.samples <= 1) {
+        m_task->report(static_cast<double>(m_written) / m_count);
+    }
     Q_EMIT progressed(m_written, m_count);
     if (!isRunning()) {
         return;  // who shows it handled events, among them the last picture or a click on Cancel

@@ -24,6 +24,7 @@ public:
         int turntable = 0;  ///< pictures of a turntable; 0: a replay of the hits
         QString folder;     ///< exists
         QString base;       ///< of the files' names
+        QString path = {};  ///< of the file, where there is one picture only: a turntable of one
     };
 
     /// `viewport` outlives this.
@@ -32,12 +33,14 @@ public:
 
     /// Ends what was under way. Fails where the viewport cannot draw.
     [[nodiscard]] Status start(const Plan& plan);
+    [[nodiscard]] const Plan& plan() const { return m_plan; }  ///< the last one
     [[nodiscard]] bool isRunning() const { return m_sequence.has_value(); }
     void cancel();  ///< pictures already written stay
 
 Q_SIGNALS:
     void progressed(int written, int count);
-    void ended(int written);  ///< all of them, or as many as there were when it was cancelled
+    void sampled(int drawn, int count);  ///< samples of pictures that have more than one
+    void ended(int written);             ///< all of them, or as many as there were when it was cancelled
     void failed(const hitscope::Error& error);
 
 private:
@@ -54,6 +57,7 @@ private:
     int m_run = 0;  ///< tells late answers of a run before from this one's
     int m_count = 0;
     int m_drawn = 0;
+    int m_samples = 0;  ///< drawn, of all pictures
     int m_written = 0;
 };
 

@@ -89,6 +89,7 @@ Outcome open(Studio& studio, Invocation& given, const PictureArguments& argument
     PictureRequest& request = studio.request;
     request.width = arguments.width;
     request.height = arguments.height;
+    request.samples = arguments.samples;
     request.options = readDisplay(given, document != nullptr ? document->display : DisplayOptions());
     if (request.options.change.on) {
         if (request.options.change.quantity ==

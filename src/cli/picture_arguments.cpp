@@ -6,6 +6,7 @@
 #include "cli/common_options.h"
 #include "cli/cut_argument.h"
 #include "deform/change_quantity.h"
+#include "scene/picture.h"
 #include "view/camera_text.h"
 
 namespace hitscope::cli {
@@ -136,6 +137,14 @@ QList<UsageOption> pictureOptions() {
         wordOption("wireframe", "MODE", words({"off", "over", "only"}),
                    QStringLiteral("Edges of the file's polygons.")),
         wordOption("normals", "KIND", words({"true", "paper"}), QStringLiteral("What shades."))};
+    options << valueOption("samples", "N",
+                           QStringLiteral("Refine: the mean of so many pictures, 1 to %1, with soft shadows "
+                                          "and ambient occlusion from 2 on.")
+                               .arg(kMostSamples),
+                           QStringLiteral("1"))
+            << wordOption("material", "NAME", words({"file", "matcap", "clay", "metal"}),
+                          QStringLiteral("What surfaces are made of."))
+            << flagOption("environment", QStringLiteral("A studio lights the scene."));
     for (const DrawingFlag& flag : kFlags) {
         options << flagOption(flag.option, QString::fromLatin1(flag.help));
     }
@@ -158,6 +167,7 @@ PictureArguments readPictureArguments(Invocation& given, const QString& scene) {
         }
     }
     readSize(given, arguments);
+    arguments.samples = given.wholeNumber("samples", 1, kMostSamples);
     arguments.labels = !given.isSet("no-labels");
     arguments.shots = given.wholeNumber("shots", 0, kMostShots);
     arguments.seed = given.seed("seed");
@@ -178,6 +188,11 @@ DisplayOptions readDisplay(Invocation& given, DisplayOptions options) {
     if (given.isSet("normals")) {
         options.normals = static_cast<NormalMode>(given.word("normals"));
     }
+    options.shadows = options.shadows || given.wholeNumber("samples", 1, kMostSamples) > 1;
+    if (given.isSet("material")) {
+        options.look = static_cast<SurfaceLook>(given.word("material"));
+    }
+    options.environment = options.environment || given.isSet("environment");
     for (const DrawingFlag& flag : kFlags) {
         if (given.isSet(flag.option)) {
             options.*flag.member = flag.turnsOn;

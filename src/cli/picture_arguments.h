@@ -17,6 +17,7 @@ struct PictureArguments {
     unsigned seed = 1;
     int width = 1280;    ///< pixels
     int height = 720;    ///< pixels
+    int samples = 1;     ///< as in PictureRequest
     bool labels = true;  ///< the colour bar, where change is shown
     QString camera;      ///< as parseCamera() takes it; empty: that of the session, or all in the picture
 };

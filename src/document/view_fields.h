@@ -17,6 +17,7 @@ namespace document_words {
 
 inline constexpr std::array<std::string_view, 3> kWireframes{"off", "over", "only"};
 inline constexpr std::array<std::string_view, 2> kNormals{"true", "paper"};
+inline constexpr std::array<std::string_view, kSurfaceLooks> kLooks{"file", "matcap", "clay", "metal"};
 inline constexpr std::array<std::string_view, 3> kGhosts{"off", "wire", "translucent"};
 inline constexpr auto kColourMapWords = std::to_array<std::string_view>({"viridis", "cividis", "cool-warm"});
 static_assert(kColourMapWords.size() == kColourMaps);
@@ -184,6 +185,8 @@ struct Fields<DisplayOptions> {
         visit.flag("dots", display.dots);
         visit.flag("back_faces", display.backFaces);
         visit.flag("shadows", display.shadows);
+        visit.word("material", display.look, document_words::kLooks);
+        visit.flag("environment", display.environment);
         visit.object("before_after", display.beforeAfter);
         visit.object("cutting_plane", display.cut);
         visit.object("change", display.change);

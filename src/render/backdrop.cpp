@@ -16,6 +16,8 @@ gl::Defines floorDefines(const FrameContext& context) {
         const gl::Defines shadows = context.shadows->defines();
         defines.insert(defines.end(), shadows.begin(), shadows.end());
     }
+    const gl::Defines occlusion = occlusionDefines(context);
+    defines.insert(defines.end(), occlusion.begin(), occlusion.end());
     return defines;
 }
 
@@ -53,6 +55,7 @@ Status drawFloor(const FrameContext& context) {
         std::log10(std::max(std::max(frame.camera.distance(), height) / kFinestCells, 1.0e-6f));
     floor.use();
     setLights(floor, context);
+    setOcclusion(floor, context);
     floor.set("u_viewProjection", context.viewProjection);
     floor.set("u_eye", context.eye);
     floor.set("u_centre", glm::vec3(pivot.x, frame.floorHeight, pivot.z));

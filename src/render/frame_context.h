@@ -16,6 +16,14 @@ namespace hitscope::render {
 
 class ColourTextures;
 class ShadowMap;
+class Studio;
+
+/// How samples of a refined picture know what is close by: occlusion.glsl.
+struct Occlusion {
+    GLuint depths = 0;       ///< a texture: the depths of the same picture, with no jitter
+    glm::vec2 jitter{0.0f};  ///< of this sample, pixels
+    glm::vec2 turn{0.0f};    ///< [0, 1): places that it looks at
+};
 
 /// What every pass of a frame needs. The references live as long as the frame.
 struct FrameContext {
@@ -29,7 +37,9 @@ struct FrameContext {
     glm::mat4 viewProjection{1.0f};
     glm::vec3 eye{0.0f};
     glm::vec3 forward{0.0f};
-    const ShadowMap* shadows = nullptr;  ///< null: none
+    const ShadowMap* shadows = nullptr;    ///< null: none
+    const Occlusion* occlusion = nullptr;  ///< null: nothing keeps light away
+    const Studio* studio = nullptr;        ///< null: neither environment nor matcap
     float pixelsAtOneMetre = 1.0f;  ///< how many pixels a metre takes, a metre from the eye; or anywhere,
                                     ///< orthographic
     /// Added to clip.z it brings something nearer by the size that a pixel has there, to first order.
@@ -57,6 +67,11 @@ struct FrameContext {
 [[nodiscard]] gl::Defines lightDefines(const Lights& lights);
 /// Writes the uniforms of lighting.glsl in a program built with lightDefines(); it is in use.
 void setLights(const gl::Program& program, const FrameContext& context);
+
+/// What programs that include occlusion.glsl are built with; empty without context.occlusion.
+[[nodiscard]] gl::Defines occlusionDefines(const FrameContext& context);
+/// Writes its uniforms; the program is in use.
+void setOcclusion(const gl::Program& program, const FrameContext& context);
 
 // Each draws one thing with blending, and expects depth test on and depth writes off.
 [[nodiscard]] Status drawBackground(const FrameContext& context);

@@ -146,6 +146,8 @@ MaterialSet::MaterialSet(const Image& texture) : m_covers(true) {
     m_materials.push_back(std::move(material));
 }
 
+MaterialSet::MaterialSet(const Material& material) : m_materials{material}, m_covers(true) {}
+
 const Material& MaterialSet::at(std::uint32_t material) const {
     if (m_covers) {
         return m_materials.front();

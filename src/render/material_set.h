@@ -21,6 +21,8 @@ public:
 
     /// `texture` on everything, whatever the index.
     explicit MaterialSet(const Image& texture);
+    /// This material, which has no texture, on everything.
+    explicit MaterialSet(const Material& material);
 
     /// Sets the uniforms of surface.frag and, where the material has them, binds its texture to unit 0 and
     /// its other maps to the units below; the program is in use. kNoIndex and indices out of range are the

@@ -3,23 +3,15 @@
 
 #include <array>
 #include <cmath>
+#include <glm/ext/matrix_transform.hpp>
 #include <utility>
 #include <vector>
 
-#include "gl/context.h"
-#include "render/change_map.h"
-#include "render/dent_ghost_pass.h"
-#include "render/frame_context.h"
 #include "render/ghost_pass.h"
-#include "render/gl_state.h"
-#include "render/line_pass.h"
 #include "render/material_set.h"
 #include "render/original_shape.h"
-#include "render/projectile_pass.h"
-#include "render/section_pass.h"
-#include "render/shadow_map.h"
+#include "render/renderer_private.h"
 #include "render/target_pass.h"
-#include "render/trail_pass.h"
 #include "render/wire_pass.h"
 
 namespace hitscope {
@@ -48,49 +40,9 @@ void startBlending(const Frame& frame) {
     }
 }
 
-void prepareFramebuffer(const Frame& frame, GLuint framebuffer) {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(frame.left, 0, frame.width, frame.height);
-    for (const GLenum capability : {GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_FRAMEBUFFER_SRGB,
-                                    GL_RASTERIZER_DISCARD, GL_COLOR_LOGIC_OP, GL_BLEND, GL_DEPTH_TEST}) {
-        glDisable(capability);
-    }
-    glEnable(GL_MULTISAMPLE);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glDepthMask(GL_TRUE);
-    glDepthFunc(GL_LESS);
-    glLineWidth(1.0f);
-    glBlendEquation(GL_FUNC_ADD);
-    if (frame.options.transparent || frame.options.wireframe == WireframeMode::Only) {
-        glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-        glClear(GL_COLOR_BUFFER_BIT);
-    }
-    startBlending(frame);
-    glClearDepth(1.0);
-    glClear(GL_DEPTH_BUFFER_BIT);
-}
-
 /// Pixels from the picture's left side.
 int wipeLine(const Frame& frame) {
     return static_cast<int>(std::lround(frame.options.beforeAfter.wipeAt * static_cast<float>(frame.width)));
-}
-
-/// Marks are on what they mark: left of a wipe's line on the originals.
-Status drawMarks(const FrameContext& context, DeformationPipeline& pipeline) {
-    const Frame& frame = context.frame;
-    if (!frame.options.beforeAfter.wipe) {
-        return drawVertexMarks(context, pipeline);
-    }
-    const int line = wipeLine(frame);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(frame.left, 0, line, frame.height);
-    Status status = drawVertexMarks(context, pipeline, MarkPlaces::Original);
-    if (status) {
-        glScissor(frame.left + line, 0, frame.width - line, frame.height);
-        status = drawVertexMarks(context, pipeline);
-    }
-    glDisable(GL_SCISSOR_TEST);
-    return status;
 }
 
 void startSolid() {
@@ -109,14 +61,9 @@ Status drawBackgroundBehind(const FrameContext& context) {
     return status;
 }
 
-void startBlended() {
-    glEnable(GL_DEPTH_TEST);
-    glDepthMask(GL_FALSE);
-    glEnable(GL_BLEND);
-}
-
+/// jitter: pixels that the picture is off to the right and up.
 FrameContext makeContext(const Frame& frame, ProgramCache& programs, ColourTextures& colourTextures,
-                         GLuint emptyArray) {
+                         GLuint emptyArray, const glm::vec2& jitter) {
     const float aspect = static_cast<float>(frame.width) / static_cast<float>(frame.height);
     FrameContext context{.frame = frame,
                          .colours = themeColours(frame.options.theme),
@@ -124,6 +71,11 @@ FrameContext makeContext(const Frame& frame, ProgramCache& programs, ColourTextu
                          .colourTextures = colourTextures,
                          .emptyArray = emptyArray};
     context.projection = frame.camera.projection(aspect);
+    if (jitter != glm::vec2(0.0f)) {
+        const glm::vec2 size(frame.width, frame.height);
+        context.projection =
+            glm::translate(glm::mat4(1.0f), glm::vec3(2.0f * jitter / size, 0.0f)) * context.projection;
+    }
     context.viewProjection = context.projection * frame.camera.view();
     context.eye = frame.camera.eye();
     context.forward = frame.camera.forward();
@@ -190,37 +142,73 @@ Status drawTargets(const FrameContext& context, DeformationPipeline& pipeline) {
 
 }  // namespace
 
-struct Renderer::Private {
-    ProgramCache programs;
-    ColourTextures colourTextures;
-    ProjectilePass projectiles;
-    NeedlePass needles;
-    TrailPass trails;
-    DentGhostPass dentGhost;
-    SectionPass sections;
-    gl::VertexArray emptyArray = gl::VertexArray::make();
-    bool software = gl::rendererInfo().isSoftware();
-    ShadowMap shadows{software};
+namespace render {
 
-    [[nodiscard]] FrameContext contextOf(const Frame& frame);
-    [[nodiscard]] Status drawGhosts(const Frame& frame, DeformationPipeline& pipeline);
-    /// Targets and what marks them.
-    [[nodiscard]] Status drawScene(const FrameContext& context, DeformationPipeline& pipeline);
-    [[nodiscard]] Status drawWiped(const FrameContext& context, DeformationPipeline& pipeline);
-    Status drawDotsAndNeedles(const FrameContext& context, DeformationPipeline& pipeline) {
-        const DisplayOptions& options = context.frame.options;
-        if (options.dots) {
-            if (Status status = drawDots(context, pipeline); !status) {
-                return status;
-            }
-        }
-        return options.needles ? needles.draw(context, pipeline) : Status(Done{});
+void prepareFramebuffer(const Frame& frame, GLuint framebuffer) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(frame.left, 0, frame.width, frame.height);
+    for (const GLenum capability : {GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_FRAMEBUFFER_SRGB,
+                                    GL_RASTERIZER_DISCARD, GL_COLOR_LOGIC_OP, GL_BLEND, GL_DEPTH_TEST}) {
+        glDisable(capability);
     }
-};
+    glEnable(GL_MULTISAMPLE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LESS);
+    glLineWidth(1.0f);
+    glBlendEquation(GL_FUNC_ADD);
+    if (frame.options.transparent || frame.options.wireframe == WireframeMode::Only) {
+        glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+    startBlending(frame);
+    glClearDepth(1.0);
+    glClear(GL_DEPTH_BUFFER_BIT);
+}
+
+Status drawMarks(const FrameContext& context, DeformationPipeline& pipeline) {
+    const Frame& frame = context.frame;
+    if (!frame.options.beforeAfter.wipe) {
+        return drawVertexMarks(context, pipeline);
+    }
+    const int line = wipeLine(frame);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(frame.left, 0, line, frame.height);
+    Status status = drawVertexMarks(context, pipeline, MarkPlaces::Original);
+    if (status) {
+        glScissor(frame.left + line, 0, frame.width - line, frame.height);
+        status = drawVertexMarks(context, pipeline);
+    }
+    glDisable(GL_SCISSOR_TEST);
+    return status;
+}
+
+void startBlended() {
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+}
+
+}  // namespace render
+
+Status Renderer::Private::drawDotsAndNeedles(const FrameContext& context, DeformationPipeline& pipeline) {
+    const DisplayOptions& options = context.frame.options;
+    if (options.dots) {
+        if (Status status = drawDots(context, pipeline); !status) {
+            return status;
+        }
+    }
+    return options.needles ? needles.draw(context, pipeline) : Status(Done{});
+}
 
 FrameContext Renderer::Private::contextOf(const Frame& frame) {
-    FrameContext context = makeContext(frame, programs, colourTextures, emptyArray.id());
+    FrameContext context = makeContext(frame, programs, colourTextures, emptyArray.id(), jitter);
     context.software = software;
+    context.occlusion = occlusion;
+    if (isStudioWanted(frame)) {
+        studio.prepare(frame);
+        context.studio = &studio;
+    }
     return context;
 }
 
@@ -289,48 +277,58 @@ std::shared_ptr<const MaterialSet> Renderer::makeCover(const Image& texture) {
     return std::make_shared<const MaterialSet>(texture);
 }
 
-Status Renderer::draw(const Frame& frame, DeformationPipeline& pipeline, GLuint framebuffer) {
-    if (frame.width <= 0 || frame.height <= 0) {
+Status Renderer::Private::drawPicture(const FrameContext& context, DeformationPipeline& pipeline,
+                                      GLuint framebuffer) {
+    prepareFramebuffer(context.frame, framebuffer);
+    startSolid();
+    if (Status status = projectiles.draw(context); !status) {
+        return status;
+    }
+    Status status =
+        context.frame.options.beforeAfter.wipe ? drawWiped(context, pipeline) : drawScene(context, pipeline);
+    if (!status) {
+        return status;
+    }
+    startBlended();
+    return sections.draw(context);
+}
+
+Status Renderer::Private::drawOver(const FrameContext& context) {
+    if (Status status = drawHighlightedHit(context); !status) {
+        return status;
+    }
+    if (Status status = drawCutPane(context); !status) {
+        return status;
+    }
+    if (Status status = dentGhost.draw(context); !status) {
+        return status;
+    }
+    return drawCrosshair(context);
+}
+
+Status Renderer::draw(const Frame& given, DeformationPipeline& pipeline, GLuint framebuffer) {
+    if (given.width <= 0 || given.height <= 0) {
         return Done{};
     }
     const KeepState keep;
-    FrameContext context = d->contextOf(frame);
-    if (ShadowMap::isWanted(frame)) {
+    const LitFrame lit(given);
+    FrameContext context = d->contextOf(lit.frame());
+    if (ShadowMap::isWanted(lit.frame())) {
         if (Status status = d->shadows.update(context, pipeline); !status) {
             return status;
         }
         context.shadows = &d->shadows;
     }
-    prepareFramebuffer(frame, framebuffer);
-    startSolid();
-    if (Status status = d->projectiles.draw(context); !status) {
+    if (Status status = d->drawPicture(context, pipeline, framebuffer); !status) {
         return status;
     }
-    Status status =
-        frame.options.beforeAfter.wipe ? d->drawWiped(context, pipeline) : d->drawScene(context, pipeline);
-    if (!status) {
+    if (Status status = drawMarks(context, pipeline); !status) {
         return status;
     }
-    startBlended();
-    if (status = d->sections.draw(context); !status) {
+    if (Status status = d->trails.draw(context); !status) {
         return status;
     }
-    if (status = drawMarks(context, pipeline); !status) {
-        return status;
-    }
-    if (status = d->trails.draw(context); !status) {
-        return status;
-    }
-    if (status = drawHighlightedHit(context); !status) {
-        return status;
-    }
-    if (status = drawCutPane(context); !status) {
-        return status;
-    }
-    if (status = d->dentGhost.draw(context); !status) {
-        return status;
-    }
-    return drawCrosshair(context);
+    return d->drawOver(context);
 }
 
 }  // namespace hitscope

@@ -24,6 +24,8 @@ namespace hitscope {
 
 /// A target's materials and textures on the GPU. A context is current for the destructor.
 class MaterialSet;
+/// See refined_picture.h.
+class RefinedPicture;
 
 /// One target to draw.
 struct DrawItem {
@@ -82,6 +84,15 @@ public:
     [[nodiscard]] std::shared_ptr<const MaterialSet> makeCover(const Image& texture);
     /// Programs are built for the pipeline when it first draws; the error is the driver's.
     [[nodiscard]] Status draw(const Frame& frame, DeformationPipeline& pipeline, GLuint framebuffer);
+
+    /// Adds a sample to a picture of this frame, of the same one until the picture is cleared; or what has to
+    /// be known before the first one: picture.samples() tells. Each takes about as long as draw(). The frame
+    /// starts at the framebuffer's left. The error says what the driver lacks.
+    [[nodiscard]] Status refine(const Frame& frame, DeformationPipeline& pipeline, RefinedPicture& picture);
+    /// As draw(), but of the scene the mean of the picture's samples, of which there is one at least. What
+    /// marks it is drawn anew: it may be other than it was.
+    [[nodiscard]] Status drawRefined(const Frame& frame, DeformationPipeline& pipeline,
+                                     const RefinedPicture& picture, GLuint framebuffer);
 
 private:
     Renderer();

@@ -17,6 +17,8 @@
 #include "render/line_pass.h"
 #include "render/material_set.h"
 #include "render/shadow_map.h"
+#include "render/studio.h"
+#include "render/surface_looks.h"
 
 namespace hitscope::render {
 namespace {
@@ -32,8 +34,11 @@ constexpr float kHatch = 9.0f;      // logical pixels from one line to the next
 constexpr std::uint32_t kIndicesARound = 24576;
 constexpr std::uint32_t kMostRounds = 8;
 
-const MaterialSet& materialsOf(const DrawItem& item) {
+const MaterialSet& materialsOf(const Frame& frame, const DrawItem& item) {
     static const MaterialSet defaults;
+    if (const MaterialSet* look = materialOfLook(frame.options.look)) {
+        return *look;
+    }
     return item.materials != nullptr ? *item.materials : defaults;
 }
 
@@ -60,7 +65,7 @@ struct Parts {
 };
 
 Parts partsOf(const Frame& frame, const DrawItem& item, std::uint32_t material) {
-    const MaterialSet& materials = materialsOf(item);
+    const MaterialSet& materials = materialsOf(frame, item);
     const bool shaded = !frame.change;
     const bool pictures = shaded && frame.options.textures;
     return {.translucent = materials.isTranslucent(material),
@@ -69,7 +74,21 @@ Parts partsOf(const Frame& frame, const DrawItem& item, std::uint32_t material) 
             .metalRough = shaded && materials.hasMetalRoughness(material),
             .metalRoughMapped = pictures && materials.hasMetalRoughnessMap(material),
             .coloured = shaded && frame.options.vertexColours && item.buffers->hasColours() &&
-                        !(pictures && materials.isCover())};
+                        frame.options.look == SurfaceLook::File && !(pictures && materials.isCover())};
+}
+
+/// Of a surface that is shaded.
+gl::Defines lightingDefines(const FrameContext& context) {
+    const Frame& frame = context.frame;
+    gl::Defines defines = isStudioWanted(frame) ? studioDefines(frame) : lightDefines(frame.lights);
+    const auto add = [&defines](const gl::Defines& more) {
+        defines.insert(defines.end(), more.begin(), more.end());
+    };
+    if (context.shadows != nullptr && frame.options.look != SurfaceLook::Matcap) {
+        add(context.shadows->defines());
+    }
+    add(occlusionDefines(context));
+    return defines;
 }
 
 /// A program has what a frame needs and no more: see lighting.glsl.
@@ -80,12 +99,8 @@ gl::Defines surfaceDefines(const FrameContext& context, const DeformationPipelin
     if (frame.change) {
         defines.emplace_back("HITSCOPE_CHANGE_MAP", "1");
     } else {
-        const gl::Defines lights = lightDefines(frame.lights);
-        defines.insert(defines.end(), lights.begin(), lights.end());
-    }
-    if (context.shadows != nullptr && !frame.change) {
-        const gl::Defines shadows = context.shadows->defines();
-        defines.insert(defines.end(), shadows.begin(), shadows.end());
+        const gl::Defines light = lightingDefines(context);
+        defines.insert(defines.end(), light.begin(), light.end());
     }
     const std::pair<const char*, bool> parted[] = {
         {"HITSCOPE_TEXCOORDS", parts.textured || parts.normalMapped || parts.metalRoughMapped},
@@ -114,6 +129,10 @@ void setSurface(const gl::Program& program, const FrameContext& context) {
         setChangeMap(program, context);
     } else {
         setLights(program, context);
+        setOcclusion(program, context);
+        if (context.studio != nullptr) {
+            context.studio->apply(program, frame);
+        }
     }
     setDrawnPlace(program, frame);
     program.set("u_viewProjection", context.viewProjection);
@@ -230,7 +249,7 @@ Status drawWithOneProgram(const FrameContext& context, DeformationPipeline& pipe
                 prepareSurface(program, context, pipeline, *draw.item);
                 prepared = draw.item;
             }
-            materialsOf(*draw.item).apply(program, part.material, parts.coloured);
+            materialsOf(context.frame, *draw.item).apply(program, part.material, parts.coloured);
             drawBounded(context, GL_TRIANGLES, part.first, part.count);
         }
         if (rounds > 1) {

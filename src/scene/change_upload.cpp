@@ -27,9 +27,9 @@ void ChangeUpload::follow(const ChangeValues* values) {
     }
 }
 
-void ChangeUpload::upload(TargetId target, TargetBuffers& buffers) {
+bool ChangeUpload::upload(TargetId target, TargetBuffers& buffers) {
     if (!m_quantity || changeTraits(*m_quantity).inShader) {
-        return;
+        return false;
     }
     ChangedRanges& changed = m_changed[target];
     const std::span<const float> values = m_values->values(target);
@@ -37,8 +37,9 @@ void ChangeUpload::upload(TargetId target, TargetBuffers& buffers) {
         // Nothing has changed there, and what an earlier quantity left is not this one's.
         if (m_current.insert(target).second) {
             buffers.clearChangeValues();
+            return true;
         }
-        return;
+        return false;
     }
     std::vector<VertexRange> ranges = changed.take();
     if (m_current.insert(target).second) {
@@ -47,6 +48,7 @@ void ChangeUpload::upload(TargetId target, TargetBuffers& buffers) {
     for (const VertexRange& range : ranges) {
         buffers.writeChangeValues(range.first, values.subspan(range.first, range.count));
     }
+    return !ranges.empty();
 }
 
 }  // namespace hitscope

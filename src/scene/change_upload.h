@@ -21,7 +21,8 @@ class ChangeUpload {
 public:
     /// Null: there are no values. They outlive this or another call.
     void follow(const ChangeValues* values);
-    void upload(TargetId target, TargetBuffers& buffers);
+    /// Returns whether the buffers are others now.
+    bool upload(TargetId target, TargetBuffers& buffers);
 
 private:
     QObject m_receiver;

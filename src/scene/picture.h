@@ -7,6 +7,9 @@
 
 namespace hitscope {
 
+inline constexpr int kMostSamples = 64;   ///< of a refined picture
+inline constexpr int kShownSamples = 16;  ///< of the refined one in a window
+
 /// A picture of a scene, apart from any window.
 struct PictureRequest {
     int width = 1280;  ///< pixels
@@ -22,6 +25,9 @@ struct PictureRequest {
     bool labels = false;
     /// With what marks the selected vertices, hit and target, and with the crosshair where options have it.
     bool selectionMarks = false;
+    /// How many pictures it is the mean of (render/refined_picture.h), [1, kMostSamples]; 1: it is drawn
+    /// once, as two pictures side by side are in any case.
+    int samples = 1;
 };
 
 /// Pixels of a picture's height that count as one screen full: lines are as wide on a larger one as if the

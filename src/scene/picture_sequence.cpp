@@ -11,6 +11,7 @@
 #include "analysis/change_values.h"
 #include "analysis/hit_effects.h"
 #include "analysis/scene_section.h"
+#include "scene/picture_drawing.h"
 
 namespace hitscope {
 
@@ -68,7 +69,10 @@ struct PictureSequence::Private {
     std::unique_ptr<HitEffects> effects;  // null: nobody asks for numbers of hits
     std::unique_ptr<SceneGpu> replayed;
     SceneGpu* scene = nullptr;
+    std::optional<PictureDrawing>
+        drawing;  // below the scene, so that it goes first; nothing between pictures
 
+    [[nodiscard]] Status beginPicture();
     void ownChange();
     [[nodiscard]] Status add(const Hit& hit);
 };
@@ -136,26 +140,59 @@ int PictureSequence::count() const {
     return d->count;
 }
 
-Result<Image> PictureSequence::next() {
-    const int index = d->drawn++;
-    if (index == 0 && !d->replayed && d->request.options.cut.on) {
+Status PictureSequence::Private::beginPicture() {
+    const int index = drawn++;
+    if (index == 0 && !replayed && request.options.cut.on) {
         // The same section in all of them.
-        if (Status current = d->scene->sync(); !current) {
-            return current.error();
+        if (Status current = scene->sync(); !current) {
+            return current;
         }
-        d->request.section = sectionLines(d->scene->session(), d->request.options.cut,
-                                          d->request.options.beforeAfter.exaggeration);
+        request.section =
+            sectionLines(scene->session(), request.options.cut, request.options.beforeAfter.exaggeration);
     }
-    PictureRequest request = d->request;
-    if (!d->replayed) {
-        request.camera.orbit(glm::two_pi<float>() * static_cast<float>(index) / static_cast<float>(d->count),
-                             0.0f);
+    PictureRequest one = request;
+    if (!replayed) {
+        one.camera.orbit(glm::two_pi<float>() * static_cast<float>(index) / static_cast<float>(count), 0.0f);
     } else if (index > 0) {
-        if (Status added = d->add(d->hits[static_cast<std::size_t>(index) - 1]); !added) {
-            return added.error();
+        if (Status added = add(hits[static_cast<std::size_t>(index) - 1]); !added) {
+            return added;
         }
     }
-    return drawPicture(*d->scene, request);
+    drawing.emplace(*scene, one);
+    return Done{};
+}
+
+Result<std::optional<Image>> PictureSequence::advance() {
+    if (!d->drawing) {
+        if (Status begun = d->beginPicture(); !begun) {
+            return begun.error();
+        }
+    }
+    const Result<bool> done = d->drawing->step();
+    if (!done) {
+        return done.error();
+    }
+    if (!done.value()) {
+        return std::optional<Image>();
+    }
+    Result<Image> image = d->drawing->take();
+    d->drawing.reset();
+    if (!image) {
+        return image.error();
+    }
+    return std::optional<Image>(std::move(image).value());
+}
+
+Result<Image> PictureSequence::next() {
+    while (true) {
+        Result<std::optional<Image>> image = advance();
+        if (!image) {
+            return image.error();
+        }
+        if (image.value()) {
+            return *std::move(image).value();
+        }
+    }
 }
 
 QString sequencePath(const QString& folder, const QString& base, int number, int count) {

@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <memory>
+#include <optional>
 
 #include "scene/picture.h"
 
@@ -28,6 +29,8 @@ public:
     [[nodiscard]] int count() const;
     /// Each of the pictures in turn; call it count() times at most.
     [[nodiscard]] Result<Image> next();
+    /// Likewise, but draws one sample only; nothing: the picture needs more of them.
+    [[nodiscard]] Result<std::optional<Image>> advance();
 
 private:
     struct Private;

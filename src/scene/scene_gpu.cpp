@@ -7,13 +7,13 @@
 
 #include "analysis/change_values.h"
 #include "analysis/comparison.h"
-#include "deform/dent_shape.h"
 #include "pipeline/measure_exactness.h"
 #include "pipeline/pipeline_trial.h"
 #include "render/original_shape.h"
 #include "render/pick_pass.h"
 #include "render/picking_trial.h"
 #include "scene/picture_part.h"
+#include "scene/refined_view.h"
 #include "scene/scene_gpu_private.h"
 
 namespace hitscope {
@@ -116,6 +116,7 @@ void SceneGpu::Private::followMaterials(const Target& target, GpuTarget& gpu) {
     if (gpu.dressed != target.deformed.sharedOriginal()) {
         gpu.dressed = target.deformed.sharedOriginal();
         gpu.materials = materialsOf(target.deformed);
+        ++dataRevision;
     }
 }
 
@@ -126,6 +127,7 @@ void SceneGpu::Private::followTargets() {
                 pipeline->removeTarget(it->first);
             }
             it = targets.erase(it);
+            ++dataRevision;
         } else {
             ++it;
         }
@@ -155,6 +157,7 @@ void SceneGpu::Private::followCover() {
     if (coverImage != session.settings().coverTexture()) {
         coverImage = session.settings().coverTexture();
         cover = coverImage ? renderer->makeCover(*coverImage) : nullptr;
+        ++dataRevision;
     }
 }
 
@@ -267,7 +270,7 @@ Status SceneGpu::Private::drawAll(Frame& frame, const View& view, unsigned frame
     return renderer->draw(frame, second.pipeline(), framebuffer);
 }
 
-Status SceneGpu::draw(const View& view, unsigned framebuffer) {
+Status SceneGpu::draw(const View& view, unsigned framebuffer, RefinedView* refined) {
     d->meter.begin();
     if (Status status = d->follow(Private::Delivery::WhatHasArrived); !status) {
         d->meter.end();
@@ -277,55 +280,31 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer) {
     if (d->second.isReady()) {
         d->meter.comparing();
     }
-    const Session& session = d->session;
-    std::vector<DrawItem> items = d->drawItems();
-    for (DrawItem& item : items) {
-        item.selected = item.selected && view.selectionMarks;
+    const std::unique_ptr<FrameParts> parts = d->frameOf(view);
+    if (refined != nullptr && refined->show(*parts, d->isSideBySide(view))) {
+        Status status = d->renderer->drawRefined(parts->frame, *d->pipeline, refined->picture(), framebuffer);
+        d->meter.end();
+        return status;
     }
-    std::vector<ProjectileItem> projectiles;
-    projectiles.reserve(session.simulation().physics().projectileCount());
-    for (const ProjectileState& projectile : session.simulation().physics().projectiles()) {
-        projectiles.push_back({{projectile.drawn, projectile.radius}, projectile.colour, projectile.trail});
-    }
-
-    Frame frame;
-    frame.width = view.width;
-    frame.height = view.height;
-    frame.pixelRatio = view.pixelRatio;
-    frame.camera = view.camera;
-    frame.lights = session.settings().lights();
-    frame.options = view.options;
-    frame.meshRevision = d->meshRevision;
-    frame.floorHeight = session.targets().floorHeight();
-    frame.targets = items;
-    if (view.options.change.on) {
-        frame.change =
-            shownChange(view.options.change, view.changeValues ? view.changeValues->summary() : Summary());
-        d->changeUpload.follow(view.changeValues);
-        for (const DrawItem& item : items) {
-            d->changeUpload.upload(item.target, *d->targets.at(item.target).buffers);
-        }
-    }
-    d->marks.follow(session);
-    const std::vector<VertexMarks> marks =
-        view.selectionMarks ? d->marks.on(items) : std::vector<VertexMarks>();
-    frame.marks = marks;
-    frame.projectiles = projectiles;
-    frame.ghost = view.ghost;
-    frame.section = view.section;
-    frame.showsCutPlane = view.showsCutPlane;
-    if (view.selectionMarks && session.hits().selected()) {
-        const Hit& hit = session.hits().history().hits()[*session.hits().selected()];
-        if (const Target* target = session.targets().find(hit.target)) {
-            const HitReach reach = reachOf(hit);
-            frame.highlightedHit = Sphere{target->transform.toWorld(reach.centre),
-                                          hit.form.presses() ? hit.form.radius : reach.radius};
-        }
-    }
-    Status status = d->drawAll(frame, view, framebuffer);
+    Status status = d->drawAll(parts->frame, view, framebuffer);
     d->meter.endOf(FrameMeter::Part::Drawing);
     d->meter.end();
     return status;
+}
+
+Status SceneGpu::refine(const View& view, RefinedView& refined) {
+    if (!d->pipeline) {
+        return Done{};
+    }
+    const std::unique_ptr<FrameParts> parts = d->frameOf(view);
+    refined.follow(*parts, d->isSideBySide(view));
+    return refined.isPossible() ? d->renderer->refine(parts->frame, *d->pipeline, refined.picture())
+                                : Status(Done{});
+}
+
+Status SceneGpu::drawRefined(const View& view, RefinedView& refined, unsigned framebuffer) {
+    const std::unique_ptr<FrameParts> parts = d->frameOf(view);
+    return d->renderer->drawRefined(parts->frame, *d->pipeline, refined.picture(), framebuffer);
 }
 
 }  // namespace hitscope

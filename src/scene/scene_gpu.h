@@ -16,6 +16,7 @@ namespace hitscope {
 class ChangeValues;
 class Comparison;
 class PickPass;
+class RefinedView;
 
 /// A session on the GPU: buffers for its targets, the active pipeline, the renderer. Follows the session by
 /// the history's revision; nothing in it is truth, so it can be thrown away with its context and made again.
@@ -49,7 +50,16 @@ public:
     };
     /// As sync(), but waits for nothing: what changed comes to the session with one of the next frames. Then
     /// one picture into the framebuffer object of that name (0: the default framebuffer).
-    [[nodiscard]] Status draw(const View& view, unsigned framebuffer);
+    ///
+    /// refined: where it has enough samples of just this picture, their mean is drawn, and it says so; else
+    /// it forgets what it has of another one. Null: the picture is drawn as it is.
+    [[nodiscard]] Status draw(const View& view, unsigned framebuffer, RefinedView* refined = nullptr);
+    /// Adds a sample to `refined`, of what was drawn last: takes as long as a frame, follows nothing and
+    /// shows nothing. Samples of another picture are forgotten first. Two pictures side by side are not
+    /// refined: it has no samples then.
+    [[nodiscard]] Status refine(const View& view, RefinedView& refined);
+    /// Draws what `refined` has, one sample at least, and what marks the scene now over it.
+    [[nodiscard]] Status drawRefined(const View& view, RefinedView& refined, unsigned framebuffer);
     /// What draw() last drew, into `pass`: what lies under the pixels of `area` of that view. Nothing before
     /// the first draw() or sync(). An error too where picking was tried and found wrong.
     [[nodiscard]] Status drawElements(const View& view, PickPass& pass, const PixelArea& area,

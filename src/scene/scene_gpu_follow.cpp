@@ -166,6 +166,7 @@ void SceneGpu::Private::fetch(Delivery delivery) {
     for (const ReadBack::ChangedNormals& change : readBack.finish()) {
         const Target* target = session.targets().find(change.target);
         if (target != nullptr) {
+            ++dataRevision;
             GpuTarget& gpu = targets.at(change.target);
             gpu.changed.note(change.renderVertices);
             writeShadingNormals(*gpu.buffers, change.renderVertices, target->trueNormals.normals());

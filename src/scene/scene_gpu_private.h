@@ -13,6 +13,7 @@
 #include "render/renderer.h"
 #include "scene/change_upload.h"
 #include "scene/frame_meter.h"
+#include "scene/frame_parts.h"
 #include "scene/reapplication.h"
 #include "scene/scene_gpu.h"
 #include "scene/scene_marks.h"
@@ -50,6 +51,7 @@ struct SceneGpu::Private {
     std::optional<std::vector<HistoryEdit>> unapplied = std::vector<HistoryEdit>();
     HistoryPrefix applied;  // of the history before those edits
     std::uint64_t meshRevision = 1;
+    std::uint64_t dataRevision = 1;  ///< another one when buffers or materials of targets have changed
     gl::Defines deformDefines;
     ChangeUpload changeUpload;
     SecondScene second;
@@ -81,6 +83,8 @@ struct SceneGpu::Private {
     [[nodiscard]] bool isSideBySide(const View& view) const {
         return second.isReady() && view.options.sideBySide;
     }
+    /// What a view shows, as it is on the GPU.
+    [[nodiscard]] std::unique_ptr<FrameParts> frameOf(const View& view);
     /// The picture, or two of them side by side.
     Status drawAll(Frame& frame, const View& view, unsigned framebuffer);
 };

@@ -58,6 +58,7 @@ struct ShownChange {
     ColourMap map = ColourMap::Viridis;
     ChangeRange range;
     float isolineStep = 0.0f;  ///< 0: none
+    bool operator==(const ShownChange&) const = default;
 };
 
 /// A step of 1, 2 or 5 times a power of ten that cuts the range into at most `parts`.

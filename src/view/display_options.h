@@ -14,6 +14,9 @@ enum class NormalMode : std::uint8_t {
     Paper
 };  ///< which normals shade (DESIGN: "Deformation, exactly")
 enum class Theme : std::uint8_t { Light, Dark };
+/// What surfaces are made of: what their files say, or one material for all of them.
+enum class SurfaceLook : std::uint8_t { File, Matcap, Clay, Metal };
+inline constexpr int kSurfaceLooks = 4;
 
 /// How the picture is made; the same for window, pictures and measurements.
 struct DisplayOptions {
@@ -35,6 +38,12 @@ struct DisplayOptions {
     bool shadows = false;     ///< of the directional light
     /// No background: what is not covered stays transparent, and colours are premultiplied by their opacity.
     bool transparent = false;
+    SurfaceLook look = SurfaceLook::File;
+    bool environment = false;  ///< a studio lights the scene (view/environment.h), not the session's lights
+    /// At rest the picture becomes the mean of many (render/refined_picture.h).
+    bool refine = false;
+
+    bool operator==(const DisplayOptions&) const = default;
 };
 
 }  // namespace hitscope

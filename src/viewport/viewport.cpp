@@ -109,6 +109,7 @@ void Viewport::releaseGpu() {
         m_trialTimer.stop();
         makeCurrent();
         Q_EMIT aboutToReleaseGpu();
+        m_refiner.releaseGpu();
         m_picking.setPicker(nullptr);
         m_scene.reset();
         doneCurrent();
@@ -157,12 +158,16 @@ void Viewport::paintGL() {
     }
     QElapsedTimer drawing;
     drawing.start();
-    if (Status drawn = m_scene->draw(view(), defaultFramebufferObject()); !drawn) {
+    if (Status drawn = m_scene->draw(view(), defaultFramebufferObject(), m_refiner.view()); !drawn) {
         report(drawn.error());
         return;
     }
     paintOverlay();
     m_error.clear();
+    m_refiner.framePainted();
+    if (m_refiner.wasShown()) {
+        return;  // what was drawn before, in better quality: no frame to measure
+    }
     const bool follows = m_frameFollows && m_sinceFrame.isValid();
     const QElapsedTimer& measure = follows ? m_sinceFrame : drawing;
     const double seconds = static_cast<double>(measure.nsecsElapsed()) * kNanosecond;
@@ -272,12 +277,14 @@ void Viewport::tryNext() {
 void Viewport::setOptions(const DisplayOptions& options) {
     m_options = options;
     followViewSize();
+    followRefining();
     update();
     Q_EMIT optionsChanged();
 }
 
 void Viewport::setDrawsContinuously(bool on) {
     m_continuous = on;
+    followRefining();
     m_navigation.setGlides(!on);  // what is measured stands still
     update();
 }

@@ -14,6 +14,7 @@
 #include "scene/scene_gpu.h"
 #include "viewport/aiming.h"
 #include "viewport/navigation.h"
+#include "viewport/picture_refiner.h"
 #include "viewport/viewport_picking.h"
 
 namespace hitscope {
@@ -57,6 +58,7 @@ public:
     [[nodiscard]] Ray rayThrough(const QPointF& place) const;
     [[nodiscard]] const Aiming& aiming() const { return m_aiming; }
     [[nodiscard]] ViewportPicking& picking() { return m_picking; }
+    [[nodiscard]] PictureRefiner& refiner() { return m_refiner; }
     /// A surface to draw over the picture (SceneGpu::View); null: none.
     void setGhost(std::shared_ptr<const std::vector<glm::vec3>> ghost);
     /// Lines where options().cut cuts the targets, and of the second of two pipelines; null: none are drawn.
@@ -131,6 +133,8 @@ private:
     void collectCosts();  ///< of the last frames, once no more follow
     void tryNext();
     [[nodiscard]] SceneGpu::View view() const;
+    [[nodiscard]] PictureRefiner::Hooks refinerHooks();
+    void followRefining();
     void shootAlong(const Ray& sight);
     void click(const QMouseEvent& event);
     void selectAt(const QPointF& position);
@@ -154,6 +158,7 @@ private:
     Navigation m_navigation;
     Aiming m_aiming;
     ViewportPicking m_picking{*this};
+    PictureRefiner m_refiner{refinerHooks()};
     bool m_framed = false;  ///< the scene has been framed at a real size
 
     bool m_continuous = false;

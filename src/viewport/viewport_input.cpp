@@ -14,6 +14,9 @@
 namespace hitscope {
 
 bool Viewport::event(QEvent* event) {
+    if (dynamic_cast<QInputEvent*>(event) != nullptr) {
+        m_refiner.inputCame();
+    }
     if (event->type() == QEvent::NativeGesture &&
         m_navigation.gesture(*static_cast<QNativeGestureEvent*>(event))) {
         event->accept();

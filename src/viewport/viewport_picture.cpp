@@ -61,6 +61,28 @@ Result<Image> Viewport::drawPicture(const PictureRequest& request) {
     return image;
 }
 
+PictureRefiner::Hooks Viewport::refinerHooks() {
+    return {.mayRefine = [this] { return m_scene && !wantsFrames() && isVisible(); },
+            .addSample =
+                [this](RefinedView& refined) {
+                    return withScene([&](SceneGpu& scene) { return scene.refine(view(), refined); });
+                },
+            .show = [this] { update(); }};
+}
+
+/// What is measured is drawn anew each time.
+void Viewport::followRefining() {
+    const bool on = m_options.refine && !m_continuous;
+    if (!m_scene) {
+        m_refiner.setOn(on);
+        return;
+    }
+    static_cast<void>(withScene([this, on](SceneGpu&) -> Status {
+        m_refiner.setOn(on);
+        return Done{};
+    }));
+}
+
 Result<QString> Viewport::graphicsReport() {
     QString text;
     const Status asked = withScene([this, &text](SceneGpu& scene) -> Status {

@@ -109,6 +109,8 @@ private:
         return made;
     }
 
+    template <class Row>
+    static void addLooks(const Row& row);
     /// What a frame with these options shows.
     TestScene& sceneOf(const DisplayOptions& options) const {
         return options.backFaces  ? *m_bowl
@@ -163,6 +165,23 @@ void ModesTest::cleanupTestCase() {
     m_renderer.reset();
 }
 
+/// row: takes a name and how the options change.
+template <class Row>
+void ModesTest::addLooks(const Row& row) {
+    row("look-matcap", [](DisplayOptions& o) { o.look = SurfaceLook::Matcap; });
+    row("look-clay", [](DisplayOptions& o) {
+        o.look = SurfaceLook::Clay;
+        o.theme = Theme::Light;
+    });
+    row("look-metal", [](DisplayOptions& o) { o.look = SurfaceLook::Metal; });
+    row("environment", [](DisplayOptions& o) { o.environment = true; });
+    row("environment-metal", [](DisplayOptions& o) {
+        o.environment = true;
+        o.look = SurfaceLook::Metal;
+        o.theme = Theme::Light;
+    });
+}
+
 void ModesTest::looksAsItDid_data() {
     QTest::addColumn<DisplayOptions>("options");
     const auto row = [](const char* name, auto&& change) {
@@ -215,6 +234,7 @@ void ModesTest::looksAsItDid_data() {
         o.cut.fill = true;
         o.theme = Theme::Light;
     });
+    addLooks(row);
     row("shadows", [](DisplayOptions& o) { o.shadows = true; });
     row("shadows-light", [](DisplayOptions& o) {
         o.shadows = true;

@@ -29,6 +29,8 @@ public:
         QCoreApplication::setApplicationName(QStringLiteral("hitscope-test"));
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
         QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
+        // Pictures that are compared are drawn once: how far a refined one has come depends on the time.
+        QSettings().setValue(QStringLiteral("display/refine"), false);
         qputenv("XDG_STATE_HOME", m_folder.filePath(QStringLiteral("state")).toLocal8Bit());  // journals
     }
 

@@ -22,6 +22,9 @@ void DisplayActions::fill(QMenu& menu, const std::function<void(QMenu&)>& fillMi
     connect(m_shading, &ShadingActions::switched, this, [this](DisplayOption option, bool on) {
         change([option, on](DisplayOptions& display) { display.*option = on; });
     });
+    connect(&m_viewport.refiner(), &PictureRefiner::failed, m_shading,
+            [this] { m_shading->disable(&DisplayOptions::refine, m_viewport.refiner().whyNot()); });
+    makeMaterialMenu(*menu.addMenu(tr("&Material")));
     makeNormalsMenu(*menu.addMenu(tr("&Normals")));
     QMenu& textures = *menu.addMenu(tr("Te&xture"));
     m_textureChooser.fill(textures);
@@ -50,6 +53,17 @@ void DisplayActions::makeWireframeMenu(QMenu& menu) {
     addAction(menu, tr("Next &Mode"), Qt::Key_L, this, [this] { cycleWireframe(); });
 }
 
+void DisplayActions::makeMaterialMenu(QMenu& menu) {
+    auto* group = new QActionGroup(this);
+    const std::array<QString, kSurfaceLooks> names{tr("&As in the File"), tr("&Matcap"), tr("&Clay"),
+                                                   tr("M&etal")};
+    for (std::size_t look = 0; look < names.size(); ++look) {
+        m_looks[look] = addChoice(menu, *group, names[look], false, this, [this, look] {
+            change([look](DisplayOptions& display) { display.look = static_cast<SurfaceLook>(look); });
+        });
+    }
+}
+
 void DisplayActions::makeNormalsMenu(QMenu& menu) {
     auto* group = new QActionGroup(this);
     const std::array<QString, 2> names{tr("&True (of the Dented Surface)"), tr("&Paper (Equation 2)")};
@@ -73,6 +87,7 @@ void DisplayActions::follow() {
     const DisplayOptions& display = m_viewport.options();
     m_wireframes[static_cast<std::size_t>(display.wireframe)]->setChecked(true);
     m_normals[static_cast<std::size_t>(display.normals)]->setChecked(true);
+    m_looks[static_cast<std::size_t>(display.look)]->setChecked(true);
     m_textures->setChecked(display.textures);
     m_floor->setChecked(display.floor);
     m_crosshair->setChecked(display.crosshair);

@@ -37,14 +37,16 @@ Q_SIGNALS:
 private:
     void makeWireframeMenu(QMenu& menu);
     void makeNormalsMenu(QMenu& menu);
+    void makeMaterialMenu(QMenu& menu);
     void change(const std::function<void(DisplayOptions&)>& how);
 
     Viewport& m_viewport;
     TextureChooser& m_textureChooser;
     ShadingActions* m_shading = nullptr;
     QMenu* m_wireframeMenu = nullptr;
-    std::array<QAction*, 3> m_wireframes{};  ///< by WireframeMode
-    std::array<QAction*, 2> m_normals{};     ///< by NormalMode
+    std::array<QAction*, 3> m_wireframes{};         ///< by WireframeMode
+    std::array<QAction*, 2> m_normals{};            ///< by NormalMode
+    std::array<QAction*, kSurfaceLooks> m_looks{};  ///< by SurfaceLook
     QAction* m_textures = nullptr;
     QAction* m_floor = nullptr;
     QAction* m_crosshair = nullptr;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/actions/menu_building.h"
+#include "panels/help/help_text.h"
 #include "session/session.h"
 
 namespace hitscope {
@@ -27,6 +28,12 @@ void LightActions::fill(QMenu& menu) {
                        [this](bool on) { change([on](Lights& lights) { lights.spot.on = on; }); });
     connect(&m_session.settings(), &SessionSettings::lightsChanged, this, &LightActions::follow);
     follow();
+}
+
+void LightActions::setEnvironment(bool on) {
+    for (QAction* action : {m_directional, m_points, m_spot}) {
+        enableIf(*action, !on, tr("The environment lights the scene: View > Shading > Environment Light."));
+    }
 }
 
 void LightActions::change(const std::function<void(Lights&)>& how) {

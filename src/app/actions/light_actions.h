@@ -21,6 +21,8 @@ public:
     explicit LightActions(Session& session, QObject* parent = nullptr);
 
     void fill(QMenu& menu);  ///< once
+    /// Whether the environment takes the place of these lights.
+    void setEnvironment(bool on);
 
 private:
     void change(const std::function<void(Lights&)>& how);

@@ -10,6 +10,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 #include <algorithm>
+#include <cmath>
 
 #include "app/dialogs/picture_dialog.h"
 #include "io/save_image.h"
@@ -18,6 +19,9 @@
 namespace hitscope {
 
 namespace {
+
+constexpr QSize kTurntableSize(1920, 1080);  // pixels
+constexpr int kTurntablePictures = 90;       // one every four degrees
 
 const QString& folderKey() {
     static const QString key = QStringLiteral("picture/folder");
@@ -53,14 +57,23 @@ QAction* addAction(QMenu& menu, const QString& text, const QKeySequence& key) {
 PictureActions::PictureActions(Viewport& viewport, QWidget& window)
     : QObject(&window), m_viewport(viewport), m_window(window), m_sequences(viewport) {
     connect(&m_sequences, &SequenceWriter::progressed, this, [this](int written, int count) {
-        if (m_progress) {
+        if (m_progress && m_sequences.plan().picture.samples <= 1) {
             m_progress->setMaximum(count);
             m_progress->setValue(written);
         }
     });
+    connect(&m_sequences, &SequenceWriter::sampled, this, [this](int drawn, int count) {
+        if (m_progress) {
+            m_progress->setMaximum(count);
+            m_progress->setValue(drawn);
+        }
+    });
     connect(&m_sequences, &SequenceWriter::ended, this, [this](int written) {
         endProgress();
-        Q_EMIT said(tr("%n picture(s) written.", nullptr, written));
+        const QString& path = m_sequences.plan().path;
+        Q_EMIT said(path.isEmpty() ? tr("%n picture(s) written.", nullptr, written)
+                    : written > 0  ? savedText(path)
+                                   : tr("Cancelled. Nothing was written."));
     });
     connect(&m_sequences, &SequenceWriter::failed, this, [this](const Error& error) {
         endProgress();
@@ -75,6 +88,9 @@ void PictureActions::fill(QMenu& menu) {
             &PictureActions::choosePicture);
     connect(addAction(menu, tr("Save Picture Se&quence…"), {}), &QAction::triggered, this,
             &PictureActions::chooseSequence);
+    QAction* turntable = addAction(menu, tr("Save T&urntable…"), {});
+    turntable->setToolTip(tr("Pictures once around the whole scene, refined, as it is shown now"));
+    connect(turntable, &QAction::triggered, this, &PictureActions::chooseTurntable);
 }
 
 QString PictureActions::baseName() const {
@@ -101,11 +117,51 @@ void PictureActions::saveAtOnce() {
     while (QFileInfo::exists(sequencePath(folder, baseName(), number, 1))) {
         ++number;
     }
-    const QString path = sequencePath(folder, baseName(), number, 1);
-    if (Status saved = save(path); !saved) {
+    PictureRequest request = m_viewport.pictureRequest();
+    request.samples = m_viewport.options().refine ? kShownSamples : 1;
+    write(request, sequencePath(folder, baseName(), number, 1));
+}
+
+void PictureActions::write(const PictureRequest& request, const QString& path) {
+    if (request.samples > 1) {
+        const QFileInfo file(path);
+        writeSequence({request, 1, file.absolutePath(), file.completeBaseName(), path});
+    } else if (Status saved = save(request, path); !saved) {
         Q_EMIT failed(saved.error());
     } else {
         Q_EMIT said(savedText(path));
+    }
+}
+
+SequenceWriter::Plan PictureActions::turntablePlan() const {
+    PictureRequest request = m_viewport.pictureRequest();
+    request.width = kTurntableSize.width();
+    request.height = kTurntableSize.height();
+    request.labels = true;
+    request.samples = kShownSamples;
+    request.options.shadows = true;
+    request.options.sideBySide = false;
+    // A box around all that the scene sweeps as it turns, so that nothing leaves the picture.
+    const Bounds bounds = m_viewport.session().targets().bounds();
+    if (!bounds.empty()) {
+        const glm::vec3 half = 0.5f * bounds.size();
+        const float around = std::sqrt(half.x * half.x + half.z * half.z);
+        const glm::vec3 reach(around, half.y, around);
+        Bounds swept;
+        swept.add(bounds.centre() - reach);
+        swept.add(bounds.centre() + reach);
+        request.camera.frame(swept, static_cast<float>(request.width) / static_cast<float>(request.height));
+    }
+    return {request, kTurntablePictures, {}, baseName() + QStringLiteral("-turntable")};
+}
+
+void PictureActions::chooseTurntable() {
+    SequenceWriter::Plan plan = turntablePlan();
+    plan.folder =
+        QFileDialog::getExistingDirectory(&m_window, tr("Folder for the turntable"), pictureFolder());
+    if (!plan.folder.isEmpty()) {
+        rememberFolder(plan.folder);
+        writeSequence(plan);
     }
 }
 
@@ -116,6 +172,7 @@ PictureRequest PictureActions::requestOf(const PictureDialog& dialog) const {
     request.options.transparent = dialog.isTransparent();
     request.options.floor = dialog.hasFloor();
     request.labels = dialog.hasLabels();
+    request.samples = dialog.samples();
     request.selectionMarks = dialog.hasSelectionMarks();
     return request;
 }
@@ -145,11 +202,7 @@ void PictureActions::choosePicture() {
         path += u'.' + suffixes.value(filters.indexOf(filter), suffixes.constFirst());
     }
     rememberFolder(QFileInfo(path).absolutePath());
-    if (Status saved = save(requestOf(dialog), path); !saved) {
-        Q_EMIT failed(saved.error());
-    } else {
-        Q_EMIT said(savedText(path));
-    }
+    write(requestOf(dialog), path);
 }
 
 void PictureActions::chooseSequence() {

@@ -28,6 +28,10 @@ public:
     [[nodiscard]] Status save(const PictureRequest& request, const QString& path);
     /// A name in the folder of pictures that no file has yet; saves there and says where.
     void saveAtOnce();
+    /// Once around the whole scene as it is, refined, in a folder of the person's choice.
+    void chooseTurntable();
+    /// What chooseTurntable() writes, apart from the folder.
+    [[nodiscard]] SequenceWriter::Plan turntablePlan() const;
     /// Starts it and shows how far it is; over it, it can be cancelled.
     void writeSequence(const SequenceWriter::Plan& plan);
     [[nodiscard]] SequenceWriter& sequences() { return m_sequences; }
@@ -40,6 +44,8 @@ private:
     void choosePicture();
     void chooseSequence();
     void endProgress();
+    /// At once, or, with more samples than one, beside what else the window does; then says where.
+    void write(const PictureRequest& request, const QString& path);
     [[nodiscard]] PictureRequest requestOf(const PictureDialog& dialog) const;
     [[nodiscard]] QString baseName() const;
 

@@ -5,10 +5,12 @@
 #include <QMenu>
 #include <array>
 
+#include "panels/help/help_text.h"
+
 namespace hitscope {
 
 std::span<const ShadingSwitch> shadingSwitches() {
-    static constexpr std::array<ShadingSwitch, 6> kSwitches{
+    static constexpr std::array<ShadingSwitch, 8> kSwitches{
         {{"shadows", QT_TRANSLATE_NOOP("hitscope::ShadingActions", "Soft &Shadows"),
           QT_TRANSLATE_NOOP("hitscope::ShadingActions", "Of the directional light; measurements are without"),
           "Shift+S", &DisplayOptions::shadows, true},
@@ -27,7 +29,17 @@ std::span<const ShadingSwitch> shadingSwitches() {
           "Shift+N", &DisplayOptions::needles, false},
          {"dots", QT_TRANSLATE_NOOP("hitscope::ShadingActions", "&Vertices as Dots"),
           QT_TRANSLATE_NOOP("hitscope::ShadingActions", "Where they are far enough apart in the picture"),
-          "Shift+D", &DisplayOptions::dots, false}}};
+          "Shift+D", &DisplayOptions::dots, false},
+         {"environment", QT_TRANSLATE_NOOP("hitscope::ShadingActions", "&Environment Light"),
+          QT_TRANSLATE_NOOP("hitscope::ShadingActions",
+                            "A studio with soft lights instead of the session's lights"),
+          "Shift+E", &DisplayOptions::environment, false},
+         {"refine", QT_TRANSLATE_NOOP("hitscope::ShadingActions", "&Refine at Rest"),
+          QT_TRANSLATE_NOOP(
+              "hitscope::ShadingActions",
+              "While nothing moves: smooth edges, soft shadows and ambient occlusion; colour maps "
+              "keep their colours"),
+          "Shift+Q", &DisplayOptions::refine, true}}};
     return kSwitches;
 }
 
@@ -49,6 +61,14 @@ void ShadingActions::fill(QMenu& menu) {
 void ShadingActions::show(const DisplayOptions& options) {
     for (std::size_t i = 0; i < m_actions.size(); ++i) {
         m_actions[i]->setChecked(options.*shadingSwitches()[i].option);
+    }
+}
+
+void ShadingActions::disable(DisplayOption option, const QString& why) {
+    for (std::size_t i = 0; i < m_actions.size(); ++i) {
+        if (shadingSwitches()[i].option == option) {
+            enableIf(*m_actions[i], false, why);
+        }
     }
 }
 

@@ -34,6 +34,8 @@ public:
 
     void fill(QMenu& menu);                    ///< once
     void show(const DisplayOptions& options);  ///< emits nothing
+    /// There is no such way to draw here; why: a sentence.
+    void disable(DisplayOption option, const QString& why);
 
 Q_SIGNALS:
     void switched(hitscope::DisplayOption option, bool on);

@@ -26,6 +26,7 @@ public:
     [[nodiscard]] bool hasLabels() const;  ///< the colour bar and the notes
     [[nodiscard]] bool hasSelectionMarks() const;
     [[nodiscard]] int turntable() const;  ///< pictures; 0: a replay
+    [[nodiscard]] int samples() const;    ///< as in PictureRequest
 
     void load(const QSettings& settings);
     void save(QSettings& settings) const;
@@ -33,6 +34,7 @@ public:
 private:
     QWidget* makeSize();
     QWidget* makeSequence(std::size_t hits);
+    QSpinBox* makeSamples();
     void followPreset();
     void followNumbers();
 
@@ -46,6 +48,7 @@ private:
     QCheckBox* m_selectionMarks = nullptr;
     QRadioButton* m_replay = nullptr;
     QSpinBox* m_turntable = nullptr;
+    QSpinBox* m_samples = nullptr;
 };
 
 }  // namespace hitscope

@@ -92,6 +92,7 @@ AppSettings loadAppSettings(const QSettings& settings) {
     DisplayOptions& display = values.display;
     display.wireframe = readEnum(settings, QStringLiteral("display/wireframe"), 3, display.wireframe);
     display.normals = readEnum(settings, QStringLiteral("display/normals"), 2, display.normals);
+    display.look = readEnum(settings, QStringLiteral("display/material"), kSurfaceLooks, display.look);
     display.floor = settings.value(QStringLiteral("display/floor"), display.floor).toBool();
     display.textures = settings.value(QStringLiteral("display/textures"), display.textures).toBool();
     display.crosshair = settings.value(QStringLiteral("display/crosshair"), display.crosshair).toBool();
@@ -127,6 +128,7 @@ void saveAppSettings(QSettings& settings, const AppSettings& values) {
     const DisplayOptions& display = values.display;
     settings.setValue(QStringLiteral("display/wireframe"), static_cast<int>(display.wireframe));
     settings.setValue(QStringLiteral("display/normals"), static_cast<int>(display.normals));
+    settings.setValue(QStringLiteral("display/material"), static_cast<int>(display.look));
     settings.setValue(QStringLiteral("display/floor"), display.floor);
     settings.setValue(QStringLiteral("display/textures"), display.textures);
     settings.setValue(QStringLiteral("display/crosshair"), display.crosshair);

@@ -43,6 +43,10 @@ constexpr std::array kModes{
     ViewMode{"shadows", "soft shadows", [](Options& o) { o.shadows = true; }},
     ViewMode{"vertex-colours", "colours of vertices", [](Options& o) { o.vertexColours = true; }},
     ViewMode{.key = "metal", .name = "metalness and roughness", .extra = Extra::Metal},
+    ViewMode{"look-matcap", "matcap", [](Options& o) { o.look = SurfaceLook::Matcap; }},
+    ViewMode{"look-clay", "clay", [](Options& o) { o.look = SurfaceLook::Clay; }},
+    ViewMode{"look-metal", "metal", [](Options& o) { o.look = SurfaceLook::Metal; }},
+    ViewMode{"environment", "environment light", [](Options& o) { o.environment = true; }},
     // A colour map of each way in which values come to the shader.
     ViewMode{"map-displacement", "map of displacement", colour<ChangeQuantity::Displacement>},
     ViewMode{"map-rotation", "map of normal rotation", colour<ChangeQuantity::NormalRotation>},

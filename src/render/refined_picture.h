@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "gl/objects.h"
+#include "render/program_cache.h"
+
+namespace hitscope {
+
+/// The mean of many pictures of one frame, which differ by fractions of a pixel, by where on the light a
+/// shadow is cast from, and by where they look for what keeps light away: smooth edges, soft shadows, ambient
+/// occlusion. Renderer::refine() adds to it. A context is current for every call and the destructor.
+class RefinedPicture {
+public:
+    static constexpr int kUsualSamples = 16;  ///< of a window's picture
+    static constexpr int kMostSamples = 64;
+
+    /// What one sample differs by from the others.
+    struct Sample {
+        glm::vec2 jitter{0.0f};  ///< pixels, half of one at most, and a little
+        glm::vec2 light{0.0f};   ///< on the light, in the unit disc
+        glm::vec2 turn{0.0f};    ///< as in Occlusion
+    };
+    /// index >= 0. Any number of the first ones are spread evenly.
+    [[nodiscard]] static Sample sampleAt(int index);
+
+    /// How many samples it is the mean of.
+    [[nodiscard]] int samples() const { return m_samples; }
+    /// Forgets the samples, keeps its buffers.
+    void clear();
+
+    // What follows is the Renderer's.
+
+    /// Makes buffers of that size, pixels, where they are of another. False: the driver cannot; there are
+    /// none.
+    [[nodiscard]] bool prepare(int width, int height);
+    [[nodiscard]] bool hasDepths() const { return m_hasDepths; }
+    /// The frame without jitter has been drawn into plainFramebuffer().
+    void setHasDepths() { m_hasDepths = true; }
+    [[nodiscard]] GLuint depths() const { return m_depths.id(); }  ///< a texture
+    [[nodiscard]] GLuint plainFramebuffer() const { return m_plain.id(); }
+    [[nodiscard]] GLuint sampleFramebuffer() const { return m_sample.id(); }
+    /// Adds what is in sampleFramebuffer() to the sum. Leaves framebuffer, viewport and blending changed.
+    [[nodiscard]] Status add(render::ProgramCache& programs, GLuint emptyArray);
+    /// Draws the mean over the whole viewport of what is bound, and the depths where they are wanted. Leaves
+    /// depth test and blending off.
+    [[nodiscard]] Status draw(render::ProgramCache& programs, GLuint emptyArray, bool withDepths) const;
+
+private:
+    int m_width = 0;
+    int m_height = 0;
+    int m_samples = 0;
+    bool m_hasDepths = false;
+    gl::Texture m_colour;  ///< of the sample at hand
+    gl::Texture m_depths;
+    gl::Texture m_sum;  ///< of floats
+    gl::Renderbuffer m_sampleDepth;
+    gl::Framebuffer m_plain;
+    gl::Framebuffer m_sample;
+    gl::Framebuffer m_adding;
+};
+
+}  // namespace hitscope

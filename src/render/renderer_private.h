@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The inside of Renderer: for renderer.cpp, which draws frames, and renderer_refine.cpp, which draws samples.
+#include <optional>
+
+#include "gl/context.h"
+#include "render/change_map.h"
+#include "render/dent_ghost_pass.h"
+#include "render/frame_context.h"
+#include "render/gl_state.h"
+#include "render/line_pass.h"
+#include "render/projectile_pass.h"
+#include "render/refined_picture.h"
+#include "render/section_pass.h"
+#include "render/shadow_map.h"
+#include "render/studio.h"
+#include "render/trail_pass.h"
+#include "view/environment.h"
+
+namespace hitscope {
+
+namespace render {
+
+/// The frame with the lights that it is lit by.
+class LitFrame {
+public:
+    explicit LitFrame(const Frame& given) : m_given(given) {
+        if (given.options.environment) {
+            m_lit = given;
+            m_lit->lights = environmentLights();
+        }
+    }
+    [[nodiscard]] const Frame& frame() const { return m_lit ? *m_lit : m_given; }
+
+private:
+    const Frame& m_given;
+    std::optional<Frame> m_lit;
+};
+
+void prepareFramebuffer(const Frame& frame, GLuint framebuffer);
+void startBlended();
+/// Marks are on what they mark: left of a wipe's line on the originals.
+[[nodiscard]] Status drawMarks(const FrameContext& context, DeformationPipeline& pipeline);
+
+}  // namespace render
+
+struct Renderer::Private {
+    render::ProgramCache programs;
+    render::ColourTextures colourTextures;
+    render::ProjectilePass projectiles;
+    render::NeedlePass needles;
+    render::TrailPass trails;
+    render::DentGhostPass dentGhost;
+    render::SectionPass sections;
+    gl::VertexArray emptyArray = gl::VertexArray::make();
+    bool software = gl::rendererInfo().isSoftware();
+    render::ShadowMap shadows{software};
+    render::ShadowMap sampleShadows{
+        software};  // of samples, so that the other one is there when something moves
+    render::Studio studio;
+    // Of the sample at hand; none: the picture is drawn as it is.
+    glm::vec2 jitter{0.0f};
+    const render::Occlusion* occlusion = nullptr;
+
+    [[nodiscard]] render::FrameContext contextOf(const Frame& frame);
+    /// Targets and projectiles into a framebuffer, what is selected as well; nothing over them.
+    [[nodiscard]] Status drawPicture(const render::FrameContext& context, DeformationPipeline& pipeline,
+                                     GLuint framebuffer);
+    /// What is drawn over everything.
+    [[nodiscard]] Status drawOver(const render::FrameContext& context);
+    [[nodiscard]] Status addSample(const Frame& frame, DeformationPipeline& pipeline,
+                                   RefinedPicture& picture);
+    [[nodiscard]] Status drawGhosts(const Frame& frame, DeformationPipeline& pipeline);
+    /// Targets and what marks them.
+    [[nodiscard]] Status drawScene(const render::FrameContext& context, DeformationPipeline& pipeline);
+    [[nodiscard]] Status drawWiped(const render::FrameContext& context, DeformationPipeline& pipeline);
+    Status drawDotsAndNeedles(const render::FrameContext& context, DeformationPipeline& pipeline);
+};
+
+}  // namespace hitscope

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Samples of refined pictures.
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "render/renderer_private.h"
+
+namespace hitscope {
+
+using namespace render;
+
+namespace {
+
+constexpr float kLightSize = 0.055f;  // radius of the directional light's disc, a metre away: 3 degrees
+
+/// The way that the light travels from a place (unit disc) on it.
+glm::vec3 placeOnLight(const glm::vec3& given, const glm::vec2& place) {
+    const float length = glm::length(given);
+    const glm::vec3 way = length > 1.0e-6f ? given / length : glm::vec3(0.0f, -1.0f, 0.0f);
+    const glm::vec3 aside =
+        glm::normalize(glm::cross(way, std::abs(way.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0)));
+    return glm::normalize(way + kLightSize * (place.x * aside + place.y * glm::cross(way, aside)));
+}
+
+/// Colours that stand for a quantity stay as they are, and lines alone have no surface.
+bool hasOcclusion(const Frame& frame) {
+    return !frame.change && frame.options.wireframe != WireframeMode::Only;
+}
+
+/// Whether something is drawn over the scene that the scene may hide.
+bool hasOverlays(const Frame& frame) {
+    return !frame.marks.empty() || frame.highlightedHit || frame.showsCutPlane || frame.ghost;
+}
+
+}  // namespace
+
+Status Renderer::Private::addSample(const Frame& frame, DeformationPipeline& pipeline,
+                                    RefinedPicture& picture) {
+    const RefinedPicture::Sample sample = RefinedPicture::sampleAt(picture.samples());
+    const Occlusion near{picture.depths(), sample.jitter, sample.turn};
+    const bool isPlain = !picture.hasDepths();
+    if (!isPlain) {
+        jitter = sample.jitter;
+        occlusion = hasOcclusion(frame) ? &near : nullptr;
+    }
+    FrameContext context = contextOf(frame);
+    if (ShadowMap::isWanted(frame)) {
+        Frame shadowed = frame;
+        shadowed.lights.directional.direction =
+            placeOnLight(frame.lights.directional.direction, sample.light);
+        if (Status status = sampleShadows.update(contextOf(shadowed), pipeline); !status) {
+            return status;
+        }
+        context.shadows = &sampleShadows;
+    }
+    const GLuint framebuffer = isPlain ? picture.plainFramebuffer() : picture.sampleFramebuffer();
+    if (Status status = drawPicture(context, pipeline, framebuffer); !status) {
+        return status;
+    }
+    if (isPlain) {
+        picture.setHasDepths();
+        return Done{};
+    }
+    if (Status status = trails.draw(context); !status) {
+        return status;
+    }
+    return picture.add(programs, emptyArray.id());
+}
+
+Status Renderer::refine(const Frame& given, DeformationPipeline& pipeline, RefinedPicture& picture) {
+    if (given.width <= 0 || given.height <= 0) {
+        return Done{};
+    }
+    const KeepState keep;
+    if (!picture.prepare(given.width, given.height)) {
+        return Error{"This graphics driver cannot sum up pictures of " + std::to_string(given.width) + " x " +
+                         std::to_string(given.height) + " pixels.",
+                     "", "Choose a smaller size, or a single sample."};
+    }
+    const LitFrame lit(given);
+    Status status = d->addSample(lit.frame(), pipeline, picture);
+    d->jitter = glm::vec2(0.0f);
+    d->occlusion = nullptr;
+    return status;
+}
+
+Status Renderer::drawRefined(const Frame& given, DeformationPipeline& pipeline, const RefinedPicture& picture,
+                             GLuint framebuffer) {
+    if (given.width <= 0 || given.height <= 0 || picture.samples() == 0) {
+        return Done{};
+    }
+    const KeepState keep;
+    const LitFrame lit(given);
+    const Frame& frame = lit.frame();
+    const FrameContext context = d->contextOf(frame);
+    prepareFramebuffer(frame, framebuffer);
+    if (Status status = picture.draw(d->programs, d->emptyArray.id(), hasOverlays(frame)); !status) {
+        return status;
+    }
+    startBlended();
+    if (Status status = drawMarks(context, pipeline); !status) {
+        return status;
+    }
+    return d->drawOver(context);
+}
+
+}  // namespace hitscope

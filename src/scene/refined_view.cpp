@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/refined_view.h"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "render/refined_picture.h"
+#include "scene/frame_parts.h"
+
+namespace hitscope {
+
+namespace {
+
+/// What decides about the picture's pixels.
+struct RefinedKey {
+    struct Item {
+        TargetId target;
+        const TargetBuffers* buffers;
+        const MaterialSet* materials;
+        glm::mat4 model;
+        bool selected;
+        bool operator==(const Item&) const = default;
+    };
+    struct Ball {
+        glm::vec3 centre;
+        float radius;
+        bool operator==(const Ball&) const = default;
+    };
+    struct Projectile {
+        Ball sphere;
+        glm::vec3 colour;
+        std::vector<glm::vec3> trail;
+        bool operator==(const Projectile&) const = default;
+    };
+    explicit RefinedKey(const FrameParts& parts);
+    bool operator==(const RefinedKey&) const = default;
+
+    int width;
+    int height;
+    float pixelRatio;
+    Camera camera;
+    Lights lights;
+    DisplayOptions options;
+    float floorHeight;
+    std::optional<ShownChange> change;
+    std::uint64_t meshRevision;
+    std::uint64_t dataRevision;
+    std::vector<Item> items;
+    std::vector<Projectile> projectiles;
+    std::shared_ptr<const SectionLines> section;
+    std::optional<Ball> highlightedHit;
+};
+
+RefinedKey::RefinedKey(const FrameParts& parts)
+    : width(parts.frame.width),
+      height(parts.frame.height),
+      pixelRatio(parts.frame.pixelRatio),
+      camera(parts.frame.camera),
+      lights(parts.frame.lights),
+      options(parts.frame.options),
+      floorHeight(parts.frame.floorHeight),
+      change(parts.frame.change),
+      meshRevision(parts.frame.meshRevision),
+      dataRevision(parts.dataRevision),
+      section(parts.frame.section) {
+    if (const std::optional<Sphere>& hit = parts.frame.highlightedHit) {
+        highlightedHit = Ball{hit->centre, hit->radius};
+    }
+    options.crosshair = false;  // it is drawn over the picture
+    for (const DrawItem& item : parts.items) {
+        items.push_back({item.target, item.buffers, item.materials, item.model, item.selected});
+    }
+    for (const ProjectileItem& projectile : parts.projectiles) {
+        projectiles.push_back({{projectile.sphere.centre, projectile.sphere.radius},
+                               projectile.colour,
+                               {projectile.trail.begin(), projectile.trail.end()}});
+    }
+}
+
+}  // namespace
+
+struct RefinedView::Private {
+    RefinedPicture picture;
+    std::optional<RefinedKey> key;
+};
+
+RefinedView::RefinedView() : d(std::make_unique<Private>()) {}
+RefinedView::~RefinedView() = default;
+
+int RefinedView::samples() const {
+    return d->picture.samples();
+}
+
+bool RefinedView::isPossible() const {
+    return d->key.has_value();
+}
+
+RefinedPicture& RefinedView::picture() {
+    return d->picture;
+}
+
+void RefinedView::follow(const FrameParts& parts, bool isSideBySide) {
+    std::optional<RefinedKey> key;
+    if (!isSideBySide) {
+        key.emplace(parts);
+    }
+    if (key == d->key) {
+        return;
+    }
+    m_restarts += samples() > 0 ? 1 : 0;
+    d->picture.clear();
+    d->key = std::move(key);
+}
+
+bool RefinedView::show(const FrameParts& parts, bool isSideBySide) {
+    follow(parts, isSideBySide);
+    m_shown = samples() >= kFewestShown;
+    return m_shown;
+}
+
+}  // namespace hitscope

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+namespace hitscope {
+
+struct FrameParts;
+class RefinedPicture;
+
+/// A refined picture, and what it is a picture of: everything but the marks over it, so that these can change
+/// while it stays. A context is current for every call and the destructor, once it has a sample.
+class RefinedView {
+public:
+    RefinedView();
+    ~RefinedView();
+    RefinedView(const RefinedView&) = delete;
+    RefinedView& operator=(const RefinedView&) = delete;
+
+    /// Fewer samples are not shown: their noise would be seen.
+    static constexpr int kFewestShown = 4;
+
+    [[nodiscard]] int samples() const;
+    /// Whether it was drawn at the last SceneGpu::draw().
+    [[nodiscard]] bool wasShown() const { return m_shown; }
+    /// False: two pictures are side by side.
+    [[nodiscard]] bool isPossible() const;
+    /// How often samples were forgotten because the picture had become another.
+    [[nodiscard]] int restarts() const { return m_restarts; }
+
+    // What follows is SceneGpu's.
+
+    /// Forgets the samples where they are of another picture than this.
+    void follow(const FrameParts& parts, bool isSideBySide);
+    /// Likewise; returns whether there are samples enough to be shown.
+    [[nodiscard]] bool show(const FrameParts& parts, bool isSideBySide);
+    [[nodiscard]] RefinedPicture& picture();
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d;
+    bool m_shown = false;
+    int m_restarts = 0;
+};
+
+}  // namespace hitscope

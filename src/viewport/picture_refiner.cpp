@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/picture_refiner.h"
+
+#include <utility>
+
+#include "scene/picture.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr int kBetweenLooks = 150;  // milliseconds from one look at what there is to the next
+
+}  // namespace
+
+PictureRefiner::PictureRefiner(Hooks hooks, QObject* parent) : QObject(parent), m_hooks(std::move(hooks)) {
+    m_timer.setSingleShot(true);
+    connect(&m_timer, &QTimer::timeout, this, &PictureRefiner::step);
+}
+
+PictureRefiner::~PictureRefiner() = default;
+
+void PictureRefiner::setOn(bool on) {
+    if (on == m_on) {
+        return;
+    }
+    m_on = on;
+    if (!on) {
+        releaseGpu();
+    } else if (m_whyNot.isEmpty()) {
+        m_view = std::make_unique<RefinedView>();
+    }
+}
+
+void PictureRefiner::releaseGpu() {
+    m_timer.stop();
+    m_view = m_view && m_on ? std::make_unique<RefinedView>() : nullptr;
+}
+
+bool PictureRefiner::isDone() const {
+    return m_view == nullptr || m_view->samples() >= kShownSamples;
+}
+
+void PictureRefiner::framePainted() {
+    if (isDone()) {
+        m_timer.stop();
+    } else if (!m_view->wasShown() || !m_timer.isActive()) {
+        m_timer.start(m_view->wasShown() ? 0 : kRest);
+    }
+}
+
+void PictureRefiner::inputCame() {
+    if (m_timer.isActive()) {
+        m_timer.start(kRest);
+    }
+}
+
+void PictureRefiner::step() {
+    if (isDone() || !m_hooks.mayRefine()) {
+        return;  // the next frame that is painted goes on
+    }
+    const int before = m_view->samples();
+    if (Status added = m_hooks.addSample(*m_view); !added) {
+        m_view.reset();
+        m_whyNot = QString::fromStdString(added.error().message());
+        Q_EMIT failed();
+        m_hooks.show();
+        return;
+    }
+    if (m_view == nullptr || !m_view->isPossible()) {
+        return;
+    }
+    const int samples = m_view->samples();
+    if (samples > before) {
+        Q_EMIT refined(samples);
+    }
+    const bool isNew = !m_sinceShown.isValid() || m_sinceShown.elapsed() >= kBetweenLooks;
+    if (isDone() || (samples >= RefinedView::kFewestShown && isNew)) {
+        m_sinceShown.start();
+        m_hooks.show();
+    }
+    if (!isDone()) {
+        m_timer.start(0);
+    }
+}
+
+}  // namespace hitscope

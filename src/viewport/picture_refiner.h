@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <functional>
+#include <memory>
+
+#include "core/result.h"
+#include "scene/refined_view.h"
+
+namespace hitscope {
+
+/// Refines a picture while nothing else happens: a sample at a time, between events, until there are as many
+/// as a refined picture of a window has. Then nothing runs.
+class PictureRefiner : public QObject {
+    Q_OBJECT
+public:
+    struct Hooks {
+        std::function<bool()> mayRefine;  ///< nothing moves, and there is something to draw into
+        std::function<Status(RefinedView&)> addSample;  ///< with the context current
+        std::function<void()> show;                     ///< asks for a frame
+    };
+    explicit PictureRefiner(Hooks hooks, QObject* parent = nullptr);
+    ~PictureRefiner() override;
+
+    /// Off: what there is is forgotten. The context is current, or there is nothing.
+    void setOn(bool on);
+    /// To be given to SceneGpu::draw(); null: nothing is refined.
+    [[nodiscard]] RefinedView* view() { return m_view.get(); }
+    /// Whether the last frame was the refined picture: nothing new was drawn.
+    [[nodiscard]] bool wasShown() const { return m_view && m_view->wasShown(); }
+    [[nodiscard]] int samples() const { return m_view ? m_view->samples() : 0; }
+    /// Why nothing is refined here; empty: nothing is in the way.
+    [[nodiscard]] const QString& whyNot() const { return m_whyNot; }
+
+    void framePainted();  ///< one was
+    void inputCame();     ///< what is under way waits until no more comes
+    void releaseGpu();    ///< the context goes; it is current
+
+    static constexpr int kRest = 60;  ///< milliseconds without frame or input before the first sample
+
+Q_SIGNALS:
+    void refined(int samples);  ///< one sample more
+    void failed();              ///< whyNot() says more
+
+private:
+    void step();
+    [[nodiscard]] bool isDone() const;
+
+    Hooks m_hooks;
+    std::unique_ptr<RefinedView> m_view;  ///< null: off
+    bool m_on = false;
+    QString m_whyNot;
+    QTimer m_timer;
+    QElapsedTimer m_sinceShown;
+};
+
+}  // namespace hitscope

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Refined pictures: what the mean of their samples comes to.
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "gl/render_target.h"
+#include "mesh/primitives.h"
+#include "open_renderer.h"
+#include "render/refined_picture.h"
+#include "render_support.h"
+#include "support/baseline.h"
+#include "support/gl_fixture.h"
+#include "support/test_program.h"
+
+using namespace hitscope;
+using namespace hitscope::test;
+
+namespace {
+
+constexpr int kWidth = 160;
+constexpr int kHeight = 120;
+
+/// Each pixel the mean of side x side.
+QImage shrunk(const QImage& large, int side) {
+    QImage small(large.width() / side, large.height() / side, QImage::Format_RGB32);
+    for (int y = 0; y < small.height(); ++y) {
+        for (int x = 0; x < small.width(); ++x) {
+            int sums[3] = {};
+            for (int i = 0; i < side * side; ++i) {
+                const QRgb pixel = large.pixel(side * x + i % side, side * y + i / side);
+                sums[0] += qRed(pixel);
+                sums[1] += qGreen(pixel);
+                sums[2] += qBlue(pixel);
+            }
+            const int count = side * side;
+            const auto mean = [count](int sum) { return (sum + count / 2) / count; };
+            small.setPixel(x, y, qRgb(mean(sums[0]), mean(sums[1]), mean(sums[2])));
+        }
+    }
+    return small;
+}
+
+/// The mean difference of a channel.
+double meanDifference(const QImage& a, const QImage& b) {
+    double sum = 0.0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            sum += levels(a.pixel(x, y), b.pixel(x, y));
+        }
+    }
+    return sum / (a.width() * a.height());
+}
+
+int green(const QImage& image, int x, int y) {
+    return qGreen(image.pixel(x, y));
+}
+
+}  // namespace
+
+class RefinedTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase();
+    void cleanup() { QCOMPARE(m_gl.errors(), QStringList()); }
+    void cleanupTestCase();
+    void samplesAreSpread();
+    void convergesToTheMean();
+    void sameBitsAgain();
+    void coloursOfChangeStay();
+    void dentsGetDarker();
+    void shadowsGetSoft();
+    void environmentIsRefined();
+    void orthographicHasOcclusion();
+    void marksAreCrisp();
+    void transparentStaysSo();
+    void nextSizeStartsAnew();
+
+private:
+    [[nodiscard]] Frame frame(const DisplayOptions& options = {}) const;
+    /// The mean of so many samples.
+    [[nodiscard]] QImage refined(const Frame& frame, int samples);
+    [[nodiscard]] QImage shown(const Frame& frame);
+    [[nodiscard]] QImage plain(const Frame& frame, int samples = 1) {
+        return picture(*m_renderer, frame, *m_pipeline, samples);
+    }
+
+    GlFixture m_gl;
+    std::unique_ptr<Renderer> m_renderer;
+    std::unique_ptr<TestScene> m_scene;
+    std::unique_ptr<DeformationPipeline> m_pipeline;
+    std::unique_ptr<RefinedPicture> m_picture;
+};
+
+void RefinedTest::initTestCase() {
+    m_renderer = openRenderer(m_gl);
+    if (!m_renderer) {
+        return;
+    }
+    std::vector<Hit> hits = dents({1}, 1);
+    hits[0].constants = {1.0f, 0.5f, 0.7f};
+    m_scene = std::make_unique<TestScene>();
+    m_scene->add(*m_renderer, makeUvSphere(96, 64, 2.5f), glm::vec3(0.0f, 2.5f, 0.0f));
+    m_scene->showTrueNormals(hits);
+    m_pipeline = m_scene->pipeline(PipelineKind::TransformFeedback, hits);
+    m_picture = std::make_unique<RefinedPicture>();
+}
+
+void RefinedTest::cleanupTestCase() {
+    m_picture.reset();
+    m_pipeline.reset();
+    m_scene.reset();
+    m_renderer.reset();
+}
+
+Frame RefinedTest::frame(const DisplayOptions& options) const {
+    Frame made = frameOf(*m_scene, kWidth, kHeight);
+    made.camera.zoom(0.8f);
+    made.options = options;
+    made.meshRevision = 1;
+    if (options.change.on) {
+        made.change = ShownChange{options.change.quantity, options.change.style().map,
+                                  options.change.style().fixed, 0.0f};
+    }
+    return made;
+}
+
+QImage RefinedTest::shown(const Frame& frame) {
+    const gl::RenderTarget target(frame.width, frame.height, 1);
+    if (!m_renderer->drawRefined(frame, *m_pipeline, *m_picture, target.framebuffer()).ok()) {
+        return {};
+    }
+    const Image image = target.read();
+    return QImage(image.pixels.data(), image.width, image.height, QImage::Format_RGBA8888).copy();
+}
+
+QImage RefinedTest::refined(const Frame& frame, int samples) {
+    m_picture->clear();
+    while (m_picture->samples() < samples) {
+        if (const Status added = m_renderer->refine(frame, *m_pipeline, *m_picture); !added) {
+            qCritical("%s", added.error().message().c_str());
+            return {};
+        }
+    }
+    return shown(frame);
+}
+
+void RefinedTest::samplesAreSpread() {
+    for (const int count : {4, 16, 64}) {
+        glm::vec2 middle(0.0f);
+        std::vector<int> columns(4, 0);
+        for (int i = 0; i < count; ++i) {
+            const RefinedPicture::Sample sample = RefinedPicture::sampleAt(i);
+            QVERIFY(std::max(std::abs(sample.jitter.x), std::abs(sample.jitter.y)) < 0.54f);
+            QVERIFY(glm::dot(sample.light, sample.light) <= 1.0001f);
+            middle += sample.jitter / static_cast<float>(count);
+            ++columns[static_cast<std::size_t>(std::clamp(4.0f * (sample.jitter.x + 0.5f), 0.0f, 3.0f))];
+        }
+        QVERIFY2(std::max(std::abs(middle.x), std::abs(middle.y)) < 0.5f / static_cast<float>(count) + 0.03f,
+                 qPrintable(QStringLiteral("%1: %2, %3").arg(count).arg(middle.x).arg(middle.y)));
+        QVERIFY(*std::min_element(columns.begin(), columns.end()) >= std::max(1, count / 5));
+    }
+}
+
+/// Lit as ever and with no floor, a sample is the frame itself, off by a part of a pixel: their mean is that
+/// of a larger picture's pixels.
+void RefinedTest::convergesToTheMean() {
+    DisplayOptions options{.floor = false, .transparent = true};
+    options.change.on = true;
+    Frame large = frame(options);
+    large.width *= 8;
+    large.height *= 8;
+    const QImage reference = shrunk(plain(large), 8);
+    const double once = meanDifference(plain(frame(options)), reference);
+    const double four = meanDifference(refined(frame(options), 4), reference);
+    const double sixteen = meanDifference(refined(frame(options), 16), reference);
+    const double most = meanDifference(refined(frame(options), 64), reference);
+    const QString all = QStringLiteral("%1 %2 %3 %4").arg(once).arg(four).arg(sixteen).arg(most);
+    QVERIFY2(four < 0.75 * once && sixteen < 0.25 * once && most < 1.2 * sixteen, qPrintable(all));
+    QCOMPARE(differing(refined(frame(options), 64), reference, 12), 0);
+}
+
+void RefinedTest::sameBitsAgain() {
+    const DisplayOptions options{.shadows = true};
+    const QImage first = refined(frame(options), 16);
+    static_cast<void>(refined(frame(DisplayOptions{.environment = true}), 3));
+    QCOMPARE(differing(first, refined(frame(options), 16)), 0);
+    QVERIFY(differing(first, refined(frame(options), 15)) > 0);
+}
+
+/// Colours that stand for a quantity mean what the bar says: nothing darkens them.
+void RefinedTest::coloursOfChangeStay() {
+    DisplayOptions options{.floor = false, .shadows = true};
+    options.change.on = true;
+    const QImage once = plain(frame(options));
+    const QImage mean = refined(frame(options), 16);
+    int inside = 0;
+    int off = 0;
+    for (int y = 1; y + 1 < kHeight; ++y) {
+        for (int x = 1; x + 1 < kWidth; ++x) {
+            // Where the picture is smooth, half a pixel aside is nothing.
+            int steep = 0;
+            for (int i = 0; i < 9; ++i) {
+                steep = std::max(steep, levels(once.pixel(x, y), once.pixel(x + i % 3 - 1, y + i / 3 - 1)));
+            }
+            inside += steep <= 3 ? 1 : 0;
+            off += steep <= 3 && levels(once.pixel(x, y), mean.pixel(x, y)) > 2 ? 1 : 0;
+        }
+    }
+    QVERIFY2(inside > 5000 && off == 0, qPrintable(QStringLiteral("%1 of %2").arg(off).arg(inside)));
+}
+
+void RefinedTest::dentsGetDarker() {
+    const Frame view = frame(DisplayOptions{.floor = false});
+    const QImage once = plain(view);
+    const QImage mean = refined(view, 16);
+    int darker = 0;
+    int brighter = 0;
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            const int change = green(mean, x, y) - green(once, x, y);
+            darker += change < -10 ? 1 : 0;
+            brighter += change > 10 ? 1 : 0;
+        }
+    }
+    // The dent, and nothing of the convex rest but its outline.
+    QVERIFY2(darker > 150 && darker < 3000 && brighter < darker / 3,
+             qPrintable(QStringLiteral("%1, %2").arg(darker).arg(brighter)));
+}
+
+void RefinedTest::shadowsGetSoft() {
+    Frame view = frame(DisplayOptions{.shadows = true});
+    view.camera.orbit(0.0f, 0.5f);
+    view.camera.zoom(1.6f);
+    for (PointLight& light : view.lights.points) {
+        light.on = false;
+    }
+    view.lights.spot.on = false;
+    const QImage cover = plain([&view] {
+        Frame alone = view;
+        alone.options = DisplayOptions{.floor = false, .transparent = true};
+        return alone;
+    }());
+    // Pixels of the shadow's edge on the floor: neither lit nor dark.
+    const auto between = [this, &view, &cover](bool refine) {
+        Frame bare = view;
+        bare.options.shadows = false;
+        const QImage with = refine ? refined(view, 32) : plain(view);
+        const QImage without = refine ? refined(bare, 32) : plain(bare);
+        int deepest = 0;
+        for (int pass = 0, count = 0; pass < 2; ++pass) {
+            for (int y = 0; y < kHeight; ++y) {
+                for (int x = 0; x < kWidth; ++x) {
+                    if (qAlpha(cover.pixel(x, y)) != 0) {
+                        continue;
+                    }
+                    const int lost = green(without, x, y) - green(with, x, y);
+                    deepest = pass == 0 ? std::max(deepest, lost) : deepest;
+                    count += pass == 1 && lost > deepest / 5 && lost < deepest * 4 / 5 ? 1 : 0;
+                }
+            }
+            if (pass == 1) {
+                return count;
+            }
+        }
+        return 0;
+    };
+    const int hard = between(false);
+    const int soft = between(true);
+    QVERIFY2(soft > hard * 5 / 4, qPrintable(QStringLiteral("%1, %2").arg(hard).arg(soft)));
+}
+
+void RefinedTest::environmentIsRefined() {
+    for (const SurfaceLook look : {SurfaceLook::Matcap, SurfaceLook::Clay, SurfaceLook::Metal}) {
+        const Frame view = frame(DisplayOptions{.shadows = true, .look = look, .environment = true});
+        const QImage mean = refined(view, 8);
+        QVERIFY(differing(mean, plain(view), 4) > 300);
+        QVERIFY(differing(mean, plain(view), 90) < kWidth * kHeight / 20);
+    }
+}
+
+void RefinedTest::orthographicHasOcclusion() {
+    Frame view = frame(DisplayOptions{.floor = false});
+    const auto darkest = [this](const Frame& seen) {
+        const QImage mean = refined(seen, 16);
+        const QImage once = plain(seen);
+        int sum = 0;
+        for (int y = kHeight / 4; y < kHeight * 3 / 4; ++y) {
+            for (int x = kWidth / 3; x < kWidth * 2 / 3; ++x) {
+                sum += std::max(0, green(once, x, y) - green(mean, x, y));
+            }
+        }
+        return sum;
+    };
+    const int perspective = darkest(view);
+    view.camera.setProjection(Projection::Orthographic);
+    const int orthographic = darkest(view);
+    QVERIFY2(perspective > 1000 && orthographic > perspective / 2 && orthographic < 2 * perspective,
+             qPrintable(QStringLiteral("%1, %2").arg(perspective).arg(orthographic)));
+}
+
+/// What is drawn over the scene is not part of the mean, and the scene hides it as ever.
+void RefinedTest::marksAreCrisp() {
+    Frame view = frame(DisplayOptions{.floor = false, .crosshair = true});
+    const QImage bare = [&] {
+        Frame without = view;
+        without.options.crosshair = false;
+        return refined(without, 16);
+    }();
+    // The picture is that of before: only what is over it is drawn.
+    const QImage crossed = shown(view);
+    const int changed = differing(bare, crossed, 20);
+    Frame once = view;
+    once.options.crosshair = false;
+    const int changedOnce = differing(plain(once), plain(view), 20);
+    QVERIFY2(changed > 20 && std::abs(changed - changedOnce) < changedOnce / 4 + 4,
+             qPrintable(QStringLiteral("%1, %2").arg(changed).arg(changedOnce)));
+}
+
+void RefinedTest::transparentStaysSo() {
+    const Frame view = frame(DisplayOptions{.floor = false, .transparent = true});
+    const QImage mean = refined(view, 16);
+    QCOMPARE(qAlpha(mean.pixel(2, 2)), 0);
+    QCOMPARE(qAlpha(mean.pixel(kWidth / 2, kHeight / 2)), 255);
+    int partly = 0;
+    for (int x = 0; x < kWidth; ++x) {
+        const int alpha = qAlpha(mean.pixel(x, kHeight / 2));
+        partly += alpha > 0 && alpha < 255 ? 1 : 0;
+    }
+    QVERIFY(partly >= 1 && partly <= 4);
+}
+
+void RefinedTest::nextSizeStartsAnew() {
+    Frame view = frame();
+    static_cast<void>(refined(view, 2));
+    view.width = 100;
+    QVERIFY(m_renderer->refine(view, *m_pipeline, *m_picture).ok());
+    QCOMPARE(m_picture->samples(), 0);
+    QVERIFY(m_renderer->refine(view, *m_pipeline, *m_picture).ok());
+    QCOMPARE(m_picture->samples(), 1);
+    QCOMPARE(shown(view).width(), 100);
+}
+
+HITSCOPE_TEST(RefinedTest, QCoreApplication)
+#include "refined_test.moc"

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window's picture refines itself at rest, stops, and begins anew with each change.
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QImageReader>
+#include <QMenu>
+#include <QSignalSpy>
+#include <algorithm>
+#include <array>
+
+#include "app/actions/picture_actions.h"
+#include "mesh/primitives.h"
+#include "scene/picture.h"
+#include "support/baseline.h"
+#include "support/test_program.h"
+#include "viewport/picture_refiner.h"
+#include "widgets/window_support.h"
+
+using namespace hitscope;
+
+class RefineTest : public QObject, protected WindowFixture {
+    Q_OBJECT
+public:
+    static void initMain() { MainWindow::setSurfaceFormat(); }
+
+private Q_SLOTS:
+    void init();
+    void cleanup() { dropWindow(); }
+    void stopsAtSixteen();
+    void changesBeginAnew_data();
+    void changesBeginAnew();
+    void whatIsOverItDoesNot();
+    void offForgets();
+    void measuringIsWithout();
+    void savedAreTheSameToTheBit();
+    void turntableIsOneClick();
+    void environmentTurnsLightsOff();
+
+private:
+    [[nodiscard]] Viewport& viewport() { return m_window->viewport(); }
+    [[nodiscard]] PictureRefiner& refiner() { return viewport().refiner(); }
+    void waitUntilRefined() {
+        QTRY_COMPARE_WITH_TIMEOUT(refiner().samples(), kShownSamples, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(refiner().wasShown(), kPatience);
+    }
+    void set(const std::function<void(DisplayOptions&)>& how) {
+        DisplayOptions options = viewport().options();
+        how(options);
+        viewport().setOptions(options);
+    }
+};
+
+void RefineTest::init() {
+    makeWindow();
+    // The samples are few pixels each, so that a slow renderer is no trouble.
+    m_window->resize(700, 500);
+    set([](DisplayOptions& options) { options.refine = true; });
+    waitUntilRefined();
+}
+
+void RefineTest::stopsAtSixteen() {
+    const QSignalSpy samples(&refiner(), &PictureRefiner::refined);
+    const QSignalSpy frames(&viewport(), &Viewport::framePainted);
+    QTest::qWait(1500);
+    QCOMPARE(samples.size(), 0);
+    QCOMPARE(frames.size(), 0);
+    QCOMPARE(refiner().samples(), kShownSamples);
+    // It is what one sees, and smoother than a frame.
+    const QImage mean = viewport().grabFramebuffer();
+    set([](DisplayOptions& options) { options.refine = false; });
+    QVERIFY(test::differing(mean, viewport().grabFramebuffer(), 8) > 200);
+}
+
+void RefineTest::changesBeginAnew_data() {
+    QTest::addColumn<int>("change");
+    const char* names[] = {"camera", "hit", "light", "option", "target", "size"};
+    for (int i = 0; i < 6; ++i) {
+        QTest::newRow(names[i]) << i;
+    }
+}
+
+void RefineTest::changesBeginAnew() {
+    QFETCH(int, change);
+    const QSignalSpy samples(&refiner(), &PictureRefiner::refined);
+    const QImage before = viewport().grabFramebuffer();
+    const TargetId target = m_session->targets().front()->id;
+    switch (change) {
+        case 0: {
+            Camera camera = viewport().camera();
+            camera.orbit(0.3f, 0.1f);
+            viewport().navigation().setCamera(camera);
+            break;
+        }
+        case 1: {
+            Hit hit;
+            hit.target = target;
+            hit.point = -2.5f * viewport().camera().forward();
+            hit.direction = viewport().camera().forward();
+            QVERIFY(m_session->hits().add(hit).ok());
+            break;
+        }
+        case 2: {
+            Lights lights = m_session->settings().lights();
+            lights.directional.direction.x *= -1.0f;
+            m_session->settings().setLights(lights);
+            break;
+        }
+        case 3:
+            set([](DisplayOptions& options) { options.look = SurfaceLook::Clay; });
+            break;
+        case 4:
+            m_session->targets().setVisible(std::array{target}, false);
+            break;
+        default:
+            m_window->resize(740, 520);
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(!samples.isEmpty(), kPatience);
+    QCOMPARE(samples.front().front().toInt(), 1);
+    waitUntilRefined();
+    const QImage after = viewport().grabFramebuffer();
+    QVERIFY(after.size() != before.size() || test::differing(before, after, 4) > 30);
+}
+
+void RefineTest::whatIsOverItDoesNot() {
+    const QImage before = viewport().grabFramebuffer();
+    const QSignalSpy samples(&refiner(), &PictureRefiner::refined);
+    set([](DisplayOptions& options) { options.crosshair = true; });
+    QTRY_VERIFY_WITH_TIMEOUT(test::differing(before, viewport().grabFramebuffer(), 20) > 10, kPatience);
+    QTest::qWait(300);
+    QCOMPARE(samples.size(), 0);
+    QCOMPARE(refiner().samples(), kShownSamples);
+    set([](DisplayOptions& options) { options.crosshair = false; });
+    QCOMPARE(test::differing(before, viewport().grabFramebuffer()), 0);
+}
+
+void RefineTest::offForgets() {
+    set([](DisplayOptions& options) { options.refine = false; });
+    QCOMPARE(refiner().samples(), 0);
+    const QSignalSpy samples(&refiner(), &PictureRefiner::refined);
+    viewport().update();
+    QTest::qWait(500);
+    QCOMPARE(samples.size(), 0);
+    QVERIFY(!refiner().wasShown());
+}
+
+void RefineTest::measuringIsWithout() {
+    const QSignalSpy samples(&refiner(), &PictureRefiner::refined);
+    const QSignalSpy frames(&viewport(), &Viewport::framePainted);
+    viewport().setDrawsContinuously(true);
+    QTRY_VERIFY_WITH_TIMEOUT(frames.size() > 5, kPatience);
+    QCOMPARE(samples.size(), 0);
+    viewport().setDrawsContinuously(false);
+    waitUntilRefined();
+}
+
+void RefineTest::savedAreTheSameToTheBit() {
+    PictureRequest request = viewport().pictureRequest();
+    request.width = 200;
+    request.height = 150;
+    request.samples = 24;
+    const Result<Image> first = viewport().drawPicture(request);
+    const Result<Image> second = viewport().drawPicture(request);
+    QVERIFY(first.ok() && second.ok());
+    QVERIFY(first.value().pixels == second.value().pixels);
+    const auto& notes = first.value().notes;
+    QVERIFY(std::find(notes.begin(), notes.end(), std::pair<std::string, std::string>("Samples", "24")) !=
+            notes.end());
+    request.samples = 1;
+    const Result<Image> once = viewport().drawPicture(request);
+    QVERIFY(once.ok() && once.value().pixels != first.value().pixels);
+}
+
+void RefineTest::turntableIsOneClick() {
+    const QTemporaryDir folder;
+    auto* pictures = m_window->findChild<PictureActions*>();
+    SequenceWriter::Plan plan = pictures->turntablePlan();
+    QVERIFY(plan.turntable >= 60 && plan.picture.samples == kShownSamples);
+    plan.picture.width = 96;
+    plan.picture.height = 64;
+    plan.turntable = 4;
+    plan.folder = folder.path();
+    const QSignalSpy ended(&pictures->sequences(), &SequenceWriter::ended);
+    const QSignalSpy progress(&pictures->sequences(), &SequenceWriter::sampled);
+    pictures->writeSequence(plan);
+    QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, kPatience);
+    QVERIFY(progress.size() >= 4 * (kShownSamples - 1));
+    const QStringList files = QDir(folder.path()).entryList(QDir::Files, QDir::Name);
+    QCOMPARE(files.size(), 4);
+    QImageReader reader(QDir(folder.path()).filePath(files.front()));
+    QCOMPARE(reader.text(QStringLiteral("Samples")), QString::number(kShownSamples));
+    // From all sides the whole scene is in the picture: its edge shows none of it.
+    for (const QString& file : files) {
+        const QImage image(QDir(folder.path()).filePath(file));
+        QCOMPARE(image.size(), QSize(96, 64));
+    }
+}
+
+void RefineTest::environmentTurnsLightsOff() {
+    const auto light = [this]() -> QAction* {
+        for (QAction* action : m_window->findChildren<QAction*>()) {
+            if (action->text() == QStringLiteral("&Directional")) {
+                return action;
+            }
+        }
+        return nullptr;
+    };
+    QVERIFY(light() != nullptr && light()->isEnabled());
+    set([](DisplayOptions& options) { options.environment = true; });
+    QVERIFY(!light()->isEnabled() && light()->toolTip().contains(QStringLiteral("environment")));
+    set([](DisplayOptions& options) { options.environment = false; });
+    QVERIFY(light()->isEnabled());
+}
+
+HITSCOPE_TEST(RefineTest, QApplication)
+#include "refine_test.moc"
