@@ -109,8 +109,14 @@ Status appendRecords(Session& session, const HitRecords& table) {
         return unknownTargets(unknown);
     }
     std::vector<Hit> hits = table.hits;
+    std::map<std::uint32_t, HitGroup> groups;  // by its number in the table: of the session
     for (Hit& hit : hits) {
         hit.target = ids[hit.target];
+        if (hit.group) {
+            const auto [group, isNew] = groups.try_emplace(hit.group.number);
+            group->second = isNew ? session.hits().newGroup(hit.group.kind) : group->second;
+            hit.group = group->second;
+        }
     }
     return session.hits().add(hits);
 }

@@ -23,8 +23,8 @@ namespace hitscope {
 /// As JSON where the name says so, else as CSV; whole or not at all. Of any thread, as the above.
 [[nodiscard]] Status writeHitFile(const HitRecords& table, const QString& path);
 
-/// Appends the table's hits, on the targets of the same names, as one step to undo. All or none: the error
-/// says which names no target of the scene has.
+/// Appends the table's hits, on the targets of the same names, as one step to undo; its groups
+/// become new ones. All or none: the error says which names no target of the scene has.
 [[nodiscard]] Status appendRecords(Session& session, const HitRecords& table);
 
 }  // namespace hitscope

@@ -38,8 +38,8 @@ private:
 /// speed, impulse (floats), triangle (32 bits), enabled (a byte, 0 or 1); of a hit whose form is not the
 /// paper's also profile and direction (a byte each, their places in kDentProfileKeys and kDentDirectionKeys
 /// from 0), the radius that presses (a float; else 0) and the ordinates of the curve (8 floats; the usual
-/// ones of another profile). The sign of a zero does not count: readers of JSON lose it. Hit::pipeline and
-/// Hit::flight do not count either; they deform nothing.
+/// ones of another profile). The sign of a zero does not count: readers of JSON lose it. Hit::pipeline,
+/// Hit::flight and Hit::group do not count either; they deform nothing.
 [[nodiscard]] std::uint64_t hitsFingerprint(std::span<const Hit> hits, std::span<const TargetId> targets);
 
 /// Of positions as the active pipeline made them, to the last bit, the sign of zeros among it. The number of

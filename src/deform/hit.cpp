@@ -85,6 +85,9 @@ Result<Hit> checkedHit(Hit hit) {
     if (std::abs(lengthSquared - 1.0) > 2.5e-7) {
         hit.direction = glm::vec3(direction / std::sqrt(lengthSquared));
     }
+    if (!hit.group) {
+        hit.group = {};
+    }
     removeTiny(hit);
     return hit;
 }

@@ -8,6 +8,7 @@
 #include "core/result.h"
 #include "deform/deformation_constants.h"
 #include "deform/dent_form.h"
+#include "deform/hit_group.h"
 #include "mesh/mesh_data.h"
 
 namespace hitscope {
@@ -32,6 +33,7 @@ struct Hit {
                                         ///< undented primitive, which is struck as what it is
     std::uint8_t pipeline = kUnknownPipeline;  ///< that was active when it was made, as a number that who
                                                ///< makes hits gives a meaning; nothing here depends on it
+    HitGroup group = {};                       ///< that it was made with
 
     glm::vec3 flight{0.0f};  ///< unit, local frame: `direction` as the projectile had it, where that was
                              ///< changed since; zero: it was not

@@ -31,6 +31,11 @@ void trim(TargetHitsEdit& edit) {
     }
 }
 
+Hit withoutGroup(Hit hit) {
+    hit.group = {};
+    return hit;
+}
+
 }  // namespace
 
 std::size_t HitsByTarget::enabledBefore(std::size_t index, TargetId target) const {
@@ -44,14 +49,15 @@ std::size_t HitsByTarget::enabledBefore(std::size_t index, TargetId target) cons
 
 std::vector<TargetHitsEdit> HitsByTarget::apply(const HistoryEdit& edit) {
     std::vector<TargetHitsEdit> edits;
+    // Groups deform nothing: who deforms sees no change where only they are others.
     for (const Hit& hit : edit.before) {
         if (hit.enabled) {
-            editOf(edits, hit.target).before.push_back(hit);
+            editOf(edits, hit.target).before.push_back(withoutGroup(hit));
         }
     }
     for (const Hit& hit : edit.after) {
         if (hit.enabled) {
-            editOf(edits, hit.target).after.push_back(hit);
+            editOf(edits, hit.target).after.push_back(withoutGroup(hit));
         }
     }
     for (TargetHitsEdit& change : edits) {

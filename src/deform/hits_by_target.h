@@ -18,7 +18,7 @@ struct TargetHitsEdit {
 };
 
 /// The enabled hits of a history, sorted by target. Targets do not influence one another, so this is how
-/// whoever deforms meshes sees a history.
+/// whoever deforms meshes sees a history: without groups.
 class HitsByTarget {
 public:
     /// Follows an edit of the history. Returns what it changes, each target once; nothing where it changes

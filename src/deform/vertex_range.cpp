@@ -48,4 +48,25 @@ std::vector<VertexRange> ChangedRanges::take() {
     return merged(std::exchange(m_ranges, {}));
 }
 
+std::vector<VertexRange> ChangedRanges::take(std::size_t most) {
+    std::vector<VertexRange> taken = take();
+    std::size_t vertices = 0;
+    for (std::size_t i = 0; i < taken.size(); ++i) {
+        vertices += taken[i].count;
+        if (vertices > most) {
+            std::vector<VertexRange> left(taken.begin() + static_cast<std::ptrdiff_t>(i), taken.end());
+            const auto fitting = static_cast<std::uint32_t>(taken[i].count - (vertices - most));
+            taken.resize(i);
+            if (fitting > 0) {
+                taken.push_back({left.front().first, fitting});
+                left.front().first += fitting;
+                left.front().count -= fitting;
+            }
+            add(left);
+            break;
+        }
+    }
+    return taken;
+}
+
 }  // namespace hitscope

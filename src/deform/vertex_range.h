@@ -28,6 +28,8 @@ public:
     [[nodiscard]] bool empty() const { return m_ranges.empty(); }
     /// All that was added, sorted and merged; nothing is left.
     [[nodiscard]] std::vector<VertexRange> take();
+    /// Likewise no more than `most` (> 0) vertices, the lowest ones; the others are left.
+    [[nodiscard]] std::vector<VertexRange> take(std::size_t most);
 
 private:
     std::vector<VertexRange> m_ranges;

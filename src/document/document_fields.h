@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -307,6 +308,7 @@ struct Fields<Hit> {
             visit.vector("flight", hit.flight);
         }
         visitForm(visit, hit.form);
+        group(visit, hit.group);
         if (Visit::reads() || !hit.enabled) {
             visit.flag("enabled", hit.enabled);
         }
@@ -325,6 +327,21 @@ private:
             hit = checked.value();
         } else {
             visit.fail({}, "cannot be used. " + checked.error().what);
+        }
+    }
+
+    template <class Visit, class Group>
+    static void group(Visit& visit, Group& group) {
+        std::string text = groupText(group);
+        if constexpr (Visit::reads()) {
+            visit.text("group", text);
+            const std::optional<HitGroup> known = groupOf(text);
+            group = known.value_or(HitGroup());
+            if (!known && !text.empty()) {
+                visit.fail("group", "has to be group, mirror, scatter or stroke, and a number from 1.");
+            }
+        } else if (!text.empty()) {
+            visit.text("group", text);
         }
     }
 

@@ -153,6 +153,8 @@ std::string valueOf(const HitRecords& table, std::size_t index, Field field) {
             return hit.form.isPaper() ? std::string() : std::string(keyOf(hit.form.direction));
         case Field::Curve:
             return hit.form.profile == DentProfile::Curve ? curveText(hit.form.curve, ' ') : std::string();
+        case Field::Group:
+            return groupText(hit.group);
         default:
             break;
     }
@@ -232,6 +234,11 @@ Status RecordReader::set(Hit& hit, Field field, std::string_view value) {
             const std::optional<std::uint32_t> triangle = numberIn<std::uint32_t>(value);
             hit.triangle = triangle.value_or(kNoIndex);
             return triangle ? Status(Done{}) : Status(notA("a triangle's number", field, value));
+        }
+        case Field::Group: {
+            const std::optional<HitGroup> group = groupOf(value);
+            hit.group = group.value_or(HitGroup());
+            return group ? Status(Done{}) : Status(notA("a group such as “scatter 3”", field, value));
         }
         case Field::Enabled: {
             const std::optional<bool> enabled = boolIn(value);

@@ -37,14 +37,15 @@ enum class Field : std::uint8_t {
     Profile,
     DentDirection,
     Curve,
-    PressRadius
+    PressRadius,
+    Group
 };
 struct FieldName {
     Field field = Field::Number;
     std::string_view name;
     bool isRequired = false;
 };
-inline constexpr std::array<FieldName, 26> kFields{{
+inline constexpr std::array<FieldName, 27> kFields{{
     {Field::Number, "number"},
     {Field::Time, "time_s"},
     {Field::Target, "target", true},
@@ -71,11 +72,12 @@ inline constexpr std::array<FieldName, 26> kFields{{
     {Field::DentDirection, "dent_direction"},
     {Field::Curve, "curve"},
     {Field::PressRadius, "press_radius_m"},
+    {Field::Group, "group"},
 }};
 
 [[nodiscard]] constexpr bool isText(Field field) {
     return field == Field::Target || field == Field::Pipeline || field == Field::Profile ||
-           field == Field::DentDirection || field == Field::Curve;
+           field == Field::DentDirection || field == Field::Curve || field == Field::Group;
 }
 /// Nothing: no such name.
 [[nodiscard]] std::optional<Field> fieldNamed(std::string_view name);

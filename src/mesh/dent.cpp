@@ -24,9 +24,17 @@ glm::dvec3 areaVector(const Corners& corners) {
     return 0.5 * glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
 }
 
-/// Of the tetrahedron with `origin`, signed.
-double volumeFrom(const glm::dvec3& origin, const Corners& corners) {
-    return glm::dot(corners[0] - origin, glm::cross(corners[1] - origin, corners[2] - origin)) / 6.0;
+/// That a triangle passes through on its straight way, signed: along its area vector positive. The way is the
+/// corners' mean one, and the area vector a polynomial of how far they have come, which is integrated.
+double sweptVolume(const Corners& before, const Corners& after) {
+    const glm::dvec3 a = before[1] - before[0];
+    const glm::dvec3 b = before[2] - before[0];
+    const glm::dvec3 aTurn = after[1] - after[0] - a;
+    const glm::dvec3 bTurn = after[2] - after[0] - b;
+    const glm::dvec3 area = 0.5 * (glm::cross(a, b) + (glm::cross(a, bTurn) + glm::cross(aTurn, b)) / 2.0 +
+                                   glm::cross(aTurn, bTurn) / 3.0);
+    const glm::dvec3 way = (after[0] - before[0] + after[1] - before[1] + after[2] - before[2]) / 3.0;
+    return glm::dot(way, area);
 }
 
 /// Two directions at right angles to `axis` and to each other: the first level, unless the axis is upright.
@@ -159,21 +167,23 @@ std::vector<std::uint32_t> dentAround(std::uint32_t seed, std::span<const std::u
 
 std::optional<DentMeasures> measureDent(std::span<const std::uint32_t> vertices,
                                         std::span<const std::uint32_t> triangles,
-                                        std::span<const glm::vec3> before, std::span<const glm::vec3> after) {
+                                        std::span<const glm::vec3> before, std::span<const glm::vec3> after,
+                                        std::span<const std::uint32_t> whole) {
     if (vertices.empty()) {
         return std::nullopt;
     }
-    const glm::dvec3 origin(before[vertices.front()]);
+    const auto cornersIn = [](std::span<const std::uint32_t> part, std::span<const std::uint32_t> triangle) {
+        return static_cast<double>(std::count_if(
+            triangle.begin(), triangle.end(),
+            [part](std::uint32_t vertex) { return std::binary_search(part.begin(), part.end(), vertex); }));
+    };
     DentMeasures dent;
     dent.vertices = vertices.size();
     glm::dvec3 normal(0.0);
     double area = 0.0;
     for (std::size_t first = 0; first + 2 < triangles.size(); first += 3) {
         const std::span<const std::uint32_t> triangle = triangles.subspan(first, 3);
-        const auto corners =
-            static_cast<double>(std::count_if(triangle.begin(), triangle.end(), [&](std::uint32_t vertex) {
-                return std::binary_search(vertices.begin(), vertices.end(), vertex);
-            }));
+        const double corners = cornersIn(vertices, triangle);
         if (corners == 0.0) {
             continue;
         }
@@ -182,7 +192,8 @@ std::optional<DentMeasures> measureDent(std::span<const std::uint32_t> vertices,
         normal += itsArea * corners;
         area += glm::length(itsArea);
         dent.affectedArea += glm::length(itsArea) * corners / 3.0;
-        dent.displacedVolume += volumeFrom(origin, was) - volumeFrom(origin, cornersOf(triangle, after));
+        const double share = whole.empty() ? 1.0 : corners / cornersIn(whole, triangle);
+        dent.displacedVolume -= share * sweptVolume(was, cornersOf(triangle, after));
     }
     if (area == 0.0) {
         return std::nullopt;

@@ -31,12 +31,17 @@ struct DentMeasures {
                                                     std::span<const glm::vec3> before,
                                                     std::span<const glm::vec3> after);
 
-/// Measures what happened to `vertices` (ascending). The volume is exact for the triangulated surface where
-/// the dent does not reach its boundary. Nothing when there are none, or no triangle has them.
+/// Measures what happened to `vertices` (ascending). The volume is what the triangles sweep on their straight
+/// way from before to after, which for a whole dent that does not reach the surface's boundary is exactly
+/// what lies between the two. Nothing when there are none, or no triangle has them.
+///
+/// Of a part of a dent, `whole` is all of it (ascending): triangles at the border count for each part by the
+/// corners they have there, so that areas and volumes of the parts add up to those of the whole.
 [[nodiscard]] std::optional<DentMeasures> measureDent(std::span<const std::uint32_t> vertices,
                                                       std::span<const std::uint32_t> triangles,
                                                       std::span<const glm::vec3> before,
-                                                      std::span<const glm::vec3> after);
+                                                      std::span<const glm::vec3> after,
+                                                      std::span<const std::uint32_t> whole = {});
 
 /// The plane through a dent's deepest vertex, where it was, and its axis; `angle` radians about the axis from
 /// a direction that is level where the axis is not upright (and along x there).

@@ -72,6 +72,7 @@ bool keepsPlaces(const HistoryEdit& edit) {
                           before.enabled = after.enabled;
                           before.constants = after.constants;
                           before.form = after.form;
+                          before.group = after.group;
                           return before == after;
                       });
 }

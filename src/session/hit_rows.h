@@ -11,7 +11,7 @@
 namespace hitscope {
 
 /// True when the edit leaves every hit where it was: it changes one hit, or of several only whether they are
-/// enabled, or their constants and forms.
+/// enabled, their constants, their form, or their group.
 [[nodiscard]] bool keepsPlaces(const HistoryEdit& edit);
 
 /// Where each hit of a history went in a number of edits, so that a selection can follow. A hit that one edit

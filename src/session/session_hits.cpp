@@ -22,6 +22,14 @@ std::size_t countDisabled(std::span<const Hit> hits) {
 SessionHits::SessionHits(Session& session) : m_session(session) {}
 
 Status SessionHits::add(std::span<const Hit> hits) {
+    const Result<std::vector<Hit>> checked = this->checked(hits);
+    if (checked) {
+        append(checked.value());
+    }
+    return checked ? Status(Done{}) : Status(checked.error());
+}
+
+Result<std::vector<Hit>> SessionHits::checked(std::span<const Hit> hits) const {
     std::vector<Hit> checkedHits;
     checkedHits.reserve(hits.size());
     for (const Hit& hit : hits) {
@@ -35,16 +43,15 @@ Status SessionHits::add(std::span<const Hit> hits) {
         }
         checkedHits.push_back(checked.value());
     }
-    append(checkedHits);
-    return Done{};
+    return checkedHits;
 }
 
-void SessionHits::append(std::span<const Hit> hits) {
+void SessionHits::append(std::span<const Hit> hits, SessionUndo::Kind kind, SessionUndo::Merge merge) {
     if (hits.empty()) {
         return;
     }
     const HistoryEdit edit = appendQuietly(hits);
-    m_session.record({{SessionUndo::Kind::Hit, hits.size()}, SessionUndo::Merge::Never, {edit}});
+    m_session.record({{kind, hits.size()}, merge, {edit}});
     m_disabled += countDisabled(hits);
     Q_EMIT appended();
     show(std::nullopt);
@@ -61,11 +68,16 @@ void SessionHits::bringBack(std::span<const Hit> hits) {
     }
 }
 
+HistoryEdit SessionHits::putIn(std::span<const Hit> hits) {
+    seeGroups(hits);
+    return m_history.append(hits);
+}
+
 /// All that comes before appended().
 HistoryEdit SessionHits::appendQuietly(std::span<const Hit> hits) {
     const int first = static_cast<int>(m_history.size());
     Q_EMIT aboutToBeAppended(first, first + static_cast<int>(hits.size()) - 1);
-    HistoryEdit edit = m_history.append(hits);
+    HistoryEdit edit = putIn(hits);
     m_session.expectMoves({&edit, 1});
     return edit;
 }
@@ -86,6 +98,7 @@ void SessionHits::forgetAll() {
     m_selected.reset();
     m_shown.reset();
     m_disabled = 0;
+    m_lastGroup = 0;
 }
 
 std::vector<std::size_t> SessionHits::on(std::span<const TargetId> targets) const {

@@ -31,6 +31,18 @@ public:
     /// target.
     [[nodiscard]] Status add(const Hit& hit) { return add(std::span<const Hit>(&hit, 1)); }
     [[nodiscard]] Status add(std::span<const Hit> hits);  ///< likewise, all or none
+    /// Likewise as a group of this kind (not None), whatever groups they were of. Returns the group; without
+    /// hits nothing happens.
+    [[nodiscard]] Result<HitGroup> addGroup(HitGroupKind kind, std::span<const Hit> hits);
+    /// One more hit of a stroke that goes on: one step to undo with those before, until
+    /// Session::finishUndoStep(). `stroke` is newGroup()'s.
+    [[nodiscard]] Status extendStroke(const HitGroup& stroke, const Hit& hit);
+    /// One that no hit has been of.
+    [[nodiscard]] HitGroup newGroup(HitGroupKind kind);
+    /// The hits of a group, ascending.
+    [[nodiscard]] std::vector<std::size_t> of(const HitGroup& group) const;
+    void group(std::span<const std::size_t> indices);    ///< they become a new one
+    void ungroup(std::span<const std::size_t> indices);  ///< they are of none
     void setEnabled(std::span<const std::size_t> indices, bool enabled);
     void enableAll();
     /// The hits come to stand together, in their order, before the hit that is now at `to` (<= size()).
@@ -91,7 +103,12 @@ private:
     /// As append(), and nothing to undo. Into a history without hits.
     void bringBack(std::span<const Hit> hits);
     HistoryEdit appendQuietly(std::span<const Hit> hits);
-    void append(std::span<const Hit> hits);  ///< they have passed checkedHit(), on targets that there are
+    /// As a group of `kind` where that is one. The hits have passed checkedHit(), on targets that there are.
+    void append(std::span<const Hit> hits, SessionUndo::Kind kind = SessionUndo::Kind::Hit,
+                SessionUndo::Merge merge = SessionUndo::Merge::Never);
+    [[nodiscard]] Result<std::vector<Hit>> checked(std::span<const Hit> hits) const;
+    void setGroup(std::span<const std::size_t> indices, const HitGroup& group, SessionUndo::Kind kind);
+    void seeGroups(std::span<const Hit> hits);
     /// The history has these edits already.
     void record(std::vector<HistoryEdit> edits, SessionUndo::Name name,
                 SessionUndo::Merge merge = SessionUndo::Merge::Never);
@@ -101,11 +118,12 @@ private:
     [[nodiscard]] std::vector<std::size_t> on(std::span<const TargetId> targets) const;
     /// Announces nothing; `hits` ascend.
     std::vector<HistoryEdit> takeOut(std::span<const std::size_t> hits);
-    HistoryEdit putIn(std::span<const Hit> hits) { return m_history.append(hits); }  ///< likewise
+    HistoryEdit putIn(std::span<const Hit> hits);  ///< likewise
 
     Session& m_session;
     HitHistory m_history;
     std::size_t m_disabled = 0;
+    std::uint32_t m_lastGroup = 0;  ///< the highest number of one that a hit has been of
     std::optional<std::size_t> m_selected;
     std::optional<std::size_t> m_shown;  ///< nothing: all
 };

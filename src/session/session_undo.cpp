@@ -119,7 +119,7 @@ SessionUndo::Step SessionUndo::step(Change change, std::uint64_t number) {
     Step step;
     step.name = change.name;
     step.number = number;
-    if (change.merge == Merge::Never && onlyMadeHits(change)) {
+    if ((change.merge == Merge::Never || change.name.kind == Kind::Stroke) && onlyMadeHits(change)) {
         step.first = change.edits[0].first;
     } else {
         step.change = std::make_unique<Change>(std::move(change));
@@ -127,10 +127,21 @@ SessionUndo::Step SessionUndo::step(Change change, std::uint64_t number) {
     return step;
 }
 
+/// Hits that come one by one, of one stroke.
+bool SessionUndo::absorbHits(const Change& change) {
+    Step& last = m_undo.back();
+    const bool goesOn = !last.change && last.name.kind == change.name.kind && onlyMadeHits(change) &&
+                        change.edits[0].first == last.first + last.name.count;
+    last.name.count += goesOn ? change.name.count : 0;
+    return goesOn;
+}
+
 bool SessionUndo::absorb(Change& change) {
-    if (change.merge != Merge::WithSameKind || !canUndo() || m_undo.back().finished ||
-        !m_undo.back().change) {
+    if (change.merge != Merge::WithSameKind || !canUndo() || m_undo.back().finished) {
         return false;
+    }
+    if (!m_undo.back().change) {
+        return absorbHits(change);
     }
     Change& last = *m_undo.back().change;
     if (last.name.kind != change.name.kind || !followOn(last.targets, change.targets)) {
@@ -167,7 +178,7 @@ void SessionUndo::record(Change change) {
     if (absorb(change)) {
         Step& last = m_undo.back();
         m_bytes -= before;
-        if (comesToNothing(*last.change)) {
+        if (last.change && comesToNothing(*last.change)) {
             m_undo.pop_back();
             finishStep();
             return;

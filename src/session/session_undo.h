@@ -76,7 +76,12 @@ public:
         Disable,
         EditHit,
         HitConstants,  ///< of hits already made
-        Constants,     ///< of the hits to come
+        Mirror,
+        Scatter,
+        Stroke,  ///< of the brush
+        Group,
+        Ungroup,
+        Constants,  ///< of the hits to come
         Lights,
         AddTarget,
         DuplicateTarget,
@@ -151,6 +156,7 @@ private:
         [[nodiscard]] std::size_t bytes() const;  ///< undone
     };
     static Step step(Change change, std::uint64_t number);
+    bool absorbHits(const Change& change);
     bool absorb(Change& change);
     void forgetOldest();
 

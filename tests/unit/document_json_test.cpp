@@ -219,6 +219,8 @@ void DocumentJsonTest::hits() {
     const DentForm curve{.curve = {1.0f, 0.1f, -0.3f, 0.7f, -1.0f, 0.0f, 1e-5f, 0.9f},
                          .profile = DentProfile::Curve};
     TRY_CHANGE(hits[0].form, curve);
+    TRY_CHANGE(hits[0].group, (HitGroup{4, HitGroupKind::Stroke}));
+    TRY_CHANGE(hits[0].group, (HitGroup{4, HitGroupKind::Chosen}));
     for (const int pipeline : {0, 1, 2, 4, 5, 200, 254, 255}) {
         TRY_CHANGE(hits[0].pipeline, static_cast<std::uint8_t>(pipeline));
     }
@@ -374,7 +376,7 @@ void DocumentJsonTest::olderFilesOpen() {
 
 /// Does not compile where a type has come to have one more member: it belongs into the file, and above.
 void DocumentJsonTest::membersAreKnown() {
-    [[maybe_unused]] const auto& [h1, h2, h3, h4, h5, h6, h7, h8, h9, h10, h11, h12, h13] = Hit();
+    [[maybe_unused]] const auto& [h1, h2, h3, h4, h5, h6, h7, h8, h9, h10, h11, h12, h13, h14] = Hit();
     [[maybe_unused]] const auto& [p1, p2, p3, p4, p5, p6, p7, p8, p9, p10, p11, p12, p13] =
         ProjectileSettings();
     [[maybe_unused]] const auto& [d1, d2, d3, d4, d5, d6, d7, d8, d9, d10, d11, d12, d13, d14, d15, d16, d17,
