@@ -159,8 +159,8 @@ void PictureTest::wrongUsage_data() {
     const auto row = [](const char* line, const char* says) {
         QTest::newRow(line) << QString::fromUtf8(line) << QString::fromUtf8(says);
     };
-    row("picture", "file to write");
-    row("picture a.png b.obj c.obj", "file to write");
+    row("picture", "PICTURE [MESH|SESSION]");
+    row("picture a.png b.obj c.obj", "2 files at most");
     row("picture --size 12 a.png", "--size takes");
     row("picture --size 0x5 a.png", "--size takes");
     row("picture --size 5x5x5 a.png", "--size takes");
