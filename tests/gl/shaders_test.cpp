@@ -65,7 +65,7 @@ private Q_SLOTS:
         const Result<gl::ShaderSource> source = gl::assembleShader("capture.vert", {});
         QVERIFY(source.ok());
         QCOMPARE(source.value().files,
-                 (std::vector<std::string>{"capture.vert", "hits.glsl", "deform.glsl"}));
+                 (std::vector<std::string>{"capture.vert", "hits.glsl", "deform.glsl", "dent_forms.glsl"}));
         const QString text = QString::fromStdString(source.value().text);
         QVERIFY(!text.contains(QStringLiteral("#include")));
         QCOMPARE(text.count(QStringLiteral("bool deform(")), 1);

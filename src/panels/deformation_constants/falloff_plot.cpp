@@ -108,7 +108,7 @@ void FalloffPlot::placeCorner(double distance, double magnitude) {
 void FalloffPlot::placeStep(double rim, double step, double above) {
     m_step->start->setCoords(rim, step);
     m_step->end->setCoords(rim, 0.0);
-    m_stepText->setText(tr("step of %1 %2").arg(shownNumber(step, 'g', 3), m_unit));
+    m_stepText->setText(tr("step of %1 %2").arg(shownNumber(std::abs(step), 'g', 3), m_unit));
     m_stepText->position->setCoords(rim * kBeyondRim, above);
 }
 
@@ -191,12 +191,12 @@ void FalloffPlot::drawForm() {
     m_cornerText->setVisible(false);
     m_plot->graph(Corner)->setVisible(false);
     // A curve may end above or below the surface.
-    const double step = std::abs(magnitudes.back());
-    const bool hasStep = isEditable() && step > 0.0;
+    const auto step = static_cast<double>(m_form.curve.back() * m_constants.maxMagnitude);
+    const bool hasStep = isEditable() && step != 0.0;
     m_step->setVisible(hasStep);
     m_stepText->setVisible(hasStep);
     const auto [lowest, highest] = std::minmax_element(magnitudes.begin(), magnitudes.end());
-    placeStep(rim(), magnitudes.back(), 0.5 * *highest);
+    placeStep(rim(), step, 0.5 * *highest);
     if (!m_isDragging) {
         const double cap = static_cast<double>(m_constants.maxMagnitude);
         const double room = isEditable() ? kEditRoom * cap : 0.0;
