@@ -109,6 +109,7 @@ private Q_SLOTS:
     void texts();
     void papersFingerprintStays();
     void reachHoldsWhatMoves();
+    void boxesHoldWhatIsMoved();
     void referenceEqualsThePlainLoop();
     void contributionIsWhatDeformAdds();
 };
@@ -340,6 +341,29 @@ void DentFormTest::reachHoldsWhatMoves() {
             if (made) {
                 QVERIFY(glm::distance(point, reach.centre) <= reach.radius * 1.00001f);
                 QVERIFY(std::abs(made->magnitude) <= farthestPush(hit) * 1.00001f);
+            }
+        }
+    }
+}
+
+/// Each hit alone, on clusters whose boxes are as tight as they can be.
+void DentFormTest::boxesHoldWhatIsMoved() {
+    const RenderMesh mesh = buildRenderMesh(makeGeodesicSphere(20, 1.0f));
+    std::mt19937 random(9);
+    for (std::size_t i = 0; i < 350; ++i) {
+        const Hit hit = anyHit(random, i);
+        ClusterReach reach(mesh.clusters);
+        std::vector<std::uint32_t> reached;
+        reach.advance(hit, reached);
+        for (std::uint32_t c = 0; c < mesh.clusters.size(); ++c) {
+            const Bounds box = reach.bounds(std::size_t{c});
+            for (std::uint32_t k = 0; k < mesh.clusters[c].count; ++k) {
+                DynamicVertex vertex = mesh.vertices[mesh.clusters[c].first + k];
+                deform(vertex.position, vertex.normal, hit);
+                for (glm::length_t axis = 0; axis < 3; ++axis) {
+                    QVERIFY2(vertex.position[axis] >= box.min[axis] && vertex.position[axis] <= box.max[axis],
+                             qPrintable(QString::number(i % 7)));
+                }
             }
         }
     }
