@@ -13,7 +13,7 @@
 
 #include "app/actions/camera_actions.h"
 #include "app/full_view.h"
-#include "app/keys_overlay.h"
+#include "app/overlays/keys_overlay.h"
 #include "mesh/primitives.h"
 #include "support/test_program.h"
 #include "view/camera_text.h"

@@ -12,7 +12,7 @@
 
 #include "app/actions/viewport_menu.h"
 #include "app/dialogs/go_to_vertex.h"
-#include "app/keys_lines.h"
+#include "app/overlays/keys_lines.h"
 #include "panels/help/help_text.h"
 #include "support/test_program.h"
 #include "viewport/axis_gizmo.h"

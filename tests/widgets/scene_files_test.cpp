@@ -9,8 +9,8 @@
 #include <QToolButton>
 #include <cstdlib>
 
-#include "app/coming_picture.h"
 #include "app/notice_bar.h"
+#include "app/overlays/coming_picture.h"
 #include "app/scene_files.h"
 #include "mesh/primitives.h"
 #include "panels/scene/scene_panel.h"

@@ -7,7 +7,7 @@
 #include <QToolButton>
 
 #include "app/notice_bar.h"
-#include "app/start_card.h"
+#include "app/overlays/start_card.h"
 #include "session/welcome.h"
 #include "support/test_program.h"
 #include "viewport/inspect_tool.h"

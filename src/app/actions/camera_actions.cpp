@@ -9,7 +9,7 @@
 #include <QSettings>
 #include <utility>
 
-#include "app/keys_lines.h"
+#include "app/overlays/keys_lines.h"
 #include "panels/help/help_text.h"
 #include "view/camera_text.h"
 #include "viewport/axis_gizmo.h"

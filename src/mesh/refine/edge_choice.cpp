@@ -81,7 +81,7 @@ CutEdges longEdges(const RefineWork& work, double length, bool keepsQuads) {
     return edges;
 }
 
-CutEdges allEdges(const RefineWork& work, double length) {
+CutEdges everyEdge(const RefineWork& work, double length) {
     CutEdges edges;
     bool isAnyTooLong = false;
     for (const Face& face : work.faces()) {

@@ -13,7 +13,7 @@ namespace hitscope {
 [[nodiscard]] CutEdges longEdges(const RefineWork& work, double length, bool keepsQuads);
 
 /// All of the region if one is too long, else none.
-[[nodiscard]] CutEdges allEdges(const RefineWork& work, double length);
+[[nodiscard]] CutEdges everyEdge(const RefineWork& work, double length);
 
 /// Of those that are too long, those which are the longest in every face that has them: no face is cut twice.
 /// To cut these until there are none leads to the same mesh as cutting always the longest of all.

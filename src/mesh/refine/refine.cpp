@@ -95,7 +95,7 @@ private:
         if (m_options.method == RefineMethod::Midpoint) {
             return longEdges(m_work, m_length, m_options.keepQuads);
         }
-        CutEdges edges = allEdges(m_work, m_length);
+        CutEdges edges = everyEdge(m_work, m_length);
         // A scheme that smooths may stretch edges; the middles of edges come to an end.
         constexpr double kSpare = 2.0;
         if (pass > std::log2(m_longest / m_length) + kSpare) {

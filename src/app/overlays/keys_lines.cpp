@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/keys_lines.h"
+#include "app/overlays/keys_lines.h"
 
 #include <QAction>
 #include <QCoreApplication>

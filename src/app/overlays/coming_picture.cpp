@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/coming_picture.h"
+#include "app/overlays/coming_picture.h"
 
 #include <QEvent>
 #include <QMouseEvent>

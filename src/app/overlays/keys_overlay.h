@@ -5,7 +5,7 @@
 #include <QPointer>
 #include <vector>
 
-#include "app/keys_lines.h"
+#include "app/overlays/keys_lines.h"
 
 class QGridLayout;
 class QMainWindow;

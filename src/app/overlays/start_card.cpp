@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/start_card.h"
+#include "app/overlays/start_card.h"
 
 #include <QAction>
 #include <QHBoxLayout>

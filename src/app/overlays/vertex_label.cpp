@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/vertex_label.h"
+#include "app/overlays/vertex_label.h"
 
 #include <glm/trigonometric.hpp>
 

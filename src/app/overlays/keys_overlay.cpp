@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/keys_overlay.h"
+#include "app/overlays/keys_overlay.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/time_badge.h"
+#include "app/overlays/time_badge.h"
 
 #include <QEvent>
 #include <QStringList>
