@@ -54,6 +54,7 @@ private Q_SLOTS:
     void keepsTheTopology();
     void flatSidesLoseVerticesFirst();
     void leavesWhatIsOutsideTheRegion();
+    void keepsSeamsAndMaterials_data();
     void keepsSeamsAndMaterials();
     void refusesSharesThatMeanNothing();
     void smoothingEvensASpikeOut();
@@ -121,11 +122,18 @@ void MeshSimplifyTest::leavesWhatIsOutsideTheRegion() {
     QVERIFY(surfaceOf(made).quads > mesh.faceCount() / 2);
 }
 
+void MeshSimplifyTest::keepsSeamsAndMaterials_data() {
+    QTest::addColumn<bool>("hasMaterials");
+    QTest::addRow("seams") << false;
+    QTest::addRow("seams and materials") << true;
+}
+
 /// A cube's sides have texture coordinates and materials of their own: no triangle goes round an edge.
 void MeshSimplifyTest::keepsSeamsAndMaterials() {
+    QFETCH(const bool, hasMaterials);
     MeshData cube = makeCube(6, 1.0f);
     cube.materials.resize(6);
-    for (std::size_t f = 0; f < cube.faceCount(); ++f) {
+    for (std::size_t f = 0; hasMaterials && f < cube.faceCount(); ++f) {
         cube.faceMaterials.push_back(static_cast<std::uint32_t>(6 * f / cube.faceCount()));
     }
     const MeshData made = simplified(cube, {.share = 0.2f, .region = {}});
