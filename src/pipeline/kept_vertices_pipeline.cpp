@@ -2,6 +2,7 @@
 #include "pipeline/kept_vertices_pipeline.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace hitscope {
@@ -164,14 +165,15 @@ void KeptVerticesPipeline::rewritten(TargetState& target, std::span<const Vertex
     followWrites(target.id, *target.buffers, ranges);
 }
 
-void KeptVerticesPipeline::requestReadBack() {
+void KeptVerticesPipeline::requestReadBack(std::size_t most) {
     std::vector<ReadBackQueue::Part> parts;
     for (auto& [id, target] : m_targets) {
-        if (!target.unread.empty()) {
+        if (!target.unread.empty() && most > 0) {
             parts.push_back({.target = id,
                              .buffer = target.buffers->dynamicBuffer(),
-                             .ranges = target.unread.take(),
+                             .ranges = target.unread.take(most),
                              .moment = {m_hits.of(id).size(), target.epoch}});
+            most -= std::min(most, vertexCount(parts.back().ranges));
         }
     }
     m_readBack.request(std::move(parts));
@@ -194,12 +196,12 @@ ReadBackQueue::Take KeptVerticesPipeline::delivery(const ReadBackSink& sink) {
 }
 
 void KeptVerticesPipeline::readBack(const ReadBackSink& sink) {
-    requestReadBack();
+    requestReadBack(std::numeric_limits<std::size_t>::max());
     m_readBack.takeAll(delivery(sink));
 }
 
 void KeptVerticesPipeline::pollReadBack(const ReadBackSink& sink) {
-    requestReadBack();
+    requestReadBack(kMostAPoll);
     m_readBack.takeArrived(delivery(sink));
 }
 

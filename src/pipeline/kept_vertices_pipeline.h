@@ -67,13 +67,16 @@ private:
     std::vector<VertexRange> flush(TargetState& target, std::size_t firstHit, Arrival arrival);
     void tighten(TargetState& target, std::span<const VertexRange> ranges);
     void rewritten(TargetState& target, std::span<const VertexRange> ranges);
-    void requestReadBack();
+    void requestReadBack(std::size_t most);
     [[nodiscard]] ReadBackQueue::Take delivery(const ReadBackSink& sink);
 
     HitsByTarget m_hits;
     std::unordered_map<TargetId, TargetState> m_targets;
     ReadBackQueue m_readBack;
     UndoRing m_undo;
+
+    /// Vertices that one pollReadBack() asks for: taking over a million at once would hold a frame up.
+    static constexpr std::size_t kMostAPoll = 65'536;
 };
 
 }  // namespace hitscope

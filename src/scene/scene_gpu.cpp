@@ -198,7 +198,7 @@ const Session& SceneGpu::session() const {
 }
 
 bool SceneGpu::isReadBackPending() const {
-    return d->reapplication || (d->pipeline && d->pipeline->isReadBackPending()) ||
+    return d->reapplication || d->appending || (d->pipeline && d->pipeline->isReadBackPending()) ||
            d->second.isReadBackPending();
 }
 

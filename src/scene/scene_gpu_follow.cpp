@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What brings the GPU to the session's state: the pipeline, the history's edits, what comes back.
 #include <QCoreApplication>
+#include <QElapsedTimer>
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -9,6 +10,15 @@
 #include "scene/shading_normals.h"
 
 namespace hitscope {
+
+namespace {
+
+constexpr std::size_t kWorthSlicingNew = 256;  // hits; fewer are applied in one frame without a pause
+constexpr std::size_t kNewAtOnce = 16;         // hits between two looks at the clock
+constexpr std::size_t kMostNewAFrame = 512;    // hits; the GPU may be behind, which the clock does not tell
+constexpr qint64 kNewShare = 12;               // milliseconds of a frame
+
+}  // namespace
 
 /// Lends the words to be translated their context.
 struct SceneGpuText {
@@ -127,18 +137,62 @@ Status SceneGpu::Private::followPipeline(bool& startOver) {
     return Done{};
 }
 
-bool SceneGpu::Private::followHistory(bool startOver) {
+/// Whether there is a long row of new hits that nobody waits for: it is applied some hits a frame.
+bool SceneGpu::Private::isWorthSlicing(Delivery delivery) const {
+    const std::size_t all = session.hits().shown().size();
+    return delivery == Delivery::WhatHasArrived && pipeline->traits().keepsAll &&
+           (appending || all > applied.size() + kWorthSlicingNew);
+}
+
+/// The rest comes with the next frames.
+void SceneGpu::Private::applySlice() {
+    const std::span<const Hit> history = session.hits().history().hits();
+    const std::size_t all = session.hits().shown().size();
+    const std::size_t before = applied.size();
+    std::span<const HistoryEdit> edits(*unapplied);
+    QElapsedTimer clock;
+    clock.start();
+    do {
+        const std::size_t wanted = std::min(applied.size() + kNewAtOnce, all);
+        for (const HistoryEdit& edit : applied.follow(std::exchange(edits, {}), history, wanted)) {
+            pipeline->edit(edit);
+        }
+    } while (applied.size() < std::min(all, before + kMostNewAFrame) && clock.elapsed() < kNewShare);
+    if (applied.size() > before) {
+        meter.applying(before, applied.size() - before, true);
+    }
+    if (applied.size() == all) {
+        appending.reset();
+        return;
+    }
+    if (!appending) {
+        const auto cancel = [&followed = session, made = session.hits().history().revision()] {
+            if (followed.hits().history().revision() == made) {
+                followed.undo();
+            }
+        };
+        appending = std::make_unique<TaskProgress>(session.tasks(), SceneGpuText::tr("Applying new hits"),
+                                                   cancel, SceneGpuText::tr("Undo the change"));
+    }
+    appending->report(static_cast<double>(applied.size()) / static_cast<double>(all));
+}
+
+bool SceneGpu::Private::followHistory(bool startOver, Delivery delivery) {
     const HitHistory& history = session.hits().history();
     const std::span<const Hit> shown = session.hits().shown();
     if (!startOver && unapplied && unapplied->empty() && applied.size() == shown.size()) {
         return false;
     }
     startOver = startOver || !unapplied;
-    if (startOver) {
+    if (!startOver && isWorthSlicing(delivery)) {
+        applySlice();
+    } else if (startOver) {
+        appending.reset();
         meter.applying(0, shown.size(), false);
         pipeline->reset(shown);
         applied.reset(shown.size());
     } else {
+        appending.reset();
         const std::vector<HistoryEdit> made =
             withAppendsJoined(applied.follow(*unapplied, history.hits(), shown.size()));
         if (made.size() == 1 && isAppend(made.front(), shown.size())) {
@@ -192,13 +246,13 @@ Status SceneGpu::Private::follow(Delivery delivery) {
     }
     meter.endOf(FrameMeter::Part::Preparation);
     // Started over, the CPU copy is at the originals: it must not be seen like that for a frame or two.
-    if (followHistory(startOver)) {
+    if (followHistory(startOver, delivery)) {
         delivery = Delivery::All;
     }
     meter.endOf(FrameMeter::Part::Deformation);
     fetch(delivery);
     meter.endOf(FrameMeter::Part::ReadBack);
-    if (!pipeline->isReadBackPending()) {
+    if (!appending && !pipeline->isReadBackPending()) {
         readBack.setUpToDate();
     }
     return Done{};

@@ -56,6 +56,7 @@ struct SceneGpu::Private {
     ChangeUpload changeUpload;
     SecondScene second;
     ChangeUpload secondUpload;
+    std::unique_ptr<TaskProgress> appending;       // null: no long row of new hits is applied in slices
     std::unique_ptr<Reapplication> reapplication;  // null: nothing is applied again in slices
 
     enum class Delivery { WhatHasArrived, All };
@@ -75,7 +76,9 @@ struct SceneGpu::Private {
     Status followReapplication(Delivery delivery);
     void takeReapplied();
     /// Returns whether the pipeline started over.
-    bool followHistory(bool startOver);
+    bool followHistory(bool startOver, Delivery delivery);
+    [[nodiscard]] bool isWorthSlicing(Delivery delivery) const;
+    void applySlice();
     void fetch(Delivery delivery);
     Status follow(Delivery delivery);
     std::shared_ptr<const MaterialSet> materialsOf(const DeformedMesh& mesh);
