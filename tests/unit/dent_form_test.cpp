@@ -9,29 +9,18 @@
 #include "deform/fingerprint.h"
 #include "deform/reference.h"
 #include "deform_support.h"
+#include "dent_form_support.h"
 #include "mesh/geodesic_sphere.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
+using namespace hitscope::test;
 
 namespace {
 
 constexpr float kReach = 0.5f;
 constexpr float kDepth = 0.1f;
 constexpr DeformationConstants kConstants{kReach, 0.02f, kDepth};
-
-DentForm formOf(DentProfile profile) {
-    DentForm form;
-    form.profile = profile;
-    return form;
-}
-
-DentForm pressOf(float radius) {
-    DentForm form;
-    form.direction = DentDirection::Press;
-    form.radius = radius;
-    return form;
-}
 
 double magnitudeAt(const DentForm& form, double distance) {
     return static_cast<double>(magnitudeOnPlane(form, kConstants, static_cast<float>(distance)));
@@ -70,24 +59,6 @@ bool isNear(double actual, double expected, double tolerance) {
     return true;
 }
 
-/// Of any form, on and about a sphere of 1 m.
-Hit anyHit(std::mt19937& random, std::size_t index) {
-    std::uniform_real_distribution<float> share(0.0f, 1.0f);
-    Hit hit = test::randomHit(random, 1.0f);
-    hit.point = glm::normalize(hit.point) * (0.9f + 0.2f * share(random));
-    hit.constants = {0.05f + 0.4f * share(random), 0.05f * share(random), 0.3f * share(random)};
-    hit.normal = index % 3 == 0 ? glm::vec3(0.0f) : glm::normalize(hit.point);
-    if (index % 7 == 6) {
-        hit.form = pressOf(0.05f + 0.3f * share(random));
-    } else {
-        hit.form = formOf(static_cast<DentProfile>(index % 7));
-        hit.form.direction = index % 2 == 0 ? DentDirection::Projectile : DentDirection::IntoSurface;
-        std::generate(hit.form.curve.begin(), hit.form.curve.end(),
-                      [&] { return 2.0f * share(random) - 1.0f; });
-    }
-    return checkedHit(hit).value();
-}
-
 }  // namespace
 
 class DentFormTest : public QObject {
@@ -108,10 +79,6 @@ private Q_SLOTS:
     void whatNoHitCanHave();
     void texts();
     void papersFingerprintStays();
-    void reachHoldsWhatMoves();
-    void boxesHoldWhatIsMoved();
-    void referenceEqualsThePlainLoop();
-    void contributionIsWhatDeformAdds();
 };
 
 void DentFormTest::depthIsMaxMagnitude_data() {
@@ -328,91 +295,6 @@ void DentFormTest::papersFingerprintStays() {
     all.push_back(print(curve));
     std::sort(all.begin(), all.end());
     QVERIFY(std::adjacent_find(all.begin(), all.end()) == all.end());
-}
-
-void DentFormTest::reachHoldsWhatMoves() {
-    std::mt19937 random(5);
-    for (std::size_t i = 0; i < 700; ++i) {
-        const Hit hit = anyHit(random, i);
-        const HitReach reach = reachOf(hit);
-        for (int k = 0; k < 200; ++k) {
-            const glm::vec3 point = hit.point + test::randomPoint(random, 1.0f);
-            const std::optional<Contribution> made = contributionTo(point, hit);
-            if (made) {
-                QVERIFY(glm::distance(point, reach.centre) <= reach.radius * 1.00001f);
-                QVERIFY(std::abs(made->magnitude) <= farthestPush(hit) * 1.00001f);
-            }
-        }
-    }
-}
-
-/// Each hit alone, on clusters whose boxes are as tight as they can be.
-void DentFormTest::boxesHoldWhatIsMoved() {
-    const RenderMesh mesh = buildRenderMesh(makeGeodesicSphere(20, 1.0f));
-    std::mt19937 random(9);
-    for (std::size_t i = 0; i < 350; ++i) {
-        const Hit hit = anyHit(random, i);
-        ClusterReach reach(mesh.clusters);
-        std::vector<std::uint32_t> reached;
-        reach.advance(hit, reached);
-        for (std::uint32_t c = 0; c < mesh.clusters.size(); ++c) {
-            const Bounds box = reach.bounds(std::size_t{c});
-            for (std::uint32_t k = 0; k < mesh.clusters[c].count; ++k) {
-                DynamicVertex vertex = mesh.vertices[mesh.clusters[c].first + k];
-                deform(vertex.position, vertex.normal, hit);
-                for (glm::length_t axis = 0; axis < 3; ++axis) {
-                    QVERIFY2(vertex.position[axis] >= box.min[axis] && vertex.position[axis] <= box.max[axis],
-                             qPrintable(QString::number(i % 7)));
-                }
-            }
-        }
-    }
-}
-
-/// So that no cluster is left out that a hit of any form reaches or pushes there.
-void DentFormTest::referenceEqualsThePlainLoop() {
-    const RenderMesh mesh = buildRenderMesh(makeGeodesicSphere(40, 1.0f));
-    std::mt19937 random(7);
-    std::vector<Hit> hits;
-    for (std::size_t i = 0; i < 400; ++i) {
-        hits.push_back(anyHit(random, i));
-    }
-    std::vector<DynamicVertex> expected = mesh.vertices;
-    deformEverywhere(expected, hits);
-    ReferenceDeformation reference(mesh);
-    reference.apply(hits);
-    const std::span<const DynamicVertex> vertices = reference.vertices();
-    QCOMPARE(vertices.size(), expected.size());
-    QCOMPARE(std::memcmp(vertices.data(), expected.data(), vertices.size_bytes()), 0);
-    // One after the other with nothing seen between: boxes only grow.
-    ClusterReach reach(mesh.clusters);
-    std::vector<DynamicVertex> pushed = mesh.vertices;
-    for (const Hit& hit : hits) {
-        std::vector<std::uint32_t> reached;
-        reach.advance(hit, reached);
-        for (std::uint32_t c = 0; c < mesh.clusters.size(); ++c) {
-            bool moved = false;
-            for (std::uint32_t i = 0; i < mesh.clusters[c].count; ++i) {
-                DynamicVertex& vertex = pushed[mesh.clusters[c].first + i];
-                moved = deform(vertex.position, vertex.normal, hit) || moved;
-            }
-            QVERIFY(!moved || std::binary_search(reached.begin(), reached.end(), c));
-        }
-    }
-}
-
-void DentFormTest::contributionIsWhatDeformAdds() {
-    std::mt19937 random(11);
-    for (std::size_t i = 0; i < 20'000; ++i) {
-        const Hit hit = anyHit(random, i);
-        const glm::vec3 at = hit.point + test::randomPoint(random, 0.4f);
-        glm::vec3 position = at;
-        glm::vec3 normal(0.0f, 0.0f, 1.0f);
-        const bool isMoved = deform(position, normal, hit);
-        const std::optional<Contribution> made = contributionTo(at, hit);
-        QCOMPARE(made.has_value(), isMoved);
-        QCOMPARE(position, isMoved ? at + made->displacement : at);
-    }
 }
 
 HITSCOPE_TEST(DentFormTest, QCoreApplication)

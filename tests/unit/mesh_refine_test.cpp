@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/refine/refine.h"
 
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
-#include <OpenMesh/Tools/Subdivider/Uniform/LongestEdgeT.hh>
-#include <OpenMesh/Tools/Subdivider/Uniform/ModifiedButterFlyT.hh>
 #include <QTest>
 #include <algorithm>
 #include <cmath>
@@ -17,180 +14,11 @@
 #include "mesh/surface_topology.h"
 #include "mesh/teapot.h"
 #include "mesh/triangulate.h"
-#include "solids.h"
+#include "mesh_refine_support.h"
 #include "support/test_program.h"
 
 using namespace hitscope;
-using namespace hitscope::test;
-
-namespace {
-
-constexpr RefineMethod kMethods[] = {RefineMethod::Midpoint, RefineMethod::LongestEdge,
-                                     RefineMethod::Butterfly};
-
-RefineOptions options(RefineMethod method, float length, bool keepQuads = false) {
-    return {.method = method, .edgeLength = length, .keepQuads = keepQuads, .region = {}};
-}
-
-SurfaceStatistics statisticsOf(const MeshData& mesh) {
-    return SurfaceTopology::build(mesh)->statistics();
-}
-
-MeshData triangulated(const MeshData& mesh) {
-    MeshData made = mesh;
-    made.cornerTexcoords.clear();
-    made.cornerNormals.clear();
-    made.cornerVertices.clear();
-    made.faceStarts.assign(1, 0);
-    Triangulator triangulator;
-    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-        std::vector<std::uint32_t> corners;
-        triangulator.triangulate(mesh.positions, mesh.face(f), corners);
-        for (const std::uint32_t corner : corners) {
-            made.cornerVertices.push_back(mesh.face(f)[corner]);
-            if (made.cornerVertices.size() % 3 == 0) {
-                made.faceStarts.push_back(static_cast<std::uint32_t>(made.cornerVertices.size()));
-            }
-        }
-    }
-    return made;
-}
-
-double area(const MeshData& mesh) {
-    double sum = 0.0;
-    const MeshData cut = triangulated(mesh);
-    for (std::size_t f = 0; f < cut.faceCount(); ++f) {
-        sum += 0.5 * glm::length(doubleAreaVector(cut.positions, cut.face(f)));
-    }
-    return sum;
-}
-
-double volume(const MeshData& mesh) {
-    double sum = 0.0;
-    const MeshData cut = triangulated(mesh);
-    for (std::size_t f = 0; f < cut.faceCount(); ++f) {
-        const auto at = [&](int i) {
-            return glm::dvec3(cut.positions[cut.face(f)[static_cast<std::size_t>(i)]]);
-        };
-        sum += glm::dot(at(0), glm::cross(at(1), at(2))) / 6.0;
-    }
-    return sum;
-}
-
-double longestEdge(const MeshData& mesh) {
-    double longest = 0.0;
-    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-        const auto face = mesh.face(f);
-        for (std::size_t i = 0; i < face.size(); ++i) {
-            longest =
-                std::max(longest, glm::distance(glm::dvec3(mesh.positions[face[i]]),
-                                                glm::dvec3(mesh.positions[face[(i + 1) % face.size()]])));
-        }
-    }
-    return longest;
-}
-
-/// No vertex is on an edge between two others, which would be a gap as soon as it moves. Looks at every edge
-/// of one face only, whose middle a finer neighbour would have.
-bool hasOpenMiddles(const MeshData& mesh) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
-    const std::vector<std::uint32_t> places = weldedVertices(mesh);
-    std::set<std::array<float, 3>> positions;
-    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-        const auto face = mesh.face(f);
-        for (std::size_t i = 0; i < face.size(); ++i) {
-            ++sides[std::minmax(places[face[i]], places[face[(i + 1) % face.size()]])];
-            const glm::vec3& p = mesh.positions[face[i]];
-            positions.insert({p.x, p.y, p.z});
-        }
-    }
-    return std::any_of(sides.begin(), sides.end(), [&](const auto& side) {
-        const glm::vec3 middle(0.5 * (glm::dvec3(mesh.positions[side.first.first]) +
-                                      glm::dvec3(mesh.positions[side.first.second])));
-        return side.second == 1 && positions.contains({middle.x, middle.y, middle.z});
-    });
-}
-
-RefinedMesh refined(const MeshData& mesh, const RefineOptions& how) {
-    Result<RefinedMesh> result = refine(mesh, how);
-    if (!result) {
-        qWarning("%s", result.error().message().c_str());
-        return {};
-    }
-    return std::move(result).value();
-}
-
-/// What holds whatever is refined and however.
-void checkKept(const MeshData& before, const RefinedMesh& after) {
-    const MeshData& mesh = after.mesh;
-    QVERIFY2(validate(mesh).ok(), validate(mesh).ok() ? "" : validate(mesh).error().message().c_str());
-    QCOMPARE(after.firstNew, before.vertexCount());
-    QCOMPARE(after.parents.size(), mesh.vertexCount() - before.vertexCount());
-    for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
-        QCOMPARE(mesh.isNew(v), v >= before.vertexCount());
-        if (v < before.vertexCount()) {
-            QVERIFY(sameBits(mesh.positions[v], before.positions[v]));
-            QCOMPARE(mesh.sourceVertices[v], v);
-        } else {
-            const auto& parents = after.parents[v - after.firstNew];
-            QVERIFY(parents[0] < v && parents[1] < v && (parents[2] == kNoIndex || parents[2] < v));
-        }
-    }
-    const SurfaceStatistics was = statisticsOf(before);
-    const SurfaceStatistics is = statisticsOf(mesh);
-    QCOMPARE(is.watertight, was.watertight);
-    QCOMPARE(is.genus, was.genus);
-    QCOMPARE(is.eulerCharacteristic, was.eulerCharacteristic);
-    QCOMPARE(is.components, was.components);
-    QCOMPARE(is.holes, was.holes);
-    QCOMPARE(is.orientable, was.orientable);
-    QCOMPARE(is.nonManifoldEdges > 0, was.nonManifoldEdges > 0);
-    QVERIFY(!hasOpenMiddles(mesh));
-}
-
-MeshData tetrahedron() {
-    return meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
-}
-
-MeshRegion ballAt(const glm::vec3& centre, float radius) {
-    return {MeshRegion::Kind::Balls, {}, {{centre, radius}}};
-}
-
-using Half = OpenMesh::TriMesh_ArrayKernelT<>;
-struct DoubleTraits : OpenMesh::DefaultTraits {
-    using Point = OpenMesh::Vec3d;
-};
-using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
-
-HalfEdgeMesh halfEdges(const MeshData& mesh) {
-    HalfEdgeMesh made;
-    std::vector<OpenMesh::VertexHandle> handles;
-    for (const glm::vec3& p : mesh.positions) {
-        const glm::dvec3 at(p);
-        handles.push_back(made.add_vertex({at.x, at.y, at.z}));
-    }
-    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-        const auto face = mesh.face(f);
-        made.add_face(handles[face[0]], handles[face[1]], handles[face[2]]);
-    }
-    return made;
-}
-
-/// The farthest that a vertex of one is from the nearest of the other.
-double farthest(const MeshData& mesh, const HalfEdgeMesh& other) {
-    double most = 0.0;
-    for (const glm::vec3& p : mesh.positions) {
-        double least = 1e300;
-        for (const auto vertex : other.vertices()) {
-            const auto& q = other.point(vertex);
-            least = std::min(least, glm::distance(glm::dvec3(p), glm::dvec3(q[0], q[1], q[2])));
-        }
-        most = std::max(most, least);
-    }
-    return most;
-}
-
-}  // namespace
+using namespace hitscope::refine_test;
 
 class MeshRefineTest : public QObject {
     Q_OBJECT
@@ -204,9 +32,6 @@ private Q_SLOTS:
     void refinesAroundSelectedVertices();
     void seamsStayClosed();
     void attributesGoAlong();
-    void butterflyIsAsOpenMeshDoesIt_data();
-    void butterflyIsAsOpenMeshDoesIt();
-    void longestEdgeIsAsOpenMeshDoesIt();
     void nonManifoldEdgesAreCutOnce();
     void polygonsBesideTakeVerticesIn();
     void fileCoordinatesGoAlong();
@@ -377,59 +202,6 @@ void MeshRefineTest::attributesGoAlong() {
         }
     }
     QVERIFY(std::abs(std::abs(covered) - 6.0) < 1e-5);
-}
-
-void MeshRefineTest::butterflyIsAsOpenMeshDoesIt_data() {
-    QTest::addColumn<MeshData>("mesh");
-    QTest::addRow("tetrahedron") << tetrahedron();
-    QTest::addRow("torus") << triangulated(torus(9, 7, 2.0, 0.7));
-    QTest::addRow("open cylinder") << triangulated(cylinder(10, false));
-    QTest::addRow("sphere") << triangulated(withoutNormals(makeUvSphere(11, 6, 1.0f)));
-}
-
-void MeshRefineTest::butterflyIsAsOpenMeshDoesIt() {
-    QFETCH(const MeshData, mesh);
-    HalfEdgeMesh theirs = halfEdges(mesh);
-    OpenMesh::Subdivider::Uniform::ModifiedButterflyT<HalfEdgeMesh, double> butterfly;
-    butterfly.attach(theirs);
-    butterfly(1);
-    butterfly.detach();
-    // So short that one pass at least is made.
-    double shortest = 1e300;
-    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-        double longest = 0.0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            longest = std::max(longest, glm::distance(glm::dvec3(mesh.positions[mesh.face(f)[i]]),
-                                                      glm::dvec3(mesh.positions[mesh.face(f)[(i + 1) % 3]])));
-        }
-        shortest = std::min(shortest, longest);
-    }
-    const RefinedMesh ours =
-        refined(mesh, options(RefineMethod::Butterfly, static_cast<float>(0.999 * shortest)));
-    // The first pass cuts all: its vertices are those of OpenMesh.
-    QVERIFY(ours.mesh.vertexCount() >= theirs.n_vertices());
-    MeshData first = ours.mesh;
-    first.positions.resize(theirs.n_vertices());
-    QVERIFY2(farthest(first, theirs) < 1e-6, qPrintable(QString::number(farthest(first, theirs))));
-}
-
-void MeshRefineTest::longestEdgeIsAsOpenMeshDoesIt() {
-    // Of edges that all have different lengths: which of two equal ones comes first is anybody's choice.
-    MeshData mesh = triangulated(torus(7, 5, 2.0, 0.7));
-    for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
-        mesh.positions[v] += 0.01f * glm::vec3(std::sin(7.0f * static_cast<float>(v)),
-                                               std::cos(11.0f * static_cast<float>(v)), 0.0f);
-    }
-    HalfEdgeMesh theirs = halfEdges(mesh);
-    OpenMesh::Subdivider::Uniform::LongestEdgeT<HalfEdgeMesh, double> longest;
-    longest.set_max_edge_length(0.4);
-    longest.attach(theirs);
-    longest(1);
-    longest.detach();
-    const RefinedMesh ours = refined(mesh, options(RefineMethod::LongestEdge, 0.4f));
-    QCOMPARE(ours.mesh.faceCount(), theirs.n_faces());
-    QCOMPARE(ours.mesh.vertexCount(), theirs.n_vertices());
-    QVERIFY(farthest(ours.mesh, theirs) < 1e-6);
 }
 
 void MeshRefineTest::nonManifoldEdgesAreCutOnce() {
