@@ -6,6 +6,7 @@
 #include <atomic>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <iterator>
 
 #include "deform/dent_shape.h"
 #include "session/shown_number.h"
@@ -62,6 +63,14 @@ std::vector<std::size_t> DentHits::madeBy(std::span<const std::uint32_t> vertice
             hits.push_back(hit);
         }
     }
+    return hits;
+}
+
+std::vector<Hit> DentHits::hitsAt(std::span<const std::size_t> indices) const {
+    std::vector<Hit> hits;
+    hits.reserve(indices.size());
+    std::transform(indices.begin(), indices.end(), std::back_inserter(hits),
+                   [this](std::size_t index) { return m_hits[index]; });
     return hits;
 }
 

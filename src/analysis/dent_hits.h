@@ -24,6 +24,9 @@ public:
     [[nodiscard]] std::vector<std::size_t> madeBy(std::span<const std::uint32_t> vertices,
                                                   const Bounds& box) const;
 
+    [[nodiscard]] const RenderMesh& mesh() const { return *m_mesh; }
+    [[nodiscard]] std::vector<Hit> hitsAt(std::span<const std::size_t> indices) const;
+
 private:
     std::shared_ptr<const RenderMesh> m_mesh;
     std::unique_ptr<TargetEffects> m_effects;

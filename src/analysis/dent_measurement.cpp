@@ -4,123 +4,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "analysis/dent_hits.h"
+#include "analysis/dent_job.h"
 #include "io/csv_writer.h"
-#include "mesh/dent_profile.h"
 #include "session/shown_number.h"
 
 namespace hitscope {
-
-/// The target on the other thread: as it was and as it is.
-class DentMeasurement::Copy {
-public:
-    explicit Copy(std::shared_ptr<const RenderMesh> render) : m_render(std::move(render)) {}
-
-    void follow(std::span<const MovedVertex> moved, std::span<const Hit> hits) {
-        if (!m_before) {
-            m_before = std::make_unique<MeshSections>(*m_render);
-            m_after = std::make_unique<MeshSections>(*m_before);
-        }
-        m_after->move(moved);
-        m_hits.follow(m_render, hits);
-    }
-    [[nodiscard]] const MeshSections& before() const { return *m_before; }
-    [[nodiscard]] const MeshSections& after() const { return *m_after; }
-    [[nodiscard]] const DentHits& hits() const { return m_hits; }
-
-private:
-    std::shared_ptr<const RenderMesh> m_render;
-    std::unique_ptr<MeshSections> m_before;
-    std::unique_ptr<MeshSections> m_after;
-    DentHits m_hits;
-};
-
-struct DentMeasurement::Job {
-    TargetId target;
-    QString name;
-    CopiedTargets<Copy>::Part part;
-    HistoryCopy::Update update;
-    std::shared_ptr<HistoryCopy> history;
-    std::optional<std::uint32_t> vertex;  ///< else the dent of:
-    std::size_t row = 0;                  ///< of the history
-    float angle = 0.0f;
-    Report report;
-
-    void run(const std::stop_token& stop) {
-        history->apply(update);
-        std::vector<Hit> hits;
-        for (std::size_t i = 0; i < history->hits().size(); ++i) {
-            const Hit& hit = history->hits()[i];
-            if (hit.target == target && hit.enabled) {
-                hits.push_back(hit);
-                m_rows.push_back(i);
-            }
-        }
-        m_hit =
-            static_cast<std::size_t>(std::lower_bound(m_rows.begin(), m_rows.end(), row) - m_rows.begin());
-        part.copy->follow(part.moved, hits);
-        if (!stop.stop_requested()) {
-            measure();
-        }
-    }
-
-private:
-    void measure() {
-        report.target = name;
-        const MeshSections& mesh = part.copy->before();
-        const std::span<const glm::vec3> before = mesh.positions();
-        const std::span<const glm::vec3> after = part.copy->after().positions();
-        const bool isApplied = m_hit < m_rows.size() && m_rows[m_hit] == row;
-        const std::optional<std::uint32_t> seed =
-            vertex || !isApplied ? vertex : part.copy->hits().deepestOf(m_hit);
-        const std::vector<std::uint32_t> vertices =
-            seed ? dentAround(*seed, mesh.triangles(), before, after) : std::vector<std::uint32_t>();
-        report.dent = measureDent(vertices, mesh.triangles(), before, after);
-        if (!report.dent) {
-            report.why = vertex ? DentMeasurement::tr("No hit has moved the picked vertex.")
-                         : seed ? DentMeasurement::tr("The selected hit's dent is not there any more.")
-                                : DentMeasurement::tr("The selected hit has moved no vertex.");
-            return;
-        }
-        nameHits(vertices);
-        const glm::vec3 deepest = before[report.dent->deepest];
-        const Plane plane = profilePlane(*report.dent, deepest, angle);
-        const ProfileFrame frame = profileFrame(*report.dent, plane, vertices, before, after);
-        const auto profile = [&](const MeshSections& cut) {
-            const glm::vec3 at = cut.positions()[report.dent->deepest];
-            std::vector<ProfilePoint> line =
-                profileLine(cut.cut(plane), plane, *report.dent, deepest, frame, at);
-            return line.empty() ? Profile() : Profile{std::move(line)};
-        };
-        report.before = profile(part.copy->before());
-        report.after = profile(part.copy->after());
-    }
-
-    void nameHits(std::span<const std::uint32_t> vertices) {
-        Bounds box;
-        for (const std::uint32_t moved : vertices) {
-            box.add(part.copy->before().positions()[moved]);
-            box.add(part.copy->after().positions()[moved]);
-        }
-        const std::vector<std::size_t> all = part.copy->hits().madeBy(vertices, box);
-        if (all.size() < 2) {
-            return;
-        }
-        std::vector<std::size_t> named;
-        for (const std::size_t hit : all) {
-            report.mergedHits.push_back(m_rows[hit]);
-            if (vertex || hit != m_hit) {
-                named.push_back(m_rows[hit]);
-            }
-        }
-        report.merged =
-            (vertex ? DentMeasurement::tr("Merged dent of %1") : DentMeasurement::tr("Merged with %1"))
-                .arg(hitNumbersText(named));
-    }
-
-    std::vector<std::size_t> m_rows;  ///< of the history: the hits applied to the target
-    std::size_t m_hit = 0;            ///< an index into them
-};
 
 DentMeasurement::DentMeasurement(Session& session, QObject* parent) : QObject(parent), m_session(session) {
     m_timer.setSingleShot(true);
@@ -239,6 +127,13 @@ void DentMeasurement::setAngle(double angle) {
     }
 }
 
+void DentMeasurement::setTellsApart(bool on) {
+    if (on != m_tellsApart) {
+        m_tellsApart = on;
+        request();
+    }
+}
+
 void DentMeasurement::setActive(bool active) {
     if (active == m_isActive) {
         return;
@@ -274,7 +169,8 @@ void DentMeasurement::gather() {
         m_copies.clear();
     }
     auto room = m_copies.kATurn;
-    if (m_copies.gather(*of, room, [of] { return std::make_shared<Copy>(of->deformed.sharedRender()); })) {
+    if (m_copies.gather(*of, room,
+                        [of] { return std::make_shared<DentCopy>(of->deformed.sharedRender()); })) {
         start(*of);
     } else {
         m_timer.start(0);
@@ -284,13 +180,14 @@ void DentMeasurement::gather() {
 void DentMeasurement::start(const Target& target) {
     m_isDue = false;
     m_isVoid = false;
-    auto job = std::make_shared<Job>();
+    auto job = std::make_shared<DentJob>();
     job->target = target.id;
     job->name = target.name;
     job->part = m_copies.take(target.id);
     job->update = m_history.update(m_session.hits().history(), m_session.hits().applied());
     job->history = m_history.copy();
     job->angle = static_cast<float>(m_angle);
+    job->tellsApart = m_tellsApart;
     if (m_source == Source::Vertex) {
         job->vertex = m_picked[1]->vertex;
     } else {
@@ -299,7 +196,7 @@ void DentMeasurement::start(const Target& target) {
     m_job.start(*this, job, &DentMeasurement::take);
 }
 
-void DentMeasurement::take(Job& job, bool done) {
+void DentMeasurement::take(DentJob& job, bool done) {
     if (!done) {
         dropCopies();
         refuse(tr("There is not enough memory to measure this dent."));
@@ -336,9 +233,9 @@ std::optional<DentMeasurement::Distance> DentMeasurement::distance() const {
 }
 
 /// For what is copied or saved: all of them.
-QString DentMeasurement::mergedNumbers() const {
+QString DentMeasurement::numbersOf(const std::vector<std::size_t>& rows) {
     QStringList numbers;
-    for (const std::size_t row : m_report.mergedHits) {
+    for (const std::size_t row : rows) {
         numbers.append(QString::number(row + 1));
     }
     return numbers.join(QStringLiteral(", "));
@@ -357,7 +254,10 @@ QString DentMeasurement::text() const {
         add(tr("Affected area"), dent->affectedArea, QStringLiteral("m²"));
         add(tr("Displaced volume"), dent->displacedVolume, QStringLiteral("m³"));
         if (!m_report.mergedHits.empty()) {
-            lines.append(tr("Merged dent of hits") + u'\t' + mergedNumbers());
+            lines.append(tr("Merged dent of hits") + u'\t' + numbersOf(m_report.mergedHits));
+        }
+        if (!m_report.partHits.empty()) {
+            lines.append(tr("Part moved most by hits") + u'\t' + numbersOf(m_report.partHits));
         }
     }
     if (const std::optional<Distance> between = distance()) {
@@ -371,7 +271,10 @@ QByteArray DentMeasurement::profileCsv() const {
     constexpr int kDigits = 9;
     CsvWriter csv;
     if (!m_report.mergedHits.empty()) {
-        csv.comment("merged dent of hits " + mergedNumbers().toStdString());
+        csv.comment("merged dent of hits " + numbersOf(m_report.mergedHits).toStdString());
+    }
+    if (!m_report.partHits.empty()) {
+        csv.comment("part moved most by hits " + numbersOf(m_report.partHits).toStdString());
     }
     csv.row({"state", "line", "along_m", "height_m"});
     const auto add = [&csv](const char* state, const Profile& lines) {

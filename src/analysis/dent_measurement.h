@@ -19,6 +19,9 @@
 
 namespace hitscope {
 
+class DentCopy;
+struct DentJob;
+
 /// Measures one dent: the one around the vertex picked or the hit selected last. Works in the background, on
 /// a copy of the target that is carried on by what moves, and again whenever the target changes.
 class DentMeasurement : public QObject {
@@ -36,6 +39,8 @@ public:
         /// Rows of the history, ascending: the hits that made this dent, where there are several.
         std::vector<std::size_t> mergedHits;
         QString merged;  ///< names them (the selected hit only the others), as shown; empty: there is one
+        /// Of those, the ones whose part of the merged dent this is; empty: it is all of it.
+        std::vector<std::size_t> partHits;
         Profile before;  ///< of the wall that is dented, near the dent
         Profile after;
     };
@@ -48,6 +53,11 @@ public:
         double after = 0.0;
     };
     [[nodiscard]] std::optional<Distance> distance() const;
+
+    /// Whether of dents that overlap only the part that the hit moved most is measured (dentOwners()), or, of
+    /// a picked vertex, the part that it is in; by default it is. Else the merged dent as a whole.
+    void setTellsApart(bool on);
+    [[nodiscard]] bool tellsApart() const { return m_tellsApart; }
 
     /// Of the profile: radians about the dent's axis.
     [[nodiscard]] double angle() const { return m_angle; }
@@ -68,8 +78,6 @@ Q_SIGNALS:
 
 private:
     enum class Source : std::uint8_t { None, Vertex, Hit };
-    struct Job;
-    class Copy;
     void followPick();
     void followHit();
     void followMesh(TargetId target);
@@ -77,11 +85,11 @@ private:
     [[nodiscard]] std::optional<TargetId> target() const;
     [[nodiscard]] QString whyNotMeasured() const;
     void request();
-    [[nodiscard]] QString mergedNumbers() const;
+    [[nodiscard]] static QString numbersOf(const std::vector<std::size_t>& rows);
     void refuse(const QString& why);
     void gather();
     void start(const Target& target);
-    void take(Job& job, bool done);
+    void take(DentJob& job, bool done);
     void dropCopies();
 
     Session& m_session;
@@ -89,12 +97,13 @@ private:
     std::array<std::optional<VertexRef>, 2> m_picked;  ///< the latest last
     double m_angle = 0.0;
     bool m_isActive = true;
+    bool m_tellsApart = true;
     bool m_isDue = false;   ///< since the job that runs was started
     bool m_isVoid = false;  ///< what is being measured is not wanted any more
     Report m_report;
     HistoryFollower m_history;
-    CopiedTargets<Copy> m_copies;  ///< one at most
-    JobBeside<Job> m_job;
+    CopiedTargets<DentCopy> m_copies;  ///< one at most
+    JobBeside<DentJob> m_job;
     QTimer m_timer;
 };
 

@@ -5,6 +5,7 @@
 
 #include "analysis/hit_files.h"
 #include "models/dent_form_names.h"
+#include "models/group_name.h"
 #include "models/hit_history_model.h"
 #include "models/quantity_text.h"
 #include "session/frame_costs.h"
@@ -100,6 +101,8 @@ void HitHistoryModel::sortParts(std::size_t row, int column, double (&parts)[3])
         }
     } else if (column == PipelineColumn) {
         parts[0] = pipelineOf(hit) ? static_cast<double>(hit.pipeline) : kUnknown;
+    } else if (column == GroupColumn) {
+        parts[0] = hit.group ? static_cast<double>(hit.group.number) : kUnknown;
     } else {
         parts[0] = number(hit, row, column).value_or(kUnknown);
     }
@@ -115,6 +118,9 @@ QString HitHistoryModel::text(const Hit& hit, std::size_t row, int column) const
     if (column == PipelineColumn) {
         const std::optional<PipelineKind> kind = pipelineOf(hit);
         return QString::fromUtf8(kind ? pipelineTraits(*kind).name : std::string_view());
+    }
+    if (column == GroupColumn) {
+        return groupName(hit.group);
     }
     const std::optional<double> value = number(hit, row, column);
     if (!value) {

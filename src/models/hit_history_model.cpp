@@ -67,11 +67,16 @@ constexpr Header kHeaders[HitHistoryModel::ColumnCount] = {
                        "Of the surface where it was struck: unit vector, local frame")},
     {QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "Triangle"),
      QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "The triangle that was struck, counted from 0")},
+    {QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "Group"),
+     QT_TRANSLATE_NOOP("hitscope::HitHistoryModel",
+                       "Hits that were made together: mirrored, scattered, by one stroke of the brush, or "
+                       "grouped by hand")},
 };
 
 /// Texts, which stand at the left.
 bool isName(int column) {
-    return column == HitHistoryModel::TargetColumn || column == HitHistoryModel::PipelineColumn;
+    return column == HitHistoryModel::TargetColumn || column == HitHistoryModel::PipelineColumn ||
+           column == HitHistoryModel::GroupColumn;
 }
 
 }  // namespace

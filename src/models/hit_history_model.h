@@ -35,12 +35,13 @@ public:
         WorldPointColumn,
         NormalColumn,
         TriangleColumn,
+        GroupColumn,
         ColumnCount
     };
     enum Role : int {
         /// The number behind the text: qulonglong for numbers, counts and TargetColumn (the target's id),
         /// double for times (s), lengths (m) and costs (ms), QVariantList of three doubles for points (m) and
-        /// directions; nothing for what is not known and for PipelineColumn.
+        /// directions; nothing for what is not known, for PipelineColumn and GroupColumn.
         RawValueRole = Qt::UserRole,
         HitStateRole,  ///< HitState as int: whether the mesh on screen shows the hit
     };

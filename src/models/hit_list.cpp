@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "models/hit_list.h"
 #include "analysis/beside.h"
+#include "models/group_name.h"
 
 #include <algorithm>
 #include <limits>
@@ -226,7 +227,8 @@ std::vector<std::uint32_t> HitList::accepted(std::uint32_t first, std::uint32_t 
             continue;
         }
         if (m_filter.text.isEmpty() || targets.contains(hit.target) || pipelines.contains(hit.pipeline) ||
-            QString::number(row + 1).contains(m_filter.text)) {
+            QString::number(row + 1).contains(m_filter.text) ||
+            (hit.group && groupName(hit.group).contains(m_filter.text, Qt::CaseInsensitive))) {
             rows.push_back(row);
         }
     }

@@ -12,7 +12,7 @@ namespace hitscope {
 
 /// Which hits a person wants to see.
 struct HitFilter {
-    QString text = {};       ///< part of the hit's number, its target's name or its pipeline's
+    QString text = {};       ///< part of the hit's number or of the name of its target, pipeline or group
     TargetId target = {};    ///< none: on any
     bool isEnabled = false;  ///< enabled ones only
 

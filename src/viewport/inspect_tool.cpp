@@ -72,7 +72,7 @@ void InspectTool::setTool(Tool tool) {
     endDrag();
     leave();
     m_viewport.setMouseTracking(true);  // the aim preview and the wipe line need it too
-    m_viewport.setCursor(tool == Tool::Inspect ? Qt::CrossCursor : Qt::ArrowCursor);
+    m_viewport.setCursor(tool == Tool::Shoot ? Qt::ArrowCursor : Qt::CrossCursor);
     Q_EMIT toolChanged();
 }
 

@@ -11,6 +11,7 @@
 #include "scene/scene_picker.h"
 #include "session/frame_costs.h"
 #include "session/paced_advance.h"
+#include "viewport/brush_tool.h"
 #include "viewport/inspect_tool.h"
 #include "viewport/surface_format.h"
 #include "viewport/view_label.h"
@@ -39,6 +40,7 @@ Viewport::Viewport(Session& session, QWidget* parent)
           },
           [this] { return sceneInSight(); }),
       m_aiming(session, m_navigation, m_options.cut) {
+    m_brush = new BrushTool(*this, session);  // by the parts above
     setFormat(viewportFormat());
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(240, 180);
@@ -141,7 +143,7 @@ SceneGpu::View Viewport::view() const {
     view.pixelRatio = static_cast<float>(devicePixelRatioF());
     view.camera = camera();
     view.options = m_options;
-    view.ghost = m_ghost;
+    view.ghost = m_plannedGhosts ? m_plannedGhosts : m_ghost;
     view.section = m_section;
     view.otherSection = m_otherSection;
     view.showsCutPlane = m_showsCutPlane;
@@ -332,6 +334,13 @@ Ray Viewport::rayThrough(const QPointF& place) const {
 void Viewport::setGhost(std::shared_ptr<const std::vector<glm::vec3>> ghost) {
     if (ghost != m_ghost) {
         m_ghost = std::move(ghost);
+        update();
+    }
+}
+
+void Viewport::setPlannedGhosts(std::shared_ptr<const std::vector<glm::vec3>> ghosts) {
+    if (ghosts != m_plannedGhosts) {
+        m_plannedGhosts = std::move(ghosts);
         update();
     }
 }

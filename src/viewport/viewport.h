@@ -19,6 +19,7 @@
 
 namespace hitscope {
 
+class BrushTool;
 class InspectTool;
 
 /// The picture of a session, and the hand on it: events in, frames out. Makes no GL call itself (SceneGpu
@@ -61,14 +62,17 @@ public:
     [[nodiscard]] PictureRefiner& refiner() { return m_refiner; }
     /// A surface to draw over the picture (SceneGpu::View); null: none.
     void setGhost(std::shared_ptr<const std::vector<glm::vec3>> ghost);
+    /// Likewise, and in its place while there is one: of hits that are planned.
+    void setPlannedGhosts(std::shared_ptr<const std::vector<glm::vec3>> ghosts);
     /// Lines where options().cut cuts the targets, and of the second of two pipelines; null: none are drawn.
     void setSection(std::shared_ptr<const SectionLines> lines);
     void setOtherSection(std::shared_ptr<const SectionLines> lines);
     /// Whether the cutting plane is drawn as a pane.
     void setShowsCutPlane(bool on);
 
-    /// Shoot or Inspect, and what Inspect does.
+    /// Shoot, Inspect or Brush, and what Inspect does.
     [[nodiscard]] InspectTool& inspectTool() { return *m_inspect; }
+    [[nodiscard]] BrushTool& brushTool() { return *m_brush; }
     void lookAt(const hitscope::VertexRef& vertex);  ///< from now on
 
     /// Brings the GPU and the read-back to the session's state now: before an export. Fails when there is no
@@ -143,12 +147,14 @@ private:
     Session& m_session;
     std::unique_ptr<SceneGpu> m_scene;
     InspectTool* m_inspect;
+    BrushTool* m_brush = nullptr;
     QString m_rendererName;
     QString m_rendererVersion;
     std::string m_error;  ///< the reason there is no picture; empty: there is one
 
     DisplayOptions m_options;
     std::shared_ptr<const std::vector<glm::vec3>> m_ghost;
+    std::shared_ptr<const std::vector<glm::vec3>> m_plannedGhosts;
     std::shared_ptr<const SectionLines> m_section;
     std::shared_ptr<const SectionLines> m_otherSection;
     bool m_showsCutPlane = false;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "session/vertex_selection.h"
+#include "viewport/inspect_tool.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -53,7 +54,7 @@ void Viewport::click(const QMouseEvent& event) {
         recentre(event.position());
     } else if (event.button() == Qt::LeftButton && event.modifiers() == Qt::ControlModifier) {
         selectAt(event.position());
-    } else if (event.button() == Qt::LeftButton) {
+    } else if (event.button() == Qt::LeftButton && m_inspect->tool() == Tool::Shoot) {
         shootAlong(m_navigation.rayAt(event.position()));
     }
 }
