@@ -29,6 +29,7 @@
 #include "app/actions/inspect_actions.h"
 #include "app/actions/light_actions.h"
 #include "app/actions/picture_actions.h"
+#include "app/actions/repeat_actions.h"
 #include "app/actions/shot_actions.h"
 #include "app/actions/theme_actions.h"
 #include "app/actions/time_actions.h"
@@ -116,6 +117,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
                                *m_exports, [this] { return captureSession(m_session, view().capture()); }},
                               this)),
       m_inspect(new InspectActions(session, *m_viewport, this)),
+      m_repeat(new RepeatActions(session, *m_viewport, m_hitActions->editing(), *this)),
       m_help(new HelpActions(session, *m_viewport, this)) {
     new HelpTips(this);
     loadSessionSettings(QSettings(), session);
@@ -286,6 +288,8 @@ void MainWindow::connectMessages() {
     connect(m_exports, &ExportActions::failed, this, &MainWindow::fail);
     connect(m_hitActions, &HitActions::failed, this, &MainWindow::fail);
     connect(m_cameraActions, &CameraActions::failed, this, &MainWindow::fail);
+    connect(m_repeat, &RepeatActions::said, this, &MainWindow::say);
+    connect(m_repeat, &RepeatActions::failed, this, &MainWindow::fail);
     connect(m_pictures, &PictureActions::failed, this, &MainWindow::fail);
     connect(m_exchange, &ExchangeActions::failed, this, &MainWindow::fail);
     connect(m_textureLocator, &TextureLocator::failed, this, &MainWindow::fail);
@@ -366,6 +370,7 @@ void MainWindow::saveSettings(QSettings& settings) {
     m_hitActions->save(settings);
     saveSessionSettings(settings, m_session);
     m_inspect->save(settings);
+    m_repeat->save(settings);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -43,6 +43,7 @@ class PipelineChooser;
 class SceneFiles;
 class SettingsKeeper;
 class RecoveryBar;
+class RepeatActions;
 class SessionJournal;
 class ShotActions;
 class StartCard;
@@ -169,6 +170,7 @@ private:
     PictureActions* m_pictures = nullptr;
     ExchangeActions* m_exchange = nullptr;
     InspectActions* m_inspect = nullptr;
+    RepeatActions* m_repeat = nullptr;
     HelpActions* m_help = nullptr;
     ChangeActions* m_change = nullptr;
     CutActions* m_cut = nullptr;

@@ -21,6 +21,7 @@
 #include "app/actions/menu_building.h"
 #include "app/actions/mesh_actions.h"
 #include "app/actions/picture_actions.h"
+#include "app/actions/repeat_actions.h"
 #include "app/actions/shot_actions.h"
 #include "app/actions/theme_actions.h"
 #include "app/actions/time_actions.h"
@@ -105,6 +106,8 @@ void MainWindow::makeShootMenu() {
     addHeldKey(menu, tr("&Shoot at the Crosshair"), tr("Space"), this,
                [this] { m_viewport->shootAtCrosshair(); });
     m_shots->fill(menu);
+    menu.addSeparator();
+    m_repeat->fill(menu);
     menu.addSeparator();
     QAction* bounces = addToggle(menu, tr("&Bounces Count as Hits"), {},
                                  m_session.settings().projectile().bouncesCount, this, [this](bool on) {

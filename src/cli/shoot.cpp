@@ -96,6 +96,20 @@ Result<ShotScript> fireAll(Session& session, const ShootOptions& options) {
     return script;
 }
 
+/// What comes after the shots, on the surface as they have left it; everything is read back then.
+Outcome repeatHits(OpenedScene& scene, const ShootOptions& options) {
+    Outcome synced = scene.sync();
+    if (synced && options.repeat.scatters()) {
+        const Status scattered = scatterHits(scene.session(), options.repeat, options.seed);
+        synced = scattered ? scene.sync() : Outcome(scattered);
+    }
+    if (synced && options.repeat.mirror) {
+        const Status mirrored = mirrorHits(scene.session(), options.repeat);
+        synced = mirrored ? scene.sync() : Outcome(mirrored);
+    }
+    return synced;
+}
+
 /// As whoever opens it will see it.
 CapturedView viewOf(const OpenedScene& scene) {
     if (const SessionDocument* document = scene.document()) {
@@ -200,8 +214,8 @@ Outcome shoot(Invocation& given, const ShootOptions& options) {
     if (!script) {
         return script.error();
     }
-    if (Outcome synced = scene.sync(); !synced) {
-        return synced;
+    if (Outcome repeated = repeatHits(scene, options); !repeated) {
+        return repeated;
     }
     if (Outcome written = writeFiles(scene, options, script.value()); !written) {
         return written;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "cli/repeat_options.h"
 #include "core/result.h"
 #include "deform/dent_form.h"
 #include "deform/pipeline_kind.h"
@@ -37,6 +38,7 @@ struct ShootOptions {
     std::optional<PipelineKind> pipeline;
     std::vector<std::optional<double>> constants;   ///< by deformationParameters(); nothing: as they are
     std::optional<DentForm> form;                   ///< of the dents; nothing: as it is
+    RepeatWish repeat;                              ///< hits that come after the shots
     bool absolute = false;                          ///< they hold on targets of any size
     std::vector<std::optional<double>> projectile;  ///< by projectileParameters(); likewise
     QString savePath;                               ///< where the script goes; empty: nowhere

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
 
 #include "cli/common_options.h"
 #include "cli/form_options.h"
 #include "cli/refine_option.h"
+#include "cli/repeat_options.h"
 #include "cli/shoot.h"
 
 namespace hitscope::cli {
@@ -81,11 +84,15 @@ Shots givenShots(Invocation& given) {
             asked = way;
         }
     }
-    // With hits from a file, only where something is said about shots.
-    const bool saysMore = given.isSet("cone") || given.isSet("seed") || given.isSet("every") ||
-                          given.isSet("instant") || given.isSet("flight") || given.isSet("save") ||
-                          given.isSet("profile") || given.isSet("dent-direction") || given.isSet("curve");
-    return asked.value_or(given.isSet("hits") && !saysMore ? Shots::None : Shots::Burst);
+    // With hits from elsewhere, only where something is said about shots.
+    const bool scatters = given.isSet("scatter") || given.isSet("density");
+    constexpr std::array<const char*, 8> kAbout{"cone", "every",   "instant",        "flight",
+                                                "save", "profile", "dent-direction", "curve"};
+    const bool saysMore = (given.isSet("seed") && !scatters) ||
+                          (!scatters && std::any_of(kAbout.begin(), kAbout.end(),
+                                                    [&](const char* name) { return given.isSet(name); }));
+    const bool hasOthers = given.isSet("hits") || scatters;
+    return asked.value_or(hasOthers && !saysMore ? Shots::None : Shots::Burst);
 }
 
 void readAim(Invocation& given, ShootOptions& options) {
@@ -135,7 +142,7 @@ QList<UsageOption> shootOptions() {
         options << parameterOption(
             parameter, QStringLiteral("as the session has it, or %1").arg(parameter.defaultValue));
     }
-    options << formOptions() << refineOption();
+    options << formOptions() << refineOption() << repeatOptions();
     options << flagOption("absolute",
                           QStringLiteral("Constants are in metres on any target. Otherwise they are those "
                                          "of a target 5 m across, and grow and shrink with the target."));
@@ -182,6 +189,7 @@ ShootOptions readShootOptions(Invocation& given) {
     options.constants = parametersOf(given, deformationParameters(), true);
     options.form = givenForm(given);
     options.refineTo = givenRefinement(given);
+    options.repeat = givenRepeat(given);
     options.absolute = given.isSet("absolute");
     options.projectile = parametersOf(given, projectileParameters(), false);
     options.pipeline = givenPipeline(given);

@@ -115,7 +115,27 @@ private Q_SLOTS:
         }
     }
 
+    void scatteredAndMirroredHitsAreTheSameAgain() {
+        const QTemporaryDir folder;
+        const QString hits = folder.filePath(QStringLiteral("hits.csv"));
+        const QStringList scatter{"--scatter", "50", "--seed", "4", "--size-spread", "30"};
+        const CliRun first = shoot(scatter + QStringList{"--hits-out", hits});
+        QVERIFY2(first.status == 0, qPrintable(first.err));
+        QVERIFY2(first.out.startsWith(QStringLiteral("0 shots, 50 hits")), qPrintable(first.out));
+        QCOMPARE(shoot(scatter).out, first.out);
+        QVERIFY(fingerprintOf(shoot({"--scatter", "50", "--seed", "5", "--size-spread", "30"})) !=
+                fingerprintOf(first));
+        QFile file(hits);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll().count("scatter 1"), 50);
+        const CliRun both = shoot({"--hits", hits, "--mirror", "x"});
+        QVERIFY2(both.out.startsWith(QStringLiteral("0 shots, 100 hits")), qPrintable(both.out + both.err));
+    }
+
     void wrongUsageIsSaid() {
+        QCOMPARE(shoot({"--scatter", "0"}).status, 2);
+        QCOMPARE(shoot({"--scatter", "3", "--density", "2"}).status, 2);
+        QCOMPARE(shoot({"--mirror", "w"}).status, 2);
         QCOMPARE(shoot({"--flight", "slow"}).status, 2);
         QCOMPARE(shoot({"--burst", "0"}).status, 2);
         QCOMPARE(shoot({"--cone", "400"}).status, 2);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The dent measurement panel on a session whose vertices are moved by hand.
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QFile>
 #include <QGuiApplication>
@@ -102,7 +103,28 @@ private Q_SLOTS:
         QCOMPARE(label("depth"), QStringLiteral("–"));
     }
 
+    /// The selected hit's part, its own depth, and which hits made it.
+    void overlappingDentsAreToldApart() {
+        Hit first = m_session->hits().history().hits()[0];
+        first.constants.maxMagnitude = 0.25f;
+        first.point += glm::vec3(0.9f, 0.0f, 0.0f);
+        QVERIFY(m_session->hits().add(first).ok());
+        applyHits(*m_session);
+        m_session->hits().select(1);
+        QTRY_VERIFY_WITH_TIMEOUT(report().dent && !report().partHits.empty(), kPatience);
+        QCOMPARE(report().partHits, (std::vector<std::size_t>{1}));
+        QVERIFY2(std::abs(report().dent->depth - 0.25) < 1.0e-3, qPrintable(label("depth")));
+        QVERIFY(label("subject").contains(QStringLiteral("the part that hit 2 moved most")));
+        QVERIFY(m_panel->measurement().text().contains(QStringLiteral("\nPart moved most by hits\t2")));
+        const std::size_t part = report().dent->vertices;
+        m_panel->findChild<QCheckBox*>(QStringLiteral("apart"))->setChecked(false);
+        QTRY_VERIFY_WITH_TIMEOUT(report().dent && report().partHits.empty(), kPatience);
+        QVERIFY(report().dent->vertices > part);
+        QVERIFY(std::abs(report().dent->depth - 0.3) < 1.0e-3);
+    }
+
     void overlappingHitsAreNamed() {
+        m_panel->measurement().setTellsApart(false);
         useSphere();
         addHitAt({0.0f, 0.0f, 1.0f});
         addHitAt({0.0f, 0.0f, -1.0f});  // on the far side

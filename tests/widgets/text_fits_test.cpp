@@ -50,8 +50,8 @@ private Q_SLOTS:
                 }
             }
         }
-        for (const char* dialog :
-             {"Burst", "Sequence", "Projectile", "Save Picture As", "Save Picture Sequence"}) {
+        for (const char* dialog : {"Burst", "Sequence", "Scatter Hits", "Mirror Hits", "Brush Settings",
+                                   "Projectile", "Save Picture As", "Save Picture Sequence"}) {
             addDialog(cut, QLatin1String(dialog));
         }
         cut.removeDuplicates();

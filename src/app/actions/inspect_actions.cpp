@@ -35,6 +35,10 @@ InspectActions::InspectActions(Session& session, Viewport& viewport, QObject* pa
     m_inspect = addTool(tr("&Inspect"),
                         tr("Inspect: point at vertices, click to pick one, drag to select changed ones (I)"),
                         QStringLiteral("tool_inspect"));
+    m_brush =
+        addTool(tr("&Brush"), tr("Brush: a drag over a target paints hits; [ and ] change the size (R)"),
+                QStringLiteral("tool_brush"));
+    m_brush->setShortcut(Qt::Key_R);
     m_toggle = new QAction(tr("Switch &Tool"), this);
     m_toggle->setShortcut(Qt::Key_I);
     m_rectangle = new QAction(tr("Select in a &Rectangle"), m_outlines);
@@ -49,6 +53,7 @@ InspectActions::InspectActions(Session& session, Viewport& viewport, QObject* pa
 
     connect(m_shoot, &QAction::triggered, this, [this] { m_tool.setTool(Tool::Shoot); });
     connect(m_inspect, &QAction::triggered, this, [this] { m_tool.setTool(Tool::Inspect); });
+    connect(m_brush, &QAction::triggered, this, [this] { m_tool.setTool(Tool::Brush); });
     connect(m_toggle, &QAction::triggered, this,
             [this] { m_tool.setTool(m_tool.tool() == Tool::Shoot ? Tool::Inspect : Tool::Shoot); });
     connect(m_outlines, &QActionGroup::triggered, this, [this](const QAction* chosen) {
@@ -87,6 +92,7 @@ void InspectActions::save(QSettings& settings) const {
 void InspectActions::fill(QMenu& menu) {
     menu.addAction(m_shoot);
     menu.addAction(m_inspect);
+    menu.addAction(m_brush);
     menu.addAction(m_toggle);
     menu.addSeparator();
     menu.addAction(m_rectangle);
@@ -100,6 +106,7 @@ void InspectActions::fill(QMenu& menu) {
 void InspectActions::fill(QToolBar& bar) {
     bar.addAction(m_shoot);
     bar.addAction(m_inspect);
+    bar.addAction(m_brush);
     auto* how = new QMenu(&bar);
     how->addActions({m_rectangle, m_lasso, m_hidden});
     auto* button = qobject_cast<QToolButton*>(bar.widgetForAction(m_inspect));
@@ -128,7 +135,8 @@ void InspectActions::selectAllChanged() {
 }
 
 void InspectActions::follow() {
-    (m_tool.tool() == Tool::Shoot ? m_shoot : m_inspect)->setChecked(true);
+    QAction* tools[] = {m_shoot, m_inspect, m_brush};
+    tools[static_cast<std::size_t>(m_tool.tool())]->setChecked(true);
     enableIf(*m_none, m_session.selection().count() > 0 || m_session.selection().picked(),
              tr("No vertex is selected."));
 }

@@ -16,7 +16,7 @@ namespace hitscope {
 class InspectTool;
 class Viewport;
 
-/// The actions of the viewport's tools: Shoot or Inspect, and how Inspect selects. Its choices are
+/// The actions of the viewport's tools: Shoot, Inspect or Brush, and how Inspect selects. Its choices are
 /// remembered.
 class InspectActions : public QObject {
     Q_OBJECT
@@ -42,6 +42,7 @@ private:
     QActionGroup* m_tools;
     QAction* m_shoot = nullptr;
     QAction* m_inspect = nullptr;
+    QAction* m_brush = nullptr;
     QAction* m_toggle = nullptr;
     QActionGroup* m_outlines;
     QAction* m_rectangle = nullptr;

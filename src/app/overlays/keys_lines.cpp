@@ -144,7 +144,8 @@ KeysSection heldKeys() {
             {{tr("Space"), tr("Shoot at the crosshair; hold to repeat")},
              {tr("W A S D"), tr("Fly; Shift: faster")},
              {tr("E Q"), tr("Fly up and down")},
-             {tr("Esc"), tr("Clear the selection")}}};
+             {tr("[ ]"), tr("Brush: size; Shift: strength; so does Ctrl+wheel")},
+             {tr("Esc"), tr("Clear the selection; give a brush stroke up")}}};
 }
 
 std::vector<KeysSection> actionKeys(const QMainWindow& window) {

@@ -72,6 +72,8 @@ DentMeasurementPanel::DentMeasurementPanel(Session& session, QWidget* parent)
     connect(m_ui->angle, &QSpinBox::valueChanged, m_ui->angleSlider, &QSlider::setValue);
     connect(m_ui->angle, &QSpinBox::valueChanged, this,
             [this](int degrees) { m_measurement.setAngle(degrees * kDegree); });
+    m_ui->apart->setChecked(m_measurement.tellsApart());
+    connect(m_ui->apart, &QCheckBox::toggled, &m_measurement, &DentMeasurement::setTellsApart);
     connect(m_ui->copy, &QToolButton::clicked, this, &DentMeasurementPanel::copy);
     connect(m_ui->csv, &QToolButton::clicked, this, &DentMeasurementPanel::chooseCsv);
     connect(&m_measurement, &DentMeasurement::reportChanged, this, &DentMeasurementPanel::showReport);

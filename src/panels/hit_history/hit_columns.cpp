@@ -41,7 +41,8 @@ constexpr Column kColumns[HitHistoryModel::ColumnCount] = {{"000,000", true},
                                                            {"0.30000", false},
                                                            {"-00.000, -00.000, -00.000", false},
                                                            {"-0.000, -0.000, -0.000", false},
-                                                           {"0,000,000", false}};
+                                                           {"0,000,000", false},
+                                                           {"Scatter 100", true}};
 
 void reset(QTableView& table) {
     QHeaderView& header = *table.horizontalHeader();

@@ -30,7 +30,7 @@ HitFilterBar::HitFilterBar(Session& session, HitList& list, QWidget* parent)
     layout->addWidget(m_target);
     layout->addWidget(m_enabled);
     m_text->setObjectName(QStringLiteral("filterText"));
-    m_text->setPlaceholderText(tr("Number, target or pipeline"));
+    m_text->setPlaceholderText(tr("Number, target, pipeline or group"));
     m_text->setClearButtonEnabled(true);
     m_text->setMinimumWidth(kShortestText);
     m_target->setObjectName(QStringLiteral("filterTarget"));

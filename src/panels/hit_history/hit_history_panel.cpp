@@ -90,7 +90,7 @@ void HitHistoryPanel::connectAll() {
     connect(&m_list, &QAbstractItemModel::modelReset, this, &HitHistoryPanel::showSelectedHit);
     connect(&m_list, &HitList::listed, this, &HitHistoryPanel::updateActions);
     connect(&m_session.hits(), &SessionHits::shownChanged, this, &HitHistoryPanel::updateSummary);
-    connect(m_ui->table, &QAbstractItemView::doubleClicked, this, &HitHistoryPanel::flyToCurrent);
+    connect(m_ui->table, &QAbstractItemView::doubleClicked, this, &HitHistoryPanel::activate);
     connect(m_filterBar, &HitFilterBar::opened, this, [this](bool isOpen) {
         m_filter->setChecked(isOpen);
         updateSummary();
@@ -137,6 +137,12 @@ void HitHistoryPanel::makeActions() {
     m_fly = makeAction(tr("Fly There"), Qt::Key_Return, &HitHistoryPanel::flyToCurrent);
     m_edit = makeAction(tr("Edit"), Qt::Key_F2, &HitHistoryPanel::editWanted);
     m_selectTargets = makeAction(tr("Select All on This Target"), {}, &HitHistoryPanel::selectTargetsHits);
+    m_selectGroup = makeAction(tr("Select Group"), {}, &HitHistoryPanel::selectGroup);
+    m_selectGroup->setObjectName(QStringLiteral("selectGroup"));
+    m_group = makeAction(tr("Group"), {}, &HitHistoryPanel::groupSelected);
+    m_group->setObjectName(QStringLiteral("groupHits"));
+    m_ungroup = makeAction(tr("Ungroup"), {}, &HitHistoryPanel::ungroupSelected);
+    m_ungroup->setObjectName(QStringLiteral("ungroupHits"));
     m_copy = makeAction(tr("Copy as CSV"), QKeySequence::Copy, &HitHistoryPanel::copySelected);
     addSeparator();
     m_remove = makeAction(tr("Remove"), QKeySequence::Delete, &HitHistoryPanel::removeSelected);
@@ -246,28 +252,56 @@ void HitHistoryPanel::toggleFilter() {
     }
 }
 
-void HitHistoryPanel::selectTargetsHits() {
+void HitHistoryPanel::selectHits(const std::function<bool(const Hit&)>& isWanted) {
     const std::span<const Hit> hits = m_session.hits().history().hits();
-    const std::optional<std::size_t> current = currentHit();
-    if (!current) {
-        return;
-    }
     QItemSelection selection;
-    const auto isOnIt = [&](int row) {
-        const auto hit = static_cast<std::size_t>(m_list.mapToSource(m_list.index(row, 0)).row());
-        return hits[hit].target == hits[*current].target;
+    const auto isOne = [&](int row) {
+        return isWanted(hits[static_cast<std::size_t>(m_list.mapToSource(m_list.index(row, 0)).row())]);
     };
     for (int row = 0; row < m_list.rowCount(); ++row) {
-        if (!isOnIt(row)) {
+        if (!isOne(row)) {
             continue;
         }
         const int first = row;
-        while (row + 1 < m_list.rowCount() && isOnIt(row + 1)) {
+        while (row + 1 < m_list.rowCount() && isOne(row + 1)) {
             ++row;
         }
         selection.append({m_list.index(first, 0), m_list.index(row, HitHistoryModel::ColumnCount - 1)});
     }
     m_ui->table->selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
+}
+
+void HitHistoryPanel::selectTargetsHits() {
+    if (const std::optional<std::size_t> current = currentHit()) {
+        const TargetId target = m_session.hits().history().hits()[*current].target;
+        selectHits([target](const Hit& hit) { return hit.target == target; });
+    }
+}
+
+void HitHistoryPanel::selectGroup() {
+    const std::optional<std::size_t> current = currentHit();
+    const HitGroup group = current ? m_session.hits().history().hits()[*current].group : HitGroup();
+    if (group) {
+        selectHits([group](const Hit& hit) { return hit.group == group; });
+    }
+}
+
+void HitHistoryPanel::groupSelected() {
+    m_session.hits().group(selectedRows());
+}
+
+void HitHistoryPanel::ungroupSelected() {
+    m_session.hits().ungroup(selectedRows());
+}
+
+void HitHistoryPanel::activate(const QModelIndex& index) {
+    const std::optional<std::size_t> hit = currentHit();
+    if (index.column() == HitHistoryModel::GroupColumn && hit &&
+        m_session.hits().history().hits()[*hit].group) {
+        selectGroup();
+    } else {
+        flyToCurrent();
+    }
 }
 
 void HitHistoryPanel::followSelection() {
@@ -346,6 +380,13 @@ void HitHistoryPanel::updateActions() {
     enableIf(*m_fly, some, none);
     enableIf(*m_selectTargets, some, none);
     enableIf(*m_remove, some, none);
+    const std::span<const Hit> hits = m_session.hits().history().hits();
+    const bool isGrouped = std::any_of(
+        rows.begin(), rows.end(), [hits](std::size_t row) { return row < hits.size() && hits[row].group; });
+    const QString notGrouped = some ? tr("The selected hits are of no group.") : none;
+    enableIf(*m_selectGroup, isGrouped, notGrouped);
+    enableIf(*m_ungroup, isGrouped, notGrouped);
+    enableIf(*m_group, rows.size() > 1, tr("Select several hits in the list first."));
     Q_EMIT rowsSelected(rows);
 }
 

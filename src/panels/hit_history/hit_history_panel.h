@@ -3,6 +3,7 @@
 
 #include <QKeySequence>
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -25,8 +26,9 @@ namespace hitscope {
 /// The dock "Hit history": a row a hit, with a check box that enables it. The current row's hit is marked in
 /// the viewport; the selected ones can be disabled, moved (also by dragging), removed and copied as CSV, and
 /// one can be edited, from the context menu or by key. Rows can be filtered, and sorted by a column, and
-/// columns shown and hidden. Below, a slider goes back and forth through the hits, and it says how many there
-/// are and, for a pipeline with a capacity, how full it is.
+/// columns shown and hidden. The hits of a group can be selected together: by a double click on its name.
+/// Below, a slider goes back and forth through the hits, and it says how many there are and, for a pipeline
+/// with a capacity, how full it is.
 class HitHistoryPanel : public QWidget {
     Q_OBJECT
 public:
@@ -60,6 +62,12 @@ private:
     void flyToCurrent();
     void toggleFilter();
     void selectTargetsHits();
+    void selectGroup();
+    /// Those in the list for whom `isWanted` of the hit says so.
+    void selectHits(const std::function<bool(const Hit&)>& isWanted);
+    void groupSelected();
+    void ungroupSelected();
+    void activate(const QModelIndex& index);
     void showSelectedHit();  ///< session -> table
     void followSelection();  ///< table -> session
     void updateSummary();
@@ -81,6 +89,9 @@ private:
     QAction* m_remove = nullptr;
     QAction* m_copy = nullptr;
     QAction* m_selectTargets = nullptr;
+    QAction* m_selectGroup = nullptr;
+    QAction* m_group = nullptr;
+    QAction* m_ungroup = nullptr;
     QAction* m_edit = nullptr;
     QAction* m_fly = nullptr;
     QAction* m_filter = nullptr;

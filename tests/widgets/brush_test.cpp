@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Hits painted, scattered and mirrored in the window, by real mouse and keys.
+#include <QComboBox>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QWheelEvent>
+#include <glm/geometric.hpp>
+
+#include "app/dialogs/mirror_dialog.h"
+#include "app/dialogs/scatter_dialog.h"
+#include "support/test_program.h"
+#include "viewport/brush_tool.h"
+#include "viewport/inspect_tool.h"
+#include "widgets/window_support.h"
+
+using namespace hitscope;
+
+class BrushTest : public QObject, protected WindowFixture {
+    Q_OBJECT
+public:
+    static void initMain() { MainWindow::setSurfaceFormat(); }
+
+private Q_SLOTS:
+    void init() {
+        makeWindow();
+        QTest::keyClick(&viewport(), Qt::Key_R);
+        QVERIFY(viewport().inspectTool().tool() == Tool::Brush);
+    }
+    void cleanup() { dropWindow(); }
+
+    void aDragIsAGroupAndOneStep() {
+        drag(centre() - QPoint(90, 0), centre() + QPoint(90, 0));
+        const std::size_t made = hits().size();
+        QVERIFY2(made > 3, qPrintable(QString::number(made)));
+        const HitGroup group = hits().front().group;
+        QCOMPARE(group.kind, HitGroupKind::Stroke);
+        for (std::size_t i = 0; i < made; ++i) {
+            QVERIFY(hits()[i].group == group);
+            QVERIFY(glm::dot(hits()[i].direction, -glm::normalize(hits()[i].point)) > 0.95f);
+            if (i > 0) {
+                // The spacing is half the reach; a step looks at the surface every two pixels, and the
+                // surface sinks under the brush.
+                const float apart = glm::distance(hits()[i].point, hits()[i - 1].point);
+                QVERIFY2(apart > 0.2f && apart < 0.75f, qPrintable(QString::number(apart)));
+            }
+        }
+        QCOMPARE(m_session->steps().size(), std::size_t{1});
+        drag(centre() - QPoint(0, 90), centre() + QPoint(0, 90));
+        QVERIFY(hits().back().group != group);
+        QCOMPARE(m_session->steps().size(), std::size_t{2});
+        m_session->undo();
+        QCOMPARE(hits().size(), made);
+        m_session->undo();
+        QCOMPARE(hits().size(), std::size_t{0});
+        m_session->redo();
+        QCOMPARE(hits().size(), made);
+    }
+
+    void aClickIsOneHitAndStandingStillNoMore() {
+        QTest::mousePress(&viewport(), Qt::LeftButton, {}, centre());
+        for (int i = 0; i < 20; ++i) {
+            QTest::mouseMove(&viewport(), centre());
+        }
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, centre());
+        QTRY_VERIFY_WITH_TIMEOUT(!viewport().brushTool().isPainting(), kPatience);
+        QCOMPARE(hits().size(), std::size_t{1});
+    }
+
+    void escapeTakesTheStrokeBack() {
+        QTest::mousePress(&viewport(), Qt::LeftButton, {}, centre());
+        QTest::mouseMove(&viewport(), centre() + QPoint(60, 0));
+        QTRY_VERIFY_WITH_TIMEOUT(hits().size() > 1, kPatience);
+        QTest::keyClick(&viewport(), Qt::Key_Escape);
+        QVERIFY(!viewport().brushTool().isPainting());
+        QCOMPARE(hits().size(), std::size_t{0});
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, centre());
+    }
+
+    void keysAndWheelChangeSizeAndStrength() {
+        const BrushSettings before = viewport().brushTool().settings();
+        QTest::keyClick(&viewport(), Qt::Key_BracketRight);
+        const BrushSettings larger = viewport().brushTool().settings();
+        QVERIFY(larger.size > before.size && larger.strength == before.strength);
+        QTest::keyClick(&viewport(), Qt::Key_BraceLeft, Qt::ShiftModifier);
+        const BrushSettings weaker = viewport().brushTool().settings();
+        QVERIFY(weaker.size == larger.size && weaker.strength < before.strength);
+        drag(centre(), centre());
+        QCOMPARE(hits().size(), std::size_t{1});
+        const DeformationConstants made = hits()[0].constants;
+        QVERIFY(std::abs(made.maxDistance / 0.5f - static_cast<float>(weaker.size)) < 1e-3f);
+        QVERIFY(std::abs(made.maxMagnitude / 0.3f - static_cast<float>(weaker.size * weaker.strength)) <
+                1e-3f);
+        const Camera camera = viewport().camera();
+        QWheelEvent wheel(QPointF(centre()), viewport().mapToGlobal(QPointF(centre())), {}, {0, 120},
+                          Qt::NoButton, Qt::ControlModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&viewport(), &wheel);
+        QVERIFY(viewport().brushTool().settings().size > weaker.size);
+        QVERIFY(glm::distance(viewport().camera().eye(), camera.eye()) == 0.0f);
+    }
+
+    void besideTargetsADragMovesTheCamera() {
+        const glm::vec3 eye = viewport().camera().eye();
+        drag(QPoint(8, 8), QPoint(80, 30));
+        QCOMPARE(hits().size(), std::size_t{0});
+        QVERIFY(glm::distance(viewport().camera().eye(), eye) > 0.0f);
+    }
+
+    void scatterShowsGhostsAndMakesAGroup() {
+        trigger(QStringLiteral("Scatter Hits"));
+        auto* dialog = m_window->findChild<ScatterDialog*>();
+        QVERIFY(dialog != nullptr && dialog->isVisible());
+        dialog->findChild<QSpinBox*>(QStringLiteral("count"))->setValue(40);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            dialog->planner().current() != nullptr && dialog->planner().current()->hits.size() == 40,
+            kPatience);
+        const std::vector<Hit> planned = dialog->planner().current()->hits;
+        QVERIFY(!dialog->planner().current()->ghosts->empty());
+        QCOMPARE(hits().size(), std::size_t{0});
+        dialog->findChild<QPushButton*>(QStringLiteral("apply"))->click();
+        QCOMPARE(hits().size(), std::size_t{40});
+        QVERIFY(!dialog->isVisible());
+        for (std::size_t i = 0; i < planned.size(); ++i) {
+            QCOMPARE(hits()[i].point, planned[i].point);
+            QCOMPARE(hits()[i].group.kind, HitGroupKind::Scatter);
+        }
+        m_session->undo();
+        QCOMPARE(hits().size(), std::size_t{0});
+    }
+
+    void mirrorRepeatsHitsOnTheOtherSide() {
+        Hit hit;
+        hit.target = m_session->targets().front()->id;
+        hit.point = {2.0f, 1.5f, 0.0f};
+        hit.direction = glm::normalize(glm::vec3(-2.0f, -1.5f, 0.0f));
+        QVERIFY(m_session->hits().add(hit).ok());
+        trigger(QStringLiteral("Mirror Hits"));
+        auto* dialog = m_window->findChild<MirrorDialog*>();
+        QVERIFY(dialog != nullptr && dialog->isVisible());
+        dialog->findChild<QComboBox*>(QStringLiteral("hits"))->setCurrentIndex(1);
+        dialog->findChild<QComboBox*>(QStringLiteral("through"))->setCurrentIndex(1);
+        QTRY_VERIFY_WITH_TIMEOUT(dialog->planner().current() != nullptr, kPatience);
+        dialog->apply();
+        QCOMPARE(hits().size(), std::size_t{2});
+        QCOMPARE(hits()[1].point, glm::vec3(-2.0f, 1.5f, 0.0f));
+        QCOMPARE(hits()[1].group.kind, HitGroupKind::Mirror);
+    }
+
+private:
+    [[nodiscard]] Viewport& viewport() const { return m_window->viewport(); }
+    [[nodiscard]] QPoint centre() const { return viewport().rect().center(); }
+    [[nodiscard]] std::span<const Hit> hits() const { return m_session->hits().history().hits(); }
+
+    void drag(const QPoint& from, const QPoint& to) {
+        QTest::mousePress(&viewport(), Qt::LeftButton, {}, from);
+        for (int step = 1; step <= 6; ++step) {
+            QTest::mouseMove(&viewport(), from + (to - from) * step / 6);
+            QTest::qWait(5);
+        }
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, to);
+        QTRY_VERIFY_WITH_TIMEOUT(!viewport().brushTool().isPainting(), kPatience);
+    }
+    void trigger(const QString& begin) {
+        for (QAction* action : m_window->findChildren<QAction*>()) {
+            if (action->text().remove(u'&').startsWith(begin)) {
+                action->trigger();
+                return;
+            }
+        }
+        QFAIL("no such action");
+    }
+};
+
+HITSCOPE_TEST(BrushTest, QApplication)
+#include "brush_test.moc"
