@@ -136,7 +136,7 @@ Hit HitPlanner::modelOn(const Session& session, const Target& target) {
     Hit hit;
     hit.target = target.id;
     hit.constants = session.settings().constantsOn(target);
-    hit.time = session.simulation().physics().time();
+    hit.time = session.simulation().physics().clock().time();
     hit.pipeline = static_cast<std::uint8_t>(session.settings().pipeline());
     return hit;
 }

@@ -238,14 +238,14 @@ ShotScript shootAtSurface(Session& session, const ShootOptions& options,
     const SurfacePlaces places(session);
     ShotScript script = newShots(session, options);
     const float away = flightOf(session, options, script);
-    const double start = session.simulation().physics().time();
+    const double start = session.simulation().physics().clock().time();
     for (int i = 0; i < options.count && !places.empty(); ++i) {
         const std::optional<Ray> ray = strikingShot(session, places, script, away, random);
         if (!ray) {
             continue;
         }
         ShotScript shot{script.projectile, script.isInstant, {{i == 0 ? 0.0 : options.interval, *ray}}};
-        const double now = session.simulation().physics().time();
+        const double now = session.simulation().physics().clock().time();
         script.shots.push_back({now + shot.shots.front().time - start, *ray});
         play(shot);
     }

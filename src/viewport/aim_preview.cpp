@@ -126,7 +126,7 @@ void AimPreview::show() {
         ghost->push_back(target->transform.toWorld(corner));
     }
     m_viewport.setGhost(std::move(ghost));
-    m_aim = Aim{target->id, hit->point, distance};
+    m_aim = Aim{target->id, hit->point, sphere.radius};
     Q_EMIT shown();
     const std::size_t count = preview.affectedVertices;
     const auto metres = static_cast<double>(preview.depth);

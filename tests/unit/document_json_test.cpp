@@ -220,7 +220,6 @@ void DocumentJsonTest::hits() {
                          .profile = DentProfile::Curve};
     TRY_CHANGE(hits[0].form, curve);
     TRY_CHANGE(hits[0].group, (HitGroup{4, HitGroupKind::Stroke}));
-    TRY_CHANGE(hits[0].group, (HitGroup{4, HitGroupKind::Chosen}));
     for (const int pipeline : {0, 1, 2, 4, 5, 200, 254, 255}) {
         TRY_CHANGE(hits[0].pipeline, static_cast<std::uint8_t>(pipeline));
     }

@@ -12,14 +12,14 @@ namespace hitscope {
 
 namespace {
 
-constexpr double kPercent = 100.0;
+constexpr double kBrushPercent = 100.0;
 constexpr double kMillimetres = 1000.0;
 enum : int { kOfSize, kInMillimetres };  // m_unit
 
 QDoubleSpinBox* percentBox(QWidget* parent) {
     auto* box = new QDoubleSpinBox(parent);
     box->setDecimals(0);
-    box->setRange(BrushSettings::kLeast * kPercent, BrushSettings::kMost * kPercent);
+    box->setRange(BrushSettings::kLeast * kBrushPercent, BrushSettings::kMost * kBrushPercent);
     box->setSingleStep(5.0);
     box->setSuffix(BrushDialog::tr(" %"));
     box->setKeyboardTracking(false);
@@ -74,10 +74,10 @@ void BrushDialog::showSettings() {
     m_isShowing = true;
     const BrushSettings& settings = m_brush.settings();
     const bool isFixed = settings.spacingMetres > 0.0;
-    m_size->setValue(settings.size * kPercent);
-    m_strength->setValue(settings.strength * kPercent);
+    m_size->setValue(settings.size * kBrushPercent);
+    m_strength->setValue(settings.strength * kBrushPercent);
     m_unit->setCurrentIndex(isFixed ? kInMillimetres : kOfSize);
-    m_spacing->setValue(settings.spacing * kPercent);
+    m_spacing->setValue(settings.spacing * kBrushPercent);
     if (isFixed) {
         m_millimetres->setValue(settings.spacingMetres * kMillimetres);
     }
@@ -93,9 +93,9 @@ void BrushDialog::apply() {
         return;
     }
     BrushSettings settings;
-    settings.size = m_size->value() / kPercent;
-    settings.strength = m_strength->value() / kPercent;
-    settings.spacing = m_spacing->value() / kPercent;
+    settings.size = m_size->value() / kBrushPercent;
+    settings.strength = m_strength->value() / kBrushPercent;
+    settings.spacing = m_spacing->value() / kBrushPercent;
     settings.spacingMetres =
         m_unit->currentIndex() == kInMillimetres ? m_millimetres->value() / kMillimetres : 0.0;
     settings.isInward = m_direction->currentIndex() == 0;

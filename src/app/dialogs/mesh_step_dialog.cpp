@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "analysis/beside.h"
+#include "deform/dent_shape.h"
 #include "models/quantity_text.h"
 #include "panels/fields/number_box.h"
 #include "panels/help/help_text.h"
@@ -84,7 +85,7 @@ MeshStepDialog::~MeshStepDialog() {
 float MeshStepDialog::usualLength() const {
     float length = std::numeric_limits<float>::infinity();
     for (const Hit& hit : m_edit.hits) {
-        length = std::min(length, hit.constants.maxDistance / kPartsOfReach);
+        length = std::min(length, reachOf(hit).radius / kPartsOfReach);
     }
     if (!std::isfinite(length)) {
         const glm::vec3 size = m_mesh->bounds().size();

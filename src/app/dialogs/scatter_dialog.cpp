@@ -21,7 +21,7 @@ namespace {
 enum : int { kWhole, kSelected };           // m_region
 enum : int { kByNumber, kByDensity };       // m_amount
 enum : int { kInward, kAlongView, kDown };  // m_direction
-constexpr double kPercent = 100.0;
+constexpr double kScatterPercent = 100.0;
 constexpr double kWidestCone = 90.0;  // degrees
 constexpr double kMostDensity = 1.0e12;
 
@@ -135,7 +135,7 @@ ScatterPlan ScatterDialog::plan() const {
     plan.count = static_cast<std::uint32_t>(m_count->value());
     plan.density = m_density->value();
     plan.seed = static_cast<std::uint64_t>(m_seed->value());
-    plan.sizeSpread = m_size->value() / kPercent;
+    plan.sizeSpread = m_size->value() / kScatterPercent;
     plan.isInward = m_direction->currentIndex() == kInward;
     plan.cone = m_cone->value() * std::numbers::pi / 180.0;
     const glm::vec3 world = m_direction->currentIndex() == kAlongView ? viewport().camera().forward()

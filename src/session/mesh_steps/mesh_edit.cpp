@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "deform/dent_shape.h"
 #include "mesh/same_bits.h"
 #include "session/session.h"
 #include "session/vertex_selection.h"
@@ -79,7 +80,8 @@ Result<MeshRegion> regionOf(const MeshEdit& edit, const MeshData& before, const 
     region.kind = MeshRegion::Kind::Balls;
     for (const Hit& hit : edit.hits) {
         if (hit.enabled) {
-            region.balls.push_back({hit.point, hit.constants.maxDistance});
+            const HitReach reach = reachOf(hit);
+            region.balls.push_back({reach.centre, reach.radius});
         }
     }
     return region;
