@@ -113,8 +113,9 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(
             dialog->planner().current() != nullptr && dialog->planner().current()->hits.size() == 40,
             kPatience);
-        const std::vector<Hit> planned = dialog->planner().current()->hits;
-        QVERIFY(!dialog->planner().current()->ghosts->empty());
+        const auto plan = dialog->planner().current();
+        QVERIFY(plan != nullptr && !plan->ghosts->empty());
+        const std::vector<Hit> planned(plan->hits.begin(), plan->hits.end());
         QCOMPARE(hits().size(), std::size_t{0});
         dialog->findChild<QPushButton*>(QStringLiteral("apply"))->click();
         QCOMPARE(hits().size(), std::size_t{40});
