@@ -69,7 +69,7 @@ private Q_SLOTS:
              {"Uniform array", "Uniform array, culled", "Transform feedback", "Reference"}) {
             const QString verdict = value(QString::fromLatin1(pipeline));
             QVERIFY2(verdict.contains(QStringLiteral("bit-exact")), qPrintable(run.out));
-            QVERIFY2(verdict.contains(QStringLiteral("16,140 vertices")), qPrintable(verdict));
+            QVERIFY2(verdict.contains(QStringLiteral("21,520 vertices")), qPrintable(verdict));
         }
         const QString compute = value(QStringLiteral("Compute"));
         QVERIFY(compute.contains(QStringLiteral("bit-exact")) ||

@@ -38,10 +38,10 @@ private Q_SLOTS:
             QVERIFY(hits()[i].group == group);
             QVERIFY(glm::dot(hits()[i].direction, -glm::normalize(hits()[i].point)) > 0.95f);
             if (i > 0) {
-                // The spacing is half the reach; a step looks at the surface every two pixels, and the
-                // surface sinks under the brush.
+                // The spacing is half the reach, along a surface that sinks under the brush by up to 0.3 m a
+                // hit; a step looks at the surface every two pixels.
                 const float apart = glm::distance(hits()[i].point, hits()[i - 1].point);
-                QVERIFY2(apart > 0.2f && apart < 0.75f, qPrintable(QString::number(apart)));
+                QVERIFY2(apart > 0.1f && apart < 1.0f, qPrintable(QString::number(apart)));
             }
         }
         QCOMPARE(m_session->steps().size(), std::size_t{1});

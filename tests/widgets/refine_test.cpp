@@ -11,6 +11,7 @@
 
 #include "app/actions/picture_actions.h"
 #include "mesh/primitives.h"
+#include "panels/help/help_text.h"
 #include "scene/picture.h"
 #include "support/baseline.h"
 #include "support/test_program.h"
@@ -207,7 +208,8 @@ void RefineTest::environmentTurnsLightsOff() {
     };
     QVERIFY(light() != nullptr && light()->isEnabled());
     set([](DisplayOptions& options) { options.environment = true; });
-    QVERIFY(!light()->isEnabled() && light()->toolTip().contains(QStringLiteral("environment")));
+    QVERIFY(!light()->isEnabled());
+    QVERIFY(whyDisabled(*light()).contains(QStringLiteral("environment")));
     set([](DisplayOptions& options) { options.environment = false; });
     QVERIFY(light()->isEnabled());
 }
