@@ -81,7 +81,7 @@ MeshStepDialog::~MeshStepDialog() {
     stopPreview();
 }
 
-/// Short enough for dents where there are hits, else a hundredth of the mesh.
+/// Short enough for dents where there are hits, else a hundredth of the mesh; two digits of it.
 float MeshStepDialog::usualLength() const {
     float length = std::numeric_limits<float>::infinity();
     for (const Hit& hit : m_edit.hits) {
@@ -91,7 +91,7 @@ float MeshStepDialog::usualLength() const {
         const glm::vec3 size = m_mesh->bounds().size();
         length = std::max({size.x, size.y, size.z}) / kUsualParts;
     }
-    return std::isfinite(length) && length > 0.0f ? length : 0.1f;
+    return std::isfinite(length) && length > 0.0f ? QString::number(length, 'g', 2).toFloat() : 0.1f;
 }
 
 void MeshStepDialog::makeRefineRows(QFormLayout& form) {
@@ -196,7 +196,7 @@ void MeshStepDialog::follow() {
         enableIf(*m_keepQuads, m_method->currentIndex() == 0, tr("Only midpoint keeps quads."));
     }
     stopPreview();
-    m_result->setText(tr("Working it out…"));
+    m_result->setText(tr("Computing…"));
     m_soon.start();
 }
 
