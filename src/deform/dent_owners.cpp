@@ -72,7 +72,7 @@ std::vector<std::uint32_t> dentsOfHits(std::span<const Hit> hits) {
         return hit;
     };
     const auto join = [&](std::uint32_t a, std::uint32_t b) {
-        const auto [first, second] = std::minmax(rootOf(a), rootOf(b));
+        const auto [first, second] = std::minmax({rootOf(a), rootOf(b)});
         dents[second] = first;
     };
     std::stable_sort(order.begin(), order.end(),
