@@ -61,6 +61,7 @@ void KeepingTest::nothingIsWrittenWithoutAChange() {
 void KeepingTest::saysThatSettingsCannotBeSaved() {
     m_settings = std::make_unique<TestSettings>();
     const QString file = QSettings().fileName();
+    QVERIFY(!QFile::exists(file) || QFile::remove(file));
     QVERIFY(QDir().mkpath(file));  // a folder is in its place
     makeWindow();
     auto* notice = m_window->findChild<NoticeBar*>();
