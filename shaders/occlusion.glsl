@@ -14,6 +14,7 @@ uniform vec2 u_nearTurn;             // [0, 1): turns and shifts the places of t
 const int kPlaces = 4;
 const float kStrength = 1.15;
 const float kLeastOpen = 0.12;
+const float kOwnShare = 0.0625;  // of a turn
 const mat2 kGoldenTurn = mat2(-0.737369, 0.675490, -0.675490, -0.737369);
 
 // From the depth buffer to metres from the eye along the line of sight.
@@ -46,10 +47,10 @@ float openShare(vec3 normal)
     vec3 n = u_toView * normal;
     float perRadius = 1.0 / u_nearScale.w;
     float reach = min(u_nearScale.w / pixel, u_nearPlace.y);  // pixels
-    // Another direction in each pixel, or all would err the same way.
+    // A little off in each pixel: with wholly other directions so few samples leave stripes.
     float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-    float angle = 6.2831853 * (noise + u_nearTurn.x);
-    float shift = fract(noise * 7.0 + u_nearTurn.y);
+    float angle = 6.2831853 * (noise * kOwnShare + u_nearTurn.x);
+    float shift = fract(noise * kOwnShare + u_nearTurn.y);
     vec2 way = vec2(cos(angle), sin(angle));
     ivec2 last = ivec2(2.0 * u_nearPlace.xy) - 1;
     float slack = (0.01 * u_nearScale.w + 1.5 * pixel) * perRadius;
