@@ -14,8 +14,6 @@
 namespace hitscope {
 namespace {
 
-constexpr qint64 kLongestHeader = 1 << 20;  // bytes, of a PLY file
-
 /// What a file makes of a coordinate.
 double rounded(double coordinate, PlyType type) {
     return isWhole(type)              ? std::round(coordinate)
@@ -29,7 +27,7 @@ PlyType coordinateType(const QString& path, const QString& suffix) {
     if (suffix != QStringLiteral("ply") || !file.open(QIODevice::ReadOnly)) {
         return PlyType::Float32;
     }
-    const QByteArray start = file.read(kLongestHeader);
+    const QByteArray start = file.read(kLongestPlyHeader);
     const std::string_view bytes(start.constData(), static_cast<std::size_t>(start.size()));
     const Result<PlyHeader> header = parsePlyHeader(bytes, static_cast<std::uint64_t>(file.size()));
     if (header) {

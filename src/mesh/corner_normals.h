@@ -8,6 +8,9 @@
 
 namespace hitscope {
 
+/// Radians between faces from which computed normals keep them apart, where nothing else is said.
+inline constexpr float kCreaseAngle = 0.7853982f;
+
 /// The corners of every vertex: those of v are corners[starts[v]] .. corners[starts[v + 1]], ascending.
 struct VertexCorners {
     explicit VertexCorners(const MeshData& mesh);

@@ -79,7 +79,7 @@ struct MeshData {
     std::vector<glm::vec3> positions;  ///< metres, local frame; V entries, vertices no face uses included
     std::vector<glm::dvec3> filePositions;  ///< empty or V entries: the file's own numbers, before placement
     Placement placement;                    ///< relates filePositions to positions
-    std::vector<glm::vec3> colours;         ///< empty or V entries, [0, 1]
+    std::vector<glm::vec3> colours;         ///< empty or V entries, sRGB in [0, 1]
     std::vector<glm::vec3> normals;         ///< the file's normals, any number (unit not guaranteed)
     std::vector<glm::vec2> texcoords;  ///< the file's texture coordinates, any number; v upwards, as in OBJ
 

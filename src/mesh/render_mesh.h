@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/bounds.h"
+#include "mesh/corner_normals.h"
 #include "mesh/mesh_data.h"
 
 namespace hitscope {
@@ -75,6 +76,6 @@ inline constexpr std::uint32_t kClusterVertices = 64;
 /// vertex that meet within `creaseAngle` radians (or share the file's smoothing group, where it has them).
 /// Polygons are triangulated (convex and concave, by ear clipping in their best plane). `mesh` has passed
 /// validate().
-[[nodiscard]] RenderMesh buildRenderMesh(const MeshData& mesh, float creaseAngle = 0.7853982f);
+[[nodiscard]] RenderMesh buildRenderMesh(const MeshData& mesh, float creaseAngle = kCreaseAngle);
 
 }  // namespace hitscope

@@ -4,21 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/srgb.h"
+
 namespace hitscope {
 
 namespace {
 
 PointLight& point(Lights& lights, int row) {
     return lights.points[static_cast<std::size_t>(row - FirstPointRow)];
-}
-
-// IEC 61966-2-1: lights are linear, colours on buttons are not.
-float encoded(float linear) {
-    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
-}
-
-float decoded(float srgb) {
-    return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
 }
 
 }  // namespace
@@ -55,14 +48,14 @@ glm::vec3* lightDirection(Lights& lights, int row) {
 
 QString colourName(const glm::vec3& linear) {
     const auto part = [](float value) {
-        const long level = std::lround(255.0f * std::clamp(encoded(value), 0.0f, 1.0f));
+        const long level = std::lround(255.0f * std::clamp(srgbOfLinear(value), 0.0f, 1.0f));
         return QStringLiteral("%1").arg(level, 2, 16, QLatin1Char('0'));
     };
     return u'#' + part(linear.r) + part(linear.g) + part(linear.b);
 }
 
 glm::vec3 linearColour(float red, float green, float blue) {
-    return {decoded(red), decoded(green), decoded(blue)};
+    return {linearOfSrgb(red), linearOfSrgb(green), linearOfSrgb(blue)};
 }
 
 }  // namespace hitscope

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/srgb.h"
+
 namespace hitscope {
 
 namespace {
@@ -13,13 +15,13 @@ constexpr int kSteps = 16 * 255;
 
 using Table = std::array<std::uint16_t, kSteps + 1>;
 
-/// IEC 61966-2-1. A table, as a mesh may have millions of vertices.
+/// A table, as a mesh may have millions of vertices.
 Table makeTable() {
     Table table{};
     for (int i = 0; i <= kSteps; ++i) {
         const double value = static_cast<double>(i) / kSteps;
-        const double linear = value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-        table[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(std::lround(65535.0 * linear));
+        table[static_cast<std::size_t>(i)] =
+            static_cast<std::uint16_t>(std::lround(65535.0 * linearOfSrgb(value)));
     }
     return table;
 }

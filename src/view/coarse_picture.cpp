@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "core/parallel.h"
+#include "core/srgb.h"
 
 namespace hitscope {
 namespace {
@@ -32,13 +33,6 @@ struct Corner {
     bool isInFront = false;
 };
 
-std::uint8_t toSrgbByte(float linear) {
-    const float clamped = std::clamp(linear, 0.0f, 1.0f);
-    const float srgb =
-        clamped <= 0.0031308f ? 12.92f * clamped : 1.055f * std::pow(clamped, 1.0f / 2.4f) - 0.055f;
-    return static_cast<std::uint8_t>(std::lround(255.0f * srgb));
-}
-
 /// Draws faces into a picture of its own.
 class FacePainter {
 public:
@@ -53,7 +47,7 @@ public:
           m_height(height),
           m_pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
         for (int i = 0; i < 256; ++i) {
-            m_gamma[static_cast<std::size_t>(i)] = toSrgbByte(static_cast<float>(i) / 255.0f);
+            m_gamma[static_cast<std::size_t>(i)] = srgbByteOfLinear(static_cast<float>(i) / 255.0f);
         }
     }
 

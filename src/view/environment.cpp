@@ -10,6 +10,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
+#include "core/srgb.h"
+
 namespace hitscope {
 namespace {
 
@@ -114,11 +116,6 @@ glm::vec3 matcapColour(const glm::vec3& normal) {
     return glm::min(light, glm::vec3(1.0f));
 }
 
-std::uint8_t toSrgbByte(float light) {
-    const float coded = light <= 0.0031308f ? 12.92f * light : 1.055f * std::pow(light, 1.0f / 2.4f) - 0.055f;
-    return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(coded, 0.0f, 1.0f)));
-}
-
 }  // namespace
 
 glm::vec3 environmentLight(const glm::vec3& direction, float roughness) {
@@ -187,8 +184,8 @@ Image makeMatcap(int side) {
             at /= std::max(1.0f, glm::length(at));
             const float towards = std::sqrt(std::max(1.0f - glm::dot(at, at), 0.0f));
             const glm::vec3 colour = matcapColour(glm::normalize(glm::vec3(at, towards)));
-            image.pixels.insert(image.pixels.end(),
-                                {toSrgbByte(colour.r), toSrgbByte(colour.g), toSrgbByte(colour.b), 255});
+            image.pixels.insert(image.pixels.end(), {srgbByteOfLinear(colour.r), srgbByteOfLinear(colour.g),
+                                                     srgbByteOfLinear(colour.b), 255});
         }
     }
     return image;

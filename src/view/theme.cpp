@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "core/srgb.h"
+
 namespace hitscope {
 namespace {
 
@@ -34,10 +36,6 @@ const ThemeColours kLight{
     .accent = {0.85f, 0.36f, 0.0f},
 };
 
-float toLinear(float value) {
-    return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
-}
-
 }  // namespace
 
 const ThemeColours& themeColours(Theme theme) {
@@ -45,7 +43,7 @@ const ThemeColours& themeColours(Theme theme) {
 }
 
 glm::vec3 toLinear(const glm::vec3& srgb) {
-    return {toLinear(srgb.r), toLinear(srgb.g), toLinear(srgb.b)};
+    return {linearOfSrgb(srgb.r), linearOfSrgb(srgb.g), linearOfSrgb(srgb.b)};
 }
 
 }  // namespace hitscope

@@ -33,6 +33,9 @@ struct PlyElement {
     std::vector<PlyProperty> properties;
 };
 
+/// Bytes. A header that has not ended by then is none.
+inline constexpr std::int64_t kLongestPlyHeader = 1 << 20;
+
 enum class PlyEncoding : std::uint8_t { Ascii, LittleEndian, BigEndian };
 
 struct PlyHeader {

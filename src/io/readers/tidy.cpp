@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "core/finite.h"
+#include "core/srgb.h"
 
 namespace hitscope {
 namespace {
@@ -92,13 +93,10 @@ void setColours(MeshData& mesh, std::vector<glm::vec3> colours) {
     mesh.colours = std::move(colours);
 }
 
-/// IEC 61966-2-1.
 void turnColoursToSrgb(MeshData& mesh) {
     for (glm::vec3& colour : mesh.colours) {
         for (int i = 0; i < 3; ++i) {
-            const float light = colour[i];
-            colour[i] = light <= 0.0031308f ? 12.92f * light : 1.055f * std::pow(light, 1.0f / 2.4f) - 0.055f;
-            colour[i] = std::clamp(colour[i], 0.0f, 1.0f);
+            colour[i] = std::clamp(srgbOfLinear(colour[i]), 0.0f, 1.0f);
         }
     }
 }

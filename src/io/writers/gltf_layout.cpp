@@ -12,8 +12,6 @@
 namespace hitscope {
 namespace {
 
-constexpr float kCreaseAngle = 0.7853982f;  // as buildRenderMesh() has it
-
 /// Which primitive each face belongs to, and what these are.
 class FaceSorter {
 public:

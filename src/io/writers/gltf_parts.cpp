@@ -7,7 +7,7 @@
 #include <limits>
 #include <memory>
 
-#include "io/writers/colour_space.h"
+#include "core/srgb.h"
 
 namespace hitscope {
 namespace {
@@ -121,13 +121,10 @@ void GltfParts::addVectors(QJsonObject& attributes, const GltfPrimitive& primiti
         });
     }
     if (!m_mesh.colours.empty()) {
-        const bool isLinear = hasLinearColours(m_what.sourcePath);
-        add("COLOR_0", "VEC3", sizeof(glm::vec3),
-            [this, &primitive, isLinear](PieceWriter& out, std::size_t i) {
-                const glm::vec3& colour = m_mesh.colours[primitive.fileVertices[i]];
-                out.plain(isLinear ? colour
-                                   : glm::vec3(linearOf(colour.x), linearOf(colour.y), linearOf(colour.z)));
-            });
+        add("COLOR_0", "VEC3", sizeof(glm::vec3), [this, &primitive](PieceWriter& out, std::size_t i) {
+            const glm::vec3& srgb = m_mesh.colours[primitive.fileVertices[i]];
+            out.plain(glm::vec3(linearOfSrgb(srgb.x), linearOfSrgb(srgb.y), linearOfSrgb(srgb.z)));
+        });
     }
 }
 

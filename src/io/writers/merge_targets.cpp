@@ -8,14 +8,11 @@
 #include <glm/matrix.hpp>
 #include <unordered_set>
 
-#include "io/writers/colour_space.h"
 #include "mesh/corner_normals.h"
 #include "mesh/same_bits.h"
 
 namespace hitscope {
 namespace {
-
-constexpr float kCreaseAngle = 0.7853982f;  // as buildRenderMesh() has it
 
 std::uint32_t shifted(std::uint32_t index, std::size_t by) {
     return index == kNoIndex ? kNoIndex : static_cast<std::uint32_t>(index + by);
@@ -97,13 +94,8 @@ void Merger::addVertices(const PlacedTarget& target) {
                                                             : mesh.sourceVertices[v]);
         }
     }
-    const bool isLinear = hasLinearColours(target.sourcePath);
     for (std::size_t v = 0; m_has.colours && v < mesh.positions.size(); ++v) {
-        glm::vec3 colour = mesh.colours.empty() ? glm::vec3(1.0f) : mesh.colours[v];
-        for (int i = 0; isLinear && i < 3; ++i) {
-            colour[i] = std::clamp(srgbOf(colour[i]), 0.0f, 1.0f);
-        }
-        m_mesh.colours.push_back(colour);
+        m_mesh.colours.push_back(mesh.colours.empty() ? glm::vec3(1.0f) : mesh.colours[v]);
     }
     if (m_has.hits) {
         m_merged.hits.insert(m_merged.hits.end(), target.hits.begin(), target.hits.end());

@@ -10,8 +10,6 @@
 namespace hitscope {
 namespace {
 
-constexpr qint64 kLongestHeader = 1 << 20;  // bytes
-
 /// The source is not what the mesh was read from.
 struct Differs {};
 
@@ -48,7 +46,7 @@ bool PlyCopy::readHeader() {
         m_whyNot = QStringLiteral("it cannot be opened");
         return false;
     }
-    const QByteArray start = m_file.read(kLongestHeader);
+    const QByteArray start = m_file.read(kLongestPlyHeader);
     const std::string_view bytes(start.constData(), static_cast<std::size_t>(start.size()));
     Result<PlyHeader> header = parsePlyHeader(bytes, static_cast<std::uint64_t>(m_file.size()));
     if (!header) {

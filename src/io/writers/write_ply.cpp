@@ -4,7 +4,6 @@
 #include <new>
 
 #include "io/export_names.h"
-#include "io/writers/colour_space.h"
 #include "io/writers/ply_copy.h"
 
 namespace hitscope {
@@ -47,7 +46,6 @@ public:
                                                                    : PlyEncoding::LittleEndian),
           m_added(what, options),
           m_type(m_positions.fitFloats() ? PlyType::Float32 : PlyType::Float64),
-          m_isLinear(hasLinearColours(what.sourcePath)),
           m_normals(oneNormalPerVertex(m_mesh, what.normals)),
           m_texcoords(onePerVertex(m_mesh, m_mesh.cornerTexcoords)),
           m_hasFaceTexcoords(!m_mesh.cornerTexcoords.empty() && m_texcoords.empty()) {
@@ -77,7 +75,6 @@ private:
     PlyValues m_values;
     PlyAdded m_added;
     PlyType m_type;
-    bool m_isLinear;
     std::vector<std::uint32_t> m_normals;    ///< a corner for each vertex, or empty
     std::vector<std::uint32_t> m_texcoords;  ///< one for each vertex, or empty
     bool m_hasFaceTexcoords;
@@ -137,8 +134,7 @@ void WholePly::vertex(std::string& text, std::size_t v) const {
         m_values.append(text, PlyType::Float32, index == kNoIndex ? 0.0f : m_mesh.texcoords[index][i]);
     }
     for (int i = 0; !m_mesh.colours.empty() && i < 3; ++i) {
-        const float component = m_mesh.colours[v][i];
-        m_values.append(text, PlyType::Uint8, 255.0f * (m_isLinear ? srgbOf(component) : component));
+        m_values.append(text, PlyType::Uint8, 255.0f * m_mesh.colours[v][i]);
     }
     m_added.append(text, m_values, v);
     m_values.endRecord(text);
