@@ -56,7 +56,7 @@ Status collect(const QString& session, const QString& folder) {
     return Done{};
 }
 
-int run(Invocation& given) {
+int runCollect(Invocation& given) {
     if (isStandardStream(given.file(0))) {
         given.complain(QStringLiteral("collect takes a session file, not the standard input."));
         return kWrongUsage;
@@ -78,7 +78,7 @@ Verb collectVerb() {
                            QStringLiteral("hitscope-cli collect dents.hitscope to-share")}},
              .leastFiles = 2,
              .mostFiles = 2},
-            run};
+            runCollect};
 }
 
 }  // namespace hitscope::cli

@@ -160,7 +160,7 @@ Outcome compare(Invocation& given, double tolerance) {
                           given.file(0).toStdString() + ", " + sides.otherName.toStdString(), ""});
 }
 
-int run(Invocation& given) {
+int runCompare(Invocation& given) {
     const double tolerance = given.number("tolerance", 0.0, 1.0e9);
     if ((given.files().size() == 2) == given.isSet("with")) {
         given.complain(QStringLiteral("compare takes two files, or a session and --with, another pipeline."));
@@ -207,7 +207,7 @@ Verb compareVerb() {
                        QStringLiteral("hitscope-cli compare --with reference --map map.png dents.hitscope")}},
          .leastFiles = 1,
          .mostFiles = 2},
-        run,
+        runCompare,
         true};
 }
 

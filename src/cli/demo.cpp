@@ -142,7 +142,7 @@ Outcome writeResults(Demo& demo, OpenedScene& scene, const DemoOptions& options,
     return exportAgrees(session, shown, meshPath);
 }
 
-Outcome runDemo(const DemoOptions& options) {
+Outcome shootDemo(const DemoOptions& options) {
     QTextStream out(stdout);
     if (!QDir().mkpath(options.folder)) {
         return Error{"The folder cannot be made.", options.folder.toStdString(),
@@ -166,7 +166,7 @@ QStringList normalWords() {
     return {QStringLiteral("true"), QStringLiteral("paper")};  // by NormalMode
 }
 
-int run(Invocation& given) {
+int runDemo(Invocation& given) {
     DemoOptions options;
     options.folder = given.text("out");
     options.shots = given.wholeNumber("shots", 1, 100000);
@@ -174,7 +174,7 @@ int run(Invocation& given) {
     options.pipeline = givenPipeline(given);
     options.normals = static_cast<NormalMode>(given.word("normals"));
     options.meshPath = given.file(0);
-    return given.error().isEmpty() ? finish(runDemo(options)) : kWrongUsage;
+    return given.error().isEmpty() ? finish(shootDemo(options)) : kWrongUsage;
 }
 
 }  // namespace
@@ -202,7 +202,7 @@ Verb demoVerb() {
          .examples = {{QStringLiteral("The paper's scene."),
                        QStringLiteral("hitscope-cli demo --out results")}},
          .mostFiles = 1},
-        run};
+        runDemo};
 }
 
 }  // namespace hitscope::cli

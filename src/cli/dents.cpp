@@ -144,7 +144,7 @@ Outcome dents(Invocation& given) {
     return giveReport(given, report, text.isEmpty() ? QStringLiteral("There are no dents.\n") : text);
 }
 
-int run(Invocation& given) {
+int runDents(Invocation& given) {
     if (!namesSession(given.file(0))) {
         given.complain(QStringLiteral("dents takes a session (.hitscope, or - for the standard input)."));
         return kWrongUsage;
@@ -170,7 +170,7 @@ Verb dentsVerb() {
                            QStringLiteral("hitscope-cli dents dents.hitscope")}},
              .leastFiles = 1,
              .mostFiles = 1},
-            run};
+            runDents};
 }
 
 }  // namespace hitscope::cli

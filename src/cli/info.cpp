@@ -240,7 +240,7 @@ Outcome describeRenderer(Invocation& given) {
                       QString::fromStdString(toText(graphicsReport(exactness.value(), verdict))));
 }
 
-int run(Invocation& given) {
+int runInfo(Invocation& given) {
     if (given.isSet("renderer") != given.files().isEmpty()) {
         given.complain(QStringLiteral("info takes mesh files or sessions, or --renderer alone."));
         return kWrongUsage;
@@ -270,7 +270,7 @@ Verb infoVerb() {
                        QStringLiteral("hitscope-cli info --json dents.hitscope")},
                       {QStringLiteral("What draws here."), QStringLiteral("hitscope-cli info --renderer")}},
          .mostFiles = -1},
-        run};
+        runInfo};
 }
 
 }  // namespace hitscope::cli

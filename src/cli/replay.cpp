@@ -77,7 +77,7 @@ Outcome replay(Invocation& given, const SceneWish& wish) {
     return differing.empty() ? Outcome(Done{}) : othersThanSaved(session, differing, wish.path);
 }
 
-int run(Invocation& given) {
+int runReplay(Invocation& given) {
     SceneWish wish{given.file(0), givenPipeline(given)};
     if (given.isSet("until")) {
         wish.until = static_cast<std::size_t>(given.wholeNumber("until", 0, 2147483647));
@@ -108,7 +108,7 @@ Verb replayVerb() {
                            QStringLiteral("hitscope-cli replay --pipeline reference dents.hitscope")}},
              .leastFiles = 1,
              .mostFiles = 1},
-            run};
+            runReplay};
 }
 
 }  // namespace hitscope::cli

@@ -87,7 +87,7 @@ Outcome section(Invocation& given, const CuttingPlane& cut) {
     return giveReport(given, report, isOutputTaken ? QString() : sectionText(made, {}) + u'\n');
 }
 
-int run(Invocation& given) {
+int runSection(Invocation& given) {
     const std::optional<CuttingPlane> cut = parseCut(given.text("plane"));
     if (!cut) {
         given.complain(
@@ -127,7 +127,7 @@ Verb sectionVerb() {
                                       "dents.hitscope")}},
          .leastFiles = 1,
          .mostFiles = 1},
-        run};
+        runSection};
 }
 
 }  // namespace hitscope::cli

@@ -223,7 +223,7 @@ Outcome shoot(Invocation& given, const ShootOptions& options) {
     return reportShots(given, scene, options, script.value().shots.size());
 }
 
-int run(Invocation& given) {
+int runShoot(Invocation& given) {
     const ShootOptions options = readShootOptions(given);
     if (!given.error().isEmpty()) {
         return kWrongUsage;
@@ -259,7 +259,7 @@ Verb shootVerb() {
               {QStringLiteral("A burst with a larger dent, reported as JSON."),
                QStringLiteral("hitscope-cli shoot --burst 20 --cone 3 --max-distance 0.8 --json bunny.obj")}},
          .mostFiles = 1},
-        run};
+        runShoot};
 }
 
 }  // namespace hitscope::cli

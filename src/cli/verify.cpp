@@ -94,7 +94,7 @@ Outcome verify(Invocation& given) {
                           (given.isSet("hits") ? given.text("hits") : given.file(0)).toStdString(), ""});
 }
 
-int run(Invocation& given) {
+int runVerify(Invocation& given) {
     if (!given.isSet("hits") && !namesSession(given.file(0))) {
         given.complain(QStringLiteral("verify needs --hits, a file of hits, or a session."));
         return kWrongUsage;
@@ -123,7 +123,7 @@ Verb verifyVerb() {
                           {QStringLiteral("Hits in a table, on the mesh that they were made on."),
                            QStringLiteral("hitscope-cli verify --hits hits.csv bunny.obj")}},
              .mostFiles = 1},
-            run};
+            runVerify};
 }
 
 }  // namespace hitscope::cli

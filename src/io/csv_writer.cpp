@@ -6,19 +6,9 @@
 #include <charconv>
 #include <utility>
 
+#include "io/number_text.h"
+
 namespace hitscope {
-
-namespace {
-
-/// Appends the fewest digits that read back as the same number.
-template <class Number>
-void appendNumber(std::string& text, Number number) {
-    std::array<char, 32> digits;
-    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), number);
-    text.append(digits.data(), end);
-}
-
-}  // namespace
 
 void CsvWriter::beginCell() {
     if (m_inRow) {

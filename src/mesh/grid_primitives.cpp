@@ -7,30 +7,17 @@
 #include <numbers>
 #include <span>
 
+#include "mesh/face_corner.h"
+
 namespace hitscope {
 
 namespace {
-
-struct Corner {
-    std::uint32_t vertex = 0;
-    std::uint32_t texcoord = 0;
-    std::uint32_t normal = 0;
-};
 
 MeshData named(const char* name) {
     MeshData mesh;
     mesh.name = name;
     mesh.faceStarts.push_back(0);
     return mesh;
-}
-
-void addFace(MeshData& mesh, std::span<const Corner> corners) {
-    for (const Corner& corner : corners) {
-        mesh.cornerVertices.push_back(corner.vertex);
-        mesh.cornerTexcoords.push_back(corner.texcoord);
-        mesh.cornerNormals.push_back(corner.normal);
-    }
-    mesh.faceStarts.push_back(static_cast<std::uint32_t>(mesh.cornerVertices.size()));
 }
 
 std::uint32_t index(std::size_t size) {
@@ -88,7 +75,7 @@ private:
         m_mesh.texcoords.emplace_back(0.5 + 0.5 * at.x, 0.5 - 0.5 * m_up * at.z);
     }
 
-    [[nodiscard]] Corner corner(int ring, int i) const {
+    [[nodiscard]] FaceCorner corner(int ring, int i) const {
         const std::uint32_t point = ring == m_rings ? index(static_cast<std::size_t>(m_rings * m_around))
                                                     : index(static_cast<std::size_t>(ring * m_around + i));
         const auto rimPoints = static_cast<std::uint32_t>(m_around);
@@ -96,7 +83,7 @@ private:
     }
 
     void addCell(int ring, int i, int next) {
-        std::vector<Corner> corners{corner(ring, i), corner(ring, next), corner(ring + 1, next)};
+        std::vector<FaceCorner> corners{corner(ring, i), corner(ring, next), corner(ring + 1, next)};
         if (ring + 1 < m_rings) {
             corners.push_back(corner(ring + 1, i));
         }
@@ -139,7 +126,7 @@ MeshData makeTorus(int around, int tube, float radius, float tubeRadius) {
     addGridTexcoords(mesh, n, m, {repeats, 1.0f});
     const auto corner = [n, m](int i, int j) {
         const std::uint32_t vertex = static_cast<std::uint32_t>((j % m) * n + i % n);
-        return Corner{vertex, static_cast<std::uint32_t>(j * (n + 1) + i), vertex};
+        return FaceCorner{vertex, static_cast<std::uint32_t>(j * (n + 1) + i), vertex};
     };
     for (int j = 0; j < m; ++j) {
         for (int i = 0; i < n; ++i) {
@@ -165,8 +152,8 @@ MeshData makeCylinder(int around, int up, int rings, float radius, float height)
     }
     addGridTexcoords(mesh, n, rows, {2.0f, 1.0f});
     const auto corner = [n](int i, int row) {
-        return Corner{static_cast<std::uint32_t>(row * n + i % n),
-                      static_cast<std::uint32_t>(row * (n + 1) + i), static_cast<std::uint32_t>(i % n)};
+        return FaceCorner{static_cast<std::uint32_t>(row * n + i % n),
+                          static_cast<std::uint32_t>(row * (n + 1) + i), static_cast<std::uint32_t>(i % n)};
     };
     for (int row = 0; row < rows; ++row) {
         for (int i = 0; i < n; ++i) {
@@ -195,7 +182,7 @@ MeshData makeSheet(int columns, int rows, float width, float height) {
     addGridTexcoords(mesh, n, m, glm::vec2(1.0f));
     const auto corner = [n](int column, int row) {
         const std::uint32_t vertex = static_cast<std::uint32_t>(row * (n + 1) + column);
-        return Corner{vertex, vertex, 0};
+        return FaceCorner{vertex, vertex, 0};
     };
     for (int row = 0; row < m; ++row) {
         for (int column = 0; column < n; ++column) {

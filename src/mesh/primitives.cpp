@@ -10,6 +10,8 @@
 #include <span>
 #include <unordered_map>
 
+#include "mesh/face_corner.h"
+
 namespace hitscope {
 namespace {
 
@@ -26,21 +28,6 @@ public:
 private:
     std::unordered_map<std::uint64_t, std::uint32_t> m_indices;
 };
-
-struct Corner {
-    std::uint32_t vertex = 0;
-    std::uint32_t texcoord = kNoIndex;
-    std::uint32_t normal = kNoIndex;
-};
-
-void addFace(MeshData& mesh, std::span<const Corner> corners) {
-    for (const Corner& corner : corners) {
-        mesh.cornerVertices.push_back(corner.vertex);
-        mesh.cornerTexcoords.push_back(corner.texcoord);
-        mesh.cornerNormals.push_back(corner.normal);
-    }
-    mesh.faceStarts.push_back(static_cast<std::uint32_t>(mesh.cornerVertices.size()));
-}
 
 /// Points of one array halfway along pairs of its own entries, each pair's once.
 template <class Point>
@@ -120,8 +107,8 @@ MeshData makeCube(int segments, float halfExtent) {
         const auto normal = static_cast<std::uint32_t>(mesh.normals.size());
         mesh.normals.push_back(glm::cross(glm::vec3(side.u), glm::vec3(side.v)));
         const auto corner = [&](int u, int v) {
-            return Corner{vertexAt(side.origin + u * side.u + v * side.v),
-                          static_cast<std::uint32_t>(v * (n + 1) + u), normal};
+            return FaceCorner{vertexAt(side.origin + u * side.u + v * side.v),
+                              static_cast<std::uint32_t>(v * (n + 1) + u), normal};
         };
         for (int v = 0; v < n; ++v) {
             for (int u = 0; u < n; ++u) {
@@ -168,7 +155,7 @@ MeshData makeUvSphere(int segments, int rings, float radius) {
         } else if (ring > 0) {
             vertex = static_cast<std::uint32_t>(1 + (ring - 1) * around + segment % around);
         }
-        return Corner{vertex, static_cast<std::uint32_t>(ring * (around + 1) + segment), vertex};
+        return FaceCorner{vertex, static_cast<std::uint32_t>(ring * (around + 1) + segment), vertex};
     };
     for (int ring = 0; ring < down; ++ring) {
         for (int s = 0; s < around; ++s) {
@@ -203,7 +190,7 @@ MeshData splitIntoQuadsOnSphere(const MeshData& sphere, float radius) {
             textured ? quadsOfFace(mesh.texcoords, textureEdges, textures)
                      : std::vector<std::uint32_t>(quads.size(), kNoIndex);
         for (std::size_t c = 0; c < quads.size(); c += 4) {
-            std::array<Corner, 4> quad;
+            std::array<FaceCorner, 4> quad;
             for (std::size_t i = 0; i < 4; ++i) {
                 quad[i] = {quads[c + i], textureQuads[c + i], quads[c + i]};
             }

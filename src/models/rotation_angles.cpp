@@ -9,11 +9,12 @@ namespace hitscope {
 
 namespace {
 
-constexpr double kSame = 1.0e-6;  // between unit quaternions of one rotation, one of them rounded to float
+constexpr double kSameRotation =
+    1.0e-6;  // between unit quaternions of one rotation, one of them rounded to float
 constexpr double kGimbalLock = 0.9999999;  // sine of y beyond which x and z turn about the same axis
 
 bool isSame(const glm::dquat& a, const glm::dquat& b) {
-    return std::min(glm::length(a - b), glm::length(a + b)) < kSame;
+    return std::min(glm::length(a - b), glm::length(a + b)) < kSameRotation;
 }
 
 glm::dquat turn(const glm::dvec3& degrees) {

@@ -19,9 +19,9 @@ namespace {
 
 constexpr double kMoved = 1.0e-6;  // metres, below which nothing counts as dented
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("hitscope::SectionReport", text);
-}
+struct SectionTexts {
+    Q_DECLARE_TR_FUNCTIONS(hitscope::SectionReport)
+};
 
 std::size_t segmentsOf(const SectionCurve& curve) {
     return curve.closed ? curve.points.size()
@@ -138,8 +138,8 @@ std::optional<SectionReading> deepestOf(const SceneSection& section, const Secti
 
 QString placeText(const SectionView& view, const glm::vec3& place) {
     const glm::dvec2 flat = view(place);
-    return coordinateText(view.right, tr("across"), flat.x) + numberSeparator() +
-           coordinateText(view.up, tr("up"), flat.y);
+    return coordinateText(view.right, SectionTexts::tr("across"), flat.x) + numberSeparator() +
+           coordinateText(view.up, SectionTexts::tr("up"), flat.y);
 }
 
 QString sectionText(const SceneSection& section, const SectionScope& scope) {
@@ -148,19 +148,19 @@ QString sectionText(const SceneSection& section, const SectionScope& scope) {
         lines.append(name + u'\t' + value + u'\t' + unit);
     };
     const auto metres = [](double value) { return QString::number(value, 'g', 6); };
-    add(tr("Normal"), copiedVectorText(section.cut.normal));
-    add(tr("Offset"), metres(static_cast<double>(section.cut.offset)), QStringLiteral("m"));
+    add(SectionTexts::tr("Normal"), copiedVectorText(section.cut.normal));
+    add(SectionTexts::tr("Offset"), metres(static_cast<double>(section.cut.offset)), QStringLiteral("m"));
     for (const TargetSection& target : section.targets) {
         if (scope.holds(target)) {
-            add(tr("Target"), target.name);
-            add(tr("Length, original"), metres(lengthOf(target.original)), QStringLiteral("m"));
-            add(tr("Length, deformed"), metres(lengthOf(target.deformed)), QStringLiteral("m"));
-            add(tr("Greatest depth"), metres(static_cast<double>(target.depths.greatest)),
+            add(SectionTexts::tr("Target"), target.name);
+            add(SectionTexts::tr("Length, original"), metres(lengthOf(target.original)), QStringLiteral("m"));
+            add(SectionTexts::tr("Length, deformed"), metres(lengthOf(target.deformed)), QStringLiteral("m"));
+            add(SectionTexts::tr("Greatest depth"), metres(static_cast<double>(target.depths.greatest)),
                 QStringLiteral("m"));
         }
     }
     if (const auto deepest = deepestOf(section, scope)) {
-        add(tr("Deepest at"), copiedVectorText(deepest->place), QStringLiteral("m"));
+        add(SectionTexts::tr("Deepest at"), copiedVectorText(deepest->place), QStringLiteral("m"));
     }
     return lines.join(u'\n');
 }

@@ -11,14 +11,15 @@ namespace hitscope {
 
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("hitscope::StatisticsReport", text);
-}
+struct StatisticsTexts {
+    Q_DECLARE_TR_FUNCTIONS(hitscope::StatisticsReport)
+};
 
 using Cells = std::array<QString, 4>;
 
 Cells headings() {
-    return {tr("Property"), tr("Original"), tr("Deformed"), tr("Change")};
+    return {StatisticsTexts::tr("Property"), StatisticsTexts::tr("Original"), StatisticsTexts::tr("Deformed"),
+            StatisticsTexts::tr("Change")};
 }
 
 Cells cellsOf(const StatisticsRow& row, const MeshMeasurement& measurement) {

@@ -19,9 +19,9 @@ using Row = StatisticsRow;
 using Sheet = StatisticsRow::Sheet;
 using Value = std::optional<double>;
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("hitscope::StatisticsRow", text);
-}
+struct StatisticsRowTexts {
+    Q_DECLARE_TR_FUNCTIONS(hitscope::StatisticsRow)
+};
 
 Value count(std::size_t number) {
     return static_cast<double>(number);
@@ -245,26 +245,31 @@ struct Reason {
 Reason reasonFor(const Row& row, const SurfaceStatistics& topology) {
     const bool isGenus = std::string_view(row.key) == "genus";
     if (topology.faces == topology.collapsedFaces) {
-        return {QStringLiteral("–"), tr("There are no faces.")};
+        return {QStringLiteral("–"), StatisticsRowTexts::tr("There are no faces.")};
     }
     if (!topology.isManifold()) {
-        return {tr("n/a"),
-                (isGenus ? tr("Not defined: the surface is not manifold (%1 edges, %2 vertices).")
-                         : tr("Not watertight: the surface is not manifold (%1 edges, %2 vertices)."))
+        return {StatisticsRowTexts::tr("n/a"),
+                (isGenus ? StatisticsRowTexts::tr(
+                               "Not defined: the surface is not manifold (%1 edges, %2 vertices).")
+                         : StatisticsRowTexts::tr(
+                               "Not watertight: the surface is not manifold (%1 edges, %2 vertices)."))
                     .arg(countText(topology.nonManifoldEdges), countText(topology.nonManifoldVertices))};
     }
     if (isGenus) {
-        return {tr("one-sided"), tr("Not defined: the surface is not orientable.")};
+        return {StatisticsRowTexts::tr("one-sided"),
+                StatisticsRowTexts::tr("Not defined: the surface is not orientable.")};
     }
     if (topology.boundaryEdges > 0) {
-        return {tr("open"), tr("Not watertight: %1 boundary edges.").arg(countText(topology.boundaryEdges))};
+        return {StatisticsRowTexts::tr("open"), StatisticsRowTexts::tr("Not watertight: %1 boundary edges.")
+                                                    .arg(countText(topology.boundaryEdges))};
     }
     if (topology.opposedEdges > 0) {
-        return {tr("n/a"), tr("The orientation of the faces is inconsistent: %1 edges join faces "
-                              "of opposite orientation.")
-                               .arg(countText(topology.opposedEdges))};
+        return {StatisticsRowTexts::tr("n/a"),
+                StatisticsRowTexts::tr("The orientation of the faces is inconsistent: %1 edges join faces "
+                                       "of opposite orientation.")
+                    .arg(countText(topology.opposedEdges))};
     }
-    return {QStringLiteral("–"), tr("The volume is zero.")};
+    return {QStringLiteral("–"), StatisticsRowTexts::tr("The volume is zero.")};
 }
 
 bool mayBeMissing(const Row& row) {
@@ -297,7 +302,7 @@ QString numberText(const Row& row, double value) {
         case Row::Kind::Percent:
             return shownNumber(value, 'f', 2);
         case Row::Kind::YesNo:
-            return value != 0.0 ? tr("yes") : tr("no");
+            return value != 0.0 ? StatisticsRowTexts::tr("yes") : StatisticsRowTexts::tr("no");
         case Row::Kind::Quantity:
             return quantityText(value);
     }
@@ -319,24 +324,24 @@ QString propertyName(const StatisticsRow& row) {
     const bool isSaid = row.section == kDisplacement || row.section == kSize || row.section == kEdges;
     const QString unit = QString::fromUtf8(row.unit);
     return unit.isEmpty() || (isSaid && unit == QLatin1String("m"))
-               ? tr(row.name)
-               : QStringLiteral("%1 (%2)").arg(tr(row.name), unit);
+               ? StatisticsRowTexts::tr(row.name)
+               : QStringLiteral("%1 (%2)").arg(StatisticsRowTexts::tr(row.name), unit);
 }
 
 QString sectionName(StatisticsRow::Section section) {
     switch (section) {
         case Row::Section::Displacement:
-            return tr("Displacement (m)");
+            return StatisticsRowTexts::tr("Displacement (m)");
         case Row::Section::Size:
-            return tr("Bounding box (m)");
+            return StatisticsRowTexts::tr("Bounding box (m)");
         case Row::Section::Surface:
-            return tr("Surface and volume");
+            return StatisticsRowTexts::tr("Surface and volume");
         case Row::Section::Edges:
-            return tr("Edge lengths (m)");
+            return StatisticsRowTexts::tr("Edge lengths (m)");
         case Row::Section::Faces:
-            return tr("Faces");
+            return StatisticsRowTexts::tr("Faces");
         case Row::Section::Topology:
-            return tr("Topology");
+            return StatisticsRowTexts::tr("Topology");
     }
     return {};
 }

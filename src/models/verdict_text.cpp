@@ -9,11 +9,11 @@ namespace hitscope {
 
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("hitscope::Verdict", text);
-}
+struct VerdictTexts {
+    Q_DECLARE_TR_FUNCTIONS(hitscope::Verdict)
+};
 
-#define HITSCOPE_TEXT(text) tr(QT_TRANSLATE_NOOP("hitscope::Verdict", text))
+#define HITSCOPE_TEXT(text) VerdictTexts::tr(QT_TRANSLATE_NOOP("hitscope::Verdict", text))
 
 QString notCompared(const std::string& whyNot) {
     return HITSCOPE_TEXT("not compared: %1").arg(QString::fromStdString(whyNot));

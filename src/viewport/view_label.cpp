@@ -14,36 +14,38 @@ constexpr int kMargin = 8;               // logical pixels, to the view's corner
 constexpr int kPadding = 5;              // logical pixels, around the text
 constexpr float kOpacity = 0.7f;         // of what is behind the text
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("hitscope::ViewLabel", text);
-}
+struct ViewLabelTexts {
+    Q_DECLARE_TR_FUNCTIONS(hitscope::ViewLabel)
+};
 
 }  // namespace
 
 QString standardViewName(StandardView view) {
     switch (view) {
         case StandardView::Front:
-            return tr("Front");
+            return ViewLabelTexts::tr("Front");
         case StandardView::Back:
-            return tr("Back");
+            return ViewLabelTexts::tr("Back");
         case StandardView::Right:
-            return tr("Right");
+            return ViewLabelTexts::tr("Right");
         case StandardView::Left:
-            return tr("Left");
+            return ViewLabelTexts::tr("Left");
         case StandardView::Top:
-            return tr("Top");
+            return ViewLabelTexts::tr("Top");
         case StandardView::Bottom:
             break;
     }
-    return tr("Bottom");
+    return ViewLabelTexts::tr("Bottom");
 }
 
 QString viewText(const Camera& camera) {
     const std::optional<StandardView> view = standardViewOf(camera);
     if (camera.isOrthographic()) {
-        return view ? tr("%1, orthographic").arg(standardViewName(*view)) : tr("Orthographic");
+        return view ? ViewLabelTexts::tr("%1, orthographic").arg(standardViewName(*view))
+                    : ViewLabelTexts::tr("Orthographic");
     }
-    return view ? tr("%1, perspective").arg(standardViewName(*view)) : tr("Perspective");
+    return view ? ViewLabelTexts::tr("%1, perspective").arg(standardViewName(*view))
+                : ViewLabelTexts::tr("Perspective");
 }
 
 ViewLabel::ViewLabel(const Navigation& navigation, QWidget* over) : QLabel(over), m_navigation(navigation) {
@@ -66,11 +68,11 @@ ViewLabel::ViewLabel(const Navigation& navigation, QWidget* over) : QLabel(over)
 void ViewLabel::follow() {
     QString said = viewText(m_navigation.camera());
     if (m_fieldOfViewStays.isActive()) {
-        said += tr(", %1° field of view")
+        said += ViewLabelTexts::tr(", %1° field of view")
                     .arg(qRound(qRadiansToDegrees(static_cast<double>(m_navigation.camera().fieldOfView()))));
     }
     if (!m_navigation.isSceneInSight()) {
-        said += tr(". The scene is out of view: Home frames it");
+        said += ViewLabelTexts::tr(". The scene is out of view: Home frames it");
     }
     if (said != text()) {
         setText(said);

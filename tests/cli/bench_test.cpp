@@ -9,7 +9,9 @@
 #include "cli/run_cli.h"
 #include "support/test_program.h"
 
-using namespace hitscope::test;
+namespace hitscope::bench_test {
+
+using namespace test;
 
 namespace {
 
@@ -242,4 +244,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(BenchTest, QCoreApplication)
+
+}  // namespace hitscope::bench_test
+
 #include "bench_test.moc"

@@ -10,8 +10,9 @@
 #include "io/import.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::cli_test {
+
+using namespace test;
 
 namespace {
 
@@ -289,4 +290,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(CliTest, QCoreApplication)
+
+}  // namespace hitscope::cli_test
+
 #include "cli_test.moc"

@@ -9,7 +9,9 @@
 #include "cli/run_cli.h"
 #include "support/test_program.h"
 
-using namespace hitscope::test;
+namespace hitscope::collect_test {
+
+using namespace test;
 
 class CollectCommandTest : public QObject {
     Q_OBJECT
@@ -80,4 +82,7 @@ private:
 };
 
 HITSCOPE_TEST(CollectCommandTest, QCoreApplication)
+
+}  // namespace hitscope::collect_test
+
 #include "collect_test.moc"

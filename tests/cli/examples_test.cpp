@@ -11,7 +11,9 @@
 #include "cli/scene_files.h"
 #include "support/test_program.h"
 
-using namespace hitscope::test;
+namespace hitscope::examples_test {
+
+using namespace test;
 
 namespace {
 
@@ -124,4 +126,7 @@ void ExamplesTest::pagesAreWellFormed() {
 }
 
 HITSCOPE_TEST(ExamplesTest, QCoreApplication)
+
+}  // namespace hitscope::examples_test
+
 #include "examples_test.moc"

@@ -5,7 +5,9 @@
 #include "cli/run_cli.h"
 #include "support/test_program.h"
 
-using namespace hitscope::test;
+namespace hitscope::info_renderer_test {
+
+using namespace test;
 
 namespace {
 
@@ -135,4 +137,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(InfoRendererTest, QCoreApplication)
+
+}  // namespace hitscope::info_renderer_test
+
 #include "info_renderer_test.moc"

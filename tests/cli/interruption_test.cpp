@@ -10,7 +10,9 @@
 #include "cli/scene_files.h"
 #include "support/test_program.h"
 
-using namespace hitscope::test;
+namespace hitscope::interruption_test {
+
+using namespace test;
 
 class InterruptionTest : public QObject {
     Q_OBJECT
@@ -103,4 +105,7 @@ void InterruptionTest::helpTakesNeitherFontsNorMeshes() {
 }
 
 HITSCOPE_TEST(InterruptionTest, QCoreApplication)
+
+}  // namespace hitscope::interruption_test
+
 #include "interruption_test.moc"

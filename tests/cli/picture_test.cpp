@@ -9,7 +9,9 @@
 #include "cli/run_cli.h"
 #include "support/test_program.h"
 
-using namespace hitscope::test;
+namespace hitscope::picture_test {
+
+using namespace test;
 
 namespace {
 
@@ -223,4 +225,7 @@ void PictureTest::suffixTellsTheFormat() {
 }
 
 HITSCOPE_TEST(PictureTest, QCoreApplication)
+
+}  // namespace hitscope::picture_test
+
 #include "picture_test.moc"

@@ -8,7 +8,9 @@
 #include "cli/run_cli.h"
 #include "support/test_program.h"
 
-using namespace hitscope::test;
+namespace hitscope::replay_test {
+
+using namespace test;
 
 namespace {
 
@@ -132,4 +134,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(ReplayTest, QCoreApplication)
+
+}  // namespace hitscope::replay_test
+
 #include "replay_test.moc"

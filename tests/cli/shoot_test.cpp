@@ -6,7 +6,9 @@
 #include "cli/run_cli.h"
 #include "support/test_program.h"
 
-using namespace hitscope::test;
+namespace hitscope::shoot_test {
+
+using namespace test;
 
 namespace {
 
@@ -151,4 +153,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(ShootTest, QCoreApplication)
+
+}  // namespace hitscope::shoot_test
+
 #include "shoot_test.moc"

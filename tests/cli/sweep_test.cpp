@@ -14,7 +14,9 @@
 #include "cli/scene_files.h"
 #include "support/test_program.h"
 
-using namespace hitscope::test;
+namespace hitscope::sweep_test {
+
+using namespace test;
 
 class SweepTest : public QObject {
     Q_OBJECT
@@ -181,4 +183,7 @@ void SweepTest::whatFailsIsSaid() {
 }
 
 HITSCOPE_TEST(SweepTest, QCoreApplication)
+
+}  // namespace hitscope::sweep_test
+
 #include "sweep_test.moc"

@@ -12,7 +12,9 @@
 #include "cli/scene_files.h"
 #include "support/test_program.h"
 
-using namespace hitscope::test;
+namespace hitscope::verbs_test {
+
+using namespace test;
 
 namespace {
 
@@ -362,4 +364,7 @@ void VerbsTest::quietSaysNothing() {
 }
 
 HITSCOPE_TEST(VerbsTest, QCoreApplication)
+
+}  // namespace hitscope::verbs_test
+
 #include "verbs_test.moc"

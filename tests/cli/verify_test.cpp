@@ -8,7 +8,9 @@
 #include "cli/run_cli.h"
 #include "support/test_program.h"
 
-using namespace hitscope::test;
+namespace hitscope::verify_test {
+
+using namespace test;
 
 namespace {
 
@@ -192,4 +194,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(VerifyTest, QCoreApplication)
+
+}  // namespace hitscope::verify_test
+
 #include "verify_test.moc"

@@ -11,7 +11,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-namespace hitscope {
+namespace hitscope::agreement_test {
 
 using namespace test;
 
@@ -90,7 +90,8 @@ private:
     GlFixture m_gl;
 };
 
-}  // namespace hitscope
+HITSCOPE_TEST(AgreementTest, QCoreApplication)
 
-HITSCOPE_TEST(hitscope::AgreementTest, QCoreApplication)
+}  // namespace hitscope::agreement_test
+
 #include "agreement_test.moc"

@@ -15,7 +15,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::applied_hits_test {
 
 class AppliedHitsTest : public QObject {
     Q_OBJECT
@@ -100,4 +100,7 @@ private:
 };
 
 HITSCOPE_TEST(AppliedHitsTest, QCoreApplication)
+
+}  // namespace hitscope::applied_hits_test
+
 #include "applied_hits_test.moc"

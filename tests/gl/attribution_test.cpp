@@ -11,7 +11,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::attribution_test {
 
 class AttributionTest : public QObject {
     Q_OBJECT
@@ -64,4 +64,7 @@ private:
 };
 
 HITSCOPE_TEST(AttributionTest, QCoreApplication)
+
+}  // namespace hitscope::attribution_test
+
 #include "attribution_test.moc"

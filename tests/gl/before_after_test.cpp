@@ -11,7 +11,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::before_after_test {
 
 namespace {
 
@@ -172,4 +172,7 @@ private:
 };
 
 HITSCOPE_TEST(BeforeAfterTest, QCoreApplication)
+
+}  // namespace hitscope::before_after_test
+
 #include "before_after_test.moc"

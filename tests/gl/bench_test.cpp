@@ -12,8 +12,9 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::bench;
+namespace hitscope::bench_test {
+
+using namespace bench;
 
 namespace {
 
@@ -139,4 +140,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(BenchGlTest, QCoreApplication)
+
+}  // namespace hitscope::bench_test
+
 #include "bench_test.moc"

@@ -17,7 +17,7 @@
 #include "support/test_program.h"
 #include "view/theme.h"
 
-using namespace hitscope;
+namespace hitscope::change_map_test {
 
 namespace {
 
@@ -253,4 +253,7 @@ private:
 };
 
 HITSCOPE_TEST(ChangeMapTest, QCoreApplication)
+
+}  // namespace hitscope::change_map_test
+
 #include "change_map_test.moc"

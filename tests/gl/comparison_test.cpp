@@ -17,7 +17,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::comparison_test {
 
 namespace {
 
@@ -295,4 +295,7 @@ private:
 };
 
 HITSCOPE_TEST(ComparisonTest, QCoreApplication)
+
+}  // namespace hitscope::comparison_test
+
 #include "comparison_test.moc"

@@ -11,7 +11,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::cost_measurement_test {
 
 namespace {
 
@@ -128,4 +128,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(CostMeasurementTest, QCoreApplication)
+
+}  // namespace hitscope::cost_measurement_test
+
 #include "cost_measurement_test.moc"

@@ -13,7 +13,8 @@
 #include "gl/render_target.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::cut_picking_test {
+
 using Depth = ScenePicker::Depth;
 
 class CutPickingTest : public QObject, private hitscope::test::PickedScene {
@@ -147,4 +148,7 @@ private:
 };
 
 HITSCOPE_TEST(CutPickingTest, QCoreApplication)
+
+}  // namespace hitscope::cut_picking_test
+
 #include "cut_picking_test.moc"

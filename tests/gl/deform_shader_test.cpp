@@ -14,7 +14,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-namespace hitscope {
+namespace hitscope::deform_shader_test {
 
 using namespace test;
 
@@ -201,7 +201,8 @@ private:
     std::unique_ptr<CapturePass> m_pass;
 };
 
-}  // namespace hitscope
+HITSCOPE_TEST(DeformShaderTest, QCoreApplication)
 
-HITSCOPE_TEST(hitscope::DeformShaderTest, QCoreApplication)
+}  // namespace hitscope::deform_shader_test
+
 #include "deform_shader_test.moc"

@@ -13,7 +13,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-namespace hitscope {
+namespace hitscope::dent_forms_test {
 
 using namespace test;
 
@@ -201,7 +201,8 @@ private:
     GlFixture m_gl;
 };
 
-}  // namespace hitscope
+HITSCOPE_TEST(DentFormsTest, QCoreApplication)
 
-HITSCOPE_TEST(hitscope::DentFormsTest, QCoreApplication)
+}  // namespace hitscope::dent_forms_test
+
 #include "dent_forms_test.moc"

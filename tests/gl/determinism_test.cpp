@@ -12,7 +12,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::determinism_test {
 
 namespace {
 
@@ -192,4 +192,7 @@ private:
 };
 
 HITSCOPE_TEST(DeterminismTest, QCoreApplication)
+
+}  // namespace hitscope::determinism_test
+
 #include "determinism_test.moc"

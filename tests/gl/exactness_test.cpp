@@ -11,7 +11,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-namespace hitscope {
+namespace hitscope::exactness_test {
 
 namespace {
 
@@ -147,7 +147,8 @@ private:
     test::GlFixture m_gl;
 };
 
-}  // namespace hitscope
+HITSCOPE_TEST(ExactnessTest, QCoreApplication)
 
-HITSCOPE_TEST(hitscope::ExactnessTest, QCoreApplication)
+}  // namespace hitscope::exactness_test
+
 #include "exactness_test.moc"

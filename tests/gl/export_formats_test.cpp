@@ -14,7 +14,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::export_formats_test {
 
 namespace {
 
@@ -187,4 +187,7 @@ void ExportFormatsTest::whatIsNotAsMeantIsSaid() {
 }
 
 HITSCOPE_TEST(ExportFormatsTest, QCoreApplication)
+
+}  // namespace hitscope::export_formats_test
+
 #include "export_formats_test.moc"

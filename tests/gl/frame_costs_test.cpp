@@ -10,7 +10,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::frame_costs_test {
 
 namespace {
 
@@ -121,4 +121,7 @@ private:
 };
 
 HITSCOPE_TEST(FrameCostsTest, QCoreApplication)
+
+}  // namespace hitscope::frame_costs_test
+
 #include "frame_costs_test.moc"

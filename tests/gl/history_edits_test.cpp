@@ -9,7 +9,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-namespace hitscope {
+namespace hitscope::history_edits_test {
 
 using namespace test;
 
@@ -225,7 +225,8 @@ private:
     GlFixture m_gl;
 };
 
-}  // namespace hitscope
+HITSCOPE_TEST(HistoryEditsTest, QCoreApplication)
 
-HITSCOPE_TEST(hitscope::HistoryEditsTest, QCoreApplication)
+}  // namespace hitscope::history_edits_test
+
 #include "history_edits_test.moc"

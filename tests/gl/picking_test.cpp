@@ -18,9 +18,10 @@
 #include "session/primitive_target.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using hitscope::test::PickedScene;
-using hitscope::test::Shown;
+namespace hitscope::picking_test {
+
+using test::PickedScene;
+using test::Shown;
 using Depth = ScenePicker::Depth;
 
 class PickingTest : public QObject, private PickedScene {
@@ -253,4 +254,7 @@ private:
 };
 
 HITSCOPE_TEST(PickingTest, QCoreApplication)
+
+}  // namespace hitscope::picking_test
+
 #include "picking_test.moc"

@@ -8,8 +8,9 @@
 #include "support/read_back.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using hitscope::test::PickedScene;
+namespace hitscope::picking_trial_test {
+
+using test::PickedScene;
 
 namespace {
 
@@ -122,4 +123,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(PickingTrialTest, QCoreApplication)
+
+}  // namespace hitscope::picking_trial_test
+
 #include "picking_trial_test.moc"

@@ -11,8 +11,9 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::pipeline_trial_test {
+
+using namespace test;
 
 namespace {
 
@@ -168,4 +169,7 @@ private:
 };
 
 HITSCOPE_TEST(PipelineTrialTest, QCoreApplication)
+
+}  // namespace hitscope::pipeline_trial_test
+
 #include "pipeline_trial_test.moc"

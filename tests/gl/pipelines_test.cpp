@@ -10,7 +10,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-namespace hitscope {
+namespace hitscope::pipelines_test {
 
 using namespace test;
 
@@ -331,7 +331,8 @@ private:
     GlFixture m_gl;
 };
 
-}  // namespace hitscope
+HITSCOPE_TEST(PipelinesTest, QCoreApplication)
 
-HITSCOPE_TEST(hitscope::PipelinesTest, QCoreApplication)
+}  // namespace hitscope::pipelines_test
+
 #include "pipelines_test.moc"

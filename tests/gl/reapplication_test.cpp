@@ -15,7 +15,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::reapplication_test {
 
 namespace {
 
@@ -188,4 +188,7 @@ private:
 };
 
 HITSCOPE_TEST(ReapplicationTest, QCoreApplication)
+
+}  // namespace hitscope::reapplication_test
+
 #include "reapplication_test.moc"

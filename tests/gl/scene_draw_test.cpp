@@ -12,7 +12,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::scene_draw_test {
 
 namespace {
 
@@ -142,4 +142,7 @@ private:
 };
 
 HITSCOPE_TEST(SceneDrawTest, QCoreApplication)
+
+}  // namespace hitscope::scene_draw_test
+
 #include "scene_draw_test.moc"

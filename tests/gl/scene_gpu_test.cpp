@@ -16,7 +16,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::scene_gpu_test {
 
 namespace {
 
@@ -225,4 +225,7 @@ private:
 };
 
 HITSCOPE_TEST(SceneGpuTest, QCoreApplication)
+
+}  // namespace hitscope::scene_gpu_test
+
 #include "scene_gpu_test.moc"

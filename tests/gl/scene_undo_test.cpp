@@ -9,7 +9,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::scene_undo_test {
 
 namespace {
 
@@ -71,4 +71,7 @@ private:
 };
 
 HITSCOPE_TEST(SceneUndoGlTest, QCoreApplication)
+
+}  // namespace hitscope::scene_undo_test
+
 #include "scene_undo_test.moc"

@@ -10,7 +10,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-namespace hitscope {
+namespace hitscope::shaders_test {
 namespace {
 
 QString compileLog(GLenum stage, const std::string& text) {
@@ -201,7 +201,8 @@ private:
     test::GlFixture m_gl;
 };
 
-}  // namespace hitscope
+HITSCOPE_TEST(ShadersTest, QCoreApplication)
 
-HITSCOPE_TEST(hitscope::ShadersTest, QCoreApplication)
+}  // namespace hitscope::shaders_test
+
 #include "shaders_test.moc"

@@ -13,7 +13,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::shown_hits_test {
 
 class ShownHitsTest : public QObject {
     Q_OBJECT
@@ -134,4 +134,7 @@ private:
 };
 
 HITSCOPE_TEST(ShownHitsTest, QCoreApplication)
+
+}  // namespace hitscope::shown_hits_test
+
 #include "shown_hits_test.moc"

@@ -8,7 +8,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::shrunk_test {
 
 namespace {
 
@@ -85,4 +85,7 @@ private:
 };
 
 HITSCOPE_TEST(ShrunkTest, QCoreApplication)
+
+}  // namespace hitscope::shrunk_test
+
 #include "shrunk_test.moc"

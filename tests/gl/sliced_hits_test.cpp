@@ -14,7 +14,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::sliced_hits_test {
 
 namespace {
 
@@ -141,4 +141,7 @@ private:
 };
 
 HITSCOPE_TEST(SlicedHitsTest, QCoreApplication)
+
+}  // namespace hitscope::sliced_hits_test
+
 #include "sliced_hits_test.moc"

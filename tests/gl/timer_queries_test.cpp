@@ -8,7 +8,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::timer_queries_test {
 
 namespace {
 
@@ -96,4 +96,7 @@ private:
 };
 
 HITSCOPE_TEST(TimerQueriesTest, QCoreApplication)
+
+}  // namespace hitscope::timer_queries_test
+
 #include "timer_queries_test.moc"

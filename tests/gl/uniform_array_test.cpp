@@ -8,7 +8,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-namespace hitscope {
+namespace hitscope::uniform_array_test {
 
 using namespace test;
 
@@ -248,7 +248,8 @@ private:
     GlFixture m_gl;
 };
 
-}  // namespace hitscope
+HITSCOPE_TEST(UniformArrayTest, QCoreApplication)
 
-HITSCOPE_TEST(hitscope::UniformArrayTest, QCoreApplication)
+}  // namespace hitscope::uniform_array_test
+
 #include "uniform_array_test.moc"

@@ -12,7 +12,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::unreferenced_vertices_test {
 
 namespace {
 
@@ -78,4 +78,7 @@ private:
 };
 
 HITSCOPE_TEST(UnreferencedVerticesGlTest, QCoreApplication)
+
+}  // namespace hitscope::unreferenced_vertices_test
+
 #include "unreferenced_vertices_test.moc"

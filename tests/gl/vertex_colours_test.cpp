@@ -6,7 +6,7 @@
 #include "pipeline/vertex_colours.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::vertex_colours_test {
 
 class VertexColoursTest : public QObject {
     Q_OBJECT
@@ -41,4 +41,7 @@ void VertexColoursTest::followTheFileVertices() {
 }
 
 HITSCOPE_TEST(VertexColoursTest, QCoreApplication)
+
+}  // namespace hitscope::vertex_colours_test
+
 #include "vertex_colours_test.moc"

@@ -9,8 +9,9 @@
 #include "support/read_back.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::attribution_model_test {
+
+using namespace test;
 using Column = AttributionModel::Column;
 
 class AttributionModelTest : public QObject {
@@ -180,4 +181,7 @@ private:
 };
 
 HITSCOPE_TEST(AttributionModelTest, QCoreApplication)
+
+}  // namespace hitscope::attribution_model_test
+
 #include "attribution_model_test.moc"

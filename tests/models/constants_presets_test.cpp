@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-using namespace hitscope;
+namespace hitscope::constants_presets_test {
 
 class ConstantsPresetsTest : public QObject {
     Q_OBJECT
@@ -67,4 +67,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(ConstantsPresetsTest, QCoreApplication)
+
+}  // namespace hitscope::constants_presets_test
+
 #include "constants_presets_test.moc"

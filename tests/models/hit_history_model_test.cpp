@@ -11,7 +11,7 @@
 #include "support/read_back.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::hit_history_model_test {
 
 namespace {
 
@@ -353,4 +353,7 @@ void HitHistoryModelTest::survivesAnythingWhileHitsStreamIn() {
 }
 
 HITSCOPE_TEST(HitHistoryModelTest, QCoreApplication)
+
+}  // namespace hitscope::hit_history_model_test
+
 #include "hit_history_model_test.moc"

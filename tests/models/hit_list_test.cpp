@@ -12,7 +12,7 @@
 #include "analysis/hit_effects.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::hit_list_test {
 
 class HitListTest : public QObject {
     Q_OBJECT
@@ -257,4 +257,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(HitListTest, QCoreApplication)
+
+}  // namespace hitscope::hit_list_test
+
 #include "hit_list_test.moc"

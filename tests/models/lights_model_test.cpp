@@ -7,7 +7,7 @@
 #include <QTest>
 #include <cmath>
 
-using namespace hitscope;
+namespace hitscope::lights_model_test {
 
 class LightsModelTest : public QObject {
     Q_OBJECT
@@ -60,4 +60,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(LightsModelTest, QCoreApplication)
+
+}  // namespace hitscope::lights_model_test
+
 #include "lights_model_test.moc"

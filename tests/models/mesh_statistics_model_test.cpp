@@ -16,7 +16,7 @@
 #include "support/read_back.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::mesh_statistics_model_test {
 
 namespace {
 
@@ -337,4 +337,7 @@ void MeshStatisticsModelTest::listsHarmedFacesAndTheirHits() {
 }
 
 HITSCOPE_TEST(MeshStatisticsModelTest, QCoreApplication)
+
+}  // namespace hitscope::mesh_statistics_model_test
+
 #include "mesh_statistics_model_test.moc"

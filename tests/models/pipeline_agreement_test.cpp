@@ -12,7 +12,7 @@
 #include "support/read_back.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::pipeline_agreement_test {
 
 namespace {
 
@@ -135,4 +135,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(PipelineAgreementTest, QCoreApplication)
+
+}  // namespace hitscope::pipeline_agreement_test
+
 #include "pipeline_agreement_test.moc"

@@ -7,7 +7,7 @@
 
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::quantity_text_test {
 
 class QuantityTextTest : public QObject {
     Q_OBJECT
@@ -48,4 +48,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(QuantityTextTest, QCoreApplication)
+
+}  // namespace hitscope::quantity_text_test
+
 #include "quantity_text_test.moc"

@@ -5,7 +5,7 @@
 #include <QTest>
 #include <cmath>
 
-using namespace hitscope;
+namespace hitscope::rotation_angles_test {
 
 namespace {
 
@@ -54,4 +54,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(RotationAnglesTest, QCoreApplication)
+
+}  // namespace hitscope::rotation_angles_test
+
 #include "rotation_angles_test.moc"

@@ -10,7 +10,7 @@
 #include "session/primitive_target.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::scene_model_test {
 
 namespace {
 
@@ -122,4 +122,7 @@ private:
 };
 
 HITSCOPE_TEST(SceneModelTest, QCoreApplication)
+
+}  // namespace hitscope::scene_model_test
+
 #include "scene_model_test.moc"

@@ -14,7 +14,7 @@
 #include "support/read_back.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::scene_sections_test {
 
 namespace {
 
@@ -274,4 +274,7 @@ private:
 };
 
 HITSCOPE_TEST(SceneSectionsTest, QCoreApplication)
+
+}  // namespace hitscope::scene_sections_test
+
 #include "scene_sections_test.moc"

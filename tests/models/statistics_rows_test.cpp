@@ -7,7 +7,7 @@
 #include "models/statistics_rows.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::statistics_rows_test {
 
 namespace {
 
@@ -166,4 +166,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(StatisticsRowsTest, QCoreApplication)
+
+}  // namespace hitscope::statistics_rows_test
+
 #include "statistics_rows_test.moc"

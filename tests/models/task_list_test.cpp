@@ -9,7 +9,7 @@
 #include "session/history_edits.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::task_list_test {
 
 class TaskListTest : public QObject {
     Q_OBJECT
@@ -94,4 +94,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(TaskListTest, QCoreApplication)
+
+}  // namespace hitscope::task_list_test
+
 #include "task_list_test.moc"

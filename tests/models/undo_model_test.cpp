@@ -7,7 +7,7 @@
 
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::undo_model_test {
 
 class UndoModelTest : public QObject {
     Q_OBJECT
@@ -83,4 +83,7 @@ private:
 };
 
 HITSCOPE_TEST(UndoModelTest, QCoreApplication)
+
+}  // namespace hitscope::undo_model_test
+
 #include "undo_model_test.moc"

@@ -4,7 +4,7 @@
 
 #include <QTest>
 
-using namespace hitscope;
+namespace hitscope::undo_text_test {
 
 class UndoTextTest : public QObject {
     Q_OBJECT
@@ -42,4 +42,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(UndoTextTest, QCoreApplication)
+
+}  // namespace hitscope::undo_text_test
+
 #include "undo_text_test.moc"

@@ -6,7 +6,7 @@
 #include "models/verdict_text.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::verdict_text_test {
 
 class VerdictTextTest : public QObject {
     Q_OBJECT
@@ -42,4 +42,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(VerdictTextTest, QCoreApplication)
+
+}  // namespace hitscope::verdict_text_test
+
 #include "verdict_text_test.moc"

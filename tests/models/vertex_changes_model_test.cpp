@@ -19,8 +19,9 @@
 #include "session/vertex_selection.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::vertex_changes_model_test {
+
+using namespace test;
 using Column = VertexChangesModel::Column;
 
 class VertexChangesModelTest : public QObject {
@@ -347,4 +348,7 @@ private:
 };
 
 HITSCOPE_TEST(VertexChangesModelTest, QCoreApplication)
+
+}  // namespace hitscope::vertex_changes_model_test
+
 #include "vertex_changes_model_test.moc"

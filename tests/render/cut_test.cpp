@@ -13,8 +13,9 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::cut_test {
+
+using namespace test;
 
 namespace {
 
@@ -352,4 +353,7 @@ void CutTest::nothingStaysBehind() {
 }
 
 HITSCOPE_TEST(CutTest, QCoreApplication)
+
+}  // namespace hitscope::cut_test
+
 #include "cut_test.moc"

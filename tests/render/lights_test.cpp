@@ -11,8 +11,9 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::lights_test {
+
+using namespace test;
 
 namespace {
 
@@ -258,4 +259,7 @@ void LightsTest::floorFollowsTheEquations() {
 }
 
 HITSCOPE_TEST(LightsTest, QCoreApplication)
+
+}  // namespace hitscope::lights_test
+
 #include "lights_test.moc"

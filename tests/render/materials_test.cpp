@@ -12,8 +12,9 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::materials_test {
+
+using namespace test;
 
 namespace {
 
@@ -222,4 +223,7 @@ void MaterialsTest::translucentMaterialsLetThrough() {
 }
 
 HITSCOPE_TEST(MaterialsTest, QCoreApplication)
+
+}  // namespace hitscope::materials_test
+
 #include "materials_test.moc"

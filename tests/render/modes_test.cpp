@@ -12,10 +12,9 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::modes_test {
 
-namespace {
+using namespace test;
 
 constexpr int kWidth = 160;
 constexpr int kHeight = 120;
@@ -70,8 +69,6 @@ MeshData withTexture(MeshData mesh) {
     mesh.faceMaterials.assign(mesh.faceCount(), 0);
     return mesh;
 }
-
-}  // namespace
 
 class ModesTest : public QObject {
     Q_OBJECT
@@ -396,4 +393,7 @@ void ModesTest::shadowsFollow() {
 }
 
 HITSCOPE_TEST(ModesTest, QCoreApplication)
+
+}  // namespace hitscope::modes_test
+
 #include "modes_test.moc"

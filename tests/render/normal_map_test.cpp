@@ -11,8 +11,9 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::normal_map_test {
+
+using namespace test;
 
 namespace {
 
@@ -161,4 +162,7 @@ void NormalMapTest::isLeftOut() {
 }
 
 HITSCOPE_TEST(NormalMapTest, QCoreApplication)
+
+}  // namespace hitscope::normal_map_test
+
 #include "normal_map_test.moc"

@@ -14,8 +14,9 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::refined_test {
+
+using namespace test;
 
 namespace {
 
@@ -343,4 +344,7 @@ void RefinedTest::nextSizeStartsAnew() {
 }
 
 HITSCOPE_TEST(RefinedTest, QCoreApplication)
+
+}  // namespace hitscope::refined_test
+
 #include "refined_test.moc"

@@ -15,8 +15,9 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::renderer_test {
+
+using namespace test;
 
 namespace {
 
@@ -370,4 +371,7 @@ void RendererTest::stateIsGivenBack() {
 }
 
 HITSCOPE_TEST(RendererTest, QCoreApplication)
+
+}  // namespace hitscope::renderer_test
+
 #include "renderer_test.moc"

@@ -11,8 +11,9 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::vertex_colours_test {
+
+using namespace test;
 
 namespace {
 
@@ -111,4 +112,7 @@ void VertexColoursTest::coversHaveNoVertexColours() {
 }
 
 HITSCOPE_TEST(VertexColoursTest, QCoreApplication)
+
+}  // namespace hitscope::vertex_colours_test
+
 #include "vertex_colours_test.moc"

@@ -15,8 +15,9 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::visible_edges_test {
+
+using namespace test;
 
 namespace {
 
@@ -196,4 +197,7 @@ void VisibleEdgesTest::notKnownWhereExaggerated() {
 }
 
 HITSCOPE_TEST(VisibleEdgesTest, QCoreApplication)
+
+}  // namespace hitscope::visible_edges_test
+
 #include "visible_edges_test.moc"

@@ -10,8 +10,9 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::wireframe_test {
+
+using namespace test;
 
 class WireframeTest : public QObject {
     Q_OBJECT
@@ -115,4 +116,7 @@ void WireframeTest::hiddenEdgesAreHidden() {
 }
 
 HITSCOPE_TEST(WireframeTest, QCoreApplication)
+
+}  // namespace hitscope::wireframe_test
+
 #include "wireframe_test.moc"

@@ -8,7 +8,7 @@
 #include <random>
 #include <tuple>
 
-using namespace hitscope;
+namespace hitscope::applied_history_test {
 
 namespace {
 
@@ -88,4 +88,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(AppliedHistoryTest, QCoreApplication)
+
+}  // namespace hitscope::applied_history_test
+
 #include "applied_history_test.moc"

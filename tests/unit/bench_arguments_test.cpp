@@ -5,7 +5,9 @@
 #include "cli/bench/arguments.h"
 #include "support/test_program.h"
 
-using namespace hitscope::bench;
+namespace hitscope::bench_arguments_test {
+
+using namespace bench;
 
 class BenchArgumentsTest : public QObject {
     Q_OBJECT
@@ -108,4 +110,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(BenchArgumentsTest, QCoreApplication)
+
+}  // namespace hitscope::bench_arguments_test
+
 #include "bench_arguments_test.moc"

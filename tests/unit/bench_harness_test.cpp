@@ -5,8 +5,9 @@
 #include "cli/bench/harness.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::bench;
+namespace hitscope::bench_harness_test {
+
+using namespace bench;
 
 namespace {
 
@@ -145,4 +146,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(BenchHarnessTest, QCoreApplication)
+
+}  // namespace hitscope::bench_harness_test
+
 #include "bench_harness_test.moc"

@@ -12,8 +12,9 @@
 #include "mesh/panel_texture.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::bench;
+namespace hitscope::bench_report_test {
+
+using namespace bench;
 
 namespace {
 
@@ -141,4 +142,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(BenchReportTest, QCoreApplication)
+
+}  // namespace hitscope::bench_report_test
+
 #include "bench_report_test.moc"

@@ -12,8 +12,9 @@
 #include "view/camera_text.h"
 #include "view/lights.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::camera_test {
+
+using namespace test;
 
 namespace {
 
@@ -383,4 +384,7 @@ void CameraTest::defaultLightsFollowTheScene() {
 }
 
 HITSCOPE_TEST(CameraTest, QCoreApplication)
+
+}  // namespace hitscope::camera_test
+
 #include "camera_test.moc"

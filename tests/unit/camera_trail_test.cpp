@@ -8,7 +8,7 @@
 #include "view/camera_text.h"
 #include "viewport/navigation.h"
 
-using namespace hitscope;
+namespace hitscope::camera_trail_test {
 
 class CameraTrailTest : public QObject {
     Q_OBJECT
@@ -97,4 +97,7 @@ private:
 };
 
 HITSCOPE_TEST(CameraTrailTest, QCoreApplication)
+
+}  // namespace hitscope::camera_trail_test
+
 #include "camera_trail_test.moc"

@@ -8,7 +8,7 @@
 #include "mesh/primitives.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::carried_hits_test {
 
 namespace {
 
@@ -212,4 +212,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(CarriedHitsTest, QCoreApplication)
+
+}  // namespace hitscope::carried_hits_test
+
 #include "carried_hits_test.moc"

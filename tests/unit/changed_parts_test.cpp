@@ -11,9 +11,7 @@
 #include "mesh/true_normals.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-
-Q_DECLARE_METATYPE(hitscope::MeshData)
+namespace hitscope::changed_parts_test {
 
 namespace {
 
@@ -109,4 +107,7 @@ private:
 };
 
 HITSCOPE_TEST(ChangedPartsTest, QCoreApplication)
+
+}  // namespace hitscope::changed_parts_test
+
 #include "changed_parts_test.moc"

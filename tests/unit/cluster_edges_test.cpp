@@ -8,9 +8,7 @@
 #include "mesh/teapot.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-
-Q_DECLARE_METATYPE(hitscope::MeshData)
+namespace hitscope::cluster_edges_test {
 
 class ClusterEdgesTest : public QObject {
     Q_OBJECT
@@ -57,4 +55,7 @@ private:
 };
 
 HITSCOPE_TEST(ClusterEdgesTest, QCoreApplication)
+
+}  // namespace hitscope::cluster_edges_test
+
 #include "cluster_edges_test.moc"

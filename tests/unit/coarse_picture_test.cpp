@@ -8,7 +8,7 @@
 #include "mesh/primitives.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::coarse_picture_test {
 
 namespace {
 
@@ -131,4 +131,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(CoarsePictureTest, QCoreApplication)
+
+}  // namespace hitscope::coarse_picture_test
+
 #include "coarse_picture_test.moc"

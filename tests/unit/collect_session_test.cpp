@@ -15,8 +15,9 @@
 #include "session/primitive_target.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::collect_session_test {
+
+using namespace test;
 
 namespace {
 
@@ -321,4 +322,7 @@ void CollectSessionTest::whatIsMissingIsTold() {
 }
 
 HITSCOPE_TEST(CollectSessionTest, QCoreApplication)
+
+}  // namespace hitscope::collect_session_test
+
 #include "collect_session_test.moc"

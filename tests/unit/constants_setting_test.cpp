@@ -12,7 +12,7 @@
 #include "session/session.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::constants_setting_test {
 
 namespace {
 
@@ -132,4 +132,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(ConstantsSettingTest, QCoreApplication)
+
+}  // namespace hitscope::constants_setting_test
+
 #include "constants_setting_test.moc"

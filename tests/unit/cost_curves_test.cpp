@@ -4,7 +4,7 @@
 
 #include <QTest>
 
-using namespace hitscope;
+namespace hitscope::cost_curves_test {
 
 class CostCurvesTest : public QObject {
     Q_OBJECT
@@ -80,4 +80,7 @@ void CostCurvesTest::oneSlowFrameIsNoCrossover() {
 }
 
 HITSCOPE_TEST(CostCurvesTest, QCoreApplication)
+
+}  // namespace hitscope::cost_curves_test
+
 #include "cost_curves_test.moc"

@@ -6,7 +6,7 @@
 
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::csv_writer_test {
 
 class CsvWriterTest : public QObject {
     Q_OBJECT
@@ -48,4 +48,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(CsvWriterTest, QCoreApplication)
+
+}  // namespace hitscope::csv_writer_test
+
 #include "csv_writer_test.moc"

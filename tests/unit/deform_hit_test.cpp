@@ -8,10 +8,9 @@
 #include "deform_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::deform_hit_test {
 
 using Damage = std::function<void(Hit&)>;
-Q_DECLARE_METATYPE(Damage)
 
 namespace {
 
@@ -105,4 +104,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(HitTest, QCoreApplication)
+
+}  // namespace hitscope::deform_hit_test
+
 #include "deform_hit_test.moc"

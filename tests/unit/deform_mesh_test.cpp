@@ -6,7 +6,7 @@
 #include "mesh/primitives.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::deform_mesh_test {
 
 namespace {
 
@@ -109,4 +109,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(DeformedMeshTest, QCoreApplication)
+
+}  // namespace hitscope::deform_mesh_test
+
 #include "deform_mesh_test.moc"

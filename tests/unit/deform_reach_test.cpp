@@ -10,9 +10,7 @@
 #include "mesh/teapot.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-
-Q_DECLARE_METATYPE(hitscope::MeshData)
+namespace hitscope::deform_reach_test {
 
 namespace {
 
@@ -268,4 +266,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(ReachTest, QCoreApplication)
+
+}  // namespace hitscope::deform_reach_test
+
 #include "deform_reach_test.moc"

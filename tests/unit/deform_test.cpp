@@ -11,7 +11,7 @@
 #include "deform_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::deform_test {
 
 namespace {
 
@@ -206,4 +206,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(DeformTest, QCoreApplication)
+
+}  // namespace hitscope::deform_test
+
 #include "deform_test.moc"

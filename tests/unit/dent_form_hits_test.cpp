@@ -13,8 +13,9 @@
 #include "mesh/geodesic_sphere.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::dent_form_hits_test {
+
+using namespace test;
 
 class DentFormHitsTest : public QObject {
     Q_OBJECT
@@ -111,4 +112,7 @@ void DentFormHitsTest::contributionIsWhatDeformAdds() {
 }
 
 HITSCOPE_TEST(DentFormHitsTest, QCoreApplication)
+
+}  // namespace hitscope::dent_form_hits_test
+
 #include "dent_form_hits_test.moc"

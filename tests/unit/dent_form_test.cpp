@@ -13,8 +13,9 @@
 #include "mesh/geodesic_sphere.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::dent_form_test {
+
+using namespace test;
 
 namespace {
 
@@ -298,4 +299,7 @@ void DentFormTest::papersFingerprintStays() {
 }
 
 HITSCOPE_TEST(DentFormTest, QCoreApplication)
+
+}  // namespace hitscope::dent_form_test
+
 #include "dent_form_test.moc"

@@ -12,7 +12,7 @@
 #include "mesh/primitives.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::dent_owners_test {
 
 namespace {
 
@@ -146,4 +146,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(DentOwnersTest, QCoreApplication)
+
+}  // namespace hitscope::dent_owners_test
+
 #include "dent_owners_test.moc"

@@ -13,7 +13,7 @@
 #include "support/read_back.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::dent_preview_test {
 
 namespace {
 
@@ -119,4 +119,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(DentPreviewTest, QCoreApplication)
+
+}  // namespace hitscope::dent_preview_test
+
 #include "dent_preview_test.moc"

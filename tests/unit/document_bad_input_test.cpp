@@ -10,8 +10,9 @@
 #include "io_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::document_bad_input_test {
+
+using namespace test;
 
 namespace {
 
@@ -369,4 +370,7 @@ void DocumentBadInputTest::texts() {
 }
 
 HITSCOPE_TEST(DocumentBadInputTest, QCoreApplication)
+
+}  // namespace hitscope::document_bad_input_test
+
 #include "document_bad_input_test.moc"

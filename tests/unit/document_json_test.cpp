@@ -9,10 +9,9 @@
 #include "io_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::document_json_test {
 
-namespace {
+using namespace test;
 
 /// Written and read; fails the test where that is refused.
 SessionDocument again(const SessionDocument& document) {
@@ -71,8 +70,6 @@ void tryPlaced(const char* name, const Light& light) {
     tryChange(
         name, [&](auto& d) -> auto& { return light(d).attenuation.quadratic; }, 1e9f);
 }
-
-}  // namespace
 
 class DocumentJsonTest : public QObject {
     Q_OBJECT
@@ -397,4 +394,7 @@ void DocumentJsonTest::membersAreKnown() {
 }
 
 HITSCOPE_TEST(DocumentJsonTest, QCoreApplication)
+
+}  // namespace hitscope::document_json_test
+
 #include "document_json_test.moc"

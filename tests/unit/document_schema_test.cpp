@@ -8,8 +8,9 @@
 #include "io_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::document_schema_test {
+
+using namespace test;
 
 namespace {
 
@@ -107,4 +108,7 @@ void DocumentSchemaTest::files() {
 }
 
 HITSCOPE_TEST(DocumentSchemaTest, QCoreApplication)
+
+}  // namespace hitscope::document_schema_test
+
 #include "document_schema_test.moc"

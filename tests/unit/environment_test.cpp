@@ -8,7 +8,7 @@
 #include "support/test_program.h"
 #include "view/environment.h"
 
-using namespace hitscope;
+namespace hitscope::environment_test {
 
 namespace {
 
@@ -96,4 +96,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(EnvironmentTest, QCoreApplication)
+
+}  // namespace hitscope::environment_test
+
 #include "environment_test.moc"

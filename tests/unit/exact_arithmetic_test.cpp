@@ -11,6 +11,8 @@
 
 #include "support/test_program.h"
 
+namespace hitscope::exact_arithmetic_test {
+
 namespace {
 
 float stepped(float x, int units) {
@@ -195,4 +197,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(ExactArithmeticTest, QCoreApplication)
+
+}  // namespace hitscope::exact_arithmetic_test
+
 #include "exact_arithmetic_test.moc"

@@ -9,8 +9,9 @@
 #include "support/test_program.h"
 #include "unit/deform_support.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::fingerprint_test {
+
+using namespace test;
 
 namespace {
 
@@ -53,8 +54,6 @@ void put(DeformedMesh& mesh, std::uint32_t fileVertex, const glm::vec3& position
 }
 
 }  // namespace
-
-Q_DECLARE_METATYPE(Change)
 
 class FingerprintTest : public QObject {
     Q_OBJECT
@@ -159,4 +158,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(FingerprintTest, QCoreApplication)
+
+}  // namespace hitscope::fingerprint_test
+
 #include "fingerprint_test.moc"

@@ -9,7 +9,7 @@
 #include "session/session.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::flight_mode_test {
 
 namespace {
 
@@ -118,4 +118,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(FlightModeTest, QCoreApplication)
+
+}  // namespace hitscope::flight_mode_test
+
 #include "flight_mode_test.moc"

@@ -10,7 +10,7 @@
 #include "session/session.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::frames_test {
 
 namespace {
 
@@ -180,4 +180,7 @@ void FramesTest::costsStayWithTheirHits() {
 }
 
 HITSCOPE_TEST(FramesTest, QCoreApplication)
+
+}  // namespace hitscope::frames_test
+
 #include "frames_test.moc"

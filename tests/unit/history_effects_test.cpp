@@ -11,7 +11,7 @@
 #include "support/test_program.h"
 #include "unit/deform_support.h"
 
-using namespace hitscope;
+namespace hitscope::history_effects_test {
 
 namespace {
 
@@ -186,7 +186,7 @@ private Q_SLOTS:
         for (int step = 0; step < 60; ++step) {
             std::vector<HistoryEdit> edits;
             for (std::size_t i = random() % 4 + 1; i > 0; --i) {
-                for (HistoryEdit& edit : ::randomEdits(random, history)) {
+                for (HistoryEdit& edit : history_effects_test::randomEdits(random, history)) {
                     edits.push_back(std::move(edit));
                 }
             }
@@ -227,4 +227,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(HistoryEffectsTest, QCoreApplication)
+
+}  // namespace hitscope::history_effects_test
+
 #include "history_effects_test.moc"

@@ -6,7 +6,7 @@
 #include <QTest>
 #include <random>
 
-using namespace hitscope;
+namespace hitscope::history_prefix_test {
 
 class HistoryPrefixTest : public QObject {
     Q_OBJECT
@@ -55,4 +55,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(HistoryPrefixTest, QCoreApplication)
+
+}  // namespace hitscope::history_prefix_test
+
 #include "history_prefix_test.moc"

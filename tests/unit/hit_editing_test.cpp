@@ -11,7 +11,7 @@
 #include "session/vertex_selection.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::hit_editing_test {
 
 class HitEditingTest : public QObject {
     Q_OBJECT
@@ -163,4 +163,7 @@ private:
 };
 
 HITSCOPE_TEST(HitEditingTest, QCoreApplication)
+
+}  // namespace hitscope::hit_editing_test
+
 #include "hit_editing_test.moc"

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <random>
 
-using namespace hitscope;
+namespace hitscope::hit_effects_test {
 
 namespace {
 
@@ -238,4 +238,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(HitEffectsTest, QCoreApplication)
+
+}  // namespace hitscope::hit_effects_test
+
 #include "hit_effects_test.moc"

@@ -10,7 +10,7 @@
 #include "session/session.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::hit_groups_test {
 
 namespace {
 
@@ -147,4 +147,7 @@ private:
 };
 
 HITSCOPE_TEST(HitGroupsTest, QCoreApplication)
+
+}  // namespace hitscope::hit_groups_test
+
 #include "hit_groups_test.moc"

@@ -6,7 +6,7 @@
 #include "deform/hit_history.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::hit_history_test {
 
 namespace {
 
@@ -280,4 +280,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(HitHistoryTest, QCoreApplication)
+
+}  // namespace hitscope::hit_history_test
+
 #include "hit_history_test.moc"

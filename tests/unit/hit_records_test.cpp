@@ -10,7 +10,7 @@
 #include "analysis/hit_files.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::hit_records_test {
 
 namespace {
 
@@ -240,4 +240,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(HitRecordsTest, QCoreApplication)
+
+}  // namespace hitscope::hit_records_test
+
 #include "hit_records_test.moc"

@@ -12,8 +12,9 @@
 #include "io_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::io_bad_input_test {
+
+using namespace test;
 
 /// Whatever a file holds, there is one message that says what is wrong, where, and what to do.
 class BadInputTest : public QObject {
@@ -177,4 +178,7 @@ void BadInputTest::tooMuchMemory() {
 }
 
 HITSCOPE_TEST(BadInputTest, QCoreApplication)
+
+}  // namespace hitscope::io_bad_input_test
+
 #include "io_bad_input_test.moc"

@@ -13,8 +13,34 @@
 #include "io_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::io_bombs_test {
+
+using namespace test;
+
+class BombsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void gltf_data();
+    void gltf();
+    void triangleOpens();
+    void daeIsRefused_data();
+    void daeIsRefused();
+    void daeOpens_data();
+    void daeOpens();
+    void fbx_data();
+    void fbx();
+    void arraysShorterThanTheySay();
+    void otherFormatsUnderTheSuffix();
+    void instancesCountAsOftenAsTheyAre();
+    void tellsWhatItLeavesOut();
+    void followsALinkToTheMesh();
+
+private:
+    [[nodiscard]] QString write(const char* name, const std::string& content) const {
+        return writeFile(m_folder.path(), QString::fromLatin1(name), content);
+    }
+    QTemporaryDir m_folder;
+};
 
 namespace {
 
@@ -72,34 +98,7 @@ std::string doublingInstances(int steps) {
 
 }  // namespace
 
-Q_DECLARE_METATYPE(Gltf)
-
 /// Small files that ask for very much, or for what is not theirs.
-class BombsTest : public QObject {
-    Q_OBJECT
-private Q_SLOTS:
-    void gltf_data();
-    void gltf();
-    void triangleOpens();
-    void daeIsRefused_data();
-    void daeIsRefused();
-    void daeOpens_data();
-    void daeOpens();
-    void fbx_data();
-    void fbx();
-    void arraysShorterThanTheySay();
-    void otherFormatsUnderTheSuffix();
-    void instancesCountAsOftenAsTheyAre();
-    void tellsWhatItLeavesOut();
-    void followsALinkToTheMesh();
-
-private:
-    [[nodiscard]] QString write(const char* name, const std::string& content) const {
-        return writeFile(m_folder.path(), QString::fromLatin1(name), content);
-    }
-    QTemporaryDir m_folder;
-};
-
 void BombsTest::gltf_data() {
     QTest::addColumn<Gltf>("file");
     QTest::addColumn<QString>("message");
@@ -339,4 +338,7 @@ void BombsTest::followsALinkToTheMesh() {
 }
 
 HITSCOPE_TEST(BombsTest, QCoreApplication)
+
+}  // namespace hitscope::io_bombs_test
+
 #include "io_bombs_test.moc"

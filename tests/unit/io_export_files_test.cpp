@@ -15,8 +15,9 @@
 #include "io/readers/obj_reader.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::io_export_files_test {
+
+using namespace test;
 
 class ExportFilesTest : public QObject {
     Q_OBJECT
@@ -306,4 +307,7 @@ void ExportFilesTest::saysWhyItCannotWrite() {
 }
 
 HITSCOPE_TEST(ExportFilesTest, QCoreApplication)
+
+}  // namespace hitscope::io_export_files_test
+
 #include "io_export_files_test.moc"

@@ -13,12 +13,13 @@
 #include "io_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::io_export_test {
+
+using namespace test;
 
 namespace {
 
-std::vector<glm::vec3> cornerNormals(const MeshData& mesh, const glm::vec3& otherwise) {
+std::vector<glm::vec3> normalsOfCorners(const MeshData& mesh, const glm::vec3& otherwise) {
     std::vector<glm::vec3> normals(mesh.cornerVertices.size(), otherwise);
     for (std::size_t c = 0; c < mesh.cornerNormals.size(); ++c) {
         if (mesh.cornerNormals[c] != kNoIndex) {
@@ -79,7 +80,7 @@ void ExportTest::givesBackNormalsThatAreAllGiven() {
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 2\nvn 5 5 5\nvn 0 0 2\nvn 0 1 0\nf 1//4 2//3 3//1\nf 3//1 2//3 "
         "1//4\n";
     const MeshData mesh = parseObj(text).value().mesh;
-    const std::vector<glm::vec3> normals = cornerNormals(mesh, {});
+    const std::vector<glm::vec3> normals = normalsOfCorners(mesh, {});
     ObjExport what = exportOf(mesh, mesh.positions);
     what.normals = {normals, {}};
     const Result<ImportedMesh> again = parseObj(formatObj(what, {}));
@@ -186,4 +187,7 @@ void ExportTest::makesNamesUsable() {
 }
 
 HITSCOPE_TEST(ExportTest, QCoreApplication)
+
+}  // namespace hitscope::io_export_test
+
 #include "io_export_test.moc"

@@ -9,8 +9,9 @@
 #include "io_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::io_formats_test {
+
+using namespace test;
 using Indices = std::vector<std::uint32_t>;
 
 namespace {
@@ -391,4 +392,7 @@ void FormatsTest::listsFormats() {
 }
 
 HITSCOPE_TEST(FormatsTest, QCoreApplication)
+
+}  // namespace hitscope::io_formats_test
+
 #include "io_formats_test.moc"

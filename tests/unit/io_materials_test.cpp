@@ -11,8 +11,9 @@
 #include "io_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::io_materials_test {
+
+using namespace test;
 
 namespace {
 
@@ -270,4 +271,7 @@ void MaterialsTest::notesBrokenPictures() {
 }
 
 HITSCOPE_TEST(MaterialsTest, QCoreApplication)
+
+}  // namespace hitscope::io_materials_test
+
 #include "io_materials_test.moc"

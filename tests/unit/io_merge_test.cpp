@@ -14,8 +14,9 @@
 #include "support/test_program.h"
 #include "write_support.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::io_merge_test {
+
+using namespace test;
 
 namespace {
 
@@ -217,4 +218,7 @@ private Q_SLOTS:
 }  // namespace
 
 HITSCOPE_TEST(TestIoMerge, QCoreApplication)
+
+}  // namespace hitscope::io_merge_test
+
 #include "io_merge_test.moc"

@@ -10,8 +10,9 @@
 #include "io_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::io_mutations_test {
+
+using namespace test;
 
 namespace {
 
@@ -124,4 +125,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(MutationsTest, QCoreApplication)
+
+}  // namespace hitscope::io_mutations_test
+
 #include "io_mutations_test.moc"

@@ -16,7 +16,7 @@
 #include "mesh/primitives.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::io_obj_index_test {
 
 namespace {
 
@@ -122,4 +122,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(ObjIndexTest, QCoreApplication)
+
+}  // namespace hitscope::io_obj_index_test
+
 #include "io_obj_index_test.moc"

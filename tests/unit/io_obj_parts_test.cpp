@@ -10,8 +10,9 @@
 #include "io_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::io_obj_parts_test {
+
+using namespace test;
 
 namespace {
 
@@ -178,4 +179,7 @@ void ObjPartsTest::keepsThePlaceOfWhatIsNear() {
 }
 
 HITSCOPE_TEST(ObjPartsTest, QCoreApplication)
+
+}  // namespace hitscope::io_obj_parts_test
+
 #include "io_obj_parts_test.moc"

@@ -6,8 +6,9 @@
 #include "io_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::io_obj_test {
+
+using namespace test;
 using Indices = std::vector<std::uint32_t>;
 
 namespace {
@@ -222,4 +223,7 @@ void ObjTest::refuses() {
 }
 
 HITSCOPE_TEST(ObjTest, QCoreApplication)
+
+}  // namespace hitscope::io_obj_test
+
 #include "io_obj_test.moc"

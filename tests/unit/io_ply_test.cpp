@@ -6,8 +6,9 @@
 #include "io_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::io_ply_test {
+
+using namespace test;
 using Indices = std::vector<std::uint32_t>;
 
 namespace {
@@ -279,4 +280,7 @@ void PlyTest::refusesEveryTruncation() {
 }
 
 HITSCOPE_TEST(PlyTest, QCoreApplication)
+
+}  // namespace hitscope::io_ply_test
+
 #include "io_ply_test.moc"

@@ -31,8 +31,9 @@
 #include "io_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::io_sandbox_test {
+
+using namespace test;
 
 namespace {
 
@@ -95,9 +96,6 @@ bool decodes(const QByteArray& picture) {
 }
 
 }  // namespace
-
-Q_DECLARE_METATYPE(Needs)
-Q_DECLARE_METATYPE(Deed)
 
 /// What the import worker can still do once it has locked itself.
 class SandboxTest : public QObject {
@@ -294,4 +292,7 @@ void SandboxTest::workerIsLocked() {
 }
 
 HITSCOPE_TEST(SandboxTest, QCoreApplication)
+
+}  // namespace hitscope::io_sandbox_test
+
 #include "io_sandbox_test.moc"

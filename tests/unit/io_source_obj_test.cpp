@@ -13,8 +13,9 @@
 #include "random_obj.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::io_source_obj_test {
+
+using namespace test;
 
 namespace {
 
@@ -367,4 +368,7 @@ void SourceObjTest::canBeGivenUp() {
 }
 
 HITSCOPE_TEST(SourceObjTest, QCoreApplication)
+
+}  // namespace hitscope::io_source_obj_test
+
 #include "io_source_obj_test.moc"

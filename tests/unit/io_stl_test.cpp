@@ -6,8 +6,9 @@
 #include "io_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::io_stl_test {
+
+using namespace test;
 using Indices = std::vector<std::uint32_t>;
 
 namespace {
@@ -130,4 +131,7 @@ void StlTest::refusesEveryTruncation() {
 }
 
 HITSCOPE_TEST(StlTest, QCoreApplication)
+
+}  // namespace hitscope::io_stl_test
+
 #include "io_stl_test.moc"

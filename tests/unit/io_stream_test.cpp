@@ -13,8 +13,9 @@
 #include "io_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::io_stream_test {
+
+using namespace test;
 
 namespace {
 
@@ -50,8 +51,6 @@ MeshData everything() {
 }
 
 }  // namespace
-
-Q_DECLARE_METATYPE(std::function<void(MeshData&)>)
 
 class StreamTest : public QObject {
     Q_OBJECT
@@ -197,4 +196,7 @@ void StreamTest::protocolGarbage() {
 }
 
 HITSCOPE_TEST(StreamTest, QCoreApplication)
+
+}  // namespace hitscope::io_stream_test
+
 #include "io_stream_test.moc"

@@ -14,8 +14,9 @@
 #include "io_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::io_worker_test {
+
+using namespace test;
 
 /// Import workers that misbehave, played by shell scripts: $1 is the input, the answer goes to descriptor 0.
 class WorkerTest : public QObject {
@@ -267,4 +268,7 @@ void WorkerTest::emitsOnce() {
 }
 
 HITSCOPE_TEST(WorkerTest, QCoreApplication)
+
+}  // namespace hitscope::io_worker_test
+
 #include "io_worker_test.moc"

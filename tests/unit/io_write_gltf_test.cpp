@@ -10,8 +10,9 @@
 #include "support/test_program.h"
 #include "write_support.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::io_write_gltf_test {
+
+using namespace test;
 
 namespace {
 
@@ -246,10 +247,19 @@ private Q_SLOTS:
         }
     }
 
+    /// A mesh has sRGB, whichever file it came from.
+    void coloursBecomeLight_data() {
+        QTest::addColumn<QString>("source");
+        QTest::newRow("of an OBJ") << QStringLiteral("a.obj");
+        QTest::newRow("of a GLB") << QStringLiteral("b.glb");
+    }
     void coloursBecomeLight() {
+        QFETCH(QString, source);
         Scene scene;
         const QString path = scene.path("a.glb");
-        QVERIFY(exportGltf(scene.mesh.what(), path, {}));
+        MeshExport what = scene.mesh.what();
+        what.sourcePath = scene.path(source.toLatin1().constData());
+        QVERIFY(exportGltf(what, path, {}));
         const Glb glb(path);
         const QJsonObject second =
             glb.item("meshes", 0)[QStringLiteral("primitives")].toArray()[1].toObject();
@@ -330,4 +340,7 @@ private Q_SLOTS:
 }  // namespace
 
 HITSCOPE_TEST(TestIoWriteGltf, QCoreApplication)
+
+}  // namespace hitscope::io_write_gltf_test
+
 #include "io_write_gltf_test.moc"

@@ -5,8 +5,9 @@
 #include "support/test_program.h"
 #include "write_support.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::io_write_ply_test {
+
+using namespace test;
 
 namespace {
 
@@ -333,4 +334,7 @@ private Q_SLOTS:
 }  // namespace
 
 HITSCOPE_TEST(TestIoWritePly, QCoreApplication)
+
+}  // namespace hitscope::io_write_ply_test
+
 #include "io_write_ply_test.moc"

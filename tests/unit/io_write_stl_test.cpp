@@ -7,8 +7,9 @@
 #include "support/test_program.h"
 #include "write_support.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::io_write_stl_test {
+
+using namespace test;
 
 namespace {
 
@@ -108,4 +109,7 @@ private Q_SLOTS:
 }  // namespace
 
 HITSCOPE_TEST(TestIoWriteStl, QCoreApplication)
+
+}  // namespace hitscope::io_write_stl_test
+
 #include "io_write_stl_test.moc"

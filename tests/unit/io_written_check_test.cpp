@@ -8,8 +8,9 @@
 #include "support/test_program.h"
 #include "write_support.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::io_written_check_test {
+
+using namespace test;
 
 namespace {
 
@@ -123,4 +124,7 @@ private Q_SLOTS:
 }  // namespace
 
 HITSCOPE_TEST(TestIoWrittenCheck, QCoreApplication)
+
+}  // namespace hitscope::io_written_check_test
+
 #include "io_written_check_test.moc"

@@ -11,8 +11,9 @@
 #include "io_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::journal_records_test {
+
+using namespace test;
 
 namespace {
 
@@ -364,4 +365,7 @@ void JournalRecordsTest::manyEdits() {
 }
 
 HITSCOPE_TEST(JournalRecordsTest, QCoreApplication)
+
+}  // namespace hitscope::journal_records_test
+
 #include "journal_records_test.moc"

@@ -19,8 +19,9 @@
 #include "io_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::journal_writer_test {
+
+using namespace test;
 
 namespace {
 
@@ -379,4 +380,7 @@ void JournalWriterTest::asksForASnapshot() {
 }
 
 HITSCOPE_TEST(JournalWriterTest, QCoreApplication)
+
+}  // namespace hitscope::journal_writer_test
+
 #include "journal_writer_test.moc"

@@ -18,8 +18,9 @@
 #include "support/test_program.h"
 #include "unit/deform_support.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::known_surfaces_test {
+
+using namespace test;
 
 namespace {
 
@@ -298,4 +299,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(KnownSurfacesTest, QCoreApplication)
+
+}  // namespace hitscope::known_surfaces_test
+
 #include "known_surfaces_test.moc"

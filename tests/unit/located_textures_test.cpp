@@ -14,8 +14,9 @@
 #include "open_document_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::located_textures_test {
+
+using namespace test;
 
 class LocatedTexturesTest : public QObject {
     Q_OBJECT
@@ -157,4 +158,7 @@ void LocatedTexturesTest::isInTheJournal() {
 }
 
 HITSCOPE_TEST(LocatedTexturesTest, QCoreApplication)
+
+}  // namespace hitscope::located_textures_test
+
 #include "located_textures_test.moc"

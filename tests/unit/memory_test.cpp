@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/memory.h"
-#include "support/test_program.h"
 
 #include <QTest>
 #include <cstdlib>
@@ -15,7 +14,7 @@
 #include <malloc.h>
 #endif
 
-using namespace hitscope;
+namespace hitscope::memory_test {
 
 class MemoryTest : public QObject {
     Q_OBJECT
@@ -73,4 +72,7 @@ void MemoryTest::hitsAndTheirStepsAreSmall() {
 }
 
 HITSCOPE_TEST(MemoryTest, QCoreApplication)
+
+}  // namespace hitscope::memory_test
+
 #include "memory_test.moc"

@@ -7,8 +7,9 @@
 #include "mesh_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using hitscope::test::meshOf;
+namespace hitscope::mesh_connectivity_test {
+
+using test::meshOf;
 
 namespace {
 
@@ -104,4 +105,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(ConnectivityTest, QCoreApplication)
+
+}  // namespace hitscope::mesh_connectivity_test
+
 #include "mesh_connectivity_test.moc"

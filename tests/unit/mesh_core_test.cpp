@@ -7,7 +7,7 @@
 #include "core/result.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::mesh_core_test {
 
 class CoreTest : public QObject {
     Q_OBJECT
@@ -109,4 +109,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(CoreTest, QCoreApplication)
+
+}  // namespace hitscope::mesh_core_test
+
 #include "mesh_core_test.moc"

@@ -8,10 +8,9 @@
 #include "mesh_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::mesh_data_test {
 
 using Damage = std::function<void(MeshData&)>;
-Q_DECLARE_METATYPE(Damage)
 
 namespace {
 
@@ -151,4 +150,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(MeshDataTest, QCoreApplication)
+
+}  // namespace hitscope::mesh_data_test
+
 #include "mesh_data_test.moc"

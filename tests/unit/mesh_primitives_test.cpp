@@ -8,9 +8,7 @@
 #include "mesh/surface_topology.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-
-Q_DECLARE_METATYPE(hitscope::MeshData)
+namespace hitscope::mesh_primitives_test {
 
 namespace {
 
@@ -147,4 +145,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(PrimitivesTest, QCoreApplication)
+
+}  // namespace hitscope::mesh_primitives_test
+
 #include "mesh_primitives_test.moc"

@@ -13,8 +13,9 @@
 #include "mesh_refine_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::refine_test;
+namespace hitscope::mesh_refine_openmesh_test {
+
+using namespace refine_test;
 
 namespace {
 
@@ -116,4 +117,7 @@ void RefineOpenMeshTest::longestEdgeIsAsOpenMeshDoesIt() {
 }
 
 HITSCOPE_TEST(RefineOpenMeshTest, QCoreApplication)
+
+}  // namespace hitscope::mesh_refine_openmesh_test
+
 #include "mesh_refine_openmesh_test.moc"

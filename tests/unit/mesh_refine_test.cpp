@@ -17,8 +17,9 @@
 #include "mesh_refine_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::refine_test;
+namespace hitscope::mesh_refine_test {
+
+using namespace refine_test;
 
 class MeshRefineTest : public QObject {
     Q_OBJECT
@@ -280,4 +281,7 @@ void MeshRefineTest::isTheSameEachTime() {
 }
 
 HITSCOPE_TEST(MeshRefineTest, QCoreApplication)
+
+}  // namespace hitscope::mesh_refine_test
+
 #include "mesh_refine_test.moc"

@@ -15,11 +15,10 @@
 #include "mesh_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using hitscope::test::meshOf;
-using hitscope::test::withoutNormals;
+namespace hitscope::mesh_render_test {
 
-Q_DECLARE_METATYPE(hitscope::MeshData)
+using test::meshOf;
+using test::withoutNormals;
 
 namespace {
 
@@ -298,4 +297,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(RenderMeshTest, QCoreApplication)
+
+}  // namespace hitscope::mesh_render_test
+
 #include "mesh_render_test.moc"

@@ -14,8 +14,9 @@
 #include "solids.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::mesh_simplify_test {
+
+using namespace test;
 
 namespace {
 
@@ -212,4 +213,7 @@ void MeshSimplifyTest::otherShapesLoseTheirNormals() {
 }
 
 HITSCOPE_TEST(MeshSimplifyTest, QCoreApplication)
+
+}  // namespace hitscope::mesh_simplify_test
+
 #include "mesh_simplify_test.moc"

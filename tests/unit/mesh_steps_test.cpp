@@ -14,7 +14,7 @@
 #include "session/session.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::mesh_steps_test {
 
 namespace {
 
@@ -188,4 +188,7 @@ void MeshStepsTest::regionsThatAreEmptyAreErrors() {
 }
 
 HITSCOPE_TEST(MeshStepsTest, QCoreApplication)
+
+}  // namespace hitscope::mesh_steps_test
+
 #include "mesh_steps_test.moc"

@@ -9,7 +9,7 @@
 #include "mesh/triangulate.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::mesh_teapot_test {
 
 class TeapotTest : public QObject {
     Q_OBJECT
@@ -137,4 +137,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(TeapotTest, QCoreApplication)
+
+}  // namespace hitscope::mesh_teapot_test
+
 #include "mesh_teapot_test.moc"

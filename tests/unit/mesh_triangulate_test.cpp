@@ -8,10 +8,9 @@
 #include "mesh/triangulate.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::mesh_triangulate_test {
 
 using Outline = std::vector<glm::dvec2>;
-Q_DECLARE_METATYPE(Outline)
 
 namespace {
 
@@ -187,4 +186,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(TriangulateTest, QCoreApplication)
+
+}  // namespace hitscope::mesh_triangulate_test
+
 #include "mesh_triangulate_test.moc"

@@ -13,7 +13,7 @@
 #include "mesh_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::mesh_true_normals_test {
 
 namespace {
 
@@ -209,4 +209,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(TrueNormalsTest, QCoreApplication)
+
+}  // namespace hitscope::mesh_true_normals_test
+
 #include "mesh_true_normals_test.moc"

@@ -11,7 +11,7 @@
 #include "mesh/primitives.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::mirrored_hits_test {
 
 namespace {
 
@@ -111,4 +111,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(MirroredHitsTest, QCoreApplication)
+
+}  // namespace hitscope::mirrored_hits_test
+
 #include "mirrored_hits_test.moc"

@@ -11,7 +11,7 @@
 #include "support/test_program.h"
 #include "viewport/navigation.h"
 
-using namespace hitscope;
+namespace hitscope::navigation_scene_test {
 
 namespace {
 
@@ -311,4 +311,7 @@ void NavigationSceneTest::lookingAroundIsFree() {
 }
 
 HITSCOPE_TEST(NavigationSceneTest, QApplication)
+
+}  // namespace hitscope::navigation_scene_test
+
 #include "navigation_scene_test.moc"

@@ -15,7 +15,7 @@
 #include "support/test_program.h"
 #include "viewport/aim.h"
 
-using namespace hitscope;
+namespace hitscope::navigation_test {
 
 namespace {
 
@@ -298,4 +298,7 @@ void NavigationTest::shotsStartNearWhatTheyMeet() {
 }
 
 HITSCOPE_TEST(NavigationTest, QApplication)
+
+}  // namespace hitscope::navigation_test
+
 #include "navigation_test.moc"

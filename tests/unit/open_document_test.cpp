@@ -6,7 +6,6 @@
 #include <QTest>
 #include <atomic>
 #include <glm/gtc/quaternion.hpp>
-#include <random>
 #include <thread>
 
 #include "deform/fingerprint.h"
@@ -25,8 +24,8 @@
 #include "session/vertex_selection.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::open_document_test {
+using namespace test;
 
 class OpenDocumentTest : public QObject {
     Q_OBJECT
@@ -397,4 +396,5 @@ void OpenDocumentTest::nothingToUndo() {
 }
 
 HITSCOPE_TEST(OpenDocumentTest, QCoreApplication)
+}  // namespace hitscope::open_document_test
 #include "open_document_test.moc"

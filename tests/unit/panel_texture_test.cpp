@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <functional>
 
-using namespace hitscope;
+namespace hitscope::panel_texture_test {
 
 namespace {
 
@@ -75,4 +75,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(PanelTextureTest, QCoreApplication)
+
+}  // namespace hitscope::panel_texture_test
+
 #include "panel_texture_test.moc"

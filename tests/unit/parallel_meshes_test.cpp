@@ -11,7 +11,7 @@
 #include "physics/triangle_tree.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::parallel_meshes_test {
 
 namespace {
 
@@ -182,4 +182,7 @@ void ParallelMeshesTest::whatIsThrownComesThrough() {
 }
 
 HITSCOPE_TEST(ParallelMeshesTest, QCoreApplication)
+
+}  // namespace hitscope::parallel_meshes_test
+
 #include "parallel_meshes_test.moc"

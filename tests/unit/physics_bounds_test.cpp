@@ -4,8 +4,9 @@
 #include "physics_dents.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::physics_bounds_test {
+
+using namespace test;
 
 namespace {
 
@@ -247,4 +248,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(PhysicsBoundsTest, QCoreApplication)
+
+}  // namespace hitscope::physics_bounds_test
+
 #include "physics_bounds_test.moc"

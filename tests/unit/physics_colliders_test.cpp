@@ -4,8 +4,9 @@
 #include "physics_dents.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::physics_colliders_test {
+
+using namespace test;
 
 namespace {
 
@@ -248,4 +249,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(PhysicsCollidersTest, QCoreApplication)
+
+}  // namespace hitscope::physics_colliders_test
+
 #include "physics_colliders_test.moc"

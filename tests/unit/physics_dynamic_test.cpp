@@ -4,8 +4,9 @@
 #include "physics_dents.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::physics_dynamic_test {
+
+using namespace test;
 
 namespace {
 
@@ -244,4 +245,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(PhysicsDynamicTest, QCoreApplication)
+
+}  // namespace hitscope::physics_dynamic_test
+
 #include "physics_dynamic_test.moc"

@@ -7,8 +7,9 @@
 #include "physics_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::physics_flights_test {
+
+using namespace test;
 
 namespace {
 
@@ -199,4 +200,7 @@ void PhysicsFlightsTest::sameCallsGiveTheSameImpacts() {
 }
 
 HITSCOPE_TEST(PhysicsFlightsTest, QCoreApplication)
+
+}  // namespace hitscope::physics_flights_test
+
 #include "physics_flights_test.moc"

@@ -7,8 +7,9 @@
 #include "physics_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::physics_hull_test {
+
+using namespace test;
 
 namespace {
 
@@ -105,4 +106,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(PhysicsHullTest, QCoreApplication)
+
+}  // namespace hitscope::physics_hull_test
+
 #include "physics_hull_test.moc"

@@ -13,8 +13,9 @@
 #include "support/read_back.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::physics_session_test {
+
+using namespace test;
 
 namespace {
 
@@ -353,4 +354,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(PhysicsSessionTest, QCoreApplication)
+
+}  // namespace hitscope::physics_session_test
+
 #include "physics_session_test.moc"

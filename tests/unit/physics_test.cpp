@@ -8,8 +8,9 @@
 #include "physics_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::physics_test {
+
+using namespace test;
 
 namespace {
 
@@ -309,4 +310,7 @@ void PhysicsTest::castsRays() {
 }
 
 HITSCOPE_TEST(PhysicsTest, QCoreApplication)
+
+}  // namespace hitscope::physics_test
+
 #include "physics_test.moc"

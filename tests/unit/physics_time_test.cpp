@@ -5,8 +5,9 @@
 #include "physics_support.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::physics_time_test {
+
+using namespace test;
 
 /// The world's clock, and how many projectiles there are at a time.
 class PhysicsTimeTest : public QObject {
@@ -239,4 +240,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(PhysicsTimeTest, QCoreApplication)
+
+}  // namespace hitscope::physics_time_test
+
 #include "physics_time_test.moc"

@@ -12,7 +12,7 @@
 #include "mesh/teapot.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::reference_edits_test {
 
 namespace {
 
@@ -122,4 +122,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(ReferenceEditsTest, QCoreApplication)
+
+}  // namespace hitscope::reference_edits_test
+
 #include "reference_edits_test.moc"

@@ -5,7 +5,7 @@
 
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::remaining_time_test {
 
 class RemainingTimeTest : public QObject {
     Q_OBJECT
@@ -22,4 +22,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(RemainingTimeTest, QCoreApplication)
+
+}  // namespace hitscope::remaining_time_test
+
 #include "remaining_time_test.moc"

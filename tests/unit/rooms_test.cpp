@@ -9,6 +9,8 @@
 
 #include "support/test_program.h"
 
+namespace hitscope::rooms_test {
+
 namespace {
 
 const std::map<QString, QStringList>& mayInclude() {
@@ -146,4 +148,7 @@ private:
 };
 
 HITSCOPE_TEST(RoomsTest, QCoreApplication)
+
+}  // namespace hitscope::rooms_test
+
 #include "rooms_test.moc"

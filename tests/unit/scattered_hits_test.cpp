@@ -13,7 +13,7 @@
 #include "mesh/primitives.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::scattered_hits_test {
 
 namespace {
 
@@ -188,4 +188,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(ScatteredHitsTest, QCoreApplication)
+
+}  // namespace hitscope::scattered_hits_test
+
 #include "scattered_hits_test.moc"

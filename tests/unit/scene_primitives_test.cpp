@@ -12,9 +12,7 @@
 #include "session/primitive_target.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-
-Q_DECLARE_METATYPE(hitscope::MeshData)
+namespace hitscope::scene_primitives_test {
 
 namespace {
 
@@ -157,4 +155,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(ScenePrimitivesTest, QCoreApplication)
+
+}  // namespace hitscope::scene_primitives_test
+
 #include "scene_primitives_test.moc"

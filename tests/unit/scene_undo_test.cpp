@@ -10,7 +10,7 @@
 #include "session/session.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::scene_undo_test {
 
 namespace {
 
@@ -271,4 +271,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(SceneUndoTest, QCoreApplication)
+
+}  // namespace hitscope::scene_undo_test
+
 #include "scene_undo_test.moc"

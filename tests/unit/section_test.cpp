@@ -15,7 +15,7 @@
 #include "support/test_program.h"
 #include "unit/mesh_support.h"
 
-using namespace hitscope;
+namespace hitscope::section_test {
 
 namespace {
 
@@ -258,4 +258,7 @@ void SectionTest::theProfileIsOfTheDentedWall() {
 }
 
 HITSCOPE_TEST(SectionTest, QCoreApplication)
+
+}  // namespace hitscope::section_test
+
 #include "section_test.moc"

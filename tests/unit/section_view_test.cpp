@@ -12,7 +12,7 @@
 #include "support/test_program.h"
 #include "view/cutting_plane.h"
 
-using namespace hitscope;
+namespace hitscope::section_view_test {
 
 namespace {
 
@@ -211,4 +211,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(SectionViewTest, QCoreApplication)
+
+}  // namespace hitscope::section_view_test
+
 #include "section_view_test.moc"

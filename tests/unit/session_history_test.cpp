@@ -9,7 +9,7 @@
 #include "support/read_back.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::session_history_test {
 
 namespace {
 
@@ -248,4 +248,7 @@ private:
 };
 
 HITSCOPE_TEST(SessionHistoryTest, QCoreApplication)
+
+}  // namespace hitscope::session_history_test
+
 #include "session_history_test.moc"

@@ -15,8 +15,9 @@
 #include "session/vertex_selection.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::session_journal_test {
+
+using namespace test;
 
 namespace {
 
@@ -302,4 +303,7 @@ void SessionJournalTest::longHistories() {
 }
 
 HITSCOPE_TEST(SessionJournalTest, QCoreApplication)
+
+}  // namespace hitscope::session_journal_test
+
 #include "session_journal_test.moc"

@@ -10,7 +10,7 @@
 #include "session/session.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::session_targets_test {
 
 namespace {
 
@@ -381,4 +381,7 @@ private:
 };
 
 HITSCOPE_TEST(SessionTargetsTest, QCoreApplication)
+
+}  // namespace hitscope::session_targets_test
+
 #include "session_targets_test.moc"

@@ -8,7 +8,7 @@
 #include "session/demo_shots.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::session_test {
 
 class SessionTest : public QObject {
     Q_OBJECT
@@ -146,4 +146,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(SessionTest, QCoreApplication)
+
+}  // namespace hitscope::session_test
+
 #include "session_test.moc"

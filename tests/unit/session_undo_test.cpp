@@ -4,7 +4,7 @@
 
 #include <QTest>
 
-using namespace hitscope;
+namespace hitscope::session_undo_test {
 
 namespace {
 
@@ -249,4 +249,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(SessionUndoTest, QCoreApplication)
+
+}  // namespace hitscope::session_undo_test
+
 #include "session_undo_test.moc"

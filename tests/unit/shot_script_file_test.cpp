@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-using namespace hitscope;
+namespace hitscope::shot_script_file_test {
 
 namespace {
 
@@ -139,4 +139,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(ShotScriptFileTest, QCoreApplication)
+
+}  // namespace hitscope::shot_script_file_test
+
 #include "shot_script_file_test.moc"

@@ -11,7 +11,7 @@
 #include "session/session.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::shot_script_test {
 
 namespace {
 
@@ -235,4 +235,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(ShotScriptTest, QCoreApplication)
+
+}  // namespace hitscope::shot_script_test
+
 #include "shot_script_test.moc"

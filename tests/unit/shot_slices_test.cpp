@@ -11,7 +11,7 @@
 #include "session/task_list.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::shot_slices_test {
 
 namespace {
 
@@ -157,4 +157,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(ShotSlicesTest, QCoreApplication)
+
+}  // namespace hitscope::shot_slices_test
+
 #include "shot_slices_test.moc"

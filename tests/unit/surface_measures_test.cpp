@@ -12,8 +12,9 @@
 #include "solids.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::surface_measures_test {
+
+using namespace test;
 
 namespace {
 
@@ -342,4 +343,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(SurfaceMeasuresTest, QCoreApplication)
+
+}  // namespace hitscope::surface_measures_test
+
 #include "surface_measures_test.moc"

@@ -10,8 +10,9 @@
 #include "solids.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::surface_topology_test {
+
+using namespace test;
 
 namespace {
 
@@ -207,4 +208,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(SurfaceTopologyTest, QCoreApplication)
+
+}  // namespace hitscope::surface_topology_test
+
 #include "surface_topology_test.moc"

@@ -13,8 +13,9 @@
 #include "support/test_program.h"
 #include "unit/deform_support.h"
 
-using namespace hitscope;
-using namespace hitscope::test;
+namespace hitscope::unreferenced_vertices_test {
+
+using namespace test;
 
 namespace {
 
@@ -155,4 +156,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(UnreferencedVerticesTest, QCoreApplication)
+
+}  // namespace hitscope::unreferenced_vertices_test
+
 #include "unreferenced_vertices_test.moc"

@@ -8,7 +8,8 @@
 #include "session/session.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::vertex_selection_test {
+
 using Combine = VertexSelection::Combine;
 
 namespace {
@@ -108,4 +109,7 @@ private:
 };
 
 HITSCOPE_TEST(VertexSelectionTest, QCoreApplication)
+
+}  // namespace hitscope::vertex_selection_test
+
 #include "vertex_selection_test.moc"

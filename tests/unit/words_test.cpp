@@ -8,6 +8,8 @@
 
 #include "support/test_program.h"
 
+namespace hitscope::words_test {
+
 namespace {
 
 struct Text {
@@ -121,4 +123,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(WordsTest, QCoreApplication)
+
+}  // namespace hitscope::words_test
+
 #include "words_test.moc"

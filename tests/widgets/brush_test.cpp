@@ -13,7 +13,7 @@
 #include "viewport/inspect_tool.h"
 #include "widgets/window_support.h"
 
-using namespace hitscope;
+namespace hitscope::brush_test {
 
 class BrushTest : public QObject, protected WindowFixture {
     Q_OBJECT
@@ -172,4 +172,7 @@ private:
 };
 
 HITSCOPE_TEST(BrushTest, QApplication)
+
+}  // namespace hitscope::brush_test
+
 #include "brush_test.moc"

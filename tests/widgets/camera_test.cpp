@@ -21,7 +21,7 @@
 #include "viewport/view_label.h"
 #include "widgets/window_support.h"
 
-using namespace hitscope;
+namespace hitscope::camera_test {
 
 namespace {
 
@@ -301,4 +301,7 @@ void CameraWindowTest::viewportOnlyAndBack() {
 }
 
 HITSCOPE_TEST(CameraWindowTest, QApplication)
+
+}  // namespace hitscope::camera_test
+
 #include "camera_test.moc"

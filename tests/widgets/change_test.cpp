@@ -17,7 +17,7 @@
 #include "support/test_program.h"
 #include "widgets/window_support.h"
 
-using namespace hitscope;
+namespace hitscope::change_test {
 
 namespace {
 
@@ -243,4 +243,7 @@ private:
 };
 
 HITSCOPE_TEST(ChangeTest, QApplication)
+
+}  // namespace hitscope::change_test
+
 #include "change_test.moc"

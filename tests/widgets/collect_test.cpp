@@ -18,7 +18,7 @@
 #include "support/test_program.h"
 #include "window_support.h"
 
-using namespace hitscope;
+namespace hitscope::collect_test {
 
 class CollectTest : public QObject, private WindowFixture {
     Q_OBJECT
@@ -110,4 +110,7 @@ private:
 };
 
 HITSCOPE_TEST(CollectTest, QApplication)
+
+}  // namespace hitscope::collect_test
+
 #include "collect_test.moc"

@@ -22,7 +22,7 @@
 #include "support/test_program.h"
 #include "widgets/window_support.h"
 
-using namespace hitscope;
+namespace hitscope::context_test {
 
 namespace {
 
@@ -331,4 +331,7 @@ void ContextTest::idleWindowPaintsNothing() {
 }
 
 HITSCOPE_TEST(ContextTest, QApplication)
+
+}  // namespace hitscope::context_test
+
 #include "context_test.moc"

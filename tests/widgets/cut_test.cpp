@@ -26,7 +26,7 @@
 #include "viewport/inspect_tool.h"
 #include "widgets/window_support.h"
 
-using namespace hitscope;
+namespace hitscope::cut_test {
 
 namespace {
 
@@ -394,4 +394,7 @@ private:
 };
 
 HITSCOPE_TEST(CutTest, QApplication)
+
+}  // namespace hitscope::cut_test
+
 #include "cut_test.moc"

@@ -20,7 +20,7 @@
 #include "support/read_back.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::dent_measurement_test {
 
 namespace {
 
@@ -245,4 +245,7 @@ private:
 };
 
 HITSCOPE_TEST(DentMeasurementTest, QApplication)
+
+}  // namespace hitscope::dent_measurement_test
+
 #include "dent_measurement_test.moc"

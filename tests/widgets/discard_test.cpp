@@ -19,7 +19,7 @@
 #include "support/test_program.h"
 #include "window_support.h"
 
-using namespace hitscope;
+namespace hitscope::discard_test {
 
 namespace {
 
@@ -324,4 +324,7 @@ void DiscardTest::logOutAsks() {
 }
 
 HITSCOPE_TEST(DiscardTest, QApplication)
+
+}  // namespace hitscope::discard_test
+
 #include "discard_test.moc"

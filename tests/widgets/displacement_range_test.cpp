@@ -13,7 +13,7 @@
 #include "support/test_program.h"
 #include "widgets/window_support.h"
 
-using namespace hitscope;
+namespace hitscope::displacement_range_test {
 
 class DisplacementRangeTest : public QObject, protected WindowFixture {
     Q_OBJECT
@@ -102,4 +102,7 @@ private:
 };
 
 HITSCOPE_TEST(DisplacementRangeTest, QApplication)
+
+}  // namespace hitscope::displacement_range_test
+
 #include "displacement_range_test.moc"

@@ -13,7 +13,7 @@
 #include "support/test_program.h"
 #include "widgets/window_support.h"
 
-using namespace hitscope;
+namespace hitscope::exactness_test {
 
 class ExactnessTest : public QObject {
     Q_OBJECT
@@ -149,4 +149,7 @@ void ExactnessTest::theStatusBarSaysWhatFillsTheArrays() {
 }
 
 HITSCOPE_TEST(ExactnessTest, QApplication)
+
+}  // namespace hitscope::exactness_test
+
 #include "exactness_test.moc"

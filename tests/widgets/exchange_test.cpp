@@ -24,7 +24,7 @@
 #include "support/test_program.h"
 #include "window_support.h"
 
-using namespace hitscope;
+namespace hitscope::exchange_test {
 
 class ExchangeTest : public QObject {
     Q_OBJECT
@@ -226,4 +226,7 @@ void ExchangeTest::whatIsDraggedOutDoesNotComeBack() {
 }
 
 HITSCOPE_TEST(ExchangeTest, QApplication)
+
+}  // namespace hitscope::exchange_test
+
 #include "exchange_test.moc"

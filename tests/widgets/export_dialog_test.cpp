@@ -20,7 +20,7 @@
 #include "support/test_program.h"
 #include "window_support.h"
 
-using namespace hitscope;
+namespace hitscope::export_dialog_test {
 
 class ExportDialogTest : public QObject {
     Q_OBJECT
@@ -169,4 +169,7 @@ void ExportDialogTest::exportsAgainWithoutAsking() {
 }
 
 HITSCOPE_TEST(ExportDialogTest, QApplication)
+
+}  // namespace hitscope::export_dialog_test
+
 #include "export_dialog_test.moc"

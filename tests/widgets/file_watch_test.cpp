@@ -12,7 +12,7 @@
 #include "session/target_plan.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::file_watch_test {
 
 class FileWatchTest : public QObject {
     Q_OBJECT
@@ -142,4 +142,7 @@ private:
 };
 
 HITSCOPE_TEST(FileWatchTest, QApplication)
+
+}  // namespace hitscope::file_watch_test
+
 #include "file_watch_test.moc"

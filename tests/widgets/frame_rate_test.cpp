@@ -24,7 +24,7 @@
 #include "session/session.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::frame_rate_test {
 
 namespace {
 
@@ -382,4 +382,7 @@ void FrameRateTest::measuresAgainstTheNumberOfVertices() {
 }
 
 HITSCOPE_TEST(FrameRateTest, QApplication)
+
+}  // namespace hitscope::frame_rate_test
+
 #include "frame_rate_test.moc"

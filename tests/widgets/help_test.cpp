@@ -24,7 +24,7 @@
 #include "support/test_program.h"
 #include "widgets/window_support.h"
 
-using namespace hitscope;
+namespace hitscope::help_test {
 
 namespace {
 
@@ -248,4 +248,7 @@ private:
 };
 
 HITSCOPE_TEST(HelpTest, QApplication)
+
+}  // namespace hitscope::help_test
+
 #include "help_test.moc"

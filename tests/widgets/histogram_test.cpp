@@ -9,7 +9,7 @@
 #include "panels/histogram/histogram_plot.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::histogram_test {
 
 namespace {
 
@@ -110,4 +110,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(HistogramTest, QApplication)
+
+}  // namespace hitscope::histogram_test
+
 #include "histogram_test.moc"

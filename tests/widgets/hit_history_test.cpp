@@ -18,7 +18,7 @@
 #include "support/read_back.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::hit_history_test {
 
 namespace {
 
@@ -329,4 +329,7 @@ void HitHistoryTest::manyRowsAreHandledAtOnce() {
 }
 
 HITSCOPE_TEST(HitHistoryTest, QApplication)
+
+}  // namespace hitscope::hit_history_test
+
 #include "hit_history_test.moc"

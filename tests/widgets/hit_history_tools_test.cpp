@@ -26,7 +26,7 @@
 #include "support/test_program.h"
 #include "widgets/window_support.h"
 
-using namespace hitscope;
+namespace hitscope::hit_history_tools_test {
 
 class HitHistoryToolsTest : public QObject {
     Q_OBJECT
@@ -379,4 +379,7 @@ private:
 };
 
 HITSCOPE_TEST(HitHistoryToolsTest, QApplication)
+
+}  // namespace hitscope::hit_history_tools_test
+
 #include "hit_history_tools_test.moc"

@@ -20,7 +20,7 @@
 #include "viewport/inspect_tool.h"
 #include "widgets/window_support.h"
 
-using namespace hitscope;
+namespace hitscope::hit_inspector_test {
 
 namespace {
 
@@ -245,4 +245,7 @@ private:
 };
 
 HITSCOPE_TEST(HitInspectorTest, QApplication)
+
+}  // namespace hitscope::hit_inspector_test
+
 #include "hit_inspector_test.moc"

@@ -20,7 +20,7 @@
 #include "support/test_program.h"
 #include "widgets/window_support.h"
 
-using namespace hitscope;
+namespace hitscope::hit_menus_test {
 
 class HitMenusTest : public QObject {
     Q_OBJECT
@@ -249,4 +249,7 @@ void HitMenusTest::exportOffersEitherNormals() {
 }
 
 HITSCOPE_TEST(HitMenusTest, QApplication)
+
+}  // namespace hitscope::hit_menus_test
+
 #include "hit_menus_test.moc"

@@ -17,7 +17,7 @@
 #include "viewport/inspect_tool.h"
 #include "widgets/window_support.h"
 
-using namespace hitscope;
+namespace hitscope::inspect_test {
 
 class InspectTest : public QObject, protected WindowFixture {
     Q_OBJECT
@@ -239,4 +239,7 @@ private:
 };
 
 HITSCOPE_TEST(InspectTest, QApplication)
+
+}  // namespace hitscope::inspect_test
+
 #include "inspect_test.moc"

@@ -14,7 +14,7 @@
 #include "support/test_program.h"
 #include "window_support.h"
 
-using namespace hitscope;
+namespace hitscope::keeping_test {
 
 class KeepingTest : public QObject, private WindowFixture {
     Q_OBJECT
@@ -140,4 +140,7 @@ void KeepingTest::platformsWithoutWindowsAreNamed() {
 }
 
 HITSCOPE_TEST(KeepingTest, QApplication)
+
+}  // namespace hitscope::keeping_test
+
 #include "keeping_test.moc"

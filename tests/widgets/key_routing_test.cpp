@@ -10,7 +10,7 @@
 #include "viewport/inspect_tool.h"
 #include "widgets/window_support.h"
 
-using namespace hitscope;
+namespace hitscope::key_routing_test {
 
 class KeyRoutingTest : public QObject, protected WindowFixture {
     Q_OBJECT
@@ -133,4 +133,7 @@ private:
 };
 
 HITSCOPE_TEST(KeyRoutingTest, QApplication)
+
+}  // namespace hitscope::key_routing_test
+
 #include "key_routing_test.moc"

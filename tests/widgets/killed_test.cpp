@@ -22,7 +22,7 @@
 #include "support/test_program.h"
 #include "window_support.h"
 
-using namespace hitscope;
+namespace hitscope::killed_test {
 
 namespace {
 
@@ -247,4 +247,7 @@ private:
 };
 
 HITSCOPE_TEST(KilledTest, QApplication)
+
+}  // namespace hitscope::killed_test
+
 #include "killed_test.moc"

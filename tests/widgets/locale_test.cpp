@@ -20,7 +20,7 @@
 #include "support/test_program.h"
 #include "widgets/window_support.h"
 
-using namespace hitscope;
+namespace hitscope::locale_test {
 
 namespace {
 
@@ -143,4 +143,7 @@ void LocaleTest::allNumbersOfTheWindowHaveCommas() {
 }
 
 HITSCOPE_TEST(LocaleTest, QApplication)
+
+}  // namespace hitscope::locale_test
+
 #include "locale_test.moc"

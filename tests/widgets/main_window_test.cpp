@@ -18,7 +18,7 @@
 #include "support/test_program.h"
 #include "widgets/window_support.h"
 
-using namespace hitscope;
+namespace hitscope::main_window_test {
 
 class MainWindowTest : public QObject {
     Q_OBJECT
@@ -324,4 +324,7 @@ void MainWindowTest::savesThePicture() {
 }
 
 HITSCOPE_TEST(MainWindowTest, QApplication)
+
+}  // namespace hitscope::main_window_test
+
 #include "main_window_test.moc"

@@ -13,7 +13,7 @@
 #include "support/test_program.h"
 #include "window_support.h"
 
-using namespace hitscope;
+namespace hitscope::mesh_exporter_test {
 
 namespace {
 
@@ -132,4 +132,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(MeshExporterTest, QApplication)
+
+}  // namespace hitscope::mesh_exporter_test
+
 #include "mesh_exporter_test.moc"

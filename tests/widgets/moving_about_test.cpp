@@ -19,7 +19,7 @@
 #include "viewport/inspect_tool.h"
 #include "widgets/window_support.h"
 
-using namespace hitscope;
+namespace hitscope::moving_about_test {
 
 namespace {
 
@@ -313,4 +313,7 @@ private:
 };
 
 HITSCOPE_TEST(MovingAboutTest, QApplication)
+
+}  // namespace hitscope::moving_about_test
+
 #include "moving_about_test.moc"

@@ -26,7 +26,7 @@
 #include "session/target_plan.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::panels_test {
 
 namespace {
 
@@ -305,4 +305,7 @@ void PanelsTest::iconsAreDrawnInThePalette() {
 }
 
 HITSCOPE_TEST(PanelsTest, QApplication)
+
+}  // namespace hitscope::panels_test
+
 #include "panels_test.moc"

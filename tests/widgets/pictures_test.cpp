@@ -23,7 +23,7 @@
 #include "support/test_program.h"
 #include "widgets/window_support.h"
 
-using namespace hitscope;
+namespace hitscope::pictures_test {
 
 class PicturesTest : public QObject, protected WindowFixture {
     Q_OBJECT
@@ -321,4 +321,7 @@ void PicturesTest::suffixTellsTheFormat() {
 }
 
 HITSCOPE_TEST(PicturesTest, QApplication)
+
+}  // namespace hitscope::pictures_test
+
 #include "pictures_test.moc"

@@ -13,7 +13,7 @@
 #include "support/test_program.h"
 #include "window_support.h"
 
-using namespace hitscope;
+namespace hitscope::projectile_dialog_test {
 
 namespace {
 
@@ -103,4 +103,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(ProjectileDialogTest, QApplication)
+
+}  // namespace hitscope::projectile_dialog_test
+
 #include "projectile_dialog_test.moc"

@@ -18,7 +18,7 @@
 #include "viewport/picture_refiner.h"
 #include "widgets/window_support.h"
 
-using namespace hitscope;
+namespace hitscope::refine_test {
 
 class RefineTest : public QObject, protected WindowFixture {
     Q_OBJECT
@@ -215,4 +215,7 @@ void RefineTest::environmentTurnsLightsOff() {
 }
 
 HITSCOPE_TEST(RefineTest, QApplication)
+
+}  // namespace hitscope::refine_test
+
 #include "refine_test.moc"

@@ -21,7 +21,7 @@
 #include "support/test_program.h"
 #include "window_support.h"
 
-using namespace hitscope;
+namespace hitscope::reload_test {
 
 class ReloadTest : public QObject, private WindowFixture {
     Q_OBJECT
@@ -311,4 +311,7 @@ void ReloadTest::notOfThisSession() {
 }
 
 HITSCOPE_TEST(ReloadTest, QApplication)
+
+}  // namespace hitscope::reload_test
+
 #include "reload_test.moc"

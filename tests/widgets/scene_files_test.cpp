@@ -18,7 +18,7 @@
 #include "support/test_program.h"
 #include "window_support.h"
 
-using namespace hitscope;
+namespace hitscope::scene_files_test {
 
 namespace {
 
@@ -236,4 +236,7 @@ void SceneFilesTest::deleteInTheViewportRemovesTheTarget() {
 }
 
 HITSCOPE_TEST(SceneFilesTest, QApplication)
+
+}  // namespace hitscope::scene_files_test
+
 #include "scene_files_test.moc"

@@ -21,7 +21,7 @@
 #include "panels/scene/scene_panel.h"
 #include "support/test_program.h"
 
-using namespace hitscope;
+namespace hitscope::scene_panel_test {
 
 class ScenePanelTest : public QObject {
     Q_OBJECT
@@ -291,4 +291,7 @@ void ScenePanelTest::whatCannotBeHitHasAWarning() {
 }
 
 HITSCOPE_TEST(ScenePanelTest, QApplication)
+
+}  // namespace hitscope::scene_panel_test
+
 #include "scene_panel_test.moc"

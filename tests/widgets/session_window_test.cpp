@@ -20,7 +20,7 @@
 #include "support/test_program.h"
 #include "window_support.h"
 
-using namespace hitscope;
+namespace hitscope::session_window_test {
 
 namespace {
 
@@ -255,4 +255,7 @@ void SessionWindowTest::nothingIsLeftAfterAnOrderlyEnd() {
 }
 
 HITSCOPE_TEST(SessionWindowTest, QApplication)
+
+}  // namespace hitscope::session_window_test
+
 #include "session_window_test.moc"

@@ -14,9 +14,7 @@
 #include "viewport/aim_preview.h"
 #include "widgets/window_support.h"
 
-using namespace hitscope;
-
-Q_DECLARE_METATYPE(hitscope::FlightMode)
+namespace hitscope::shooting_test {
 
 namespace {
 
@@ -247,4 +245,7 @@ void ShootingTest::choiceInTheToolBarIsKept() {
 }
 
 HITSCOPE_TEST(ShootingTest, QApplication)
+
+}  // namespace hitscope::shooting_test
+
 #include "shooting_test.moc"

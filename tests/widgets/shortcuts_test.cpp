@@ -9,7 +9,7 @@
 #include "support/test_program.h"
 #include "window_support.h"
 
-using namespace hitscope;
+namespace hitscope::shortcuts_test {
 
 class ShortcutsTest : public QObject {
     Q_OBJECT
@@ -42,4 +42,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(ShortcutsTest, QApplication)
+
+}  // namespace hitscope::shortcuts_test
+
 #include "shortcuts_test.moc"

@@ -14,7 +14,7 @@
 #include "viewport/aim_preview.h"
 #include "window_support.h"
 
-using namespace hitscope;
+namespace hitscope::shots_test {
 
 /// The aim preview, the dialog for bursts and sequences, and a target's physics, by mouse and keys.
 class ShotsTest : public QObject, protected WindowFixture {
@@ -162,4 +162,7 @@ void ShotsTest::targetIsMadeDynamicAndBack() {
 }
 
 HITSCOPE_TEST(ShotsTest, QApplication)
+
+}  // namespace hitscope::shots_test
+
 #include "shots_test.moc"

@@ -13,7 +13,7 @@
 #include "viewport/inspect_tool.h"
 #include "window_support.h"
 
-using namespace hitscope;
+namespace hitscope::start_card_test {
 
 class StartCardTest : public QObject, WindowFixture {
     Q_OBJECT
@@ -83,4 +83,7 @@ private:
 };
 
 HITSCOPE_TEST(StartCardTest, QApplication)
+
+}  // namespace hitscope::start_card_test
+
 #include "start_card_test.moc"

@@ -24,7 +24,7 @@
 #include "support/test_program.h"
 #include "window_support.h"
 
-using namespace hitscope;
+namespace hitscope::statistics_window_test {
 
 namespace {
 
@@ -257,4 +257,7 @@ private:
 };
 
 HITSCOPE_TEST(StatisticsWindowTest, QApplication)
+
+}  // namespace hitscope::statistics_window_test
+
 #include "statistics_window_test.moc"

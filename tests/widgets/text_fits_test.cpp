@@ -12,7 +12,7 @@
 #include "support/test_program.h"
 #include "window_support.h"
 
-using namespace hitscope;
+namespace hitscope::text_fits_test {
 
 class TextFitsTest : public QObject, WindowFixture {
     Q_OBJECT
@@ -111,4 +111,7 @@ private:
 };
 
 HITSCOPE_TEST(TextFitsTest, QApplication)
+
+}  // namespace hitscope::text_fits_test
+
 #include "text_fits_test.moc"

@@ -14,7 +14,7 @@
 #include "support/test_program.h"
 #include "widgets/window_support.h"
 
-using namespace hitscope;
+namespace hitscope::textures_test {
 
 class TexturesTest : public QObject, protected WindowFixture {
     Q_OBJECT
@@ -151,4 +151,7 @@ private:
 };
 
 HITSCOPE_TEST(TexturesTest, QApplication)
+
+}  // namespace hitscope::textures_test
+
 #include "textures_test.moc"

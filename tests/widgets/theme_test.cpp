@@ -14,7 +14,7 @@
 #include "support/test_program.h"
 #include "window_support.h"
 
-using namespace hitscope;
+namespace hitscope::theme_test {
 
 namespace {
 
@@ -94,4 +94,7 @@ private Q_SLOTS:
 };
 
 HITSCOPE_TEST(ThemeTest, QApplication)
+
+}  // namespace hitscope::theme_test
+
 #include "theme_test.moc"

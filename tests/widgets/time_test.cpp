@@ -8,7 +8,7 @@
 #include "support/test_program.h"
 #include "window_support.h"
 
-using namespace hitscope;
+namespace hitscope::time_test {
 
 /// Pause, single step, slow motion and time scale, by key and in the tool bar; the badge says so.
 class TimeTest : public QObject, protected WindowFixture {
@@ -96,4 +96,7 @@ void TimeTest::whatIsSetIsRemembered() {
 }
 
 HITSCOPE_TEST(TimeTest, QApplication)
+
+}  // namespace hitscope::time_test
+
 #include "time_test.moc"

@@ -10,9 +10,7 @@
 #include "viewport/aim.h"
 #include "widgets/window_support.h"
 
-using namespace hitscope;
-
-Q_DECLARE_METATYPE(hitscope::NavigationPreset)
+namespace hitscope::viewport_test {
 
 namespace {
 
@@ -260,4 +258,7 @@ void ViewportTest::idleDrawsNothing() {
 }
 
 HITSCOPE_TEST(ViewportTest, QApplication)
+
+}  // namespace hitscope::viewport_test
+
 #include "viewport_test.moc"

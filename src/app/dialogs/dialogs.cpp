@@ -14,9 +14,9 @@ namespace hitscope {
 
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("hitscope::dialogs", text);
-}
+struct DialogTexts {
+    Q_DECLARE_TR_FUNCTIONS(hitscope::dialogs)
+};
 
 }  // namespace
 
@@ -47,15 +47,18 @@ void showError(QWidget* parent, const Error& error) {
 }
 
 void showAbout(QWidget* parent, const QString& renderer, const QString& version, const QString& exactness) {
-    auto* box = new QMessageBox(QMessageBox::NoIcon, tr("About Hitscope"), {}, QMessageBox::Close, parent);
+    auto* box = new QMessageBox(QMessageBox::NoIcon, DialogTexts::tr("About Hitscope"), {},
+                                QMessageBox::Close, parent);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setIconPixmap(QIcon(QStringLiteral(":/icons/hitscope.svg")).pixmap(64, 64));
-    box->setText(tr("<h3>Hitscope %1</h3><p>Shoot a mesh, see exactly what moved, save the result.</p>")
-                     .arg(QStringLiteral(HITSCOPE_VERSION)));
+    box->setText(
+        DialogTexts::tr("<h3>Hitscope %1</h3><p>Shoot a mesh, see exactly what moved, save the result.</p>")
+            .arg(QStringLiteral(HITSCOPE_VERSION)));
     box->setInformativeText(
-        tr("<p>The deformation is that of “Real-time polygon mesh deformation” by Alessio Quercia.</p>"
-           "<p>Renderer: %1<br>OpenGL: %2<br>Deformation: %3<br>Qt: %4</p>"
-           "<p>Free software under the GNU General Public License, version 3 or later.</p>")
+        DialogTexts::tr(
+            "<p>The deformation is that of “Real-time polygon mesh deformation” by Alessio Quercia.</p>"
+            "<p>Renderer: %1<br>OpenGL: %2<br>Deformation: %3<br>Qt: %4</p>"
+            "<p>Free software under the GNU General Public License, version 3 or later.</p>")
             .arg(renderer.toHtmlEscaped(), version.toHtmlEscaped(), exactness.toHtmlEscaped(),
                  QString::fromLatin1(qVersion())));
     box->open();

@@ -17,9 +17,9 @@ namespace {
 constexpr const char* kKeysProperty = "hitscopeKeys";
 constexpr const char* kMeaningProperty = "hitscopeKeysMeaning";
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("hitscope::Keys", text);
-}
+struct KeysTexts {
+    Q_DECLARE_TR_FUNCTIONS(hitscope::Keys)
+};
 
 QString plainText(const QString& text) {
     QString plain = text;
@@ -87,16 +87,16 @@ KeysSection dockKeys(const QDockWidget& dock) {
 }
 
 QString dragName(const DragBinding& binding) {
-    const QString button = binding.button == Qt::LeftButton    ? tr("Left-drag")
-                           : binding.button == Qt::RightButton ? tr("Right-drag")
-                                                               : tr("Middle-drag");
+    const QString button = binding.button == Qt::LeftButton    ? KeysTexts::tr("Left-drag")
+                           : binding.button == Qt::RightButton ? KeysTexts::tr("Right-drag")
+                                                               : KeysTexts::tr("Middle-drag");
     switch (binding.key) {
         case Qt::ShiftModifier:
-            return tr("Shift+%1").arg(button);
+            return KeysTexts::tr("Shift+%1").arg(button);
         case Qt::ControlModifier:
-            return tr("Ctrl+%1").arg(button);
+            return KeysTexts::tr("Ctrl+%1").arg(button);
         case Qt::AltModifier:
-            return tr("Alt+%1").arg(button);
+            return KeysTexts::tr("Alt+%1").arg(button);
         default:
             return button;
     }
@@ -105,47 +105,49 @@ QString dragName(const DragBinding& binding) {
 QString orbitMeaning(OrbitMode mode) {
     switch (mode) {
         case OrbitMode::Point:
-            return tr("Orbit about the point under the cursor; beside targets: about them");
+            return KeysTexts::tr("Orbit about the point under the cursor; beside targets: about them");
         case OrbitMode::Turntable:
-            return tr("Orbit about the view centre");
+            return KeysTexts::tr("Orbit about the view centre");
         case OrbitMode::Fly:
             break;
     }
-    return tr("Look around");
+    return KeysTexts::tr("Look around");
 }
 
 QString motionMeaning(CameraMotion motion, OrbitMode mode) {
     return motion == CameraMotion::Orbit ? orbitMeaning(mode)
-           : motion == CameraMotion::Pan ? tr("Pan")
-                                         : tr("Zoom");
+           : motion == CameraMotion::Pan ? KeysTexts::tr("Pan")
+                                         : KeysTexts::tr("Zoom");
 }
 
 }  // namespace
 
 KeysSection mouseKeys(NavigationPreset preset, OrbitMode mode) {
-    KeysSection section{tr("Mouse"), {}};
-    section.lines.push_back({tr("Click"), tr("Shoot at the point under the cursor")});
-    section.lines.push_back(
-        {tr("Ctrl+click"), tr("Select the target there; elsewhere: clear the selection")});
-    section.lines.push_back({tr("Middle-click"), tr("Look at that point from now on")});
+    KeysSection section{KeysTexts::tr("Mouse"), {}};
+    section.lines.push_back({KeysTexts::tr("Click"), KeysTexts::tr("Shoot at the point under the cursor")});
+    section.lines.push_back({KeysTexts::tr("Ctrl+click"),
+                             KeysTexts::tr("Select the target there; elsewhere: clear the selection")});
+    section.lines.push_back({KeysTexts::tr("Middle-click"), KeysTexts::tr("Look at that point from now on")});
     for (const DragBinding& binding : dragBindings(preset)) {
         section.lines.push_back({dragName(binding), motionMeaning(binding.motion, mode)});
     }
-    section.lines.push_back({tr("Right-click"), tr("Menu of what is there: pick, select, measure, remove")});
-    section.lines.push_back({tr("Alt+click"), tr("Pick the vertex there; so does a click with Inspect")});
-    section.lines.push_back({tr("Wheel"), tr("Zoom; on a trackpad: pinch")});
-    section.lines.push_back({tr("Shift+wheel"), tr("Field of view")});
-    section.lines.push_back({tr("Two fingers"), tr("Orbit; Shift: pan; Ctrl: zoom")});
+    section.lines.push_back({KeysTexts::tr("Right-click"),
+                             KeysTexts::tr("Menu of what is there: pick, select, measure, remove")});
+    section.lines.push_back(
+        {KeysTexts::tr("Alt+click"), KeysTexts::tr("Pick the vertex there; so does a click with Inspect")});
+    section.lines.push_back({KeysTexts::tr("Wheel"), KeysTexts::tr("Zoom; on a trackpad: pinch")});
+    section.lines.push_back({KeysTexts::tr("Shift+wheel"), KeysTexts::tr("Field of view")});
+    section.lines.push_back({KeysTexts::tr("Two fingers"), KeysTexts::tr("Orbit; Shift: pan; Ctrl: zoom")});
     return section;
 }
 
 KeysSection heldKeys() {
-    return {tr("Viewport"),
-            {{tr("Space"), tr("Shoot at the crosshair; hold to repeat")},
-             {tr("W A S D"), tr("Fly; Shift: faster")},
-             {tr("E Q"), tr("Fly up and down")},
-             {tr("[ ]"), tr("Brush: size; Shift: strength; so does Ctrl+wheel")},
-             {tr("Esc"), tr("Clear the selection; give a brush stroke up")}}};
+    return {KeysTexts::tr("Viewport"),
+            {{KeysTexts::tr("Space"), KeysTexts::tr("Shoot at the crosshair; hold to repeat")},
+             {KeysTexts::tr("W A S D"), KeysTexts::tr("Fly; Shift: faster")},
+             {KeysTexts::tr("E Q"), KeysTexts::tr("Fly up and down")},
+             {KeysTexts::tr("[ ]"), KeysTexts::tr("Brush: size; Shift: strength; so does Ctrl+wheel")},
+             {KeysTexts::tr("Esc"), KeysTexts::tr("Clear the selection; give a brush stroke up")}}};
 }
 
 std::vector<KeysSection> actionKeys(const QMainWindow& window) {

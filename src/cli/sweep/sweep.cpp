@@ -189,7 +189,7 @@ Outcome sweep(Invocation& given, int atOnce) {
     return merge(given, plan.value(), folder, worst);
 }
 
-int run(Invocation& given) {
+int runSweep(Invocation& given) {
     const int atOnce =
         given.isSet("jobs") ? given.wholeNumber("jobs", 1, kMostAtOnce) : QThread::idealThreadCount();
     int ways = 0;
@@ -243,7 +243,7 @@ Verb sweepVerb() {
                               "sweep plan.json --out results --merge")}},
          .leastFiles = 1,
          .mostFiles = 1},
-        run};
+        runSweep};
 }
 
 }  // namespace hitscope::cli

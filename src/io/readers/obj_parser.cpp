@@ -260,7 +260,7 @@ Error ObjParser::errorHere(const std::string& what) const {
     Error error = errorAt(what, m_line);
     if (m_lastLineCut) {
         error.what += " The file ends there, in the middle of a line.";
-        error.advice = "Save or download it again: it is not whole.";
+        error.advice = kCutAdvice;
     }
     return error;
 }

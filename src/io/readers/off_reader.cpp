@@ -7,7 +7,6 @@
 namespace hitscope {
 namespace {
 
-const char* const kCutAdvice = "Save or download it again: it is not whole.";
 const char* const kWrongAdvice = "Correct the line, or write the file again with the program it came from.";
 
 class OffParser {

@@ -106,7 +106,7 @@ Status checkRoom(const PlyHeader& header, std::uint64_t fileSize) {
             return Error{"The header promises " + std::to_string(element.count) + " of \"" + element.name +
                              "\", but the file ends too early for them: there is room for " +
                              std::to_string(room / least) + " at most.",
-                         "header", "Save or download the file again: it is not whole."};
+                         "header", kCutAdvice};
         }
         room -= least * element.count;
     }
@@ -163,7 +163,7 @@ Result<PlyHeader> parsePlyHeader(std::string_view start, std::uint64_t fileSize)
             return lineError(number, text);
         }
     }
-    return Error{"The file ends inside its header.", {}, "Save or download it again: it is not whole."};
+    return Error{"The file ends inside its header.", {}, kCutAdvice};
 }
 
 }  // namespace hitscope

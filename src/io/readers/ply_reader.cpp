@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "io/readers/ply_values.h"
+#include "io/readers/text_cursor.h"
 #include "io/readers/tidy.h"
 
 namespace hitscope {
@@ -339,8 +340,7 @@ Result<ImportedMesh> PlyParser<Source>::parse() {
         }
     } catch (const PlyDataEnd& end) {
         return Error{std::string(end.what()) + " in the middle of the data.",
-                     std::string(m_elementName) + " " + std::to_string(m_element),
-                     "Save or download the file again: it is not whole."};
+                     std::string(m_elementName) + " " + std::to_string(m_element), kCutAdvice};
     } catch (const BadElement& bad) {
         return Error{std::string(bad.what()) + ".",
                      std::string(m_elementName) + " " + std::to_string(m_element),

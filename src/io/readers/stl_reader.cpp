@@ -21,8 +21,6 @@ constexpr std::size_t kStart = kHeaderSize + sizeof(std::uint32_t);
 constexpr std::size_t kFacetSize = 50;  // normal, three vertices, two bytes of attributes
 constexpr std::size_t kReportEvery = 1 << 16;
 
-const char* const kCutAdvice = "Save or download it again: it is not whole.";
-
 Error badCoordinate(const std::string& where) {
     return {"A coordinate is not a number, infinite or too large.", where,
             "Repair the mesh in the program it came from."};

@@ -13,6 +13,9 @@
 
 namespace hitscope {
 
+/// For a file that ends too early.
+inline constexpr const char* kCutAdvice = "Save or download it again: it is not whole.";
+
 /// A word of a file in quotation marks, for messages; long ones are cut.
 inline std::string quoted(std::string_view word) {
     constexpr std::size_t kLongest = 60;

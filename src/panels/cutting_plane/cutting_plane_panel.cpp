@@ -22,7 +22,7 @@ namespace hitscope {
 
 namespace {
 
-constexpr int kSideBySide = 520;        // pixels; from here on the plot is beside the controls
+constexpr int kPlotBeside = 520;        // pixels; from here on the plot is beside the controls
 constexpr double kLargest = 1.0e6;      // metres
 constexpr float kSameNormal = 5.0e-4f;  // what three decimals cannot tell apart
 constexpr float kLeastNormal = 1.0e-3f;
@@ -264,7 +264,7 @@ void CuttingPlanePanel::changeEvent(QEvent* event) {
 /// Below one another where it is narrow: at the side of the window.
 void CuttingPlanePanel::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    const bool isNarrow = width() < kSideBySide;
+    const bool isNarrow = width() < kPlotBeside;
     m_ui->body->setDirection(isNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 

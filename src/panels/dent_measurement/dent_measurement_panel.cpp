@@ -22,7 +22,7 @@ namespace hitscope {
 
 namespace {
 
-constexpr int kSideBySide = 420;  // pixels; from here on the profile is beside the figures
+constexpr int kProfileBeside = 420;  // pixels; from here on the profile is beside the figures
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
@@ -198,7 +198,7 @@ void DentMeasurementPanel::changeEvent(QEvent* event) {
 /// Below one another where it is narrow: at the side of the window.
 void DentMeasurementPanel::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    m_ui->body->setDirection(width() < kSideBySide ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    m_ui->body->setDirection(width() < kProfileBeside ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 void DentMeasurementPanel::showEvent(QShowEvent* event) {

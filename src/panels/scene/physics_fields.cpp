@@ -11,7 +11,7 @@ namespace hitscope {
 
 namespace {
 
-constexpr int kNarrowest = 64;  // pixels; what the range would want is far wider
+constexpr int kNarrowestPhysics = 64;  // pixels; what the range would want is far wider
 
 }  // namespace
 
@@ -26,7 +26,7 @@ PhysicsFields::PhysicsFields(Session& session, QCheckBox& dynamic, const Boxes& 
         box.setSingleStep(parameter.step);
         box.setRange(parameter.minimum, parameter.maximum);
         box.setToolTip(QString::fromUtf8(parameter.description));
-        box.setMinimumWidth(kNarrowest);
+        box.setMinimumWidth(kNarrowestPhysics);
         box.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         connect(&box, &QDoubleSpinBox::valueChanged, this, &PhysicsFields::apply);
     }

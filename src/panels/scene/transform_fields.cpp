@@ -14,7 +14,7 @@ namespace {
 constexpr double kFarthest = 1.0e7;  // metres
 constexpr double kTurns = 3600.0;    // degrees
 constexpr int kAxes = 3;
-constexpr int kNarrowest = 64;  // pixels; what the range would want is far wider
+constexpr int kNarrowestTransform = 64;  // pixels; what the range would want is far wider
 
 }  // namespace
 
@@ -27,7 +27,7 @@ TransformFields::TransformFields(Session& session, const Boxes& boxes, QObject* 
         box.setDecimals(isAngle ? 2 : 3);
         box.setSingleStep(isAngle ? 5.0 : 0.1);
         box.setRange(isAngle ? -kTurns : -kFarthest, isAngle ? kTurns : kFarthest);
-        box.setMinimumWidth(kNarrowest);
+        box.setMinimumWidth(kNarrowestTransform);
         box.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         connect(&box, &QDoubleSpinBox::valueChanged, this,
                 [this, field](double value) { apply(field, value); });
