@@ -56,6 +56,7 @@ struct HitEffects::Worker : std::enable_shared_from_this<HitEffects::Worker> {
         std::uint64_t number = 0;  ///< after this task
         std::size_t row = 0;
         TargetId target;
+        std::uint64_t serial = 0;  ///< among the questions
         std::vector<std::uint32_t> answer = {};
     };
 
@@ -240,7 +241,7 @@ void HitEffects::take() {
     if (m_hasToFollow) {
         followApplied();
     }
-    if (answered && answered->number == m_asked) {
+    if (answered && answered->number == m_asked && answered->serial == m_questions) {
         Q_EMIT verticesFound(answered->target, answered->answer);
     }
 }
@@ -300,7 +301,7 @@ void HitEffects::findVertices(std::size_t row) {
         return;
     }
     const std::lock_guard lock(m_worker->mutex);
-    m_worker->question = {m_asked, row, m_session.hits().history().hits()[row].target};
+    m_worker->question = {m_asked, row, m_session.hits().history().hits()[row].target, ++m_questions};
     m_worker->runIfIdle();
 }
 

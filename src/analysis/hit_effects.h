@@ -37,8 +37,8 @@ public:
     /// Waits until it is; for tests and for files.
     void finish();
 
-    /// Finds the vertices that a hit moved; a later request replaces one that has not been answered.
-    /// verticesFound() follows.
+    /// Finds the vertices that a hit moved. verticesFound() follows; a later request replaces one whose
+    /// answer has not been given, even where it is known already.
     void findVertices(std::size_t row);
 
 Q_SIGNALS:
@@ -71,12 +71,13 @@ private:
 
     Session& m_session;
     std::shared_ptr<Worker> m_worker;
-    AppliedHistory m_applied;      ///< as the worker has been given it
-    std::uint64_t m_revision = 0;  ///< of the history, likewise
-    bool m_hasToFollow = false;    ///< other hits are applied than the worker has been told
-    std::uint64_t m_asked = 0;     ///< number of the last task given
-    std::uint64_t m_followed = 0;  ///< and of the last whose results are here
-    std::deque<Shift> m_shifts;    ///< of the tasks between
+    AppliedHistory m_applied;       ///< as the worker has been given it
+    std::uint64_t m_revision = 0;   ///< of the history, likewise
+    bool m_hasToFollow = false;     ///< other hits are applied than the worker has been told
+    std::uint64_t m_asked = 0;      ///< number of the last task given
+    std::uint64_t m_followed = 0;   ///< and of the last whose results are here
+    std::uint64_t m_questions = 0;  ///< asked about the vertices of a hit
+    std::deque<Shift> m_shifts;     ///< of the tasks between
     std::vector<std::optional<HitEffect>> m_effects;  ///< one a hit
     std::map<TargetId, std::vector<std::uint32_t>> m_counts;
 };
