@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #version 330 core
+// HITSCOPE_SHADOWS   defined: of the directional light
+// HITSCOPE_SHADED    defined: the directional light does not arrive anywhere
 
 #include "light_terms.glsl"
 #include "tone.glsl"
 #ifdef HITSCOPE_SHADOWS
 #include "shadow.glsl"
 uniform mat3 u_floorShadow;  // from (x, z, 1) of the floor to the shadow map's texture coordinates and depth
-#endif
-
-#ifdef HITSCOPE_OCCLUSION
-#include "occlusion.glsl"
 #endif
 
 in vec3 v_position;  // from the eye; the rest as in floor.vert
@@ -85,13 +83,12 @@ void main()
     float line = u_lineColour.a * max(fine, max(middle, coarse));
 
     float sunlit = 1.0;
-#ifdef HITSCOPE_SHADOWS
+#ifdef HITSCOPE_SHADED
+    sunlit = 0.0;
+#elif defined(HITSCOPE_SHADOWS)
     sunlit = sunlitShare(u_floorShadow * vec3(plane, 1.0));
 #endif
     vec3 light = display(floorLight(sunlit));
-#ifdef HITSCOPE_OCCLUSION
-    light *= openShare(vec3(0.0, 1.0, 0.0));
-#endif
     vec3 colour = mix(light, u_lineColour.rgb, line);
     float away = distance(plane, u_centre.xz) / u_reach;
     float opacity = 1.0 - smoothstep(0.15, 1.0, away);

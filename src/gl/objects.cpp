@@ -48,6 +48,15 @@ void RenderbufferTraits::destroy(GLuint id) {
     glDeleteRenderbuffers(1, &id);
 }
 
+GLuint SamplerTraits::create() {
+    GLuint id = 0;
+    glGenSamplers(1, &id);
+    return id;
+}
+void SamplerTraits::destroy(GLuint id) {
+    glDeleteSamplers(1, &id);
+}
+
 GLuint QueryTraits::create() {
     GLuint id = 0;
     glGenQueries(1, &id);

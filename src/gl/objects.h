@@ -59,6 +59,10 @@ struct RenderbufferTraits {
     static GLuint create();
     static void destroy(GLuint id);
 };
+struct SamplerTraits {
+    static GLuint create();
+    static void destroy(GLuint id);
+};
 struct QueryTraits {
     static GLuint create();
     static void destroy(GLuint id);
@@ -69,6 +73,7 @@ using VertexArray = Object<VertexArrayTraits>;
 using Texture = Object<TextureTraits>;
 using Framebuffer = Object<FramebufferTraits>;
 using Renderbuffer = Object<RenderbufferTraits>;
+using Sampler = Object<SamplerTraits>;
 using Query = Object<QueryTraits>;
 
 }  // namespace hitscope::gl

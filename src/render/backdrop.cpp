@@ -10,15 +10,79 @@ namespace {
 
 constexpr float kFinestCells = 14.0f;  // of the floor's finest squares fit between eye and pivot
 
-gl::Defines floorDefines(const FrameContext& context) {
-    gl::Defines defines = lightDefines(context.frame.lights);
+constexpr int kLitUnit = 5;
+constexpr int kShadedUnit = 6;
+
+void append(gl::Defines& defines, const gl::Defines& more) {
+    defines.insert(defines.end(), more.begin(), more.end());
+}
+
+void placeFloor(const gl::Program& floor, const FrameContext& context) {
+    const Frame& frame = context.frame;
+    const glm::vec3 pivot = frame.camera.pivot();
+    // Its lines are smooth as they are.
+    floor.set("u_viewProjection", context.steadyViewProjection);
+    floor.set("u_eye", context.eye);
+    floor.set("u_centre", glm::vec3(pivot.x, frame.floorHeight, pivot.z));
+    floor.set("u_reach", frame.camera.floorReach());
     if (context.shadows != nullptr) {
-        const gl::Defines shadows = context.shadows->defines();
-        defines.insert(defines.end(), shadows.begin(), shadows.end());
+        context.shadows->apply(floor);
+        const glm::mat4& shadow = context.shadows->matrix();
+        floor.set("u_floorShadow",
+                  glm::mat3(glm::vec3(shadow[0]), glm::vec3(shadow[2]),
+                            frame.floorHeight * glm::vec3(shadow[1]) + glm::vec3(shadow[3])));
     }
-    const gl::Defines occlusion = occlusionDefines(context);
-    defines.insert(defines.end(), occlusion.begin(), occlusion.end());
-    return defines;
+}
+
+/// As it looks with no targets around but for these shadows.
+Status drawFloorItself(const FrameContext& context, const gl::Defines& shadows) {
+    gl::Defines defines = lightDefines(context.frame.lights);
+    append(defines, shadows);
+    const auto program = context.programs.get("floor.vert", "floor.frag", defines);
+    if (!program) {
+        return program.error();
+    }
+    const gl::Program& floor = *program.value();
+    const Frame& frame = context.frame;
+    const float height = std::abs(context.eye.y - frame.floorHeight);
+    // Squares grow tenfold with the distance, and fade before they do, so that there are never too many.
+    const float scale =
+        std::log10(std::max(std::max(frame.camera.distance(), height) / kFinestCells, 1.0e-6f));
+    floor.use();
+    setLights(floor, context);
+    placeFloor(floor, context);
+    floor.set("u_diffuse", context.colours.floor);
+    floor.set("u_lineColour", context.colours.floorLines);
+    floor.set("u_cell", std::pow(10.0f, std::floor(scale)));
+    floor.set("u_cellFade", scale - std::floor(scale));
+    glBindVertexArray(context.emptyArray);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    return Done{};
+}
+
+Status drawFloorSample(const FrameContext& context) {
+    gl::Defines defines = context.shadows != nullptr ? context.shadows->defines() : gl::Defines{};
+    append(defines, occlusionDefines(context));
+    const auto program = context.programs.get("floor.vert", "floor_sample.frag", defines);
+    if (!program) {
+        return program.error();
+    }
+    const gl::Program& floor = *program.value();
+    floor.use();
+    placeFloor(floor, context);
+    setOcclusion(floor, context, glm::vec2(0.0f));
+    const auto bind = [&floor](const char* name, int unit, GLuint texture) {
+        floor.set(name, unit);
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        glBindSampler(static_cast<GLuint>(unit), 0);
+        glBindTexture(GL_TEXTURE_2D, texture);
+        glActiveTexture(GL_TEXTURE0);
+    };
+    bind("u_floorLit", kLitUnit, context.floorLayers->lit);
+    bind("u_floorShaded", kShadedUnit, context.floorLayers->shaded);
+    glBindVertexArray(context.emptyArray);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    return Done{};
 }
 
 }  // namespace
@@ -42,38 +106,16 @@ Status drawBackground(const FrameContext& context) {
 }
 
 Status drawFloor(const FrameContext& context) {
-    const auto program = context.programs.get("floor.vert", "floor.frag", floorDefines(context));
-    if (!program) {
-        return program.error();
+    if (context.floorLayers != nullptr) {
+        return drawFloorSample(context);
     }
-    const gl::Program& floor = *program.value();
-    const Frame& frame = context.frame;
-    const glm::vec3 pivot = frame.camera.pivot();
-    const float height = std::abs(context.eye.y - frame.floorHeight);
-    // Squares grow tenfold with the distance, and fade before they do, so that there are never too many.
-    const float scale =
-        std::log10(std::max(std::max(frame.camera.distance(), height) / kFinestCells, 1.0e-6f));
-    floor.use();
-    setLights(floor, context);
-    setOcclusion(floor, context);
-    floor.set("u_viewProjection", context.viewProjection);
-    floor.set("u_eye", context.eye);
-    floor.set("u_centre", glm::vec3(pivot.x, frame.floorHeight, pivot.z));
-    floor.set("u_reach", frame.camera.floorReach());
-    floor.set("u_diffuse", context.colours.floor);
-    floor.set("u_lineColour", context.colours.floorLines);
-    floor.set("u_cell", std::pow(10.0f, std::floor(scale)));
-    floor.set("u_cellFade", scale - std::floor(scale));
-    if (context.shadows != nullptr) {
-        context.shadows->apply(floor);
-        const glm::mat4& shadow = context.shadows->matrix();
-        floor.set("u_floorShadow",
-                  glm::mat3(glm::vec3(shadow[0]), glm::vec3(shadow[2]),
-                            frame.floorHeight * glm::vec3(shadow[1]) + glm::vec3(shadow[3])));
-    }
-    glBindVertexArray(context.emptyArray);
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-    return Done{};
+    return drawFloorItself(context, context.shadows != nullptr ? context.shadows->defines() : gl::Defines{});
+}
+
+Status drawFloorLayer(const FrameContext& given, bool isShaded) {
+    FrameContext context = given;
+    context.shadows = nullptr;
+    return drawFloorItself(context, isShaded ? gl::Defines{{"HITSCOPE_SHADED", "1"}} : gl::Defines{});
 }
 
 }  // namespace hitscope::render

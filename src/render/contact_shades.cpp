@@ -39,7 +39,7 @@ Status drawContactShades(const FrameContext& context) {
     }
     const gl::Program& contact = *program.value();
     contact.use();
-    contact.set("u_viewProjection", context.viewProjection);
+    contact.set("u_viewProjection", context.steadyViewProjection);
     const float strength =
         context.colours.contactShade * (context.shadows != nullptr ? kBesideShadows : 1.0f);
     glBindVertexArray(context.emptyArray);

@@ -25,6 +25,12 @@ struct Occlusion {
     glm::vec2 turn{0.0f};    ///< [0, 1): places that it looks at
 };
 
+/// How samples of a refined picture know what the floor looks like: drawFloorLayer()'s pictures.
+struct FloorLayers {
+    GLuint lit = 0;     ///< a texture: with no shadows
+    GLuint shaded = 0;  ///< likewise, in the shadow of the directional light everywhere
+};
+
 /// What every pass of a frame needs. The references live as long as the frame.
 struct FrameContext {
     const Frame& frame;
@@ -35,11 +41,14 @@ struct FrameContext {
     GLuint emptyArray = 0;  ///< a vertex array without attributes, for corners made in the shader
     glm::mat4 projection{1.0f};
     glm::mat4 viewProjection{1.0f};
+    glm::mat4 steadyViewProjection{1.0f};  ///< the same in each sample of a refined picture
     glm::vec3 eye{0.0f};
     glm::vec3 forward{0.0f};
-    const ShadowMap* shadows = nullptr;    ///< null: none
-    const Occlusion* occlusion = nullptr;  ///< null: nothing keeps light away
-    const Studio* studio = nullptr;        ///< null: neither environment nor matcap
+    const ShadowMap* shadows = nullptr;        ///< null: none
+    const Occlusion* occlusion = nullptr;      ///< null: nothing keeps light away
+    const FloorLayers* floorLayers = nullptr;  ///< null: the floor is drawn as it is
+    GLuint textureSampler = 0;                 ///< of materials' textures; 0: each has its own
+    const Studio* studio = nullptr;            ///< null: neither environment nor matcap
     float pixelsAtOneMetre = 1.0f;  ///< how many pixels a metre takes, a metre from the eye; or anywhere,
                                     ///< orthographic
     /// Added to clip.z it brings something nearer by the size that a pixel has there, to first order.
@@ -70,12 +79,16 @@ void setLights(const gl::Program& program, const FrameContext& context);
 
 /// What programs that include occlusion.glsl are built with; empty without context.occlusion.
 [[nodiscard]] gl::Defines occlusionDefines(const FrameContext& context);
-/// Writes its uniforms; the program is in use.
-void setOcclusion(const gl::Program& program, const FrameContext& context);
+/// Writes its uniforms; the program is in use. offset: of what is drawn, pixels.
+void setOcclusion(const gl::Program& program, const FrameContext& context, const glm::vec2& offset);
+/// How far away something can be to keep light away, metres.
+[[nodiscard]] float occlusionReach(const Frame& frame);
 
 // Each draws one thing with blending, and expects depth test on and depth writes off.
 [[nodiscard]] Status drawBackground(const FrameContext& context);
 [[nodiscard]] Status drawFloor(const FrameContext& context);
+/// The floor's colours and opacity, with neither blending nor depths.
+[[nodiscard]] Status drawFloorLayer(const FrameContext& context, bool isShaded);
 [[nodiscard]] Status drawContactShades(const FrameContext& context);
 enum class MarkPlaces { Drawn, Original };
 /// Dots on vertices, where they are drawn or where they were; dimmed where a surface hides them.

@@ -176,14 +176,15 @@ bool MaterialSet::hasMetalRoughnessMap(std::uint32_t material) const {
     return hasMetalRoughness(material) && at(material).metalRoughness.image >= 0;
 }
 
-void MaterialSet::bindPlain(int unit, int image) const {
+void MaterialSet::bindPlain(int unit, int image, GLuint sampler) const {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindSampler(static_cast<GLuint>(unit), 0);
+    glBindSampler(static_cast<GLuint>(unit), sampler);
     glBindTexture(GL_TEXTURE_2D, m_plainTextures[static_cast<std::size_t>(image)].id());
     glActiveTexture(GL_TEXTURE0);
 }
 
-void MaterialSet::apply(const gl::Program& program, std::uint32_t material, bool coloured) const {
+void MaterialSet::apply(const gl::Program& program, std::uint32_t material, bool coloured,
+                        GLuint sampler) const {
     const Material& surface = at(material);
     const bool isDefault = !m_covers && material >= m_materials.size();
     program.set("u_diffuse", coloured && isDefault ? glm::vec3(1.0f) : surface.diffuse);
@@ -193,18 +194,19 @@ void MaterialSet::apply(const gl::Program& program, std::uint32_t material, bool
     program.set("u_opacity", std::clamp(surface.opacity, kLeastOpacity, 1.0f));
     if (surface.diffuseImage >= 0) {
         program.set("u_texture", 0);
+        glBindSampler(0, sampler);
         glBindTexture(GL_TEXTURE_2D, m_textures[static_cast<std::size_t>(surface.diffuseImage)].id());
     }
     if (const NormalMap& map = surface.normalMap; map.image >= 0) {
         program.set("u_normalMap", kNormalMapUnit);
         program.set("u_normalStrength", map.strength);
-        bindPlain(kNormalMapUnit, map.image);
+        bindPlain(kNormalMapUnit, map.image, sampler);
     }
     if (const MetalRoughness& metal = surface.metalRoughness; metal.isGiven()) {
         program.set("u_metalRoughness", glm::vec2(metal.metalness, metal.roughness));
         if (metal.image >= 0) {
             program.set("u_metalRoughnessMap", kMetalRoughnessUnit);
-            bindPlain(kMetalRoughnessUnit, metal.image);
+            bindPlain(kMetalRoughnessUnit, metal.image, sampler);
         }
     }
 }

@@ -26,8 +26,9 @@ public:
 
     /// Sets the uniforms of surface.frag and, where the material has them, binds its texture to unit 0 and
     /// its other maps to the units below; the program is in use. kNoIndex and indices out of range are the
-    /// default material, which is white where vertices have colours.
-    void apply(const gl::Program& program, std::uint32_t material, bool coloured) const;
+    /// default material, which is white where vertices have colours. sampler: how they are read; 0: as was
+    /// set with the texture.
+    void apply(const gl::Program& program, std::uint32_t material, bool coloured, GLuint sampler) const;
     [[nodiscard]] bool isTextured(std::uint32_t material) const;
     [[nodiscard]] bool hasNormalMap(std::uint32_t material) const;
     /// Whether what lies behind is to be seen.
@@ -43,7 +44,7 @@ public:
 
 private:
     [[nodiscard]] const Material& at(std::uint32_t material) const;
-    void bindPlain(int unit, int image) const;
+    void bindPlain(int unit, int image, GLuint sampler) const;
 
     std::vector<Material> m_materials;
     bool m_covers = false;  ///< the first one, whatever the index

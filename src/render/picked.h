@@ -4,16 +4,9 @@
 #include <cstdint>
 
 #include "core/ids.h"
+#include "render/pixel_area.h"
 
 namespace hitscope {
-
-/// A rectangle of a picture's pixels. It may stick out of the picture; nothing shows there.
-struct PixelArea {
-    int x = 0;  ///< of its lower left pixel; (0, 0) is the picture's lower left one
-    int y = 0;
-    int width = 0;
-    int height = 0;
-};
 
 /// What pixels can tell.
 enum class PickElements : std::uint8_t {

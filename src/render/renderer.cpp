@@ -71,6 +71,7 @@ FrameContext makeContext(const Frame& frame, ProgramCache& programs, ColourTextu
                          .colourTextures = colourTextures,
                          .emptyArray = emptyArray};
     context.projection = frame.camera.projection(aspect);
+    context.steadyViewProjection = context.projection * frame.camera.view();
     if (jitter != glm::vec2(0.0f)) {
         const glm::vec2 size(frame.width, frame.height);
         context.projection =
@@ -144,12 +145,15 @@ Status drawTargets(const FrameContext& context, DeformationPipeline& pipeline) {
 
 namespace render {
 
-void prepareFramebuffer(const Frame& frame, GLuint framebuffer) {
+void prepareFramebuffer(const Frame& frame, GLuint framebuffer, const PixelArea* area) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(frame.left, 0, frame.width, frame.height);
     for (const GLenum capability : {GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_FRAMEBUFFER_SRGB,
                                     GL_RASTERIZER_DISCARD, GL_COLOR_LOGIC_OP, GL_BLEND, GL_DEPTH_TEST}) {
         glDisable(capability);
+    }
+    if (area != nullptr) {
+        limitDrawing(*area);
     }
     glEnable(GL_MULTISAMPLE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -239,6 +243,8 @@ Status Renderer::Private::drawWiped(const FrameContext& context, DeformationPipe
     const float split = 2.0f * static_cast<float>(line) / static_cast<float>(frame.width) - 1.0f;
     FrameContext before = contextOf(originals.frame);
     before.shadows = context.shadows;
+    before.floorLayers = context.floorLayers;
+    before.textureSampler = context.textureSampler;
     before.window = PictureWindow{.high = glm::vec2(split, 1.0f)};
     FrameContext after = context;
     after.window = PictureWindow{.low = glm::vec2(split, -1.0f)};
@@ -278,8 +284,8 @@ std::shared_ptr<const MaterialSet> Renderer::makeCover(const Image& texture) {
 }
 
 Status Renderer::Private::drawPicture(const FrameContext& context, DeformationPipeline& pipeline,
-                                      GLuint framebuffer) {
-    prepareFramebuffer(context.frame, framebuffer);
+                                      GLuint framebuffer, const PixelArea* area) {
+    prepareFramebuffer(context.frame, framebuffer, area);
     startSolid();
     if (Status status = projectiles.draw(context); !status) {
         return status;

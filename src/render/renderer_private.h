@@ -11,7 +11,8 @@
 #include "render/gl_state.h"
 #include "render/line_pass.h"
 #include "render/projectile_pass.h"
-#include "render/refined_picture.h"
+#include "render/refined/refined_picture.h"
+#include "render/refined/varying_area.h"
 #include "render/section_pass.h"
 #include "render/shadow_map.h"
 #include "render/studio.h"
@@ -38,7 +39,8 @@ private:
     std::optional<Frame> m_lit;
 };
 
-void prepareFramebuffer(const Frame& frame, GLuint framebuffer);
+/// area: what is drawn within; null: the whole viewport.
+void prepareFramebuffer(const Frame& frame, GLuint framebuffer, const PixelArea* area = nullptr);
 void startBlended();
 /// Marks are on what they mark: left of a wipe's line on the originals.
 [[nodiscard]] Status drawMarks(const FrameContext& context, DeformationPipeline& pipeline);
@@ -56,8 +58,10 @@ struct Renderer::Private {
     gl::VertexArray emptyArray = gl::VertexArray::make();
     bool software = gl::rendererInfo().isSoftware();
     render::ShadowMap shadows{software};
-    render::ShadowMap sampleShadows{
-        software};  // of samples, so that the other one is there when something moves
+    render::ShadowMap sampleShadows{software,
+                                    render::ShadowMap::Edges::Sampled};  // of samples, so that the other one
+                                                                         // is there when something moves
+    gl::Sampler sampleTextures;  ///< made with the first sample that needs it
     render::Studio studio;
     // Of the sample at hand; none: the picture is drawn as it is.
     glm::vec2 jitter{0.0f};
@@ -66,7 +70,7 @@ struct Renderer::Private {
     [[nodiscard]] render::FrameContext contextOf(const Frame& frame);
     /// Targets and projectiles into a framebuffer, what is selected as well; nothing over them.
     [[nodiscard]] Status drawPicture(const render::FrameContext& context, DeformationPipeline& pipeline,
-                                     GLuint framebuffer);
+                                     GLuint framebuffer, const PixelArea* area = nullptr);
     /// What is drawn over everything.
     [[nodiscard]] Status drawOver(const render::FrameContext& context);
     [[nodiscard]] Status addSample(const Frame& frame, DeformationPipeline& pipeline,

@@ -15,14 +15,14 @@ namespace hitscope::render {
 namespace {
 
 constexpr int kSize = 2048;
-constexpr int kSoftwareSize = 1024;
 constexpr float kShadowSpread = 1.6f;   // texels from one look to the next
 constexpr float kShadowMargin = 0.05f;  // of the targets' extent: dents can bulge
 constexpr float kDepthBias = 1.5f;      // texels
 
 }  // namespace
 
-ShadowMap::ShadowMap(bool software) : m_software(software), m_size(software ? kSoftwareSize : kSize) {}
+ShadowMap::ShadowMap(bool software, Edges edges)
+    : m_software(software), m_edges(edges), m_size(software ? kSoftwareSize : kSize) {}
 
 bool ShadowMap::isWanted(const Frame& frame) {
     return frame.options.shadows && frame.lights.directional.on && !frame.targets.empty() &&
@@ -114,7 +114,8 @@ Status ShadowMap::update(const FrameContext& context, DeformationPipeline& pipel
 }
 
 gl::Defines ShadowMap::defines() const {
-    return {{"HITSCOPE_SHADOWS", "1"}, {"HITSCOPE_SHADOW_TAPS", m_software ? "4" : "9"}};
+    const char* taps = m_edges == Edges::Sampled ? "1" : m_software ? "4" : "9";
+    return {{"HITSCOPE_SHADOWS", "1"}, {"HITSCOPE_SHADOW_TAPS", taps}};
 }
 
 void ShadowMap::apply(const gl::Program& program) const {

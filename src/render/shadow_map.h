@@ -12,7 +12,11 @@ namespace hitscope::render {
 /// call and the destructor.
 class ShadowMap {
 public:
-    explicit ShadowMap(bool software);
+    static constexpr int kSoftwareSize = 1024;  ///< texels, where the CPU draws
+
+    /// Sampled: the shadow is one of many of a light at other places, whose mean is soft.
+    enum class Edges { Soft, Sampled };
+    explicit ShadowMap(bool software, Edges edges = Edges::Soft);
 
     /// Whether a frame has shadows.
     [[nodiscard]] static bool isWanted(const Frame& frame);
@@ -40,6 +44,7 @@ private:
     glm::mat4 place(const FrameContext& context);
 
     bool m_software;
+    Edges m_edges;
     int m_size;  ///< texels
     gl::Texture m_depth;
     gl::Framebuffer m_framebuffer;

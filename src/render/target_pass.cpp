@@ -129,7 +129,8 @@ void setSurface(const gl::Program& program, const FrameContext& context) {
         setChangeMap(program, context);
     } else {
         setLights(program, context);
-        setOcclusion(program, context);
+        setOcclusion(program, context,
+                     context.occlusion != nullptr ? context.occlusion->jitter : glm::vec2(0.0f));
         if (context.studio != nullptr) {
             context.studio->apply(program, frame);
         }
@@ -249,7 +250,8 @@ Status drawWithOneProgram(const FrameContext& context, DeformationPipeline& pipe
                 prepareSurface(program, context, pipeline, *draw.item);
                 prepared = draw.item;
             }
-            materialsOf(context.frame, *draw.item).apply(program, part.material, parts.coloured);
+            materialsOf(context.frame, *draw.item)
+                .apply(program, part.material, parts.coloured, context.textureSampler);
             drawBounded(context, GL_TRIANGLES, part.first, part.count);
         }
         if (rounds > 1) {

@@ -25,8 +25,8 @@ struct PictureRequest {
     bool labels = false;
     /// With what marks the selected vertices, hit and target, and with the crosshair where options have it.
     bool selectionMarks = false;
-    /// How many pictures it is the mean of (render/refined_picture.h), [1, kMostSamples]; 1: it is drawn
-    /// once, as two pictures side by side are in any case.
+    /// How many pictures it is the mean of (render/refined/refined_picture.h), [1, kMostSamples]; 1: it is
+    /// drawn once, as two pictures side by side are in any case.
     int samples = 1;
 };
 

@@ -9,7 +9,7 @@
 
 #include "analysis/change_values.h"
 #include "analysis/scene_section.h"
-#include "render/refined_picture.h"
+#include "render/refined/refined_picture.h"
 #include "scene/change_overlay.h"
 
 namespace hitscope {

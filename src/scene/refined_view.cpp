@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/refined_picture.h"
+#include "render/refined/refined_picture.h"
 #include "scene/frame_parts.h"
 
 namespace hitscope {

@@ -40,7 +40,7 @@ struct DisplayOptions {
     bool transparent = false;
     SurfaceLook look = SurfaceLook::File;
     bool environment = false;  ///< a studio lights the scene (view/environment.h), not the session's lights
-    /// At rest the picture becomes the mean of many (render/refined_picture.h).
+    /// At rest the picture becomes the mean of many (render/refined/refined_picture.h).
     bool refine = false;
 
     bool operator==(const DisplayOptions&) const = default;

@@ -8,7 +8,7 @@
 #include "gl/render_target.h"
 #include "mesh/primitives.h"
 #include "open_renderer.h"
-#include "render/refined_picture.h"
+#include "render/refined/refined_picture.h"
 #include "render_support.h"
 #include "support/baseline.h"
 #include "support/gl_fixture.h"

@@ -28,9 +28,37 @@ bool hasOcclusion(const Frame& frame) {
     return !frame.change && frame.options.wireframe != WireframeMode::Only;
 }
 
+/// Samples lie a part of a pixel apart: together they need no anisotropic filter, which takes a software
+/// renderer as long as everything else, and each may be sharper than a picture of its own would be.
+gl::Sampler makeSampleTextures() {
+    gl::Sampler sampler = gl::Sampler::make();
+    glSamplerParameteri(sampler.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glSamplerParameteri(sampler.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glSamplerParameterf(sampler.id(), GL_TEXTURE_LOD_BIAS, -1.0f);
+    return sampler;
+}
+
 /// Whether something is drawn over the scene that the scene may hide.
 bool hasOverlays(const Frame& frame) {
     return !frame.marks.empty() || frame.highlightedHit || frame.showsCutPlane || frame.ghost;
+}
+
+/// The floor differs from sample to sample only in how much light arrives.
+Status drawFloorLayers(const FrameContext& context, const RefinedPicture& picture) {
+    if (!context.frame.options.floor) {
+        return Done{};
+    }
+    for (const bool isShaded : {false, true}) {
+        glBindFramebuffer(GL_FRAMEBUFFER, picture.floorFramebuffer(isShaded));
+        glDisable(GL_SCISSOR_TEST);
+        glDisable(GL_BLEND);
+        glDisable(GL_DEPTH_TEST);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        if (Status status = drawFloorLayer(context, isShaded); !status) {
+            return status;
+        }
+    }
+    return Done{};
 }
 
 }  // namespace
@@ -54,13 +82,24 @@ Status Renderer::Private::addSample(const Frame& frame, DeformationPipeline& pip
         }
         context.shadows = &sampleShadows;
     }
-    const GLuint framebuffer = isPlain ? picture.plainFramebuffer() : picture.sampleFramebuffer();
-    if (Status status = drawPicture(context, pipeline, framebuffer); !status) {
-        return status;
-    }
     if (isPlain) {
-        picture.setHasDepths();
-        return Done{};
+        if (Status status = drawPicture(context, pipeline, picture.plainFramebuffer()); !status) {
+            return status;
+        }
+        picture.begin(varyingArea(context, pipeline, kLightSize));
+        return drawFloorLayers(context, picture);
+    }
+    if (software) {
+        if (!sampleTextures) {
+            sampleTextures = makeSampleTextures();
+        }
+        context.textureSampler = sampleTextures.id();
+    }
+    const FloorLayers floor = picture.floorLayers();
+    context.floorLayers = &floor;
+    const PixelArea& area = picture.area();
+    if (Status status = drawPicture(context, pipeline, picture.sampleFramebuffer(), &area); !status) {
+        return status;
     }
     if (Status status = trails.draw(context); !status) {
         return status;

@@ -1,20 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <glm/vec2.hpp>
 
 #include "gl/objects.h"
+#include "render/frame_context.h"
+#include "render/pixel_area.h"
 #include "render/program_cache.h"
 
 namespace hitscope {
 
 /// The mean of many pictures of one frame, which differ by fractions of a pixel, by where on the light a
 /// shadow is cast from, and by where they look for what keeps light away: smooth edges, soft shadows, ambient
-/// occlusion. Renderer::refine() adds to it. A context is current for every call and the destructor.
+/// occlusion. Renderer::refine() adds to it; where all samples are alike, it has the picture as it is. A
+/// context is current for every call and the destructor.
 class RefinedPicture {
 public:
     static constexpr int kUsualSamples = 16;  ///< of a window's picture
     static constexpr int kMostSamples = 64;
+
+    /// Everywhere: sums up where samples are alike too, to see that they are; it takes longer.
+    enum class Extent { WhereItVaries, Everywhere };
+    explicit RefinedPicture(Extent extent = Extent::WhereItVaries) : m_extent(extent) {}
 
     /// What one sample differs by from the others.
     struct Sample {
@@ -36,10 +44,15 @@ public:
     /// none.
     [[nodiscard]] bool prepare(int width, int height);
     [[nodiscard]] bool hasDepths() const { return m_hasDepths; }
-    /// The frame without jitter has been drawn into plainFramebuffer().
-    void setHasDepths() { m_hasDepths = true; }
+    /// The frame without jitter has been drawn into plainFramebuffer(); samples differ within `varying`.
+    void begin(const PixelArea& varying);
+    /// Samples are drawn within it.
+    [[nodiscard]] const PixelArea& area() const { return m_area; }
     [[nodiscard]] GLuint depths() const { return m_depths.id(); }  ///< a texture
     [[nodiscard]] GLuint plainFramebuffer() const { return m_plain.id(); }
+    [[nodiscard]] render::FloorLayers floorLayers() const { return {m_floor[0].id(), m_floor[1].id()}; }
+    /// Of these, what is drawn into.
+    [[nodiscard]] GLuint floorFramebuffer(bool isShaded) const { return m_drawnFloor[isShaded ? 1 : 0].id(); }
     [[nodiscard]] GLuint sampleFramebuffer() const { return m_sample.id(); }
     /// Adds what is in sampleFramebuffer() to the sum. Leaves framebuffer, viewport and blending changed.
     [[nodiscard]] Status add(render::ProgramCache& programs, GLuint emptyArray);
@@ -51,13 +64,17 @@ private:
     int m_width = 0;
     int m_height = 0;
     int m_samples = 0;
+    Extent m_extent;
+    PixelArea m_area;
     bool m_hasDepths = false;
-    gl::Texture m_colour;  ///< of the sample at hand
+    gl::Texture m_colour;  ///< of the sample at hand; outside of the area, of the plain picture
     gl::Texture m_depths;
-    gl::Texture m_sum;  ///< of floats
+    std::array<gl::Texture, 2> m_floor;  ///< lit, shaded
+    gl::Texture m_sum;                   ///< of floats, within the area
     gl::Renderbuffer m_sampleDepth;
     gl::Framebuffer m_plain;
     gl::Framebuffer m_sample;
+    std::array<gl::Framebuffer, 2> m_drawnFloor;
     gl::Framebuffer m_adding;
 };
 

@@ -12,8 +12,9 @@ constexpr float kOfTarget = 0.08f;  // of the largest target's diagonal: about a
 constexpr float kOfPicture =
     0.12f;  // of the picture's height, where the camera looks: what is seen from close by
 
-/// How far away something can be to keep light away, metres.
-float reachOf(const Frame& frame) {
+}  // namespace
+
+float occlusionReach(const Frame& frame) {
     float largest = 0.0f;
     for (const DrawItem& item : frame.targets) {
         largest = std::max(largest, item.buffers->originalBounds().diagonal());
@@ -21,8 +22,6 @@ float reachOf(const Frame& frame) {
     const float seen = kOfPicture * frame.camera.heightAt(frame.camera.distance());
     return std::max(std::min(kOfTarget * largest, seen), 1.0e-9f);
 }
-
-}  // namespace
 
 gl::Defines occlusionDefines(const FrameContext& context) {
     if (context.occlusion == nullptr) {
@@ -35,7 +34,7 @@ gl::Defines occlusionDefines(const FrameContext& context) {
     return defines;
 }
 
-void setOcclusion(const gl::Program& program, const FrameContext& context) {
+void setOcclusion(const gl::Program& program, const FrameContext& context, const glm::vec2& offset) {
     if (context.occlusion == nullptr) {
         return;
     }
@@ -44,9 +43,9 @@ void setOcclusion(const gl::Program& program, const FrameContext& context) {
     const glm::vec2 half(0.5f * static_cast<float>(frame.width), 0.5f * static_cast<float>(frame.height));
     program.set("u_nearDepths", kDepthsUnit);
     program.set("u_toView", glm::mat3(frame.camera.view()));
-    program.set("u_nearPlace", glm::vec4(half, occlusion.jitter));
+    program.set("u_nearPlace", glm::vec4(half, offset));
     program.set("u_nearScale", glm::vec4(1.0f / context.pixelsAtOneMetre, context.projection[2][2],
-                                         context.projection[3][2], reachOf(frame)));
+                                         context.projection[3][2], occlusionReach(frame)));
     program.set("u_nearTurn", occlusion.turn);
     glActiveTexture(GL_TEXTURE0 + kDepthsUnit);
     glBindSampler(kDepthsUnit, 0);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/refined_picture.h"
+#include "render/refined/refined_picture.h"
 
 #include <cmath>
 #include <cstdint>
 #include <glm/gtc/constants.hpp>
+
+#include "render/refined/varying_area.h"
 
 namespace hitscope {
 namespace {
@@ -83,6 +85,11 @@ void RefinedPicture::clear() {
     m_hasDepths = false;
 }
 
+void RefinedPicture::begin(const PixelArea& varying) {
+    m_area = m_extent == Extent::Everywhere ? PixelArea{0, 0, m_width, m_height} : varying;
+    m_hasDepths = true;
+}
+
 bool RefinedPicture::prepare(int width, int height) {
     if (width == m_width && height == m_height) {
         return true;
@@ -91,6 +98,9 @@ bool RefinedPicture::prepare(int width, int height) {
     m_colour = makeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height);
     m_depths = makeTexture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, width, height);
     m_sum = makeTexture(GL_RGBA32F, GL_RGBA, GL_FLOAT, width, height);
+    for (gl::Texture& floor : m_floor) {
+        floor = makeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height);
+    }
     glBindTexture(GL_TEXTURE_2D, 0);
     m_sampleDepth = gl::Renderbuffer::make();
     glBindRenderbuffer(GL_RENDERBUFFER, m_sampleDepth.id());
@@ -100,7 +110,11 @@ bool RefinedPicture::prepare(int width, int height) {
     m_sample = makeFramebuffer(m_colour.id(), 0);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, m_sampleDepth.id());
     m_adding = makeFramebuffer(m_sum.id(), 0);
-    const bool made = isComplete(m_plain) && isComplete(m_sample) && isComplete(m_adding);
+    for (std::size_t i = 0; i < m_floor.size(); ++i) {
+        m_drawnFloor[i] = makeFramebuffer(m_floor[i].id(), 0);
+    }
+    const bool made = isComplete(m_plain) && isComplete(m_sample) && isComplete(m_adding) &&
+                      isComplete(m_drawnFloor[0]) && isComplete(m_drawnFloor[1]);
     m_width = made ? width : 0;
     m_height = made ? height : 0;
     return made;
@@ -114,6 +128,7 @@ Status RefinedPicture::add(render::ProgramCache& programs, GLuint emptyArray) {
     const gl::Program& program = *found.value();
     glBindFramebuffer(GL_FRAMEBUFFER, m_adding.id());
     glViewport(0, 0, m_width, m_height);
+    render::limitDrawing(m_area);
     glDisable(GL_DEPTH_TEST);
     if (m_samples > 0) {
         glEnable(GL_BLEND);
@@ -143,20 +158,27 @@ Status RefinedPicture::draw(render::ProgramCache& programs, GLuint emptyArray, b
     const gl::Program& program = *found.value();
     program.use();
     program.set("u_picture", 0);
-    program.set("u_share", 1.0f / static_cast<float>(m_samples));
     program.set("u_depths", 1);
-    for (const int unit : {1, 0}) {
+    const auto bind = [](int unit, const gl::Texture& texture) {
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
         glBindSampler(static_cast<GLuint>(unit), 0);
-        glBindTexture(GL_TEXTURE_2D, unit == 0 ? m_sum.id() : m_depths.id());
-    }
+        glBindTexture(GL_TEXTURE_2D, texture.id());
+    };
+    bind(1, m_depths);
     glDisable(GL_BLEND);
     // Depths are written only where the test is on.
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
     glDepthMask(withDepths ? GL_TRUE : GL_FALSE);
     glBindVertexArray(emptyArray);
+    bind(0, m_colour);
+    program.set("u_share", 1.0f);
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    bind(0, m_sum);
+    program.set("u_share", 1.0f / static_cast<float>(m_samples));
+    render::limitDrawing(m_area);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_SCISSOR_TEST);
     glDepthFunc(GL_LESS);
     glDisable(GL_DEPTH_TEST);
     return Done{};

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/refined/varying_area.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "render/shadow_map.h"
+
+namespace hitscope::render {
+
+namespace {
+
+constexpr float kShadowTexels = 4.0f;     // that a shadow's edge is blurred by
+constexpr float kLowestLight = 0.1f;      // sine of its height; shadows of lower lights reach far
+constexpr float kNearlyWhole = 0.85f;     // of the picture
+constexpr int kMargin = 2;                // pixels: half of one for the samples' own offsets
+constexpr float kLeastClipWidth = 1e-6f;  // of what is in front of the eye
+
+std::array<glm::vec3, 8> cornersOf(const Bounds& box) {
+    std::array<glm::vec3, 8> corners{};
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        corners[i] = {(i & 1) != 0 ? box.max.x : box.min.x, (i & 2) != 0 ? box.max.y : box.min.y,
+                      (i & 4) != 0 ? box.max.z : box.min.z};
+    }
+    return corners;
+}
+
+Bounds grown(const Bounds& box, float by) {
+    return {box.min - glm::vec3(by), box.max + glm::vec3(by)};
+}
+
+/// What is drawn over surfaces, or somewhere else than the pipeline says.
+bool isBeyondTargets(const Frame& frame) {
+    const DisplayOptions& options = frame.options;
+    return !frame.projectiles.empty() || frame.section != nullptr || options.needles || options.dots ||
+           options.wireframe == WireframeMode::Only || options.beforeAfter.wipe ||
+           options.beforeAfter.ghost != GhostMode::Off;
+}
+
+Bounds moved(const Bounds& box, const glm::mat4& to) {
+    Bounds result;
+    for (const glm::vec3& corner : cornersOf(box)) {
+        result.add(glm::vec3(to * glm::vec4(corner, 1.0f)));
+    }
+    return result;
+}
+
+/// The part of the picture that points were seen in.
+class Seen {
+public:
+    explicit Seen(const glm::mat4& viewProjection) : m_viewProjection(viewProjection) {}
+    /// False: some of the box is not in front of the eye.
+    [[nodiscard]] bool add(const Bounds& box) {
+        for (const glm::vec3& corner : cornersOf(box)) {
+            const glm::vec4 clip = m_viewProjection * glm::vec4(corner, 1.0f);
+            if (!(clip.w > kLeastClipWidth)) {
+                return false;
+            }
+            m_bounds.add(glm::vec3(clip) / clip.w);
+        }
+        return true;
+    }
+    [[nodiscard]] PixelArea area(const glm::ivec2& picture) const {
+        if (m_bounds.empty()) {
+            return {};
+        }
+        const glm::vec2 size(picture);
+        const glm::vec2 low = glm::clamp(0.5f * (glm::vec2(m_bounds.min) + 1.0f), 0.0f, 1.0f) * size;
+        const glm::vec2 high = glm::clamp(0.5f * (glm::vec2(m_bounds.max) + 1.0f), 0.0f, 1.0f) * size;
+        const glm::ivec2 first = glm::max(glm::ivec2(glm::floor(low)) - kMargin, glm::ivec2(0));
+        const glm::ivec2 last = glm::min(glm::ivec2(glm::ceil(high)) + kMargin, picture);
+        return {first.x, first.y, last.x - first.x, last.y - first.y};
+    }
+
+private:
+    glm::mat4 m_viewProjection;
+    Bounds m_bounds;
+};
+
+/// Where on the floor the box's shadow falls; nothing: that is far away.
+std::optional<Bounds> shadowOf(const Bounds& box, const FrameContext& context, float lightRadius,
+                               float texel) {
+    const glm::vec3& given = context.frame.lights.directional.direction;
+    const float length = glm::length(given);
+    if (!(length > 1.0e-6f) || !(-given.y > kLowestLight * length)) {
+        return std::nullopt;
+    }
+    const glm::vec3 down = given / -given.y;
+    const float floor = context.frame.floorHeight;
+    Bounds shadow;
+    float highest = 0.0f;
+    for (const glm::vec3& corner : cornersOf(box)) {
+        const float height = std::max(corner.y - floor, 0.0f);
+        highest = std::max(highest, height);
+        const glm::vec3 at = corner + height * down;
+        shadow.add({at.x, floor, at.z});
+    }
+    // The light's edge is lightRadius off for each metre along its way, which the floor cuts aslant.
+    const float way = highest * glm::length(down);
+    const glm::vec3 more(way * lightRadius * 2.0f * glm::length(down) + kShadowTexels * texel);
+    return Bounds{shadow.min - glm::vec3(more.x, 0.0f, more.z), shadow.max + glm::vec3(more.x, 0.0f, more.z)};
+}
+
+/// Of one target's cluster; false: what it reaches may be anywhere.
+bool seeCluster(Seen& seen, const Bounds& box, const FrameContext& context, float lightRadius, float texel) {
+    if (!seen.add(grown(box, occlusionReach(context.frame)))) {
+        return false;
+    }
+    if (!ShadowMap::isWanted(context.frame) || !context.frame.options.floor) {
+        return true;
+    }
+    const std::optional<Bounds> shadow = shadowOf(box, context, lightRadius, texel);
+    return shadow && seen.add(*shadow);
+}
+
+bool seeTargets(Seen& seen, const FrameContext& context, const DeformationPipeline& pipeline,
+                float lightRadius) {
+    const Frame& frame = context.frame;
+    Bounds all;
+    for (const DrawItem& item : frame.targets) {
+        all.add(worldBounds(item));
+    }
+    const float texel = all.diagonal() / static_cast<float>(ShadowMap::kSoftwareSize);
+    for (const DrawItem& item : frame.targets) {
+        const std::optional<ClusterBoxes> boxes = clusterBoxesOf(item, frame, pipeline);
+        if (!boxes) {
+            return false;
+        }
+        for (std::size_t i = 0; i < item.buffers->clusters().size(); ++i) {
+            const Bounds box = boxes->of(i);
+            if (!box.empty() && !seeCluster(seen, moved(box, item.model), context, lightRadius, texel)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+void limitDrawing(const PixelArea& area) {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(area.x, area.y, area.width, area.height);
+}
+
+PixelArea varyingArea(const FrameContext& context, const DeformationPipeline& pipeline, float lightRadius) {
+    const glm::ivec2 picture(context.frame.width, context.frame.height);
+    const PixelArea whole{0, 0, picture.x, picture.y};
+    Seen seen(context.steadyViewProjection);
+    if (isBeyondTargets(context.frame) || !seeTargets(seen, context, pipeline, lightRadius)) {
+        return whole;
+    }
+    const PixelArea area = seen.area(picture);
+    const double share = (1.0 * area.width * area.height) / (1.0 * picture.x * picture.y);
+    return share > kNearlyWhole ? whole : area;
+}
+
+}  // namespace hitscope::render
