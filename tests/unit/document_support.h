@@ -41,6 +41,14 @@ inline SessionDocument exampleDocument() {
     primitive.name = QStringLiteral("Torus");
     primitive.source.mesh = Primitive{PrimitiveKind::Torus, 60, 2.5f};
     primitive.physics = {true, 12.0f, 0.5f, 0.25f};
+    primitive.steps = {
+        RefineOptions{.method = RefineMethod::LongestEdge,
+                      .edgeLength = 0.3f,
+                      .keepQuads = false,
+                      .region = {MeshRegion::Kind::Balls, {}, {{{0.1f, -2.0f, 3.0f}, 1.0f / 3.0f}}}},
+        MergedHits{{exampleHit(7, 0.25f)}},
+        SimplifyOptions{.share = 0.7f, .region = {MeshRegion::Kind::Vertices, {3, 4, 4'000'000'000}, {}}},
+        SmoothOptions{.passes = 7, .keepBorders = false, .region = {}}};
     SavedTarget builtIn;
     builtIn.id = TargetId{3};
     builtIn.source.mesh = BuiltInMesh::HighPolySphere;

@@ -24,8 +24,8 @@ private Q_SLOTS:
 };
 
 void MemoryTest::freedBlocksStayWithTheLibrary() {
-#ifdef HITSCOPE_ADDRESS_SANITIZER
-    QSKIP("The address sanitizer has a malloc of its own.");
+#ifdef HITSCOPE_SANITIZED
+    QSKIP("The sanitizers have a malloc of their own.");
 #endif
 #ifdef __GLIBC__
     constexpr std::size_t kBlock = 64 << 10;
@@ -44,8 +44,8 @@ void MemoryTest::freedBlocksStayWithTheLibrary() {
 
 /// A hundred thousand shots: in the history, in the steps to undo, and for what shots strike.
 void MemoryTest::hitsAndTheirStepsAreSmall() {
-#ifdef HITSCOPE_ADDRESS_SANITIZER
-    QSKIP("The address sanitizer has a malloc of its own.");
+#ifdef HITSCOPE_SANITIZED
+    QSKIP("The sanitizers have a malloc of their own.");
 #endif
 #ifdef __GLIBC__
     constexpr std::size_t kHits = 100'000;

@@ -10,6 +10,7 @@
 #include "document/session_journal.h"
 #include "document_support.h"
 #include "io_support.h"
+#include "session/mesh_steps/mesh_edit.h"
 #include "session/primitive_target.h"
 #include "session/session.h"
 #include "session/vertex_selection.h"
@@ -56,6 +57,7 @@ private Q_SLOTS:
     void beginsWithTheFirstHit();
     void followsWhatAPersonDoes();
     void anotherScene();
+    void otherMeshes();
     void targetsComeBeforeTheirHits();
     void endsInOrder();
     void longHistories();
@@ -233,6 +235,36 @@ void SessionJournalTest::anotherScene() {
         m_session->redo();
     }
     compare();
+}
+
+/// A target whose mesh was refined, simplified or given its dents is another target, with the same hits.
+void SessionJournalTest::otherMeshes() {
+    const auto edit = [this](const MeshStep& step, bool appliesHits) {
+        const Target& target = *m_session->targets()[0];
+        MeshEdit what = meshEdit(*m_session, target.id, step);
+        what.appliesHits = appliesHits;
+        Result<EditedMesh> made = edited(*target.shape.mesh, what);
+        QVERIFY2(made.ok(), qPrintable(messageOf(made)));
+        QVERIFY(takeEdited(*m_session, stateWith(target, std::move(made).value()), what).ok());
+    };
+    QVERIFY(m_session->hits().add(hitOn(*m_session, 0, 0.1f)).ok());
+    edit(RefineOptions{.method = RefineMethod::Midpoint, .edgeLength = 0.2f, .keepQuads = true, .region = {}},
+         false);
+    compare();
+    QVERIFY(m_session->hits().add(hitOn(*m_session, 0, 0.2f)).ok());
+    edit(SimplifyOptions{.share = 0.5f, .region = {}}, true);
+    compare();
+    QCOMPARE(m_session->targets()[0]->steps.size(), std::size_t(3));
+    QVERIFY(m_session->hits().add(hitOn(*m_session, 0, 0.3f)).ok());
+    compare();
+    while (m_session->steps().canUndo()) {
+        m_session->undo();
+        compare();
+    }
+    while (m_session->steps().canRedo()) {
+        m_session->redo();
+        compare();
+    }
 }
 
 /// At no moment are there hits on a target that the journal does not know yet.
