@@ -78,7 +78,7 @@ private Q_SLOTS:
                                 session.settings().pipeline() == PipelineKind::UniformArrayCulled);
             QCOMPARE(session.readBack().droppedHits() > 0, drops);
             agreement.compare();
-            QTRY_VERIFY(agreement.report() && !agreement.isComparing());
+            QTRY_VERIFY_WITH_TIMEOUT(agreement.report() && !agreement.isComparing(), kPatience);
             QCOMPARE(agreement.report()->different, std::size_t{0});
             QCOMPARE(agreement.report()->later, all - shown.value_or(all));
             QCOMPARE(agreement.report()->hits, shown.value_or(all) - session.readBack().droppedHits());
@@ -87,7 +87,7 @@ private Q_SLOTS:
             for (std::size_t row = 0; row < all; ++row) {
                 QCOMPARE(effects.effect(row).has_value(), session.hits().isApplied(row));
             }
-            QTRY_VERIFY(measuring.isUpToDate());
+            QTRY_VERIFY_WITH_TIMEOUT(measuring.isUpToDate(), kPatience);
             for (const HarmRow& harm : measuring.measurement()->harms) {
                 QVERIFY(harm.hit && session.hits().isApplied(*harm.hit));
             }

@@ -15,8 +15,6 @@ namespace hitscope::cost_measurement_test {
 
 namespace {
 
-constexpr int kPatience = 60'000;  // milliseconds
-
 CostPlan smallPlan() {
     CostPlan plan;
     plan.width = 64;

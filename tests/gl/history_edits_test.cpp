@@ -15,8 +15,6 @@ using namespace test;
 
 namespace {
 
-constexpr int kPatience = 60'000;  // milliseconds: a renderer may take its time
-
 /// Makes random edits of a history: hits added, taken out, moved, disabled, given other constants, undone.
 class Editor {
 public:

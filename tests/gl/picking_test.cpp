@@ -148,7 +148,7 @@ private Q_SLOTS:
             QVERIFY(m_picker->request(view, at).ok());
             QVERIFY(m_picker->isPending());
             std::optional<std::optional<VertexRef>> later;
-            QTRY_VERIFY(later || (later = m_picker->arrived()).has_value());
+            QTRY_VERIFY_WITH_TIMEOUT(later || (later = m_picker->arrived()).has_value(), kPatience);
             QVERIFY(!m_picker->isPending());
             QCOMPARE(*later, now.value());
             QVERIFY(!m_picker->arrived().has_value());

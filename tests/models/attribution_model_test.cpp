@@ -80,12 +80,12 @@ private Q_SLOTS:
         const std::size_t disabled = row(0).hit;
         m_session->hits().setEnabled({&disabled, 1}, false);
         readBack(*m_session);
-        QTRY_VERIFY(m_model->rowCount() == 0 || row(0).hit != disabled);
+        QTRY_VERIFY_WITH_TIMEOUT(m_model->rowCount() == 0 || row(0).hit != disabled, kPatience);
         QVERIFY(m_model->isBuffers());
         m_session->undo();
         m_session->undo();
         readBack(*m_session);
-        QTRY_VERIFY(m_model->rowCount() == before && m_model->isBuffers());
+        QTRY_VERIFY_WITH_TIMEOUT(m_model->rowCount() == before && m_model->isBuffers(), kPatience);
     }
 
     void leavesOutWhatThePipelineDropped() {
@@ -102,7 +102,7 @@ private Q_SLOTS:
         test::readBackOf(*m_session).setCapacity(report);
         test::readBackOf(*m_session).restart();
         readBack(*m_session);
-        QTRY_COMPARE(m_model->rowCount() == before, false);
+        QTRY_COMPARE_WITH_TIMEOUT(m_model->rowCount() == before, false, kPatience);
         QVERIFY(m_model->rowCount() == 0 || row(0).hit > first);
         QVERIFY(m_model->isBuffers());
         QVERIFY(m_model->summary().contains(m_model->rowCount() == 0 ? QStringLiteral("No hit")
@@ -117,17 +117,17 @@ private Q_SLOTS:
         const std::size_t first = row(0).hit;
         m_session->hits().show(first);
         readBack(*m_session);
-        QTRY_COMPARE(m_model->rowCount(), 0);
+        QTRY_COMPARE_WITH_TIMEOUT(m_model->rowCount(), 0, kPatience);
         QVERIFY(m_model->isBuffers());
         m_session->hits().show(first + 1);
-        QTRY_COMPARE(m_model->rowCount(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(m_model->rowCount(), 1, kPatience);
         QVERIFY(!m_model->isBuffers());
         QVERIFY(m_model->summary().contains(QStringLiteral("not been read back yet")));
         readBack(*m_session);
         QVERIFY(m_model->isBuffers());
         m_session->hits().show(std::nullopt);
         readBack(*m_session);
-        QTRY_COMPARE(m_model->rowCount(), all);
+        QTRY_COMPARE_WITH_TIMEOUT(m_model->rowCount(), all, kPatience);
         QVERIFY(m_model->isBuffers());
     }
 

@@ -97,7 +97,7 @@ private Q_SLOTS:
         m_list->setFilter({{}, m_session->targets()[0]->id, true});
         QCOMPARE(listed(), (std::vector<int>{1, 7, 10, 13}));
         m_session->hits().setEnabled(std::array<std::size_t, 1>{6}, false);
-        QTRY_COMPARE(listed(), (std::vector<int>{1, 10, 13}));
+        QTRY_COMPARE_WITH_TIMEOUT(listed(), (std::vector<int>{1, 10, 13}), kPatience);
         m_list->setFilter({});
         QCOMPARE(m_list->rowCount(), 14);
     }
@@ -113,7 +113,7 @@ private Q_SLOTS:
         m_list->sort(HitHistoryModel::SpeedColumn, Qt::DescendingOrder);
         QCOMPARE(listed(), (std::vector<int>{1, 3, 2, 4}));
         add(0, 2.5f);
-        QTRY_COMPARE(listed(), (std::vector<int>{1, 5, 3, 2, 4}));
+        QTRY_COMPARE_WITH_TIMEOUT(listed(), (std::vector<int>{1, 5, 3, 2, 4}), kPatience);
         m_list->sort(HitHistoryModel::NumberColumn, Qt::DescendingOrder);
         QCOMPARE(listed(), (std::vector<int>{5, 4, 3, 2, 1}));
         m_list->sort(-1, Qt::AscendingOrder);
@@ -121,7 +121,7 @@ private Q_SLOTS:
         QVERIFY(m_list->index(0, 0).flags().testFlag(Qt::ItemIsDragEnabled));
         m_list->sort(HitHistoryModel::AffectedColumn, Qt::DescendingOrder);
         m_effects->finish();
-        QTRY_VERIFY(m_list->isSettled());
+        QTRY_VERIFY_WITH_TIMEOUT(m_list->isSettled(), kPatience);
         std::uint32_t last = 0xffffffffu;
         for (const int number : listed()) {
             const std::uint32_t affected = m_effects->effect(static_cast<std::size_t>(number) - 1)->affected;
@@ -141,7 +141,7 @@ private Q_SLOTS:
         QVERIFY(m_session->hits().add(hits).ok());
         m_list->sort(HitHistoryModel::SpeedColumn, Qt::AscendingOrder);
         QVERIFY(!m_list->isSettled());
-        QTRY_VERIFY(m_list->isSettled());
+        QTRY_VERIFY_WITH_TIMEOUT(m_list->isSettled(), kPatience);
         float last = -1.0f;
         for (const int number : listed()) {
             const float speed =
@@ -153,7 +153,7 @@ private Q_SLOTS:
         // Of a sorting that is under way when the rows change nothing comes.
         m_list->sort(HitHistoryModel::SpeedColumn, Qt::DescendingOrder);
         m_session->hits().clear();
-        QTRY_VERIFY(m_list->isSettled());
+        QTRY_VERIFY_WITH_TIMEOUT(m_list->isSettled(), kPatience);
         QTest::qWait(50);
         QCOMPARE(m_list->rowCount(), 0);
     }
@@ -250,9 +250,10 @@ private Q_SLOTS:
                     break;
             }
         }
-        QTRY_VERIFY(m_list->isSettled());
+        QTRY_VERIFY_WITH_TIMEOUT(m_list->isSettled(), kPatience);
         m_list->setFilter({});
-        QTRY_COMPARE(static_cast<std::size_t>(m_list->rowCount()), m_session->hits().history().size());
+        QTRY_COMPARE_WITH_TIMEOUT(static_cast<std::size_t>(m_list->rowCount()),
+                                  m_session->hits().history().size(), kPatience);
     }
 };
 

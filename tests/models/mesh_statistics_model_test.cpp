@@ -76,7 +76,8 @@ void MeshStatisticsModelTest::describesTheOriginal() {
     Model model(session);
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     QCOMPARE(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("…"));
-    QTRY_COMPARE(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("386"));
+    QTRY_COMPARE_WITH_TIMEOUT(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("386"),
+                              kPatience);
     QCOMPARE(cell(model, "vertices", Model::PropertyColumn), QStringLiteral("Vertices"));
     QCOMPARE(cell(model, "displacement_rms", Model::PropertyColumn), QStringLiteral("RMS"));
     QCOMPARE(cell(model, "faces", Model::OriginalColumn), QStringLiteral("384"));
@@ -103,7 +104,8 @@ void MeshStatisticsModelTest::followsHitsAndUndo() {
     loadMesh(session, makeHighPolyCube(2.5f));
     Model model(session);
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
-    QTRY_COMPARE(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("6,146"));
+    QTRY_COMPARE_WITH_TIMEOUT(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("6,146"),
+                              kPatience);
 
     QVERIFY(session.hits().add(hitOn(*session.targets().front())).ok());
     applyOnCpu(session);
@@ -113,14 +115,16 @@ void MeshStatisticsModelTest::followsHitsAndUndo() {
         within += way.x * way.x + way.y * way.y + way.z * way.z <= 0.25f ? 1 : 0;
     }
     QVERIFY(within > 20);
-    QTRY_COMPARE(cell(model, "changed_vertices", Model::DeformedColumn), QString::number(within));
+    QTRY_COMPARE_WITH_TIMEOUT(cell(model, "changed_vertices", Model::DeformedColumn), QString::number(within),
+                              kPatience);
     QCOMPARE(cell(model, "displacement_max", Model::DeformedColumn), QStringLiteral("0.30000"));
     QVERIFY(value(model, "volume", Model::ChangeColumn) < 0.0);
     QVERIFY(cell(model, "surface_area", Model::ChangeColumn).startsWith(u'+'));
 
     session.undo();
     applyOnCpu(session);
-    QTRY_COMPARE(cell(model, "changed_vertices", Model::DeformedColumn), QStringLiteral("0"));
+    QTRY_COMPARE_WITH_TIMEOUT(cell(model, "changed_vertices", Model::DeformedColumn), QStringLiteral("0"),
+                              kPatience);
     QCOMPARE(value(model, "volume", Model::ChangeColumn), 0.0);
 }
 
@@ -149,11 +153,12 @@ void MeshStatisticsModelTest::staysConsistentWhileHitsStreamIn() {
         QTest::qWait(5);
     }
     Model fresh(session);
-    QTRY_VERIFY(fresh.measuring().measurement());
-    QTRY_VERIFY(model.measuring().measurement() &&
-                model.measuring().measurement()->deformed == fresh.measuring().measurement()->deformed);
+    QTRY_VERIFY_WITH_TIMEOUT(fresh.measuring().measurement(), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(model.measuring().measurement() && model.measuring().measurement()->deformed ==
+                                                                    fresh.measuring().measurement()->deformed,
+                             kPatience);
     QVERIFY(model.measuring().measurement()->displacement == fresh.measuring().measurement()->displacement);
-    QTRY_COMPARE(health.found(), fresh.measuring().measurement()->harmsFound);
+    QTRY_COMPARE_WITH_TIMEOUT(health.found(), fresh.measuring().measurement()->harmsFound, kPatience);
     QVERIFY(health.rowCount() > 0);
 }
 
@@ -172,7 +177,7 @@ void MeshStatisticsModelTest::followsTheTargetInFocus() {
     QCOMPARE(changed.size(), 1);
     const QString vertices =
         QLocale(QLocale::English).toString(qulonglong(other.deformed.original().vertexCount()));
-    QTRY_COMPARE(cell(model, "vertices", Model::OriginalColumn), vertices);
+    QTRY_COMPARE_WITH_TIMEOUT(cell(model, "vertices", Model::OriginalColumn), vertices, kPatience);
 
     QVERIFY(session.hits().add(hitOn(*session.targets()[4])).ok());
     session.targets().select({});
@@ -195,7 +200,8 @@ void MeshStatisticsModelTest::addsUpAllTargets() {
     Model model(session);
     model.setShowsAll(true);
     QCOMPARE(model.shownTarget(), TargetId{});
-    QTRY_COMPARE(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("772"));
+    QTRY_COMPARE_WITH_TIMEOUT(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("772"),
+                              kPatience);
     QCOMPARE(cell(model, "components", Model::OriginalColumn), QStringLiteral("2"));
     QVERIFY(std::abs(value(model, "volume", Model::OriginalColumn) - (8.0 + 64.0)) < 1e-6);
     QVERIFY(std::abs(value(model, "surface_area", Model::DeformedColumn) - (24.0 + 96.0)) < 1e-6);
@@ -205,9 +211,12 @@ void MeshStatisticsModelTest::addsUpAllTargets() {
     // A target that is moved takes the box along.
     turned.position.x = 20.0f;
     QVERIFY(session.targets().setTransform(session.targets()[1]->id, turned));
-    QTRY_VERIFY(std::abs(value(model, "box_max_x", Model::DeformedColumn) - (20.0 + std::sqrt(8.0))) < 1e-5);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        std::abs(value(model, "box_max_x", Model::DeformedColumn) - (20.0 + std::sqrt(8.0))) < 1e-5,
+        kPatience);
     session.targets().remove(std::vector<TargetId>{session.targets()[1]->id});
-    QTRY_COMPARE(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("386"));
+    QTRY_COMPARE_WITH_TIMEOUT(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("386"),
+                              kPatience);
 }
 
 /// Of a cube whose vertices are split along every edge, as files with seams have it.
@@ -222,7 +231,8 @@ void MeshStatisticsModelTest::sharesItsNumbersWithTheCommandLine() {
     Session session;
     loadMesh(session, split);
     Model model(session);
-    QTRY_COMPARE(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("1,536"));
+    QTRY_COMPARE_WITH_TIMEOUT(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("1,536"),
+                              kPatience);
     QCOMPARE(cell(model, "components", Model::OriginalColumn), QStringLiteral("1"));
     QCOMPARE(cell(model, "watertight", Model::OriginalColumn), QStringLiteral("yes"));
     const MeshMeasurement measurement = measure(std::make_shared<const MeshData>(split));
@@ -243,7 +253,8 @@ void MeshStatisticsModelTest::saysWhyThereIsNoVolume() {
     Session session;
     loadMesh(session, mesh);
     const Model model(session);
-    QTRY_COMPARE(cell(model, "volume", Model::OriginalColumn), QStringLiteral("open"));
+    QTRY_COMPARE_WITH_TIMEOUT(cell(model, "volume", Model::OriginalColumn), QStringLiteral("open"),
+                              kPatience);
     QVERIFY(model.find("volume", Model::OriginalColumn)
                 .data(Qt::ToolTipRole)
                 .toString()
@@ -258,7 +269,7 @@ void MeshStatisticsModelTest::saysWhyThereIsNoVolume() {
     fan.faceStarts = {0, 3, 6, 9};
     fan.cornerVertices = {0, 1, 2, 0, 1, 3, 0, 1, 4};
     loadMesh(session, fan);
-    QTRY_COMPARE(cell(model, "genus", Model::OriginalColumn), QStringLiteral("n/a"));
+    QTRY_COMPARE_WITH_TIMEOUT(cell(model, "genus", Model::OriginalColumn), QStringLiteral("n/a"), kPatience);
     QVERIFY(model.find("genus", 0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("Not defined")));
     QCOMPARE(cell(model, "non_manifold_edges", Model::OriginalColumn), QStringLiteral("1"));
 }
@@ -267,7 +278,7 @@ void MeshStatisticsModelTest::measuresOnlyWhileLookedAt() {
     Session session;
     loadMesh(session, makeHighPolyCube(2.5f));
     Model model(session);
-    QTRY_VERIFY(model.measuring().measurement());
+    QTRY_VERIFY_WITH_TIMEOUT(model.measuring().measurement(), kPatience);
     model.measuring().setActive(false);
     const QSignalSpy measured(&model.measuring(), &MeshMeasuring::measured);
     QVERIFY(session.hits().add(hitOn(*session.targets().front())).ok());
@@ -275,19 +286,20 @@ void MeshStatisticsModelTest::measuresOnlyWhileLookedAt() {
     QTest::qWait(400);
     QCOMPARE(measured.size(), 0);
     model.measuring().setActive(true);
-    QTRY_VERIFY(value(model, "volume", Model::ChangeColumn) < 0.0);
+    QTRY_VERIFY_WITH_TIMEOUT(value(model, "volume", Model::ChangeColumn) < 0.0, kPatience);
     // A scene that goes while it is measured takes nothing with it.
     loadMesh(session, makeHighPolyCube(3.0f));
     QTest::qWait(1);
     loadMesh(session, makeLowPolyCube(1.0f));
-    QTRY_COMPARE(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("386"));
+    QTRY_COMPARE_WITH_TIMEOUT(cell(model, "vertices", Model::OriginalColumn), QStringLiteral("386"),
+                              kPatience);
 }
 
 void MeshStatisticsModelTest::reportsAreWhatIsShown() {
     Session session;
     loadMesh(session, makeLowPolyCube(2.5f));
     Model model(session);
-    QTRY_VERIFY(model.measuring().measurement());
+    QTRY_VERIFY_WITH_TIMEOUT(model.measuring().measurement(), kPatience);
     const MeshMeasurement& measurement = *model.measuring().measurement();
     const QString csv = statisticsAsCsv(measurement);
     QCOMPARE(csv.count(QStringLiteral("\r\n")), static_cast<qsizetype>(statisticsRows().size()) + 1);
@@ -321,7 +333,7 @@ void MeshStatisticsModelTest::listsHarmedFacesAndTheirHits() {
     model.measuring().setStretchLimit(1.15f);
     MeshHealthModel health(session, model.measuring());
     const QAbstractItemModelTester tester(&health, QAbstractItemModelTester::FailureReportingMode::QtTest);
-    QTRY_VERIFY(health.rowCount() > 0);
+    QTRY_VERIFY_WITH_TIMEOUT(health.rowCount() > 0, kPatience);
     for (int row = 0; row < health.rowCount(); ++row) {
         QCOMPARE(health.harmAt(row).hit, std::optional<std::size_t>(1));
         QCOMPARE(health.index(row, MeshHealthModel::HitColumn).data().toString(), QStringLiteral("2"));
@@ -330,10 +342,10 @@ void MeshStatisticsModelTest::listsHarmedFacesAndTheirHits() {
     }
     const int before = health.rowCount();
     model.measuring().setStretchLimit(1.01f);
-    QTRY_VERIFY(health.rowCount() > before);
+    QTRY_VERIFY_WITH_TIMEOUT(health.rowCount() > before, kPatience);
     session.undo();
     applyOnCpu(session);
-    QTRY_COMPARE(health.rowCount(), 0);
+    QTRY_COMPARE_WITH_TIMEOUT(health.rowCount(), 0, kPatience);
 }
 
 HITSCOPE_TEST(MeshStatisticsModelTest, QCoreApplication)

@@ -16,9 +16,6 @@ namespace hitscope::pipeline_agreement_test {
 
 namespace {
 
-constexpr int kPatience =
-    30'000;  // milliseconds: after a slow comparison the next one waits four times as long
-
 Hit hitAt(const Target& target, float angle) {
     Hit hit;
     hit.target = target.id;
@@ -54,7 +51,7 @@ private Q_SLOTS:
         readBack(session);
         agreement.compare();
         QVERIFY(agreement.isComparing());
-        QTRY_VERIFY(agreement.report());
+        QTRY_VERIFY_WITH_TIMEOUT(agreement.report(), kPatience);
         QCOMPARE(agreement.report()->different, std::size_t{0});
         QCOMPARE(agreement.report()->largest, 0.0);
         QCOMPARE(agreement.report()->vertices, target.deformed.original().vertexCount());
@@ -70,7 +67,7 @@ private Q_SLOTS:
         readBack(session);
         PipelineAgreement agreement(session);
         agreement.compare();
-        QTRY_VERIFY(agreement.report());
+        QTRY_VERIFY_WITH_TIMEOUT(agreement.report(), kPatience);
 
         constexpr std::uint32_t kDisturbed = 1234;
         DynamicVertex vertex = target.deformed.vertices()[kDisturbed];
@@ -78,7 +75,7 @@ private Q_SLOTS:
         test::readBackOf(session).take(target.id, kDisturbed, {&vertex, 1});
         test::readBackOf(session).finish();
         agreement.compare();
-        QTRY_COMPARE(agreement.report()->different, std::size_t{1});
+        QTRY_COMPARE_WITH_TIMEOUT(agreement.report()->different, std::size_t{1}, kPatience);
         QVERIFY(std::abs(agreement.report()->largest - 0.25) < 1e-6);
         const double count = static_cast<double>(agreement.report()->vertices);
         QVERIFY(std::abs(agreement.report()->rootMeanSquare - 0.25 / std::sqrt(count)) < 1e-7);
@@ -86,7 +83,7 @@ private Q_SLOTS:
         QCOMPARE(agreement.report()->worst->target, target.id);
         readBack(session);
         agreement.compare();
-        QTRY_COMPARE(agreement.report()->different, std::size_t{0});
+        QTRY_COMPARE_WITH_TIMEOUT(agreement.report()->different, std::size_t{0}, kPatience);
     }
 
     void followsContinuouslyThroughEdits() {
@@ -125,12 +122,12 @@ private Q_SLOTS:
         test::readBackOf(session).setCapacity(report);
         PipelineAgreement agreement(session);
         agreement.compare();
-        QTRY_VERIFY(agreement.report());
+        QTRY_VERIFY_WITH_TIMEOUT(agreement.report(), kPatience);
         QCOMPARE(agreement.report()->different, std::size_t{0});
         QCOMPARE(agreement.report()->dropped, std::size_t{1});
         test::readBackOf(session).setCapacity({});
         agreement.compare();
-        QTRY_VERIFY(agreement.report()->different > 0);
+        QTRY_VERIFY_WITH_TIMEOUT(agreement.report()->different > 0, kPatience);
     }
 };
 

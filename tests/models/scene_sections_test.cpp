@@ -18,7 +18,6 @@ namespace hitscope::scene_sections_test {
 
 namespace {
 
-constexpr int kPatience = 30'000;  // milliseconds
 constexpr float kRadius = 2.5f;
 
 /// What a faultless pipeline would deliver.

@@ -168,7 +168,7 @@ private Q_SLOTS:
             }
         }
         QVERIFY(!moved.empty());
-        QTRY_COMPARE(m_model->rowCount(), static_cast<int>(moved.size()));
+        QTRY_COMPARE_WITH_TIMEOUT(m_model->rowCount(), static_cast<int>(moved.size()), kPatience);
         for (int row = 0; row < m_model->rowCount(); ++row) {
             QVERIFY(moved.contains(m_model->vertexAt(row)));
         }

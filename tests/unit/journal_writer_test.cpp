@@ -25,8 +25,6 @@ using namespace test;
 
 namespace {
 
-constexpr int kPatience = 30'000;  // milliseconds
-
 RecoveredJournal recovered(const QString& path) {
     const Result<RecoveredJournal> read = readJournal(QByteArray::fromStdString(readFile(path)));
     if (!read) {

@@ -22,8 +22,6 @@ using namespace test;
 
 namespace {
 
-constexpr int kPatience = 30'000;  // milliseconds
-
 Hit hitOn(const Session& session, std::size_t target, float x) {
     return exampleHit(session.targets()[target]->id.value, x);
 }

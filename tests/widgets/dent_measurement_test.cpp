@@ -24,8 +24,6 @@ namespace hitscope::dent_measurement_test {
 
 namespace {
 
-constexpr int kPatience = 30'000;  // milliseconds
-
 /// What a pipeline would have read back.
 void applyHits(Session& session) {
     const Target& target = *session.targets().front();

@@ -28,8 +28,6 @@ namespace hitscope::frame_rate_test {
 
 namespace {
 
-constexpr int kPatience = 60'000;  // milliseconds
-
 /// Of two that were asked for: none of a pipeline that this renderer cannot run.
 std::size_t pointsOf(PipelineKind pipeline) {
     const auto context = gl::OffscreenContext::create();
@@ -101,7 +99,7 @@ void FrameRateTest::readsOut() {
         addFrame(*m_session, 0.02);
     }
     addFrame(*m_session, 0.08);
-    QTRY_COMPARE(child<QLabel>("worst")->text(), QStringLiteral("80.0 ms"));
+    QTRY_COMPARE_WITH_TIMEOUT(child<QLabel>("worst")->text(), QStringLiteral("80.0 ms"), kPatience);
     QCOMPARE(child<QLabel>("median")->text(), QStringLiteral("20.0 ms"));
     QCOMPARE(child<QLabel>("mean")->text(), QStringLiteral("20.3 ms"));
     QCOMPARE(child<QLabel>("percentile99")->text(), QStringLiteral("20.0 ms"));
@@ -147,7 +145,7 @@ void FrameRateTest::dragGoesBack() {
     const QPoint middle = plot()->rect().center();
     QTest::mousePress(plot(), Qt::LeftButton, {}, middle);
     QTest::mouseMove(plot(), middle + QPoint(40, 0));
-    QTRY_VERIFY(m_panel->graph().isPaused());
+    QTRY_VERIFY_WITH_TIMEOUT(m_panel->graph().isPaused(), kPatience);
     QVERIFY(child<QToolButton>("pause")->isChecked());
     QTest::mouseRelease(plot(), Qt::LeftButton, {}, middle + QPoint(40, 0));
     QTest::keyClick(plot(), Qt::Key_Home);
@@ -160,7 +158,7 @@ void FrameRateTest::pointingReadsAFrame() {
     addFrame(*m_session, 0.04, 3);
     m_panel->graph().setPaused(true);
     QTest::mouseMove(plot(), QPoint(plot()->width() - 12, plot()->height() / 2));
-    QTRY_VERIFY(m_panel->graph().hovered().has_value());
+    QTRY_VERIFY_WITH_TIMEOUT(m_panel->graph().hovered().has_value(), kPatience);
     const FrameCost read = *m_panel->graph().hovered();
     QCOMPARE(read.total, 0.04);
     const QString words = m_panel->graph().describe(read);
@@ -168,7 +166,7 @@ void FrameRateTest::pointingReadsAFrame() {
     QVERIFY2(words.contains(QStringLiteral("CPU 15.00 ms, GPU –")), qPrintable(words));
     QVERIFY2(words.contains(QStringLiteral("Hits that arrived: 3")), qPrintable(words));
     QTest::mouseMove(m_panel.get(), QPoint(2, 2));
-    QTRY_VERIFY(!m_panel->graph().hovered());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_panel->graph().hovered(), kPatience);
 }
 
 void FrameRateTest::curvesAreSwitchedAndRemembered() {
@@ -200,7 +198,7 @@ void FrameRateTest::narrowDocksWrap() {
     m_panel->resize(260, 400);
     for (int i = 0; i < FrameGraph::CurveCount; ++i) {
         const auto* curve = m_panel->findChild<QToolButton*>(QStringLiteral("curve%1").arg(i));
-        QTRY_VERIFY(curve->geometry().right() < 260);
+        QTRY_VERIFY_WITH_TIMEOUT(curve->geometry().right() < 260, kPatience);
         QVERIFY(curve->width() >
                 curve->fontMetrics().horizontalAdvance(curve->text()) + curve->iconSize().width());
     }
@@ -216,7 +214,7 @@ void FrameRateTest::plotsFollowThePalette() {
         tabs->setCurrentIndex(tab);
         auto* shown = tabs->currentWidget()->findChild<QWidget*>(QStringLiteral("plot"));
         const auto corner = [shown] { return shown->grab().toImage().pixelColor(1, 1); };
-        QTRY_COMPARE(corner(), QColor(20, 30, 40));
+        QTRY_COMPARE_WITH_TIMEOUT(corner(), QColor(20, 30, 40), kPatience);
     }
     QGuiApplication::setPalette(before);
 }

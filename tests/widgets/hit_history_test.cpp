@@ -168,7 +168,8 @@ void HitHistoryTest::contextMenuActs() {
     // The menu runs an event loop of its own.
     QTimer::singleShot(0, this, [] {
         QMenu* menu = nullptr;
-        QTRY_VERIFY((menu = qobject_cast<QMenu*>(QApplication::activePopupWidget())) != nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT((menu = qobject_cast<QMenu*>(QApplication::activePopupWidget())) != nullptr,
+                                 kPatience);
         for (QAction* action : menu->actions()) {
             if (action->text() == QStringLiteral("Disable")) {
                 // By key: Qt 6.8 passes over a click right after the menu has opened.
@@ -182,7 +183,7 @@ void HitHistoryTest::contextMenuActs() {
     QContextMenuEvent event(QContextMenuEvent::Mouse, row(3).center(),
                             m_table->viewport()->mapToGlobal(row(3).center()));
     QCoreApplication::sendEvent(m_table->viewport(), &event);
-    QTRY_COMPARE(m_session->hits().disabled(), std::size_t{1});
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().disabled(), std::size_t{1}, kPatience);
     QVERIFY(!m_session->hits().history().hits()[3].enabled);
     QVERIFY(action(QStringLiteral("Disable")) == nullptr);
     action(QStringLiteral("Enable"))->trigger();
@@ -214,7 +215,7 @@ void HitHistoryTest::drag(const QPoint& from, const QPoint& to) {
     };
     QTest::mousePress(window, Qt::LeftButton, {}, inWindow(from));
     QTimer::singleShot(30, this, act);
-    QTRY_VERIFY(done > kSteps);
+    QTRY_VERIFY_WITH_TIMEOUT(done > kSteps, kPatience);
     QTest::qWait(200);
 }
 

@@ -129,7 +129,7 @@ void ScenePanelTest::nameIsEditedInPlace() {
     QVERIFY(editor != nullptr);
     QTest::keyClicks(editor, QStringLiteral("Bonnet"));
     QTest::keyClick(editor, Qt::Key_Return);
-    QTRY_COMPARE(m_session->targets()[2]->name, QStringLiteral("Bonnet"));
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->targets()[2]->name, QStringLiteral("Bonnet"), kPatience);
     click(3);
     QTest::mouseDClick(m_table->viewport(), Qt::LeftButton, {}, place(3, SceneModel::NameColumn));
     const auto openEditor = [this]() -> QLineEdit* {
@@ -140,7 +140,7 @@ void ScenePanelTest::nameIsEditedInPlace() {
         }
         return nullptr;
     };
-    QTRY_VERIFY(openEditor() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(openEditor() != nullptr, kPatience);
     QTest::keyClick(openEditor(), Qt::Key_Escape);
     QCOMPARE(m_session->steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::RenameTarget, 1}));
     m_session->undo();

@@ -50,9 +50,10 @@ private Q_SLOTS:
                 }
             }
         }
-        for (const char* dialog : {"Burst", "Sequence", "Scatter Hits", "Mirror Hits", "Brush Settings",
-                                   "Projectile", "Save Picture As", "Save Picture Sequence"}) {
-            addDialog(cut, QLatin1String(dialog));
+        for (const char* dialog :
+             {"Burst", "Sequence", "Scatter Hits", "Mirror Hits", "Brush Settings", "Refine…", "Simplify",
+              "Smooth", "Projectile", "Save Picture As", "Save Picture Sequence"}) {
+            addDialog(cut, QString::fromUtf8(dialog));
         }
         cut.removeDuplicates();
         for (const QString& line : cut) {

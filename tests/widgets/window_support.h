@@ -15,11 +15,10 @@
 #include "io/export_obj.h"
 #include "mesh/primitives.h"
 #include "session/session.h"
+#include "support/test_program.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
-
-constexpr int kPatience = 120'000;  // milliseconds; software GL on a busy machine
 
 /// Settings of the tests' own, thrown away afterwards.
 class TestSettings {
