@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command_line.h"
 
-#include <QCommandLineParser>
 #include <QCoreApplication>
 #include <QTextStream>
 #include <cerrno>
@@ -42,15 +41,6 @@ void setQuiet(bool quiet) {
 
 bool isQuiet() {
     return quietSoFar;
-}
-
-QString helpText(const QCommandLineParser& parser, const QString& command) {
-    QString text = parser.helpText();
-    const QString program = QCoreApplication::arguments().constFirst();
-    if (const qsizetype at = text.indexOf(program); at >= 0) {
-        text.replace(at, program.size(), QStringLiteral("hitscope-cli ") + command);
-    }
-    return text;
 }
 
 int flushOutput(int status) {

@@ -6,18 +6,15 @@
 
 #include "core/result.h"
 
-class QCommandLineParser;
-
 namespace hitscope::cli {
 
 // What the program ends with: exitStatuses() has the words.
 inline constexpr int kGood = 0;
-inline constexpr int kDiffers = 1;        ///< what was compared differs, or a promise was not kept
-inline constexpr int kWrongUsage = 2;     ///< of the command line
-inline constexpr int kBadInput = 3;       ///< a file cannot be read or written, or holds what it must not
-inline constexpr int kCannotDraw = 4;     ///< no OpenGL, a pipeline that does not run here, no ffmpeg
-inline constexpr int kFailed = kDiffers;  ///< of benchmarks whose promises are not kept
-inline constexpr int kSignalled = 128;    ///< and the signal's number: it was ended, or nobody read on
+inline constexpr int kDiffers = 1;      ///< what was compared differs, or a promise was not kept
+inline constexpr int kWrongUsage = 2;   ///< of the command line
+inline constexpr int kBadInput = 3;     ///< a file cannot be read or written, or holds what it must not
+inline constexpr int kCannotDraw = 4;   ///< no OpenGL, a pipeline that does not run here, no ffmpeg
+inline constexpr int kSignalled = 128;  ///< and the signal's number: it was ended, or nobody read on
 
 /// How a verb went: good, or an error with the status that the program ends with.
 class [[nodiscard]] Outcome {
@@ -57,8 +54,6 @@ void note(const QString& text);
 void setQuiet(bool quiet);
 [[nodiscard]] bool isQuiet();
 
-/// The parser's help, with the command in its usage line.
-QString helpText(const QCommandLineParser& parser, const QString& command);
 /// To be called at the very end: says if what was printed could not be written, and gives the exit status.
 int flushOutput(int status);
 

@@ -35,13 +35,12 @@ int help(Invocation& given) {
     } else if (given.files().isEmpty()) {
         out << helpText(programUsage());
     } else {
-        for (const Usage& verb : programUsage().verbs) {
-            if (verb.name == given.file(0)) {
-                out << helpText(programUsage(), verb);
-                return kGood;
-            }
+        const QString name = given.files().join(u' ');
+        if (const Usage* verb = findVerb(programUsage(), name)) {
+            out << helpText(programUsage(), *verb);
+            return kGood;
         }
-        given.complain(QStringLiteral("there is no verb \"%1\".").arg(given.file(0)));
+        given.complain(QStringLiteral("there is no verb \"%1\".").arg(name));
     }
     return given.error().isEmpty() ? kGood : kWrongUsage;
 }
@@ -50,7 +49,7 @@ int help(Invocation& given) {
 
 Verb helpVerb() {
     return {{.name = QStringLiteral("help"),
-             .files = QStringLiteral("[VERB]"),
+             .files = QStringLiteral("[VERB [WHAT]]"),
              .about = QStringLiteral("print help, the manual pages, or completion for a shell"),
              .description = QStringLiteral(
                  "Prints what a verb takes, or all verbs; the manual page; or what a shell sources to "
@@ -63,7 +62,7 @@ Verb helpVerb() {
              .examples = {{QStringLiteral("What shoot takes."), QStringLiteral("hitscope-cli help shoot")},
                           {QStringLiteral("Complete command lines in this shell."),
                            QStringLiteral("source <(hitscope-cli help --completion bash)")}},
-             .mostFiles = 1},
+             .mostFiles = 2},
             help};
 }
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <memory>
 #include <string_view>
+#include <vector>
 
-#include "cli/bench/bench_command.h"
 #include "cli/command_line.h"
 #include "cli/interruption.h"
 #include "cli/verbs.h"
@@ -18,16 +18,16 @@ namespace {
 
 using namespace hitscope::cli;
 
-const Verb* verbNamed(const QString& name) {
-    const auto found = std::find_if(verbs().begin(), verbs().end(),
-                                    [&name](const Verb& verb) { return verb.usage.name == name; });
-    return found == verbs().end() ? nullptr : &*found;
+const Verb* verbNamed(const std::vector<Verb>& verbs, const QString& name) {
+    const auto found = std::find_if(verbs.begin(), verbs.end(),
+                                    [&name](const Verb& verb) { return verb.usage.lastWord() == name; });
+    return found == verbs.end() ? nullptr : &*found;
 }
 
 /// Pictures may have text in them, for which Qt wants fonts, and for these a platform: one without windows.
 /// Help is for who waits for it, and takes neither.
 std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv) {
-    const Verb* verb = argc > 1 ? verbNamed(QString::fromLocal8Bit(argv[1])) : nullptr;
+    const Verb* verb = argc > 1 ? verbNamed(verbs(), QString::fromLocal8Bit(argv[1])) : nullptr;
     const bool asksForHelp = std::any_of(argv + 1, argv + argc, [](std::string_view argument) {
         return argument == "--help" || argument == "-h";
     });
@@ -62,9 +62,39 @@ int runVerb(const Verb& verb, const QStringList& arguments) {
     return given.error().isEmpty() ? status : wrongUsage(given.error(), verb.usage.name);
 }
 
-int run(QStringList arguments) {
+bool isHelp(const QString& word) {
+    return word == QLatin1String("--help") || word == QLatin1String("-h");
+}
+
+/// "a, b or c"
+QString enumerated(const std::vector<Verb>& verbs) {
+    QStringList names;
+    for (const Verb& verb : verbs) {
+        names << verb.usage.lastWord();
+    }
+    const QString last = names.takeLast();
+    return names.isEmpty() ? last : names.join(QStringLiteral(", ")) + QStringLiteral(" or ") + last;
+}
+
+/// `words`: what follows the verb, another one.
+int runWithin(const Verb& verb, const QStringList& words) {
+    const QString name = words.value(0);
+    if (isHelp(name)) {
+        QTextStream(stdout) << helpText(programUsage(), verb.usage);
+        return kGood;
+    }
+    const Verb* within = verbNamed(verb.verbs, name);
+    if (within == nullptr) {
+        return wrongUsage((name.isEmpty() ? QString() : QStringLiteral("there is no \"%1\"; ").arg(name)) +
+                              QStringLiteral("%1 takes %2.").arg(verb.usage.name, enumerated(verb.verbs)),
+                          verb.usage.name);
+    }
+    return runVerb(*within, words.mid(1));
+}
+
+int run(const QStringList& arguments) {
     const QString name = arguments.value(1);
-    if (name == QLatin1String("--help") || name == QLatin1String("-h")) {
+    if (isHelp(name)) {
         QTextStream(stdout) << helpText(programUsage());
         return kGood;
     }
@@ -75,16 +105,11 @@ int run(QStringList arguments) {
     if (name.isEmpty()) {
         return wrongUsage(QStringLiteral("a verb is missing."));
     }
-    const Verb* verb = verbNamed(name);
+    const Verb* verb = verbNamed(verbs(), name);
     if (verb == nullptr) {
         return wrongUsage(QStringLiteral("there is no verb \"%1\".").arg(name));
     }
-    arguments.removeAt(1);
-    if (!verb->run) {
-        return hitscope::bench::benchCommand(arguments);
-    }
-    arguments.removeFirst();
-    return runVerb(*verb, arguments);
+    return verb->verbs.empty() ? runVerb(*verb, arguments.mid(2)) : runWithin(*verb, arguments.mid(2));
 }
 
 }  // namespace

@@ -1,28 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/verbs.h"
 
-#include "cli/bench/bench_command.h"
 #include "cli/command_line.h"
 
 namespace hitscope::cli {
-
-/// Its benchmarks read their own options, so that `bench frame --help` is theirs.
-Verb benchVerb() {
-    return {{.name = QStringLiteral("bench"),
-             .files = QStringLiteral("WHAT"),
-             .about = QStringLiteral("measure the pipelines: frames, hits, the paper's tables"),
-             .description = QStringLiteral(
-                 "Measures on this machine. WHAT is paper, frame, modes, hit, physics, session, io or check; "
-                 "hitscope-cli bench WHAT --help tells the options of each. bench check --strict ends with 1 "
-                 "where a "
-                 "promise about speed is not kept."),
-             .options = {},
-             .examples = {{QStringLiteral("A hit against the size of the mesh, a few samples each."),
-                           QStringLiteral("hitscope-cli bench hit --quick --vertices 8K --json -")}},
-             .leastFiles = 1,
-             .mostFiles = 1},
-            {}};
-}
 
 const std::vector<Verb>& verbs() {
     static const std::vector<Verb> all{

@@ -15,7 +15,8 @@ namespace hitscope::cli {
 struct Verb {
     Usage usage;
     std::function<int(Invocation&)> run;
-    bool needsFonts = false;  ///< it may write text into pictures
+    bool needsFonts = false;    ///< it may write text into pictures
+    std::vector<Verb> verbs{};  ///< those of `usage.verbs`; where there are some, `run` is none
 };
 
 // In the order of help.

@@ -44,6 +44,12 @@ QString bashValue(const UsageOption& option) {
             reply = QStringLiteral("COMPREPLY=($(compgen -W \"%1\" -- \"$current\"))")
                         .arg(option.words.join(u' '));
             break;
+        case Takes::Words:  // the last of those so far
+            reply = QStringLiteral(
+                        "COMPREPLY=($(compgen -P \"${current%\"${current##*,}\"}\" -W \"%1\" -- "
+                        "\"${current##*,}\")); compopt -o nospace 2>/dev/null")
+                        .arg(option.words.join(u' '));
+            break;
         case Takes::File:
             reply = QStringLiteral("COMPREPLY=($(compgen -f -- \"$current\"))");
             break;
@@ -72,12 +78,44 @@ QString bashVerb(const Usage& usage, const QString& pattern) {
     return text + QStringLiteral("            options=\"%1\" ;;\n").arg(optionNames(usage).join(u' '));
 }
 
+template <class Verbs>
+QString lastWords(const Verbs& verbs) {
+    QStringList words;
+    for (const Usage& verb : verbs) {
+        words << verb.lastWord();
+    }
+    return words.join(u' ');
+}
+
+/// For the word that is the verb, `at` the place it has.
+template <class Verbs>
+QString bashProposesVerbs(const Verbs& verbs, int at, const QString& condition) {
+    return QStringLiteral(
+               "    if [[ %1$COMP_CWORD -eq %2 && $current != -* ]]; then\n"
+               "        COMPREPLY=($(compgen -W \"%3\" -- \"$current\"))\n"
+               "        return\n"
+               "    fi\n")
+        .arg(condition)
+        .arg(at)
+        .arg(lastWords(verbs));
+}
+
 QString bash(const ProgramUsage& program) {
-    QStringList verbs;
     QString cases;
+    QString proposals = QStringLiteral("    local verb=${COMP_WORDS[1]}\n");
+    if (!program.verbs.isEmpty()) {
+        proposals += bashProposesVerbs(program.verbs, 1, {});
+    }
     for (const Usage& verb : program.verbs) {
-        verbs << verb.name;
         cases += bashVerb(verb, verb.name);
+        if (verb.verbs.empty()) {
+            continue;
+        }
+        proposals += bashProposesVerbs(verb.verbs, 2, QStringLiteral("$verb == %1 && ").arg(verb.name));
+        proposals += QStringLiteral("    [[ $verb == %1 ]] && verb+=\" ${COMP_WORDS[2]}\"\n").arg(verb.name);
+        for (const Usage& within : verb.verbs) {
+            cases += bashVerb(within, u'"' + within.name + u'"');
+        }
     }
     cases += bashVerb(program.all, QStringLiteral("*"));
     const QString function = functionName(program);
@@ -91,15 +129,7 @@ QString bash(const ProgramUsage& program) {
                        "    [[ $current == = ]] && current=\n"
                        "    [[ $previous == = ]] && previous=${COMP_WORDS[COMP_CWORD-2]}\n"
                        "    compopt -o filenames 2>/dev/null\n");
-    if (!verbs.isEmpty()) {
-        text += QStringLiteral(
-                    "    if [[ $COMP_CWORD -eq 1 && $current != -* ]]; then\n"
-                    "        COMPREPLY=($(compgen -W \"%1\" -- \"$current\"))\n"
-                    "        return\n"
-                    "    fi\n")
-                    .arg(verbs.join(u' '));
-    }
-    text += QStringLiteral("    case ${COMP_WORDS[1]} in\n") + cases +
+    text += proposals + QStringLiteral("    case $verb in\n") + cases +
             QStringLiteral(
                 "    esac\n"
                 "    if [[ $current == -* ]]; then\n"
@@ -136,6 +166,10 @@ QString zshOption(const UsageOption& option) {
         case Takes::Word:
             spec += QStringLiteral(":%1:(%2)").arg(option.value.toLower(), option.words.join(u' '));
             break;
+        case Takes::Words:
+            spec +=
+                QStringLiteral(":%1:_values -s , %1 %2").arg(option.value.toLower(), option.words.join(u' '));
+            break;
         case Takes::File:
             spec += QStringLiteral(":file:_files");
             break;
@@ -159,6 +193,27 @@ QString zshArguments(const Usage& usage) {
     return text + QStringLiteral(" \\\n                '--help[Print the help]' '*:file:_files'\n");
 }
 
+/// Proposes these, or what the one that is there takes.
+template <class Verbs>
+QString zshVerbs(const Verbs& verbs) {
+    QString text = QStringLiteral("    verbs=(\n");
+    for (const Usage& verb : verbs) {
+        text +=
+            QStringLiteral("        %1\n").arg(zshQuoted(verb.lastWord() + u':' + zshEscaped(verb.about)));
+    }
+    text += QStringLiteral(
+        "    )\n    if (( CURRENT == 2 )); then\n        _describe verb verbs\n        return\n"
+        "    fi\n    verb=$words[2]\n    shift words\n    (( CURRENT-- ))\n"
+        "    case $verb in\n");
+    for (const Usage& verb : verbs) {
+        text += QStringLiteral("        %1)\n").arg(verb.lastWord()) +
+                (verb.verbs.empty() ? QStringLiteral("            ") + zshArguments(verb)
+                                    : zshVerbs(verb.verbs)) +
+                QStringLiteral("            ;;\n");
+    }
+    return text + QStringLiteral("    esac\n");
+}
+
 QString zsh(const ProgramUsage& program) {
     QString text =
         QStringLiteral("#compdef %1\n# Completion for zsh, made of the program's table of options.\n")
@@ -166,19 +221,8 @@ QString zsh(const ProgramUsage& program) {
     if (program.verbs.isEmpty()) {
         return text + zshArguments(program.all);
     }
-    text += functionName(program) + QStringLiteral("() {\n    local -a verbs=(\n");
-    for (const Usage& verb : program.verbs) {
-        text += QStringLiteral("        %1\n").arg(zshQuoted(verb.name + u':' + zshEscaped(verb.about)));
-    }
-    text += QStringLiteral(
-        "    )\n    if (( CURRENT == 2 )); then\n        _describe verb verbs\n        return\n"
-        "    fi\n    local verb=$words[2]\n    shift words\n    (( CURRENT-- ))\n"
-        "    case $verb in\n");
-    for (const Usage& verb : program.verbs) {
-        text +=
-            QStringLiteral("        %1)\n            %2            ;;\n").arg(verb.name, zshArguments(verb));
-    }
-    return text + QStringLiteral("    esac\n}\n%1 \"$@\"\n").arg(functionName(program));
+    return text + functionName(program) + QStringLiteral("() {\n    local -a verbs\n    local verb\n") +
+           zshVerbs(program.verbs) + QStringLiteral("}\n%1 \"$@\"\n").arg(functionName(program));
 }
 
 // Fish ---------------------------------------------------------------------------------------------------
@@ -197,6 +241,12 @@ QString fishOptions(const ProgramUsage& program, const Usage& usage, const QStri
             case Takes::Word:
                 text += QStringLiteral(" -x -a %1").arg(fishQuoted(option.words.join(u' ')));
                 break;
+            case Takes::Words:
+                text +=
+                    QStringLiteral(" -x -a %1")
+                        .arg(fishQuoted(QStringLiteral("(__fish_complete_list , 'string split \" \" \"%1\"')")
+                                            .arg(option.words.join(u' '))));
+                break;
             case Takes::Folder:
                 text += QStringLiteral(" -x -a '(__fish_complete_directories)'");
                 break;
@@ -214,19 +264,50 @@ QString fishOptions(const ProgramUsage& program, const Usage& usage, const QStri
     return text;
 }
 
+/// A function of fish that says whether the words behind the program begin with its arguments, and one that
+/// says whether they are these and no more.
+QString fishFunctions(const QString& name) {
+    return QStringLiteral(
+               "function %1_begins\n"
+               "    set -l words (commandline -opc)\n"
+               "    set -e words[1]\n"
+               "    test (count $words) -ge (count $argv); or return 1\n"
+               "    for i in (seq (count $argv))\n"
+               "        test $words[$i] = $argv[$i]; or return 1\n"
+               "    end\n"
+               "end\n"
+               "function %1_is\n"
+               "    test (count (commandline -opc)) -eq (math 1 + (count $argv)); and %1_begins $argv\n"
+               "end\n")
+        .arg(name);
+}
+
+/// Proposes these where `condition` holds, and what each of them takes.
+template <class Verbs>
+QString fishVerbs(const ProgramUsage& program, const Verbs& verbs, const QString& condition) {
+    QString text;
+    for (const Usage& verb : verbs) {
+        text += QStringLiteral("complete -c %1 -f -n %2 -a %3 -d %4\n")
+                    .arg(program.all.name, fishQuoted(condition), verb.lastWord(), fishQuoted(verb.about));
+    }
+    for (const Usage& verb : verbs) {
+        text += verb.verbs.empty()
+                    ? fishOptions(program, verb,
+                                  QStringLiteral(" -n '_%1_begins %2'").arg(functionName(program), verb.name))
+                    : fishVerbs(program, verb.verbs,
+                                QStringLiteral("_%1_is %2").arg(functionName(program), verb.name));
+    }
+    return text;
+}
+
 QString fish(const ProgramUsage& program) {
     QString text = QStringLiteral("# Completion for fish, made of the program's table of options.\n");
-    for (const Usage& verb : program.verbs) {
-        text += QStringLiteral("complete -c %1 -f -n __fish_use_subcommand -a %2 -d %3\n")
-                    .arg(program.all.name, verb.name, fishQuoted(verb.about));
+    if (program.verbs.isEmpty()) {
+        return text + fishOptions(program, program.all, {});
     }
-    for (const Usage& verb : program.verbs) {
-        text +=
-            fishOptions(program, verb, QStringLiteral(" -n '__fish_seen_subcommand_from %1'").arg(verb.name));
-    }
-    return text +
-           fishOptions(program, program.all,
-                       program.verbs.isEmpty() ? QString() : QStringLiteral(" -n __fish_use_subcommand"));
+    const QString alone = u'_' + functionName(program) + QStringLiteral("_is");
+    return text + fishFunctions(u'_' + functionName(program)) + fishVerbs(program, program.verbs, alone) +
+           fishOptions(program, program.all, QStringLiteral(" -n %1").arg(alone));
 }
 
 }  // namespace

@@ -44,7 +44,8 @@ QString row(const QString& name, const QString& about, qsizetype width) {
 }
 
 QString optionRows(const Usage& usage) {
-    qsizetype width = 0;
+    const QString help = QStringLiteral("--help");
+    qsizetype width = help.size();
     for (const UsageOption& option : usage.options) {
         if (option.synopsis().size() <= kWidestName) {
             width = std::max(width, option.synopsis().size());
@@ -54,7 +55,21 @@ QString optionRows(const Usage& usage) {
     for (const UsageOption& option : usage.options) {
         text += row(option.synopsis(), option.fullHelp(), width);
     }
-    return text + row(QStringLiteral("--help"), QStringLiteral("This text."), width);
+    return text + row(help, QStringLiteral("This text."), width);
+}
+
+/// A verb a line.
+template <class Verbs>
+QString verbRows(const Verbs& verbs) {
+    qsizetype width = 0;
+    for (const Usage& verb : verbs) {
+        width = std::max(width, verb.lastWord().size());
+    }
+    QString text;
+    for (const Usage& verb : verbs) {
+        text += row(verb.lastWord(), verb.about, width);
+    }
+    return text;
 }
 
 QString exampleRows(const Usage& usage) {
@@ -78,29 +93,30 @@ QString statusRows(const ProgramUsage& program) {
 
 QString helpText(const ProgramUsage& program, const Usage& verb) {
     const bool isProgram = &verb == &program.all;
-    QString text = QStringLiteral("Usage: %1%2 [options]%3\n\n")
-                       .arg(program.all.name, isProgram ? QString() : u' ' + verb.name,
-                            verb.files.isEmpty() ? QString() : u' ' + verb.files);
+    const QString files = verb.files.isEmpty() ? QString() : u' ' + verb.files;
+    QString text = (verb.verbs.empty() ? QStringLiteral("Usage: %1%2 [options]%3\n\n")
+                                       : QStringLiteral("Usage: %1%2%3 [options]\n\n"))
+                       .arg(program.all.name, isProgram ? QString() : u' ' + verb.name, files);
     for (const QString& paragraph : verb.description.split(QStringLiteral("\n"))) {
         text += wrapped(paragraph, 0, 0);
+    }
+    if (!verb.verbs.empty()) {
+        text += QStringLiteral("\n%1:\n").arg(verb.files) + verbRows(verb.verbs);
     }
     text += QStringLiteral("\nOptions:\n") + optionRows(verb);
     if (!verb.examples.isEmpty()) {
         text += QStringLiteral("\nExamples:\n") + exampleRows(verb);
     }
-    return text + QStringLiteral("\nExit status:\n") + statusRows(program);
+    text += QStringLiteral("\nExit status:\n") + statusRows(program);
+    return verb.verbs.empty()
+               ? text
+               : text + QStringLiteral("\n%1 %2 %3 --help tells the options of each, with examples.\n")
+                            .arg(program.all.name, verb.name, verb.files);
 }
 
 QString helpText(const ProgramUsage& program) {
     QString text = QStringLiteral("Usage: %1 VERB [options] [FILES]\n\n").arg(program.all.name);
-    text += wrapped(program.all.description, 0, 0) + QStringLiteral("\nVerbs:\n");
-    qsizetype width = 0;
-    for (const Usage& verb : program.verbs) {
-        width = std::max(width, verb.name.size());
-    }
-    for (const Usage& verb : program.verbs) {
-        text += row(verb.name, verb.about, width);
-    }
+    text += wrapped(program.all.description, 0, 0) + QStringLiteral("\nVerbs:\n") + verbRows(program.verbs);
     text += QStringLiteral("\nOptions:\n") + optionRows(program.all) + QStringLiteral("\nExit status:\n") +
             statusRows(program);
     return text + QStringLiteral("\n%1 VERB --help tells the options of a verb, with examples.\n")

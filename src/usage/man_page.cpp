@@ -45,18 +45,26 @@ QString examples(const Usage& usage) {
     return text;
 }
 
-QString synopsis(const QString& program, const QString& verb, const QString& files) {
-    return QStringLiteral("\\fB%1\\fR%2 [\\fIoptions\\fR]%3\n")
+QString synopsis(const QString& program, const QString& verb, const QString& files, bool hasVerbs = false) {
+    return (hasVerbs ? QStringLiteral("\\fB%1\\fR%2%3 [\\fIoptions\\fR]\n")
+                     : QStringLiteral("\\fB%1\\fR%2 [\\fIoptions\\fR]%3\n"))
         .arg(escaped(program), verb.isEmpty() ? QString() : QStringLiteral(" \\fB%1\\fR").arg(escaped(verb)),
              files.isEmpty() ? QString() : u' ' + escaped(files));
 }
 
-QString verbSections(const ProgramUsage& program) {
-    QString text = QStringLiteral(".SH VERBS\n");
-    for (const Usage& verb : program.verbs) {
+/// Those within a verb come behind it.
+template <class Verbs>
+QString verbSections(const QString& program, const Verbs& verbs) {
+    QString text;
+    for (const Usage& verb : verbs) {
         text += QStringLiteral(".SS %1\n").arg(escaped(verb.name));
-        text += synopsis(program.all.name, verb.name, verb.files);
-        text += paragraphs(verb.description) + options(verb) + examples(verb);
+        text += synopsis(program, verb.name, verb.files, !verb.verbs.empty());
+        text += paragraphs(verb.description);
+        for (const Usage& within : verb.verbs) {
+            text += QStringLiteral(".TP\n\\fB%1\\fR\n%2\n")
+                        .arg(escaped(within.lastWord()), escaped(within.about));
+        }
+        text += options(verb) + examples(verb) + verbSections(program, verb.verbs);
     }
     return text;
 }
@@ -79,7 +87,7 @@ QString manPage(const ProgramUsage& program, const QString& version) {
     text += QStringLiteral(".SH DESCRIPTION\n") + paragraphs(program.all.description) +
             QStringLiteral(".SH OPTIONS\n") + options(program.all);
     if (!program.verbs.isEmpty()) {
-        text += verbSections(program);
+        text += QStringLiteral(".SH VERBS\n") + verbSections(name, program.verbs);
     }
     if (!program.all.examples.isEmpty()) {
         text += QStringLiteral(".SH EXAMPLES\n") + examples(program.all);

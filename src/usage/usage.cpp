@@ -8,9 +8,13 @@ namespace hitscope {
 QString UsageOption::fullHelp() const {
     QString text = help;
     if (!words.isEmpty()) {
-        text += QStringLiteral(" One of %1.").arg(words.join(QStringLiteral(", ")));
+        text += (takes == Takes::Words ? QStringLiteral(" Of %1; separated by commas.")
+                                       : QStringLiteral(" One of %1."))
+                    .arg(words.join(QStringLiteral(", ")));
     }
-    if (!standard.isEmpty()) {
+    if (takes == Takes::Words && standard == words.join(u',')) {
+        text += QStringLiteral(" Default: all.");
+    } else if (!standard.isEmpty()) {
         text += QStringLiteral(" Default: %1.").arg(standard);
     }
     return text;
@@ -53,10 +57,43 @@ UsageOption wordOption(const char* name, const char* value, const QStringList& w
     return option;
 }
 
+UsageOption wordsOption(const char* name, const QStringList& words, const QString& help,
+                        const QString& standard) {
+    UsageOption option = valueOption(name, "LIST", help, standard.isEmpty() ? words.join(u',') : standard);
+    option.takes = UsageOption::Takes::Words;
+    option.words = words;
+    return option;
+}
+
 const UsageOption* Usage::find(const QString& option) const {
     const auto found = std::find_if(options.begin(), options.end(),
                                     [&option](const UsageOption& each) { return each.name == option; });
     return found == options.end() ? nullptr : &*found;
+}
+
+QString Usage::lastWord() const {
+    return name.section(u' ', -1);
+}
+
+namespace {
+
+template <class Verbs>
+const Usage* findAmong(const Verbs& verbs, const QString& name) {
+    for (const Usage& verb : verbs) {
+        if (verb.name == name) {
+            return &verb;
+        }
+        if (const Usage* within = findAmong(verb.verbs, name)) {
+            return within;
+        }
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+const Usage* findVerb(const ProgramUsage& program, const QString& name) {
+    return findAmong(program.verbs, name);
 }
 
 }  // namespace hitscope

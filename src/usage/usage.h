@@ -5,19 +5,20 @@
 #include <QString>
 #include <QStringList>
 #include <cstdint>
+#include <vector>
 
 namespace hitscope {
 
 /// An option of a command line, described once: parsing, help, manual page and completion go by it.
 struct UsageOption {
     /// What a shell proposes for its value.
-    enum class Takes : std::uint8_t { Nothing, Text, File, Folder, Word };
+    enum class Takes : std::uint8_t { Nothing, Text, File, Folder, Word, Words };
 
     QString name;       ///< without the two dashes: "seed"
     QString help;       ///< a sentence or more; says nothing of `standard` and `words`
     QString value;      ///< what stands for its value in help: "NUMBER"; empty for a flag
     QString standard;   ///< as one would type it; empty: there is none
-    QStringList words;  ///< of Takes::Word, all that may be given
+    QStringList words;  ///< of Takes::Word, all that may be given; of Takes::Words, separated by commas
     Takes takes = Takes::Nothing;
 
     /// Help, and after it the words and the default.
@@ -37,6 +38,9 @@ struct UsageOption {
 /// One that takes one of some words.
 [[nodiscard]] UsageOption wordOption(const char* name, const char* value, const QStringList& words,
                                      const QString& help, const QString& standard = {});
+/// One that takes some of these words, separated by commas; all of them by default.
+[[nodiscard]] UsageOption wordsOption(const char* name, const QStringList& words, const QString& help,
+                                      const QString& standard = {});
 
 /// A command line to learn from.
 struct UsageExample {
@@ -46,16 +50,18 @@ struct UsageExample {
 
 /// What a program, or one verb of it, takes on its command line.
 struct Usage {
-    QString name;         ///< "shoot"; of a program its own name
+    QString name;         ///< "shoot", or within another verb "bench frame"; of a program its own name
     QString files;        ///< what follows the options: "[MESH|SESSION]"; empty: nothing may
     QString about;        ///< a line without a full stop, for lists: "shoot at a mesh, print what was hit"
     QString description;  ///< sentences
     QList<UsageOption> options;
     QList<UsageExample> examples;
     int leastFiles = 0;
-    int mostFiles = 0;  ///< -1: any number
+    int mostFiles = 0;           ///< -1: any number
+    std::vector<Usage> verbs{};  ///< within this verb; where there are some, one of them follows
 
     [[nodiscard]] const UsageOption* find(const QString& option) const;  ///< null: there is none
+    [[nodiscard]] QString lastWord() const;                              ///< of its name: "frame"
 };
 
 /// A number that a program ends with, and when.
@@ -72,6 +78,9 @@ struct ProgramUsage {
     QList<UsageExample> environment;  ///< "line": the variable's name
     QStringList seeAlso;              ///< other manual pages: "hitscope(1)"
 };
+
+/// The verb of that name ("bench frame"), however deep it is; null: there is none.
+[[nodiscard]] const Usage* findVerb(const ProgramUsage& program, const QString& name);
 
 /// The window's program. hitscope-cli makes its manual page as well.
 [[nodiscard]] const ProgramUsage& windowUsage();

@@ -216,6 +216,9 @@ private Q_SLOTS:
         QTest::addRow("hits") << QStringLiteral("frame --hits many") << QStringLiteral("\"many\"");
         QTest::addRow("vertices") << QStringLiteral("hit --vertices 3") << QStringLiteral("--vertices");
         QTest::addRow("check") << QStringLiteral("check --only luck") << QStringLiteral("\"luck\"");
+        QTest::addRow("file") << QStringLiteral("io out.json") << QStringLiteral("bench io takes no files");
+        QTest::addRow("two outputs") << QStringLiteral("hit --json --csv -")
+                                     << QStringLiteral("only one of --json");
         QTest::addRow("option") << QStringLiteral("check --fast") << QStringLiteral("fast");
     }
     void wrongUsageIsToldApart() {
@@ -228,17 +231,25 @@ private Q_SLOTS:
     }
 
     void fileThatCannotBeWrittenFailsAtOnce() {
-        const CliRun run = runBench(QStringLiteral("paper --json /nowhere/at/all.json"));
+        const CliRun run = runBench(QStringLiteral("paper --report /nowhere/at/all.json"));
         QCOMPARE(run.status, 3);
         QVERIFY2(run.err.contains(QStringLiteral("/nowhere/at/all.json")), qPrintable(run.err));
         QVERIFY(run.out.isEmpty());
     }
 
     void helpIsGiven() {
-        for (const char* what : {"", "paper ", "frame ", "hit ", "physics ", "check "}) {
-            const CliRun run = runBench(QLatin1String(what) + QStringLiteral("--help"));
+        const CliRun all = runBench(QStringLiteral("--help"));
+        QVERIFY(all.out.startsWith(QStringLiteral("Usage: hitscope-cli bench WHAT [options]\n")));
+        for (const char* what : {"paper", "frame", "modes", "hit", "physics", "session", "io", "check"}) {
+            const QString name = QLatin1String(what);
+            QVERIFY2(all.out.contains(QStringLiteral("\n  %1 ").arg(name)), what);
+            const CliRun run = runBench(name + QStringLiteral(" --help"));
             QCOMPARE(run.status, 0);
-            QVERIFY(!run.out.isEmpty());
+            QVERIFY2(run.out.startsWith(QStringLiteral("Usage: hitscope-cli bench %1 [options]\n").arg(name)),
+                     what);
+            QVERIFY2(run.out.contains(QStringLiteral("Default: 100.")), what);
+            QVERIFY2(run.out.contains(QStringLiteral("\n  hitscope-cli bench %1 --quick").arg(name)), what);
+            QCOMPARE(runCli({QStringLiteral("help"), QStringLiteral("bench"), name}).out, run.out);
         }
     }
 };

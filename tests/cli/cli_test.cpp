@@ -220,10 +220,11 @@ private Q_SLOTS:
 
     void helpNamesTheCommand() {
         for (const char* const command :
-             {"demo",      "shoot",       "picture",     "sequence",      "info",          "replay",
-              "verify",    "export",      "convert",     "compare",       "changes",       "explain",
-              "dents",     "section",     "sweep",       "collect",       "help",          "bench frame",
-              "bench hit", "bench paper", "bench modes", "bench physics", "bench session", "bench check"}) {
+             {"demo",        "shoot",         "picture",       "sequence",  "info",
+              "replay",      "verify",        "export",        "convert",   "compare",
+              "changes",     "explain",       "dents",         "section",   "sweep",
+              "collect",     "help",          "bench frame",   "bench hit", "bench paper",
+              "bench modes", "bench physics", "bench session", "bench io",  "bench check"}) {
             const QString name = QString::fromLatin1(command);
             const CliRun run = runCli(name.split(u' ') << QStringLiteral("--help"));
             QCOMPARE(run.status, 0);

@@ -82,24 +82,36 @@ private Q_SLOTS:
 
     void filesAreWritten() {
         const QTemporaryDir folder;
-        const Destinations destinations{folder.filePath(QStringLiteral("r.json")),
-                                        folder.filePath(QStringLiteral("r.csv"))};
+        const Destinations destinations{.report = folder.filePath(QStringLiteral("r.json")),
+                                        .csv = folder.filePath(QStringLiteral("r.csv")),
+                                        .quiet = true};
         QVERIFY(checkDestinations(destinations));
-        QVERIFY(!QFile::exists(destinations.json));
+        QVERIFY(!QFile::exists(destinations.report));
         QVERIFY(writeReport(smallReport(), destinations));
-        QCOMPARE(contents(destinations.json), toJson(smallReport()));
+        QCOMPARE(contents(destinations.report), toJson(smallReport()));
         QCOMPARE(contents(destinations.csv), toCsv(smallReport()));
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 2);
     }
 
+    void tablesGiveWayToData() {
+        const QString file = QStringLiteral("r");
+        const QString out = QStringLiteral("-");
+        QVERIFY(Destinations().wantsText());
+        QVERIFY(Destinations{.quiet = true}.wantsText());
+        QVERIFY((Destinations{.report = file, .csv = file}.wantsText()));
+        QVERIFY((!Destinations{.report = file, .quiet = true}.wantsText()));
+        QVERIFY(!Destinations{.json = true}.wantsText());
+        QVERIFY((!Destinations{.report = file, .csv = out}.wantsText()));
+        QCOMPARE((Destinations{.json = true, .report = out, .csv = out}.toStandardOutput()), 3);
+    }
+
     void destinationsAreCheckedFirst() {
         const QTemporaryDir folder;
-        QVERIFY(!checkDestinations({folder.filePath(QStringLiteral("no/r.json")), {}}));
-        QVERIFY(!checkDestinations({{}, folder.path()}));
-        QVERIFY(!checkDestinations({QStringLiteral("-"), QStringLiteral("-")}));
-        QVERIFY(checkDestinations({QStringLiteral("-"), {}}));
-        const Status status = checkDestinations({folder.filePath(QStringLiteral("no/r.json")), {}});
-        QVERIFY(status.error().message().find("r.json") != std::string::npos);
+        const Destinations missing{.report = folder.filePath(QStringLiteral("no/r.json"))};
+        QVERIFY(!checkDestinations({.csv = folder.path()}));
+        QVERIFY(checkDestinations({.report = QStringLiteral("-")}));
+        const Status status = checkDestinations(missing);
+        QVERIFY(!status && status.error().message().find("r.json") != std::string::npos);
     }
 
     void numbersAreShort() {

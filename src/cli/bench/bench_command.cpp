@@ -1,63 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/bench/bench_command.h"
 
-#include <QTextStream>
-#include <array>
-
-#include "cli/command_line.h"
+#include "cli/bench/report_header.h"
 
 namespace hitscope::bench {
 
-namespace {
-
-struct Benchmark {
-    const char* name;
-    const char* about;
-    int (*run)(const QStringList&);
-};
-
-constexpr std::array<Benchmark, 8> kBenchmarks{
-    {{"paper", "the paper's tables 1 and 2: frame rates of its nine scenes", paperCommand},
-     {"frame", "frame time against the number of hits", frameCommand},
-     {"modes", "frame time of each way to look at a scene, against plain shading", modesCommand},
-     {"hit", "time a hit takes against the size of the mesh", hitCommand},
-     {"physics", "steps and frames with 2,000 projectiles, colliders that follow the dents", physicsCommand},
-     {"session", "saving, opening and recovering a session, its journal and its undo", sessionCommand},
-     {"io", "opening and exporting large files, beside other programs; memory", ioCommand},
-     {"check", "the ratios that Hitscope promises, measured", checkCommand}}};
-
-int printUsage() {
-    QTextStream out(stdout);
-    out << "Usage: hitscope-cli bench WHAT [options]\n\n";
-    for (const Benchmark& benchmark : kBenchmarks) {
-        out << "  " << QString::fromLatin1(benchmark.name).leftJustified(7) << benchmark.about << "\n";
+cli::Outcome runBenchmark(const QString& name, const CommonOptions& options, bool drawsPicture,
+                          const Measuring& measuring) {
+    if (Status status = checkDestinations(options.destinations); !status) {
+        return status;
     }
-    out << "\nhitscope-cli bench WHAT --help tells the options of each.\n";
-    return 0;
-}
-
-}  // namespace
-
-int benchCommand(QStringList arguments) {
-    const QString what = arguments.value(1);
-    if (what == QLatin1String("--help") || what == QLatin1String("-h")) {
-        return printUsage();
+    const Result<std::unique_ptr<BenchRoom>> room = BenchRoom::open(options.width, options.height);
+    if (!room) {
+        return cli::cannotDraw(room.error());
     }
-    if (what.isEmpty()) {
-        return cli::wrongUsage(
-            QStringLiteral("bench takes paper, frame, modes, hit, physics, session, io or check."));
+    Report report;
+    report.benchmark = name;
+    report.header =
+        reportHeader(*room.value(), drawsPicture ? options.width : 0, drawsPicture ? options.height : 0);
+    cli::Outcome outcome = measuring(*room.value(), report);
+    room.value()->say({});
+    if (!outcome && outcome.status() != cli::kDiffers) {
+        return outcome;
     }
-    arguments.removeAt(1);
-    for (const Benchmark& benchmark : kBenchmarks) {
-        if (what == QLatin1String(benchmark.name)) {
-            return benchmark.run(arguments);
-        }
-    }
-    return cli::wrongUsage(
-        QStringLiteral(
-            "there is no benchmark \"%1\"; bench takes paper, frame, modes, hit, physics, session, io "
-            "or check.")
-            .arg(what));
+    const Status written = writeReport(report, options.destinations);
+    return written ? outcome : cli::Outcome(written);
 }
 
 }  // namespace hitscope::bench
+
+namespace hitscope::cli {
+
+Verb benchVerb() {
+    using namespace bench;
+    Verb verb{
+        {.name = QStringLiteral("bench"),
+         .files = QStringLiteral("WHAT"),
+         .about = QStringLiteral("measure the pipelines: frames, hits, the paper's tables"),
+         .description = QStringLiteral(
+             "Measures on this machine. What is compared is measured in turn, A B A B, so that drift of "
+             "the machine falls on all alike; ratios of one run say more than times."),
+         .options = {},
+         .examples = {}},
+        {}};
+    verb.verbs = {paperVerb(),   frameVerb(),   modesVerb(), hitVerb(),
+                  physicsVerb(), sessionVerb(), ioVerb(),    checkVerb()};
+    for (const Verb& within : verb.verbs) {
+        verb.usage.verbs.push_back(within.usage);
+    }
+    return verb;
+}
+
+}  // namespace hitscope::cli

@@ -1,21 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QStringList>
+#include <functional>
+
+#include "cli/bench/bench_room.h"
+#include "cli/command_line.h"
+#include "cli/verbs.h"
 
 namespace hitscope::bench {
 
-/// hitscope-cli bench WHAT [options]; the program's name first. Returns the exit status.
-int benchCommand(QStringList arguments);
+// What is within `hitscope-cli bench`, in the order of help.
+[[nodiscard]] cli::Verb paperVerb();
+[[nodiscard]] cli::Verb frameVerb();
+[[nodiscard]] cli::Verb modesVerb();
+[[nodiscard]] cli::Verb hitVerb();
+[[nodiscard]] cli::Verb physicsVerb();
+[[nodiscard]] cli::Verb sessionVerb();
+[[nodiscard]] cli::Verb ioVerb();
+[[nodiscard]] cli::Verb checkVerb();
 
-// One benchmark each; `arguments` without WHAT.
-int paperCommand(const QStringList& arguments);
-int frameCommand(const QStringList& arguments);
-int modesCommand(const QStringList& arguments);
-int hitCommand(const QStringList& arguments);
-int physicsCommand(const QStringList& arguments);
-int sessionCommand(const QStringList& arguments);
-int ioCommand(const QStringList& arguments);
-int checkCommand(const QStringList& arguments);
+/// What a benchmark puts into its report, which has its header already.
+using Measuring = std::function<cli::Outcome(BenchRoom& room, Report& report)>;
+/// Sees that the report can be written, opens a room with a picture of the options' size, measures, and
+/// writes the report. `drawsPicture`: whether the header says its size. The outcome is that of `measuring`,
+/// which may be cli::differs(), once the report is written.
+[[nodiscard]] cli::Outcome runBenchmark(const QString& name, const CommonOptions& options, bool drawsPicture,
+                                        const Measuring& measuring);
 
 }  // namespace hitscope::bench

@@ -18,73 +18,89 @@ QStringList pipelineKeys() {
 /// Enough to see that it runs.
 constexpr Plan kQuickPlan{.warmUp = 1, .leastSamples = 2, .mostSamples = 3, .seconds = 0.1};
 
-Plan takePlan(Arguments& arguments) {
-    if (arguments.isSet(QStringLiteral("quick"))) {
-        return kQuickPlan;
-    }
+Plan takePlan(Invocation& given) {
     Plan plan;
-    plan.mostSamples = arguments.wholeNumber(QStringLiteral("frames"), 1, 1000000);
+    plan.mostSamples = takeCount(given, "frames", 1, 1000000);
     plan.leastSamples = std::min(plan.leastSamples, plan.mostSamples);
-    plan.seconds = arguments.number(QStringLiteral("seconds"), 0.01, 3600.0);
-    return plan;
+    plan.seconds = given.number("seconds", 0.01, 3600.0);
+    return given.isSet("quick") ? kQuickPlan : plan;
 }
 
 }  // namespace
 
-void addMeasuringOptions(Arguments& arguments) {
-    arguments.addOption(QStringLiteral("seconds"),
-                        QStringLiteral("Time for each variant; a slow one is still sampled three times."),
-                        QStringLiteral("number"), QStringLiteral("2"));
-    arguments.addOption(QStringLiteral("frames"), QStringLiteral("Most samples of each variant."),
-                        QStringLiteral("number"), QStringLiteral("100"));
-    arguments.addFlag(QStringLiteral("quick"),
-                      QStringLiteral("A few samples each: to see that it runs, not to measure."));
-    arguments.addOption(QStringLiteral("json"),
-                        QStringLiteral("Also as JSON; without a file, or to \"-\": instead of the tables."),
-                        QStringLiteral("file"));
-    arguments.addOption(QStringLiteral("csv"), QStringLiteral("Likewise as CSV."), QStringLiteral("file"));
+QList<UsageOption> destinationOptions() {
+    return {
+        flagOption("json", QStringLiteral("Print the report as JSON in place of the tables.")),
+        fileOption("report", QStringLiteral("Write the report as JSON into a file, whole or not at all.")),
+        fileOption("csv", QStringLiteral("Write its records as CSV into a file.")),
+        flagOption("quiet",
+                   QStringLiteral("No progress, and with a file for the report no tables; errors are "
+                                  "still said."))};
 }
 
-CommonOptions takeMeasuringOptions(Arguments& arguments) {
+Destinations takeDestinations(Invocation& given) {
+    Destinations destinations{given.isSet("json"), given.text("report"), given.text("csv"),
+                              given.isSet("quiet")};
+    if (destinations.toStandardOutput() > 1) {
+        given.complain(QStringLiteral(
+            "only one of --json, --report - and --csv - can go to the standard output. Give the others a "
+            "file."));
+    }
+    return destinations;
+}
+
+QList<UsageOption> measuringOptions() {
+    return QList<UsageOption>{
+               valueOption("seconds", "NUMBER",
+                           QStringLiteral("Time for each variant; a slow one is still sampled three times."),
+                           QStringLiteral("2")),
+               valueOption("frames", "N", QStringLiteral("Most samples of each variant."),
+                           QStringLiteral("100")),
+               flagOption("quick",
+                          QStringLiteral("A few samples each: to see that it runs, not to measure."))} +
+           destinationOptions();
+}
+
+CommonOptions takeMeasuringOptions(Invocation& given) {
     CommonOptions options;
-    options.plan = takePlan(arguments);
-    options.destinations = {arguments.text(QStringLiteral("json")), arguments.text(QStringLiteral("csv"))};
+    options.plan = takePlan(given);
+    options.destinations = takeDestinations(given);
     return options;
 }
 
-void addCommonOptions(Arguments& arguments, bool withPicture) {
-    if (withPicture) {
-        arguments.addOption(QStringLiteral("size"), QStringLiteral("Picture in pixels."),
-                            QStringLiteral("WIDTHxHEIGHT"), QStringLiteral("1280x720"));
-    }
-    const QStringList keys = pipelineKeys();
-    arguments.addOption(QStringLiteral("pipelines"),
-                        QStringLiteral("Which to measure, of %1.").arg(keys.join(QStringLiteral(", "))),
-                        QStringLiteral("list"), keys.join(QLatin1Char(',')));
-    arguments.addOption(QStringLiteral("seed"), QStringLiteral("Another seed gives other hits."),
-                        QStringLiteral("number"), QStringLiteral("1"));
-    addMeasuringOptions(arguments);
+UsageOption sizeOption() {
+    return valueOption("size", "WIDTHxHEIGHT", QStringLiteral("The picture in pixels."),
+                       QStringLiteral("1280x720"));
 }
 
-CommonOptions takeCommonOptions(Arguments& arguments, bool withPicture) {
-    CommonOptions options = takeMeasuringOptions(arguments);
-    if (withPicture) {
-        const Arguments::Size size = arguments.size(QStringLiteral("size"));
-        options.width = size.width;
-        options.height = size.height;
-    }
-    const QStringList wanted = arguments.list(QStringLiteral("pipelines"), pipelineKeys());
+void takeSizeInto(CommonOptions& options, Invocation& given) {
+    const Size size = takeSize(given, "size");
+    options.width = size.width;
+    options.height = size.height;
+}
+
+QList<UsageOption> commonOptions() {
+    return QList<UsageOption>{
+               wordsOption("pipelines", pipelineKeys(), QStringLiteral("Pipelines to measure.")),
+               valueOption("seed", "N", QStringLiteral("Another seed gives other hits."),
+                           QStringLiteral("1"))} +
+           measuringOptions();
+}
+
+CommonOptions takeCommonOptions(Invocation& given) {
+    CommonOptions options = takeMeasuringOptions(given);
+    const QStringList wanted = takeWords(given, "pipelines");
     for (const PipelineTraits& traits : allPipelines()) {
         if (wanted.contains(pipelineKey(traits.kind))) {
             options.pipelines.push_back(traits.kind);
         }
     }
-    options.seed = static_cast<std::uint32_t>(arguments.wholeNumber(QStringLiteral("seed"), 0, 2147483647));
+    options.seed = given.seed("seed");
     return options;
 }
 
-void parseBenchArguments(Arguments& arguments, const QStringList& list) {
-    arguments.parse(list, {QStringLiteral("--json"), QStringLiteral("--csv")});
+UsageOption strictOption(const QString& what) {
+    return flagOption("strict", QStringLiteral("End with 1 if %1 is not kept.").arg(what));
 }
 
 }  // namespace hitscope::bench

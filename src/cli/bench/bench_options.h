@@ -8,6 +8,7 @@
 #include "cli/bench/harness.h"
 #include "cli/bench/report.h"
 #include "deform/pipeline_kind.h"
+#include "usage/usage.h"
 
 namespace hitscope::bench {
 
@@ -17,21 +18,29 @@ struct CommonOptions {
     Destinations destinations;
     std::vector<PipelineKind> pipelines;
     std::uint32_t seed = 1;
-    int width = 1280;  ///< pixels
-    int height = 720;  ///< pixels
+    int width = 16;   ///< pixels
+    int height = 16;  ///< pixels
 };
 
-// How long to measure and where the report goes: all benchmarks take that.
-void addMeasuringOptions(Arguments& arguments);
-/// arguments.error() says whether it is of use.
-[[nodiscard]] CommonOptions takeMeasuringOptions(Arguments& arguments);
+// Where a report goes: all that report take that.
+[[nodiscard]] QList<UsageOption> destinationOptions();
+[[nodiscard]] Destinations takeDestinations(Invocation& given);
 
-// Also which pipelines and hits and, `withPicture`, how large.
-void addCommonOptions(Arguments& arguments, bool withPicture);
-[[nodiscard]] CommonOptions takeCommonOptions(Arguments& arguments, bool withPicture);
+// How long to measure as well: all that measure take that.
+[[nodiscard]] QList<UsageOption> measuringOptions();
+/// Invocation::error() says whether it is of use.
+[[nodiscard]] CommonOptions takeMeasuringOptions(Invocation& given);
 
-/// arguments.parse() with what may stand alone here.
-void parseBenchArguments(Arguments& arguments, const QStringList& list);
+// How large a picture is.
+[[nodiscard]] UsageOption sizeOption();
+void takeSizeInto(CommonOptions& options, Invocation& given);
+
+// Also which pipelines and hits.
+[[nodiscard]] QList<UsageOption> commonOptions();
+[[nodiscard]] CommonOptions takeCommonOptions(Invocation& given);
+
+/// --strict; `what`: "a promise".
+[[nodiscard]] UsageOption strictOption(const QString& what);
 
 [[nodiscard]] inline QString pipelineName(PipelineKind kind) {
     return QString::fromUtf8(pipelineTraits(kind).name);

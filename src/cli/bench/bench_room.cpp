@@ -7,6 +7,7 @@
 #include <QTextStream>
 #include <algorithm>
 
+#include "cli/command_line.h"
 #include "pipeline/measure_exactness.h"
 
 namespace hitscope::bench {
@@ -35,7 +36,7 @@ Result<std::unique_ptr<BenchRoom>> BenchRoom::open(int width, int height) {
         return exactness.error();
     }
     room->m_exactness = exactness.value();
-    room->m_onTerminal = isatty(STDERR_FILENO) == 1;
+    room->m_onTerminal = !cli::isQuiet() && isatty(STDERR_FILENO) == 1;
     return room;
 }
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QTextStream>
-
 #include "cli/bench/bench_command.h"
+#include "cli/bench/bench_options.h"
 #include "cli/bench/checks.h"
-#include "cli/bench/report_header.h"
-#include "cli/command_line.h"
 
 namespace hitscope::bench {
 
@@ -49,18 +46,7 @@ void addResult(Report& report, const Check& check, const Result<double>& ratio) 
                               {QStringLiteral("kept"), ratio ? QJsonValue(kept) : QJsonValue()}});
 }
 
-/// Whether all that were measured are kept.
-Result<bool> runChecks(const CheckOptions& options) {
-    if (Status status = checkDestinations(options.common.destinations); !status) {
-        return status.error();
-    }
-    Result<std::unique_ptr<BenchRoom>> room = BenchRoom::open(kCheckWidth, kCheckHeight);
-    if (!room) {
-        return room.error();
-    }
-    Report report;
-    report.benchmark = QStringLiteral("check");
-    report.header = reportHeader(*room.value(), kCheckWidth, kCheckHeight);
+cli::Outcome measureChecks(const CheckOptions& options, const BenchRoom& room, Report& report) {
     report.fields = {QStringLiteral("name"), QStringLiteral("about"), QStringLiteral("ratio"),
                      QStringLiteral("at_most"), QStringLiteral("kept")};
     report.tables.push_back(
@@ -73,50 +59,57 @@ Result<bool> runChecks(const CheckOptions& options) {
         if (!options.only.contains(QString::fromStdString(check.name))) {
             continue;
         }
-        const Result<double> ratio = check.measure(*room.value(), options.common.plan);
-        room.value()->say({});
+        const Result<double> ratio = check.measure(room, options.common.plan);
+        room.say({});
         if (Status status = noGlErrors(); !status) {
-            return status.error();
+            return cli::cannotDraw(status.error());
         }
         addResult(report, check, ratio);
         allKept = allKept && (!ratio || ratio.value() <= check.atMost);
     }
-    if (Status status = writeReport(report, options.common.destinations); !status) {
-        return status.error();
-    }
-    return allKept;
+    return options.strict && !allKept
+               ? cli::differs({"A promise is not kept.", "bench check", "The column \"kept\" says which."})
+               : cli::Outcome(Done{});
 }
 
-}  // namespace
+int runCheck(Invocation& given) {
+    CheckOptions options;
+    options.common = takeMeasuringOptions(given);
+    options.common.width = kCheckWidth;
+    options.common.height = kCheckHeight;
+    options.only = takeWords(given, "only");
+    options.strict = given.isSet("strict");
+    if (!given.error().isEmpty()) {
+        return cli::kWrongUsage;
+    }
+    return cli::finish(
+        runBenchmark(QStringLiteral("check"), options.common, true,
+                     [&](BenchRoom& room, Report& report) { return measureChecks(options, room, report); }));
+}
 
-int checkCommand(const QStringList& list) {
+QStringList checkNames() {
     QStringList names;
     for (const Check& check : allChecks()) {
         names << QString::fromStdString(check.name);
     }
-    Arguments arguments(QStringLiteral("Measures the ratios that Hitscope promises, each in one run."));
-    addMeasuringOptions(arguments);
-    arguments.addOption(QStringLiteral("only"),
-                        QStringLiteral("These: %1.").arg(names.join(QStringLiteral(", "))),
-                        QStringLiteral("list"), names.join(QLatin1Char(',')));
-    arguments.addFlag(QStringLiteral("strict"), QStringLiteral("Exit status 1 if one is not kept."));
-    parseBenchArguments(arguments, list);
-    if (arguments.error().isEmpty() && arguments.wantsHelp()) {
-        QTextStream(stdout) << arguments.help(QStringLiteral("check"));
-        return 0;
-    }
-    CheckOptions options;
-    options.common = takeMeasuringOptions(arguments);
-    options.only = arguments.list(QStringLiteral("only"), names);
-    options.strict = arguments.isSet(QStringLiteral("strict"));
-    if (!arguments.error().isEmpty()) {
-        return cli::wrongUsage(arguments.error());
-    }
-    const Result<bool> kept = runChecks(options);
-    if (!kept) {
-        return cli::finish(kept.error());
-    }
-    return options.strict && !kept.value() ? cli::kFailed : 0;
+    return names;
+}
+
+}  // namespace
+
+cli::Verb checkVerb() {
+    return {{.name = QStringLiteral("bench check"),
+             .files = {},
+             .about = QStringLiteral("the ratios that Hitscope promises, measured"),
+             .description =
+                 QStringLiteral("Measures the ratios of times that Hitscope promises, each in one run."),
+             .options =
+                 QList<UsageOption>{wordsOption("only", checkNames(), QStringLiteral("Promises to measure.")),
+                                    strictOption(QStringLiteral("a promise"))} +
+                 measuringOptions(),
+             .examples = {{QStringLiteral("One promise, a few samples."),
+                           QStringLiteral("hitscope-cli bench check --quick --only paper-way-8k")}}},
+            runCheck};
 }
 
 }  // namespace hitscope::bench

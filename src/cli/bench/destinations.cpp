@@ -48,21 +48,33 @@ Status write(const QString& destination, const QByteArray& bytes) {
 
 }  // namespace
 
-Status checkDestinations(const Destinations& destinations) {
-    if (destinations.json == kStandardOutput && destinations.csv == kStandardOutput) {
-        return Error{"JSON and CSV cannot both go to the standard output.", "", "Give one of them a file."};
+int Destinations::toStandardOutput() const {
+    int count = json ? 1 : 0;
+    for (const QString& destination : {report, csv}) {
+        count += destination == kStandardOutput ? 1 : 0;
     }
-    Status status = checkFile(destinations.json);
+    return count;
+}
+
+bool Destinations::wantsText() const {
+    const bool hasFile = isFile(report) || isFile(csv);
+    return toStandardOutput() == 0 && !(quiet && hasFile);
+}
+
+Status checkDestinations(const Destinations& destinations) {
+    Status status = checkFile(destinations.report);
     return status ? checkFile(destinations.csv) : status;
 }
 
 Status writeReport(const Report& report, const Destinations& destinations) {
-    if (destinations.json != kStandardOutput && destinations.csv != kStandardOutput) {
+    if (destinations.wantsText()) {
         QTextStream(stdout) << toText(report);
     }
-    Status json = write(destinations.json, toJson(report));
-    Status csv = write(destinations.csv, toCsv(report));
-    return json ? csv : json;
+    Status json = write(destinations.report, toJson(report));
+    if (json && destinations.json) {
+        json = write(kStandardOutput, toJson(report));
+    }
+    return json ? write(destinations.csv, toCsv(report)) : json;
 }
 
 }  // namespace hitscope::bench

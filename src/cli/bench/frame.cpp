@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QTextStream>
-
 #include "cli/bench/bench_command.h"
+#include "cli/bench/bench_options.h"
 #include "cli/bench/history.h"
-#include "cli/bench/report_header.h"
-#include "cli/command_line.h"
 
 namespace hitscope::bench {
 
@@ -111,17 +108,7 @@ Status measureScene(const BenchRoom& room, const FrameOptions& options, const QS
     return Done{};
 }
 
-Status runFrame(const FrameOptions& options) {
-    if (Status status = checkDestinations(options.common.destinations); !status) {
-        return status;
-    }
-    Result<std::unique_ptr<BenchRoom>> room = BenchRoom::open(options.common.width, options.common.height);
-    if (!room) {
-        return room.error();
-    }
-    Report report;
-    report.benchmark = QStringLiteral("frame");
-    report.header = reportHeader(*room.value(), options.common.width, options.common.height);
+cli::Outcome measureFrames(const FrameOptions& options, const BenchRoom& room, Report& report) {
     report.fields = {QStringLiteral("scene"),
                      QStringLiteral("vertices"),
                      QStringLiteral("pipeline"),
@@ -137,7 +124,7 @@ Status runFrame(const FrameOptions& options) {
     Status status = Done{};
     if (options.vertices.empty()) {
         const QString name = paperRows()[static_cast<std::size_t>(options.row)].label();
-        status = measureScene(*room.value(), options, name, paperRowScene(options.row), report);
+        status = measureScene(room, options, name, paperRowScene(options.row), report);
     }
     for (std::size_t i = 0; status && i < options.vertices.size(); ++i) {
         const int vertices = options.vertices[i];
@@ -146,49 +133,55 @@ Status runFrame(const FrameOptions& options) {
                                 .arg(grouped(static_cast<qulonglong>(vertices)), why);
             continue;
         }
-        room.value()->say(QStringLiteral("making a sphere"));
-        status =
-            measureScene(*room.value(), options, QStringLiteral("sphere"), sphereScene(vertices), report);
+        room.say(QStringLiteral("making a sphere"));
+        status = measureScene(room, options, QStringLiteral("sphere"), sphereScene(vertices), report);
     }
-    if (!status) {
-        return status;
+    return status ? cli::Outcome(Done{}) : cli::cannotDraw(status.error());
+}
+
+int runFrame(Invocation& given) {
+    FrameOptions options;
+    options.common = takeCommonOptions(given);
+    takeSizeInto(options.common, given);
+    options.hits = takeCounts(given, "hits", 0, 1000000);
+    options.row = takeCount(given, "row", 1, static_cast<int>(paperRows().size())) - 1;
+    if (given.isSet("vertices")) {
+        options.vertices = takeCounts(given, "vertices", 8, 20000000);
     }
-    return writeReport(report, options.common.destinations);
+    options.gentle = given.isSet("gentle");
+    if (!given.error().isEmpty()) {
+        return cli::kWrongUsage;
+    }
+    return cli::finish(
+        runBenchmark(QStringLiteral("frame"), options.common, true,
+                     [&](BenchRoom& room, Report& report) { return measureFrames(options, room, report); }));
 }
 
 }  // namespace
 
-int frameCommand(const QStringList& list) {
-    Arguments arguments(
-        QStringLiteral("Measures frames of a scene at rest against the number of hits behind it."));
-    addCommonOptions(arguments, true);
-    arguments.addOption(QStringLiteral("hits"),
-                        QStringLiteral("Numbers of hits; K is a thousand, M a million."),
-                        QStringLiteral("list"), QStringLiteral("0,100,600,1K,10K,100K"));
-    arguments.addOption(QStringLiteral("row"), QStringLiteral("Row of the paper's tables to show."),
-                        QStringLiteral("number"), QString::number(kDefaultPaperRow + 1));
-    arguments.addOption(QStringLiteral("vertices"),
-                        QStringLiteral("Instead of a row, spheres of about so many vertices each."),
-                        QStringLiteral("list"));
-    arguments.addFlag(QStringLiteral("gentle"),
-                      QStringLiteral("Hits too weak to be seen, so that the picture is always the same."));
-    parseBenchArguments(arguments, list);
-    if (arguments.error().isEmpty() && arguments.wantsHelp()) {
-        QTextStream(stdout) << arguments.help(QStringLiteral("frame"));
-        return 0;
-    }
-    FrameOptions options;
-    options.common = takeCommonOptions(arguments, true);
-    options.hits = arguments.wholeNumbers(QStringLiteral("hits"), 0, 1000000);
-    options.row = arguments.wholeNumber(QStringLiteral("row"), 1, static_cast<int>(paperRows().size())) - 1;
-    if (arguments.isSet(QStringLiteral("vertices"))) {
-        options.vertices = arguments.wholeNumbers(QStringLiteral("vertices"), 8, 20000000);
-    }
-    options.gentle = arguments.isSet(QStringLiteral("gentle"));
-    if (!arguments.error().isEmpty()) {
-        return cli::wrongUsage(arguments.error());
-    }
-    return cli::finish(runFrame(options));
+cli::Verb frameVerb() {
+    return {
+        {.name = QStringLiteral("bench frame"),
+         .files = {},
+         .about = QStringLiteral("frame time against the number of hits"),
+         .description =
+             QStringLiteral("Measures frames of a scene at rest against the number of hits behind it."),
+         .options =
+             QList<UsageOption>{
+                 valueOption("hits", "LIST", QStringLiteral("Numbers of hits; K is a thousand, M a million."),
+                             QStringLiteral("0,100,600,1K,10K,100K")),
+                 valueOption("row", "N", QStringLiteral("Row of the paper's tables to show, 1 to 9."),
+                             QString::number(kDefaultPaperRow + 1)),
+                 valueOption("vertices", "LIST",
+                             QStringLiteral("In place of a row, spheres of about so many vertices each.")),
+                 flagOption("gentle", QStringLiteral("Hits too weak to be seen, so that the picture is "
+                                                     "always the same.")),
+                 sizeOption()} +
+             commonOptions(),
+         .examples = {{QStringLiteral("What 700 hits cost on a sphere, a few samples each."),
+                       QStringLiteral("hitscope-cli bench frame --quick --gentle --vertices 8K --hits "
+                                      "0,700 --size 320x180")}}},
+        runFrame};
 }
 
 }  // namespace hitscope::bench

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QTextStream>
-
 #include "cli/bench/bench_command.h"
+#include "cli/bench/bench_options.h"
 #include "cli/bench/hit_size.h"
-#include "cli/bench/report_header.h"
-#include "cli/command_line.h"
 
 namespace hitscope::bench {
 
@@ -159,17 +156,7 @@ Result<MeasuredSize> measureSize(const BenchRoom& room, int vertices, const HitC
                         bench.value()->figures(samples.value())};
 }
 
-Status runHit(const HitCommandOptions& options) {
-    if (Status status = checkDestinations(options.common.destinations); !status) {
-        return status;
-    }
-    Result<std::unique_ptr<BenchRoom>> room = BenchRoom::open(16, 16);
-    if (!room) {
-        return room.error();
-    }
-    Report report;
-    report.benchmark = QStringLiteral("hit");
-    report.header = reportHeader(*room.value(), 0, 0);
+cli::Outcome measureHits(const HitCommandOptions& options, const BenchRoom& room, Report& report) {
     report.fields = {QStringLiteral("vertices"),
                      QStringLiteral("max_distance"),
                      QStringLiteral("method"),
@@ -185,7 +172,7 @@ Status runHit(const HitCommandOptions& options) {
     report.notes = hitNotes();
     std::vector<MeasuredSize> sizes;
     for (const int vertices : options.vertices) {
-        Result<MeasuredSize> size = measureSize(*room.value(), vertices, options, report.notes);
+        Result<MeasuredSize> size = measureSize(room, vertices, options, report.notes);
         if (!size) {
             report.notes << QString::fromStdString(size.error().message());
             continue;
@@ -197,43 +184,53 @@ Status runHit(const HitCommandOptions& options) {
         sizes.push_back(std::move(size).value());
     }
     if (sizes.empty()) {
-        return Error{"No size could be measured.", "", report.notes.last().toStdString()};
+        return cli::cannotDraw({"No size could be measured.", "", report.notes.last().toStdString()});
     }
     if (sizes.size() > 1) {
         report.tables.push_back(growthTable(sizes));
     }
     report.notes.removeDuplicates();
-    return writeReport(report, options.common.destinations);
+    return Done{};
+}
+
+int runHit(Invocation& given) {
+    HitCommandOptions options;
+    options.common = takeCommonOptions(given);
+    options.vertices = takeCounts(given, "vertices", 8, 20000000);
+    options.hits.pipelines = options.common.pipelines;
+    options.hits.affected = given.number("affected", 1.0, 1e6);
+    options.hits.hitsAFrame = takeCounts(given, "hits-a-frame", 1, 10000);
+    options.hits.seed = options.common.seed;
+    if (!given.error().isEmpty()) {
+        return cli::kWrongUsage;
+    }
+    return cli::finish(
+        runBenchmark(QStringLiteral("hit"), options.common, false,
+                     [&](BenchRoom& room, Report& report) { return measureHits(options, room, report); }));
 }
 
 }  // namespace
 
-int hitCommand(const QStringList& list) {
-    Arguments arguments(QStringLiteral(
-        "Measures what a hit costs on spheres of different sizes, beside the paper's own way and memcpy."));
-    addCommonOptions(arguments, false);
-    arguments.addOption(QStringLiteral("vertices"), QStringLiteral("Sizes; K is a thousand, M a million."),
-                        QStringLiteral("list"), QStringLiteral("7938,100K,1M,4M,10M"));
-    arguments.addOption(QStringLiteral("affected"), QStringLiteral("Vertices that a hit moves, about."),
-                        QStringLiteral("number"), QStringLiteral("80"));
-    arguments.addOption(QStringLiteral("hits-a-frame"), QStringLiteral("Hits that arrive at once."),
-                        QStringLiteral("list"), QStringLiteral("1,10,100,1000"));
-    parseBenchArguments(arguments, list);
-    if (arguments.error().isEmpty() && arguments.wantsHelp()) {
-        QTextStream(stdout) << arguments.help(QStringLiteral("hit"));
-        return 0;
-    }
-    HitCommandOptions options;
-    options.common = takeCommonOptions(arguments, false);
-    options.vertices = arguments.wholeNumbers(QStringLiteral("vertices"), 8, 20000000);
-    options.hits.pipelines = options.common.pipelines;
-    options.hits.affected = arguments.number(QStringLiteral("affected"), 1.0, 1e6);
-    options.hits.hitsAFrame = arguments.wholeNumbers(QStringLiteral("hits-a-frame"), 1, 10000);
-    options.hits.seed = options.common.seed;
-    if (!arguments.error().isEmpty()) {
-        return cli::wrongUsage(arguments.error());
-    }
-    return cli::finish(runHit(options));
+cli::Verb hitVerb() {
+    return {{.name = QStringLiteral("bench hit"),
+             .files = {},
+             .about = QStringLiteral("time a hit takes against the size of the mesh"),
+             .description = QStringLiteral(
+                 "Measures what a hit costs on spheres of different sizes, beside the paper's own way and "
+                 "memcpy."),
+             .options =
+                 QList<UsageOption>{
+                     valueOption("vertices", "LIST", QStringLiteral("Sizes; K is a thousand, M a million."),
+                                 QStringLiteral("7938,100K,1M,4M,10M")),
+                     valueOption("affected", "NUMBER", QStringLiteral("Vertices that a hit moves, about."),
+                                 QStringLiteral("80")),
+                     valueOption("hits-a-frame", "LIST", QStringLiteral("Hits that arrive at once."),
+                                 QStringLiteral("1,10,100,1000"))} +
+                 commonOptions(),
+             .examples = {{QStringLiteral("A hit on two sizes, a few samples each, as JSON."),
+                           QStringLiteral("hitscope-cli bench hit --quick --vertices 1K,8K --hits-a-frame 1 "
+                                          "--json")}}},
+            runHit};
 }
 
 }  // namespace hitscope::bench

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How fast files come in and go out, beside what other programs need for the same file.
 #include <QTemporaryDir>
-#include <QTextStream>
 #include <optional>
 
 #include "cli/bench/bench_command.h"
 #include "cli/bench/bench_options.h"
 #include "cli/bench/io_cost.h"
-#include "cli/bench/report_header.h"
-#include "cli/command_line.h"
 
 namespace hitscope::bench {
 
@@ -105,80 +102,70 @@ Judged judge(const IoFigures& figures, const IoOptions& options) {
     return judged;
 }
 
-/// Whether all limits are kept.
-Result<bool> runIo(const IoOptions& options) {
-    if (Status status = checkDestinations(options.common.destinations); !status) {
-        return status.error();
-    }
-    if (const QString why = whyItDoesNotFit(kBytesPerQuad * options.sizes.quads); !why.isEmpty()) {
-        return Error{"This is left out: " + why.toStdString() + ".", "", "Ask for fewer --quads."};
-    }
-    const Result<std::unique_ptr<BenchRoom>> room =
-        BenchRoom::open(options.sizes.width, options.sizes.height);
-    if (!room) {
-        return room.error();
-    }
+cli::Outcome measureFiles(const IoOptions& options, const BenchRoom& room, Report& report) {
     const QTemporaryDir folder;
     if (!folder.isValid()) {
         return Error{"There is no room for temporary files.", folder.path().toStdString(),
                      "Set TMPDIR to a folder you may write to."};
     }
-    const Result<IoFigures> figures =
-        measureIo(*room.value(), options.sizes, folder.path(), options.common.plan);
+    const Result<IoFigures> figures = measureIo(room, options.sizes, folder.path(), options.common.plan);
     if (!figures) {
-        return figures.error();
+        return cli::cannotDraw(figures.error());
     }
-    room.value()->say({});
     Judged judged = judge(figures.value(), options);
-    Report report;
-    report.benchmark = QStringLiteral("io");
-    report.header = reportHeader(*room.value(), options.sizes.width, options.sizes.height);
     report.fields = {QStringLiteral("measured"), QStringLiteral("value"), QStringLiteral("ratio"),
                      QStringLiteral("at_most"), QStringLiteral("kept")};
     report.tables.push_back(std::move(judged.table));
     report.records = std::move(judged.records);
-    if (Status written = writeReport(report, options.common.destinations); !written) {
-        return written.error();
+    return options.strict && !judged.allKept
+               ? cli::differs({"A limit is not kept.", "bench io", "The column \"kept\" says which."})
+               : cli::Outcome(Done{});
+}
+
+int runIo(Invocation& given) {
+    IoOptions options;
+    options.common = takeMeasuringOptions(given);
+    takeSizeInto(options.common, given);
+    options.sizes.quads = takeCount(given, "quads", 1, kMostFaces);
+    options.sizes.plyTriangles = takeCount(given, "triangles", 0, kMostFaces);
+    options.sizes.width = options.common.width;
+    options.sizes.height = options.common.height;
+    options.strict = given.isSet("strict");
+    if (!given.error().isEmpty()) {
+        return cli::kWrongUsage;
     }
-    return judged.allKept;
+    if (const QString why = whyItDoesNotFit(kBytesPerQuad * options.sizes.quads); !why.isEmpty()) {
+        return cli::finish(
+            Error{"This is left out: " + why.toStdString() + ".", "", "Ask for fewer --quads."});
+    }
+    return cli::finish(
+        runBenchmark(QStringLiteral("io"), options.common, true,
+                     [&](BenchRoom& room, Report& report) { return measureFiles(options, room, report); }));
 }
 
 }  // namespace
 
-int ioCommand(const QStringList& list) {
-    Arguments arguments(
-        QStringLiteral("Measures opening and exporting large mesh files, beside tinyobjloader, Assimp and "
-                       "cp. Makes the files "
-                       "itself, in the folder for temporary files."));
-    addMeasuringOptions(arguments);
-    arguments.addOption(QStringLiteral("quads"), QStringLiteral("Of the OBJ file."), QStringLiteral("n"),
-                        QStringLiteral("2000000"));
-    arguments.addOption(QStringLiteral("triangles"), QStringLiteral("Of the PLY file; 0: none."),
-                        QStringLiteral("n"), QStringLiteral("10000000"));
-    arguments.addOption(QStringLiteral("size"), QStringLiteral("Pixels of the picture."),
-                        QStringLiteral("WxH"), QStringLiteral("1280x720"));
-    arguments.addFlag(QStringLiteral("strict"), QStringLiteral("Exit status 1 if a limit is not kept."));
-    parseBenchArguments(arguments, list);
-    if (arguments.error().isEmpty() && arguments.wantsHelp()) {
-        QTextStream(stdout) << arguments.help(QStringLiteral("io"));
-        return 0;
-    }
-    IoOptions options;
-    options.common = takeMeasuringOptions(arguments);
-    options.sizes.quads = arguments.wholeNumber(QStringLiteral("quads"), 1, kMostFaces);
-    options.sizes.plyTriangles = arguments.wholeNumber(QStringLiteral("triangles"), 0, kMostFaces);
-    const Arguments::Size size = arguments.size(QStringLiteral("size"));
-    options.sizes.width = size.width;
-    options.sizes.height = size.height;
-    options.strict = arguments.isSet(QStringLiteral("strict"));
-    if (!arguments.error().isEmpty()) {
-        return cli::wrongUsage(arguments.error());
-    }
-    const Result<bool> kept = runIo(options);
-    if (!kept) {
-        return cli::finish(kept.error());
-    }
-    return options.strict && !kept.value() ? cli::kFailed : 0;
+cli::Verb ioVerb() {
+    return {{.name = QStringLiteral("bench io"),
+             .files = {},
+             .about = QStringLiteral("opening and exporting large files, beside other programs; memory"),
+             .description = QStringLiteral(
+                 "Measures opening and exporting large mesh files, beside tinyobjloader, Assimp and cp. It "
+                 "makes the files itself, in the folder for temporary files."),
+             .options =
+                 QList<UsageOption>{
+                     valueOption("quads", "N",
+                                 QStringLiteral("Faces of the OBJ file; K is a thousand, M a "
+                                                "million."),
+                                 QStringLiteral("2M")),
+                     valueOption("triangles", "N", QStringLiteral("Faces of the PLY file; 0: none."),
+                                 QStringLiteral("10M")),
+                     sizeOption(), strictOption(QStringLiteral("a limit"))} +
+                 measuringOptions(),
+             .examples = {{QStringLiteral("Small files, a few samples each."),
+                           QStringLiteral("hitscope-cli bench io --quick --quads 1K --triangles 0 --size "
+                                          "320x180")}}},
+            runIo};
 }
 
 }  // namespace hitscope::bench

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What each way to look at a scene costs, over plain shading.
-#include <QTextStream>
-
 #include "cli/bench/bench_command.h"
 #include "cli/bench/bench_options.h"
 #include "cli/bench/modes_scene.h"
-#include "cli/bench/report_header.h"
-#include "cli/command_line.h"
 
 namespace hitscope::bench {
 
@@ -40,17 +36,7 @@ void describe(Report& report, const std::vector<Samples>& samples, PipelineKind 
     report.tables.push_back(table);
 }
 
-Status runModes(const CommonOptions& options, int row) {
-    if (Status status = checkDestinations(options.destinations); !status) {
-        return status;
-    }
-    Result<std::unique_ptr<BenchRoom>> room = BenchRoom::open(options.width, options.height);
-    if (!room) {
-        return room.error();
-    }
-    Report report;
-    report.benchmark = QStringLiteral("modes");
-    report.header = reportHeader(*room.value(), options.width, options.height);
+cli::Outcome measureModes(const CommonOptions& options, int row, const BenchRoom& room, Report& report) {
     report.fields = {QStringLiteral("pipeline"),
                      QStringLiteral("key"),
                      QStringLiteral("mode"),
@@ -58,45 +44,55 @@ Status runModes(const CommonOptions& options, int row) {
                      QStringLiteral("time_ratio_to_plain"),
                      QStringLiteral("at_most")};
     for (const PipelineKind pipeline : options.pipelines) {
-        ModesScene scene(room.value()->picture());
+        ModesScene scene(room.picture());
         if (Status status = scene.open(row, pipeline, options.seed); !status) {
-            return status;
+            return cli::cannotDraw(status.error());
         }
         std::vector<Variant> variants;
         for (const ViewMode& mode : viewModes()) {
             variants.push_back(scene.variant(mode));
         }
-        Result<std::vector<Samples>> samples =
-            room.value()->measure(pipelineName(pipeline), variants, options.plan);
+        Result<std::vector<Samples>> samples = room.measure(pipelineName(pipeline), variants, options.plan);
         if (!samples) {
-            return samples.error();
+            return cli::cannotDraw(samples.error());
         }
         describe(report, samples.value(), pipeline,
                  QStringLiteral("%1, %2 vertices")
                      .arg(paperRows()[static_cast<std::size_t>(row)].label(), grouped(scene.vertices())));
     }
-    return writeReport(report, options.destinations);
+    return Done{};
+}
+
+int runModes(Invocation& given) {
+    CommonOptions options = takeCommonOptions(given);
+    takeSizeInto(options, given);
+    const int row = takeCount(given, "row", 1, static_cast<int>(paperRows().size())) - 1;
+    if (!given.error().isEmpty()) {
+        return cli::kWrongUsage;
+    }
+    return cli::finish(runBenchmark(
+        QStringLiteral("modes"), options, true,
+        [&](BenchRoom& room, Report& report) { return measureModes(options, row, room, report); }));
 }
 
 }  // namespace
 
-int modesCommand(const QStringList& list) {
-    Arguments arguments(
-        QStringLiteral("Measures frames of a dented scene in each mode against plain shading."));
-    addCommonOptions(arguments, true);
-    arguments.addOption(QStringLiteral("row"), QStringLiteral("Row of the paper's tables to show."),
-                        QStringLiteral("number"), QString::number(kFullestRow + 1));
-    parseBenchArguments(arguments, list);
-    if (arguments.error().isEmpty() && arguments.wantsHelp()) {
-        QTextStream(stdout) << arguments.help(QStringLiteral("modes"));
-        return 0;
-    }
-    const CommonOptions options = takeCommonOptions(arguments, true);
-    const int row = arguments.wholeNumber(QStringLiteral("row"), 1, static_cast<int>(paperRows().size())) - 1;
-    if (!arguments.error().isEmpty()) {
-        return cli::wrongUsage(arguments.error());
-    }
-    return cli::finish(runModes(options, row));
+cli::Verb modesVerb() {
+    return {{.name = QStringLiteral("bench modes"),
+             .files = {},
+             .about = QStringLiteral("frame time of each way to look at a scene, against plain shading"),
+             .description =
+                 QStringLiteral("Measures frames of a dented scene in each mode against plain shading."),
+             .options =
+                 QList<UsageOption>{
+                     valueOption("row", "N", QStringLiteral("Row of the paper's tables to show, 1 to 9."),
+                                 QString::number(kFullestRow + 1)),
+                     sizeOption()} +
+                 commonOptions(),
+             .examples = {{QStringLiteral("One pipeline, a small scene, a few samples each."),
+                           QStringLiteral("hitscope-cli bench modes --quick --row 6 --pipelines "
+                                          "transform-feedback --size 160x90")}}},
+            runModes};
 }
 
 }  // namespace hitscope::bench

@@ -2,11 +2,11 @@
 #include <QTextStream>
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "cli/bench/bench_command.h"
+#include "cli/bench/bench_options.h"
 #include "cli/bench/paper_report.h"
-#include "cli/bench/report_header.h"
-#include "cli/command_line.h"
 
 namespace hitscope::bench {
 
@@ -48,31 +48,28 @@ QStringList paperNotes(const RowBench& bench) {
     return notes;
 }
 
-Status runPaper(const PaperOptions& options) {
-    if (Status status = checkDestinations(options.common.destinations); !status) {
-        return status;
-    }
-    Result<std::unique_ptr<BenchRoom>> room = BenchRoom::open(options.common.width, options.common.height);
-    if (!room) {
-        return room.error();
-    }
-    RowBench bench(*room.value(), {options.common.pipelines, options.hitEvery, options.common.seed,
-                                   options.common.plan, true});
+/// Lines "progress 0.25 WHAT", of how much of all rows.
+void tellProgress(BenchRoom& room, const std::vector<MeasuredRow>& rows, double all) {
+    room.setTold([&rows, all](double part, const QString& what) {
+        QTextStream(stderr) << "progress "
+                            << QString::number((static_cast<double>(rows.size()) + part) / all, 'f', 4) << ' '
+                            << what << Qt::endl;
+    });
+}
+
+cli::Outcome measurePaper(const PaperOptions& options, BenchRoom& room, Report& report) {
+    RowBench bench(
+        room, {options.common.pipelines, options.hitEvery, options.common.seed, options.common.plan, true});
     std::vector<MeasuredRow> rows;
-    const auto all = static_cast<double>(options.textures.size() * options.rows.size());
     if (options.tellsProgress) {
-        room.value()->setTold([&rows, all](double part, const QString& what) {
-            QTextStream(stderr) << "progress "
-                                << QString::number((static_cast<double>(rows.size()) + part) / all, 'f', 4)
-                                << ' ' << what << Qt::endl;
-        });
+        tellProgress(room, rows, static_cast<double>(options.textures.size() * options.rows.size()));
     }
     for (const TextureChoice& texture : options.textures) {
         std::shared_ptr<const MaterialSet> materials;
         if (texture.size > 0) {
             Result<std::shared_ptr<const MaterialSet>> made = bench.makeTextures(texture.size);
             if (!made) {
-                return made.error();
+                return cli::cannotDraw(made.error());
             }
             materials = made.value();
         }
@@ -81,59 +78,71 @@ Status runPaper(const PaperOptions& options) {
                 QStringLiteral("row %1, textures %2").arg(row + 1).arg(QString::fromLatin1(texture.key));
             Result<std::vector<RowFigure>> figures = bench.measure(row, materials, what);
             if (!figures) {
-                return figures.error();
+                return cli::cannotDraw(figures.error());
             }
             rows.push_back({row, QString::fromLatin1(texture.key), std::move(figures).value()});
         }
     }
-    Report report;
-    report.benchmark = QStringLiteral("paper");
-    report.header = reportHeader(*room.value(), options.common.width, options.common.height);
+    room.setTold({});  // which looks at the rows
     report.notes = paperNotes(bench);
     addPaperRows(report, rows);
-    return writeReport(report, options.common.destinations);
+    return Done{};
+}
+
+QStringList textureKeys() {
+    QStringList keys;
+    for (const TextureChoice& texture : kTextures) {
+        keys << QString::fromLatin1(texture.key);
+    }
+    return keys;
+}
+
+int runPaper(Invocation& given) {
+    PaperOptions options;
+    options.common = takeCommonOptions(given);
+    takeSizeInto(options.common, given);
+    options.hitEvery = takeCount(given, "hit-every", 0, 10000);
+    options.tellsProgress = given.isSet("progress");
+    for (const int row : takeCounts(given, "rows", 1, static_cast<int>(paperRows().size()))) {
+        options.rows.push_back(row - 1);
+    }
+    const QStringList wanted = takeWords(given, "textures");
+    std::copy_if(kTextures.begin(), kTextures.end(), std::back_inserter(options.textures),
+                 [&](const TextureChoice& texture) { return wanted.contains(QLatin1String(texture.key)); });
+    if (!given.error().isEmpty()) {
+        return cli::kWrongUsage;
+    }
+    return cli::finish(
+        runBenchmark(QStringLiteral("paper"), options.common, true,
+                     [&](BenchRoom& room, Report& report) { return measurePaper(options, room, report); }));
 }
 
 }  // namespace
 
-int paperCommand(const QStringList& list) {
-    Arguments arguments(
-        QStringLiteral("Measures the frame rates of the paper's nine scenes, as in its tables 1 and 2, under "
-                       "every pipeline."));
-    addCommonOptions(arguments, true);
-    arguments.addOption(QStringLiteral("textures"), QStringLiteral("On the targets: none, 1k, 2k, 4k."),
-                        QStringLiteral("list"), QStringLiteral("none"));
-    arguments.addOption(QStringLiteral("rows"), QStringLiteral("Rows of the tables."), QStringLiteral("list"),
-                        QStringLiteral("1,2,3,4,5,6,7,8,9"));
-    arguments.addOption(QStringLiteral("hit-every"),
-                        QStringLiteral("Frames from one hit to the next; 0: none."), QStringLiteral("frames"),
-                        QStringLiteral("10"));
-    arguments.addFlag(QStringLiteral("progress"),
-                      QStringLiteral("Lines \"progress 0.25 WHAT\" on the standard error, for programs."));
-    parseBenchArguments(arguments, list);
-    if (arguments.error().isEmpty() && arguments.wantsHelp()) {
-        QTextStream(stdout) << arguments.help(QStringLiteral("paper"));
-        return 0;
-    }
-    PaperOptions options;
-    options.common = takeCommonOptions(arguments, true);
-    options.hitEvery = arguments.wholeNumber(QStringLiteral("hit-every"), 0, 10000);
-    options.tellsProgress = arguments.isSet(QStringLiteral("progress"));
-    for (const int row :
-         arguments.wholeNumbers(QStringLiteral("rows"), 1, static_cast<int>(paperRows().size()))) {
-        options.rows.push_back(row - 1);
-    }
-    QStringList known;
-    for (const TextureChoice& texture : kTextures) {
-        known << QString::fromLatin1(texture.key);
-    }
-    const QStringList wanted = arguments.list(QStringLiteral("textures"), known);
-    std::copy_if(kTextures.begin(), kTextures.end(), std::back_inserter(options.textures),
-                 [&](const TextureChoice& texture) { return wanted.contains(QLatin1String(texture.key)); });
-    if (!arguments.error().isEmpty()) {
-        return cli::wrongUsage(arguments.error());
-    }
-    return cli::finish(runPaper(options));
+cli::Verb paperVerb() {
+    return {
+        {.name = QStringLiteral("bench paper"),
+         .files = {},
+         .about = QStringLiteral("the paper's tables 1 and 2: frame rates of its nine scenes"),
+         .description = QStringLiteral(
+             "Measures the frame rates of the paper's nine scenes, as in its tables 1 and 2, under every "
+             "pipeline, and stands the paper's own figures and ratios beside them."),
+         .options =
+             QList<UsageOption>{
+                 wordsOption("textures", textureKeys(), QStringLiteral("Textures on the targets."),
+                             QStringLiteral("none")),
+                 valueOption("rows", "LIST", QStringLiteral("Rows of the tables, 1 to 9."),
+                             QStringLiteral("1,2,3,4,5,6,7,8,9")),
+                 valueOption("hit-every", "N", QStringLiteral("Frames from one hit to the next; 0: none."),
+                             QStringLiteral("10")),
+                 flagOption("progress", QStringLiteral("Lines \"progress 0.25 WHAT\" on the standard "
+                                                       "error, for programs.")),
+                 sizeOption()} +
+             commonOptions(),
+         .examples = {{QStringLiteral("The sixth row by the paper's two methods, a few samples each."),
+                       QStringLiteral("hitscope-cli bench paper --quick --rows 6 --size 160x90 "
+                                      "--pipelines uniform-array,transform-feedback")}}},
+        runPaper};
 }
 
 }  // namespace hitscope::bench

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What two thousand projectiles cost, and colliders that follow the dents.
-#include <QTextStream>
-
 #include "cli/bench/bench_command.h"
 #include "cli/bench/bench_options.h"
 #include "cli/bench/physics_cost.h"
-#include "cli/bench/report_header.h"
-#include "cli/command_line.h"
 
 namespace hitscope::bench {
 
@@ -93,66 +89,68 @@ void addRecords(Report& report, const std::vector<PhysicsFigure>& figures,
     add({}, "frame with projectiles", frames[1]);
 }
 
-Status runPhysics(const PhysicsOptions& options) {
-    if (Status status = checkDestinations(options.common.destinations); !status) {
-        return status;
+cli::Outcome measurePhysicsAll(const PhysicsOptions& options, const BenchRoom& room, Report& report) {
+    std::vector<PreparedMesh> meshes;
+    for (const int triangles : options.triangles) {
+        room.say(QStringLiteral("making a sphere of %1 triangles")
+                     .arg(grouped(static_cast<qulonglong>(triangles))));
+        meshes.push_back(physicsSphere(triangles));
     }
-    Result<std::unique_ptr<BenchRoom>> room = BenchRoom::open(options.common.width, options.common.height);
-    if (!room) {
-        return room.error();
+    const Result<std::vector<PhysicsFigure>> figures = measurePhysics(room, meshes, options.common.plan);
+    if (!figures) {
+        return cli::cannotDraw(figures.error());
+    }
+    const Result<std::vector<Samples>> frames = measureProjectileDrawing(room, options.common.plan);
+    if (!frames) {
+        return cli::cannotDraw(frames.error());
+    }
+    addSteps(report, figures.value());
+    addColliders(report, figures.value());
+    addDrawing(report, frames.value());
+    addRecords(report, figures.value(), frames.value());
+    return Done{};
+}
+
+int runPhysics(Invocation& given) {
+    PhysicsOptions options;
+    options.common = takeMeasuringOptions(given);
+    takeSizeInto(options.common, given);
+    options.triangles = takeCounts(given, "triangles", kLeastTriangles, kMostTriangles);
+    if (!given.error().isEmpty()) {
+        return cli::kWrongUsage;
     }
     double bytes = 0.0;
     for (const int triangles : options.triangles) {
         bytes += kBytesPerTriangle * triangles;
     }
     if (const QString why = whyItDoesNotFit(bytes); !why.isEmpty()) {
-        return Error{"This is left out: " + why.toStdString() + ".", "", "Ask for fewer --triangles."};
+        return cli::finish(
+            Error{"This is left out: " + why.toStdString() + ".", "", "Ask for fewer --triangles."});
     }
-    std::vector<PreparedMesh> meshes;
-    for (const int triangles : options.triangles) {
-        room.value()->say(QStringLiteral("making a sphere of %1 triangles")
-                              .arg(grouped(static_cast<qulonglong>(triangles))));
-        meshes.push_back(physicsSphere(triangles));
-    }
-    const Result<std::vector<PhysicsFigure>> figures =
-        measurePhysics(*room.value(), meshes, options.common.plan);
-    if (!figures) {
-        return figures.error();
-    }
-    const Result<std::vector<Samples>> frames = measureProjectileDrawing(*room.value(), options.common.plan);
-    if (!frames) {
-        return frames.error();
-    }
-    Report report;
-    report.benchmark = QStringLiteral("physics");
-    report.header = reportHeader(*room.value(), options.common.width, options.common.height);
-    addSteps(report, figures.value());
-    addColliders(report, figures.value());
-    addDrawing(report, frames.value());
-    addRecords(report, figures.value(), frames.value());
-    return writeReport(report, options.common.destinations);
+    return cli::finish(runBenchmark(
+        QStringLiteral("physics"), options.common, true,
+        [&](BenchRoom& room, Report& report) { return measurePhysicsAll(options, room, report); }));
 }
 
 }  // namespace
 
-int physicsCommand(const QStringList& list) {
-    Arguments arguments(QStringLiteral(
-        "Measures physics steps and frames with 2,000 projectiles, and colliders that follow the dents."));
-    addMeasuringOptions(arguments);
-    arguments.addOption(QStringLiteral("triangles"), QStringLiteral("Of the targets."),
-                        QStringLiteral("list"), QStringLiteral("8000,2000000"));
-    parseBenchArguments(arguments, list);
-    if (arguments.error().isEmpty() && arguments.wantsHelp()) {
-        QTextStream(stdout) << arguments.help(QStringLiteral("physics"));
-        return 0;
-    }
-    PhysicsOptions options;
-    options.common = takeMeasuringOptions(arguments);
-    options.triangles = arguments.wholeNumbers(QStringLiteral("triangles"), kLeastTriangles, kMostTriangles);
-    if (!arguments.error().isEmpty()) {
-        return cli::wrongUsage(arguments.error());
-    }
-    return cli::finish(runPhysics(options));
+cli::Verb physicsVerb() {
+    return {
+        {.name = QStringLiteral("bench physics"),
+         .files = {},
+         .about = QStringLiteral("steps and frames with 2,000 projectiles, colliders that follow the dents"),
+         .description = QStringLiteral(
+             "Measures physics steps and frames with 2,000 projectiles, and colliders that follow the "
+             "dents."),
+         .options = QList<UsageOption>{valueOption("triangles", "LIST",
+                                                   QStringLiteral("Triangles of the targets; K is a "
+                                                                  "thousand, M a million."),
+                                                   QStringLiteral("8000,2M")),
+                                       sizeOption()} +
+                    measuringOptions(),
+         .examples = {{QStringLiteral("On a small target, a few samples each."),
+                       QStringLiteral("hitscope-cli bench physics --quick --triangles 1K --size 320x180")}}},
+        runPhysics};
 }
 
 }  // namespace hitscope::bench

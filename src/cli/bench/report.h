@@ -38,10 +38,17 @@ struct Report {
 /// but for line ends: \n). UTF-8.
 [[nodiscard]] QByteArray toCsv(const Report& report);
 
-/// Where a report goes. "-" is the standard output, and then the tables for people stay away from it.
+/// Where a report goes. "-" is the standard output.
 struct Destinations {
-    QString json;  ///< file; empty: none
-    QString csv;   ///< file; empty: none
+    bool json = false;  ///< as JSON to the standard output
+    QString report{};   ///< file for JSON; empty: none
+    QString csv{};      ///< file; empty: none
+    bool quiet = false;
+
+    /// How many of them go there; the tables for people do where there is none.
+    [[nodiscard]] int toStandardOutput() const;
+    /// Whether the tables for people are wanted.
+    [[nodiscard]] bool wantsText() const;
 };
 /// Fails where a file could not be written, before hours are spent on what goes into it.
 [[nodiscard]] Status checkDestinations(const Destinations& destinations);

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What it costs to keep a session: files, the journal, the steps to undo.
 #include <QTemporaryDir>
-#include <QTextStream>
 
 #include "cli/bench/bench_command.h"
 #include "cli/bench/bench_options.h"
-#include "cli/bench/report_header.h"
 #include "cli/bench/session_cost.h"
-#include "cli/command_line.h"
 
 namespace hitscope::bench {
 
@@ -43,10 +40,7 @@ QString share(double seconds) {
     return QStringLiteral("%1 %").arg(100.0 * seconds / kFrame, 0, 'f', 2);
 }
 
-Report reportOf(const SessionFigures& figures, const SessionOptions& options, const BenchRoom& room) {
-    Report report;
-    report.benchmark = QStringLiteral("session");
-    report.header = reportHeader(room, 0, 0);
+void addSession(const SessionFigures& figures, const SessionOptions& options, Report& report) {
     report.fields = {QStringLiteral("hits"), QStringLiteral("measured"), QStringLiteral("samples"),
                      QStringLiteral("seconds_median"), QStringLiteral("seconds_most")};
     Table table;
@@ -69,20 +63,9 @@ Report reportOf(const SessionFigures& figures, const SessionOptions& options, co
                        "come five times a second at most.")
                        .arg(share(hit), share(figures.flush.median()));
     report.tables.push_back(table);
-    return report;
 }
 
-Status runSession(const SessionOptions& options) {
-    if (Status status = checkDestinations(options.common.destinations); !status) {
-        return status;
-    }
-    if (const QString why = whyItDoesNotFit(kBytesPerHit * options.hits); !why.isEmpty()) {
-        return Error{"This is left out: " + why.toStdString() + ".", "", "Ask for fewer --hits."};
-    }
-    const Result<std::unique_ptr<BenchRoom>> room = BenchRoom::open(16, 16);
-    if (!room) {
-        return room.error();
-    }
+cli::Outcome measureKeeping(const SessionOptions& options, Report& report) {
     const QTemporaryDir folder;
     if (!folder.isValid()) {
         return Error{"There is no room for temporary files.", folder.path().toStdString(),
@@ -93,29 +76,40 @@ Status runSession(const SessionOptions& options) {
     if (!figures) {
         return figures.error();
     }
-    return writeReport(reportOf(figures.value(), options, *room.value()), options.common.destinations);
+    addSession(figures.value(), options, report);
+    return Done{};
+}
+
+int runSession(Invocation& given) {
+    SessionOptions options;
+    options.common = takeMeasuringOptions(given);
+    options.hits = takeCount(given, "hits", 1, kMostHits);
+    if (!given.error().isEmpty()) {
+        return cli::kWrongUsage;
+    }
+    if (const QString why = whyItDoesNotFit(kBytesPerHit * options.hits); !why.isEmpty()) {
+        return cli::finish(
+            Error{"This is left out: " + why.toStdString() + ".", "", "Ask for fewer --hits."});
+    }
+    return cli::finish(
+        runBenchmark(QStringLiteral("session"), options.common, false,
+                     [&](BenchRoom& /*room*/, Report& report) { return measureKeeping(options, report); }));
 }
 
 }  // namespace
 
-int sessionCommand(const QStringList& list) {
-    Arguments arguments(
-        QStringLiteral("Measures saving and opening a session, recovering it, its journal, and its undo."));
-    addMeasuringOptions(arguments);
-    arguments.addOption(QStringLiteral("hits"), QStringLiteral("In the session."), QStringLiteral("n"),
-                        QStringLiteral("100000"));
-    parseBenchArguments(arguments, list);
-    if (arguments.error().isEmpty() && arguments.wantsHelp()) {
-        QTextStream(stdout) << arguments.help(QStringLiteral("session"));
-        return 0;
-    }
-    SessionOptions options;
-    options.common = takeMeasuringOptions(arguments);
-    options.hits = arguments.wholeNumber(QStringLiteral("hits"), 1, kMostHits);
-    if (!arguments.error().isEmpty()) {
-        return cli::wrongUsage(arguments.error());
-    }
-    return cli::finish(runSession(options));
+cli::Verb sessionVerb() {
+    return {{.name = QStringLiteral("bench session"),
+             .files = {},
+             .about = QStringLiteral("saving, opening and recovering a session, its journal and its undo"),
+             .description = QStringLiteral(
+                 "Measures saving and opening a session, recovering it, its journal, and its undo."),
+             .options = QList<UsageOption>{valueOption("hits", "N", QStringLiteral("Hits in the session."),
+                                                       QStringLiteral("100K"))} +
+                        measuringOptions(),
+             .examples = {{QStringLiteral("A session of 500 hits, a few samples each."),
+                           QStringLiteral("hitscope-cli bench session --quick --hits 500")}}},
+            runSession};
 }
 
 }  // namespace hitscope::bench
