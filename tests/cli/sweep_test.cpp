@@ -25,6 +25,7 @@ private Q_SLOTS:
     void interruptedItGoesOn();
     void othersMakeTheSameTable_data();
     void othersMakeTheSameTable();
+    void jobArraysTakeAnyFolder();
     void anotherContentIsAnotherJob();
     void plansAreChecked_data();
     void plansAreChecked();
@@ -124,6 +125,15 @@ void SweepTest::othersMakeTheSameTable() {
         QCOMPARE(read(folder + QLatin1String(name)), read(QStringLiteral("here") + QLatin1String(name)));
     }
     QVERIFY(runCli({"sweep", "--list", "--out", in(folder), in("plan.json")}).out.isEmpty());
+}
+
+/// A space, a quote and a percent sign in a folder's name, as sbatch reads them.
+void SweepTest::jobArraysTakeAnyFolder() {
+    const CliRun run = runCli({"sweep", "--slurm", "--out", in("a \"b\" 5%"), in("plan.json")});
+    QVERIFY2(run.status == 0, qPrintable(run.err));
+    const QString line = QStringLiteral("#SBATCH --output=\"%1/a \\\"b\\\" 5%%/slurm-%A_%a.log\"\n");
+    QVERIFY2(run.out.contains(QString(line).replace(QStringLiteral("%1"), m_folder.path())),
+             qPrintable(run.out.left(300)));
 }
 
 void SweepTest::anotherContentIsAnotherJob() {

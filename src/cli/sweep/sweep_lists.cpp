@@ -16,6 +16,14 @@ QString shellQuoted(QString text) {
     return u'\'' + text.replace(u'\'', QStringLiteral("'\\''")) + u'\'';
 }
 
+/// What stands behind --output= in a job script: sbatch reads quotes and backslashes, and replaces %.
+QString slurmPath(QString folder) {
+    folder.replace(u'\\', QStringLiteral("\\\\"))
+        .replace(u'"', QStringLiteral("\\\""))
+        .replace(u'%', QStringLiteral("%%"));
+    return u'"' + folder + QStringLiteral("/slurm-%A_%a.log\"");
+}
+
 QString pythonText(const QString& text) {
     return QString::fromStdString(jsonText(text));
 }
@@ -26,10 +34,10 @@ QString slurmScript(const std::vector<SweepCommand>& commands, const QString& fo
     const std::size_t tasks = std::clamp<std::size_t>(commands.size(), 1, kMostTasks);
     QString text = QStringLiteral(
                        "#!/bin/bash\n#SBATCH --job-name=hitscope-sweep\n#SBATCH --array=0-%1\n"
-                       "#SBATCH --output=%2/slurm-%A_%a.log\n#SBATCH --cpus-per-task=1\n"
+                       "#SBATCH --output=%2\n#SBATCH --cpus-per-task=1\n"
                        "export LP_NUM_THREADS=1\ncommands=(\n")
                        .arg(tasks - 1)
-                       .replace(QStringLiteral("%2"), folder);
+                       .replace(QStringLiteral("%2"), slurmPath(folder));
     for (const SweepCommand& command : commands) {
         text += QStringLiteral("    ") + shellQuoted(command.line) + u'\n';
     }
