@@ -75,7 +75,9 @@ QString bashVerb(const Usage& usage, const QString& pattern) {
         text +=
             QStringLiteral("            case $previous in\n") + values + QStringLiteral("            esac\n");
     }
-    return text + QStringLiteral("            options=\"%1\" ;;\n").arg(optionNames(usage).join(u' '));
+    return text + QStringLiteral("            options=\"%1\"%2 ;;\n")
+                      .arg(optionNames(usage).join(u' '),
+                           usage.mostFiles == 0 ? QStringLiteral("; files=no") : QString());
 }
 
 template <class Verbs>
@@ -123,7 +125,7 @@ QString bash(const ProgramUsage& program) {
                    function +
                    QStringLiteral(
                        "() {\n"
-                       "    local current=${COMP_WORDS[COMP_CWORD]} options=\n"
+                       "    local current=${COMP_WORDS[COMP_CWORD]} options= files=yes\n"
                        "    local previous=${COMP_WORDS[COMP_CWORD-1]}\n"
                        "    # Readline takes = for a word of its own.\n"
                        "    [[ $current == = ]] && current=\n"
@@ -134,7 +136,7 @@ QString bash(const ProgramUsage& program) {
                 "    esac\n"
                 "    if [[ $current == -* ]]; then\n"
                 "        COMPREPLY=($(compgen -W \"$options\" -- \"$current\"))\n"
-                "    else\n"
+                "    elif [[ $files == yes ]]; then\n"
                 "        COMPREPLY=($(compgen -f -- \"$current\"))\n"
                 "    fi\n"
                 "}\n");
@@ -190,7 +192,8 @@ QString zshArguments(const Usage& usage) {
     for (const UsageOption& option : usage.options) {
         text += QStringLiteral(" \\\n                ") + zshOption(option);
     }
-    return text + QStringLiteral(" \\\n                '--help[Print the help]' '*:file:_files'\n");
+    text += QStringLiteral(" \\\n                '--help[Print the help]'");
+    return text + (usage.mostFiles == 0 ? QStringLiteral("\n") : QStringLiteral(" '*:file:_files'\n"));
 }
 
 /// Proposes these, or what the one that is there takes.
@@ -234,7 +237,9 @@ QString fishQuoted(QString text) {
 }
 
 QString fishOptions(const ProgramUsage& program, const Usage& usage, const QString& condition) {
-    QString text;
+    QString text = usage.mostFiles == 0 && !condition.isEmpty()
+                       ? QStringLiteral("complete -c %1%2 -f\n").arg(program.all.name, condition)
+                       : QString();
     for (const UsageOption& option : usage.options) {
         text += QStringLiteral("complete -c %1%2 -l %3").arg(program.all.name, condition, option.name);
         switch (option.takes) {
