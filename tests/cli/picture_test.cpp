@@ -5,6 +5,8 @@
 #include <QImageReader>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
+#include <vector>
 
 #include "cli/run_cli.h"
 #include "support/test_program.h"
@@ -27,6 +29,7 @@ private Q_SLOTS:
     void sizeAndBackground();
     void cameraTakesText();
     void cutsTargetsOpen();
+    void dressesTargets();
     void changeHasAColourBar();
     void changeHasPointsInEveryLocale();
     void sequences();
@@ -103,6 +106,25 @@ void PictureTest::cutsTargetsOpen() {
     QVERIFY(slanted > whole / 4 && slanted < whole);
 }
 
+void PictureTest::dressesTargets() {
+    const auto draw = [this](const char* line) {
+        const QString file = path(QStringLiteral("dressed.png"));
+        const CliRun run = runCli(words("picture --shots 3 --size 160x100") + words(line) << file);
+        return run.status == 0 ? QImage(file) : QImage();
+    };
+    const QImage plain = draw("--samples 1");
+    QVERIFY(!plain.isNull());
+    QCOMPARE(draw("--material file"), plain);
+    std::vector<QImage> others{plain};
+    for (const char* const line :
+         {"--material matcap", "--material clay", "--material metal", "--environment", "--samples 4"}) {
+        const QImage other = draw(line);
+        QCOMPARE(other.size(), plain.size());
+        QVERIFY2(std::find(others.begin(), others.end(), other) == others.end(), line);
+        others.push_back(other);
+    }
+}
+
 void PictureTest::changeHasAColourBar() {
     const auto draw = [this](const char* line) {
         const QString file = path(QStringLiteral("change.png"));
@@ -177,6 +199,11 @@ void PictureTest::wrongUsage_data() {
     row("picture --shots -1 a.png", "--shots takes");
     row("picture --change colour a.png", "displacement");
     row("picture --change difference a.png", "--change takes");
+    row("picture --samples 0 a.png", "--samples takes");
+    row("picture --samples many a.png", "--samples takes");
+    row("picture --samples 9999999 a.png", "--samples takes");
+    row("picture --material wood a.png", "file, matcap, clay, metal");
+    row("picture --environment=garden a.png", "environment");
     row("picture --fast a.png", "fast");
     row("sequence out", "--turntable or --replay");
     row("sequence --turntable 3 --replay out", "--turntable or --replay");
