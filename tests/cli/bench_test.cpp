@@ -45,7 +45,7 @@ private Q_SLOTS:
         QVERIFY2(run.status == 0, qPrintable(run.err));
         QVERIFY2(run.err.isEmpty(), qPrintable(run.err));
         const QJsonObject json = QJsonDocument::fromJson(run.out.toUtf8()).object();
-        QCOMPARE(json[QStringLiteral("benchmark")].toString(), QStringLiteral("paper"));
+        QCOMPARE(json[QStringLiteral("report")].toString(), QStringLiteral("bench paper"));
         const QJsonObject header = json[QStringLiteral("header")].toObject();
         for (const char* name : {"program", "renderer", "OpenGL", "processor", "picture", "date", "note"}) {
             QVERIFY2(!header[QLatin1String(name)].toString().isEmpty(), name);
@@ -207,7 +207,8 @@ private Q_SLOTS:
         QTest::addColumn<QString>("arguments");
         QTest::addColumn<QString>("piece");
         QTest::addRow("nothing") << QString()
-                                 << QStringLiteral("paper, frame, modes, hit, physics, session, io or check");
+                                 << QStringLiteral(
+                                        "paper, frame, modes, hit, physics, session, io, check or compare");
         QTest::addRow("unknown") << QStringLiteral("speed") << QStringLiteral("\"speed\"");
         QTest::addRow("size") << QStringLiteral("paper --size big") << QStringLiteral("--size");
         QTest::addRow("row") << QStringLiteral("paper --rows 10") << QStringLiteral("--rows");

@@ -60,6 +60,9 @@ void ExamplesTest::initTestCase() {
     for (const QStringList& arguments :
          {QStringList{"convert", in("bunny.obj"), in("bunny.ply")},
           QStringList{"convert", in("bunny.obj"), in("part.ply")},
+          QStringList{"bench", "session", "--quick", "--hits", "50", "--quiet", "--report",
+                      in("before.json")},
+          QStringList{"bench", "session", "--quick", "--hits", "50", "--quiet", "--report", in("after.json")},
           QStringList{"shoot", "--random", "5", "--session", in("dents.hitscope"), "--hits-out",
                       in("hits.csv"), in("bunny.obj")}}) {
         const CliRun run = runCli(arguments);

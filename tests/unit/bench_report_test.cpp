@@ -65,8 +65,14 @@ private Q_SLOTS:
     }
 
     void jsonHasAll() {
-        const QJsonObject json = QJsonDocument::fromJson(toJson(smallReport())).object();
-        QCOMPARE(json[QStringLiteral("benchmark")].toString(), QStringLiteral("small"));
+        Report report = smallReport();
+        report.records[0].insert(QStringLiteral("runs"), QJsonArray{0.1, 1.0 / 3.0});
+        const QByteArray text = toJson(report);
+        QVERIFY2(text.startsWith("{\n  \"report\": \"bench small\",\n"), text.constData());
+        const QJsonObject json = QJsonDocument::fromJson(text).object();
+        const QJsonArray runs =
+            json[QStringLiteral("records")].toArray()[0].toObject()[QStringLiteral("runs")].toArray();
+        QCOMPARE(runs, (QJsonArray{0.1, 1.0 / 3.0}));  // the same bits
         QCOMPARE(json[QStringLiteral("header")].toObject()[QStringLiteral("renderer")].toString(),
                  QStringLiteral("pencil"));
         const QJsonArray records = json[QStringLiteral("records")].toArray();

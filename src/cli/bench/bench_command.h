@@ -18,6 +18,7 @@ namespace hitscope::bench {
 [[nodiscard]] cli::Verb sessionVerb();
 [[nodiscard]] cli::Verb ioVerb();
 [[nodiscard]] cli::Verb checkVerb();
+[[nodiscard]] cli::Verb compareReportsVerb();
 
 /// What a benchmark puts into its report, which has its header already.
 using Measuring = std::function<cli::Outcome(BenchRoom& room, Report& report)>;

@@ -33,18 +33,24 @@ QList<UsageOption> destinationOptions() {
         flagOption("json", QStringLiteral("Print the report as JSON in place of the tables.")),
         fileOption("report", QStringLiteral("Write the report as JSON into a file, whole or not at all.")),
         fileOption("csv", QStringLiteral("Write its records as CSV into a file.")),
+        fileOption("html",
+                   QStringLiteral("Write it with diagrams as a page of HTML that needs no other file.")),
         flagOption("quiet",
                    QStringLiteral("No progress, and with a file for the report no tables; errors are "
                                   "still said."))};
 }
 
 Destinations takeDestinations(Invocation& given) {
-    Destinations destinations{given.isSet("json"), given.text("report"), given.text("csv"),
-                              given.isSet("quiet")};
+    Destinations destinations{.json = given.isSet("json"),
+                              .report = given.text("report"),
+                              .html = given.text("html"),
+                              .csv = given.text("csv"),
+                              .quiet = given.isSet("quiet")};
     if (destinations.toStandardOutput() > 1) {
-        given.complain(QStringLiteral(
-            "only one of --json, --report - and --csv - can go to the standard output. Give the others a "
-            "file."));
+        given.complain(
+            QStringLiteral("only one of --json, --report -, --csv - and --html - can go to the standard "
+                           "output. Give the others a "
+                           "file."));
     }
     return destinations;
 }

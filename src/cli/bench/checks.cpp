@@ -29,12 +29,22 @@ Result<PipelineKind> pipelineOf(std::string_view key) {
     return Error{"There is no pipeline \"" + std::string(key) + "\".", "", ""};
 }
 
+using Rows = Result<std::vector<CheckRow>>;
+
+Rows oneRow(TimeRatio ratio) {
+    return std::vector<CheckRow>{{{}, std::move(ratio)}};
+}
+
+std::string countText(int count) {
+    return grouped(static_cast<qulonglong>(count)).toStdString();
+}
+
 /// What the figures' methods have been measured at; an error where one has not.
-Result<double> ratioOf(const HitFigure* a, const HitFigure* b, double times = 1.0) {
+Result<TimeRatio> ratioOf(const HitFigure* a, const HitFigure* b) {
     if (a == nullptr || b == nullptr) {
         return Error{"It could not be measured here.", "", ""};
     }
-    return times * timeRatio(a->hits, b->hits);
+    return timeRatioWithRounds(a->hits, b->hits);
 }
 
 /// Several sizes measured together, so that their ratio is of one run.
@@ -81,30 +91,40 @@ HitOptions hitOptions(PipelineKind kind, bool yardsticks) {
     return options;
 }
 
-/// A hit on 4,000,000 vertices over one on 8,000, with the read-back that every frame does.
-Result<double> growth(std::string_view key, const BenchRoom& room, const Plan& plan) {
+/// A hit on larger spheres over one on the paper's, with the read-back that every frame does.
+Rows growth(std::string_view key, const BenchRoom& room, const Plan& plan) {
     Result<PipelineKind> kind = pipelineOf(key);
     if (!kind) {
         return kind.error();
     }
+    const std::vector<int> vertices{kPaperSphere, 100000, 1000000, 4000000};
     Result<std::vector<std::vector<HitFigure>>> sizes =
-        measureSizes(room, {kPaperSphere, 4000000}, hitOptions(kind.value(), false), plan);
+        measureSizes(room, vertices, hitOptions(kind.value(), false), plan);
     if (!sizes) {
         return sizes.error();
     }
-    return ratioOf(findFigure(sizes.value()[1], Method::WithReadBack, kind.value()),
-                   findFigure(sizes.value()[0], Method::WithReadBack, kind.value()));
+    std::vector<CheckRow> rows;
+    for (std::size_t i = 1; i < vertices.size(); ++i) {
+        Result<TimeRatio> ratio = ratioOf(findFigure(sizes.value()[i], Method::WithReadBack, kind.value()),
+                                          findFigure(sizes.value()[0], Method::WithReadBack, kind.value()));
+        if (!ratio) {
+            return ratio.error();
+        }
+        rows.push_back({countText(vertices[i]) + " vertices", std::move(ratio).value()});
+    }
+    return rows;
 }
 
 /// Transform feedback over the paper's own way.
-Result<double> overPaperWay(int vertices, const BenchRoom& room, const Plan& plan) {
+Rows overPaperWay(int vertices, const BenchRoom& room, const Plan& plan) {
     Result<std::vector<std::vector<HitFigure>>> sizes =
         measureSizes(room, {vertices}, hitOptions(PipelineKind::TransformFeedback, true), plan);
     if (!sizes) {
         return sizes.error();
     }
-    return ratioOf(findFigure(sizes.value()[0], Method::WithReadBack),
-                   findFigure(sizes.value()[0], Method::PaperFeedback));
+    Result<TimeRatio> ratio = ratioOf(findFigure(sizes.value()[0], Method::WithReadBack),
+                                      findFigure(sizes.value()[0], Method::PaperFeedback));
+    return ratio ? oneRow(std::move(ratio).value()) : Rows(ratio.error());
 }
 
 /// A bound of a few hundredths needs more samples than one of a factor.
@@ -116,106 +136,128 @@ Plan longer(Plan plan) {
 
 /// A thousand hits in one frame over one hit in a frame, with all that the session and its picture pay for
 /// them.
-Result<double> thousandHits(const BenchRoom& room, const Plan& plan) {
+Rows thousandHits(const BenchRoom& room, const Plan& plan) {
     Result<std::vector<Samples>> samples =
         measureArrivals(room, paperRowScene(kDefaultPaperRow), PipelineKind::TransformFeedback, {1, 1000},
                         kSeed, longer(plan));
     if (!samples) {
         return samples.error();
     }
-    return timeRatio(samples.value()[1], samples.value()[0]);
+    return oneRow(timeRatioWithRounds(samples.value()[1], samples.value()[0]));
 }
 
-Result<double> history(const BenchRoom& room, const Plan& plan) {
-    HistoryOptions options;
-    options.hits = {0, 10000};
-    options.gentle = true;
-    options.seed = kSeed;
-    options.plan = longer(plan);
-    Result<std::vector<HistoryFigure>> figures =
-        measureHistories(room, paperRowScene(kDefaultPaperRow), options, QStringLiteral("history"));
-    if (!figures) {
-        return figures.error();
+/// Of each pipeline that keeps all hits and runs here.
+Rows history(const BenchRoom& room, const Plan& plan) {
+    std::vector<CheckRow> rows;
+    for (const PipelineTraits& traits : allPipelines()) {
+        const Result<std::unique_ptr<DeformationPipeline>> made = room.makePipeline(traits.kind);
+        if (!made || made.value()->capacity().capacity) {
+            continue;
+        }
+        HistoryOptions options;
+        options.pipeline = traits.kind;
+        options.hits = {0, 10000};
+        options.gentle = true;
+        options.seed = kSeed;
+        options.plan = longer(plan);
+        Result<std::vector<HistoryFigure>> figures =
+            measureHistories(room, paperRowScene(kDefaultPaperRow), options, pipelineName(traits.kind));
+        if (!figures) {
+            return figures.error();
+        }
+        rows.push_back({std::string(traits.key),
+                        timeRatioWithRounds(figures.value()[1].frames, figures.value()[0].frames)});
     }
-    return timeRatio(figures.value()[1].frames, figures.value()[0].frames);
+    return rows;
 }
 
-Result<std::vector<RowFigure>> measureRow(int row, std::vector<PipelineKind> pipelines, const BenchRoom& room,
-                                          const Plan& plan) {
-    RowBench bench(room, {std::move(pipelines), 10, kSeed, plan});
-    if (!bench.unavailable().empty()) {
-        return Error{bench.unavailable().begin()->second, "", ""};
+/// Of the paper's rows, what `ratio` makes of each one's figures. `withHighPoly`: those alone that have a
+/// high-polygon mesh.
+Rows inPaperRows(const BenchRoom& room, const Plan& plan, const std::vector<PipelineKind>& pipelines,
+                 bool withHighPoly, const std::function<TimeRatio(const std::vector<RowFigure>&)>& ratio) {
+    std::vector<CheckRow> rows;
+    for (int row = 0; row < static_cast<int>(paperRows().size()); ++row) {
+        const PaperRow& counts = paperRows()[static_cast<std::size_t>(row)];
+        if (withHighPoly && counts.highPolyCubes + counts.highPolySpheres == 0) {
+            continue;
+        }
+        RowBench bench(room, {pipelines, 10, kSeed, plan});
+        if (!bench.unavailable().empty()) {
+            return Error{bench.unavailable().begin()->second, "", ""};
+        }
+        Result<std::vector<RowFigure>> figures =
+            bench.measure(row, nullptr, QStringLiteral("row %1").arg(row + 1));
+        if (!figures) {
+            return figures.error();
+        }
+        rows.push_back({"row " + std::to_string(row + 1), ratio(figures.value())});
     }
-    return bench.measure(row, nullptr, QStringLiteral("row %1").arg(row + 1));
+    return rows;
 }
 
-Result<double> culled(const BenchRoom& room, const Plan& plan) {
-    Result<PipelineKind> kind = pipelineOf("uniform-array-culled");
+/// A frame of this pipeline over one of the uniform array.
+Rows overUniformArray(std::string_view key, const BenchRoom& room, const Plan& plan) {
+    const Result<PipelineKind> kind = pipelineOf(key);
     if (!kind) {
         return kind.error();
     }
-    Result<std::vector<RowFigure>> figures =
-        measureRow(kDefaultPaperRow, {PipelineKind::UniformArray, kind.value()}, room, plan);
-    if (!figures) {
-        return figures.error();
-    }
-    return timeRatio(findFigure(figures.value(), kind.value())->frames,
-                     findFigure(figures.value(), PipelineKind::UniformArray)->frames);
+    return inPaperRows(room, plan, {PipelineKind::UniformArray, kind.value()}, true,
+                       [kind = kind.value()](const std::vector<RowFigure>& figures) {
+                           return timeRatioWithRounds(
+                               findFigure(figures, kind)->frames,
+                               findFigure(figures, PipelineKind::UniformArray)->frames);
+                       });
 }
 
-/// The worst of the rows that have a high-polygon mesh.
-Result<double> paperRowsRatio(const BenchRoom& room, const Plan& plan) {
-    double worst = 0.0;
-    for (int row = 0; row < static_cast<int>(paperRows().size()); ++row) {
-        const PaperRow& counts = paperRows()[static_cast<std::size_t>(row)];
-        if (counts.highPolyCubes + counts.highPolySpheres == 0) {
-            continue;
-        }
-        Result<std::vector<RowFigure>> figures =
-            measureRow(row, {PipelineKind::UniformArray, PipelineKind::TransformFeedback}, room, plan);
-        if (!figures) {
-            return figures.error();
-        }
-        worst =
-            std::max(worst, timeRatio(findFigure(figures.value(), PipelineKind::TransformFeedback)->frames,
-                                      findFigure(figures.value(), PipelineKind::UniformArray)->frames));
-    }
-    return worst;
-}
-
-Result<double> arrivingHits(const BenchRoom& room, const Plan& plan) {
-    Result<std::vector<RowFigure>> figures =
-        measureRow(kDefaultPaperRow, {PipelineKind::TransformFeedback}, room, longer(plan));
-    if (!figures) {
-        return figures.error();
-    }
-    return timeRatio(findFigure(figures.value(), PipelineKind::TransformFeedback, true)->frames,
-                     findFigure(figures.value(), PipelineKind::TransformFeedback, false)->frames);
+Rows arrivingHits(const BenchRoom& room, const Plan& plan) {
+    return inPaperRows(room, longer(plan), {PipelineKind::TransformFeedback}, false,
+                       [](const std::vector<RowFigure>& figures) {
+                           return timeRatioWithRounds(
+                               findFigure(figures, PipelineKind::TransformFeedback, true)->frames,
+                               findFigure(figures, PipelineKind::TransformFeedback, false)->frames);
+                       });
 }
 
 /// Of a collider's time a hit, the same number of vertices affected.
-std::function<Result<double>(const BenchRoom&, const Plan&)> colliderGrowth(Samples PhysicsFigure::*samples) {
-    return [samples](const BenchRoom& room, const Plan& plan) -> Result<double> {
-        const Result<std::vector<PhysicsFigure>> figures =
-            measureColliders(room, {physicsSphere(8000), physicsSphere(2000000)}, plan);
+std::function<Rows(const BenchRoom&, const Plan&)> colliderGrowth(Samples PhysicsFigure::*samples) {
+    return [samples](const BenchRoom& room, const Plan& plan) -> Rows {
+        const std::vector<int> triangles{8000, 200000, 2000000};
+        std::vector<PreparedMesh> spheres;
+        for (const int count : triangles) {
+            spheres.push_back(physicsSphere(count));
+        }
+        const Result<std::vector<PhysicsFigure>> figures = measureColliders(room, spheres, plan);
         if (!figures) {
             return figures.error();
         }
-        return timeRatio(figures.value()[1].*samples, figures.value()[0].*samples);
+        std::vector<CheckRow> rows;
+        for (std::size_t i = 1; i < triangles.size(); ++i) {
+            rows.push_back({countText(triangles[i]) + " triangles",
+                            timeRatioWithRounds(figures.value()[i].*samples, figures.value()[0].*samples)});
+        }
+        return rows;
     };
 }
 
-Result<double> projectiles(const BenchRoom& room, const Plan& plan) {
+Rows projectiles(const BenchRoom& room, const Plan& plan) {
     const Result<std::vector<Samples>> frames = measureProjectileDrawing(room, plan);
     if (!frames) {
         return frames.error();
     }
-    return timeRatio(frames.value()[1], frames.value()[0]);
+    return oneRow(timeRatioWithRounds(frames.value()[1], frames.value()[0]));
+}
+
+Rows checkMode(const ViewMode& which, const BenchRoom& room, const Plan& plan) {
+    Result<TimeRatio> cost = modeCost(room, plan, which);
+    return cost ? oneRow(std::move(cost).value()) : Rows(cost.error());
 }
 
 std::vector<Check> makeChecks() {
     const auto growthOf = [](const char* key) {
         return [key](const BenchRoom& room, const Plan& plan) { return growth(key, room, plan); };
+    };
+    const auto overArray = [](const char* key) {
+        return [key](const BenchRoom& room, const Plan& plan) { return overUniformArray(key, room, plan); };
     };
     const auto paperWayAt = [](int vertices) {
         return [vertices](const BenchRoom& room, const Plan& plan) {
@@ -223,26 +265,30 @@ std::vector<Check> makeChecks() {
         };
     };
     std::vector<Check> checks{
-        {{"size-transform-feedback", "a hit on 4,000,000 vertices / on 7,938, transform feedback", 2.0,
+        {{"size-transform-feedback", "a hit on up to 4,000,000 vertices / on 7,938, transform feedback", 2.0,
           growthOf("transform-feedback")},
          {"size-compute", "the same, compute", 2.0, growthOf("compute")},
          {"size-reference", "the same, reference", 2.0, growthOf("reference")},
-         {"history", "a frame with 10,000 hits in the history / with none, transform feedback", 1.03,
-          history},
-         {"culled", "a frame of uniform array, culled / of uniform array, 600 hits", 1.0 / 8.0, culled},
+         {"history", "a frame with 10,000 hits in the history / with none, each pipeline that keeps all",
+          1.03, history},
+         {"culled",
+          "a frame of uniform array, culled / of uniform array, 600 hits, the paper's rows with high-poly "
+          "meshes",
+          1.0 / 8.0, overArray("uniform-array-culled")},
          {"paper-way-8k", "a hit on 7,938 vertices, transform feedback / the paper's own way", 1.0 / 10.0,
           paperWayAt(kPaperSphere)},
          {"paper-way-1m", "a hit on 1,000,000 vertices, transform feedback / the paper's own way",
           1.0 / 500.0, paperWayAt(1000000)},
          {"paper-rows",
-          "a frame of transform feedback / of uniform array, the worst row with high-poly meshes", 1.0 / 20.0,
-          paperRowsRatio},
-         {"arriving-hits", "a frame with a hit every 10 / with none arriving, transform feedback", 1.05,
+          "a frame of transform feedback / of uniform array, the paper's rows with high-poly meshes",
+          1.0 / 20.0, overArray("transform-feedback")},
+         {"arriving-hits",
+          "a frame with a hit every 10 / with none arriving, transform feedback, the paper's rows", 1.05,
           arrivingHits},
          {"thousand-hits",
           "a frame's 1,000 hits / a frame's one hit, transform feedback, the paper's second row", 50.0,
           thousandHits},
-         {"collider-update", "a collider taking on a hit, 2,000,000 triangles / 8,000", 3.0,
+         {"collider-update", "a collider taking on a hit, up to 2,000,000 triangles / 8,000", 3.0,
           colliderGrowth(&PhysicsFigure::dented)},
          {"hull-update", "the same, a dynamic target's with its hull", 3.0,
           colliderGrowth(&PhysicsFigure::dentedMoving)},
@@ -253,7 +299,7 @@ std::vector<Check> makeChecks() {
                 {"mode-" + std::string(mode.key),
                  std::string("a frame in the mode / plain shading, 116,256 vertices: ") + mode.name,
                  mode.atMost,
-                 [&mode](const BenchRoom& room, const Plan& plan) { return modeCost(room, plan, mode); }});
+                 [&mode](const BenchRoom& room, const Plan& plan) { return checkMode(mode, room, plan); }});
         }
     }
     return checks;

@@ -5,18 +5,26 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "cli/bench/bench_room.h"
+#include "cli/bench/harness.h"
 
 namespace hitscope::bench {
+
+/// One of the scenes, sizes or pipelines that a promise speaks of.
+struct CheckRow {
+    std::string where;  ///< "row 3"; empty: there is but one
+    TimeRatio ratio;
+};
 
 /// A promise about speed, as a ratio of times measured in one run.
 struct Check {
     std::string name;   ///< "history"
     std::string about;  ///< what over what
     double atMost;      ///< the ratio kept
-    /// Measures it. The error says why it cannot be measured here.
-    std::function<Result<double>(const BenchRoom&, const Plan&)> measure;
+    /// Measures it wherever it holds. The error says why it cannot be measured here.
+    std::function<Result<std::vector<CheckRow>>(const BenchRoom&, const Plan&)> measure;
 };
 
 /// Picture size of the checks that draw, pixels.

@@ -4,6 +4,7 @@
 #include <QTextStream>
 
 #include "cli/bench/report.h"
+#include "cli/bench/reports/html_report.h"
 #include "io/staged_files.h"
 
 namespace hitscope::bench {
@@ -50,20 +51,24 @@ Status write(const QString& destination, const QByteArray& bytes) {
 
 int Destinations::toStandardOutput() const {
     int count = json ? 1 : 0;
-    for (const QString& destination : {report, csv}) {
+    for (const QString& destination : {report, csv, html}) {
         count += destination == kStandardOutput ? 1 : 0;
     }
     return count;
 }
 
 bool Destinations::wantsText() const {
-    const bool hasFile = isFile(report) || isFile(csv);
+    const bool hasFile = isFile(report) || isFile(csv) || isFile(html);
     return toStandardOutput() == 0 && !(quiet && hasFile);
 }
 
 Status checkDestinations(const Destinations& destinations) {
-    Status status = checkFile(destinations.report);
-    return status ? checkFile(destinations.csv) : status;
+    for (const QString& file : {destinations.report, destinations.csv, destinations.html}) {
+        if (Status status = checkFile(file); !status) {
+            return status;
+        }
+    }
+    return Done{};
 }
 
 Status writeReport(const Report& report, const Destinations& destinations) {
@@ -74,7 +79,8 @@ Status writeReport(const Report& report, const Destinations& destinations) {
     if (json && destinations.json) {
         json = write(kStandardOutput, toJson(report));
     }
-    return json ? write(destinations.csv, toCsv(report)) : json;
+    Status csv = json ? write(destinations.csv, toCsv(report)) : json;
+    return csv && !destinations.html.isEmpty() ? write(destinations.html, toHtml(report)) : csv;
 }
 
 }  // namespace hitscope::bench

@@ -63,6 +63,7 @@ QJsonObject record(const FrameSeries& series, const HistoryFigure& figure, bool 
             {QStringLiteral("frame_seconds_median"), figure.frames.median()},
             {QStringLiteral("frame_seconds_least"), figure.frames.least()},
             {QStringLiteral("frame_seconds_most"), figure.frames.most()},
+            {QStringLiteral("runs"), runsJson(figure.frames)},
             {QStringLiteral("time_ratio_to_no_hits"), ratio > 0.0 ? QJsonValue(ratio) : QJsonValue()}};
 }
 
@@ -120,6 +121,8 @@ cli::Outcome measureFrames(const FrameOptions& options, const BenchRoom& room, R
                      QStringLiteral("frame_seconds_least"),
                      QStringLiteral("frame_seconds_most"),
                      QStringLiteral("time_ratio_to_no_hits")};
+    report.keys = report.fields.first(5);
+    report.along = QStringLiteral("hits");
     report.notes = frameNotes(options.gentle);
     Status status = Done{};
     if (options.vertices.empty()) {

@@ -77,17 +77,24 @@ double Samples::most() const {
     return m_values.empty() ? 0.0 : *std::max_element(m_values.begin(), m_values.end());
 }
 
-double timeRatio(const Samples& a, const Samples& b) {
+TimeRatio timeRatioWithRounds(const Samples& a, const Samples& b) {
+    TimeRatio ratio;
     if (a.size() != b.size()) {
-        return b.median() > 0.0 ? a.median() / b.median() : 0.0;
+        ratio.value = b.median() > 0.0 ? a.median() / b.median() : 0.0;
+        ratio.rounds.add(ratio.value);
+        return ratio;
     }
-    std::vector<double> quotients;
     for (std::size_t i = 0; i < a.size(); ++i) {
         if (b.values()[i] > 0.0) {
-            quotients.push_back(a.values()[i] / b.values()[i]);
+            ratio.rounds.add(a.values()[i] / b.values()[i]);
         }
     }
-    return medianOf(std::move(quotients));
+    ratio.value = ratio.rounds.median();
+    return ratio;
+}
+
+double timeRatio(const Samples& a, const Samples& b) {
+    return timeRatioWithRounds(a, b).value;
 }
 
 double steadySeconds() {

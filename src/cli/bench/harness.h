@@ -51,6 +51,13 @@ private:
 /// when either is empty.
 [[nodiscard]] double timeRatio(const Samples& a, const Samples& b);
 
+/// A timeRatio() and where it comes from.
+struct TimeRatio {
+    double value = 0.0;
+    Samples rounds;  ///< the quotients within a round; where there are no rounds, the value alone
+};
+[[nodiscard]] TimeRatio timeRatioWithRounds(const Samples& a, const Samples& b);
+
 /// Seconds on a clock that does not go back.
 using Clock = std::function<double()>;
 [[nodiscard]] double steadySeconds();

@@ -119,6 +119,7 @@ QJsonObject record(const MeasuredSize& size, const HitFigure& figure) {
             {QStringLiteral("hit_seconds_median"), figure.hits.median()},
             {QStringLiteral("hit_seconds_least"), figure.hits.least()},
             {QStringLiteral("hit_seconds_most"), figure.hits.most()},
+            {QStringLiteral("runs"), runsJson(figure.hits)},
             {QStringLiteral("paper_way_over_it"),
              orNull(yardstickOver(size.figures, Method::PaperFeedback, figure))},
             {QStringLiteral("it_over_memcpy"), orNull(overCopy(size.figures, figure))}};
@@ -169,6 +170,9 @@ cli::Outcome measureHits(const HitCommandOptions& options, const BenchRoom& room
                      QStringLiteral("hit_seconds_most"),
                      QStringLiteral("paper_way_over_it"),
                      QStringLiteral("it_over_memcpy")};
+    report.keys = {QStringLiteral("vertices"), QStringLiteral("method"), QStringLiteral("read_back"),
+                   QStringLiteral("hits_a_frame")};
+    report.along = QStringLiteral("vertices");
     report.notes = hitNotes();
     std::vector<MeasuredSize> sizes;
     for (const int vertices : options.vertices) {

@@ -50,7 +50,7 @@ struct Judged {
 
     void add(const QString& what, const QString& field, const QString& measured, double value,
              const QString& compared, std::optional<double> ratio, std::optional<double> atMost,
-             const QString& bound) {
+             const QString& bound, const QJsonArray& runs, const QString& unit = {}) {
         const bool kept = !atMost || ratio.value_or(value) <= *atMost;
         allKept = allKept && kept;
         table.rows.push_back({what, measured, compared, bound,
@@ -61,7 +61,11 @@ struct Judged {
                            {QStringLiteral("value"), value},
                            {QStringLiteral("ratio"), ratio ? QJsonValue(*ratio) : QJsonValue()},
                            {QStringLiteral("at_most"), atMost ? QJsonValue(*atMost) : QJsonValue()},
-                           {QStringLiteral("kept"), atMost ? QJsonValue(kept) : QJsonValue()}});
+                           {QStringLiteral("kept"), atMost ? QJsonValue(kept) : QJsonValue()},
+                           {QStringLiteral("runs"), runs}});
+        if (!unit.isEmpty()) {
+            records.back().insert(QStringLiteral("unit"), unit);
+        }
     }
 };
 
@@ -81,19 +85,19 @@ Judged judge(const IoFigures& figures, const IoOptions& options) {
                   : QString();
         judged.add(QLatin1String(row.what), QLatin1String(row.field), shortTime(row.samples.median()),
                    row.samples.median(), compared, ratio, row.atMost,
-                   row.atMost ? QString::number(*row.atMost) : QString());
+                   row.atMost ? QString::number(*row.atMost) : QString(), runsJson(row.samples));
     }
     const auto gigabytes = [](double bytes) {
         return QStringLiteral("%1 GB").arg(1.0e-9 * bytes, 0, 'f', 2);
     };
     judged.add(QStringLiteral("memory of a program that draws it and its worker"), QStringLiteral("memory"),
                gigabytes(figures.peakBytes), figures.peakBytes, {}, std::nullopt, kMostPeak,
-               gigabytes(kMostPeak));
+               gigabytes(kMostPeak), {figures.peakBytes}, QStringLiteral("B"));
     if (!figures.ply.empty()) {
         judged.add(QStringLiteral("a binary PLY of %1 triangles, to the first picture")
                        .arg(grouped(static_cast<qulonglong>(options.sizes.plyTriangles))),
                    QStringLiteral("ply"), shortTime(figures.ply.median()), figures.ply.median(), {},
-                   std::nullopt, kMostPlySeconds, shortTime(kMostPlySeconds));
+                   std::nullopt, kMostPlySeconds, shortTime(kMostPlySeconds), runsJson(figures.ply));
     }
     judged.table.notes << QStringLiteral(
         "Quotients are of times taken in turn. Memory is the share of both processes (PSS), looked at 50 "
@@ -115,6 +119,7 @@ cli::Outcome measureFiles(const IoOptions& options, const BenchRoom& room, Repor
     Judged judged = judge(figures.value(), options);
     report.fields = {QStringLiteral("measured"), QStringLiteral("value"), QStringLiteral("ratio"),
                      QStringLiteral("at_most"), QStringLiteral("kept")};
+    report.keys = report.fields.first(1);
     report.tables.push_back(std::move(judged.table));
     report.records = std::move(judged.records);
     return options.strict && !judged.allKept

@@ -29,6 +29,7 @@ void describe(Report& report, const std::vector<Samples>& samples, PipelineKind 
         report.records.push_back({{QStringLiteral("pipeline"), pipelineKey(pipeline)},
                                   {QStringLiteral("key"), QLatin1String(modes[i].key)},
                                   {QStringLiteral("mode"), name},
+                                  {QStringLiteral("runs"), runsJson(samples[i])},
                                   {QStringLiteral("frame_seconds_median"), samples[i].median()},
                                   {QStringLiteral("time_ratio_to_plain"), ratio},
                                   {QStringLiteral("at_most"), modes[i].atMost}});
@@ -43,6 +44,7 @@ cli::Outcome measureModes(const CommonOptions& options, int row, const BenchRoom
                      QStringLiteral("frame_seconds_median"),
                      QStringLiteral("time_ratio_to_plain"),
                      QStringLiteral("at_most")};
+    report.keys = report.fields.first(2);
     for (const PipelineKind pipeline : options.pipelines) {
         ModesScene scene(room.picture());
         if (Status status = scene.open(row, pipeline, options.seed); !status) {

@@ -146,7 +146,7 @@ Variant ModesScene::variant(const ViewMode& mode) {
     return {mode.name, 1.0, [this, &mode] { return prepare(mode); }, [this] { return draw(); }};
 }
 
-Result<double> modeCost(const BenchRoom& room, const Plan& plan, const ViewMode& mode) {
+Result<TimeRatio> modeCost(const BenchRoom& room, const Plan& plan, const ViewMode& mode) {
     ModesScene scene(room.picture());
     if (Status status = scene.open(kFullestRow, PipelineKind::TransformFeedback, kSeed); !status) {
         return status.error();
@@ -156,7 +156,7 @@ Result<double> modeCost(const BenchRoom& room, const Plan& plan, const ViewMode&
     if (!samples) {
         return samples.error();
     }
-    return timeRatio(samples.value()[1], samples.value()[0]);
+    return timeRatioWithRounds(samples.value()[1], samples.value()[0]);
 }
 
 }  // namespace hitscope::bench

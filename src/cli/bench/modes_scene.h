@@ -56,6 +56,6 @@ private:
 inline constexpr int kFullestRow = 6;
 
 /// A frame in this mode over a plainly shaded one from the same place: the fullest row, transform feedback.
-[[nodiscard]] Result<double> modeCost(const BenchRoom& room, const Plan& plan, const ViewMode& mode);
+[[nodiscard]] Result<TimeRatio> modeCost(const BenchRoom& room, const Plan& plan, const ViewMode& mode);
 
 }  // namespace hitscope::bench

@@ -190,6 +190,7 @@ QJsonObject record(const MeasuredRow& row, const RowFigure& figure) {
         {QStringLiteral("hits_present"), static_cast<qint64>(figure.hitsKept)},
         {QStringLiteral("hit_every"), figure.hitEvery},
         {QStringLiteral("samples"), static_cast<qint64>(figure.frames.size())},
+        {QStringLiteral("runs"), runsJson(figure.frames)},
         {QStringLiteral("fps_median"), 1.0 / figure.frames.median()},
         {QStringLiteral("fps_low"), 1.0 / figure.frames.most()},
         {QStringLiteral("fps_high"), 1.0 / figure.frames.least()},
@@ -224,6 +225,8 @@ void addPaperRows(Report& report, const std::vector<MeasuredRow>& rows) {
                      QStringLiteral("paper_ratio_l2"),
                      QStringLiteral("fps_ratio_to_uniform_array"),
                      QStringLiteral("time_ratio_to_no_hits")};
+    report.keys = {QStringLiteral("row"), QStringLiteral("texture"), QStringLiteral("pipeline"),
+                   QStringLiteral("hits_by"), QStringLiteral("hit_every")};
 
     QStringList textures;
     for (const MeasuredRow& row : rows) {

@@ -71,10 +71,12 @@ void addRecords(Report& report, const std::vector<PhysicsFigure>& figures,
                 const std::vector<Samples>& frames) {
     report.fields = {QStringLiteral("triangles"), QStringLiteral("measured"), QStringLiteral("samples"),
                      QStringLiteral("seconds_median"), QStringLiteral("seconds_most")};
+    report.keys = report.fields.first(2);
     const auto add = [&report](const QJsonValue& triangles, const char* measured, const Samples& samples) {
         report.records.push_back({{QStringLiteral("triangles"), triangles},
                                   {QStringLiteral("measured"), QLatin1String(measured)},
                                   {QStringLiteral("samples"), static_cast<qint64>(samples.size())},
+                                  {QStringLiteral("runs"), runsJson(samples)},
                                   {QStringLiteral("seconds_median"), samples.median()},
                                   {QStringLiteral("seconds_most"), samples.most()}});
     };

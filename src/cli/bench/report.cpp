@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/bench/report.h"
 
-#include <QJsonArray>
-#include <QJsonDocument>
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 
+#include "cli/json_report.h"
 #include "core/grouped.h"
 #include "io/csv_writer.h"
+#include "io/number_text.h"
 
 namespace hitscope::bench {
 
@@ -69,21 +71,68 @@ QString toText(const Report& report) {
     return text;
 }
 
+namespace {
+
+void add(cli::JsonReport& json, const std::string& key, const QJsonValue& value) {
+    if (value.isString()) {
+        json.text(key, value.toString());
+    } else if (value.isBool()) {
+        json.truth(key, value.toBool());
+    } else if (value.isDouble()) {
+        json.number(key, value.toDouble());
+    } else if (value.isArray()) {  // on one line, as there are many
+        std::string list;
+        for (const QJsonValue& each : value.toArray()) {
+            list += list.empty() ? "" : ", ";
+            appendNumber(list, each.toDouble());
+        }
+        json.raw(key, '[' + list + ']');
+    } else {
+        json.nothing(key);
+    }
+}
+
+void addTexts(cli::JsonReport& json, std::string_view key, const QStringList& texts) {
+    json.beginArray(key);
+    for (const QString& text : texts) {
+        json.text({}, text);
+    }
+    json.endArray();
+}
+
+}  // namespace
+
 QByteArray toJson(const Report& report) {
-    QJsonObject header;
+    cli::JsonReport json("bench " + report.benchmark.toStdString());
+    json.beginObject("header");
     for (const auto& [name, value] : report.header) {
-        header.insert(name, value);
+        json.text(name.toStdString(), value);
     }
-    QJsonArray records;
+    json.endObject();
+    addTexts(json, "fields", report.fields);
+    addTexts(json, "keys", report.keys);
+    json.beginArray("records");
     for (const QJsonObject& record : report.records) {
-        records.append(record);
+        json.beginObject();
+        for (const QString& field :
+             report.fields + QStringList{QStringLiteral("unit"), QStringLiteral("runs")}) {
+            if (record.contains(field)) {
+                add(json, field.toStdString(), record[field]);
+            }
+        }
+        json.endObject();
     }
-    return QJsonDocument(QJsonObject{{QStringLiteral("benchmark"), report.benchmark},
-                                     {QStringLiteral("header"), header},
-                                     {QStringLiteral("fields"), QJsonArray::fromStringList(report.fields)},
-                                     {QStringLiteral("records"), records},
-                                     {QStringLiteral("notes"), QJsonArray::fromStringList(report.notes)}})
-        .toJson();
+    json.endArray();
+    addTexts(json, "notes", report.notes);
+    return QByteArray::fromStdString(json.take());
+}
+
+QJsonArray runsJson(const Samples& samples) {
+    QJsonArray runs;
+    for (const double run : samples.values()) {
+        runs.append(run);
+    }
+    return runs;
 }
 
 QByteArray toCsv(const Report& report) {

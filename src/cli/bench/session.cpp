@@ -43,6 +43,7 @@ QString share(double seconds) {
 void addSession(const SessionFigures& figures, const SessionOptions& options, Report& report) {
     report.fields = {QStringLiteral("hits"), QStringLiteral("measured"), QStringLiteral("samples"),
                      QStringLiteral("seconds_median"), QStringLiteral("seconds_most")};
+    report.keys = report.fields.first(2);
     Table table;
     table.title = QStringLiteral("A session of %1 hits, each a step to undo (%2 MB)")
                       .arg(grouped(static_cast<qulonglong>(options.hits)))
@@ -54,6 +55,7 @@ void addSession(const SessionFigures& figures, const SessionOptions& options, Re
         report.records.push_back({{QStringLiteral("hits"), options.hits},
                                   {QStringLiteral("measured"), QLatin1String(row.field)},
                                   {QStringLiteral("samples"), static_cast<qint64>(row.samples.size())},
+                                  {QStringLiteral("runs"), runsJson(row.samples)},
                                   {QStringLiteral("seconds_median"), row.samples.median()},
                                   {QStringLiteral("seconds_most"), row.samples.most()}});
     }
