@@ -5,6 +5,7 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 
 #include "cli/run_cli.h"
 #include "support/test_program.h"
@@ -119,6 +120,71 @@ private Q_SLOTS:
         QCOMPARE(run.status == 0, allKept);
     }
 
+    void latencyMeasuresTheWindow() {
+        const CliRun run = runBench(
+            QStringLiteral("latency --quick --vertices 500,900 --size 400x300 --scattered 20 --json"));
+        if (run.status == 4 && run.err.contains(QStringLiteral("install Xvfb"))) {
+            QSKIP("no Xvfb");
+        }
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        const QStringList wanted{QStringLiteral("open to picture"),
+                                 QStringLiteral("click to dent"),
+                                 QStringLiteral("click to dent, instant"),
+                                 QStringLiteral("undo key to picture"),
+                                 QStringLiteral("redo key to picture"),
+                                 QStringLiteral("frame at rest"),
+                                 QStringLiteral("frame in motion"),
+                                 QStringLiteral("aim preview, rest to picture"),
+                                 QStringLiteral("aim preview, processor time"),
+                                 QStringLiteral("scatter, previewed"),
+                                 QStringLiteral("scatter, applied"),
+                                 QStringLiteral("scatter, undone"),
+                                 QStringLiteral("scatter, redone")};
+        for (const int vertices : {500, 900}) {
+            QStringList measured;
+            for (const auto& record : recordsOf(run.out)) {
+                if (std::abs(number(record, "vertices") - vertices) > 0.1 * vertices ||
+                    text(record, "measured") == QLatin1String("open to coarse picture")) {
+                    continue;  // a small file may be open before its coarse picture is drawn
+                }
+                measured << text(record, "measured");
+                QVERIFY2(number(record, "seconds_median") > 0.0, qPrintable(measured.last()));
+                QVERIFY(number(record, "seconds_least") <= number(record, "seconds_median"));
+                QVERIFY(number(record, "seconds_most") >= number(record, "seconds_median"));
+                QVERIFY2(number(record, "blocked_most") > 0.0, qPrintable(measured.last()));
+                QVERIFY(number(record, "moved") > 0.0);
+            }
+            QCOMPARE(measured, wanted);
+        }
+    }
+
+    void memoryMeasuresTheWindow() {
+        const CliRun run = runBench(QStringLiteral("memory --vertices 2000 --size 400x300 --hits 5 --json"));
+        if (run.status == 4 && run.err.contains(QStringLiteral("install Xvfb"))) {
+            QSKIP("no Xvfb");
+        }
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        QStringList measured;
+        for (const auto& record : recordsOf(run.out)) {
+            measured << text(record, "measured");
+            QCOMPARE(number(record, "hits"), 5.0);
+            QVERIFY(text(record, "measured") == QLatin1String("hit") || number(record, "share") > 1.0e6);
+        }
+        QCOMPARE(measured,
+                 QStringList({QStringLiteral("start"), QStringLiteral("opened"), QStringLiteral("hits"),
+                              QStringLiteral("undone"), QStringLiteral("closed"), QStringLiteral("hit"),
+                              QStringLiteral("worker")}));
+    }
+
+    void windowWithoutAnyDisplaySaysWhatToInstall() {
+        for (const char* what : {"latency", "memory"}) {
+            const CliRun run = runCli({QStringLiteral("bench"), QLatin1String(what)},
+                                      {{QStringLiteral("PATH"), QStringLiteral("/nowhere")}});
+            QCOMPARE(run.status, 4);
+            QVERIFY2(run.err.contains(QStringLiteral("install Xvfb")), qPrintable(run.err));
+        }
+    }
+
     // Table 2 has the paper's way beside Hitscope's, and the paper's ratio stands beside the measured ones.
     void paperStandsBesidePaper() {
         const CliRun run =
@@ -206,9 +272,11 @@ private Q_SLOTS:
     void wrongUsageIsToldApart_data() {
         QTest::addColumn<QString>("arguments");
         QTest::addColumn<QString>("piece");
-        QTest::addRow("nothing") << QString()
-                                 << QStringLiteral(
-                                        "paper, frame, modes, hit, physics, session, io, check or compare");
+        QTest::addRow("nothing")
+            << QString()
+            << QStringLiteral(
+                   "paper, frame, modes, hit, physics, session, io, latency, memory, check or "
+                   "compare");
         QTest::addRow("unknown") << QStringLiteral("speed") << QStringLiteral("\"speed\"");
         QTest::addRow("size") << QStringLiteral("paper --size big") << QStringLiteral("--size");
         QTest::addRow("row") << QStringLiteral("paper --rows 10") << QStringLiteral("--rows");
@@ -220,6 +288,11 @@ private Q_SLOTS:
         QTest::addRow("file") << QStringLiteral("io out.json") << QStringLiteral("bench io takes no files");
         QTest::addRow("two outputs") << QStringLiteral("hit --json --csv -")
                                      << QStringLiteral("only one of --json");
+        QTest::addRow("window") << QStringLiteral("latency --size 5x5") << QStringLiteral("--size");
+        QTest::addRow("sheet") << QStringLiteral("latency --vertices 3") << QStringLiteral("--vertices");
+        QTest::addRow("scattered") << QStringLiteral("latency --scattered x")
+                                   << QStringLiteral("--scattered");
+        QTest::addRow("no hits") << QStringLiteral("memory --hits 0") << QStringLiteral("--hits");
         QTest::addRow("option") << QStringLiteral("check --fast") << QStringLiteral("fast");
     }
     void wrongUsageIsToldApart() {
@@ -241,7 +314,8 @@ private Q_SLOTS:
     void helpIsGiven() {
         const CliRun all = runBench(QStringLiteral("--help"));
         QVERIFY(all.out.startsWith(QStringLiteral("Usage: hitscope-cli bench WHAT [options]\n")));
-        for (const char* what : {"paper", "frame", "modes", "hit", "physics", "session", "io", "check"}) {
+        for (const char* what :
+             {"paper", "frame", "modes", "hit", "physics", "session", "io", "latency", "check"}) {
             const QString name = QLatin1String(what);
             QVERIFY2(all.out.contains(QStringLiteral("\n  %1 ").arg(name)), what);
             const CliRun run = runBench(name + QStringLiteral(" --help"));

@@ -36,6 +36,7 @@ const std::map<QString, QStringList>& mayInclude() {
         rooms["panels"] = rooms["models"] + QStringList{"models"};
         rooms["viewport"] = rooms["scene"] + QStringList{"scene"};
         rooms["app"] = rooms["panels"] + QStringList{"panels", "scene", "viewport", "document", "usage"};
+        rooms["bench_window"] = rooms["app"] + QStringList{"app"};
         rooms["cli"] = rooms["scene"] + QStringList{"scene", "document", "models", "usage"};
         return rooms;
     }();

@@ -43,8 +43,8 @@ Verb benchVerb() {
          .options = {},
          .examples = {}},
         {}};
-    verb.verbs = {paperVerb(),   frameVerb(), modesVerb(), hitVerb(),           physicsVerb(),
-                  sessionVerb(), ioVerb(),    checkVerb(), compareReportsVerb()};
+    verb.verbs = {paperVerb(), frameVerb(),   modesVerb(),  hitVerb(),   physicsVerb(),       sessionVerb(),
+                  ioVerb(),    latencyVerb(), memoryVerb(), checkVerb(), compareReportsVerb()};
     for (const Verb& within : verb.verbs) {
         verb.usage.verbs.push_back(within.usage);
     }

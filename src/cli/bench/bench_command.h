@@ -17,6 +17,8 @@ namespace hitscope::bench {
 [[nodiscard]] cli::Verb physicsVerb();
 [[nodiscard]] cli::Verb sessionVerb();
 [[nodiscard]] cli::Verb ioVerb();
+[[nodiscard]] cli::Verb latencyVerb();
+[[nodiscard]] cli::Verb memoryVerb();
 [[nodiscard]] cli::Verb checkVerb();
 [[nodiscard]] cli::Verb compareReportsVerb();
 

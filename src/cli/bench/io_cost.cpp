@@ -13,6 +13,7 @@
 #include "cli/bench/grid_files.h"
 #include "cli/bench/other_readers.h"
 #include "cli/bench/random_hits.h"
+#include "core/process_memory.h"
 #include "io/import.h"
 #include "scene/picture.h"
 #include "session/export/export_target.h"
@@ -104,30 +105,6 @@ private:
     std::unique_ptr<SceneGpu> m_gpu;  ///< below the session, so that it goes first
 };
 
-/// The process and those that it started, their share of what they have in memory, bytes.
-double memoryOf(qint64 process) {
-    const QString folder = QStringLiteral("/proc/%1/").arg(process);
-    double bytes = 0.0;
-    QFile summary(folder + QStringLiteral("smaps_rollup"));
-    if (summary.open(QIODevice::ReadOnly)) {
-        for (const QByteArray& line : summary.readAll().split('\n')) {
-            if (line.startsWith("Pss:")) {
-                bytes += 1024.0 * line.mid(4).simplified().split(' ').first().toDouble();
-            }
-        }
-    }
-    for (const QString& thread :
-         QDir(folder + QStringLiteral("task")).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
-        QFile children(folder + QStringLiteral("task/%1/children").arg(thread));
-        if (children.open(QIODevice::ReadOnly)) {
-            for (const QByteArray& child : children.readAll().simplified().split(' ')) {
-                bytes += child.isEmpty() ? 0.0 : memoryOf(child.toLongLong());
-            }
-        }
-    }
-    return bytes;
-}
-
 /// What hitscope-cli picture and its worker take at most, bytes.
 Result<double> peakOfPicture(const IoSizes& sizes, const QString& folder, const QString& mesh) {
     constexpr int kLook = 20;  // milliseconds
@@ -139,7 +116,7 @@ Result<double> peakOfPicture(const IoSizes& sizes, const QString& folder, const 
                    QDir(folder).filePath(QStringLiteral("picture.png")), mesh});
     double most = 0.0;
     while (program.state() != QProcess::NotRunning && !program.waitForFinished(kLook)) {
-        most = std::max(most, memoryOf(program.processId()));
+        most = std::max(most, memoryOfAll(program.processId()));
     }
     if (program.exitStatus() != QProcess::NormalExit || program.exitCode() != 0) {
         return Error{"The picture whose memory is measured was not drawn.",

@@ -6,7 +6,6 @@
 #include <QSysInfo>
 #include <thread>
 
-#include "gl/context.h"
 #include "pipeline/pipeline_trial.h"
 
 namespace hitscope::bench {
@@ -29,10 +28,10 @@ QString processorName() {
 
 }  // namespace
 
-std::vector<std::pair<QString, QString>> reportHeader(const BenchRoom& room, int width, int height) {
-    const gl::RendererInfo renderer = gl::rendererInfo();
+std::vector<std::pair<QString, QString>> machineHeader(const gl::RendererInfo& renderer,
+                                                       const QString& picture) {
     const unsigned threads = std::thread::hardware_concurrency();
-    std::vector<std::pair<QString, QString>> header = {
+    return {
         {QStringLiteral("program"), QStringLiteral("Hitscope " HITSCOPE_VERSION)},
         {QStringLiteral("renderer"), QString::fromStdString(renderer.renderer)},
         {QStringLiteral("OpenGL"), QString::fromStdString(renderer.version)},
@@ -41,15 +40,19 @@ std::vector<std::pair<QString, QString>> reportHeader(const BenchRoom& room, int
              .arg(processorName())
              .arg(threads)
              .arg(threads == 1 ? QStringLiteral("thread") : QStringLiteral("threads"))},
-        {QStringLiteral("picture"), width > 0
-                                        ? QStringLiteral("%1x%2 pixels, no vsync").arg(width).arg(height)
-                                        : QStringLiteral("none is drawn")},
+        {QStringLiteral("picture"), picture},
         {QStringLiteral("date"), QDateTime::currentDateTimeUtc().toString(Qt::ISODate)},
         {QStringLiteral("note"),
          renderer.isSoftware()
              ? QStringLiteral("the figures are of this renderer, which draws on the processor; ratios say "
                               "more than frame rates, and neither speaks for a GPU")
              : QStringLiteral("the figures are of this renderer on this machine")}};
+}
+
+std::vector<std::pair<QString, QString>> reportHeader(const BenchRoom& room, int width, int height) {
+    std::vector<std::pair<QString, QString>> header = machineHeader(
+        gl::rendererInfo(), width > 0 ? QStringLiteral("%1x%2 pixels, no vsync").arg(width).arg(height)
+                                      : QStringLiteral("none is drawn"));
     for (const PipelineTraits& traits : allPipelines()) {
         header.emplace_back(
             QString::fromUtf8(traits.name),

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench_window/driven_window.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QDropEvent>
+#include <QEventLoop>
+#include <QMimeData>
+#include <QSettings>
+#include <QTest>
+#include <QUrl>
+#include <QWindow>
+#include <memory>
+
+#include "app/scene_files.h"
+#include "session/welcome.h"
+#include "viewport/viewport.h"
+
+namespace hitscope::bench {
+
+namespace {
+
+constexpr std::int64_t kPatience = 60'000'000'000;  // nanoseconds
+constexpr std::int64_t kQuiet = 250'000'000;  // nanoseconds in which nothing was drawn, then nothing follows
+constexpr double kNanoseconds = 1.0e-9;       // seconds
+
+}  // namespace
+
+DrivenWindow::DrivenWindow(QSize size) : m_watch([this] { seeLoop(); }) {
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
+    qputenv("XDG_STATE_HOME", m_folder.filePath(QStringLiteral("state")).toLocal8Bit());
+    loadWelcomeScene(m_session);
+    m_window = std::make_unique<MainWindow>(m_session);
+    DisplayOptions options = viewport().options();
+    options.refine = false;
+    viewport().setOptions(options);
+    QObject::connect(&viewport(), &Viewport::framePainted, &m_watch,
+                     [this] { m_lastPainted = nowInNanoseconds(); });
+    QObject::connect(&viewport(), &QOpenGLWidget::frameSwapped, &m_watch, [this] {
+        ++m_frames;
+        m_lastFrame = nowInNanoseconds();
+    });
+    viewport().installEventFilter(this);
+    m_window->resize(size);
+    m_window->show();
+    m_window->activateWindow();
+    viewport().setFocus();
+    wait(QStringLiteral("an active window"), [this] { return m_window->isActiveWindow(); });
+    wait(QStringLiteral("a first picture"), [this] { return !viewport().rendererName().isEmpty(); });
+}
+
+DrivenWindow::~DrivenWindow() {
+    m_window.reset();
+}
+
+SceneFiles& DrivenWindow::files() {
+    return *m_window->findChild<SceneFiles*>();
+}
+
+void DrivenWindow::seeLoop() {
+    if (m_loop != nullptr && m_done()) {
+        m_loop->quit();
+    }
+}
+
+bool DrivenWindow::wait(const QString& what, const std::function<bool()>& done) {
+    const std::int64_t begin = nowInNanoseconds();
+    bool came = false;
+    m_done = [&] {
+        came = done();
+        return came || nowInNanoseconds() - begin > kPatience;
+    };
+    QEventLoop loop;
+    m_loop = &loop;
+    loop.exec();
+    m_loop = nullptr;
+    if (!came && m_error.isEmpty()) {
+        m_error = QStringLiteral("The window was used, but %1 did not come.").arg(what);
+    }
+    return came;
+}
+
+bool DrivenWindow::isQuiet() {
+    return !m_session.simulation().isMoving() && m_session.tasks().current() == nullptr &&
+           m_session.readBack().isUpToDate() && nowInNanoseconds() - m_lastPainted > kQuiet;
+}
+
+bool DrivenWindow::settle() {
+    const std::int64_t begin = nowInNanoseconds();
+    return wait(QStringLiteral("rest"),
+                [this, begin] { return nowInNanoseconds() - begin > kQuiet && isQuiet(); });
+}
+
+std::optional<DrivenWindow::Taken> DrivenWindow::untilShown(const QString& what,
+                                                            const std::function<void()>& act,
+                                                            const std::function<bool()>& isThere) {
+    Taken taken;
+    bool drawn = false;  // since it was there
+    std::int64_t begin = 0;
+    QObject listener;
+    m_paints = [&] { drawn = drawn || isThere(); };
+    QObject::connect(&viewport(), &QOpenGLWidget::frameSwapped, &listener, [&] {
+        const double passed = kNanoseconds * static_cast<double>(nowInNanoseconds() - begin);
+        if (drawn && taken.seconds == 0.0) {
+            taken.seconds = passed;
+            taken.blocked = m_watch.longest();
+        }
+        if (drawn && taken.ready == 0.0 && m_session.readBack().isUpToDate()) {
+            taken.ready = passed;
+        }
+    });
+    m_watch.restart();
+    begin = nowInNanoseconds();
+    act();
+    const bool came = wait(what, [&] { return taken.ready > 0.0; });
+    m_paints = {};
+    return came ? std::optional(taken) : std::nullopt;
+}
+
+bool DrivenWindow::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Paint && m_paints) {
+        m_paints();
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+QPoint DrivenWindow::place(double x, double y) {
+    return viewport().mapTo(m_window.get(), QPoint(static_cast<int>(x * viewport().width()),
+                                                   static_cast<int>(y * viewport().height())));
+}
+
+void DrivenWindow::click(double x, double y) {
+    QTest::mouseClick(m_window->windowHandle(), Qt::LeftButton, {}, place(x, y));
+}
+
+void DrivenWindow::press(double x, double y) {
+    QTest::mousePress(m_window->windowHandle(), Qt::LeftButton, {}, place(x, y));
+}
+
+void DrivenWindow::moveTo(double x, double y) {
+    QTest::mouseMove(m_window->windowHandle(), place(x, y));
+}
+
+void DrivenWindow::release(double x, double y) {
+    QTest::mouseRelease(m_window->windowHandle(), Qt::LeftButton, {}, place(x, y));
+}
+
+void DrivenWindow::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
+    QTest::keyClick(m_window->windowHandle(), key, modifiers);
+}
+
+void DrivenWindow::drop(const QString& file) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(file)});
+    const QPoint at = place(0.5, 0.5);
+    QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(m_window.get(), &enter);
+    QDropEvent drop(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(m_window.get(), &drop);
+}
+
+bool DrivenWindow::choose(const QString& text) {
+    for (QAction* action : m_window->findChildren<QAction*>()) {
+        if (action->text().remove(u'&').remove(u'…') == text) {
+            action->trigger();
+            return true;
+        }
+    }
+    m_error = QStringLiteral("The window has no menu entry \"%1\".").arg(text);
+    return false;
+}
+
+}  // namespace hitscope::bench

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench_window/latency.h"
+
+#include <sys/resource.h>
+
+#include <QJsonArray>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTest>
+#include <optional>
+#include <vector>
+
+#include "app/dialogs/scatter_dialog.h"
+#include "app/scene_files.h"
+#include "session/target.h"
+#include "viewport/aim_preview.h"
+#include "viewport/viewport.h"
+
+namespace hitscope::bench {
+
+namespace {
+
+constexpr int kMotionFrames = 20;        // in one drag
+constexpr double kNanosecond = 1.0e-9;   // seconds
+constexpr double kMicrosecond = 1.0e-6;  // seconds
+constexpr double kMillisecond = 1.0e-3;  // seconds
+
+double secondsSince(std::int64_t begin) {
+    return kNanosecond * static_cast<double>(nowInNanoseconds() - begin);
+}
+
+/// Of all threads of this process, seconds.
+double processorTime() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + kMicrosecond * static_cast<double>(time.tv_usec);
+    };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+/// One row of the report.
+struct Row {
+    QString measured;
+    std::vector<double> seconds{};
+    std::vector<double> blocked{};
+
+    void add(double taken, double waited) {
+        seconds.push_back(taken);
+        blocked.push_back(waited);
+    }
+    [[nodiscard]] QJsonObject json() const {
+        QJsonArray times;
+        QJsonArray waits;
+        for (std::size_t i = 0; i < seconds.size(); ++i) {
+            times.append(seconds[i]);
+            waits.append(blocked[i]);
+        }
+        return {{QStringLiteral("measured"), measured},
+                {QStringLiteral("seconds"), times},
+                {QStringLiteral("blocked"), waits}};
+    }
+};
+
+class LatencyRun {
+public:
+    LatencyRun(DrivenWindow& window, const Repeats& repeats) : m_window(window), m_repeats(repeats) {}
+
+    void openings(const QString& mesh);
+    void frames();
+    void aims();
+    void clicks(FlightMode mode, const QString& what);
+    void scatter();
+    [[nodiscard]] QJsonObject result() const;
+
+private:
+    /// Does `once` as often as asked for; false of it ends that.
+    void repeat(const std::function<bool()>& once);
+    bool openOnce(const QString& mesh, Row& coarse, Row& full);
+    bool clickOnce(Row& click, Row& undo, Row& redo);
+    bool stepBack(bool redo, Row& row);
+    bool isGood() const { return m_window.error().isEmpty(); }
+    [[nodiscard]] std::size_t hits() { return m_window.session().hits().history().size(); }
+    [[nodiscard]] std::size_t movedVertices();
+    void take(Row row) {
+        if (!row.seconds.empty()) {
+            m_rows.push_back(std::move(row));
+        }
+    }
+
+    DrivenWindow& m_window;
+    Repeats m_repeats;
+    std::vector<Row> m_rows;
+    std::size_t m_moved = 0;
+};
+
+void LatencyRun::repeat(const std::function<bool()>& once) {
+    const std::int64_t begin = nowInNanoseconds();
+    for (int done = 0; done < m_repeats.most; ++done) {
+        if (done >= m_repeats.least && secondsSince(begin) > m_repeats.seconds) {
+            return;
+        }
+        if (!m_window.settle() || !once() || !isGood()) {
+            return;
+        }
+    }
+}
+
+bool LatencyRun::openOnce(const QString& mesh, Row& coarse, Row& full) {
+    std::optional<double> seen;
+    double seenBlocked = 0.0;
+    bool isSeen = false;
+    bool isOpened = false;
+    QObject listener;
+    QObject::connect(&m_window.files(), &SceneFiles::seen, &listener, [&] { isSeen = true; });
+    QObject::connect(&m_window.files(), &SceneFiles::opened, &listener, [&] { isOpened = true; });
+    const std::int64_t begin = nowInNanoseconds();
+    // The coarse picture lies over the viewport: it is on the screen with the first swap after it.
+    QObject::connect(&m_window.viewport(), &QOpenGLWidget::frameSwapped, &listener, [&] {
+        if (isSeen && !isOpened && !seen) {
+            seen = secondsSince(begin);
+            seenBlocked = m_window.watch().longest();
+        }
+    });
+    const auto shown = m_window.untilShown(
+        QStringLiteral("the picture of the opened file"), [&] { m_window.drop(mesh); },
+        [&] { return isOpened; });
+    if (!shown) {
+        return false;
+    }
+    if (seen) {
+        coarse.add(*seen, seenBlocked);
+    }
+    full.add(shown->seconds, shown->blocked);
+    return true;
+}
+
+void LatencyRun::openings(const QString& mesh) {
+    Row coarse{QStringLiteral("open to coarse picture")};
+    Row full{QStringLiteral("open to picture")};
+    repeat([&] { return openOnce(mesh, coarse, full); });
+    take(coarse);
+    take(full);
+}
+
+std::size_t LatencyRun::movedVertices() {
+    const Target& target = *m_window.session().targets().front();
+    const std::span<const glm::vec3> now = target.deformed.positions();
+    const std::vector<glm::vec3>& before = target.deformed.original().positions;
+    std::size_t moved = 0;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        moved += now[i] != before[i] ? 1 : 0;
+    }
+    return moved;
+}
+
+bool LatencyRun::stepBack(bool redo, Row& row) {
+    const std::size_t before = hits();
+    const auto step = m_window.untilShown(
+        redo ? QStringLiteral("the picture after redo") : QStringLiteral("the picture after undo"),
+        [&] {
+            m_window.key(Qt::Key_Z, redo ? Qt::ControlModifier | Qt::ShiftModifier : Qt::ControlModifier);
+        },
+        [&] { return hits() != before && m_window.session().tasks().current() == nullptr; });
+    if (!step) {
+        return false;
+    }
+    row.add(step->seconds, step->blocked);
+    return m_window.settle();
+}
+
+bool LatencyRun::clickOnce(Row& click, Row& undo, Row& redo) {
+    const std::size_t before = hits();
+    const auto shot = m_window.untilShown(
+        QStringLiteral("the dent of a click"), [&] { m_window.click(0.5, 0.5); },
+        [&] { return hits() > before; });
+    if (!shot || !m_window.settle()) {
+        return false;
+    }
+    click.add(shot->seconds, shot->blocked);
+    m_moved = m_moved == 0 ? movedVertices() : m_moved;
+    return stepBack(false, undo) && stepBack(true, redo) && stepBack(false, undo);
+}
+
+/// Each dent is undone, done again and undone, so that all meet the same mesh.
+void LatencyRun::clicks(FlightMode mode, const QString& what) {
+    m_window.session().settings().setFlightMode(mode);
+    Row click{what};
+    Row undo{QStringLiteral("undo key to picture")};
+    Row redo{QStringLiteral("redo key to picture")};
+    repeat([&] { return clickOnce(click, undo, redo); });
+    take(click);
+    if (mode == FlightMode::Instant) {
+        take(undo);
+        take(redo);
+    }
+}
+
+void LatencyRun::frames() {
+    Row rest{QStringLiteral("frame at rest")};
+    Row motion{QStringLiteral("frame in motion")};
+    m_window.settle();
+    m_window.viewport().setDrawsContinuously(true);
+    const auto nextFrame = [this](Row& row, const std::function<void()>& act) {
+        const std::uint64_t before = m_window.frames();
+        const std::int64_t begin = nowInNanoseconds();
+        m_window.watch().restart();
+        act();
+        m_window.wait(QStringLiteral("a frame"), [&] { return m_window.frames() > before; });
+        row.add(kNanosecond * static_cast<double>(m_window.lastFrame() - begin), m_window.watch().longest());
+    };
+    for (int i = 0; i < kMotionFrames && isGood(); ++i) {
+        const std::int64_t last = m_window.lastFrame();
+        m_window.watch().restart();
+        m_window.wait(QStringLiteral("a frame"), [&] { return m_window.lastFrame() != last; });
+        rest.add(kNanosecond * static_cast<double>(m_window.lastFrame() - last), m_window.watch().longest());
+    }
+    m_window.viewport().setDrawsContinuously(false);
+    m_window.settle();
+    m_window.press(0.3, 0.5);
+    m_window.moveTo(0.33, 0.5);  // now it is a drag
+    for (int i = 0; i < kMotionFrames && isGood(); ++i) {
+        nextFrame(motion, [&] { m_window.moveTo(0.33 + 0.01 * (i + 1), 0.5); });
+    }
+    for (int i = kMotionFrames; i > 0; --i) {  // back, so that what follows sees the mesh as before
+        m_window.moveTo(0.3 + 0.01 * i, 0.5);
+    }
+    m_window.release(0.3, 0.5);
+    take(rest);
+    take(motion);
+}
+
+void LatencyRun::aims() {
+    auto* preview = m_window.viewport().findChild<AimPreview*>();
+    if (preview == nullptr) {
+        return;
+    }
+    Row picture{QStringLiteral("aim preview, rest to picture")};
+    Row processor{QStringLiteral("aim preview, processor time")};
+    int round = 0;
+    m_window.moveTo(0.5, 0.5);
+    repeat([&] {
+        bool isShown = false;
+        QObject listener;
+        QObject::connect(preview, &AimPreview::shown, &listener, [&] { isShown = true; });
+        const double before = processorTime();
+        const auto shown = m_window.untilShown(
+            QStringLiteral("the aim preview"), [&] { m_window.moveTo(0.5 + 0.01 * (++round % 4), 0.48); },
+            [&] { return isShown; });
+        if (!shown) {
+            return false;
+        }
+        picture.add(shown->seconds - kMillisecond * AimPreview::kRest, shown->blocked);
+        processor.add(processorTime() - before, shown->blocked);
+        return true;
+    });
+    take(picture);
+    take(processor);
+}
+
+void LatencyRun::scatter() {
+    if (m_repeats.scattered == 0 || !m_window.settle() || !m_window.choose(QStringLiteral("Scatter Hits"))) {
+        return;
+    }
+    auto* dialog = m_window.window().findChild<ScatterDialog*>();
+    auto* count = dialog != nullptr ? dialog->findChild<QSpinBox*>(QStringLiteral("count")) : nullptr;
+    auto* apply = dialog != nullptr ? dialog->findChild<QPushButton*>(QStringLiteral("apply")) : nullptr;
+    if (count == nullptr || apply == nullptr) {
+        return;
+    }
+    const auto wanted = static_cast<std::size_t>(m_repeats.scattered);
+    const auto isPlanned = [&] {
+        const HitPlanner::Plan* plan = dialog->planner().current();
+        return plan != nullptr && plan->hits.size() == wanted;
+    };
+    Row preview{QStringLiteral("scatter, previewed")};
+    Row applied{QStringLiteral("scatter, applied")};
+    Row undone{QStringLiteral("scatter, undone")};
+    Row redone{QStringLiteral("scatter, redone")};
+    if (const auto shown = m_window.untilShown(
+            QStringLiteral("the preview of scattered hits"), [&] { count->setValue(m_repeats.scattered); },
+            isPlanned)) {
+        preview.add(shown->seconds, shown->blocked);
+    }
+    m_window.settle();
+    if (const auto shown = m_window.untilShown(
+            QStringLiteral("the picture of scattered hits"),
+            [&] { QTest::mouseClick(apply, Qt::LeftButton); },
+            [&] { return hits() == wanted && m_window.session().tasks().current() == nullptr; })) {
+        applied.add(shown->seconds, shown->blocked);
+    }
+    m_window.window().activateWindow();
+    m_window.wait(QStringLiteral("the window's turn after the dialog"),
+                  [&] { return m_window.window().isActiveWindow(); });
+    m_window.settle();
+    if (isGood() && stepBack(false, undone)) {
+        stepBack(true, redone);
+    }
+    for (Row* row : {&preview, &applied, &undone, &redone}) {
+        take(std::move(*row));
+    }
+}
+
+QJsonObject LatencyRun::result() const {
+    QJsonArray rows;
+    for (const Row& row : m_rows) {
+        rows.append(row.json());
+    }
+    const Session& session = m_window.session();
+    const Viewport& viewport = m_window.viewport();
+    const std::size_t vertices =
+        session.targets().empty() ? 0 : session.targets().front()->deformed.positions().size();
+    return {{QStringLiteral("vertices"), static_cast<qint64>(vertices)},
+            {QStringLiteral("moved"), static_cast<qint64>(m_moved)},
+            {QStringLiteral("viewport"), QJsonArray{viewport.width(), viewport.height()}},
+            {QStringLiteral("rows"), rows}};
+}
+
+}  // namespace
+
+QJsonObject measureLatency(DrivenWindow& window, const QString& mesh, const Repeats& repeats) {
+    LatencyRun run(window, repeats);
+    run.openings(mesh);
+    run.clicks(FlightMode::Quick, QStringLiteral("click to dent"));
+    run.clicks(FlightMode::Instant, QStringLiteral("click to dent, instant"));
+    run.frames();
+    run.aims();
+    run.scatter();
+    return run.result();
+}
+
+}  // namespace hitscope::bench

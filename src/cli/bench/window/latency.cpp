@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a person waits for in the window: clicks, undo, opening, frames, the aim preview, scattered hits.
+#include <QTextStream>
+
+#include "cli/bench/arguments.h"
+#include "cli/bench/bench_command.h"
+#include "cli/bench/bench_options.h"
+#include "cli/bench/window/window_cost.h"
+#include "cli/bench/window/window_run.h"
+#include "cli/command_line.h"
+
+namespace hitscope::bench {
+
+namespace {
+
+struct LatencyRequest {
+    CommonOptions common;
+    std::vector<int> vertices;
+    int scattered = 0;
+};
+
+QString timesOf(const Samples& samples) {
+    return QStringLiteral("%1 to %2").arg(shortTime(samples.least()), shortTime(samples.most()));
+}
+
+void addMesh(Report& report, const LatencyFigures& figures) {
+    const QString vertices = grouped(figures.vertices);
+    Table table;
+    table.title = QStringLiteral("A mesh of %1 vertices; a click moves %2; picture of %3x%4 pixels")
+                      .arg(vertices, grouped(figures.moved))
+                      .arg(figures.viewport.width())
+                      .arg(figures.viewport.height());
+    table.columns = {QString(),
+                     QStringLiteral("median"),
+                     QStringLiteral("least to most"),
+                     QStringLiteral("events wait"),
+                     QStringLiteral("at most"),
+                     QStringLiteral("samples")};
+    for (const LatencyRow& row : figures.rows) {
+        table.rows.push_back({row.measured, shortTime(row.seconds.median()), timesOf(row.seconds),
+                              shortTime(row.blocked.median()), shortTime(row.blocked.most()),
+                              QString::number(row.seconds.size())});
+        report.records.push_back({{QStringLiteral("vertices"), static_cast<qint64>(figures.vertices)},
+                                  {QStringLiteral("moved"), static_cast<qint64>(figures.moved)},
+                                  {QStringLiteral("measured"), row.measured},
+                                  {QStringLiteral("samples"), static_cast<qint64>(row.seconds.size())},
+                                  {QStringLiteral("seconds_median"), row.seconds.median()},
+                                  {QStringLiteral("seconds_least"), row.seconds.least()},
+                                  {QStringLiteral("seconds_most"), row.seconds.most()},
+                                  {QStringLiteral("blocked_median"), row.blocked.median()},
+                                  {QStringLiteral("blocked_most"), row.blocked.most()},
+                                  {QStringLiteral("runs"), runsJson(row.seconds)}});
+    }
+    report.tables.push_back(std::move(table));
+}
+
+Report emptyLatencyReport() {
+    Report report;
+    report.benchmark = QStringLiteral("latency");
+    report.fields = {
+        QStringLiteral("vertices"),     QStringLiteral("moved"),          QStringLiteral("measured"),
+        QStringLiteral("samples"),      QStringLiteral("seconds_median"), QStringLiteral("seconds_least"),
+        QStringLiteral("seconds_most"), QStringLiteral("blocked_median"), QStringLiteral("blocked_most")};
+    report.keys = {QStringLiteral("vertices"), QStringLiteral("measured")};
+    report.notes << QStringLiteral(
+        "Times run from the key, click or drop until the window has swapped in a frame that shows the "
+        "result. "
+        "\"events wait\" is how long an event was kept waiting at most until then, median and worst. "
+        "Pictures "
+        "at rest are not refined. The aim preview's 150 ms of rest do not count.");
+    return report;
+}
+
+cli::Outcome runLatency(const LatencyRequest& request) {
+    if (Status status = checkDestinations(request.common.destinations); !status) {
+        return status;
+    }
+    const Result<std::unique_ptr<WindowRoom>> room =
+        WindowRoom::open(request.common.width, request.common.height);
+    if (!room) {
+        return cli::cannotDraw(room.error());
+    }
+    Report report = emptyLatencyReport();
+    for (const int vertices : request.vertices) {
+        const Result<LatencyFigures> figures =
+            measureWindowLatency(*room.value(), {vertices, request.scattered, request.common.plan});
+        if (!figures) {
+            return cli::cannotDraw(figures.error());
+        }
+        report.header = windowReportHeader(*room.value(), figures.value().renderer, request.common.width,
+                                           request.common.height);
+        addMesh(report, figures.value());
+    }
+    return writeReport(report, request.common.destinations);
+}
+
+int runLatencyVerb(Invocation& given) {
+    LatencyRequest request;
+    request.common = takeMeasuringOptions(given);
+    takeSizeInto(request.common, given);
+    request.vertices = takeCounts(given, "vertices", kLeastSheet, kMostSheet);
+    request.scattered = takeCount(given, "scattered", 0, kMostScattered);
+    return given.error().isEmpty() ? cli::finish(runLatency(request)) : cli::kWrongUsage;
+}
+
+}  // namespace
+
+cli::Verb latencyVerb() {
+    return {{.name = QStringLiteral("bench latency"),
+             .files = {},
+             .about = QStringLiteral("what a person waits for in the window: clicks, undo, opening, frames"),
+             .description = QStringLiteral(
+                 "Measures what a person waits for in the window, used by events as with mouse and "
+                 "keyboard, on the display at hand or, without one, on one in memory (Xvfb). Makes the "
+                 "mesh files itself, in the folder for temporary files."),
+             .options =
+                 QList<UsageOption>{
+                     valueOption("vertices", "LIST", QStringLiteral("Of the meshes, one after the other."),
+                                 QStringLiteral("8K,100K,1M")),
+                     valueOption("size", "WIDTHxHEIGHT", QStringLiteral("The window in pixels."),
+                                 QStringLiteral("1600x1000")),
+                     valueOption("scattered", "N",
+                                 QStringLiteral("Hits scattered over the mesh at once; 0: none."),
+                                 QStringLiteral("10K"))} +
+                 measuringOptions(),
+             .examples =
+                 {{QStringLiteral("Of a small mesh, a few samples each."),
+                   QStringLiteral(
+                       "hitscope-cli bench latency --quick --vertices 1K --size 640x480 --scattered 0")}}},
+            runLatencyVerb};
+}
+
+}  // namespace hitscope::bench

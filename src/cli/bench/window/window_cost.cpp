@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bench/window/window_cost.h"
+
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "cli/bench/bench_room.h"
+#include "cli/bench/grid_files.h"
+
+namespace hitscope::bench {
+
+namespace {
+
+constexpr double kBytesPerVertex = 1500.0;     // of all that is in memory at once
+constexpr double kLeastBytesPerVertex = 36.0;  // a position and two triangles
+
+Samples samplesOf(const QJsonValue& values) {
+    Samples samples;
+    for (const auto& value : values.toArray()) {
+        samples.add(value.toDouble());
+    }
+    return samples;
+}
+
+Result<QJsonObject> measureSheet(const WindowRoom& room, const QString& what, int vertices,
+                                 const QStringList& options) {
+    if (const QString why = whyItDoesNotFit(kBytesPerVertex * vertices); !why.isEmpty()) {
+        return Error{"This is left out: " + why.toStdString() + ".", "", "Ask for fewer --vertices."};
+    }
+    const QTemporaryDir folder;
+    if (!folder.isValid()) {
+        return Error{"There is no room for temporary files.", folder.path().toStdString(),
+                     "Set TMPDIR to a folder you may write to."};
+    }
+    const QString mesh = folder.filePath(QStringLiteral("sheet.obj"));
+    const double side = std::sqrt(static_cast<double>(vertices)) - 1.0;  // quads
+    if (Status written = writeGridObj(mesh, static_cast<int>(std::lround(side * side))); !written) {
+        return written.error();
+    }
+    return room.measure(what, mesh, options);
+}
+
+QString numberText(double number) {
+    return QString::number(number, 'g', 12);
+}
+
+template <class Figures>
+auto* findIn(const Figures& figures, const QString& measured) {
+    const auto found = std::find_if(figures.rows.begin(), figures.rows.end(),
+                                    [&](const auto& row) { return row.measured == measured; });
+    return found == figures.rows.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+const LatencyRow* findRow(const LatencyFigures& figures, const QString& measured) {
+    return findIn(figures, measured);
+}
+
+const MemoryRow* findRow(const MemoryFigures& figures, const QString& measured) {
+    return findIn(figures, measured);
+}
+
+Result<LatencyFigures> measureWindowLatency(const WindowRoom& room, const LatencyWish& wish) {
+    const Result<QJsonObject> measured = measureSheet(
+        room, QStringLiteral("latency"), wish.vertices,
+        {QStringLiteral("--least"), QString::number(wish.plan.leastSamples), QStringLiteral("--most"),
+         QString::number(wish.plan.mostSamples), QStringLiteral("--seconds"), numberText(wish.plan.seconds),
+         QStringLiteral("--scattered"), QString::number(wish.scattered)});
+    if (!measured) {
+        return measured.error();
+    }
+    LatencyFigures figures;
+    figures.renderer = measured.value();
+    figures.vertices = static_cast<std::size_t>(figures.renderer[QStringLiteral("vertices")].toInteger());
+    figures.moved = static_cast<std::size_t>(figures.renderer[QStringLiteral("moved")].toInteger());
+    const QJsonArray viewport = figures.renderer[QStringLiteral("viewport")].toArray();
+    figures.viewport = QSize(viewport.at(0).toInt(), viewport.at(1).toInt());
+    for (const auto& value : figures.renderer[QStringLiteral("rows")].toArray()) {
+        const QJsonObject row = value.toObject();
+        figures.rows.push_back({row[QStringLiteral("measured")].toString(),
+                                samplesOf(row[QStringLiteral("seconds")]),
+                                samplesOf(row[QStringLiteral("blocked")])});
+    }
+    return figures;
+}
+
+Result<MemoryFigures> measureWindowMemory(const WindowRoom& room, const MemoryWish& wish) {
+    const Result<QJsonObject> measured = measureSheet(room, QStringLiteral("memory"), wish.vertices,
+                                                      {QStringLiteral("--hits"), QString::number(wish.hits)});
+    if (!measured) {
+        return measured.error();
+    }
+    MemoryFigures figures;
+    figures.renderer = measured.value();
+    figures.vertices = static_cast<std::size_t>(figures.renderer[QStringLiteral("vertices")].toInteger());
+    figures.hits = static_cast<std::size_t>(figures.renderer[QStringLiteral("hits")].toInteger());
+    figures.meshBytes = kLeastBytesPerVertex * static_cast<double>(figures.vertices);
+    const auto rowOf = [&](const char* name, const QString& about, bool ofMesh) {
+        const QString key = QLatin1String(name);
+        for (const auto& value : figures.renderer[QStringLiteral("rows")].toArray()) {
+            const QJsonObject row = value.toObject();
+            if (row[QStringLiteral("measured")].toString() == key) {
+                figures.rows.push_back({key, about, row[QStringLiteral("share")].toDouble(),
+                                        row[QStringLiteral("resident")].toDouble(), ofMesh});
+            }
+        }
+    };
+    rowOf("start", QStringLiteral("the scene it starts with"), false);
+    rowOf("opened", QStringLiteral("the mesh opened"), true);
+    rowOf("hits", QStringLiteral("after the hits"), true);
+    rowOf("undone", QStringLiteral("all undone"), true);
+    rowOf("closed", QStringLiteral("the mesh closed"), false);
+    const MemoryRow* opened = findRow(figures, QStringLiteral("opened"));
+    const MemoryRow* after = findRow(figures, QStringLiteral("hits"));
+    if (opened != nullptr && after != nullptr && figures.hits > 0) {
+        const auto hits = static_cast<double>(figures.hits);
+        figures.rows.push_back({QStringLiteral("hit"), QStringLiteral("more for each hit"),
+                                (after->share - opened->share) / hits,
+                                (after->resident - opened->resident) / hits, false});
+    }
+    const double worker = figures.renderer[QStringLiteral("worker")].toDouble();
+    figures.rows.push_back({QStringLiteral("worker"), QStringLiteral("the import's own process, at most"),
+                            worker, worker, false});
+    return figures;
+}
+
+}  // namespace hitscope::bench
