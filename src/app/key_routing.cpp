@@ -4,6 +4,7 @@
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QKeyEvent>
@@ -95,6 +96,11 @@ bool belongsToNumber(const QKeyEvent& event) {
            (text[0].isDigit() || QStringLiteral("+-.,").contains(text[0]));
 }
 
+/// Of a list.
+bool goesToEnd(const QKeyEvent& event) {
+    return (event.key() == Qt::Key_Home || event.key() == Qt::Key_End) && isPlain(event);
+}
+
 bool isEscape(const QKeyEvent& event) {
     return event.key() == Qt::Key_Escape && isPlain(event);
 }
@@ -179,6 +185,11 @@ bool KeyRouting::override(QWidget& widget, QKeyEvent& event) const {
             return false;
         }
         event.ignore();
+        return true;
+    }
+    if (goesToEnd(event) && (qobject_cast<const QComboBox*>(&widget) != nullptr ||
+                             qobject_cast<const QAbstractItemView*>(&widget) != nullptr)) {
+        event.accept();
         return true;
     }
     if (const auto* line = qobject_cast<const QLineEdit*>(&widget)) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Keys while a spin box of a dock or of the tool bar has the focus, with real key events.
+#include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
@@ -101,6 +102,21 @@ private Q_SLOTS:
         QTest::keyClick(box, Qt::Key_Escape);
         QVERIFY(viewport().hasFocus());
         QCOMPARE(box->value(), before);
+    }
+
+    void listsKeepHomeAndEnd() {
+        auto* dock = m_window->findChild<QDockWidget*>(QStringLiteral("deformationConstants"));
+        dock->show();
+        dock->raise();
+        auto* box = dock->findChild<QComboBox*>(QStringLiteral("profile"));
+        QVERIFY(box != nullptr && QTest::qWaitFor([box] { return box->isVisible(); }, kPatience));
+        box->setFocus();
+        const glm::vec3 eye = viewport().camera().eye();
+        QTest::keyClick(box, Qt::Key_End);
+        QCOMPARE(box->currentIndex(), box->count() - 1);
+        QTest::keyClick(box, Qt::Key_Home);
+        QCOMPARE(box->currentIndex(), 0);
+        QVERIFY(viewport().camera().eye() == eye);
     }
 
     void tablesKeepTheirKeys() {
