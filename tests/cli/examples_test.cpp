@@ -100,7 +100,7 @@ void ExamplesTest::examples_data() {
 
 void ExamplesTest::examples() {
     QFETCH(QString, line);
-    for (const char* const program : {"parallel", "ffmpeg"}) {
+    for (const char* const program : {"parallel", "snakemake", "ffmpeg"}) {
         const bool needsIt =
             line.contains(QLatin1String(program)) ||
             (line.contains(QStringLiteral(".mp4")) && QLatin1String(program) == QLatin1String("ffmpeg"));

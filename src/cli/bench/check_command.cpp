@@ -139,7 +139,7 @@ cli::Verb checkVerb() {
              .description = QStringLiteral(
                  "Measures the ratios of times that Hitscope promises, each in one run, and on each row, "
                  "size or pipeline "
-                 "that it speaks of. The whole takes about a quarter of an hour; --only takes some."),
+                 "that it speaks of. All take about ten minutes on two cores; --only takes some."),
              .options =
                  QList<UsageOption>{wordsOption("only", checkNames(), QStringLiteral("Promises to measure.")),
                                     strictOption(QStringLiteral("a promise"))} +

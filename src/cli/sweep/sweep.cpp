@@ -217,7 +217,10 @@ Verb sweepVerb() {
              "is a job. Jobs that have a result are not run again, so a sweep that was interrupted goes on "
              "where it "
              "was. A result belongs to the content of its files. When all jobs are over, here or elsewhere, "
-             "table.csv, table.json and plots.svg are written; they are the same whoever ran the jobs."),
+             "table.csv, table.json and plots.svg are written; they are the same whoever ran the jobs. Slurm "
+             "runs "
+             "what --slurm prints when it is piped into sbatch --wait; the table comes from --merge after "
+             "it."),
          .options = {folderOption("out", QStringLiteral("Folder for results; made where it is missing."),
                                   QStringLiteral("hitscope-sweep")),
                      valueOption("jobs", "N",
@@ -240,7 +243,10 @@ Verb sweepVerb() {
               {QStringLiteral("The jobs that are left by GNU parallel, which takes --sshlogin for other "
                               "machines; then the table."),
                QStringLiteral("hitscope-cli sweep plan.json --out results --list | parallel && hitscope-cli "
-                              "sweep plan.json --out results --merge")}},
+                              "sweep plan.json --out results --merge")},
+              {QStringLiteral("The same by snakemake."),
+               QStringLiteral("hitscope-cli sweep plan.json --out flow --snakemake > Snakefile && snakemake "
+                              "--cores 2 --quiet && hitscope-cli sweep plan.json --out flow --merge")}},
          .leastFiles = 1,
          .mostFiles = 1},
         runSweep};
