@@ -311,6 +311,34 @@ private Q_SLOTS:
         QVERIFY(run.out.isEmpty());
     }
 
+    void whereNothingDrawsItEndsWithFour() {
+        const QTemporaryDir folder;
+        const QString page = folder.filePath(QStringLiteral("page.html"));
+        const CliRun run = runCli({"bench", "hit", "--quick", "--vertices", "500", "--html", page},
+                                  {{QStringLiteral("MESA_GL_VERSION_OVERRIDE"), QStringLiteral("2.1")}});
+        if (run.status == 0) {
+            QSKIP("This driver cannot be told to offer less.");
+        }
+        QCOMPARE(run.status, 4);
+        QVERIFY2(run.err.contains(QStringLiteral("OpenGL 3.3")) && run.err.count(u'\n') == 1,
+                 qPrintable(run.err));
+        QVERIFY(run.out.isEmpty() && !QFile::exists(page));
+    }
+
+    /// Each row, size or pipeline that a promise speaks of; the worst is named.
+    void checkMeasuresEachRow() {
+        const CliRun run = runBench(QStringLiteral("check --quick --only arriving-hits --json"));
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        const QJsonArray records = recordsOf(run.out);
+        QCOMPARE(records.size(), 9);
+        for (int row = 0; row < 9; ++row) {
+            QCOMPARE(text(records[row], "where"), QStringLiteral("row %1").arg(row + 1));
+            QVERIFY(number(records[row], "ratio") > 0.0);
+        }
+        const CliRun table = runBench(QStringLiteral("check --quick --only arriving-hits"));
+        QCOMPARE(table.out.count(QStringLiteral(" (worst) ")), 1);
+    }
+
     void helpIsGiven() {
         const CliRun all = runBench(QStringLiteral("--help"));
         QVERIFY(all.out.startsWith(QStringLiteral("Usage: hitscope-cli bench WHAT [options]\n")));
