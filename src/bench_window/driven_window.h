@@ -24,6 +24,9 @@ class SceneFiles;
 
 namespace hitscope::bench {
 
+/// Of all threads of this process, seconds.
+[[nodiscard]] double processorTime();
+
 /// The window with a session and settings of its own, used by events, and what it takes until what they ask
 /// for is on the screen. A frame is on the screen when Qt has swapped its buffers.
 class DrivenWindow : public QObject {
@@ -41,16 +44,17 @@ public:
     [[nodiscard]] Session& session() { return m_session; }
     [[nodiscard]] SceneFiles& files();
 
-    /// Runs the event loop until `done`, which is asked about once a millisecond; false: not within a
-    /// minute, and error() says that `what` did not come.
+    /// Runs the event loop until `done`, which is asked about once a millisecond; false: not within
+    /// five minutes, and error() says that `what` did not come.
     bool wait(const QString& what, const std::function<bool()>& done);
     /// Until nothing moves, nothing is worked out and the viewport does not draw.
     bool settle();
 
     struct Taken {
-        double seconds = 0.0;  ///< until it was on the screen
-        double blocked = 0.0;  ///< seconds that an event waited at most until then
-        double ready = 0.0;    ///< seconds until normals and read-back had followed too
+        double seconds = 0.0;    ///< until it was on the screen
+        double blocked = 0.0;    ///< seconds that an event waited at most until then
+        double processor = 0.0;  ///< seconds of all threads until then
+        double ready = 0.0;      ///< seconds until normals and read-back had followed too
     };
     /// Does `act` and waits until a frame has been shown that was drawn when `isThere` held.
     std::optional<Taken> untilShown(const QString& what, const std::function<void()>& act,

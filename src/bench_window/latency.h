@@ -18,7 +18,8 @@ struct Repeats {
 
 /// Opens `mesh` in the window, shoots, undoes, orbits, aims and scatters, and measures what a person waits
 /// for. {"vertices", "moved": vertices that a click moves, "viewport": [width, height],
-/// "rows": [{"measured", "seconds": [...], "blocked": [...]}]}. window.error() says what went wrong.
+/// "rows": [{"measured", "seconds": [...], "blocked": [...], "processor": [...]}]}. window.error() says what
+/// went wrong.
 [[nodiscard]] QJsonObject measureLatency(DrivenWindow& window, const QString& mesh, const Repeats& repeats);
 
 }  // namespace hitscope::bench

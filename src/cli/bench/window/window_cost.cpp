@@ -81,9 +81,9 @@ Result<LatencyFigures> measureWindowLatency(const WindowRoom& room, const Latenc
     figures.viewport = QSize(viewport.at(0).toInt(), viewport.at(1).toInt());
     for (const auto& value : figures.renderer[QStringLiteral("rows")].toArray()) {
         const QJsonObject row = value.toObject();
-        figures.rows.push_back({row[QStringLiteral("measured")].toString(),
-                                samplesOf(row[QStringLiteral("seconds")]),
-                                samplesOf(row[QStringLiteral("blocked")])});
+        figures.rows.push_back(
+            {row[QStringLiteral("measured")].toString(), samplesOf(row[QStringLiteral("seconds")]),
+             samplesOf(row[QStringLiteral("blocked")]), samplesOf(row[QStringLiteral("processor")])});
     }
     return figures;
 }

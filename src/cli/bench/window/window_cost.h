@@ -19,7 +19,8 @@ inline constexpr int kMostScattered = 100'000;  ///< hits
 struct LatencyRow {
     QString measured;  ///< "undo key to picture"
     Samples seconds;
-    Samples blocked;  ///< seconds that an event waited at most meanwhile, a value a sample
+    Samples blocked;    ///< seconds that an event waited at most meanwhile, a value a sample
+    Samples processor;  ///< seconds of all threads of the window, likewise
 };
 struct LatencyFigures {
     std::size_t vertices = 0;
