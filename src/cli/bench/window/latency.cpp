@@ -51,7 +51,6 @@ void addMesh(Report& report, const LatencyFigures& figures) {
                                   {QStringLiteral("blocked_median"), row.blocked.median()},
                                   {QStringLiteral("blocked_most"), row.blocked.most()},
                                   {QStringLiteral("processor_median"), row.processor.median()},
-
                                   {QStringLiteral("runs"), runsJson(row.seconds)}});
     }
     report.tables.push_back(std::move(table));
