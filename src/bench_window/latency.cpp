@@ -242,6 +242,7 @@ void LatencyRun::aims() {
     if (preview == nullptr || label == nullptr) {
         return;
     }
+    label->installEventFilter(&m_window);  // it may be drawn without the viewport
     Row picture{QStringLiteral("aim preview, rest to picture")};
     int round = 0;
     m_window.moveTo(0.5, 0.5);
