@@ -90,6 +90,8 @@ void MeshDialogsTest::type(MeshStepDialog& dialog, const char* box, const char* 
 QString MeshDialogsTest::result(MeshStepDialog& dialog) {
     const auto& label = part<QLabel>(dialog, "result");
     [&] { QTRY_VERIFY_WITH_TIMEOUT(label.text() != QStringLiteral("Computing…"), kPatience); }();
+    // None of its lines is cut.
+    [&] { QTRY_VERIFY_WITH_TIMEOUT(label.height() >= label.heightForWidth(label.width()), kPatience); }();
     return label.text();
 }
 

@@ -64,6 +64,8 @@ MeshStepDialog::MeshStepDialog(Kind kind, std::shared_ptr<const MeshData> mesh, 
     m_result->setObjectName(QStringLiteral("result"));
     m_result->setWordWrap(true);
     m_result->setMinimumWidth(fontMetrics().averageCharWidth() * 50);
+    m_result->setMinimumHeight(2 * fontMetrics().lineSpacing());
+    m_result->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     form->addRow(tr("Result:"), m_result);
     auto* box = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     box->addButton(buttons[static_cast<int>(kind)], QDialogButtonBox::AcceptRole)
@@ -242,6 +244,8 @@ void MeshStepDialog::showPreview(const Preview& preview, bool done) {
                                    countText(preview.faces), countText(m_mesh->faceCount())));
     }
     m_preview.reset();
+    // What is wrong may take more lines than what comes of it.
+    resize(width(), std::max(height(), layout()->heightForWidth(width())));
 }
 
 }  // namespace hitscope
