@@ -5,6 +5,7 @@
 
 #include "cli/agreement.h"
 #include "cli/common_options.h"
+#include "cli/json_report.h"
 #include "cli/opened_scene.h"
 #include "cli/verbs.h"
 #include "gl/context.h"
@@ -72,8 +73,10 @@ private:
     SceneGpu::View m_view;
 };
 
-void printTable(QTextStream& out, const Session& session) {
+QString tableOf(const Session& session) {
     const int nameWidth = 24;
+    QString text;
+    QTextStream out(&text);
     out << QStringLiteral("target").leftJustified(nameWidth)
         << "  vertices  hits  affected  largest displacement\n";
     for (const std::unique_ptr<Target>& target : session.targets()) {
@@ -84,16 +87,21 @@ void printTable(QTextStream& out, const Session& session) {
             << QString::number(statistics.changedVertices).rightJustified(10)
             << QStringLiteral("%1 m\n").arg(statistics.maximum, 20, 'f', 3);
     }
+    out.flush();
+    return text;
 }
 
 /// Applies the hits with every pipeline that runs here, and says how it agrees with the reference.
-Result<QStringList> comparePipelines(Demo& demo, const Session& session) {
+Result<QStringList> comparePipelines(Demo& demo, const Session& session, JsonReport& report) {
     QStringList lines;
+    report.beginArray("pipelines");
     for (const PipelineTraits& traits : allPipelines()) {
         const QString name = QString::fromUtf8(traits.name);
         const QString unavailable = session.readBack().whyUnavailable(traits.kind);
         if (!unavailable.isEmpty()) {
             lines << QStringLiteral("%1: not here. %2").arg(name, unavailable);
+            report.beginObject().text("pipeline", QString::fromUtf8(traits.key));
+            report.text("not_here", unavailable).endObject();
             continue;
         }
         const Result<std::optional<ReferenceAgreement>> agreement = demo.apply(traits.kind);
@@ -101,14 +109,24 @@ Result<QStringList> comparePipelines(Demo& demo, const Session& session) {
             return agreement.error();
         }
         lines << agreementLine(session, agreement.value());
+        report.beginObject();
+        addAgreement(report, session, agreement.value());
+        report.endObject();
     }
+    report.endArray();
     return lines;
 }
 
 /// Shoots, lets each pipeline apply the hits, and writes what the one asked for made of them.
-Outcome writeResults(Demo& demo, OpenedScene& scene, const DemoOptions& options, QTextStream& out) {
+Outcome writeResults(Demo& demo, OpenedScene& scene, const DemoOptions& options, const Invocation& given) {
     Session& session = scene.session();
-    const Result<QStringList> compared = comparePipelines(demo, session);
+    JsonReport report("demo");
+    const QString renderer = QString::fromStdString(gl::rendererInfo().renderer);
+    const QString folder = QDir(options.folder).absolutePath();
+    report.text("scene", options.meshPath).text("renderer", renderer).text("folder", folder);
+    report.count("shots", static_cast<std::uint64_t>(options.shots));
+    report.count("hits", session.hits().history().size());
+    const Result<QStringList> compared = comparePipelines(demo, session, report);
     if (!compared) {
         return cannotDraw(compared.error());
     }
@@ -129,21 +147,25 @@ Outcome writeResults(Demo& demo, OpenedScene& scene, const DemoOptions& options,
         return cannotDraw(
             {"OpenGL reports: " + errors.front(), "", "Please report this with the renderer's name."});
     }
-    out << "Renderer: " << QString::fromStdString(gl::rendererInfo().renderer);
-    out << "\n"
-        << QString::fromStdString(describe(session.readBack().verdict(), session.settings().pipeline()))
-        << "\n"
-        << options.shots << " shots, " << session.hits().history().size() << " hits\n\n";
-    printTable(out, session);
-    out << "\n" << compared.value().join(QLatin1Char('\n')) << "\n\n" << fingerprintLines(session);
-    out << "\nIn " << QDir::toNativeSeparators(QDir(options.folder).absolutePath())
-        << ": before.png, after.png, wireframe.png, deformed.obj (" << exported.name << ")\n";
-    out.flush();
+    addFingerprints(report, session);
+    addTargets(report, session);
+    const QString verdict =
+        QString::fromStdString(describe(session.readBack().verdict(), session.settings().pipeline()));
+    const QString text = QStringLiteral("Renderer: %1\n%2\n%3 shots, %4 hits\n\n")
+                             .arg(renderer, verdict)
+                             .arg(options.shots)
+                             .arg(session.hits().history().size()) +
+                         tableOf(session) + u'\n' + compared.value().join(u'\n') + QStringLiteral("\n\n") +
+                         fingerprintLines(session) +
+                         QStringLiteral("\nIn %1: before.png, after.png, wireframe.png, deformed.obj (%2)\n")
+                             .arg(QDir::toNativeSeparators(folder), exported.name);
+    if (Status said = giveReport(given, report, text); !said) {
+        return said;
+    }
     return exportAgrees(session, shown, meshPath);
 }
 
-Outcome shootDemo(const DemoOptions& options) {
-    QTextStream out(stdout);
+Outcome shootDemo(const DemoOptions& options, const Invocation& given) {
     if (!QDir().mkpath(options.folder)) {
         return Error{"The folder cannot be made.", options.folder.toStdString(),
                      "Choose one you may write to."};
@@ -159,7 +181,7 @@ Outcome shootDemo(const DemoOptions& options) {
     }
     shootAll(scene.session(), demoShots(scene.session(), options.shots, options.seed));
     scene.session().targets().select({});
-    return writeResults(demo, scene, options, out);
+    return writeResults(demo, scene, options, given);
 }
 
 QStringList normalWords() {
@@ -174,7 +196,7 @@ int runDemo(Invocation& given) {
     options.pipeline = givenPipeline(given);
     options.normals = static_cast<NormalMode>(given.word("normals"));
     options.meshPath = given.file(0);
-    return given.error().isEmpty() ? finish(shootDemo(options)) : kWrongUsage;
+    return given.error().isEmpty() ? finish(shootDemo(options, given)) : kWrongUsage;
 }
 
 }  // namespace
@@ -189,16 +211,18 @@ Verb demoVerb() {
                                        "before.png, after.png, wireframe.png and deformed.obj. Ends with 1 "
                                        "where the mesh is not what the "
                                        "reference makes of the hits."),
-         .options = {folderOption("out", QStringLiteral("Folder for the results; made where it is missing."),
-                                  QStringLiteral("hitscope-demo")),
-                     valueOption("shots", "N", QStringLiteral("Number of shots, 1 to 100000."),
-                                 QStringLiteral("50")),
-                     valueOption("seed", "NUMBER", QStringLiteral("Another seed gives other shots."),
-                                 QStringLiteral("1")),
-                     pipelineOption(QStringLiteral("transform-feedback")),
-                     wordOption("normals", "KIND", normalWords(), QStringLiteral("In pictures and mesh."),
-                                QStringLiteral("true")),
-                     quietOption()},
+         .options =
+             QList<UsageOption>{
+                 folderOption("out", QStringLiteral("Folder for the results; made where it is missing."),
+                              QStringLiteral("hitscope-demo")),
+                 valueOption("shots", "N", QStringLiteral("Number of shots, 1 to 100000."),
+                             QStringLiteral("50")),
+                 valueOption("seed", "NUMBER", QStringLiteral("Another seed gives other shots."),
+                             QStringLiteral("1")),
+                 pipelineOption(QStringLiteral("transform-feedback")),
+                 wordOption("normals", "KIND", normalWords(), QStringLiteral("In pictures and mesh."),
+                            QStringLiteral("true"))} +
+             reportOptions(),
          .examples = {{QStringLiteral("The paper's scene."),
                        QStringLiteral("hitscope-cli demo --out results")}},
          .mostFiles = 1},

@@ -208,7 +208,7 @@ void VerbsTest::reportsAreAsTheirSchemas_data() {
           "convert --json @ball.obj @x.ply", "compare --json --tolerance 9 @ball.obj @many.ply",
           "changes --json @many.hitscope", "explain --json --vertex 1 @many.hitscope",
           "dents --json @many.hitscope", "section --json --plane x=0 @many.hitscope",
-          "sweep --json --out @schema @plan.json"}) {
+          "sweep --json --out @schema @plan.json", "demo --json --shots 5 --out @demo @ball.obj"}) {
         QTest::newRow(line) << QString::fromLatin1(line);
     }
 }
