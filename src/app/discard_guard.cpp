@@ -155,9 +155,16 @@ void DiscardGuard::take(QMessageBox& box, const std::function<void()>& then) {
         then();
     } else if (role == QMessageBox::AcceptRole) {
         m_then = then;
-        if (!m_beginSave()) {
-            m_then = {};
-        }
+        // Where to save may be asked by a dialog with an event loop of its own. The box may be deleted in it,
+        // so the box's own code must have ended by then.
+        QMetaObject::invokeMethod(this, &DiscardGuard::beginSave, Qt::QueuedConnection);
+    }
+}
+
+void DiscardGuard::beginSave() {
+    if (m_then && !m_beginSave()) {
+        m_then = {};
+        Q_EMIT saveEnded();
     }
 }
 

@@ -79,6 +79,7 @@ private:
     [[nodiscard]] std::size_t hitsAtRisk() const;
     QMessageBox* makeBox();
     void take(QMessageBox& box, const std::function<void()>& then);
+    void beginSave();
     void takeSaved(bool isSaved);
 
     Session& m_session;

@@ -120,13 +120,14 @@ private Q_SLOTS:
         QCOMPARE(back.images.size(), std::size_t{1});
         QCOMPARE(back.images[0].width, 2);
         const MeshData& from = scene.mesh.original.mesh;
-        QCOMPARE(back.positions.size(), std::size_t{5 + 3 + 3});  // the plate has the unused one too
-        for (std::size_t i = 0; i < 5; ++i) {
+        // The plate has a vertex that no face uses, its last one. Assimp leaves such vertices out since 5.4.
+        const bool isWhole = back.positions.size() == 5 + 3 + 3;
+        QVERIFY(isWhole || back.positions.size() == 4 + 3 + 3);
+        for (std::size_t i = 0; i < (isWhole ? 5 : 4); ++i) {
             QCOMPARE(back.positions[i], from.positions[i]);
             QVERIFY(i == 4 || glm::distance(back.texcoords[i], from.texcoords[i]) < 1e-6f);
             QVERIFY(i == 4 || glm::length(back.normals[i]) > 0.999f);
-        }
-        for (std::size_t i = 0; i < 5; ++i) {  // light in the file, and sRGB again
+            // Light in the file, and sRGB again.
             QVERIFY(glm::distance(back.colours[i], from.colours[i]) < 1e-5f);
         }
     }

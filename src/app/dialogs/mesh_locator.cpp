@@ -47,7 +47,10 @@ void MeshLocator::ask() {
     box->setDefaultButton(box->addButton(QMessageBox::Cancel));
     connect(box, &QDialog::finished, this, [this, box, locate, open, path] {
         if (locate != nullptr && box->clickedButton() == locate) {
-            this->locate(path);
+            // By a dialog with an event loop of its own, in which the box may be deleted: after the box's own
+            // code.
+            QMetaObject::invokeMethod(
+                this, [this, path] { this->locate(path); }, Qt::QueuedConnection);
         } else if (box->clickedButton() == open) {
             m_files.goOn();
         } else {
