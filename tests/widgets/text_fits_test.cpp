@@ -51,7 +51,7 @@ private Q_SLOTS:
             }
         }
         for (const char* dialog :
-             {"Burst", "Sequence", "Scatter Hits", "Mirror Hits", "Brush Settings", "Refine…", "Simplify",
+             {"Burst", "Sequence", "Scatter Hits", "Mirror Hits", "Brush Settings", "Refine", "Simplify",
               "Smooth", "Projectile", "Save Picture As", "Save Picture Sequence"}) {
             addDialog(cut, QString::fromUtf8(dialog));
         }
@@ -80,7 +80,8 @@ private:
         }
     }
 
-    /// What the action whose text begins like that opens, whether it waits for an answer or not.
+    /// What the action whose text begins like that and ends with dots opens, whether it waits for an answer
+    /// or not.
     void addDialog(QStringList& all, const QString& begin) {
         bool seen = false;
         QTimer look;
@@ -98,7 +99,7 @@ private:
         QObject::connect(&look, &QTimer::timeout, inspect);
         look.start(100);
         for (QAction* action : m_window->findChildren<QAction*>()) {
-            if (action->text().remove(u'&').startsWith(begin)) {
+            if (action->text().remove(u'&').startsWith(begin) && action->text().endsWith(u'…')) {
                 action->trigger();
                 break;
             }
