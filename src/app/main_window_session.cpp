@@ -125,12 +125,13 @@ SessionFiles::View MainWindow::view() {
             [this](const SessionDocument& document) { restoreView(document); }};
 }
 
-/// The theme, what is transparent and whether pictures are refined stay the window's.
+/// The theme, what is transparent and how well pictures are drawn stay the window's.
 void MainWindow::restoreView(const SessionDocument& document) {
     DisplayOptions display = document.display;
     display.theme = m_viewport->options().theme;
     display.transparent = m_viewport->options().transparent;
     display.refine = m_viewport->options().refine;
+    display.reduceInMotion = m_viewport->options().reduceInMotion;
     m_viewport->setOptions(display);
     m_display->follow();
     m_change->follow();

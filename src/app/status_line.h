@@ -25,7 +25,8 @@ public:
     StatusLine(const Session& session, QStatusBar& bar, QObject* parent = nullptr);
 
     void setRenderer(const QString& name);
-    void setFrameRate(const FrameTimes::Summary& summary);
+    /// scale: as in frameRateText()
+    void setFrameRate(const FrameTimes::Summary& summary, float scale = 1.0f);
 
 private:
     QLabel* addCell(const QString& toolTip);

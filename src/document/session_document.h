@@ -107,7 +107,7 @@ struct SessionDocument {
     SimulationSettings simulation;
     Lights lights;
     SavedCameras cameras;
-    DisplayOptions display;  ///< but for theme, transparent: these are the window's
+    DisplayOptions display;  ///< but for theme, transparent, refine, reduceInMotion: these are the window's
     SavedSelection selection;
     std::vector<SavedPositions>
         positions;          ///< as the pipeline made them; those that are not there: not known

@@ -76,4 +76,16 @@ Image RenderTarget::read() const {
     return image;
 }
 
+void RenderTarget::enlargeInto(GLuint framebuffer, int width, int height) const {
+    const KeepFramebuffers keep;
+    const bool limited = glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE;  // it would limit the copy too
+    glDisable(GL_SCISSOR_TEST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, m_framebuffer.id());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    glBlitFramebuffer(0, 0, m_width, m_height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    if (limited) {
+        glEnable(GL_SCISSOR_TEST);
+    }
+}
+
 }  // namespace hitscope::gl

@@ -40,6 +40,9 @@ public:
     [[nodiscard]] int height() const { return m_height; }
     /// Resolves samples and reads the colours; waits for the GPU.
     [[nodiscard]] Image read() const;
+    /// Puts its colours into a framebuffer object of that size (0: the default framebuffer), smoothly
+    /// enlarged. For one without samples.
+    void enlargeInto(GLuint framebuffer, int width, int height) const;
 
 private:
     int m_width = 0;

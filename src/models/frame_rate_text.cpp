@@ -24,15 +24,18 @@ QString frameTimeText(double seconds) {
         shownNumber(seconds * kMilliseconds, 'f', seconds < 0.0995 ? 1 : 0));
 }
 
-QString frameRateText(const FrameTimes::Summary& summary) {
+QString frameRateText(const FrameTimes::Summary& summary, float scale) {
     if (summary.recent == 0) {
         return summary.lastCost > 0.0
                    ? FrameRateTexts::tr("Idle · last frame %1").arg(frameTimeText(summary.lastCost))
                    : FrameRateTexts::tr("Idle");
     }
     const int decimals = summary.framesPerSecond < 9.95 ? 1 : 0;
-    return FrameRateTexts::tr("%1 (%2 FPS)")
-        .arg(frameTimeText(summary.recentCost), shownNumber(summary.framesPerSecond, 'f', decimals));
+    const QString text =
+        FrameRateTexts::tr("%1 (%2 FPS)")
+            .arg(frameTimeText(summary.recentCost), shownNumber(summary.framesPerSecond, 'f', decimals));
+    return scale < 1.0f ? FrameRateTexts::tr("%1, drawn at %2 % size").arg(text).arg(qRound(100.0f * scale))
+                        : text;
 }
 
 }  // namespace hitscope

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/scene_gpu.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
@@ -270,8 +272,31 @@ Status SceneGpu::Private::drawAll(Frame& frame, const View& view, unsigned frame
     return renderer->draw(frame, second.pipeline(), framebuffer);
 }
 
-Status SceneGpu::draw(const View& view, unsigned framebuffer, RefinedView* refined) {
+SceneGpu::View SceneGpu::Private::reducedView(const View& view) {
+    if (view.scale >= 1.0f) {
+        reduced.reset();
+        return view;
+    }
+    const auto smaller = [&view](int side) {
+        return std::max(1, static_cast<int>(std::lround(static_cast<float>(side) * view.scale)));
+    };
+    View small = view;
+    small.width = smaller(view.width);
+    small.height = smaller(view.height);
+    small.pixelRatio *= view.scale;
+    if (!reduced || reduced->width() != small.width || reduced->height() != small.height) {
+        reduced = std::make_unique<gl::RenderTarget>(small.width, small.height);
+    }
+    if (!reduced->isComplete()) {
+        reduced.reset();
+        return view;
+    }
+    return small;
+}
+
+Status SceneGpu::draw(const View& shown, unsigned framebuffer, RefinedView* refined) {
     d->meter.begin();
+    const View view = d->reducedView(shown);
     if (Status status = d->follow(Private::Delivery::WhatHasArrived); !status) {
         d->meter.end();
         return status;
@@ -286,7 +311,10 @@ Status SceneGpu::draw(const View& view, unsigned framebuffer, RefinedView* refin
         d->meter.end();
         return status;
     }
-    Status status = d->drawAll(parts->frame, view, framebuffer);
+    Status status = d->drawAll(parts->frame, view, d->reduced ? d->reduced->framebuffer() : framebuffer);
+    if (d->reduced && status) {
+        d->reduced->enlargeInto(framebuffer, shown.width, shown.height);
+    }
     d->meter.endOf(FrameMeter::Part::Drawing);
     d->meter.end();
     return status;

@@ -37,6 +37,9 @@ public:
         int width = 0;   ///< pixels
         int height = 0;  ///< pixels
         float pixelRatio = 1.0f;
+        /// Part of width and height that draw() draws with, and then enlarges: less than 1 for pictures that
+        /// move.
+        float scale = 1.0f;
         Camera camera;
         DisplayOptions options;
         std::shared_ptr<const std::vector<glm::vec3>> ghost = nullptr;  ///< as in Frame

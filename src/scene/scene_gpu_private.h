@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "deform/history_prefix.h"
+#include "gl/render_target.h"
 #include "render/renderer.h"
 #include "scene/change_upload.h"
 #include "scene/frame_meter.h"
@@ -56,6 +57,8 @@ struct SceneGpu::Private {
     ChangeUpload changeUpload;
     SecondScene second;
     ChangeUpload secondUpload;
+    std::unique_ptr<gl::RenderTarget>
+        reduced;  // for pictures drawn smaller than they are shown; null: none lately
     std::unique_ptr<TaskProgress> appending;       // null: no long row of new hits is applied in slices
     std::unique_ptr<Reapplication> reapplication;  // null: nothing is applied again in slices
 
@@ -90,6 +93,8 @@ struct SceneGpu::Private {
     [[nodiscard]] std::unique_ptr<FrameParts> frameOf(const View& view);
     /// The picture, or two of them side by side.
     Status drawAll(Frame& frame, const View& view, unsigned framebuffer);
+    /// The view as it is drawn, and a place for it in `reduced` where that is smaller than it is shown.
+    [[nodiscard]] View reducedView(const View& view);
 };
 
 }  // namespace hitscope

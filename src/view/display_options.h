@@ -42,6 +42,8 @@ struct DisplayOptions {
     bool environment = false;  ///< a studio lights the scene (view/environment.h), not the session's lights
     /// At rest the picture becomes the mean of many (render/refined/refined_picture.h).
     bool refine = false;
+    /// While it moves the picture is drawn smaller and enlarged where its frames would take too long.
+    bool reduceInMotion = false;
 
     bool operator==(const DisplayOptions&) const = default;
 };

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kPartThatCounts = 0.9f;                           // of the picture: not its very edge
 constexpr std::array<double, 5> kLooks{0.5, 0.3, 0.7, 0.1, 0.9};  // of the picture's width and height
-constexpr int kHalvings = 6;
+constexpr int kStepHalvings = 6;
 
 }  // namespace
 
@@ -86,7 +86,7 @@ void Navigation::moveInSight(const std::function<void(float part)>& move) {
     }
     float low = 0.0f;
     float high = 1.0f;
-    for (int i = 0; i < kHalvings; ++i) {
+    for (int i = 0; i < kStepHalvings; ++i) {
         const float middle = 0.5f * (low + high);
         m_camera = before;
         move(middle);

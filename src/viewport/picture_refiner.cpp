@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/picture_refiner.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "scene/picture.h"
@@ -9,7 +10,9 @@ namespace hitscope {
 
 namespace {
 
-constexpr int kBetweenLooks = 150;  // milliseconds from one look at what there is to the next
+constexpr int kBetweenLooks = 150;    // milliseconds from one look at what there is to the next
+constexpr qint64 kRestForSample = 2;  // times as long as a sample takes, nothing must have happened before it
+constexpr qint64 kLongestRest = 1000;  // milliseconds
 
 }  // namespace
 
@@ -45,13 +48,20 @@ void PictureRefiner::framePainted() {
     if (isDone()) {
         m_timer.stop();
     } else if (!m_view->wasShown() || !m_timer.isActive()) {
-        m_timer.start(m_view->wasShown() ? 0 : kRest);
+        m_timer.start(m_view->wasShown() ? 0 : rest());
     }
 }
 
+/// Input that comes during a sample waits for it: the longer it takes, the longer nobody has used the window
+/// before.
+int PictureRefiner::rest() const {
+    return static_cast<int>(std::clamp<qint64>(kRestForSample * m_sampleTime, kRest, kLongestRest));
+}
+
 void PictureRefiner::inputCame() {
+    m_sinceStep.invalidate();
     if (m_timer.isActive()) {
-        m_timer.start(kRest);
+        m_timer.start(rest());
     }
 }
 
@@ -60,6 +70,10 @@ void PictureRefiner::step() {
         return;  // the next frame that is painted goes on
     }
     const int before = m_view->samples();
+    if (before > 0 && m_sinceStep.isValid()) {
+        m_sampleTime = m_sinceStep.elapsed();  // all of the one before, which the driver may have put off
+    }
+    m_sinceStep.start();
     if (Status added = m_hooks.addSample(*m_view); !added) {
         m_view.reset();
         m_whyNot = QString::fromStdString(added.error().message());

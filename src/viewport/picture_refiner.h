@@ -40,7 +40,8 @@ public:
     void inputCame();     ///< what is under way waits until no more comes
     void releaseGpu();    ///< the context goes; it is current
 
-    static constexpr int kRest = 60;  ///< milliseconds without frame or input before the first sample
+    static constexpr int kRest =
+        60;  ///< milliseconds without frame or input before the first sample, at least
 
 Q_SIGNALS:
     void refined(int samples);  ///< one sample more
@@ -49,6 +50,7 @@ Q_SIGNALS:
 private:
     void step();
     [[nodiscard]] bool isDone() const;
+    [[nodiscard]] int rest() const;
 
     Hooks m_hooks;
     std::unique_ptr<RefinedView> m_view;  ///< null: off
@@ -56,6 +58,8 @@ private:
     QString m_whyNot;
     QTimer m_timer;
     QElapsedTimer m_sinceShown;
+    QElapsedTimer m_sinceStep;
+    qint64 m_sampleTime = 0;  ///< milliseconds
 };
 
 }  // namespace hitscope

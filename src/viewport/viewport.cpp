@@ -58,7 +58,10 @@ Viewport::Viewport(Session& session, QWidget* parent)
     connect(&m_repeatTimer, &QTimer::timeout, this, &Viewport::shootAtCrosshair);
     connect(&m_crosshairTimer, &QTimer::timeout, this, qOverload<>(&QWidget::update));
     connect(&m_navigation, &Navigation::cameraChanged, this, qOverload<>(&QWidget::update));
+    connect(&m_navigation, &Navigation::cameraChanged, &m_motion, &PictureMotion::moved);
+    connect(&m_motion, &PictureMotion::rested, this, qOverload<>(&QWidget::update));
     connect(this, &QOpenGLWidget::frameSwapped, this, [this] {
+        endFrame();
         followRefresh();
         moveOn();
     });
@@ -130,6 +133,7 @@ void Viewport::report(const Error& error) {
 
 void Viewport::resizeGL(int, int) {
     followViewSize();
+    m_motion.forget();
     if (!m_framed) {
         m_framed = true;
         frameAll(Navigation::Arrival::AtOnce);
@@ -158,22 +162,31 @@ void Viewport::paintGL() {
         paintError();
         return;
     }
-    QElapsedTimer drawing;
-    drawing.start();
-    if (Status drawn = m_scene->draw(view(), defaultFramebufferObject(), m_refiner.view()); !drawn) {
+    m_sinceBegin.start();
+    const bool follows = std::exchange(m_frameFollows, false) && m_sinceFrame.isValid();
+    SceneGpu::View shown = view();
+    shown.scale = m_motion.beginFrame();
+    if (Status drawn = m_scene->draw(shown, defaultFramebufferObject(), m_refiner.view()); !drawn) {
         report(drawn.error());
         return;
     }
     paintOverlay();
     m_error.clear();
     m_refiner.framePainted();
-    if (m_refiner.wasShown()) {
-        return;  // what was drawn before, in better quality: no frame to measure
+    // What was drawn before, in better quality, is no frame to measure.
+    m_painted = m_refiner.wasShown() ? Painted::Nothing : follows ? Painted::Following : Painted::Alone;
+}
+
+/// Only now is a frame there: a renderer may have put off all of the drawing until now.
+void Viewport::endFrame() {
+    const double drawing = static_cast<double>(m_sinceBegin.nsecsElapsed()) * kNanosecond;
+    m_motion.frameShown(drawing);
+    const Painted painted = std::exchange(m_painted, Painted::Nothing);
+    if (painted == Painted::Nothing) {
+        return;
     }
-    const bool follows = m_frameFollows && m_sinceFrame.isValid();
-    const QElapsedTimer& measure = follows ? m_sinceFrame : drawing;
-    const double seconds = static_cast<double>(measure.nsecsElapsed()) * kNanosecond;
-    m_frameFollows = false;
+    const bool follows = painted == Painted::Following;
+    const double seconds = follows ? static_cast<double>(m_sinceFrame.nsecsElapsed()) * kNanosecond : drawing;
     m_sinceFrame.start();
     m_session.frameCosts().endFrame(seconds, follows);
     Q_EMIT framePainted(seconds);
@@ -236,6 +249,9 @@ void Viewport::moveOn() {
         m_clock.isValid() ? std::min(static_cast<double>(m_clock.nsecsElapsed()) * kNanosecond, kLongestStep)
                           : 0.0;
     m_clock.start();
+    if (m_navigation.isMoving() || m_session.simulation().isMoving()) {
+        m_motion.moved();
+    }
     if (m_session.simulation().isMoving()) {
         advanceWithin(m_session, passed);
     }
@@ -278,15 +294,16 @@ void Viewport::tryNext() {
 
 void Viewport::setOptions(const DisplayOptions& options) {
     m_options = options;
+    m_motion.forget();
     followViewSize();
-    followRefining();
+    followQuality();
     update();
     Q_EMIT optionsChanged();
 }
 
 void Viewport::setDrawsContinuously(bool on) {
     m_continuous = on;
-    followRefining();
+    followQuality();
     m_navigation.setGlides(!on);  // what is measured stands still
     update();
 }
@@ -297,6 +314,7 @@ void Viewport::followScene() {
 }
 
 void Viewport::followSize() {
+    m_motion.forget();
     const float size = m_session.targets().bounds().diagonal();
     m_navigation.setSceneRadius(size > 0.0f ? size : 1.0f);
 }
@@ -329,41 +347,6 @@ void Viewport::frameSelection() {
 
 Ray Viewport::rayThrough(const QPointF& place) const {
     return m_navigation.rayAt({place.x() * width(), place.y() * height()});
-}
-
-void Viewport::setGhost(std::shared_ptr<const std::vector<glm::vec3>> ghost) {
-    if (ghost != m_ghost) {
-        m_ghost = std::move(ghost);
-        update();
-    }
-}
-
-void Viewport::setPlannedGhosts(std::shared_ptr<const std::vector<glm::vec3>> ghosts) {
-    if (ghosts != m_plannedGhosts) {
-        m_plannedGhosts = std::move(ghosts);
-        update();
-    }
-}
-
-void Viewport::setSection(std::shared_ptr<const SectionLines> lines) {
-    if (lines != m_section) {
-        m_section = std::move(lines);
-        update();
-    }
-}
-
-void Viewport::setOtherSection(std::shared_ptr<const SectionLines> lines) {
-    if (lines != m_otherSection) {
-        m_otherSection = std::move(lines);
-        update();
-    }
-}
-
-void Viewport::setShowsCutPlane(bool on) {
-    if (on != m_showsCutPlane) {
-        m_showsCutPlane = on;
-        update();
-    }
 }
 
 void Viewport::shootAlong(const Ray& sight) {

@@ -5,6 +5,7 @@
 #include <QOpenGLWidget>
 #include <QPolygonF>
 #include <QTimer>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "scene/scene_gpu.h"
 #include "viewport/aiming.h"
 #include "viewport/navigation.h"
+#include "viewport/picture_motion.h"
 #include "viewport/picture_refiner.h"
 #include "viewport/viewport_picking.h"
 
@@ -60,6 +62,7 @@ public:
     [[nodiscard]] const Aiming& aiming() const { return m_aiming; }
     [[nodiscard]] ViewportPicking& picking() { return m_picking; }
     [[nodiscard]] PictureRefiner& refiner() { return m_refiner; }
+    [[nodiscard]] PictureMotion& motion() { return m_motion; }
     /// A surface to draw over the picture (SceneGpu::View); null: none.
     void setGhost(std::shared_ptr<const std::vector<glm::vec3>> ghost);
     /// Likewise, and in its place while there is one: of hits that are planned.
@@ -94,7 +97,8 @@ public:
     static constexpr int kLongestClick = 500;  ///< milliseconds from press to release
 
 Q_SIGNALS:
-    /// Seconds: from the frame before while frames follow each other, else what drawing took.
+    /// A frame is shown. Seconds: from the frame before while frames follow each other, else what it took to
+    /// draw.
     void framePainted(double seconds);
     void rendererKnown();
     void shot(const hitscope::Ray& ray);  ///< by click or key, along this line of sight
@@ -125,6 +129,7 @@ private:
     void report(const Error& error);
     void paintError();
     void paintOverlay();
+    void endFrame();
     void followViewSize();
     void followScene();
     void followSize();
@@ -138,7 +143,7 @@ private:
     void tryNext();
     [[nodiscard]] SceneGpu::View view() const;
     [[nodiscard]] PictureRefiner::Hooks refinerHooks();
-    void followRefining();
+    void followQuality();
     void shootAlong(const Ray& sight);
     void click(const QMouseEvent& event);
     void selectAt(const QPointF& position);
@@ -165,12 +170,16 @@ private:
     Aiming m_aiming;
     ViewportPicking m_picking{*this};
     PictureRefiner m_refiner{refinerHooks()};
+    PictureMotion m_motion;
     bool m_framed = false;  ///< the scene has been framed at a real size
 
     bool m_continuous = false;
     bool m_unlimited = false;    ///< frames do not wait for the screen
     QElapsedTimer m_clock;       ///< since moveOn() last ran; invalid while nothing moves
-    QElapsedTimer m_sinceFrame;  ///< since the last frame ended
+    QElapsedTimer m_sinceFrame;  ///< since the last frame was shown
+    QElapsedTimer m_sinceBegin;  ///< since the last picture was begun
+    enum class Painted : std::uint8_t { Nothing, Alone, Following };
+    Painted m_painted = Painted::Nothing;  ///< a frame that is not shown yet, perhaps right after another
     QTimer m_costsTimer;
     QTimer m_trialTimer;          ///< to tryNext(), while something has not been tried
     QTimer m_sliceTimer;          ///< to moveOn() without a frame, while the session catches up

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What others have the viewport's scene and context do: pictures of it, what can be told of the renderer, and
-// a wait until all has been read back.
+// What others have the viewport's scene and context do: pictures of it, what else is drawn in it, what can be
+// told of the renderer, and a wait until all has been read back.
 #include <QOpenGLContext>
 #include <utility>
 
@@ -61,8 +61,43 @@ Result<Image> Viewport::drawPicture(const PictureRequest& request) {
     return image;
 }
 
+void Viewport::setGhost(std::shared_ptr<const std::vector<glm::vec3>> ghost) {
+    if (ghost != m_ghost) {
+        m_ghost = std::move(ghost);
+        update();
+    }
+}
+
+void Viewport::setPlannedGhosts(std::shared_ptr<const std::vector<glm::vec3>> ghosts) {
+    if (ghosts != m_plannedGhosts) {
+        m_plannedGhosts = std::move(ghosts);
+        update();
+    }
+}
+
+void Viewport::setSection(std::shared_ptr<const SectionLines> lines) {
+    if (lines != m_section) {
+        m_section = std::move(lines);
+        update();
+    }
+}
+
+void Viewport::setOtherSection(std::shared_ptr<const SectionLines> lines) {
+    if (lines != m_otherSection) {
+        m_otherSection = std::move(lines);
+        update();
+    }
+}
+
+void Viewport::setShowsCutPlane(bool on) {
+    if (on != m_showsCutPlane) {
+        m_showsCutPlane = on;
+        update();
+    }
+}
+
 PictureRefiner::Hooks Viewport::refinerHooks() {
-    return {.mayRefine = [this] { return m_scene && !wantsFrames() && isVisible(); },
+    return {.mayRefine = [this] { return m_scene && !wantsFrames() && isVisible() && !m_motion.isReduced(); },
             .addSample =
                 [this](RefinedView& refined) {
                     return withScene([&](SceneGpu& scene) { return scene.refine(view(), refined); });
@@ -70,8 +105,9 @@ PictureRefiner::Hooks Viewport::refinerHooks() {
             .show = [this] { update(); }};
 }
 
-/// What is measured is drawn anew each time.
-void Viewport::followRefining() {
+/// What is measured is drawn anew each time, in full size.
+void Viewport::followQuality() {
+    m_motion.setOn(m_options.reduceInMotion && !m_continuous);
     const bool on = m_options.refine && !m_continuous;
     if (!m_scene) {
         m_refiner.setOn(on);

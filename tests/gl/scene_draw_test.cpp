@@ -112,6 +112,19 @@ private Q_SLOTS:
         QVERIFY(differing(againPlain, again, 1) > 500);
     }
 
+    /// Pictures that move may be drawn smaller: they fill the same place, and differ at edges alone.
+    void smallerPicturesAreEnlarged() {
+        Session session;
+        session.loadScene({{}, plans(), 0.0f});
+        auto gpu = SceneGpu::create(session);
+        QVERIFY(gpu);
+        const Image full = draw(session, *gpu.value());
+        const Image half = draw(session, *gpu.value(), true, 0.5f);
+        const int differs = differing(full, half, 0) + differing(full, half, 1);
+        QVERIFY2(differs > 50 && differs < kWidth * kHeight / 20, qPrintable(QString::number(differs)));
+        QVERIFY(draw(session, *gpu.value()).pixels == full.pixels);
+    }
+
 private:
     /// Two cubes side by side, far enough apart that neither shades the other.
     static std::vector<TargetPlan> plans() {
@@ -122,10 +135,11 @@ private:
     }
 
     /// From the front, however little of the scene is visible.
-    Image draw(const Session& session, SceneGpu& gpu, bool colours = true) const {
+    Image draw(const Session& session, SceneGpu& gpu, bool colours = true, float scale = 1.0f) const {
         SceneGpu::View view;
         view.width = kWidth;
         view.height = kHeight;
+        view.scale = scale;
         Bounds bounds;
         for (const auto& target : session.targets()) {
             bounds.add(target->worldBounds());

@@ -376,7 +376,7 @@ void DocumentJsonTest::membersAreKnown() {
     [[maybe_unused]] const auto& [p1, p2, p3, p4, p5, p6, p7, p8, p9, p10, p11, p12, p13] =
         ProjectileSettings();
     [[maybe_unused]] const auto& [d1, d2, d3, d4, d5, d6, d7, d8, d9, d10, d11, d12, d13, d14, d15, d16, d17,
-                                  d18, d19, d20] = DisplayOptions();
+                                  d18, d19, d20, d21] = DisplayOptions();
     [[maybe_unused]] const auto& [b1, b2, b3, b4] = BeforeAfterOptions();
     [[maybe_unused]] const auto& [c1, c2, c3, c4] = ChangeMapOptions();
     [[maybe_unused]] const auto& [cut1, cut2, cut3, cut4, cut5, cut6, cut7] = CuttingPlane();

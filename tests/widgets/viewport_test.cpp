@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QSignalSpy>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 
 #include "mesh/primitives.h"
@@ -40,6 +41,7 @@ private Q_SLOTS:
     void controlClickSelectsAndShootsNothing();
     void spaceShootsRepeatedlyWhileHeld();
     void flyKeysMoveWhileHeld();
+    void smallerWhileItMoves();
     void framing();
     void idleDrawsNothing();
 
@@ -233,6 +235,36 @@ void ViewportTest::flyKeysMoveWhileHeld() {
     const glm::vec3 there = viewport.camera().eye();
     QTest::qWait(300);
     QVERIFY(near(viewport.camera().eye(), there));
+}
+
+/// Where frames take too long, the picture is drawn smaller while it moves, and in full size when it rests.
+void ViewportTest::smallerWhileItMoves() {
+    Viewport& viewport = m_window->viewport();
+    viewport.motion().hold(0.5f);
+    const auto scalesUntilRest = [&] {
+        QTest::keyPress(&viewport, Qt::Key_D);
+        float least = 1.0f;
+        QSignalSpy frames(&viewport, &Viewport::framePainted);
+        while (frames.size() < 4 && frames.wait(kPatience)) {
+            least = std::min(least, viewport.motion().lastScale());
+        }
+        QTest::keyRelease(&viewport, Qt::Key_D);
+        return least;
+    };
+    QCOMPARE(scalesUntilRest(), 1.0f);  // turned off in tests
+    DisplayOptions options = viewport.options();
+    options.reduceInMotion = true;
+    viewport.setOptions(options);
+    QCOMPARE(scalesUntilRest(), 0.5f);
+    QTRY_COMPARE_WITH_TIMEOUT(viewport.motion().lastScale(), 1.0f, kPatience);
+    // A frame alone is no motion, and what is measured has its full size.
+    viewport.update();
+    QSignalSpy frames(&viewport, &Viewport::framePainted);
+    QVERIFY(frames.wait(kPatience));
+    QCOMPARE(viewport.motion().lastScale(), 1.0f);
+    viewport.setDrawsContinuously(true);
+    QCOMPARE(scalesUntilRest(), 1.0f);
+    viewport.setDrawsContinuously(false);
 }
 
 void ViewportTest::framing() {

@@ -10,7 +10,7 @@
 namespace hitscope {
 
 std::span<const ShadingSwitch> shadingSwitches() {
-    static constexpr std::array<ShadingSwitch, 8> kSwitches{
+    static constexpr std::array<ShadingSwitch, 9> kSwitches{
         {{"shadows", QT_TRANSLATE_NOOP("hitscope::ShadingActions", "Soft &Shadows"),
           QT_TRANSLATE_NOOP("hitscope::ShadingActions", "Of the directional light; measurements are without"),
           "Shift+S", &DisplayOptions::shadows, true},
@@ -39,7 +39,12 @@ std::span<const ShadingSwitch> shadingSwitches() {
               "hitscope::ShadingActions",
               "While nothing moves: smooth edges, soft shadows and ambient occlusion; colour maps "
               "keep their colours"),
-          "Shift+Q", &DisplayOptions::refine, true}}};
+          "Shift+Q", &DisplayOptions::refine, true},
+         {"reduceInMotion", QT_TRANSLATE_NOOP("hitscope::ShadingActions", "Red&uce in Motion"),
+          QT_TRANSLATE_NOOP(
+              "hitscope::ShadingActions",
+              "While the picture moves and cannot be drawn 30 times a second: with fewer pixels"),
+          "", &DisplayOptions::reduceInMotion, true}}};
     return kSwitches;
 }
 
