@@ -127,13 +127,19 @@ private Q_SLOTS:
             QSKIP("no Xvfb");
         }
         QVERIFY2(run.status == 0, qPrintable(run.err));
-        const QStringList wanted{
-            QStringLiteral("open to picture"),        QStringLiteral("click to dent"),
-            QStringLiteral("click to dent, instant"), QStringLiteral("undo key to picture"),
-            QStringLiteral("redo key to picture"),    QStringLiteral("frame at rest"),
-            QStringLiteral("frame in motion"),        QStringLiteral("aim preview, rest to picture"),
-            QStringLiteral("scatter, previewed"),     QStringLiteral("scatter, applied"),
-            QStringLiteral("scatter, undone"),        QStringLiteral("scatter, redone")};
+        const QStringList wanted{QStringLiteral("open to picture"),
+                                 QStringLiteral("click to dent"),
+                                 QStringLiteral("click to dent, instant"),
+                                 QStringLiteral("undo key to picture"),
+                                 QStringLiteral("redo key to picture"),
+                                 QStringLiteral("frame at rest"),
+                                 QStringLiteral("frame in motion, full size"),
+                                 QStringLiteral("frame in motion"),
+                                 QStringLiteral("aim preview, rest to picture"),
+                                 QStringLiteral("scatter, previewed"),
+                                 QStringLiteral("scatter, applied"),
+                                 QStringLiteral("scatter, undone"),
+                                 QStringLiteral("scatter, redone")};
         for (const int vertices : {500, 900}) {
             QStringList measured;
             for (const auto& record : recordsOf(run.out)) {
