@@ -269,7 +269,8 @@ void RefinedTest::shadowsGetSoft() {
     };
     const int hard = between(false);
     const int soft = between(true);
-    QVERIFY2(soft > hard * 5 / 4, qPrintable(QStringLiteral("%1, %2").arg(hard).arg(soft)));
+    // With a light of no size it would be less than six times as many.
+    QVERIFY2(soft > hard * 6, qPrintable(QStringLiteral("%1, %2").arg(hard).arg(soft)));
 }
 
 void RefinedTest::environmentIsRefined() {

@@ -73,6 +73,7 @@ private Q_SLOTS:
     void volumesAreThoseOfTheFormulas();
     void pressHasTheSpheresShape();
     void pressGoesHalfIn();
+    void pressFadesBehindTheSphere();
     void curvePassesItsPointsAndStaysBetween();
     void curveOfALineIsLinear();
     void intoTheSurface();
@@ -176,6 +177,31 @@ void DentFormTest::pressGoesHalfIn() {
     QVERIFY(made.has_value());
     QVERIFY(isNear(static_cast<double>(made->magnitude), 0.1, 1e-6));
     QCOMPARE(made->distance, 0.0f);
+}
+
+/// What is behind the sphere goes along with it up to 1.25 radii from its middle, then less and less, up to
+/// two radii.
+void DentFormTest::pressFadesBehindTheSphere() {
+    constexpr float kRadius = 0.4f;
+    Hit hit;
+    hit.direction = {0.0f, 0.0f, -1.0f};
+    hit.normal = {0.0f, 0.0f, 1.0f};
+    hit.constants = kConstants;
+    hit.form = pressOf(kRadius);
+    const glm::vec3 middle(0.0f, 0.0f, kRadius - kDepth);
+    const auto pushedAt = [&](float radii) {
+        const glm::vec3 behind = middle + glm::vec3(0.0f, 0.0f, radii * kRadius);
+        const std::optional<Contribution> made = contributionTo(behind, hit);
+        return made ? static_cast<double>(made->magnitude) : 0.0;
+    };
+    const auto toFront = [](double radii) { return (1.0 + radii) * 0.4; };  // metres, all the way
+    QVERIFY(isNear(pushedAt(1.2f), toFront(1.2), 1e-6));
+    for (const double radii : {1.4, 1.625, 1.9}) {
+        const double t = (radii - 1.25) / 0.75;
+        const double share = 1.0 - t * t * (3.0 - 2.0 * t);
+        QVERIFY(isNear(pushedAt(static_cast<float>(radii)), share * toFront(radii), 1e-5));
+    }
+    QCOMPARE(pushedAt(2.01f), 0.0);
 }
 
 void DentFormTest::curvePassesItsPointsAndStaysBetween() {

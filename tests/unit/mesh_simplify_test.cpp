@@ -3,6 +3,7 @@
 
 #include <QTest>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -57,6 +58,7 @@ private Q_SLOTS:
     void leavesWhatIsOutsideTheRegion();
     void keepsSeamsAndMaterials_data();
     void keepsSeamsAndMaterials();
+    void keepsASeamInAPlane();
     void refusesSharesThatMeanNothing();
     void smoothingEvensASpikeOut();
     void smoothingLeavesOthersInEveryBit();
@@ -152,6 +154,52 @@ void MeshSimplifyTest::keepsSeamsAndMaterials() {
         }
     }
     QVERIFY2(std::abs(std::abs(covered) - 6.0) < 1e-5, qPrintable(QString::number(covered)));
+}
+
+/// Only the texture coordinates tell the two halves of a flat sheet apart: no triangle has corners of both.
+void MeshSimplifyTest::keepsASeamInAPlane() {
+    constexpr int kCells = 12;
+    constexpr float kApart = 10.0f;  // between the halves' texture coordinates, which are else x and y
+    MeshData sheet;
+    sheet.faceStarts.assign(1, 0);
+    for (int y = 0; y <= kCells; ++y) {
+        for (int x = 0; x <= kCells; ++x) {
+            sheet.positions.emplace_back(static_cast<float>(x), static_cast<float>(y), 0.0f);
+        }
+    }
+    const auto count = static_cast<std::uint32_t>(sheet.positions.size());
+    for (const float aside : {0.0f, kApart}) {
+        for (const glm::vec3& position : sheet.positions) {
+            sheet.texcoords.emplace_back(position.x + aside, position.y);
+        }
+    }
+    for (int y = 0; y < kCells; ++y) {
+        for (int x = 0; x < kCells; ++x) {
+            const auto at = [](int column, int row) {
+                return static_cast<std::uint32_t>(row * (kCells + 1) + column);
+            };
+            for (const std::uint32_t vertex : {at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)}) {
+                sheet.cornerVertices.push_back(vertex);
+                const bool isRight = x >= kCells / 2;
+                sheet.cornerTexcoords.push_back(vertex + (isRight ? count : 0u));
+            }
+            sheet.faceStarts.push_back(static_cast<std::uint32_t>(sheet.cornerVertices.size()));
+        }
+    }
+    const MeshData made = simplified(sheet, {.share = 0.1f, .region = {}});
+    QVERIFY(validate(made).ok());
+    QVERIFY(trianglesOf(made) < trianglesOf(sheet) / 4);
+    for (std::size_t f = 0; f < made.faceCount(); ++f) {
+        std::array<bool, 2> has{};
+        for (std::uint32_t c = made.faceStarts[f]; c < made.faceStarts[f + 1]; ++c) {
+            const glm::vec2 texcoord(made.texcoords[made.cornerTexcoords[c]]);
+            const glm::vec3& position = made.positions[made.cornerVertices[c]];
+            const bool isRight = texcoord.x - position.x > kApart / 2.0f;
+            has[isRight ? 1 : 0] = true;
+            QVERIFY(texcoord == glm::vec2(position.x + (isRight ? kApart : 0.0f), position.y));
+        }
+        QVERIFY(has[0] != has[1]);
+    }
 }
 
 void MeshSimplifyTest::refusesSharesThatMeanNothing() {
