@@ -82,9 +82,11 @@ void MeshDialogsTest::type(MeshStepDialog& dialog, const char* box, const char* 
     makeActive(dialog);
     auto& field = part<QWidget>(dialog, box);
     field.setFocus();
+    QTRY_VERIFY_WITH_TIMEOUT(field.hasFocus(), kPatience);  // a number counts when its field loses it
     QTest::keyClick(&field, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(&field, QLatin1String(text));
     QTest::keyClick(&field, Qt::Key_Tab);
+    QTRY_VERIFY_WITH_TIMEOUT(!field.hasFocus(), kPatience);
 }
 
 QString MeshDialogsTest::result(MeshStepDialog& dialog) {
