@@ -9,6 +9,7 @@ find_package(tinyobjloader REQUIRED)
 find_path(TINYGLTF_INCLUDE tiny_gltf.h REQUIRED)          # it reads back the glTF that we wrote
 find_path(NLOHMANN_JSON_INCLUDE nlohmann/json.hpp REQUIRED)  # its own need
 find_package(OpenMesh REQUIRED)
+find_package(meshoptimizer REQUIRED)
 find_package(QCustomPlotQt6 REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet)
@@ -25,7 +26,8 @@ endif()
 
 # Other people's headers are not held to our warnings.
 foreach(dependency glm::glm assimp::assimp tinyobjloader::tinyobjloader tinyobjloader::tinyobjloader_double
-                   QCustomPlotQt6::QCustomPlotQt6 PkgConfig::bullet PkgConfig::epoxy OpenMeshCore OpenMeshTools)
+                   QCustomPlotQt6::QCustomPlotQt6 PkgConfig::bullet PkgConfig::epoxy OpenMeshCore OpenMeshTools
+                   meshoptimizer::meshoptimizer)
   if(TARGET ${dependency})
     get_target_property(folders ${dependency} INTERFACE_INCLUDE_DIRECTORIES)
     if(folders)

@@ -318,7 +318,7 @@ void MainWindow::connectViewport() {
 
 void MainWindow::followFrameRate() {
     const FrameTimes::Summary summary = m_frameRate->summary();
-    m_status->setFrameRate(summary, m_viewport->motion().lastScale());
+    m_status->setFrameRate(summary, m_viewport->motion().lastDetail());
     if (summary.recent == 0) {
         m_frameRateTimer.stop();  // until the next frame
     }

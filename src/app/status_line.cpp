@@ -151,8 +151,8 @@ void StatusLine::showRenderer() {
     m_renderer->setVisible(!m_rendererName.isEmpty());
 }
 
-void StatusLine::setFrameRate(const FrameTimes::Summary& summary, float scale) {
-    m_frameRate->setText(frameRateText(summary, scale));
+void StatusLine::setFrameRate(const FrameTimes::Summary& summary, const PictureDetail& detail) {
+    m_frameRate->setText(frameRateText(summary, detail));
 }
 
 void StatusLine::showScene() {

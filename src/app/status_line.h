@@ -5,14 +5,14 @@
 #include <QObject>
 #include <QTimer>
 
+#include "core/frame_times.h"
 #include "session/session.h"
+#include "view/picture_detail.h"
 
 class QLabel;
 class QProgressBar;
 class QStatusBar;
 class QToolButton;
-
-#include "core/frame_times.h"
 
 namespace hitscope {
 
@@ -25,8 +25,8 @@ public:
     StatusLine(const Session& session, QStatusBar& bar, QObject* parent = nullptr);
 
     void setRenderer(const QString& name);
-    /// scale: as in frameRateText()
-    void setFrameRate(const FrameTimes::Summary& summary, float scale = 1.0f);
+    /// detail: as in frameRateText()
+    void setFrameRate(const FrameTimes::Summary& summary, const PictureDetail& detail = {});
 
 private:
     QLabel* addCell(const QString& toolTip);

@@ -113,13 +113,18 @@ std::optional<DrivenWindow::Taken> DrivenWindow::untilShown(const QString& what,
     QObject listener;
     m_paints = [&] { drawn = drawn || isThere(); };
     QObject::connect(&viewport(), &QOpenGLWidget::frameSwapped, &listener, [&] {
-        const double passed = kNanoseconds * static_cast<double>(nowInNanoseconds() - begin);
-        if (drawn && taken.seconds == 0.0) {
-            taken.seconds = passed;
-            taken.blocked = m_watch.longest();
-            taken.processor = processorTime() - spent;
+        if (!drawn) {
+            return;
         }
-        if (drawn && taken.ready == 0.0 && m_session.readBack().isUpToDate()) {
+        const double passed = kNanoseconds * static_cast<double>(nowInNanoseconds() - begin);
+        const Moment now{passed, m_watch.longest(), processorTime() - spent};
+        if (taken.seen.seconds == 0.0) {
+            taken.seen = now;
+        }
+        if (taken.full.seconds == 0.0 && viewport().motion().lastDetail().isFull()) {
+            taken.full = now;
+        }
+        if (taken.ready == 0.0 && m_session.readBack().isUpToDate()) {
             taken.ready = passed;
         }
     });
@@ -127,7 +132,7 @@ std::optional<DrivenWindow::Taken> DrivenWindow::untilShown(const QString& what,
     spent = processorTime();
     begin = nowInNanoseconds();
     act();
-    const bool came = wait(what, [&] { return taken.ready > 0.0; });
+    const bool came = wait(what, [&] { return taken.ready > 0.0 && taken.full.seconds > 0.0; });
     m_paints = {};
     return came ? std::optional(taken) : std::nullopt;
 }

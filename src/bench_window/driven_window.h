@@ -50,13 +50,17 @@ public:
     /// Until nothing moves, nothing is worked out and the viewport does not draw.
     bool settle();
 
-    struct Taken {
-        double seconds = 0.0;    ///< until it was on the screen
+    struct Moment {
+        double seconds = 0.0;    ///< until something was on the screen; 0: it is not yet
         double blocked = 0.0;    ///< seconds that an event waited at most until then
         double processor = 0.0;  ///< seconds of all threads until then
-        double ready = 0.0;      ///< seconds until normals and read-back had followed too
     };
-    /// Does `act` and waits until a frame has been shown that was drawn when `isThere` held.
+    struct Taken {
+        Moment seen;         ///< with fewer triangles, perhaps
+        Moment full;         ///< with all
+        double ready = 0.0;  ///< seconds until normals and read-back had followed too
+    };
+    /// Does `act` and waits until a frame has been shown in full that was drawn when `isThere` held.
     std::optional<Taken> untilShown(const QString& what, const std::function<void()>& act,
                                     const std::function<bool()>& isThere);
     /// Frames that have been swapped so far, and when the last one was, nanoseconds.

@@ -35,14 +35,19 @@ struct Row {
     std::vector<double> seconds{};
     std::vector<double> blocked{};
 
-    std::vector<double> processor{};  ///< seconds of all threads
+    std::vector<double> processor{};           ///< seconds of all threads
+    std::vector<DrivenWindow::Moment> full{};  ///< of those with fewer triangles, when all were there
 
     void add(double taken, double waited, double spent) {
         seconds.push_back(taken);
         blocked.push_back(waited);
         processor.push_back(spent);
     }
-    void add(const DrivenWindow::Taken& taken) { add(taken.seconds, taken.blocked, taken.processor); }
+    void add(const DrivenWindow::Moment& moment) { add(moment.seconds, moment.blocked, moment.processor); }
+    void add(const DrivenWindow::Taken& taken) {
+        add(taken.seen);
+        full.push_back(taken.full);
+    }
     [[nodiscard]] QJsonObject json() const {
         QJsonArray times;
         QJsonArray waits;
@@ -65,7 +70,7 @@ public:
 
     void openings(const QString& mesh);
     void frames();
-    [[nodiscard]] Row moving(const QString& what, std::optional<float> scale, int frames);
+    [[nodiscard]] Row moving(const QString& what, std::optional<PictureDetail> detail, int frames);
     void aims();
     void clicks(FlightMode mode, const QString& what);
     void scatter();
@@ -80,17 +85,30 @@ private:
     bool isGood() const { return m_window.error().isEmpty(); }
     [[nodiscard]] std::size_t hits() { return m_window.session().hits().history().size(); }
     [[nodiscard]] std::size_t movedVertices();
-    void take(Row row) {
-        if (!row.seconds.empty()) {
-            m_rows.push_back(std::move(row));
-        }
-    }
+    void take(Row row);
 
     DrivenWindow& m_window;
     Repeats m_repeats;
     std::vector<Row> m_rows;
     std::size_t m_moved = 0;
 };
+
+/// With another row where fewer triangles came first.
+void LatencyRun::take(Row row) {
+    if (row.seconds.empty()) {
+        return;
+    }
+    Row inFull{row.measured + QStringLiteral(", in full")};
+    bool isOther = false;
+    for (std::size_t i = 0; i < row.full.size(); ++i) {
+        isOther = isOther || row.full[i].seconds > row.seconds[i];
+        inFull.add(row.full[i]);
+    }
+    m_rows.push_back(std::move(row));
+    if (isOther) {
+        m_rows.push_back(std::move(inFull));
+    }
+}
 
 void LatencyRun::repeat(const std::function<bool()>& once) {
     const std::int64_t begin = nowInNanoseconds();
@@ -216,16 +234,16 @@ void LatencyRun::frames() {
     m_window.viewport().setDrawsContinuously(false);
     m_window.settle();
     take(rest);
-    take(moving(QStringLiteral("frame in motion, full size"), 1.0f, frames));
+    take(moving(QStringLiteral("frame in motion, full size"), PictureDetail(), frames));
     take(moving(QStringLiteral("frame in motion"), std::nullopt, frames));
 }
 
-/// Frames of a drag. scale: the part of its size that the picture is drawn with; nothing: as the window
-/// chooses, after the frames that it takes to choose.
-Row LatencyRun::moving(const QString& what, std::optional<float> scale, int frames) {
+/// Frames of a drag. detail: of the picture; nothing: as the window chooses, after the frames that it takes
+/// to choose.
+Row LatencyRun::moving(const QString& what, std::optional<PictureDetail> detail, int frames) {
     constexpr int kChoosing = 15;  // frames
     Row row{what};
-    m_window.viewport().motion().hold(scale);
+    m_window.viewport().motion().hold(detail);
     m_window.press(0.3, 0.5);
     m_window.moveTo(0.33, 0.5);  // now it is a drag
     for (int i = 0; i < kChoosing + frames && isGood(); ++i) {
@@ -268,7 +286,8 @@ void LatencyRun::aims() {
         if (!shown) {
             return false;
         }
-        picture.add(shown->seconds - kMillisecond * AimPreview::kRest, shown->blocked, shown->processor);
+        picture.add(shown->seen.seconds - kMillisecond * AimPreview::kRest, shown->seen.blocked,
+                    shown->seen.processor);
         return true;
     });
     take(picture);

@@ -53,9 +53,13 @@ struct RenderMesh {
     /// 2 an edge, lower one first and in its order: each edge of the file's polygons once, between the first
     /// render vertices of its ends.
     std::vector<std::uint32_t> edges;
-    std::vector<DrawRange> draws;   ///< cover `triangles`, one a material
-    std::vector<Cluster> clusters;  ///< cover `vertices`, in order; all but the last are full
-    Bounds bounds;                  ///< of the original positions that faces use
+    std::vector<DrawRange> draws;  ///< cover `triangles`, one a material
+    /// Of a large mesh, fewer triangles between the same vertices, for pictures that move: see
+    /// coarse_triangles.h. Empty of others.
+    std::vector<std::uint32_t> coarseTriangles;
+    std::vector<DrawRange> coarseDraws;  ///< cover `coarseTriangles`, one a material
+    std::vector<Cluster> clusters;       ///< cover `vertices`, in order; all but the last are full
+    Bounds bounds;                       ///< of the original positions that faces use
 
     /// File vertex -> its render vertices: renderVerticesOf(v) lists them, one at least.
     std::vector<std::uint32_t> fileVertexStarts;  ///< V + 1 entries

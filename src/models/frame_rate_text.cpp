@@ -24,7 +24,7 @@ QString frameTimeText(double seconds) {
         shownNumber(seconds * kMilliseconds, 'f', seconds < 0.0995 ? 1 : 0));
 }
 
-QString frameRateText(const FrameTimes::Summary& summary, float scale) {
+QString frameRateText(const FrameTimes::Summary& summary, const PictureDetail& detail) {
     if (summary.recent == 0) {
         return summary.lastCost > 0.0
                    ? FrameRateTexts::tr("Idle · last frame %1").arg(frameTimeText(summary.lastCost))
@@ -34,8 +34,14 @@ QString frameRateText(const FrameTimes::Summary& summary, float scale) {
     const QString text =
         FrameRateTexts::tr("%1 (%2 FPS)")
             .arg(frameTimeText(summary.recentCost), shownNumber(summary.framesPerSecond, 'f', decimals));
-    return scale < 1.0f ? FrameRateTexts::tr("%1, drawn at %2 % size").arg(text).arg(qRound(100.0f * scale))
-                        : text;
+    const int percent = qRound(100.0f * detail.scale);
+    if (detail.scale < 1.0f) {
+        return (detail.coarse ? FrameRateTexts::tr("%1, drawn at %2 % size with fewer triangles")
+                              : FrameRateTexts::tr("%1, drawn at %2 % size"))
+            .arg(text)
+            .arg(percent);
+    }
+    return detail.coarse ? FrameRateTexts::tr("%1, drawn with fewer triangles").arg(text) : text;
 }
 
 }  // namespace hitscope

@@ -4,6 +4,7 @@
 #include <QString>
 
 #include "core/frame_times.h"
+#include "view/picture_detail.h"
 
 namespace hitscope {
 
@@ -11,8 +12,7 @@ namespace hitscope {
 [[nodiscard]] QString frameTimeText(double seconds);
 
 /// While frames are drawn what one costs and the rate that this allows, "8.3 ms (120 FPS)"; else "Idle", with
-/// what the last one cost where there was one. scale: part of the picture's width and height that the last
-/// frame was drawn with; said where it is less than 1.
-[[nodiscard]] QString frameRateText(const FrameTimes::Summary& summary, float scale = 1.0f);
+/// what the last one cost where there was one. detail: of the last frame; said where it was not all.
+[[nodiscard]] QString frameRateText(const FrameTimes::Summary& summary, const PictureDetail& detail = {});
 
 }  // namespace hitscope

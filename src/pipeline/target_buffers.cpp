@@ -21,6 +21,33 @@ gl::Buffer makeBuffer(std::span<const T> content, GLenum usage) {
     return buffer;
 }
 
+/// The triangles, and behind them the coarse ones.
+gl::Buffer makeTriangles(const RenderMesh& mesh) {
+    const auto all = std::span<const std::uint32_t>(mesh.triangles);
+    if (mesh.coarseTriangles.empty()) {
+        return makeBuffer(all, GL_STATIC_DRAW);
+    }
+    const auto coarse = std::span<const std::uint32_t>(mesh.coarseTriangles);
+    gl::Buffer buffer = gl::Buffer::make();
+    glBindBuffer(GL_COPY_WRITE_BUFFER, buffer.id());
+    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(all.size_bytes() + coarse.size_bytes()),
+                 nullptr, GL_STATIC_DRAW);
+    glBufferSubData(GL_COPY_WRITE_BUFFER, 0, static_cast<GLsizeiptr>(all.size_bytes()), all.data());
+    glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(all.size_bytes()),
+                    static_cast<GLsizeiptr>(coarse.size_bytes()), coarse.data());
+    glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+    return buffer;
+}
+
+/// Their places in that buffer.
+std::vector<DrawRange> coarseDrawsOf(const RenderMesh& mesh) {
+    std::vector<DrawRange> draws = mesh.coarseDraws;
+    for (DrawRange& draw : draws) {
+        draw.first += static_cast<std::uint32_t>(mesh.triangles.size());
+    }
+    return draws;
+}
+
 const void* bufferOffset(std::size_t bytes) {
     return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): GL's way to say it
 }
@@ -106,6 +133,7 @@ TargetBuffers::TargetBuffers(const RenderMesh& mesh, std::span<const glm::vec3> 
       m_triangleIndexCount(static_cast<std::uint32_t>(mesh.triangles.size())),
       m_edgeIndexCount(static_cast<std::uint32_t>(mesh.edges.size())),
       m_draws(mesh.draws),
+      m_coarseDraws(coarseDrawsOf(mesh)),
       m_clusters(mesh.clusters),
       m_clusterEdges(mesh),
       m_bounds(mesh.bounds),
@@ -114,7 +142,7 @@ TargetBuffers::TargetBuffers(const RenderMesh& mesh, std::span<const glm::vec3> 
       m_original(makeBuffer(std::span<const DynamicVertex>(mesh.vertices), GL_STATIC_DRAW)),
       m_texcoords(makeBuffer(std::span<const glm::vec2>(mesh.texcoords), GL_STATIC_DRAW)),
       m_shadingNormals(makeBuffer(std::span<const glm::vec3>(normalsOf(mesh.vertices)), GL_DYNAMIC_DRAW)),
-      m_triangles(makeBuffer(std::span<const std::uint32_t>(mesh.triangles), GL_STATIC_DRAW)),
+      m_triangles(makeTriangles(mesh)),
       m_edges(makeBuffer(std::span<const std::uint32_t>(mesh.edges), GL_STATIC_DRAW)),
       m_surfaceArray(gl::VertexArray::make()),
       m_edgeArray(gl::VertexArray::make()),

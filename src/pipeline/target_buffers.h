@@ -61,6 +61,9 @@ public:
     [[nodiscard]] std::uint32_t triangleIndexCount() const { return m_triangleIndexCount; }
     [[nodiscard]] std::uint32_t edgeIndexCount() const { return m_edgeIndexCount; }
     [[nodiscard]] std::span<const DrawRange> draws() const { return m_draws; }
+    /// The same of RenderMesh::coarseTriangles, behind the others in the index buffer; none of a mesh that
+    /// has none.
+    [[nodiscard]] std::span<const DrawRange> coarseDraws() const { return m_coarseDraws; }
     [[nodiscard]] std::span<const Cluster> clusters() const { return m_clusters; }
     [[nodiscard]] const ClusterEdges& clusterEdges() const { return m_clusterEdges; }
     [[nodiscard]] const Bounds& originalBounds() const { return m_bounds; }
@@ -90,6 +93,7 @@ private:
     std::uint32_t m_triangleIndexCount = 0;
     std::uint32_t m_edgeIndexCount = 0;
     std::vector<DrawRange> m_draws;
+    std::vector<DrawRange> m_coarseDraws;
     std::vector<Cluster> m_clusters;
     ClusterEdges m_clusterEdges;
     Bounds m_bounds;

@@ -31,6 +31,23 @@ struct FloorLayers {
     GLuint shaded = 0;  ///< likewise, in the shadow of the directional light everywhere
 };
 
+/// A picture that is drawn in parts, between which others may draw: of the surfaces' triangles each has its
+/// share; the first has what is drawn before them too, the last what is drawn after them.
+struct SurfacePart {
+    std::uint32_t index = 0;
+    std::uint32_t count = 1;
+
+    [[nodiscard]] bool isFirst() const { return index == 0; }
+    [[nodiscard]] bool isLast() const { return index + 1 == count; }
+    /// The share of a range.
+    [[nodiscard]] DrawRange of(const DrawRange& range) const {
+        const std::uint64_t triangles = range.count / 3;
+        const auto begin = static_cast<std::uint32_t>(3 * (triangles * index / count));
+        const auto end = static_cast<std::uint32_t>(3 * (triangles * (index + 1) / count));
+        return {range.first + begin, end - begin, range.material};
+    }
+};
+
 /// What every pass of a frame needs. The references live as long as the frame.
 struct FrameContext {
     const Frame& frame;
@@ -56,6 +73,7 @@ struct FrameContext {
     /// a distance of (1 - b) d. Orthographic: clip.z = -A d + B and clip.w = 1.
     float depthPerPixel = 0.0f;
 
+    SurfacePart part = {};                     ///< of the picture, what is drawn
     std::optional<PictureWindow> window = {};  ///< nothing else of the picture can be drawn to
 
     /// False: nothing of the target can be drawn within the window.

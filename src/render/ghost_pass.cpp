@@ -16,8 +16,6 @@ constexpr float kDenseOpacity = 0.6f;  // of wires that cannot be told apart, of
 
 constexpr float kBehind = 1.0f;  // glPolygonOffset's units: the least there is
 
-constexpr std::size_t kIndicesPerVertex = 6;  // of most surfaces
-
 /// Returns how many indices it drew.
 std::size_t drawChanged(const DrawItem& item) {
     if (item.changedParts != nullptr) {

@@ -98,7 +98,7 @@ Status drawFloorAndShades(const FrameContext& context) {
 }
 
 Status drawShaded(const FrameContext& context, DeformationPipeline& pipeline) {
-    if (Status status = drawSurfaces(context, pipeline); !status) {
+    if (Status status = drawSurfaces(context, pipeline); !status || !context.part.isLast()) {
         return status;
     }
     // Now, where it is not hidden.
@@ -145,7 +145,7 @@ Status drawTargets(const FrameContext& context, DeformationPipeline& pipeline) {
 
 namespace render {
 
-void prepareFramebuffer(const Frame& frame, GLuint framebuffer, const PixelArea* area) {
+void prepareFramebuffer(const Frame& frame, GLuint framebuffer, const PixelArea* area, Before before) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(frame.left, 0, frame.width, frame.height);
     for (const GLenum capability : {GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_FRAMEBUFFER_SRGB,
@@ -161,11 +161,14 @@ void prepareFramebuffer(const Frame& frame, GLuint framebuffer, const PixelArea*
     glDepthFunc(GL_LESS);
     glLineWidth(1.0f);
     glBlendEquation(GL_FUNC_ADD);
+    startBlending(frame);
+    if (before == Before::Stays) {
+        return;
+    }
     if (frame.options.transparent || frame.options.wireframe == WireframeMode::Only) {
         glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
         glClear(GL_COLOR_BUFFER_BIT);
     }
-    startBlending(frame);
     glClearDepth(1.0);
     glClear(GL_DEPTH_BUFFER_BIT);
 }
@@ -226,7 +229,7 @@ Status Renderer::Private::drawGhosts(const Frame& frame, DeformationPipeline& pi
 }
 
 Status Renderer::Private::drawScene(const FrameContext& context, DeformationPipeline& pipeline) {
-    if (Status status = drawTargets(context, pipeline); !status) {
+    if (Status status = drawTargets(context, pipeline); !status || !context.part.isLast()) {
         return status;
     }
     if (Status status = drawGhosts(context.frame, pipeline); !status) {
@@ -285,14 +288,15 @@ std::shared_ptr<const MaterialSet> Renderer::makeCover(const Image& texture) {
 
 Status Renderer::Private::drawPicture(const FrameContext& context, DeformationPipeline& pipeline,
                                       GLuint framebuffer, const PixelArea* area) {
-    prepareFramebuffer(context.frame, framebuffer, area);
+    const bool isFirst = context.part.isFirst();
+    prepareFramebuffer(context.frame, framebuffer, area, isFirst ? Before::Goes : Before::Stays);
     startSolid();
-    if (Status status = projectiles.draw(context); !status) {
+    if (Status status = isFirst ? projectiles.draw(context) : Status(Done{}); !status) {
         return status;
     }
     Status status =
         context.frame.options.beforeAfter.wipe ? drawWiped(context, pipeline) : drawScene(context, pipeline);
-    if (!status) {
+    if (!status || !context.part.isLast()) {
         return status;
     }
     startBlended();

@@ -39,6 +39,12 @@ struct DrawItem {
     bool original = false;  ///< drawn as it was, whatever the pipeline
 };
 
+/// The triangles of a target that a frame draws: the coarse ones where it may and there are any.
+[[nodiscard]] inline std::span<const DrawRange> drawsOf(const DrawItem& item, bool coarse) {
+    const std::span<const DrawRange> few = item.buffers->coarseDraws();
+    return coarse && !few.empty() ? few : item.buffers->draws();
+}
+
 /// One projectile to draw. World, metres.
 struct ProjectileItem {
     Sphere sphere;
@@ -59,6 +65,8 @@ struct Frame {
     std::optional<ShownChange> change;  ///< the colour map that surfaces have; nothing: they are shaded
     /// Another number when a mesh has changed; 0: any may have. Shadows are kept as long as it is the same.
     std::uint64_t meshRevision = 0;
+    /// Large targets have fewer triangles: see RenderMesh::coarseTriangles.
+    bool coarse = false;
     std::span<const DrawItem> targets;
     std::span<const ProjectileItem> projectiles;
     std::span<const VertexMarks> marks;  ///< drawn in this order
@@ -86,10 +94,11 @@ public:
     [[nodiscard]] Status draw(const Frame& frame, DeformationPipeline& pipeline, GLuint framebuffer);
 
     /// Adds a sample to a picture of this frame, of the same one until the picture is cleared; or what has to
-    /// be known before the first one: picture.samples() tells. Each takes about as long as draw(). The frame
+    /// be known before the first one; or of either the next part, where a software renderer would take long:
+    /// picture.samples() tells. The frame
     /// starts at the framebuffer's left. The error says what the driver lacks.
     [[nodiscard]] Status refine(const Frame& frame, DeformationPipeline& pipeline, RefinedPicture& picture);
-    /// As draw(), but of the scene the mean of the picture's samples, of which there is one at least. What
+    /// As draw(), but of the scene the mean of the picture's samples; it has a picture. What
     /// marks it is drawn anew: it may be other than it was.
     [[nodiscard]] Status drawRefined(const Frame& frame, DeformationPipeline& pipeline,
                                      const RefinedPicture& picture, GLuint framebuffer);

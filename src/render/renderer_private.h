@@ -39,8 +39,11 @@ private:
     std::optional<Frame> m_lit;
 };
 
+/// What is in a framebuffer that is drawn to.
+enum class Before { Goes, Stays };
 /// area: what is drawn within; null: the whole viewport.
-void prepareFramebuffer(const Frame& frame, GLuint framebuffer, const PixelArea* area = nullptr);
+void prepareFramebuffer(const Frame& frame, GLuint framebuffer, const PixelArea* area = nullptr,
+                        Before before = Before::Goes);
 void startBlended();
 /// Marks are on what they mark: left of a wipe's line on the originals.
 [[nodiscard]] Status drawMarks(const FrameContext& context, DeformationPipeline& pipeline);
@@ -68,11 +71,21 @@ struct Renderer::Private {
     const render::Occlusion* occlusion = nullptr;
 
     [[nodiscard]] render::FrameContext contextOf(const Frame& frame);
-    /// Targets and projectiles into a framebuffer, what is selected as well; nothing over them.
+    /// Targets and projectiles into a framebuffer, what is selected as well; nothing over them. In parts, the
+    /// framebuffer keeps what the ones before have drawn.
     [[nodiscard]] Status drawPicture(const render::FrameContext& context, DeformationPipeline& pipeline,
                                      GLuint framebuffer, const PixelArea* area = nullptr);
     /// What is drawn over everything.
     [[nodiscard]] Status drawOver(const render::FrameContext& context);
+    /// The next part of a picture that is refined: context.part.count is set, and the index will be.
+    [[nodiscard]] Status drawPart(render::FrameContext& context, DeformationPipeline& pipeline,
+                                  RefinedPicture& picture, GLuint framebuffer,
+                                  const PixelArea* area = nullptr);
+    /// What has to be known before the first sample: the picture as draw() draws it.
+    [[nodiscard]] Status drawPlain(render::FrameContext& context, DeformationPipeline& pipeline,
+                                   RefinedPicture& picture);
+    [[nodiscard]] Status drawSample(render::FrameContext& context, DeformationPipeline& pipeline,
+                                    RefinedPicture& picture);
     [[nodiscard]] Status addSample(const Frame& frame, DeformationPipeline& pipeline,
                                    RefinedPicture& picture);
     [[nodiscard]] Status drawGhosts(const Frame& frame, DeformationPipeline& pipeline);

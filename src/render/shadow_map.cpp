@@ -79,7 +79,7 @@ glm::mat4 ShadowMap::place(const FrameContext& context) {
     return projection * view;
 }
 
-Status ShadowMap::update(const FrameContext& context, DeformationPipeline& pipeline) {
+bool ShadowMap::follow(const FrameContext& context, const DeformationPipeline& pipeline) {
     const Frame& frame = context.frame;
     std::vector<Caster> casters;
     for (const DrawItem& item : frame.targets) {
@@ -87,17 +87,32 @@ Status ShadowMap::update(const FrameContext& context, DeformationPipeline& pipel
     }
     const glm::vec3& given = frame.lights.directional.direction;
     const glm::vec3 direction = glm::length(given) > 1.0e-6f ? given : glm::vec3(0.0f, -1.0f, 0.0f);
-    const bool isCurrent = frame.meshRevision != 0 && frame.meshRevision == m_meshRevision &&
-                           m_pipeline == &pipeline && direction == m_direction && casters == m_casters &&
-                           frame.options.beforeAfter.exaggeration == m_exaggeration;
-    if (isCurrent) {
+    const bool isSame = frame.meshRevision != 0 && frame.meshRevision == m_meshRevision &&
+                        m_pipeline == &pipeline && direction == m_direction && casters == m_casters &&
+                        frame.options.beforeAfter.exaggeration == m_exaggeration &&
+                        (!m_isCoarse || frame.coarse);
+    if (!isSame) {
+        m_casters = std::move(casters);
+        m_direction = direction;
+        m_exaggeration = frame.options.beforeAfter.exaggeration;
+        m_meshRevision = frame.meshRevision;
+        m_pipeline = &pipeline;
+    }
+    return isSame;
+}
+
+Status ShadowMap::update(const FrameContext& context, DeformationPipeline& pipeline, std::uint32_t parts) {
+    // What is new each time is never whole in parts.
+    const std::uint32_t wanted = context.frame.meshRevision != 0 ? parts : 1;
+    const bool isSame = follow(context, pipeline);
+    if (isSame && isWhole()) {
         return Done{};
     }
-    m_casters = std::move(casters);
-    m_direction = direction;
-    m_exaggeration = frame.options.beforeAfter.exaggeration;
-    m_meshRevision = frame.meshRevision;
-    m_pipeline = &pipeline;
+    if (!isSame || m_parts != wanted) {
+        m_parts = wanted;
+        m_drawn = 0;
+        m_isCoarse = context.frame.coarse;
+    }
     if (!m_depth) {
         makeTexture();
     }
@@ -108,9 +123,14 @@ Status ShadowMap::update(const FrameContext& context, DeformationPipeline& pipel
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
-    glClearDepth(1.0);
-    glClear(GL_DEPTH_BUFFER_BIT);
-    return drawSurfaceDepth(context, pipeline, place(context), DepthOf::Whole);
+    if (m_drawn == 0) {
+        glClearDepth(1.0);
+        glClear(GL_DEPTH_BUFFER_BIT);
+    }
+    FrameContext part = context;
+    part.part = {m_drawn, m_parts};
+    ++m_drawn;
+    return drawSurfaceDepth(part, pipeline, place(context), DepthOf::Whole);
 }
 
 gl::Defines ShadowMap::defines() const {

@@ -8,8 +8,8 @@
 namespace hitscope::render {
 
 /// What the directional light sees first: a depth map around the visible targets, drawn with their pipeline's
-/// own program and kept until a target, its mesh or the light has changed. A context is current for every
-/// call and the destructor.
+/// own program and kept until a target, its mesh or the light has changed; a map of coarse triangles also
+/// until all are wanted. A context is current for every call and the destructor.
 class ShadowMap {
 public:
     static constexpr int kSoftwareSize = 1024;  ///< texels, where the CPU draws
@@ -20,8 +20,12 @@ public:
 
     /// Whether a frame has shadows.
     [[nodiscard]] static bool isWanted(const Frame& frame);
-    /// Brings the map up to date. Leaves framebuffer and viewport changed, depth test and writes on.
-    [[nodiscard]] Status update(const FrameContext& context, DeformationPipeline& pipeline);
+    /// Brings the map up to date, or on by one of so many parts. Leaves framebuffer and viewport changed,
+    /// depth test and writes on.
+    [[nodiscard]] Status update(const FrameContext& context, DeformationPipeline& pipeline,
+                                std::uint32_t parts = 1);
+    /// Whether it is up to date since the last call; it is after one of one part.
+    [[nodiscard]] bool isWhole() const { return m_drawn == m_parts; }
 
     /// What programs that read it are built with.
     [[nodiscard]] gl::Defines defines() const;
@@ -40,6 +44,8 @@ private:
         bool operator==(const Caster&) const = default;
     };
     void makeTexture();
+    /// Takes what the map is of from the frame; returns whether it was of this before.
+    bool follow(const FrameContext& context, const DeformationPipeline& pipeline);
     /// Returns the light's view and projection.
     glm::mat4 place(const FrameContext& context);
 
@@ -54,6 +60,9 @@ private:
     glm::vec3 m_direction{0.0f};
     float m_exaggeration = 1.0f;
     std::uint64_t m_meshRevision = 0;
+    bool m_isCoarse = false;
+    std::uint32_t m_parts = 1;  ///< that it is drawn in
+    std::uint32_t m_drawn = 0;  ///< of these
     const DeformationPipeline* m_pipeline = nullptr;
 };
 

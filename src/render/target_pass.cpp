@@ -180,10 +180,12 @@ std::vector<Draw> drawsOf(const FrameContext& context, const DeformationPipeline
         if (!context.mayShow(item, pipeline)) {
             continue;
         }
-        for (const DrawRange& range : item.buffers->draws()) {
+        for (const DrawRange& range : hitscope::drawsOf(item, context.frame.coarse)) {
             const Parts parts = partsOf(context.frame, item, range.material);
-            if (range.count > 0 && parts.translucent == translucent) {
-                draws.push_back({&item, range, parts});
+            // Translucent ones come when all others are there.
+            const DrawRange drawn = translucent ? range : context.part.of(range);
+            if (drawn.count > 0 && parts.translucent == translucent) {
+                draws.push_back({&item, drawn, parts});
             }
         }
     }
@@ -198,14 +200,6 @@ std::uint32_t roundsOf(std::span<const Draw> draws) {
         indices += draw.range.count;
     }
     return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(indices / kIndicesARound, 1, kMostRounds));
-}
-
-/// The triangles of a range that are drawn in one of so many rounds.
-DrawRange partOf(const DrawRange& range, std::uint32_t round, std::uint32_t rounds) {
-    const std::uint64_t triangles = range.count / 3;
-    const auto begin = static_cast<std::uint32_t>(3 * (triangles * round / rounds));
-    const auto end = static_cast<std::uint32_t>(3 * (triangles * (round + 1) / rounds));
-    return {range.first + begin, end - begin, range.material};
 }
 
 /// What is nearer first: the pixels of what lies behind are then not shaded. By the clusters in the middle of
@@ -242,7 +236,7 @@ Status drawWithOneProgram(const FrameContext& context, DeformationPipeline& pipe
     for (std::uint32_t round = 0; round < rounds; ++round) {
         const DrawItem* prepared = nullptr;
         for (const Draw& draw : draws) {
-            const DrawRange part = partOf(draw.range, draw.order[round], rounds);
+            const DrawRange part = SurfacePart{draw.order[round], rounds}.of(draw.range);
             if (part.count == 0) {
                 continue;
             }
@@ -308,8 +302,14 @@ Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeli
         pipeline.prepareDraw(program, item.target);
         program.set("u_model", item.model);
         glBindVertexArray(surfaceArrayOf(item));
-        drawBounded(context, GL_TRIANGLES, 0, item.buffers->triangleIndexCount());
-        earlyStart.drawn(item.buffers->vertexCount());
+        const std::span<const DrawRange> draws = hitscope::drawsOf(item, context.frame.coarse);
+        if (!draws.empty()) {
+            const DrawRange& last = draws.back();
+            const DrawRange all{draws.front().first, last.first + last.count - draws.front().first};
+            const DrawRange drawn = context.part.of(all);
+            drawBounded(context, GL_TRIANGLES, drawn.first, drawn.count);
+            earlyStart.drawn(drawn.count / kIndicesPerVertex);
+        }
     }
     return Done{};
 }

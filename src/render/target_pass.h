@@ -7,14 +7,15 @@
 
 namespace hitscope::render {
 
-/// The opaque parts of the targets' surfaces. Depth test and writes are on.
+/// The opaque parts of the targets' surfaces, or of these the share of context.part. Depth test and writes
+/// are on.
 [[nodiscard]] Status drawSurfaces(const FrameContext& context, DeformationPipeline& pipeline);
 /// The translucent parts. Blending is on, depth writes are off.
 [[nodiscard]] Status drawTranslucentSurfaces(const FrameContext& context, DeformationPipeline& pipeline);
 /// Whether a cutting plane counts.
 enum class DepthOf : std::uint8_t { Seen, Whole };
-/// Only the depth of the surfaces: hides what a wireframe without surfaces would show through them. Targets
-/// whose edges are shorter than `leastEdge` (logical pixels) are left out.
+/// Only the depth of the surfaces, or of the share of context.part: hides what a wireframe without surfaces
+/// would show through them. Targets whose edges are shorter than `leastEdge` (logical pixels) are left out.
 [[nodiscard]] Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline,
                                       const glm::mat4& viewProjection, DepthOf what, float leastEdge = 0.0f);
 

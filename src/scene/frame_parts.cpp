@@ -28,6 +28,7 @@ std::unique_ptr<FrameParts> SceneGpu::Private::frameOf(const View& view) {
     frame.meshRevision = meshRevision;
     frame.floorHeight = session.targets().floorHeight();
     frame.targets = parts->items;
+    frame.coarse = view.detail.coarse;
     if (view.options.change.on) {
         frame.change =
             shownChange(view.options.change, view.changeValues ? view.changeValues->summary() : Summary());

@@ -107,16 +107,6 @@ Status PictureDrawing::begin() {
     return Done{};
 }
 
-Status PictureDrawing::refine() {
-    // What has to be known before the first sample counts as none.
-    do {
-        if (Status drawn = m_scene.refine(m_view, m_refined); !drawn) {
-            return drawn;
-        }
-    } while (m_refined.isPossible() && m_refined.samples() == 0);
-    return Done{};
-}
-
 Result<bool> PictureDrawing::step() {
     if (!m_begun || m_refined.restarts() >= kMostRestarts) {
         if (Status begun = begin(); !begun) {
@@ -127,7 +117,7 @@ Result<bool> PictureDrawing::step() {
         return true;
     }
     do {
-        if (Status drawn = refine(); !drawn) {
+        if (Status drawn = m_scene.refine(m_view, m_refined); !drawn) {
             return drawn.error();
         }
     } while (m_refined.restarts() >= kMostRestarts && m_refined.isPossible() &&

@@ -92,6 +92,10 @@ int RefinedView::samples() const {
     return d->picture.samples();
 }
 
+bool RefinedView::hasPicture() const {
+    return d->picture.hasPicture();
+}
+
 bool RefinedView::isPossible() const {
     return d->key.has_value();
 }
@@ -113,9 +117,9 @@ void RefinedView::follow(const FrameParts& parts, bool isSideBySide) {
     d->key = std::move(key);
 }
 
-bool RefinedView::show(const FrameParts& parts, bool isSideBySide) {
+bool RefinedView::show(const FrameParts& parts, bool isSideBySide, bool anythingIsBetter) {
     follow(parts, isSideBySide);
-    m_shown = samples() >= kFewestShown;
+    m_shown = samples() >= kFewestShown || (anythingIsBetter && hasPicture());
     return m_shown;
 }
 

@@ -21,6 +21,8 @@ public:
     static constexpr int kFewestShown = 4;
 
     [[nodiscard]] int samples() const;
+    /// Whether it has a picture, of no sample as it may be.
+    [[nodiscard]] bool hasPicture() const;
     /// Whether it was drawn at the last SceneGpu::draw().
     [[nodiscard]] bool wasShown() const { return m_shown; }
     /// False: two pictures are side by side.
@@ -32,8 +34,9 @@ public:
 
     /// Forgets the samples where they are of another picture than this.
     void follow(const FrameParts& parts, bool isSideBySide);
-    /// Likewise; returns whether there are samples enough to be shown.
-    [[nodiscard]] bool show(const FrameParts& parts, bool isSideBySide);
+    /// Likewise; returns whether there are samples enough to be shown, or, where anything is better than what
+    /// would be drawn, a picture.
+    [[nodiscard]] bool show(const FrameParts& parts, bool isSideBySide, bool anythingIsBetter);
     [[nodiscard]] RefinedPicture& picture();
 
 private:

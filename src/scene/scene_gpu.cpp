@@ -273,17 +273,17 @@ Status SceneGpu::Private::drawAll(Frame& frame, const View& view, unsigned frame
 }
 
 SceneGpu::View SceneGpu::Private::reducedView(const View& view) {
-    if (view.scale >= 1.0f) {
+    if (view.detail.scale >= 1.0f) {
         reduced.reset();
         return view;
     }
     const auto smaller = [&view](int side) {
-        return std::max(1, static_cast<int>(std::lround(static_cast<float>(side) * view.scale)));
+        return std::max(1, static_cast<int>(std::lround(static_cast<float>(side) * view.detail.scale)));
     };
     View small = view;
     small.width = smaller(view.width);
     small.height = smaller(view.height);
-    small.pixelRatio *= view.scale;
+    small.pixelRatio *= view.detail.scale;
     if (!reduced || reduced->width() != small.width || reduced->height() != small.height) {
         reduced = std::make_unique<gl::RenderTarget>(small.width, small.height);
     }
@@ -306,7 +306,7 @@ Status SceneGpu::draw(const View& shown, unsigned framebuffer, RefinedView* refi
         d->meter.comparing();
     }
     const std::unique_ptr<FrameParts> parts = d->frameOf(view);
-    if (refined != nullptr && refined->show(*parts, d->isSideBySide(view))) {
+    if (refined != nullptr && refined->show(*parts, d->isSideBySide(view), view.detail.coarse)) {
         Status status = d->renderer->drawRefined(parts->frame, *d->pipeline, refined->picture(), framebuffer);
         d->meter.end();
         return status;

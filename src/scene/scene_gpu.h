@@ -10,6 +10,7 @@
 #include "session/session.h"
 #include "view/camera.h"
 #include "view/display_options.h"
+#include "view/picture_detail.h"
 
 namespace hitscope {
 
@@ -37,9 +38,7 @@ public:
         int width = 0;   ///< pixels
         int height = 0;  ///< pixels
         float pixelRatio = 1.0f;
-        /// Part of width and height that draw() draws with, and then enlarges: less than 1 for pictures that
-        /// move.
-        float scale = 1.0f;
+        PictureDetail detail;  ///< that draw() draws with
         Camera camera;
         DisplayOptions options;
         std::shared_ptr<const std::vector<glm::vec3>> ghost = nullptr;  ///< as in Frame
@@ -54,10 +53,12 @@ public:
     /// As sync(), but waits for nothing: what changed comes to the session with one of the next frames. Then
     /// one picture into the framebuffer object of that name (0: the default framebuffer).
     ///
-    /// refined: where it has enough samples of just this picture, their mean is drawn, and it says so; else
-    /// it forgets what it has of another one. Null: the picture is drawn as it is.
+    /// refined: where it has enough samples of just this picture, or of a coarse one any picture, that is
+    /// drawn, and it says so; else it forgets what it has of another one. Null: the picture is drawn as it
+    /// is.
     [[nodiscard]] Status draw(const View& view, unsigned framebuffer, RefinedView* refined = nullptr);
-    /// Adds a sample to `refined`, of what was drawn last: takes as long as a frame, follows nothing and
+    /// Adds a sample to `refined`, of what was drawn last, or comes nearer to it; takes as long as a frame at
+    /// most, follows nothing and
     /// shows nothing. Samples of another picture are forgotten first. Two pictures side by side are not
     /// refined: it has no samples then.
     [[nodiscard]] Status refine(const View& view, RefinedView& refined);

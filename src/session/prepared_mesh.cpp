@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/parallel.h"
+#include "mesh/coarse_triangles.h"
 
 namespace hitscope {
 
@@ -26,12 +27,16 @@ std::shared_ptr<const CollisionMesh> collisionMesh(const std::shared_ptr<const R
 PreparedMesh prepareMesh(MeshData mesh) {
     PreparedMesh prepared;
     prepared.mesh = std::make_shared<const MeshData>(std::move(mesh));
-    prepared.render = std::make_shared<const RenderMesh>(buildRenderMesh(*prepared.mesh));
+    const auto render = std::make_shared<RenderMesh>(buildRenderMesh(*prepared.mesh));
+    prepared.render = render;
     bothAtOnce(
         [&prepared] {
             prepared.trueNormals = std::make_shared<const TrueNormals>(prepared.mesh, prepared.render);
         },
-        [&prepared] { prepared.collision = collisionMesh(prepared.render); });
+        [&prepared, &render] {
+            prepared.collision = collisionMesh(prepared.render);
+            addCoarseTriangles(*render);
+        });
     return prepared;
 }
 

@@ -15,24 +15,66 @@ void PictureMotion::moved() {
     m_timer.start();
 }
 
-float PictureMotion::beginFrame() {
+void PictureMotion::setCoarsePart(float part) {
+    m_motion.setCoarsePart(part);
+    forget();
+}
+
+void PictureMotion::forget() {
+    m_motion.forget();
+    m_isSlow = false;
+    m_fullFrames = 0;
+}
+
+bool PictureMotion::isReduced() const {
+    return m_detail.scale < 1.0f || (m_detail.coarse && !isLeftToRefiner());
+}
+
+PictureDetail PictureMotion::beginFrame() {
     const bool moves = m_isOn && m_timer.isActive();
     const bool isFirst = std::exchange(m_isFirst, false) || !moves;
-    m_scale = isFirst ? 1.0f : m_held.value_or(m_motion.scale());
+    m_detail = isFirst ? PictureDetail() : m_held.value_or(m_motion.detail());
+    if (isLeftToRefiner() && !m_held) {
+        m_detail.coarse = true;
+    }
     // A motion's first frame comes after a pause, and others may do as much meanwhile: its time is not
     // counted.
     m_isCounted = !isFirst;
-    return m_scale;
+    m_isRefinedShown = false;
+    return m_detail;
 }
 
 void PictureMotion::frameShown(double seconds) {
+    judgeFull(seconds);
     if (!m_timer.isActive()) {
+        if (isReduced()) {
+            Q_EMIT rested();  // not slow any more: nobody else draws it
+        }
         return;
     }
     if (std::exchange(m_isCounted, false)) {
         m_motion.frameTook(seconds);
     }
     m_timer.start();  // what drawing took is no rest
+}
+
+/// Fewer triangles take at least their part of the time that all of them would take.
+void PictureMotion::judgeFull(double seconds) {
+    if (m_isRefinedShown || !m_motion.hasCoarse()) {
+        return;
+    }
+    if (m_detail.isFull()) {
+        // The first one after a change may have built programs.
+        m_isSlow = ++m_fullFrames > 1 && seconds > m_slow;
+    } else if (m_detail.coarse && seconds < m_slow * static_cast<double>(m_motion.coarsePart())) {
+        m_isSlow = false;
+    }
+}
+
+void PictureMotion::refinedShown() {
+    m_detail = PictureDetail();
+    m_isRefinedShown = true;
+    m_isCounted = false;
 }
 
 void PictureMotion::rest() {

@@ -5,47 +5,66 @@
 #include <QTimer>
 #include <optional>
 
-#include "viewport/motion_scale.h"
+#include "viewport/motion_detail.h"
 
 namespace hitscope {
 
-/// Whether a picture moves, and so may be drawn smaller than it is shown; says when it has come to rest and
-/// is wanted in full size.
+/// Whether a picture moves, and so may be drawn with less detail; says when it has come to rest and is wanted
+/// in full.
+///
+/// Where a picture in full takes very long and the refiner draws one in parts anyway, a still picture is
+/// drawn with fewer triangles too: nobody waits for the first, and the refiner's takes its place.
 class PictureMotion : public QObject {
     Q_OBJECT
 public:
     explicit PictureMotion(QObject* parent = nullptr);
 
-    /// Off: every picture has its full size.
+    /// Off: every picture is drawn in full.
     void setOn(bool on) { m_isOn = on; }
+    /// Whether a refiner draws still pictures in full.
+    void setRefined(bool on) { m_isRefined = on; }
+    /// As MotionDetail::setCoarsePart().
+    void setCoarsePart(float part);
+    /// A picture in full that takes longer is left to the refiner; seconds.
+    void setSlow(double seconds) { m_slow = seconds; }
     /// The picture changes now, and likely once more soon.
     void moved();
-    /// Part of its width and height that the picture which is drawn now has.
-    [[nodiscard]] float beginFrame();
+    /// Of the picture that is drawn now.
+    [[nodiscard]] PictureDetail beginFrame();
     /// What was drawn last has been shown, so many seconds after it was begun.
     void frameShown(double seconds);
-    /// Part of its width and height that the last picture had.
-    [[nodiscard]] float lastScale() const { return m_scale; }
-    [[nodiscard]] bool isReduced() const { return m_scale < 1.0f; }
+    /// The last picture was the refiner's, in full.
+    void refinedShown();
+    /// Of the last picture.
+    [[nodiscard]] const PictureDetail& lastDetail() const { return m_detail; }
+    /// Whether another picture comes, in full, once nothing moves.
+    [[nodiscard]] bool isReduced() const;
     /// Frames take another time from now on.
-    void forget() { m_motion.forget(); }
-    /// Draws what moves at this scale, whatever the time that frames take; nothing: as their time demands.
-    void hold(std::optional<float> scale) { m_held = scale; }
+    void forget();
+    /// Draws what moves with this detail, whatever the time that frames take; nothing: as their time demands.
+    void hold(std::optional<PictureDetail> detail) { m_held = detail; }
 
-    static constexpr int kRest = 60;  ///< milliseconds from the last frame in motion to one of full size
+    static constexpr int kRest = 60;  ///< milliseconds from the last frame in motion to one in full
 
 Q_SIGNALS:
-    void rested();  ///< the last picture was smaller than it is shown; nothing has moved since
+    void rested();  ///< the last picture was not in full; nothing has moved since
 
 private:
     void rest();
+    void judgeFull(double seconds);
+    [[nodiscard]] bool isLeftToRefiner() const { return m_isOn && m_isSlow && m_isRefined; }
 
-    MotionScale m_motion;
-    std::optional<float> m_held;
+    MotionDetail m_motion;
+    std::optional<PictureDetail> m_held;
     bool m_isOn = false;
+    bool m_isRefined = false;
+    bool m_isRefinedShown = false;
+    double m_slow = 0.1;
+    bool m_isSlow = false;     ///< a picture in full took too long
+    int m_fullFrames = 0;      ///< drawn since frames took another time
     bool m_isFirst = true;     ///< the next frame is a motion's first
     bool m_isCounted = false;  ///< the last one was not
-    float m_scale = 1.0f;      ///< of the last picture
+    PictureDetail m_detail;    ///< of the last picture
     QTimer m_timer;            ///< runs while the picture moves
 };
 

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "scene/picture.h"
-
 namespace hitscope {
 
 namespace {
@@ -35,13 +33,21 @@ void PictureRefiner::setOn(bool on) {
     }
 }
 
+void PictureRefiner::setWanted(int samples) {
+    m_wanted = samples;
+    if (m_view && m_view->samples() > samples) {
+        m_view = std::make_unique<RefinedView>();
+    }
+}
+
 void PictureRefiner::releaseGpu() {
     m_timer.stop();
     m_view = m_view && m_on ? std::make_unique<RefinedView>() : nullptr;
 }
 
 bool PictureRefiner::isDone() const {
-    return m_view == nullptr || m_view->samples() >= kShownSamples;
+    return m_view == nullptr ||
+           (m_view->samples() >= m_wanted && (m_view->hasPicture() || !m_hooks.isCoarse()));
 }
 
 void PictureRefiner::framePainted() {
@@ -70,6 +76,7 @@ void PictureRefiner::step() {
         return;  // the next frame that is painted goes on
     }
     const int before = m_view->samples();
+    const bool hadPicture = m_view->hasPicture();
     if (before > 0 && m_sinceStep.isValid()) {
         m_sampleTime = m_sinceStep.elapsed();  // all of the one before, which the driver may have put off
     }
@@ -89,7 +96,8 @@ void PictureRefiner::step() {
         Q_EMIT refined(samples);
     }
     const bool isNew = !m_sinceShown.isValid() || m_sinceShown.elapsed() >= kBetweenLooks;
-    if (isDone() || (samples >= RefinedView::kFewestShown && isNew)) {
+    const bool isFirst = !hadPicture && m_view->hasPicture() && m_hooks.isCoarse();
+    if (isDone() || isFirst || (samples >= RefinedView::kFewestShown && isNew)) {
         m_sinceShown.start();
         m_hooks.show();
     }

@@ -13,14 +13,16 @@
 
 namespace hitscope {
 
-/// Refines a picture while nothing else happens: a sample at a time, between events, until there are as many
-/// as a refined picture of a window has. Then nothing runs.
+/// Draws a picture in full where the one that is shown is coarse, and refines it, while nothing else happens:
+/// a sample at a time, or a part of one, between events, until there are as many as are wanted. Then nothing
+/// runs.
 class PictureRefiner : public QObject {
     Q_OBJECT
 public:
     struct Hooks {
         std::function<bool()> mayRefine;  ///< nothing moves, and there is something to draw into
         std::function<Status(RefinedView&)> addSample;  ///< with the context current
+        std::function<bool()> isCoarse;                 ///< what is shown is: any picture is better
         std::function<void()> show;                     ///< asks for a frame
     };
     explicit PictureRefiner(Hooks hooks, QObject* parent = nullptr);
@@ -28,6 +30,8 @@ public:
 
     /// Off: what there is is forgotten. The context is current, or there is nothing.
     void setOn(bool on);
+    /// How many samples a picture gets; 0: it is not refined. Likewise.
+    void setWanted(int samples);
     /// To be given to SceneGpu::draw(); null: nothing is refined.
     [[nodiscard]] RefinedView* view() { return m_view.get(); }
     /// Whether the last frame was the refined picture: nothing new was drawn.
@@ -55,6 +59,7 @@ private:
     Hooks m_hooks;
     std::unique_ptr<RefinedView> m_view;  ///< null: off
     bool m_on = false;
+    int m_wanted = 0;
     QString m_whyNot;
     QTimer m_timer;
     QElapsedTimer m_sinceShown;

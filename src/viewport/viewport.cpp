@@ -27,6 +27,20 @@ constexpr qint64 kCatchUpFrames = 500;  // milliseconds between frames while the
 constexpr double kLongestStep = 0.25;   // seconds: a window that stood still does not make the scene jump
 constexpr double kNanosecond = 1.0e-9;  // seconds
 
+/// Of the triangles that are drawn, those in coarse pictures.
+float coarsePart(const SessionTargets& targets) {
+    std::size_t all = 0;
+    std::size_t few = 0;
+    for (const std::unique_ptr<Target>& target : targets) {
+        if (target->visible) {
+            const RenderMesh& mesh = target->deformed.render();
+            all += mesh.triangles.size();
+            few += mesh.coarseTriangles.empty() ? mesh.triangles.size() : mesh.coarseTriangles.size();
+        }
+    }
+    return all > 0 ? static_cast<float>(few) / static_cast<float>(all) : 1.0f;
+}
+
 }  // namespace
 
 Viewport::Viewport(Session& session, QWidget* parent)
@@ -59,6 +73,7 @@ Viewport::Viewport(Session& session, QWidget* parent)
     connect(&m_crosshairTimer, &QTimer::timeout, this, qOverload<>(&QWidget::update));
     connect(&m_navigation, &Navigation::cameraChanged, this, qOverload<>(&QWidget::update));
     connect(&m_navigation, &Navigation::cameraChanged, &m_motion, &PictureMotion::moved);
+    connect(&m_refiner, &PictureRefiner::failed, this, &Viewport::followQuality);
     connect(&m_motion, &PictureMotion::rested, this, qOverload<>(&QWidget::update));
     connect(this, &QOpenGLWidget::frameSwapped, this, [this] {
         endFrame();
@@ -93,12 +108,14 @@ void Viewport::initializeGL() {
     m_unlimited = false;  // another context, perhaps in another window
     const gl::RendererInfo info = gl::rendererInfo();
     m_rendererName = QString::fromStdString(info.renderer);
+    m_isSoftware = info.isSoftware();
     m_rendererVersion = QString::fromStdString(info.version);
     Result<std::unique_ptr<SceneGpu>> scene = SceneGpu::create(m_session);
     if (scene) {
         m_scene = std::move(scene).value();
         m_picking.setPicker(std::make_unique<ScenePicker>(m_session, *m_scene));
         m_error.clear();
+        followQuality();
         m_trialTimer.start();
     } else {
         report(scene.error());
@@ -165,13 +182,16 @@ void Viewport::paintGL() {
     m_sinceBegin.start();
     const bool follows = std::exchange(m_frameFollows, false) && m_sinceFrame.isValid();
     SceneGpu::View shown = view();
-    shown.scale = m_motion.beginFrame();
+    shown.detail = m_motion.beginFrame();
     if (Status drawn = m_scene->draw(shown, defaultFramebufferObject(), m_refiner.view()); !drawn) {
         report(drawn.error());
         return;
     }
     paintOverlay();
     m_error.clear();
+    if (m_refiner.wasShown()) {
+        m_motion.refinedShown();
+    }
     m_refiner.framePainted();
     // What was drawn before, in better quality, is no frame to measure.
     m_painted = m_refiner.wasShown() ? Painted::Nothing : follows ? Painted::Following : Painted::Alone;
@@ -314,7 +334,7 @@ void Viewport::followScene() {
 }
 
 void Viewport::followSize() {
-    m_motion.forget();
+    m_motion.setCoarsePart(coarsePart(m_session.targets()));
     const float size = m_session.targets().bounds().diagonal();
     m_navigation.setSceneRadius(size > 0.0f ? size : 1.0f);
 }

@@ -155,7 +155,8 @@ private:
     BrushTool* m_brush = nullptr;
     QString m_rendererName;
     QString m_rendererVersion;
-    std::string m_error;  ///< the reason there is no picture; empty: there is one
+    bool m_isSoftware = false;  ///< the CPU draws
+    std::string m_error;        ///< the reason there is no picture; empty: there is one
 
     DisplayOptions m_options;
     std::shared_ptr<const std::vector<glm::vec3>> m_ghost;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pipeline/graphics_report.h"
+#include "scene/picture.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -102,21 +103,28 @@ PictureRefiner::Hooks Viewport::refinerHooks() {
                 [this](RefinedView& refined) {
                     return withScene([&](SceneGpu& scene) { return scene.refine(view(), refined); });
                 },
+            .isCoarse = [this] { return m_motion.lastDetail().coarse; },
             .show = [this] { update(); }};
 }
 
-/// What is measured is drawn anew each time, in full size.
+/// What is measured is drawn anew each time, in full.
 void Viewport::followQuality() {
-    m_motion.setOn(m_options.reduceInMotion && !m_continuous);
-    const bool on = m_options.refine && !m_continuous;
-    if (!m_scene) {
-        m_refiner.setOn(on);
-        return;
+    const auto follow = [this] {
+        m_refiner.setOn(!m_continuous);
+        m_refiner.setWanted(m_options.refine ? kShownSamples : 0);
+    };
+    if (m_scene) {
+        static_cast<void>(withScene([&follow](SceneGpu&) -> Status {
+            follow();
+            return Done{};
+        }));
+    } else {
+        follow();
     }
-    static_cast<void>(withScene([this, on](SceneGpu&) -> Status {
-        m_refiner.setOn(on);
-        return Done{};
-    }));
+    m_motion.setOn(m_options.reduceInMotion && !m_continuous);
+    // Only software renderers draw in parts, and only one picture.
+    m_motion.setRefined(!m_continuous && m_isSoftware && !m_options.sideBySide &&
+                        m_refiner.whyNot().isEmpty());
 }
 
 Result<QString> Viewport::graphicsReport() {

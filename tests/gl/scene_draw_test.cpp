@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "gl/render_target.h"
+#include "mesh/geodesic_sphere.h"
 #include "mesh/panel_texture.h"
 #include "scene/reapplication.h"
 #include "scene/scene_gpu.h"
@@ -119,9 +120,33 @@ private Q_SLOTS:
         auto gpu = SceneGpu::create(session);
         QVERIFY(gpu);
         const Image full = draw(session, *gpu.value());
-        const Image half = draw(session, *gpu.value(), true, 0.5f);
+        const Image half = draw(session, *gpu.value(), true, {.scale = 0.5f});
         const int differs = differing(full, half, 0) + differing(full, half, 1);
         QVERIFY2(differs > 50 && differs < kWidth * kHeight / 20, qPrintable(QString::number(differs)));
+        QVERIFY(draw(session, *gpu.value()).pixels == full.pixels);
+    }
+
+    /// With fewer triangles a sphere looks much the same, dents included, and afterwards all are there again,
+    /// in its shadow too.
+    void coarse() {
+        Session session;
+        std::vector<TargetPlan> large(1, planMesh(prepareMesh(makeGeodesicSphere(90, 2.0f)), TargetSource()));
+        session.loadScene({{}, std::move(large), 0.0f});
+        const auto gpu = SceneGpu::create(session);
+        QVERIFY(gpu);
+        const Image round = draw(session, *gpu.value());
+        Hit hit;
+        hit.target = session.targets().front()->id;
+        hit.direction = Camera().forward();
+        hit.point = -2.0f * hit.direction;
+        hit.constants = {1.0f, 0.5f, 0.7f};
+        QVERIFY(session.hits().add(hit).ok());
+        QVERIFY(gpu.value()->sync().ok());
+        const Image full = draw(session, *gpu.value());
+        const Image coarse = draw(session, *gpu.value(), true, {.coarse = true});
+        const int differs = differing(full, coarse, 0);
+        QVERIFY2(differs > 20 && differs < kWidth * kHeight / 10, qPrintable(QString::number(differs)));
+        QVERIFY(3 * differs < 2 * differing(full, round, 0));  // the dent is there
         QVERIFY(draw(session, *gpu.value()).pixels == full.pixels);
     }
 
@@ -135,11 +160,12 @@ private:
     }
 
     /// From the front, however little of the scene is visible.
-    Image draw(const Session& session, SceneGpu& gpu, bool colours = true, float scale = 1.0f) const {
+    Image draw(const Session& session, SceneGpu& gpu, bool colours = true,
+               const PictureDetail& detail = {}) const {
         SceneGpu::View view;
         view.width = kWidth;
         view.height = kHeight;
-        view.scale = scale;
+        view.detail = detail;
         Bounds bounds;
         for (const auto& target : session.targets()) {
             bounds.add(target->worldBounds());

@@ -299,8 +299,12 @@ void FrameRateTest::saysWhatFrameTimesAllow() {
     QCOMPARE(frameTimeText(12.34), QStringLiteral("12.3 s"));
     addFrame(*m_session, 0.0083);
     QCOMPARE(frameRateText(m_panel->summary()), QStringLiteral("8.3 ms (120 FPS)"));
-    QCOMPARE(frameRateText(m_panel->summary(), 0.70710678f),
+    QCOMPARE(frameRateText(m_panel->summary(), {.scale = 0.70710678f}),
              QStringLiteral("8.3 ms (120 FPS), drawn at 71 % size"));
+    QCOMPARE(frameRateText(m_panel->summary(), {.coarse = true}),
+             QStringLiteral("8.3 ms (120 FPS), drawn with fewer triangles"));
+    QCOMPARE(frameRateText(m_panel->summary(), {.scale = 0.5f, .coarse = true}),
+             QStringLiteral("8.3 ms (120 FPS), drawn at 50 % size with fewer triangles"));
     FrameTimes::Summary idle = m_panel->summary();
     idle.recent = 0;
     QCOMPARE(frameRateText(idle), QStringLiteral("Idle · last frame 8.3 ms"));

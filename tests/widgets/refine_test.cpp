@@ -10,6 +10,8 @@
 #include <array>
 
 #include "app/actions/picture_actions.h"
+#include "gl/context.h"
+#include "mesh/geodesic_sphere.h"
 #include "mesh/primitives.h"
 #include "panels/help/help_text.h"
 #include "scene/picture.h"
@@ -33,6 +35,7 @@ private Q_SLOTS:
     void changesBeginAnew();
     void whatIsOverItDoesNot();
     void offForgets();
+    void slowPicturesAreCoarseFirst();
     void measuringIsWithout();
     void savedAreTheSameToTheBit();
     void turntableIsOneClick();
@@ -143,6 +146,46 @@ void RefineTest::offForgets() {
     QTest::qWait(500);
     QCOMPARE(samples.size(), 0);
     QVERIFY(!refiner().wasShown());
+}
+
+/// Where a picture takes long, one with fewer triangles is shown at once, and then, drawn in parts, the
+/// picture.
+void RefineTest::slowPicturesAreCoarseFirst() {
+    viewport().makeCurrent();
+    const bool isSoftware = gl::rendererInfo().isSoftware();
+    viewport().doneCurrent();
+    if (!isSoftware) {
+        QSKIP("only software renderers draw in parts");
+    }
+    MeshData mesh = makeGeodesicSphere(90, 2.0f);
+    std::vector<TargetPlan> large(1, planMesh(prepareMesh(std::move(mesh)), TargetSource()));
+    m_session->loadScene({{}, std::move(large), 0.0f});
+    for (const bool refine : {false, true}) {
+        set([refine](DisplayOptions& options) {
+            options.refine = refine;
+            options.reduceInMotion = true;
+        });
+        PictureMotion& motion = viewport().motion();
+        motion.setSlow(0.0);
+        QSignalSpy swapped(&viewport(), &QOpenGLWidget::frameSwapped);
+        // The first picture after a change of the way to draw is not judged, and one more is drawn in full.
+        for (int change = 0; change < 5 && !motion.lastDetail().coarse; ++change) {
+            swapped.clear();
+            Lights lights = m_session->settings().lights();
+            lights.directional.direction.x *= -1.0f;
+            m_session->settings().setLights(lights);
+            QVERIFY(!swapped.isEmpty() || swapped.wait(kPatience));
+        }
+        QVERIFY(motion.lastDetail().coarse);
+        QTRY_VERIFY_WITH_TIMEOUT(refiner().wasShown(), kPatience);
+        QVERIFY(motion.lastDetail().isFull());
+        if (!refine) {
+            QCOMPARE(refiner().samples(), 0);
+            const QImage inParts = viewport().grabFramebuffer();
+            set([](DisplayOptions& options) { options.reduceInMotion = false; });
+            QCOMPARE(test::differing(inParts, viewport().grabFramebuffer()), 0);
+        }
+    }
 }
 
 void RefineTest::measuringIsWithout() {

@@ -240,13 +240,13 @@ void ViewportTest::flyKeysMoveWhileHeld() {
 /// Where frames take too long, the picture is drawn smaller while it moves, and in full size when it rests.
 void ViewportTest::smallerWhileItMoves() {
     Viewport& viewport = m_window->viewport();
-    viewport.motion().hold(0.5f);
+    viewport.motion().hold(PictureDetail{.scale = 0.5f});
     const auto scalesUntilRest = [&] {
         QTest::keyPress(&viewport, Qt::Key_D);
         float least = 1.0f;
         QSignalSpy frames(&viewport, &Viewport::framePainted);
         while (frames.size() < 4 && frames.wait(kPatience)) {
-            least = std::min(least, viewport.motion().lastScale());
+            least = std::min(least, viewport.motion().lastDetail().scale);
         }
         QTest::keyRelease(&viewport, Qt::Key_D);
         return least;
@@ -256,12 +256,12 @@ void ViewportTest::smallerWhileItMoves() {
     options.reduceInMotion = true;
     viewport.setOptions(options);
     QCOMPARE(scalesUntilRest(), 0.5f);
-    QTRY_COMPARE_WITH_TIMEOUT(viewport.motion().lastScale(), 1.0f, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(viewport.motion().lastDetail().scale, 1.0f, kPatience);
     // A frame alone is no motion, and what is measured has its full size.
     viewport.update();
     QSignalSpy frames(&viewport, &Viewport::framePainted);
     QVERIFY(frames.wait(kPatience));
-    QCOMPARE(viewport.motion().lastScale(), 1.0f);
+    QCOMPARE(viewport.motion().lastDetail().scale, 1.0f);
     viewport.setDrawsContinuously(true);
     QCOMPARE(scalesUntilRest(), 1.0f);
     viewport.setDrawsContinuously(false);

@@ -43,7 +43,8 @@ std::span<const ShadingSwitch> shadingSwitches() {
          {"reduceInMotion", QT_TRANSLATE_NOOP("hitscope::ShadingActions", "Red&uce in Motion"),
           QT_TRANSLATE_NOOP(
               "hitscope::ShadingActions",
-              "While the picture moves and cannot be drawn 30 times a second: with fewer pixels"),
+              "While the picture moves and cannot be drawn 30 times a second: with fewer triangles or "
+              "pixels"),
           "", &DisplayOptions::reduceInMotion, true}}};
     return kSwitches;
 }

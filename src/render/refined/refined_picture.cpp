@@ -83,6 +83,7 @@ RefinedPicture::Sample RefinedPicture::sampleAt(int index) {
 void RefinedPicture::clear() {
     m_samples = 0;
     m_hasDepths = false;
+    m_nextPart = 0;
 }
 
 void RefinedPicture::begin(const PixelArea& varying) {
@@ -174,11 +175,13 @@ Status RefinedPicture::draw(render::ProgramCache& programs, GLuint emptyArray, b
     bind(0, m_colour);
     program.set("u_share", 1.0f);
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    bind(0, m_sum);
-    program.set("u_share", 1.0f / static_cast<float>(m_samples));
-    render::limitDrawing(m_area);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glDisable(GL_SCISSOR_TEST);
+    if (m_samples > 0) {
+        bind(0, m_sum);
+        program.set("u_share", 1.0f / static_cast<float>(m_samples));
+        render::limitDrawing(m_area);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        glDisable(GL_SCISSOR_TEST);
+    }
     glDepthFunc(GL_LESS);
     glDisable(GL_DEPTH_TEST);
     return Done{};

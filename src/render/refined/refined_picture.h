@@ -22,7 +22,10 @@ public:
 
     /// Everywhere: sums up where samples are alike too, to see that they are; it takes longer.
     enum class Extent { WhereItVaries, Everywhere };
-    explicit RefinedPicture(Extent extent = Extent::WhereItVaries) : m_extent(extent) {}
+    /// Samples are drawn in parts of so many triangles.
+    static constexpr std::size_t kUsualPart = 1 << 17;  ///< some twenty milliseconds of a software renderer
+    explicit RefinedPicture(Extent extent = Extent::WhereItVaries, std::size_t trianglesAPart = kUsualPart)
+        : m_extent(extent), m_trianglesAPart(trianglesAPart) {}
 
     /// What one sample differs by from the others.
     struct Sample {
@@ -35,6 +38,9 @@ public:
 
     /// How many samples it is the mean of.
     [[nodiscard]] int samples() const { return m_samples; }
+    /// Whether there is anything to draw: a sample, or what has to be known before the first one, which is a
+    /// picture too.
+    [[nodiscard]] bool hasPicture() const { return m_hasDepths; }
     /// Forgets the samples, keeps its buffers.
     void clear();
 
@@ -54,10 +60,14 @@ public:
     /// Of these, what is drawn into.
     [[nodiscard]] GLuint floorFramebuffer(bool isShaded) const { return m_drawnFloor[isShaded ? 1 : 0].id(); }
     [[nodiscard]] GLuint sampleFramebuffer() const { return m_sample.id(); }
+    [[nodiscard]] std::size_t trianglesAPart() const { return m_trianglesAPart; }
+    /// The part that is drawn next of what is drawn in parts.
+    [[nodiscard]] std::uint32_t nextPart() const { return m_nextPart; }
+    void setNextPart(std::uint32_t part) { m_nextPart = part; }
     /// Adds what is in sampleFramebuffer() to the sum. Leaves framebuffer, viewport and blending changed.
     [[nodiscard]] Status add(render::ProgramCache& programs, GLuint emptyArray);
-    /// Draws the mean over the whole viewport of what is bound, and the depths where they are wanted. Leaves
-    /// depth test and blending off.
+    /// Draws the mean, or without samples the plain picture, over the whole viewport of what is bound, and
+    /// the depths where they are wanted. Leaves depth test and blending off.
     [[nodiscard]] Status draw(render::ProgramCache& programs, GLuint emptyArray, bool withDepths) const;
 
 private:
@@ -65,8 +75,10 @@ private:
     int m_height = 0;
     int m_samples = 0;
     Extent m_extent;
+    std::size_t m_trianglesAPart;
     PixelArea m_area;
     bool m_hasDepths = false;
+    std::uint32_t m_nextPart = 0;
     gl::Texture m_colour;  ///< of the sample at hand; outside of the area, of the plain picture
     gl::Texture m_depths;
     std::array<gl::Texture, 2> m_floor;  ///< lit, shaded

@@ -61,7 +61,29 @@ Status drawFloorLayers(const FrameContext& context, const RefinedPicture& pictur
     return Done{};
 }
 
+/// Other than software renderers do not keep anybody waiting.
+std::uint32_t partsOf(const Frame& frame, const RefinedPicture& picture, bool software) {
+    if (!software || frame.options.wireframe == WireframeMode::Only || frame.options.beforeAfter.wipe) {
+        return 1;
+    }
+    std::size_t indices = 0;
+    for (const DrawItem& item : frame.targets) {
+        indices += item.buffers->triangleIndexCount();
+    }
+    return static_cast<std::uint32_t>(1 + indices / (3 * picture.trianglesAPart()));
+}
+
 }  // namespace
+
+Status Renderer::Private::drawPart(FrameContext& context, DeformationPipeline& pipeline,
+                                   RefinedPicture& picture, GLuint framebuffer, const PixelArea* area) {
+    context.part.index = picture.nextPart();
+    if (Status status = drawPicture(context, pipeline, framebuffer, area); !status) {
+        return status;
+    }
+    picture.setNextPart(context.part.isLast() ? 0 : context.part.index + 1);
+    return Done{};
+}
 
 Status Renderer::Private::addSample(const Frame& frame, DeformationPipeline& pipeline,
                                     RefinedPicture& picture) {
@@ -73,22 +95,38 @@ Status Renderer::Private::addSample(const Frame& frame, DeformationPipeline& pip
         occlusion = hasOcclusion(frame) ? &near : nullptr;
     }
     FrameContext context = contextOf(frame);
+    context.part.count = partsOf(frame, picture, software);
     if (ShadowMap::isWanted(frame)) {
-        Frame shadowed = frame;
-        shadowed.lights.directional.direction =
-            placeOnLight(frame.lights.directional.direction, sample.light);
-        if (Status status = sampleShadows.update(contextOf(shadowed), pipeline); !status) {
-            return status;
+        Frame lit = frame;
+        if (!isPlain) {
+            lit.lights.directional.direction = placeOnLight(frame.lights.directional.direction, sample.light);
         }
-        context.shadows = &sampleShadows;
-    }
-    if (isPlain) {
-        if (Status status = drawPicture(context, pipeline, picture.plainFramebuffer()); !status) {
-            return status;
+        ShadowMap& map = isPlain ? shadows : sampleShadows;
+        Status updated = map.update(contextOf(lit), pipeline, context.part.count);
+        if (!updated || !map.isWhole()) {
+            picture.setNextPart(0);  // what it has was drawn with a map that is gone
+            return updated;
         }
-        picture.begin(varyingArea(context, pipeline, kLightSize));
-        return drawFloorLayers(context, picture);
+        context.shadows = &map;
     }
+    return isPlain ? drawPlain(context, pipeline, picture) : drawSample(context, pipeline, picture);
+}
+
+Status Renderer::Private::drawPlain(FrameContext& context, DeformationPipeline& pipeline,
+                                    RefinedPicture& picture) {
+    if (Status drawn = drawPart(context, pipeline, picture, picture.plainFramebuffer());
+        !drawn || !context.part.isLast()) {
+        return drawn;
+    }
+    if (Status drawn = trails.draw(context); !drawn) {
+        return drawn;
+    }
+    picture.begin(varyingArea(context, pipeline, kLightSize));
+    return drawFloorLayers(context, picture);
+}
+
+Status Renderer::Private::drawSample(FrameContext& context, DeformationPipeline& pipeline,
+                                     RefinedPicture& picture) {
     if (software) {
         if (!sampleTextures) {
             sampleTextures = makeSampleTextures();
@@ -98,8 +136,9 @@ Status Renderer::Private::addSample(const Frame& frame, DeformationPipeline& pip
     const FloorLayers floor = picture.floorLayers();
     context.floorLayers = &floor;
     const PixelArea& area = picture.area();
-    if (Status status = drawPicture(context, pipeline, picture.sampleFramebuffer(), &area); !status) {
-        return status;
+    if (Status drawn = drawPart(context, pipeline, picture, picture.sampleFramebuffer(), &area);
+        !drawn || !context.part.isLast()) {
+        return drawn;
     }
     if (Status status = trails.draw(context); !status) {
         return status;
@@ -121,12 +160,15 @@ Status Renderer::refine(const Frame& given, DeformationPipeline& pipeline, Refin
     Status status = d->addSample(lit.frame(), pipeline, picture);
     d->jitter = glm::vec2(0.0f);
     d->occlusion = nullptr;
+    if (d->software) {
+        glFinish();  // or the driver leaves it for later, and what takes long is another one
+    }
     return status;
 }
 
 Status Renderer::drawRefined(const Frame& given, DeformationPipeline& pipeline, const RefinedPicture& picture,
                              GLuint framebuffer) {
-    if (given.width <= 0 || given.height <= 0 || picture.samples() == 0) {
+    if (given.width <= 0 || given.height <= 0 || !picture.hasPicture()) {
         return Done{};
     }
     const KeepState keep;

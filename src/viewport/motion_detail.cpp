@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/motion_detail.h"
+
+#include <array>
+#include <utility>
+
+namespace hitscope {
+
+namespace {
+
+constexpr std::array kScales{1.0f, 0.70710678f, 0.5f};  // each has half of the pixels of the one before
+constexpr int kJudged = 3;                              // frames that are judged together
+// A level less has twice the pixels, and its frames take at most twice as long; a little less than half keeps
+// sizes from going up and down. With all triangles they take longer in that proportion, at most.
+constexpr double kFastEnough = 0.4 * MotionDetail::kLongestFrame;        // seconds, for twice the pixels
+constexpr double kFastEnoughForAll = 0.8 * MotionDetail::kLongestFrame;  // seconds, for as many triangles
+constexpr double kGain = 0.9;  // of the time before: what saves less is not worth it
+// Seconds: no frame is worth waiting for another of these, where fewer triangles may help.
+constexpr double kFarTooLong = 3.0 * MotionDetail::kLongestFrame;
+
+}  // namespace
+
+PictureDetail MotionDetail::detail() const {
+    return {.scale = kScales[m_level], .coarse = m_coarse};
+}
+
+void MotionDetail::settle() {
+    m_isSettling = true;
+    m_sum = 0.0;
+    m_frames = 0;
+}
+
+void MotionDetail::forget() {
+    const float part = m_coarsePart;
+    *this = MotionDetail();
+    m_coarsePart = part;
+}
+
+void MotionDetail::setCoarsePart(float part) {
+    m_coarsePart = part;
+    forget();
+}
+
+void MotionDetail::frameTook(double seconds) {
+    if (std::exchange(m_isSettling, false)) {
+        return;
+    }
+    m_sum += seconds;
+    ++m_frames;
+    const bool isHopeless = seconds > kFarTooLong && hasCoarse() && !m_coarse && !m_areFewTrianglesNoHelp;
+    if (m_frames == kJudged || isHopeless) {
+        judge(std::exchange(m_sum, 0.0) / std::exchange(m_frames, 0));
+    }
+}
+
+void MotionDetail::judge(double mean) {
+    if (const double before = std::exchange(m_before, 0.0); before > 0.0 && mean > kGain * before) {
+        goBack();
+    } else if (mean > kLongestFrame) {
+        drawLess(mean);
+    } else {
+        drawMore(mean);
+    }
+}
+
+void MotionDetail::goBack() {
+    if (m_level > 0) {
+        m_areFewPixelsNoHelp = true;
+        --m_level;
+    } else {
+        m_areFewTrianglesNoHelp = true;
+        m_coarse = false;
+    }
+    settle();
+}
+
+void MotionDetail::drawLess(double mean) {
+    if (m_level == 0 && !m_coarse && hasCoarse() && !m_areFewTrianglesNoHelp) {
+        m_coarse = true;
+    } else if (m_level + 1 < kScales.size() && !m_areFewPixelsNoHelp) {
+        ++m_level;
+    } else {
+        return;
+    }
+    m_before = mean;
+    settle();
+}
+
+void MotionDetail::drawMore(double mean) {
+    if (m_level > 0 && mean < kFastEnough) {
+        --m_level;
+        settle();
+    } else if (m_level == 0 && m_coarse && mean < kFastEnoughForAll * static_cast<double>(m_coarsePart)) {
+        m_coarse = false;
+        settle();
+    }
+}
+
+}  // namespace hitscope

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "view/picture_detail.h"
+
+namespace hitscope {
+
+/// How much of a picture is drawn while it moves, so that frames follow each other fast enough on a renderer
+/// that cannot hold all of it: first fewer triangles, where there are many, then fewer pixels. Knows times
+/// only; who draws tells it about every frame in motion.
+///
+/// Where fewer triangles or pixels do not make frames faster, they stay.
+class MotionDetail {
+public:
+    static constexpr double kLongestFrame = 1.0 / 30.0;  ///< seconds that a frame in motion may take
+
+    /// Of the next frame in motion; scale: 1, 0.707 or 0.5.
+    [[nodiscard]] PictureDetail detail() const;
+    /// A frame of detail() took so many seconds, until it was shown.
+    void frameTook(double seconds);
+    /// part: of the triangles, those in coarse pictures, (0, 1]; 1: there is nothing to leave out.
+    void setCoarsePart(float part);
+    [[nodiscard]] float coarsePart() const { return m_coarsePart; }
+    [[nodiscard]] bool hasCoarse() const { return m_coarsePart < 1.0f; }
+    /// Frames take another time from now on: another scene, size or way to draw.
+    void forget();
+
+private:
+    void settle();  ///< a step was made
+    void judge(double mean);
+    void goBack();
+    void drawLess(double mean);
+    void drawMore(double mean);
+
+    float m_coarsePart = 1.0f;
+    bool m_coarse = false;
+    std::size_t m_level = 0;    ///< how often the number of pixels was halved
+    double m_before = 0.0;      ///< seconds of a frame before the last step; 0: not known
+    double m_sum = 0.0;         ///< seconds of the frames counted
+    int m_frames = 0;           ///< counted since they were judged last
+    bool m_isSettling = false;  ///< the next frame is a step's first, which makes buffers
+    bool m_areFewTrianglesNoHelp = false;
+    bool m_areFewPixelsNoHelp = false;
+};
+
+}  // namespace hitscope

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Refined pictures that are drawn in parts, and what is there before their first sample.
+#include <QTest>
+#include <memory>
+
+#include "gl/context.h"
+#include "gl/render_target.h"
+#include "mesh/primitives.h"
+#include "open_renderer.h"
+#include "render/refined/refined_picture.h"
+#include "render_support.h"
+#include "support/baseline.h"
+#include "support/gl_fixture.h"
+#include "support/test_program.h"
+
+namespace hitscope::refined_parts_test {
+
+using namespace test;
+
+class RefinedPartsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase();
+    void cleanup() { QCOMPARE(m_gl.errors(), QStringList()); }
+    void cleanupTestCase();
+    void beforeSamplesItIsThePicture();
+    void inPartsItIsTheSame();
+    void partsSurviveOtherPictures();
+
+private:
+    [[nodiscard]] Frame frame(const DisplayOptions& options = {}) const;
+    [[nodiscard]] bool add(const Frame& frame, RefinedPicture& picture) {
+        return m_renderer->refine(frame, *m_pipeline, picture).ok();
+    }
+    [[nodiscard]] QImage shown(const Frame& frame, const RefinedPicture& refined);
+    [[nodiscard]] QImage refined(const Frame& frame, int samples);
+
+    GlFixture m_gl;
+    std::unique_ptr<Renderer> m_renderer;
+    std::unique_ptr<TestScene> m_scene;
+    std::unique_ptr<DeformationPipeline> m_pipeline;
+};
+
+void RefinedPartsTest::initTestCase() {
+    m_renderer = openRenderer(m_gl);
+    if (!m_renderer) {
+        return;
+    }
+    std::vector<Hit> hits = dents({1}, 1);
+    hits[0].constants = {1.0f, 0.5f, 0.7f};
+    m_scene = std::make_unique<TestScene>();
+    m_scene->add(*m_renderer, makeUvSphere(96, 64, 2.5f), glm::vec3(0.0f, 2.5f, 0.0f));
+    m_scene->showTrueNormals(hits);
+    m_pipeline = m_scene->pipeline(PipelineKind::TransformFeedback, hits);
+}
+
+void RefinedPartsTest::cleanupTestCase() {
+    m_pipeline.reset();
+    m_scene.reset();
+    m_renderer.reset();
+}
+
+Frame RefinedPartsTest::frame(const DisplayOptions& options) const {
+    Frame made = frameOf(*m_scene, 160, 120);
+    made.camera.zoom(0.8f);
+    made.options = options;
+    made.meshRevision = 1;
+    return made;
+}
+
+QImage RefinedPartsTest::shown(const Frame& frame, const RefinedPicture& refined) {
+    const gl::RenderTarget target(frame.width, frame.height, 1);
+    if (!m_renderer->drawRefined(frame, *m_pipeline, refined, target.framebuffer()).ok()) {
+        return {};
+    }
+    const Image image = target.read();
+    return QImage(image.pixels.data(), image.width, image.height, QImage::Format_RGBA8888).copy();
+}
+
+/// Each sample in one.
+QImage RefinedPartsTest::refined(const Frame& frame, int samples) {
+    RefinedPicture picture;
+    while (picture.samples() < samples && add(frame, picture)) {
+    }
+    return shown(frame, picture);
+}
+
+/// What is drawn before the first sample is what draw() draws, to the bit: a window shows it.
+void RefinedPartsTest::beforeSamplesItIsThePicture() {
+    DisplayOptions options;
+    for (const bool shadows : {true, false}) {
+        options.shadows = shadows;
+        const Frame wanted = frame(options);
+        RefinedPicture made;
+        QVERIFY(add(wanted, made));
+        QVERIFY(made.hasPicture());
+        QCOMPARE(made.samples(), 0);
+        QCOMPARE(shown(wanted, made), picture(*m_renderer, wanted, *m_pipeline, 1));
+    }
+}
+
+/// The sphere's 12,000 triangles, in thirteen parts of a sample and of its shadows.
+void RefinedPartsTest::inPartsItIsTheSame() {
+    if (!gl::rendererInfo().isSoftware()) {
+        QSKIP("only software renderers draw in parts");
+    }
+    DisplayOptions options;
+    for (const bool shadows : {true, false}) {
+        options.shadows = shadows;
+        const Frame wanted = frame(options);
+        const QImage whole = refined(wanted, 3);
+        RefinedPicture made(RefinedPicture::Extent::WhereItVaries, 1000);
+        int calls = 0;
+        while (made.samples() < 3 && calls < 1000) {
+            QVERIFY(add(wanted, made));
+            ++calls;
+            // What comes before the first sample is a picture too.
+            QCOMPARE(made.hasPicture(), calls >= 13);
+        }
+        QVERIFY2(calls > 4 * 12, qPrintable(QString::number(calls)));
+        QCOMPARE(shown(wanted, made), whole);
+    }
+}
+
+/// Another picture that the same renderer draws takes the map of shadows away.
+void RefinedPartsTest::partsSurviveOtherPictures() {
+    if (!gl::rendererInfo().isSoftware()) {
+        QSKIP("only software renderers draw in parts");
+    }
+    const Frame wanted = frame();
+    Frame otherLight = wanted;
+    otherLight.lights.directional.direction = {-0.6f, -0.5f, 0.4f};
+    const QImage whole = refined(wanted, 2);
+    RefinedPicture made(RefinedPicture::Extent::WhereItVaries, 1000);
+    RefinedPicture other;
+    for (int calls = 0; made.samples() < 2 && calls < 1000; ++calls) {
+        QVERIFY(add(wanted, made));
+        if (calls % 31 == 30) {
+            QVERIFY(add(otherLight, other));
+        }
+    }
+    QCOMPARE(made.samples(), 2);
+    QCOMPARE(shown(wanted, made), whole);
+}
+
+HITSCOPE_TEST(RefinedPartsTest, QCoreApplication)
+
+}  // namespace hitscope::refined_parts_test
+
+#include "refined_parts_test.moc"

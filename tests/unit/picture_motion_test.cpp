@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// When a picture is drawn with less detail, and when it is left to the refiner.
+#include "viewport/picture_motion.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "support/test_program.h"
+
+namespace hitscope::picture_motion_test {
+
+namespace {
+
+constexpr float kPart = 0.05f;  // of the triangles, in coarse pictures
+constexpr int kPatience = 5000;
+
+/// A frame that takes so long; how it was drawn.
+PictureDetail drawn(PictureMotion& motion, double seconds) {
+    const PictureDetail detail = motion.beginFrame();
+    motion.frameShown(seconds);
+    return detail;
+}
+
+}  // namespace
+
+class PictureMotionTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    static void aJumpIsDrawnInFull() {
+        PictureMotion motion;
+        motion.setOn(true);
+        motion.hold(PictureDetail{.scale = 0.5f});
+        motion.moved();
+        QVERIFY(drawn(motion, 0.05).isFull());
+        QCOMPARE(drawn(motion, 0.05).scale, 0.5f);
+        const QSignalSpy rested(&motion, &PictureMotion::rested);
+        QVERIFY(motion.isReduced());
+        QTRY_COMPARE_WITH_TIMEOUT(rested.size(), 1, kPatience);
+        QVERIFY(drawn(motion, 0.05).isFull());
+        QVERIFY(!motion.isReduced());
+    }
+
+    static void whatIsSlowIsLeftToTheRefiner() {
+        PictureMotion motion;
+        motion.setOn(true);
+        motion.setRefined(true);
+        motion.setCoarsePart(kPart);
+        QVERIFY(drawn(motion, 0.5).isFull());  // it may have built programs
+        QVERIFY(drawn(motion, 0.5).isFull());
+        QVERIFY(drawn(motion, 0.03).coarse);
+        motion.moved();
+        QVERIFY(drawn(motion, 0.03).coarse);  // the first of a motion too
+        // Nothing is asked for when it rests: the refiner comes.
+        const QSignalSpy rested(&motion, &PictureMotion::rested);
+        QTest::qWait(3 * PictureMotion::kRest);
+        QCOMPARE(rested.size(), 0);
+        QVERIFY(!motion.isReduced());
+        QVERIFY(motion.beginFrame().coarse);
+        motion.refinedShown();
+        motion.frameShown(0.001);  // which says nothing of a frame that is drawn
+        QVERIFY(motion.lastDetail().isFull());
+        QVERIFY(drawn(motion, 0.03).coarse);
+        motion.forget();
+        QVERIFY(drawn(motion, 0.03).isFull());
+    }
+
+    static void whatIsFastOrCannotBeRefinedIsNot_data() {
+        QTest::addColumn<bool>("on");
+        QTest::addColumn<bool>("refined");
+        QTest::addColumn<float>("part");
+        QTest::addColumn<double>("seconds");
+        QTest::newRow("fast") << true << true << kPart << 0.09;
+        QTest::newRow("no refiner") << true << false << kPart << 0.5;
+        QTest::newRow("few triangles") << true << true << 1.0f << 0.5;
+        QTest::newRow("turned off") << false << true << kPart << 0.5;
+    }
+    static void whatIsFastOrCannotBeRefinedIsNot() {
+        QFETCH(bool, on);
+        QFETCH(bool, refined);
+        QFETCH(float, part);
+        QFETCH(double, seconds);
+        PictureMotion motion;
+        motion.setOn(on);
+        motion.setRefined(refined);
+        motion.setCoarsePart(part);
+        for (int i = 0; i < 4; ++i) {
+            QVERIFY(drawn(motion, seconds).isFull());
+        }
+    }
+
+    /// Something else took the time.
+    static void fastCoarseFramesBringItBack() {
+        PictureMotion motion;
+        motion.setOn(true);
+        motion.setRefined(true);
+        motion.setCoarsePart(0.5f);
+        drawn(motion, 0.5);
+        drawn(motion, 0.5);
+        const QSignalSpy rested(&motion, &PictureMotion::rested);
+        QVERIFY(drawn(motion, 0.06).coarse);  // all could take twice as long
+        QCOMPARE(rested.size(), 0);
+        QVERIFY(drawn(motion, 0.04).coarse);
+        QCOMPARE(rested.size(), 1);
+        QVERIFY(drawn(motion, 0.04).isFull());
+    }
+};
+
+HITSCOPE_TEST(PictureMotionTest, QCoreApplication)
+
+}  // namespace hitscope::picture_motion_test
+
+#include "picture_motion_test.moc"
