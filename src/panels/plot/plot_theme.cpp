@@ -13,6 +13,8 @@ void applyPlotTheme(QCustomPlot& plot, const QWidget& owner) {
     QColor dim = ink;
     dim.setAlphaF(0.6f);
     plot.setBackground(palette.brush(QPalette::Base));
+    // With other changes of the window: at once, each plot would have all of the window put together anew.
+    plot.setPlottingHint(QCP::phImmediateRefresh, false);
     for (QCPAxis* axis : {plot.xAxis, plot.yAxis}) {
         axis->setBasePen(QPen(dim, 1));
         axis->setTickPen(QPen(dim, 1));

@@ -6,8 +6,8 @@ class QWidget;
 
 namespace hitscope {
 
-/// Background, axes, grid and fonts of a plot as `owner`'s palette and font have them. Call again when they
-/// change.
+/// Background, axes, grid and fonts of a plot as `owner`'s palette and font have them; it is painted when the
+/// window is. Call again when they change.
 void applyPlotTheme(QCustomPlot& plot, const QWidget& owner);
 
 }  // namespace hitscope
