@@ -14,7 +14,8 @@ namespace hitscope {
 namespace {
 
 constexpr std::size_t kWorthSlicingNew = 256;  // hits; fewer are applied in one frame without a pause
-constexpr std::size_t kNewAtOnce = 16;         // hits between two looks at the clock
+constexpr std::size_t kFewestAtOnce = 2;       // hits between two looks at the clock: first as few,
+constexpr std::size_t kMostAtOnce = 16;        // then twice as many each time, since hits may be large
 constexpr std::size_t kMostNewAFrame = 512;    // hits; the GPU may be behind, which the clock does not tell
 constexpr qint64 kNewShare = 12;               // milliseconds of a frame
 
@@ -152,8 +153,10 @@ void SceneGpu::Private::applySlice() {
     std::span<const HistoryEdit> edits(*unapplied);
     QElapsedTimer clock;
     clock.start();
+    std::size_t atOnce = kFewestAtOnce;
     do {
-        const std::size_t wanted = std::min(applied.size() + kNewAtOnce, all);
+        const std::size_t wanted = std::min(applied.size() + atOnce, all);
+        atOnce = std::min(2 * atOnce, kMostAtOnce);
         for (const HistoryEdit& edit : applied.follow(std::exchange(edits, {}), history, wanted)) {
             pipeline->edit(edit);
         }
