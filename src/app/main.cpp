@@ -12,6 +12,7 @@
 #include "app/main_window.h"
 #include "app/theme.h"
 #include "core/memory.h"
+#include "core/no_leak_check.h"
 #include "session/session.h"
 #include "session/welcome.h"
 #include "usage/usage.h"

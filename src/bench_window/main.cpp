@@ -12,6 +12,7 @@
 #include "bench_window/latency.h"
 #include "bench_window/memory.h"
 #include "core/memory.h"
+#include "core/no_leak_check.h"
 #include "viewport/surface_format.h"
 #include "viewport/viewport.h"
 

@@ -102,8 +102,6 @@ void KeepingTest::signalsEndInOrder() {
     QProcess program;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(QStringLiteral("XDG_CONFIG_HOME"), home.path());
-    // The driver is unloaded when the program ends: whose a leak is cannot be told then.
-    environment.insert(QStringLiteral("ASAN_OPTIONS"), QStringLiteral("detect_leaks=0"));
     program.setProcessEnvironment(environment);
     program.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     program.start(qEnvironmentVariable("HITSCOPE_WINDOW"), QStringList());
