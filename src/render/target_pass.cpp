@@ -194,12 +194,14 @@ std::vector<Draw> drawsOf(const FrameContext& context, const DeformationPipeline
     return draws;
 }
 
-std::uint32_t roundsOf(std::span<const Draw> draws) {
+/// In a picture's part there are fewer: each round costs the whole picture's pixels a little.
+std::uint32_t roundsOf(std::span<const Draw> draws, std::uint32_t parts) {
     std::uint64_t indices = 0;
     for (const Draw& draw : draws) {
         indices += draw.range.count;
     }
-    return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(indices / kIndicesARound, 1, kMostRounds));
+    return static_cast<std::uint32_t>(
+        std::clamp<std::uint64_t>(indices / kIndicesARound, 1, parts > 1 ? 2 : kMostRounds));
 }
 
 /// What is nearer first: the pixels of what lies behind are then not shaded. By the clusters in the middle of
@@ -229,7 +231,8 @@ Status drawWithOneProgram(const FrameContext& context, DeformationPipeline& pipe
     const gl::Program& program = *found.value();
     program.use();
     setSurface(program, context);
-    const std::uint32_t rounds = context.software && !parts.translucent ? roundsOf(draws) : 1;
+    const std::uint32_t rounds =
+        context.software && !parts.translucent ? roundsOf(draws, context.part.count) : 1;
     for (Draw& draw : draws) {
         sortParts(draw, rounds, context.forward);
     }

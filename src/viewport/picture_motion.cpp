@@ -11,6 +11,16 @@ PictureMotion::PictureMotion(QObject* parent) : QObject(parent) {
     connect(&m_timer, &QTimer::timeout, this, &PictureMotion::rest);
 }
 
+void PictureMotion::setOn(bool on) {
+    m_isOn = on;
+    drawInFullIfAtRest();
+}
+
+void PictureMotion::setRefined(bool on) {
+    m_isRefined = on;
+    drawInFullIfAtRest();
+}
+
 void PictureMotion::moved() {
     m_timer.start();
 }
@@ -24,6 +34,14 @@ void PictureMotion::forget() {
     m_motion.forget();
     m_isSlow = false;
     m_fullFrames = 0;
+    drawInFullIfAtRest();
+}
+
+/// The refiner may have been going to draw the picture that now nobody else draws.
+void PictureMotion::drawInFullIfAtRest() {
+    if (!m_timer.isActive() && isReduced()) {
+        Q_EMIT rested();
+    }
 }
 
 bool PictureMotion::isReduced() const {
@@ -47,9 +65,7 @@ PictureDetail PictureMotion::beginFrame() {
 void PictureMotion::frameShown(double seconds) {
     judgeFull(seconds);
     if (!m_timer.isActive()) {
-        if (isReduced()) {
-            Q_EMIT rested();  // not slow any more: nobody else draws it
-        }
+        drawInFullIfAtRest();
         return;
     }
     if (std::exchange(m_isCounted, false)) {

@@ -20,9 +20,9 @@ public:
     explicit PictureMotion(QObject* parent = nullptr);
 
     /// Off: every picture is drawn in full.
-    void setOn(bool on) { m_isOn = on; }
+    void setOn(bool on);
     /// Whether a refiner draws still pictures in full.
-    void setRefined(bool on) { m_isRefined = on; }
+    void setRefined(bool on);
     /// As MotionDetail::setCoarsePart().
     void setCoarsePart(float part);
     /// A picture in full that takes longer is left to the refiner; seconds.
@@ -51,6 +51,7 @@ Q_SIGNALS:
 
 private:
     void rest();
+    void drawInFullIfAtRest();
     void judgeFull(double seconds);
     [[nodiscard]] bool isLeftToRefiner() const { return m_isOn && m_isSlow && m_isRefined; }
 

@@ -61,6 +61,7 @@ private Q_SLOTS:
         QVERIFY(motion.lastDetail().isFull());
         QVERIFY(drawn(motion, 0.03).coarse);
         motion.forget();
+        QCOMPARE(rested.size(), 1);  // now nobody else draws it in full
         QVERIFY(drawn(motion, 0.03).isFull());
     }
 

@@ -161,7 +161,7 @@ Status Renderer::refine(const Frame& given, DeformationPipeline& pipeline, Refin
     d->jitter = glm::vec2(0.0f);
     d->occlusion = nullptr;
     if (d->software) {
-        glFinish();  // or the driver leaves it for later, and what takes long is another one
+        glFlush();  // its pixels are shaded while the next one's vertices are transformed
     }
     return status;
 }
