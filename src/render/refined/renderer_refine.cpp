@@ -104,7 +104,6 @@ Status Renderer::Private::addSample(const Frame& frame, DeformationPipeline& pip
         ShadowMap& map = isPlain ? shadows : sampleShadows;
         Status updated = map.update(contextOf(lit), pipeline, context.part.count);
         if (!updated || !map.isWhole()) {
-            picture.setNextPart(0);  // what it has was drawn with a map that is gone
             return updated;
         }
         context.shadows = &map;
