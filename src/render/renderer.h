@@ -95,11 +95,11 @@ public:
 
     /// Adds a sample to a picture of this frame, of the same one until the picture is cleared; or what has to
     /// be known before the first one; or of either the next part, where a software renderer would take long:
-    /// picture.samples() tells. The frame
-    /// starts at the framebuffer's left. The error says what the driver lacks.
+    /// picture.samples() tells. The frame starts at the framebuffer's left. The error says what the driver
+    /// lacks.
     [[nodiscard]] Status refine(const Frame& frame, DeformationPipeline& pipeline, RefinedPicture& picture);
-    /// As draw(), but of the scene the mean of the picture's samples; it has a picture. What
-    /// marks it is drawn anew: it may be other than it was.
+    /// As draw(), but of the scene what `picture` has; hasPicture() holds. What marks the scene is drawn
+    /// anew: it may be other than it was.
     [[nodiscard]] Status drawRefined(const Frame& frame, DeformationPipeline& pipeline,
                                      const RefinedPicture& picture, GLuint framebuffer);
 

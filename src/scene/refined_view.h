@@ -21,7 +21,7 @@ public:
     static constexpr int kFewestShown = 4;
 
     [[nodiscard]] int samples() const;
-    /// Whether it has a picture, of no sample as it may be.
+    /// Whether it has a picture: there is one before the first sample.
     [[nodiscard]] bool hasPicture() const;
     /// Whether it was drawn at the last SceneGpu::draw().
     [[nodiscard]] bool wasShown() const { return m_shown; }

@@ -57,12 +57,11 @@ public:
     /// drawn, and it says so; else it forgets what it has of another one. Null: the picture is drawn as it
     /// is.
     [[nodiscard]] Status draw(const View& view, unsigned framebuffer, RefinedView* refined = nullptr);
-    /// Adds a sample to `refined`, of what was drawn last, or comes nearer to it; takes as long as a frame at
-    /// most, follows nothing and
-    /// shows nothing. Samples of another picture are forgotten first. Two pictures side by side are not
-    /// refined: it has no samples then.
+    /// Adds a sample to `refined`, of what was drawn last, or draws a part of one: takes as long as a frame
+    /// at most, follows nothing and shows nothing. Samples of another picture are forgotten first. Two
+    /// pictures side by side are not refined: it has no samples then.
     [[nodiscard]] Status refine(const View& view, RefinedView& refined);
-    /// Draws what `refined` has, one sample at least, and what marks the scene now over it.
+    /// Draws what `refined` has, which is a picture, and what marks the scene now over it.
     [[nodiscard]] Status drawRefined(const View& view, RefinedView& refined, unsigned framebuffer);
     /// What draw() last drew, into `pass`: what lies under the pixels of `area` of that view. Nothing before
     /// the first draw() or sync(). An error too where picking was tried and found wrong.

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Refined pictures that are drawn in parts, and what is there before their first sample.
 #include <QTest>
-#include <memory>
 
 #include "gl/context.h"
-#include "gl/render_target.h"
-#include "mesh/primitives.h"
-#include "open_renderer.h"
+#include "refined_scene.h"
 #include "render/refined/refined_picture.h"
-#include "render_support.h"
 #include "support/baseline.h"
-#include "support/gl_fixture.h"
 #include "support/test_program.h"
 
 namespace hitscope::refined_parts_test {
@@ -20,62 +15,27 @@ using namespace test;
 class RefinedPartsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase();
-    void cleanup() { QCOMPARE(m_gl.errors(), QStringList()); }
-    void cleanupTestCase();
+    void initTestCase() { m_refined.open(); }
+    void cleanup() { QCOMPARE(m_refined.gl.errors(), QStringList()); }
+    void cleanupTestCase() { m_refined.close(); }
     void beforeSamplesItIsThePicture();
     void inPartsItIsTheSame();
     void partsSurviveOtherPictures();
 
 private:
-    [[nodiscard]] Frame frame(const DisplayOptions& options = {}) const;
-    [[nodiscard]] bool add(const Frame& frame, RefinedPicture& picture) {
-        return m_renderer->refine(frame, *m_pipeline, picture).ok();
+    [[nodiscard]] Frame frame(const DisplayOptions& options = {}) const {
+        return m_refined.frame(160, 120, options);
     }
-    [[nodiscard]] QImage shown(const Frame& frame, const RefinedPicture& refined);
+    [[nodiscard]] bool add(const Frame& frame, RefinedPicture& picture) {
+        return m_refined.renderer->refine(frame, *m_refined.pipeline, picture).ok();
+    }
+    [[nodiscard]] QImage shown(const Frame& frame, const RefinedPicture& picture) {
+        return m_refined.shown(frame, picture);
+    }
     [[nodiscard]] QImage refined(const Frame& frame, int samples);
 
-    GlFixture m_gl;
-    std::unique_ptr<Renderer> m_renderer;
-    std::unique_ptr<TestScene> m_scene;
-    std::unique_ptr<DeformationPipeline> m_pipeline;
+    RefinedScene m_refined;
 };
-
-void RefinedPartsTest::initTestCase() {
-    m_renderer = openRenderer(m_gl);
-    if (!m_renderer) {
-        return;
-    }
-    std::vector<Hit> hits = dents({1}, 1);
-    hits[0].constants = {1.0f, 0.5f, 0.7f};
-    m_scene = std::make_unique<TestScene>();
-    m_scene->add(*m_renderer, makeUvSphere(96, 64, 2.5f), glm::vec3(0.0f, 2.5f, 0.0f));
-    m_scene->showTrueNormals(hits);
-    m_pipeline = m_scene->pipeline(PipelineKind::TransformFeedback, hits);
-}
-
-void RefinedPartsTest::cleanupTestCase() {
-    m_pipeline.reset();
-    m_scene.reset();
-    m_renderer.reset();
-}
-
-Frame RefinedPartsTest::frame(const DisplayOptions& options) const {
-    Frame made = frameOf(*m_scene, 160, 120);
-    made.camera.zoom(0.8f);
-    made.options = options;
-    made.meshRevision = 1;
-    return made;
-}
-
-QImage RefinedPartsTest::shown(const Frame& frame, const RefinedPicture& refined) {
-    const gl::RenderTarget target(frame.width, frame.height, 1);
-    if (!m_renderer->drawRefined(frame, *m_pipeline, refined, target.framebuffer()).ok()) {
-        return {};
-    }
-    const Image image = target.read();
-    return QImage(image.pixels.data(), image.width, image.height, QImage::Format_RGBA8888).copy();
-}
 
 /// Each sample in one.
 QImage RefinedPartsTest::refined(const Frame& frame, int samples) {
@@ -95,7 +55,7 @@ void RefinedPartsTest::beforeSamplesItIsThePicture() {
         QVERIFY(add(wanted, made));
         QVERIFY(made.hasPicture());
         QCOMPARE(made.samples(), 0);
-        QCOMPARE(shown(wanted, made), picture(*m_renderer, wanted, *m_pipeline, 1));
+        QCOMPARE(shown(wanted, made), picture(*m_refined.renderer, wanted, *m_refined.pipeline, 1));
     }
 }
 

@@ -5,13 +5,9 @@
 #include <cmath>
 #include <memory>
 
-#include "gl/render_target.h"
-#include "mesh/primitives.h"
-#include "open_renderer.h"
+#include "refined_scene.h"
 #include "render/refined/refined_picture.h"
-#include "render_support.h"
 #include "support/baseline.h"
-#include "support/gl_fixture.h"
 #include "support/test_program.h"
 
 namespace hitscope::refined_test {
@@ -64,7 +60,7 @@ class RefinedTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void initTestCase();
-    void cleanup() { QCOMPARE(m_gl.errors(), QStringList()); }
+    void cleanup() { QCOMPARE(m_refined.gl.errors(), QStringList()); }
     void cleanupTestCase();
     void samplesAreSpread();
     void convergesToTheMean();
@@ -82,44 +78,27 @@ private:
     [[nodiscard]] Frame frame(const DisplayOptions& options = {}) const;
     /// The mean of so many samples.
     [[nodiscard]] QImage refined(const Frame& frame, int samples);
-    [[nodiscard]] QImage shown(const Frame& frame);
+    [[nodiscard]] QImage shown(const Frame& frame) { return m_refined.shown(frame, *m_picture); }
     [[nodiscard]] QImage plain(const Frame& frame, int samples = 1) {
-        return picture(*m_renderer, frame, *m_pipeline, samples);
+        return picture(*m_refined.renderer, frame, *m_refined.pipeline, samples);
     }
 
-    GlFixture m_gl;
-    std::unique_ptr<Renderer> m_renderer;
-    std::unique_ptr<TestScene> m_scene;
-    std::unique_ptr<DeformationPipeline> m_pipeline;
+    RefinedScene m_refined;
     std::unique_ptr<RefinedPicture> m_picture;
 };
 
 void RefinedTest::initTestCase() {
-    m_renderer = openRenderer(m_gl);
-    if (!m_renderer) {
-        return;
-    }
-    std::vector<Hit> hits = dents({1}, 1);
-    hits[0].constants = {1.0f, 0.5f, 0.7f};
-    m_scene = std::make_unique<TestScene>();
-    m_scene->add(*m_renderer, makeUvSphere(96, 64, 2.5f), glm::vec3(0.0f, 2.5f, 0.0f));
-    m_scene->showTrueNormals(hits);
-    m_pipeline = m_scene->pipeline(PipelineKind::TransformFeedback, hits);
+    m_refined.open();
     m_picture = std::make_unique<RefinedPicture>();
 }
 
 void RefinedTest::cleanupTestCase() {
     m_picture.reset();
-    m_pipeline.reset();
-    m_scene.reset();
-    m_renderer.reset();
+    m_refined.close();
 }
 
 Frame RefinedTest::frame(const DisplayOptions& options) const {
-    Frame made = frameOf(*m_scene, kWidth, kHeight);
-    made.camera.zoom(0.8f);
-    made.options = options;
-    made.meshRevision = 1;
+    Frame made = m_refined.frame(kWidth, kHeight, options);
     if (options.change.on) {
         made.change = ShownChange{options.change.quantity, options.change.style().map,
                                   options.change.style().fixed, 0.0f};
@@ -127,19 +106,10 @@ Frame RefinedTest::frame(const DisplayOptions& options) const {
     return made;
 }
 
-QImage RefinedTest::shown(const Frame& frame) {
-    const gl::RenderTarget target(frame.width, frame.height, 1);
-    if (!m_renderer->drawRefined(frame, *m_pipeline, *m_picture, target.framebuffer()).ok()) {
-        return {};
-    }
-    const Image image = target.read();
-    return QImage(image.pixels.data(), image.width, image.height, QImage::Format_RGBA8888).copy();
-}
-
 QImage RefinedTest::refined(const Frame& frame, int samples) {
     m_picture->clear();
     while (m_picture->samples() < samples) {
-        if (const Status added = m_renderer->refine(frame, *m_pipeline, *m_picture); !added) {
+        if (const Status added = m_refined.renderer->refine(frame, *m_refined.pipeline, *m_picture); !added) {
             qCritical("%s", added.error().message().c_str());
             return {};
         }
@@ -337,9 +307,9 @@ void RefinedTest::nextSizeStartsAnew() {
     Frame view = frame();
     static_cast<void>(refined(view, 2));
     view.width = 100;
-    QVERIFY(m_renderer->refine(view, *m_pipeline, *m_picture).ok());
+    QVERIFY(m_refined.renderer->refine(view, *m_refined.pipeline, *m_picture).ok());
     QCOMPARE(m_picture->samples(), 0);
-    QVERIFY(m_renderer->refine(view, *m_pipeline, *m_picture).ok());
+    QVERIFY(m_refined.renderer->refine(view, *m_refined.pipeline, *m_picture).ok());
     QCOMPARE(m_picture->samples(), 1);
     QCOMPARE(shown(view).width(), 100);
 }
