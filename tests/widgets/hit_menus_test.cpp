@@ -197,16 +197,21 @@ QByteArray HitMenusTest::chooseInDialog(MainWindow& window,
             choose(*options);
             options->accept();
         } else if (auto* dialog = qobject_cast<QFileDialog*>(modal)) {
-            timer.stop();
             // As typed; selectFile() leaves the name alone while it has the focus.
             dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path);
             QMetaObject::invokeMethod(dialog, "accept");
+        } else if (auto* message = qobject_cast<QMessageBox*>(modal)) {
+            message->reject();  // or the dialog behind it would wait for ever
+            QFAIL(qPrintable(message->text()));
         }
     });
     timer.start(50);
     QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
-    // It is written in the background, and is there once it is whole.
-    [&path] { QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), kPatience); }();
+    timer.stop();
+    // It is written in the background, and is read back and compared once it is there: it stays until then.
+    [&] {
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path) && m_session->tasks().size() == 0, kPatience);
+    }();
     makeActive(window);
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
