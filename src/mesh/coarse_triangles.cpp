@@ -3,8 +3,10 @@
 
 #include <meshoptimizer.h>
 
+#include <glm/geometric.hpp>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace hitscope {
@@ -26,6 +28,7 @@ public:
         found.resize(meshopt_simplifySloppy(found.data(), m_indices.data(), m_indices.size(),
                                             &m_positions.front().x, m_positions.size(), sizeof(glm::vec3),
                                             3 * wanted, kAnyError, nullptr));
+        turn(found);
         for (std::uint32_t& index : found) {
             index = m_vertices[index];
         }
@@ -49,13 +52,38 @@ private:
             }
             m_indices.push_back(m_placeOf[vertex]);
         }
+        m_normals.assign(m_positions.size(), glm::vec3(0.0f));
+        for (std::size_t i = 0; i + 2 < m_indices.size(); i += 3) {
+            const glm::vec3 normal = normalOf(&m_indices[i]);
+            for (std::size_t corner = i; corner < i + 3; ++corner) {
+                m_normals[m_indices[corner]] += normal;
+            }
+        }
+    }
+
+    /// A triangle between corners of others can face the other way than they do, and would be dark.
+    void turn(std::vector<std::uint32_t>& indices) const {
+        for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+            const glm::vec3 wanted =
+                m_normals[indices[i]] + m_normals[indices[i + 1]] + m_normals[indices[i + 2]];
+            if (glm::dot(normalOf(&indices[i]), wanted) < 0.0f) {
+                std::swap(indices[i + 1], indices[i + 2]);
+            }
+        }
+    }
+
+    /// Of a triangle, as long as twice its area.
+    [[nodiscard]] glm::vec3 normalOf(const std::uint32_t* corners) const {
+        const glm::vec3& first = m_positions[corners[0]];
+        return glm::cross(m_positions[corners[1]] - first, m_positions[corners[2]] - first);
     }
 
     const RenderMesh& m_mesh;
     std::vector<std::uint32_t> m_placeOf;   ///< of render vertices in m_vertices, or kNoIndex
     std::vector<std::uint32_t> m_vertices;  ///< render vertices
     std::vector<glm::vec3> m_positions;
-    std::vector<std::uint32_t> m_indices;  ///< into the two above
+    std::vector<glm::vec3> m_normals;      ///< of all triangles there, weighted by area
+    std::vector<std::uint32_t> m_indices;  ///< into the three above
 };
 
 }  // namespace

@@ -34,6 +34,7 @@ class CoarseTrianglesTest : public QObject {
 private Q_SLOTS:
     void smallMeshesHaveNone();
     void sphereKeepsItsShape();
+    void facesLookTheRightWay();
     void flatPlacesStayFine();
     void drawsKeepTheirShares();
     void preparedMeshesHaveThem();
@@ -59,6 +60,30 @@ void CoarseTrianglesTest::sphereKeepsItsShape() {
                         [&mesh](std::uint32_t vertex) { return vertex < mesh.drawnVertices; }));
     const double part = areaOf(mesh, mesh.coarseTriangles) / areaOf(mesh, mesh.triangles);
     QVERIFY2(part > 0.97 && part < 1.03, qPrintable(QString::number(part)));
+}
+
+/// Each triangle shows its front where the normals of its corners point to: it is dark where it does not.
+void CoarseTrianglesTest::facesLookTheRightWay() {
+    MeshData ball = makeGeodesicSphere(64, 2.0f);
+    for (glm::vec3& position : ball.positions) {
+        position *= 1.0f + 0.04f * std::sin(8.0f * position.x) * std::sin(8.0f * position.y);
+    }
+    RenderMesh mesh = buildRenderMesh(ball);
+    addCoarseTriangles(mesh, 6'000);
+    const auto wrong = [&mesh](const std::vector<std::uint32_t>& triangles) {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < triangles.size(); i += 3) {
+            const auto& a = mesh.vertices[triangles[i]];
+            const auto& b = mesh.vertices[triangles[i + 1]];
+            const auto& c = mesh.vertices[triangles[i + 2]];
+            const glm::vec3 across = glm::cross(b.position - a.position, c.position - a.position);
+            const float cosine = glm::dot(across, a.normal + b.normal + c.normal) / glm::length(across);
+            count += cosine < -0.1f ? 1 : 0;  // some stand on edge
+        }
+        return count;
+    };
+    QCOMPARE(wrong(mesh.triangles), std::size_t{0});
+    QVERIFY2(wrong(mesh.coarseTriangles) < 5, qPrintable(QString::number(wrong(mesh.coarseTriangles))));
 }
 
 /// No cell of a flat square is much larger than the others: a dent in it shows wherever it is.
