@@ -97,7 +97,11 @@ void StatusLine::makeProgress() {
         m_progress->show();
     });
     connect(m_cancel, &QToolButton::clicked, this, [this] { m_session.tasks().cancel(m_task); });
-    connect(&m_session.tasks(), &TaskList::changed, this, &StatusLine::showTask);
+    // Not at once: a task can begin, go on and end in the middle of drawing a frame, and a QProgressBar
+    // paints itself at once, which makes the context of the window current.
+    m_taskChanged.setSingleShot(true);
+    connect(&m_taskChanged, &QTimer::timeout, this, &StatusLine::showTask);
+    connect(&m_session.tasks(), &TaskList::changed, &m_taskChanged, qOverload<>(&QTimer::start));
 }
 
 /// Shown only if it is not over soon.

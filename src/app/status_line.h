@@ -52,6 +52,7 @@ private:
     QString m_rendererName;
     QToolButton* m_cancel = nullptr;
     QTimer m_progressDelay;
+    QTimer m_taskChanged;      ///< to showTask(), after what is going on
     QElapsedTimer m_taskTime;  ///< since it is shown
     int m_task = 0;            ///< the one that is shown; 0: none
 };
