@@ -199,9 +199,19 @@ const Session& SceneGpu::session() const {
     return d->session;
 }
 
+bool SceneGpu::isApplying() const {
+    return d->reapplication || d->appending;
+}
+
+Status SceneGpu::applyMore() {
+    d->meter.begin();
+    Status status = d->follow(Private::Delivery::WhatHasArrived);
+    d->meter.end();
+    return status;
+}
+
 bool SceneGpu::isReadBackPending() const {
-    return d->reapplication || d->appending || (d->pipeline && d->pipeline->isReadBackPending()) ||
-           d->second.isReadBackPending();
+    return isApplying() || (d->pipeline && d->pipeline->isReadBackPending()) || d->second.isReadBackPending();
 }
 
 Status SceneGpu::drawElements(const View& view, PickPass& pass, const PixelArea& area,

@@ -72,6 +72,10 @@ public:
     bool tryNext();
     /// Whether the session is behind what was drawn: another draw() or sync() brings it on.
     [[nodiscard]] bool isReadBackPending() const;
+    /// Whether many hits are being applied, some with each draw().
+    [[nodiscard]] bool isApplying() const;
+    /// Applies the next ones without a picture, for some ten milliseconds.
+    [[nodiscard]] Status applyMore();
     [[nodiscard]] const Session& session() const;
     /// Tells the session's FrameCosts what the GPU has taken so far; draw() does so for all but the latest
     /// frames.

@@ -253,10 +253,24 @@ void Viewport::startClock() {
     }
 }
 
+/// Whether a frame for each slice of the work would take longer than the slices. What a GPU applies it
+/// applies beside the frames, and falls behind without them.
+bool Viewport::isCatchingUp() const {
+    return m_session.simulation().isCatchingUp() || (m_scene && m_isSoftware && m_scene->isApplying());
+}
+
 void Viewport::updateUnlessCatchingUp() {
-    if (!m_session.simulation().isCatchingUp()) {
+    if (!isCatchingUp()) {
         update();
     }
+}
+
+void Viewport::applyMore() {
+    makeCurrent();
+    if (const Status applied = m_scene->applyMore(); !applied) {
+        report(applied.error());
+    }
+    doneCurrent();
 }
 
 void Viewport::moveOn() {
@@ -276,12 +290,16 @@ void Viewport::moveOn() {
         advanceWithin(m_session, passed);
     }
     m_navigation.advance(passed);
-    // Many shots are fired, and steps with many projectiles made, in slices, between which events are seen
-    // to. A frame for each would take longer than the slices.
-    if (m_session.simulation().isCatchingUp() && m_sinceFrame.isValid() &&
-        m_sinceFrame.elapsed() < kCatchUpFrames) {
-        m_sliceTimer.start();
-        return;
+    // Many shots are fired, steps with many projectiles made and many hits applied in slices, between which
+    // events are seen to.
+    if (isCatchingUp() && m_sinceFrame.isValid() && m_sinceFrame.elapsed() < kCatchUpFrames) {
+        if (m_scene && m_scene->isApplying()) {
+            applyMore();
+        }
+        if (isCatchingUp()) {
+            m_sliceTimer.start();
+            return;
+        }
     }
     m_frameFollows = true;
     update();

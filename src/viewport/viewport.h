@@ -138,7 +138,9 @@ private:
     void followRefresh();
     void moveOn();      ///< after a frame or a slice: advances what moves by the time since the last
     void startClock();  ///< what begins to move now has moved by the time the next frame is there
+    [[nodiscard]] bool isCatchingUp() const;
     void updateUnlessCatchingUp();
+    void applyMore();
     void collectCosts();  ///< of the last frames, once no more follow
     void tryNext();
     [[nodiscard]] SceneGpu::View view() const;

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Mouse and keys in the viewport.
 #include <QApplication>
+#include <QElapsedTimer>
+#include <QProgressBar>
 #include <QSignalSpy>
+#include <QStatusBar>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
 #include "mesh/primitives.h"
+#include "session/task_list.h"
 #include "support/test_program.h"
 #include "viewport/aim.h"
 #include "widgets/window_support.h"
@@ -43,6 +47,8 @@ private Q_SLOTS:
     void flyKeysMoveWhileHeld();
     void smallerWhileItMoves();
     void framing();
+    void manyHitsAreAppliedBetweenFrames();
+    void progressIsNotPaintedInTheMiddleOfAFrame();
     void idleDrawsNothing();
 
 private:
@@ -276,6 +282,40 @@ void ViewportTest::framing() {
     QTRY_VERIFY_WITH_TIMEOUT(!viewport.navigation().isMoving(), kPatience);
     QVERIFY(near(viewport.camera().pivot(), before.pivot()));
     QVERIFY(std::abs(viewport.camera().distance() - before.distance()) < 0.05f);
+}
+
+/// The CPU that draws also applies them: a frame for each few hits would take most of its time.
+void ViewportTest::manyHitsAreAppliedBetweenFrames() {
+    constexpr int kMany = 10'000;  // in frames alone 512 at most would be applied in each
+    std::vector<Hit> hits(kMany);
+    for (int i = 0; i < kMany; ++i) {
+        const auto angle = static_cast<float>(i);
+        hits[i].target = m_session->targets().front()->id;
+        hits[i].point = {2.0f * std::sin(0.1f * angle), 2.0f * std::cos(0.07f * angle), 2.5f};
+        hits[i].direction = {0.0f, 0.0f, -1.0f};
+        hits[i].constants = {.maxDistance = 0.3f, .power = 0.002f, .maxMagnitude = 0.01f};
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(m_session->tasks().size() == 0, kPatience);
+    const QSignalSpy frames(&m_window->viewport(), &Viewport::framePainted);
+    QElapsedTimer clock;
+    clock.start();
+    QVERIFY(m_session->hits().add(hits).ok());
+    QTRY_VERIFY_WITH_TIMEOUT(m_session->tasks().size() > 0, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(m_session->tasks().size() == 0, kPatience);
+    const qint64 most = clock.elapsed() / 500 + 5;
+    QVERIFY2(frames.size() <= most, qPrintable(QString::number(frames.size())));
+}
+
+/// What is applied in a frame says how far it has come: painting that there would take the context away.
+void ViewportTest::progressIsNotPaintedInTheMiddleOfAFrame() {
+    TaskProgress progress(m_session->tasks(), QStringLiteral("Applying"));
+    progress.report(0.1);
+    auto* bar = m_window->statusBar()->findChild<QProgressBar*>();
+    QTRY_VERIFY_WITH_TIMEOUT(bar != nullptr && bar->isVisible(), kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(bar->value(), 10, kPatience);
+    progress.report(0.9);
+    QCOMPARE(bar->value(), 10);
+    QTRY_COMPARE_WITH_TIMEOUT(bar->value(), 90, kPatience);
 }
 
 void ViewportTest::idleDrawsNothing() {
