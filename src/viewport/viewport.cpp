@@ -7,10 +7,8 @@
 #include <utility>
 
 #include "gl/context.h"
-#include "gl/swap_interval.h"
 #include "scene/scene_picker.h"
 #include "session/frame_costs.h"
-#include "session/paced_advance.h"
 #include "viewport/brush_tool.h"
 #include "viewport/inspect_tool.h"
 #include "viewport/surface_format.h"
@@ -23,8 +21,6 @@ namespace {
 constexpr int kCrosshairStays = 1500;   // milliseconds after the last shot with Space
 constexpr int kCostsArrive = 200;       // milliseconds after the last frame of many
 constexpr int kTrialPause = 250;        // milliseconds between two things that are tried, each some ten long
-constexpr qint64 kCatchUpFrames = 500;  // milliseconds between frames while the session catches up
-constexpr double kLongestStep = 0.25;   // seconds: a window that stood still does not make the scene jump
 constexpr double kNanosecond = 1.0e-9;  // seconds
 
 /// Of the triangles that are drawn, those in coarse pictures.
@@ -234,100 +230,9 @@ void Viewport::paintError() {
                      m_error.empty() ? tr("Nothing can be drawn.") : QString::fromStdString(m_error));
 }
 
-bool Viewport::wantsFrames() const {
-    return isVisible() && (m_continuous || m_navigation.isMoving() || m_session.simulation().isMoving() ||
-                           (m_scene && m_scene->isReadBackPending()));
-}
-
-/// Right after a frame, while the window it was shown in is still what GL draws into.
-void Viewport::followRefresh() {
-    if (m_unlimited != m_continuous) {
-        m_unlimited = m_continuous;
-        gl::setSwapInterval(m_unlimited ? 0 : 1);
-    }
-}
-
-void Viewport::startClock() {
-    if (!m_clock.isValid() && m_session.simulation().isMoving()) {
-        m_clock.start();
-    }
-}
-
-/// Whether a frame for each slice of the work would take longer than the slices. What a GPU applies it
-/// applies beside the frames, and falls behind without them.
-bool Viewport::isCatchingUp() const {
-    return m_session.simulation().isCatchingUp() || (m_scene && m_isSoftware && m_scene->isApplying());
-}
-
-void Viewport::updateUnlessCatchingUp() {
-    if (!isCatchingUp()) {
-        update();
-    }
-}
-
-void Viewport::applyMore() {
-    makeCurrent();
-    if (const Status applied = m_scene->applyMore(); !applied) {
-        report(applied.error());
-    }
-    doneCurrent();
-}
-
-void Viewport::moveOn() {
-    if (!wantsFrames()) {
-        m_costsTimer.start();
-        m_clock.invalidate();
-        return;
-    }
-    const double passed =
-        m_clock.isValid() ? std::min(static_cast<double>(m_clock.nsecsElapsed()) * kNanosecond, kLongestStep)
-                          : 0.0;
-    m_clock.start();
-    if (m_navigation.isMoving() || m_session.simulation().isMoving()) {
-        m_motion.moved();
-    }
-    if (m_session.simulation().isMoving()) {
-        advanceWithin(m_session, passed);
-    }
-    m_navigation.advance(passed);
-    // Many shots are fired, steps with many projectiles made and many hits applied in slices, between which
-    // events are seen to.
-    if (isCatchingUp() && m_sinceFrame.isValid() && m_sinceFrame.elapsed() < kCatchUpFrames) {
-        if (m_scene && m_scene->isApplying()) {
-            applyMore();
-        }
-        if (isCatchingUp()) {
-            m_sliceTimer.start();
-            return;
-        }
-    }
-    m_frameFollows = true;
-    update();
-}
-
 /// Side by side each picture has half of the width.
 void Viewport::followViewSize() {
     m_navigation.setViewSize({m_options.sideBySide ? width() / 2.0 : width(), static_cast<double>(height())});
-}
-
-void Viewport::collectCosts() {
-    if (m_scene) {
-        makeCurrent();
-        m_scene->collectCosts();
-        doneCurrent();
-    }
-}
-
-/// What the renderer has not been tried with yet, while nothing moves.
-void Viewport::tryNext() {
-    if (m_scene && !wantsFrames()) {
-        makeCurrent();
-        const bool isMore = m_scene->tryNext();
-        doneCurrent();
-        if (!isMore) {
-            m_trialTimer.stop();
-        }
-    }
 }
 
 void Viewport::setOptions(const DisplayOptions& options) {

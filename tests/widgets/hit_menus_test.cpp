@@ -209,9 +209,7 @@ QByteArray HitMenusTest::chooseInDialog(MainWindow& window,
     QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
     timer.stop();
     // It is written in the background, and is read back and compared once it is there: it stays until then.
-    [&] {
-        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path) && m_session->tasks().size() == 0, kPatience);
-    }();
+    [&] { QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path) && m_session->tasks().size() == 0, kPatience); }();
     makeActive(window);
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
