@@ -25,14 +25,15 @@ void PictureMotion::moved() {
     m_timer.start();
 }
 
-void PictureMotion::setCoarsePart(float part) {
+void PictureMotion::setCoarsePart(float part, bool isSlow) {
     m_motion.setCoarsePart(part);
+    m_isSlowFirst = isSlow && m_motion.hasCoarse();
     forget();
 }
 
 void PictureMotion::forget() {
     m_motion.forget();
-    m_isSlow = false;
+    m_isSlow = m_isSlowFirst;
     m_fullFrames = 0;
     drawInFullIfAtRest();
 }

@@ -23,8 +23,9 @@ public:
     void setOn(bool on);
     /// Whether a refiner draws still pictures in full.
     void setRefined(bool on);
-    /// As MotionDetail::setCoarsePart().
-    void setCoarsePart(float part);
+    /// As MotionDetail::setCoarsePart(). isSlow: a picture in full is expected to take too long, so that the
+    /// first is left to the refiner as well.
+    void setCoarsePart(float part, bool isSlow = false);
     /// A picture in full that takes longer is left to the refiner; seconds.
     void setSlow(double seconds) { m_slow = seconds; }
     /// The picture changes now, and likely once more soon.
@@ -61,12 +62,13 @@ private:
     bool m_isRefined = false;
     bool m_isRefinedShown = false;
     double m_slow = 0.1;
-    bool m_isSlow = false;     ///< a picture in full took too long
-    int m_fullFrames = 0;      ///< drawn since frames took another time
-    bool m_isFirst = true;     ///< the next frame is a motion's first
-    bool m_isCounted = false;  ///< the last one was not
-    PictureDetail m_detail;    ///< of the last picture
-    QTimer m_timer;            ///< runs while the picture moves
+    bool m_isSlowFirst = false;  ///< one is expected to take too long
+    bool m_isSlow = false;       ///< one took too long, or is expected to
+    int m_fullFrames = 0;        ///< drawn since frames took another time
+    bool m_isFirst = true;       ///< the next frame is a motion's first
+    bool m_isCounted = false;    ///< the last one was not
+    PictureDetail m_detail;      ///< of the last picture
+    QTimer m_timer;              ///< runs while the picture moves
 };
 
 }  // namespace hitscope

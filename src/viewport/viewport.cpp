@@ -23,19 +23,28 @@ constexpr int kCostsArrive = 200;       // milliseconds after the last frame of 
 constexpr int kTrialPause = 250;        // milliseconds between two things that are tried, each some ten long
 constexpr double kNanosecond = 1.0e-9;  // seconds
 
-/// Of the triangles that are drawn, those in coarse pictures.
-float coarsePart(const SessionTargets& targets) {
+/// So many triangles take a CPU more than 100 ms to draw: 130 ns each on two cores, with their shadows.
+constexpr std::size_t kTooMany = 1'000'000;
+
+/// Triangles that are drawn.
+struct DrawnTriangles {
     std::size_t all = 0;
-    std::size_t few = 0;
-    for (const std::unique_ptr<Target>& target : targets) {
-        if (target->visible) {
-            const RenderMesh& mesh = target->deformed.render();
-            all += mesh.triangles.size();
-            few += mesh.coarseTriangles.empty() ? mesh.triangles.size() : mesh.coarseTriangles.size();
+    std::size_t coarse = 0;  ///< in coarse pictures
+
+    explicit DrawnTriangles(const SessionTargets& targets) {
+        for (const std::unique_ptr<Target>& target : targets) {
+            if (target->visible) {
+                const RenderMesh& mesh = target->deformed.render();
+                const std::size_t triangles = mesh.triangles.size() / 3;
+                all += triangles;
+                coarse += mesh.coarseTriangles.empty() ? triangles : mesh.coarseTriangles.size() / 3;
+            }
         }
     }
-    return all > 0 ? static_cast<float>(few) / static_cast<float>(all) : 1.0f;
-}
+    [[nodiscard]] float coarsePart() const {
+        return all > 0 ? static_cast<float>(coarse) / static_cast<float>(all) : 1.0f;
+    }
+};
 
 }  // namespace
 
@@ -105,6 +114,7 @@ void Viewport::initializeGL() {
     const gl::RendererInfo info = gl::rendererInfo();
     m_rendererName = QString::fromStdString(info.renderer);
     m_isSoftware = info.isSoftware();
+    followSize();
     m_rendererVersion = QString::fromStdString(info.version);
     Result<std::unique_ptr<SceneGpu>> scene = SceneGpu::create(m_session);
     if (scene) {
@@ -257,7 +267,8 @@ void Viewport::followScene() {
 }
 
 void Viewport::followSize() {
-    m_motion.setCoarsePart(coarsePart(m_session.targets()));
+    const DrawnTriangles drawn(m_session.targets());
+    m_motion.setCoarsePart(drawn.coarsePart(), m_isSoftware && drawn.all > kTooMany);
     const float size = m_session.targets().bounds().diagonal();
     m_navigation.setSceneRadius(size > 0.0f ? size : 1.0f);
 }

@@ -65,6 +65,21 @@ private Q_SLOTS:
         QVERIFY(drawn(motion, 0.03).isFull());
     }
 
+    static void whatWillBeSlowIsCoarseFromTheFirst() {
+        PictureMotion motion;
+        motion.setOn(true);
+        motion.setRefined(true);
+        motion.setCoarsePart(0.5f, true);
+        QVERIFY(drawn(motion, 0.5).coarse);
+        motion.forget();  // another size, for one, of the same scene
+        QVERIFY(drawn(motion, 0.06).coarse);
+        QVERIFY(drawn(motion, 0.04).coarse);
+        QVERIFY(drawn(motion, 0.04).isFull());  // it was not slow after all
+        motion.setCoarsePart(1.0f, true);
+        QVERIFY(drawn(motion, 0.5).isFull());
+        QVERIFY(drawn(motion, 0.5).isFull());
+    }
+
     static void whatIsFastOrCannotBeRefinedIsNot_data() {
         QTest::addColumn<bool>("on");
         QTest::addColumn<bool>("refined");
