@@ -162,7 +162,7 @@ void HitPlanner::clear() {
 }
 
 void HitPlanner::refuse(const QString& why) {
-    m_plan.emplace();
+    m_plan = Plan{};  // Clang knows too little of a class within another for emplace()
     m_plan->why = why;
     Q_EMIT planned();
 }

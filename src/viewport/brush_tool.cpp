@@ -118,7 +118,7 @@ bool BrushTool::press(const QMouseEvent& event) {
     if (!met || !met->target) {
         return false;  // the camera's
     }
-    m_stroke.emplace();
+    m_stroke = Stroke{};  // Clang knows too little of a class within another for emplace()
     m_stroke->group = m_session.hits().newGroup(HitGroupKind::Stroke);
     m_stroke->at = event.position();
     m_stroke->since = std::numeric_limits<double>::infinity();
