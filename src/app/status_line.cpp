@@ -22,6 +22,7 @@ namespace {
 
 constexpr int kProgressDelay = 500;  // milliseconds
 constexpr int kDone = 100;           // per cent
+constexpr int kBetweenCells = 6;     // logical pixels, as QStatusBar has them
 
 QString withRemaining(const QString& what, double fraction, double seconds) {
     constexpr double kMinute = 60.0;
@@ -95,6 +96,7 @@ void StatusLine::makeProgress() {
     connect(&m_progressDelay, &QTimer::timeout, m_progress, [this] {
         m_bar.clearMessage();
         m_progress->show();
+        makeRoom();
     });
     connect(m_cancel, &QToolButton::clicked, this, [this] { m_session.tasks().cancel(m_task); });
     // Not at once: a task can begin, go on and end in the middle of drawing a frame, and a QProgressBar
@@ -111,6 +113,7 @@ void StatusLine::showTask() {
         m_task = 0;
         m_progressDelay.stop();
         m_progress->hide();
+        makeRoom();
         return;
     }
     if (task->id != m_task) {
@@ -128,6 +131,23 @@ void StatusLine::showTask() {
     m_fraction->setValue(task->fraction < 0.0 ? 0 : static_cast<int>(std::lround(task->fraction * kDone)));
     m_cancel->setVisible(static_cast<bool>(task->cancel));
     m_cancel->setToolTip(task->cancelHelp);
+    makeRoom();
+}
+
+/// In a narrow window the renderer is not shown while something takes a while: what it is does not change.
+void StatusLine::makeRoom() {
+    int wanted = m_progress->sizeHint().width();
+    for (const QLabel* cell : {m_pipeline, m_renderer, m_target, m_vertices, m_hits, m_frameRate}) {
+        if (cell == m_renderer || cell->isVisible()) {
+            wanted += cell->sizeHint().width() + kBetweenCells;
+        }
+    }
+    m_renderer->setVisible(!m_rendererName.isEmpty() &&
+                           (!m_progress->isVisible() || wanted <= m_bar.width()));
+    // Now: the next turn of the event loop may draw for long, and new words would be cut off meanwhile.
+    for (QLayout* layout : {m_progress->layout(), m_bar.layout()}) {
+        layout->activate();
+    }
 }
 
 void StatusLine::setRenderer(const QString& name) {
@@ -152,7 +172,7 @@ void StatusLine::showRenderer() {
     }
     m_renderer->setText(text);
     m_renderer->setToolTip(toolTip);
-    m_renderer->setVisible(!m_rendererName.isEmpty());
+    makeRoom();
 }
 
 void StatusLine::setFrameRate(const FrameTimes::Summary& summary, const PictureDetail& detail) {

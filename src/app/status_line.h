@@ -32,6 +32,7 @@ private:
     QLabel* addCell(const QString& toolTip);
     void makeProgress();
     void showTask();
+    void makeRoom();
     void showScene();
     void showTarget();
     void showHits();

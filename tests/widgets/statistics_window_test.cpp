@@ -249,7 +249,7 @@ private Q_SLOTS:
             QTest::mouseClick(cancel, Qt::LeftButton);
             QVERIFY(isCancelled);
         }
-        QVERIFY(!cancel->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!cancel->isVisible(), kPatience);
     }
 
 private:

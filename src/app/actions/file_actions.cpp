@@ -288,7 +288,7 @@ void FileActions::takeOpened(const QStringList& paths, const QStringList& allNot
     }
     sayOpened(notes);
     Q_EMIT said(paths.size() == 1 ? tr("Opened %1").arg(QFileInfo(paths.front()).fileName())
-                                  : tr("Opened %n file(s)", nullptr, static_cast<int>(paths.size())));
+                                  : tr("Files opened: %1").arg(paths.size()));
 }
 
 /// What was dropped or mended on the way, and whether the mesh's size asks for something.

@@ -71,7 +71,7 @@ PictureActions::PictureActions(Viewport& viewport, QWidget& window)
     connect(&m_sequences, &SequenceWriter::ended, this, [this](int written) {
         endProgress();
         const QString& path = m_sequences.plan().path;
-        Q_EMIT said(path.isEmpty() ? tr("%n picture(s) written.", nullptr, written)
+        Q_EMIT said(path.isEmpty() ? tr("Pictures written: %1").arg(written)
                     : written > 0  ? savedText(path)
                                    : tr("Cancelled. Nothing was written."));
     });

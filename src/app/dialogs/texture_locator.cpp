@@ -101,8 +101,7 @@ Status TextureLocator::use(const QString& path) {
         }
     }
     const std::size_t left = missing().size();
-    Q_EMIT said(left == 0 ? tr("All textures are found.")
-                          : tr("%n texture(s) still missing.", nullptr, static_cast<int>(left)));
+    Q_EMIT said(left == 0 ? tr("All textures are found.") : tr("Textures still missing: %1").arg(left));
     return Done{};
 }
 

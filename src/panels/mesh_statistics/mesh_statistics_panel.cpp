@@ -231,7 +231,7 @@ void MeshStatisticsPanel::showFound() {
         !m_model.measuring().isUpToDate() ? tr("Updating…")
         : found == 0                      ? tr("No face is flipped, degenerated or stretched by a hit.")
         : found > listed ? tr("%1 changes; the first %2 are listed.").arg(countText(found), countText(listed))
-                         : tr("%n change(s) for the worse", nullptr, static_cast<int>(found));
+                         : tr("Changes for the worse: %1").arg(countText(found));
     m_ui->found->setText(text);
     m_ui->tabs->setTabText(m_ui->tabs->indexOf(m_ui->healthPage),
                            found == 0 ? tr("Health") : tr("Health (%1)").arg(countText(found)));
