@@ -199,19 +199,24 @@ const Session& SceneGpu::session() const {
     return d->session;
 }
 
-bool SceneGpu::isApplying() const {
-    return d->reapplication || d->appending;
+bool SceneGpu::isBehind() const {
+    return d->reapplication || d->appending || (d->pipeline && d->pipeline->isReadBackPending());
+}
+
+bool SceneGpu::isFarBehind() const {
+    return d->isFarBehind();
 }
 
 Status SceneGpu::applyMore() {
     d->meter.begin();
     Status status = d->follow(Private::Delivery::WhatHasArrived);
+    d->isAheadOfPicture = status.ok();
     d->meter.end();
     return status;
 }
 
 bool SceneGpu::isReadBackPending() const {
-    return isApplying() || (d->pipeline && d->pipeline->isReadBackPending()) || d->second.isReadBackPending();
+    return isBehind() || d->second.isReadBackPending();
 }
 
 Status SceneGpu::drawElements(const View& view, PickPass& pass, const PixelArea& area,
@@ -307,7 +312,7 @@ SceneGpu::View SceneGpu::Private::reducedView(const View& view) {
 Status SceneGpu::draw(const View& shown, unsigned framebuffer, RefinedView* refined) {
     d->meter.begin();
     const View view = d->reducedView(shown);
-    if (Status status = d->follow(Private::Delivery::WhatHasArrived); !status) {
+    if (Status status = d->followForPicture(); !status) {
         d->meter.end();
         return status;
     }

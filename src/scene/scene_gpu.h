@@ -72,9 +72,11 @@ public:
     bool tryNext();
     /// Whether the session is behind what was drawn: another draw() or sync() brings it on.
     [[nodiscard]] bool isReadBackPending() const;
-    /// Whether many hits are being applied, some with each draw().
-    [[nodiscard]] bool isApplying() const;
-    /// Applies the next ones without a picture, for some ten milliseconds.
+    /// Whether many hits are being applied, some with each draw(), or what they moved is being read back.
+    [[nodiscard]] bool isBehind() const;
+    /// Whether so many hits have come or gone since that following them takes longer than a picture.
+    [[nodiscard]] bool isFarBehind() const;
+    /// Does some of that without a picture, for some ten milliseconds. The next draw() leaves it at that.
     [[nodiscard]] Status applyMore();
     [[nodiscard]] const Session& session() const;
     /// Tells the session's FrameCosts what the GPU has taken so far; draw() does so for all but the latest

@@ -231,6 +231,21 @@ void SceneGpu::Private::fetch(Delivery delivery) {
     }
 }
 
+bool SceneGpu::Private::isFarBehind() const {
+    const std::size_t shown = session.hits().shown().size();
+    const std::size_t known = applied.size();
+    return pipeline && std::max(shown, known) - std::min(shown, known) > kWorthSlicingNew;
+}
+
+Status SceneGpu::Private::followForPicture() {
+    if (!std::exchange(isAheadOfPicture, false) || (!appending && !reapplication)) {
+        return follow(Delivery::WhatHasArrived);
+    }
+    followTargets();
+    followCover();
+    return Done{};
+}
+
 Status SceneGpu::Private::follow(Delivery delivery) {
     followTargets();
     followCover();

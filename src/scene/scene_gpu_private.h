@@ -62,6 +62,8 @@ struct SceneGpu::Private {
     std::unique_ptr<TaskProgress> appending;       // null: no long row of new hits is applied in slices
     std::unique_ptr<Reapplication> reapplication;  // null: nothing is applied again in slices
 
+    bool isAheadOfPicture = false;  ///< a slice was applied after the last picture
+
     enum class Delivery { WhatHasArrived, All };
     void followTargets();
     void followMaterials(const Target& target, GpuTarget& gpu);
@@ -84,6 +86,9 @@ struct SceneGpu::Private {
     void applySlice();
     void fetch(Delivery delivery);
     Status follow(Delivery delivery);
+    /// Where slices are applied between pictures, a picture does not take the time for another.
+    Status followForPicture();
+    [[nodiscard]] bool isFarBehind() const;
     std::shared_ptr<const MaterialSet> materialsOf(const DeformedMesh& mesh);
     void followComparison(const View& view);
     [[nodiscard]] bool isSideBySide(const View& view) const {

@@ -83,12 +83,15 @@ Viewport::Viewport(Session& session, QWidget* parent)
     connect(this, &QOpenGLWidget::frameSwapped, this, [this] {
         endFrame();
         followRefresh();
-        moveOn();
+        if (isCatchingUp()) {
+            m_catchUp.sliceLater();
+        } else {
+            moveOn();
+        }
     });
-    m_sliceTimer.setSingleShot(true);
-    connect(&m_sliceTimer, &QTimer::timeout, this, &Viewport::moveOn);
+    connect(&m_catchUp, &CatchUp::sliceDue, this, &Viewport::slice);
     connect(&session.settings(), &SessionSettings::projectileChanged, this, followRateOfFire);
-    connect(&session, &Session::pictureChanged, this, &Viewport::updateUnlessCatchingUp);
+    connect(&session, &Session::pictureChanged, this, &Viewport::followPicture);
     connect(&session, &Session::pictureChanged, this, &Viewport::startClock);
     const VertexSelection& selection = session.selection();
     connect(&selection, &VertexSelection::hoveredChanged, this, qOverload<>(&QWidget::update));
@@ -207,6 +210,7 @@ void Viewport::paintGL() {
 void Viewport::endFrame() {
     const double drawing = static_cast<double>(m_sinceBegin.nsecsElapsed()) * kNanosecond;
     m_motion.frameShown(drawing);
+    m_catchUp.pictureShown();
     const Painted painted = std::exchange(m_painted, Painted::Nothing);
     if (painted == Painted::Nothing) {
         return;

@@ -14,6 +14,7 @@
 #include "scene/picture.h"
 #include "scene/scene_gpu.h"
 #include "viewport/aiming.h"
+#include "viewport/catch_up.h"
 #include "viewport/navigation.h"
 #include "viewport/picture_motion.h"
 #include "viewport/picture_refiner.h"
@@ -139,8 +140,8 @@ private:
     void moveOn();      ///< after a frame or a slice: advances what moves by the time since the last
     void startClock();  ///< what begins to move now has moved by the time the next frame is there
     [[nodiscard]] bool isCatchingUp() const;
-    void updateUnlessCatchingUp();
-    void applyMore();
+    void followPicture();  ///< what the session says should be seen has changed
+    void slice();
     void collectCosts();  ///< of the last frames, once no more follow
     void tryNext();
     [[nodiscard]] SceneGpu::View view() const;
@@ -184,8 +185,8 @@ private:
     enum class Painted : std::uint8_t { Nothing, Alone, Following };
     Painted m_painted = Painted::Nothing;  ///< a frame that is not shown yet, perhaps right after another
     QTimer m_costsTimer;
-    QTimer m_trialTimer;          ///< to tryNext(), while something has not been tried
-    QTimer m_sliceTimer;          ///< to moveOn() without a frame, while the session catches up
+    QTimer m_trialTimer;  ///< to tryNext(), while something has not been tried
+    CatchUp m_catchUp;
     bool m_frameFollows = false;  ///< the frame to come was asked for right after the last
 
     quint64 m_pressTime = 0;     ///< milliseconds, of the event

@@ -10,9 +10,8 @@ namespace hitscope {
 
 namespace {
 
-constexpr qint64 kCatchUpFrames = 500;  // milliseconds between frames while the session catches up
-constexpr double kLongestStep = 0.25;   // seconds: a window that stood still does not make the scene jump
-constexpr double kSecond = 1.0e9;       // nanoseconds
+constexpr double kLongestStep = 0.25;  // seconds: a window that stood still does not make the scene jump
+constexpr double kSecond = 1.0e9;      // nanoseconds
 
 }  // namespace
 
@@ -38,50 +37,60 @@ void Viewport::startClock() {
 /// Whether a frame for each slice of the work would take longer than the slices. What a GPU applies it
 /// applies beside the frames, and falls behind without them.
 bool Viewport::isCatchingUp() const {
-    return m_session.simulation().isCatchingUp() || (m_scene && m_isSoftware && m_scene->isApplying());
+    return isVisible() && m_error.empty() &&
+           (m_session.simulation().isCatchingUp() || (m_scene && m_isSoftware && m_scene->isBehind()));
 }
 
-void Viewport::updateUnlessCatchingUp() {
-    if (!isCatchingUp()) {
+/// What takes longer than a picture is done in a turn of the event loop before it.
+void Viewport::followPicture() {
+    if (isCatchingUp()) {
+        return;  // frames come
+    }
+    if (m_scene && m_isSoftware && isVisible() && m_error.empty() && m_scene->isFarBehind()) {
+        m_catchUp.sliceLater();
+    } else if (!m_catchUp.isSliceComing()) {
         update();
     }
 }
 
-void Viewport::applyMore() {
-    makeCurrent();
-    if (const Status applied = m_scene->applyMore(); !applied) {
-        report(applied.error());
+void Viewport::slice() {
+    if (m_scene && m_isSoftware && (m_scene->isBehind() || m_scene->isFarBehind())) {
+        makeCurrent();
+        if (const Status applied = m_scene->applyMore(); !applied) {
+            report(applied.error());
+        }
+        doneCurrent();
     }
-    doneCurrent();
+    m_catchUp.sliceDone();
+    moveOn();
 }
 
 void Viewport::moveOn() {
     if (!wantsFrames()) {
         m_costsTimer.start();
         m_clock.invalidate();
+        m_catchUp.end();
+        if (m_catchUp.hasSlice()) {
+            update();
+        }
         return;
     }
     const double passed = m_clock.isValid()
                               ? std::min(static_cast<double>(m_clock.nsecsElapsed()) / kSecond, kLongestStep)
                               : 0.0;
     m_clock.start();
-    if (m_navigation.isMoving() || m_session.simulation().isMoving()) {
+    const bool isMoving = m_navigation.isMoving();
+    if (isMoving || isCatchingUp() || m_session.simulation().isMoving()) {
         m_motion.moved();
     }
     if (m_session.simulation().isMoving()) {
         advanceWithin(m_session, passed);
     }
     m_navigation.advance(passed);
-    // Many shots are fired, steps with many projectiles made and many hits applied in slices, between which
-    // events are seen to.
-    if (isCatchingUp() && m_sinceFrame.isValid() && m_sinceFrame.elapsed() < kCatchUpFrames) {
-        if (m_scene && m_scene->isApplying()) {
-            applyMore();
-        }
-        if (isCatchingUp()) {
-            m_sliceTimer.start();
-            return;
-        }
+    // Many shots are fired, steps with many projectiles made, many hits applied and read back in slices.
+    if (isCatchingUp() && !m_catchUp.isPictureDue(isMoving)) {
+        m_catchUp.sliceLater();
+        return;
     }
     m_frameFollows = true;
     update();

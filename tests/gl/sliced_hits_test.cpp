@@ -86,16 +86,14 @@ private Q_SLOTS:
 
     void manyNewHitsNeedNoFrames() {
         begin(PipelineKind::TransformFeedback);
-        QVERIFY(!m_gpu->isApplying());
+        QVERIFY(!m_gpu->isFarBehind());
         QVERIFY(m_session->hits().add(scatteredOver(*m_session, kMany)).ok());
         QVERIFY(draw());
-        for (int slice = 0; m_gpu->isApplying() && slice < 5000; ++slice) {
+        for (int slice = 0; m_gpu->isBehind() && slice < 5000; ++slice) {
             QVERIFY(m_gpu->applyMore().ok());
         }
         QCOMPARE(m_session->tasks().current(), nullptr);
-        for (int frame = 0; m_gpu->isReadBackPending() && frame < 5000; ++frame) {
-            QVERIFY(draw());
-        }
+        QVERIFY(!m_gpu->isReadBackPending());
         QCOMPARE(wrongVertices(*m_session), std::size_t{0});
     }
 

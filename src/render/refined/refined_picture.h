@@ -23,7 +23,7 @@ public:
     /// Everywhere: sums up where samples are alike too, to see that they are; it takes longer.
     enum class Extent { WhereItVaries, Everywhere };
     /// Samples are drawn in parts of so many triangles.
-    static constexpr std::size_t kUsualPart = 1 << 18;  ///< some forty milliseconds of a software renderer
+    static constexpr std::size_t kUsualPart = 1 << 17;  ///< some forty milliseconds of a software renderer
     explicit RefinedPicture(Extent extent = Extent::WhereItVaries, std::size_t trianglesAPart = kUsualPart)
         : m_extent(extent), m_trianglesAPart(trianglesAPart) {}
 

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+namespace hitscope {
+
+/// Paces a viewport whose session catches up, where the CPU draws: what is to be done is done in slices,
+/// between which events are seen to, and a picture comes after the first one, then twice a second. A picture
+/// after each slice would take longer than all slices.
+class CatchUp : public QObject {
+    Q_OBJECT
+public:
+    static constexpr qint64 kBetweenPictures = 500;  ///< milliseconds
+
+    explicit CatchUp(QObject* parent = nullptr);
+
+    /// Another slice comes, in a turn of the event loop of its own.
+    void sliceLater() { m_timer.start(); }
+    [[nodiscard]] bool isSliceComing() const { return m_timer.isActive(); }
+    /// A slice was done.
+    void sliceDone() { m_hasSlice = true; }
+    /// A picture was shown, of all slices before it.
+    void pictureShown();
+    /// Nothing is left to be done.
+    void end() { m_hasPicture = false; }
+    /// Whether something was done that no picture shows.
+    [[nodiscard]] bool hasSlice() const { return m_hasSlice; }
+    /// isMoving: so does what is seen besides.
+    [[nodiscard]] bool isPictureDue(bool isMoving) const;
+
+Q_SIGNALS:
+    void sliceDue();
+
+private:
+    QTimer m_timer;  ///< to the next slice
+    QElapsedTimer m_sincePicture;
+    bool m_hasSlice = false;
+    bool m_hasPicture = false;  ///< since it began
+};
+
+}  // namespace hitscope
