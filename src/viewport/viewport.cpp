@@ -189,6 +189,7 @@ void Viewport::paintGL() {
         return;
     }
     m_sinceBegin.start();
+    m_isDrawn = true;
     const bool follows = std::exchange(m_frameFollows, false) && m_sinceFrame.isValid();
     SceneGpu::View shown = view();
     shown.detail = m_motion.beginFrame();
@@ -206,8 +207,12 @@ void Viewport::paintGL() {
     m_painted = m_refiner.wasShown() ? Painted::Nothing : follows ? Painted::Following : Painted::Alone;
 }
 
-/// Only now is a frame there: a renderer may have put off all of the drawing until now.
+/// Only now is a frame there: a renderer may have put off all of the drawing until now. The window is also
+/// composed, and this called, where another widget has painted itself.
 void Viewport::endFrame() {
+    if (!std::exchange(m_isDrawn, false)) {
+        return;
+    }
     const double drawing = static_cast<double>(m_sinceBegin.nsecsElapsed()) * kNanosecond;
     m_motion.frameShown(drawing);
     m_catchUp.pictureShown();

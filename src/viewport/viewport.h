@@ -183,6 +183,7 @@ private:
     QElapsedTimer m_sinceFrame;  ///< since the last frame was shown
     QElapsedTimer m_sinceBegin;  ///< since the last picture was begun
     enum class Painted : std::uint8_t { Nothing, Alone, Following };
+    bool m_isDrawn = false;                ///< since a frame was shown
     Painted m_painted = Painted::Nothing;  ///< a frame that is not shown yet, perhaps right after another
     QTimer m_costsTimer;
     QTimer m_trialTimer;  ///< to tryNext(), while something has not been tried
