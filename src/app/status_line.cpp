@@ -20,9 +20,10 @@ namespace hitscope {
 
 namespace {
 
-constexpr int kProgressDelay = 500;  // milliseconds
-constexpr int kDone = 100;           // per cent
-constexpr int kBetweenCells = 6;     // logical pixels, as QStatusBar has them
+constexpr int kProgressDelay = 500;     // milliseconds
+constexpr int kBetweenFractions = 200;  // milliseconds: each has the whole window composed again
+constexpr int kDone = 100;              // per cent
+constexpr int kBetweenCells = 6;        // logical pixels, as QStatusBar has them
 
 QString withRemaining(const QString& what, double fraction, double seconds) {
     constexpr double kMinute = 60.0;
@@ -103,7 +104,14 @@ void StatusLine::makeProgress() {
     // paints itself at once, which makes the context of the window current.
     m_taskChanged.setSingleShot(true);
     connect(&m_taskChanged, &QTimer::timeout, this, &StatusLine::showTask);
-    connect(&m_session.tasks(), &TaskList::changed, &m_taskChanged, qOverload<>(&QTimer::start));
+    connect(&m_session.tasks(), &TaskList::changed, this, [this] {
+        const TaskList::Task* task = m_session.tasks().current();
+        if (task == nullptr || task->id != m_task) {
+            m_taskChanged.start(0);
+        } else if (!m_taskChanged.isActive()) {
+            m_taskChanged.start(kBetweenFractions);
+        }
+    });
 }
 
 /// Shown only if it is not over soon.

@@ -47,7 +47,6 @@ struct VertexChangesModel::Job {
 VertexChangesModel::VertexChangesModel(Session& session, HitEffects& effects, QObject* parent)
     : QAbstractTableModel(parent), m_session(session), m_effects(effects) {
     m_timer.setSingleShot(true);
-    m_timer.setInterval(kPause);
     connect(&m_timer, &QTimer::timeout, this, &VertexChangesModel::work);
     connect(&session, &Session::sceneReplaced, this, &VertexChangesModel::startOver);
     connect(&session.targets(), &SessionTargets::removed, this, &VertexChangesModel::followTarget);
@@ -190,7 +189,7 @@ bool VertexChangesModel::isUpToDate() const {
 
 void VertexChangesModel::schedule() {
     if (m_order && !m_job.isRunning() && !m_timer.isActive()) {
-        m_timer.start();
+        m_timer.start(m_job.pause(kPause));
     }
 }
 

@@ -19,6 +19,8 @@ namespace {
 constexpr float kSliderScale = 10.0f;    // steps of the exaggeration's slider in 1
 constexpr float kWipeScale = 1000.0f;    // steps of the wipe's slider across the picture
 constexpr double kLargestValue = 1.0e6;  // that can be typed in
+/// Milliseconds: a widget that paints itself has the whole window composed again.
+constexpr int kBetweenSummaries = 200;
 
 QColor colourAt(ColourMap map, double at) {
     const auto entry = static_cast<std::size_t>(std::lround(std::clamp(at, 0.0, 1.0) * 255.0));
@@ -59,7 +61,14 @@ ChangePanel::ChangePanel(ChangeValues& values, Comparison& comparison, const Ses
     connectMap();
     connectBeforeAfter();
     connectComparison();
+    m_summaryTimer.setSingleShot(true);
+    m_summaryTimer.setInterval(kBetweenSummaries);
     connect(&values, &ChangeValues::summaryChanged, this, [this] {
+        if (!m_summaryTimer.isActive()) {
+            m_summaryTimer.start();
+        }
+    });
+    connect(&m_summaryTimer, &QTimer::timeout, this, [this] {
         showRange();
         showNumbers();
     });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 #include <memory>
 
@@ -59,6 +60,7 @@ private:
     std::unique_ptr<Ui::Change> m_ui;
     ChangeMapOptions m_map;
     BeforeAfterOptions m_beforeAfter;
+    QTimer m_summaryTimer;   ///< to the next look at the values' summary
     bool m_showing = false;  ///< the widgets are being set, nobody edits
 };
 

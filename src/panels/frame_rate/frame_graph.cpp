@@ -222,7 +222,7 @@ void FrameGraph::refresh() {
     if (m_mouse) {
         hover(*m_mouse);
     }
-    m_plot.replot(QCustomPlot::rpQueuedReplot);
+    m_plot.replot(QCustomPlot::rpQueuedRefresh);  // with what else is new in the window
     Q_EMIT drawn();
 }
 

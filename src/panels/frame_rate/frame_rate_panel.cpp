@@ -28,8 +28,10 @@ namespace hitscope {
 
 namespace {
 
-constexpr int kRefreshInterval = 100;  // milliseconds
-constexpr int kLegendPadding = 21;     // pixels: swatch, gaps and frame
+constexpr int kRefreshInterval = 100;      // milliseconds
+constexpr int kSlowRefreshInterval = 250;  // the same, where the window takes long to compose
+constexpr double kSlowFrame = 1.0 / 30.0;  // seconds
+constexpr int kLegendPadding = 21;         // pixels: swatch, gaps and frame
 
 /// `widest`: what it usually shows, so that it does not move its neighbours.
 QLabel* addReadOut(QWidget& row, const char* name, const QString& title, const QString& tip,
@@ -85,7 +87,7 @@ FrameRatePanel::FrameRatePanel(Session& session, QAction& continuous, const Cost
             m_alone.push_back(frame.number);
         }
         if (isVisible() && !m_timer.isActive()) {
-            m_timer.start();
+            m_timer.start(frame.total > kSlowFrame ? kSlowRefreshInterval : kRefreshInterval);
         }
     });
 }
