@@ -84,6 +84,10 @@ private:
     bool stepBack(bool redo, Row& row);
     bool isGood() const { return m_window.error().isEmpty(); }
     [[nodiscard]] std::size_t hits() { return m_window.session().hits().history().size(); }
+    /// Of many hits, some of which are shown before.
+    [[nodiscard]] bool isAllApplied() {
+        return m_window.session().tasks().current() == nullptr && m_window.session().readBack().isUpToDate();
+    }
     [[nodiscard]] std::size_t movedVertices();
     void take(Row row);
 
@@ -180,7 +184,7 @@ bool LatencyRun::stepBack(bool redo, Row& row) {
         [&] {
             m_window.key(Qt::Key_Z, redo ? Qt::ControlModifier | Qt::ShiftModifier : Qt::ControlModifier);
         },
-        [&] { return hits() != before && m_window.session().tasks().current() == nullptr; });
+        [&] { return hits() != before && (hits() + 1 == before || before + 1 == hits() || isAllApplied()); });
     if (!step) {
         return false;
     }
@@ -321,7 +325,7 @@ void LatencyRun::scatter() {
     if (const auto shown = m_window.untilShown(
             QStringLiteral("the picture of scattered hits"),
             [&] { QTest::mouseClick(apply, Qt::LeftButton); },
-            [&] { return hits() == wanted && m_window.session().tasks().current() == nullptr; })) {
+            [&] { return hits() == wanted && isAllApplied(); })) {
         applied.add(*shown);
     }
     m_window.window().activateWindow();
