@@ -316,6 +316,13 @@ Status Renderer::Private::drawOver(const FrameContext& context) {
     return drawCrosshair(context);
 }
 
+Status Renderer::prepare(const Frame& given, DeformationPipeline& pipeline) {
+    const KeepState keep;
+    const LitFrame lit(given);
+    return ShadowMap::isWanted(lit.frame()) ? d->shadows.update(d->contextOf(lit.frame()), pipeline)
+                                            : Status(Done{});
+}
+
 Status Renderer::draw(const Frame& given, DeformationPipeline& pipeline, GLuint framebuffer) {
     if (given.width <= 0 || given.height <= 0) {
         return Done{};

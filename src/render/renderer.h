@@ -90,6 +90,8 @@ public:
     [[nodiscard]] std::shared_ptr<const MaterialSet> makeMaterials(const MeshData& mesh);
     /// One material for everything, with this texture.
     [[nodiscard]] std::shared_ptr<const MaterialSet> makeCover(const Image& texture);
+    /// Draws what a picture of this frame would draw first and keep, its shadows. Errors are draw()'s.
+    [[nodiscard]] Status prepare(const Frame& frame, DeformationPipeline& pipeline);
     /// Programs are built for the pipeline when it first draws; the error is the driver's.
     [[nodiscard]] Status draw(const Frame& frame, DeformationPipeline& pipeline, GLuint framebuffer);
 

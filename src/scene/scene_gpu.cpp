@@ -210,9 +210,12 @@ bool SceneGpu::isFarBehind() const {
 Status SceneGpu::applyMore() {
     d->meter.begin();
     Status status = d->follow(Private::Delivery::WhatHasArrived);
-    d->isAheadOfPicture = status.ok();
     d->meter.end();
     return status;
+}
+
+void SceneGpu::setAppliesBetweenPictures(bool on) {
+    d->appliesBetweenPictures = on;
 }
 
 bool SceneGpu::isReadBackPending() const {
@@ -307,6 +310,16 @@ SceneGpu::View SceneGpu::Private::reducedView(const View& view) {
         return view;
     }
     return small;
+}
+
+Status SceneGpu::prepare(const View& view) {
+    if (!d->pipeline) {
+        return Done{};
+    }
+    const std::unique_ptr<FrameParts> parts = d->frameOf(view);
+    Status status = d->renderer->prepare(parts->frame, *d->pipeline);
+    glFinish();
+    return status;
 }
 
 Status SceneGpu::draw(const View& shown, unsigned framebuffer, RefinedView* refined) {

@@ -57,6 +57,8 @@ public:
     /// drawn, and it says so; else it forgets what it has of another one. Null: the picture is drawn as it
     /// is.
     [[nodiscard]] Status draw(const View& view, unsigned framebuffer, RefinedView* refined = nullptr);
+    /// Draws the shadows that draw() would draw first, and waits for them: a picture then takes less time.
+    [[nodiscard]] Status prepare(const View& view);
     /// Adds a sample to `refined`, of what was drawn last, or draws a part of one: takes as long as a frame
     /// at most, follows nothing and shows nothing. Samples of another picture are forgotten first. Two
     /// pictures side by side are not refined: it has no samples then.
@@ -76,8 +78,10 @@ public:
     [[nodiscard]] bool isBehind() const;
     /// Whether so many hits have come or gone since that following them takes longer than a picture.
     [[nodiscard]] bool isFarBehind() const;
-    /// Does some of that without a picture, for some ten milliseconds. The next draw() leaves it at that.
+    /// Does some of that without a picture, for some ten milliseconds.
     [[nodiscard]] Status applyMore();
+    /// on: only applyMore() and sync() do what takes longer than a picture; draw() shows what is there.
+    void setAppliesBetweenPictures(bool on);
     [[nodiscard]] const Session& session() const;
     /// Tells the session's FrameCosts what the GPU has taken so far; draw() does so for all but the latest
     /// frames.

@@ -238,7 +238,7 @@ bool SceneGpu::Private::isFarBehind() const {
 }
 
 Status SceneGpu::Private::followForPicture() {
-    if (!std::exchange(isAheadOfPicture, false) || (!appending && !reapplication)) {
+    if (!appliesBetweenPictures || (!appending && !reapplication && !isFarBehind())) {
         return follow(Delivery::WhatHasArrived);
     }
     followTargets();
@@ -263,11 +263,19 @@ Status SceneGpu::Private::follow(Delivery delivery) {
         return status;
     }
     meter.endOf(FrameMeter::Part::Preparation);
+    // Between pictures, one slice applies hits and the next reads back what they moved: the two take about
+    // as long as one another, and an event waits for one of them.
+    const bool isTakenInTurn = appliesBetweenPictures && delivery == Delivery::WhatHasArrived && !startOver;
+    const bool isFetch = std::exchange(isFetchNext, false) && isTakenInTurn && appending;
     // Started over, the CPU copy is at the originals: it must not be seen like that for a frame or two.
-    if (followHistory(startOver, delivery)) {
+    if (!isFetch && followHistory(startOver, delivery)) {
         delivery = Delivery::All;
     }
     meter.endOf(FrameMeter::Part::Deformation);
+    isFetchNext = isTakenInTurn && appending && !isFetch && delivery == Delivery::WhatHasArrived;
+    if (isFetchNext) {
+        return Done{};
+    }
     fetch(delivery);
     meter.endOf(FrameMeter::Part::ReadBack);
     if (!appending && !pipeline->isReadBackPending()) {

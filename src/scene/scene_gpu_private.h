@@ -62,7 +62,8 @@ struct SceneGpu::Private {
     std::unique_ptr<TaskProgress> appending;       // null: no long row of new hits is applied in slices
     std::unique_ptr<Reapplication> reapplication;  // null: nothing is applied again in slices
 
-    bool isAheadOfPicture = false;  ///< a slice was applied after the last picture
+    bool appliesBetweenPictures = false;
+    bool isFetchNext = false;  ///< then a slice reads back what the one before has moved
 
     enum class Delivery { WhatHasArrived, All };
     void followTargets();
@@ -86,7 +87,7 @@ struct SceneGpu::Private {
     void applySlice();
     void fetch(Delivery delivery);
     Status follow(Delivery delivery);
-    /// Where slices are applied between pictures, a picture does not take the time for another.
+    /// Follows all but what is left to applyMore().
     Status followForPicture();
     [[nodiscard]] bool isFarBehind() const;
     std::shared_ptr<const MaterialSet> materialsOf(const DeformedMesh& mesh);

@@ -1,17 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/catch_up.h"
 
+#include <utility>
+
 namespace hitscope {
 
 CatchUp::CatchUp(QObject* parent) : QObject(parent) {
     m_timer.setSingleShot(true);
-    connect(&m_timer, &QTimer::timeout, this, &CatchUp::sliceDue);
+    connect(&m_timer, &QTimer::timeout, this, &CatchUp::beginSlice);
 }
 
 void CatchUp::pictureShown() {
     m_hasPicture = m_hasPicture || m_hasSlice;
     m_hasSlice = false;
+    m_isPrepared = false;
+    m_prepares = false;
+    m_isAfterPicture = true;
     m_sincePicture.start();
+}
+
+void CatchUp::prepareLater() {
+    m_prepares = true;
+    m_timer.start();
+}
+
+/// A turn of the event loop draws, then sees to timers and only then to keys and clicks.
+void CatchUp::beginSlice() {
+    if (std::exchange(m_isAfterPicture, false)) {
+        m_timer.start();
+        return;
+    }
+    if (std::exchange(m_prepares, false)) {
+        m_isPrepared = true;
+        Q_EMIT preparationDue();
+    } else {
+        Q_EMIT sliceDue();
+    }
 }
 
 bool CatchUp::isPictureDue(bool isMoving) const {

@@ -17,8 +17,11 @@ public:
 
     explicit CatchUp(QObject* parent = nullptr);
 
-    /// Another slice comes, in a turn of the event loop of its own.
+    /// Another slice comes, in a turn of the event loop without a picture.
     void sliceLater() { m_timer.start(); }
+    /// In its place: a turn in which to prepare the next picture.
+    void prepareLater();
+    [[nodiscard]] bool isPrepared() const { return m_isPrepared; }
     [[nodiscard]] bool isSliceComing() const { return m_timer.isActive(); }
     /// A slice was done.
     void sliceDone() { m_hasSlice = true; }
@@ -33,12 +36,18 @@ public:
 
 Q_SIGNALS:
     void sliceDue();
+    void preparationDue();
 
 private:
+    void beginSlice();
+
     QTimer m_timer;  ///< to the next slice
     QElapsedTimer m_sincePicture;
+    bool m_prepares = false;  ///< in the next turn
+    bool m_isPrepared = false;
     bool m_hasSlice = false;
-    bool m_hasPicture = false;  ///< since it began
+    bool m_hasPicture = false;      ///< since it began
+    bool m_isAfterPicture = false;  ///< perhaps in the same turn
 };
 
 }  // namespace hitscope

@@ -49,16 +49,24 @@ bool PictureMotion::isReduced() const {
     return m_detail.scale < 1.0f || (m_detail.coarse && !isLeftToRefiner());
 }
 
-PictureDetail PictureMotion::beginFrame() {
-    const bool moves = m_isOn && m_timer.isActive();
-    const bool isFirst = std::exchange(m_isFirst, false) || !moves;
-    m_detail = isFirst ? PictureDetail() : m_held.value_or(m_motion.detail());
+bool PictureMotion::isFirstComing() const {
+    return m_isFirst || !m_isOn || !m_timer.isActive();
+}
+
+PictureDetail PictureMotion::coming() const {
+    PictureDetail detail = isFirstComing() ? PictureDetail() : m_held.value_or(m_motion.detail());
     if (isLeftToRefiner() && !m_held) {
-        m_detail.coarse = true;
+        detail.coarse = true;
     }
+    return detail;
+}
+
+PictureDetail PictureMotion::beginFrame() {
+    m_detail = coming();
     // A motion's first frame comes after a pause, and others may do as much meanwhile: its time is not
     // counted.
-    m_isCounted = !isFirst;
+    m_isCounted = !isFirstComing();
+    m_isFirst = false;
     m_isRefinedShown = false;
     return m_detail;
 }

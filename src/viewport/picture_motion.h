@@ -30,6 +30,8 @@ public:
     void setSlow(double seconds) { m_slow = seconds; }
     /// The picture changes now, and likely once more soon.
     void moved();
+    /// Of the next picture, as things are.
+    [[nodiscard]] PictureDetail coming() const;
     /// Of the picture that is drawn now.
     [[nodiscard]] PictureDetail beginFrame();
     /// What was drawn last has been shown, so many seconds after it was begun.
@@ -54,6 +56,7 @@ private:
     void rest();
     void drawInFullIfAtRest();
     void judgeFull(double seconds);
+    [[nodiscard]] bool isFirstComing() const;  ///< the next picture is a motion's first, or none moves
     [[nodiscard]] bool isLeftToRefiner() const { return m_isOn && m_isSlow && m_isRefined; }
 
     MotionDetail m_motion;

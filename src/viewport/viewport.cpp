@@ -90,6 +90,7 @@ Viewport::Viewport(Session& session, QWidget* parent)
         }
     });
     connect(&m_catchUp, &CatchUp::sliceDue, this, &Viewport::slice);
+    connect(&m_catchUp, &CatchUp::preparationDue, this, &Viewport::preparePicture);
     connect(&session.settings(), &SessionSettings::projectileChanged, this, followRateOfFire);
     connect(&session, &Session::pictureChanged, this, &Viewport::followPicture);
     connect(&session, &Session::pictureChanged, this, &Viewport::startClock);
@@ -122,6 +123,7 @@ void Viewport::initializeGL() {
     Result<std::unique_ptr<SceneGpu>> scene = SceneGpu::create(m_session);
     if (scene) {
         m_scene = std::move(scene).value();
+        m_scene->setAppliesBetweenPictures(m_isSoftware);
         m_picking.setPicker(std::make_unique<ScenePicker>(m_session, *m_scene));
         m_error.clear();
         followQuality();

@@ -79,6 +79,8 @@ public:
     [[nodiscard]] BrushTool& brushTool() { return *m_brush; }
     void lookAt(const hitscope::VertexRef& vertex);  ///< from now on
 
+    /// What is seen has changed: a picture comes, with the next ones where many hits are being applied.
+    void followPicture();
     /// Brings the GPU and the read-back to the session's state now: before an export. Fails when there is no
     /// GL.
     [[nodiscard]] Status syncNow();
@@ -140,8 +142,9 @@ private:
     void moveOn();      ///< after a frame or a slice: advances what moves by the time since the last
     void startClock();  ///< what begins to move now has moved by the time the next frame is there
     [[nodiscard]] bool isCatchingUp() const;
-    void followPicture();  ///< what the session says should be seen has changed
     void slice();
+    void preparePicture();
+    void updatePrepared();
     void collectCosts();  ///< of the last frames, once no more follow
     void tryNext();
     [[nodiscard]] SceneGpu::View view() const;
@@ -182,8 +185,8 @@ private:
     QElapsedTimer m_clock;       ///< since moveOn() last ran; invalid while nothing moves
     QElapsedTimer m_sinceFrame;  ///< since the last frame was shown
     QElapsedTimer m_sinceBegin;  ///< since the last picture was begun
+    bool m_isDrawn = false;      ///< since a frame was shown
     enum class Painted : std::uint8_t { Nothing, Alone, Following };
-    bool m_isDrawn = false;                ///< since a frame was shown
     Painted m_painted = Painted::Nothing;  ///< a frame that is not shown yet, perhaps right after another
     QTimer m_costsTimer;
     QTimer m_trialTimer;  ///< to tryNext(), while something has not been tried

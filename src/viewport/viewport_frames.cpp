@@ -17,7 +17,7 @@ constexpr double kSecond = 1.0e9;      // nanoseconds
 
 bool Viewport::wantsFrames() const {
     return isVisible() && (m_continuous || m_navigation.isMoving() || m_session.simulation().isMoving() ||
-                           (m_scene && m_scene->isReadBackPending()));
+                           (m_scene && (m_scene->isReadBackPending() || m_scene->isFarBehind())));
 }
 
 /// Right after a frame, while the window it was shown in is still what GL draws into.
@@ -38,22 +38,21 @@ void Viewport::startClock() {
 /// applies beside the frames, and falls behind without them.
 bool Viewport::isCatchingUp() const {
     return isVisible() && m_error.empty() &&
-           (m_session.simulation().isCatchingUp() || (m_scene && m_isSoftware && m_scene->isBehind()));
+           (m_session.simulation().isCatchingUp() ||
+            (m_scene && m_isSoftware && (m_scene->isBehind() || m_scene->isFarBehind())));
 }
 
 /// What takes longer than a picture is done in a turn of the event loop before it.
 void Viewport::followPicture() {
-    if (isCatchingUp()) {
-        return;  // frames come
-    }
     if (m_scene && m_isSoftware && isVisible() && m_error.empty() && m_scene->isFarBehind()) {
         m_catchUp.sliceLater();
-    } else if (!m_catchUp.isSliceComing()) {
+    } else if (!isCatchingUp() && !m_catchUp.isSliceComing()) {
         update();
     }
 }
 
 void Viewport::slice() {
+    const bool isBehind = isCatchingUp();
     if (m_scene && m_isSoftware && (m_scene->isBehind() || m_scene->isFarBehind())) {
         makeCurrent();
         if (const Status applied = m_scene->applyMore(); !applied) {
@@ -61,7 +60,9 @@ void Viewport::slice() {
         }
         doneCurrent();
     }
-    m_catchUp.sliceDone();
+    if (isBehind) {
+        m_catchUp.sliceDone();
+    }
     moveOn();
 }
 
@@ -71,7 +72,7 @@ void Viewport::moveOn() {
         m_clock.invalidate();
         m_catchUp.end();
         if (m_catchUp.hasSlice()) {
-            update();
+            updatePrepared();
         }
         return;
     }
@@ -93,6 +94,35 @@ void Viewport::moveOn() {
         return;
     }
     m_frameFollows = true;
+    if (isCatchingUp()) {
+        updatePrepared();
+    } else {
+        update();
+    }
+}
+
+/// After slices the shadows are others too. Where the CPU draws they take about half as long as the rest.
+void Viewport::updatePrepared() {
+    if (m_scene && m_isSoftware && !m_catchUp.isPrepared()) {
+        m_catchUp.prepareLater();
+    } else {
+        update();
+    }
+}
+
+void Viewport::preparePicture() {
+    if (m_scene) {
+        SceneGpu::View coming = view();
+        coming.detail = m_motion.coming();
+        makeCurrent();
+        if (const Status prepared = m_scene->prepare(coming); !prepared) {
+            report(prepared.error());
+        }
+        doneCurrent();
+    }
+    if (isCatchingUp()) {
+        m_motion.moved();
+    }
     update();
 }
 

@@ -44,6 +44,16 @@ std::size_t wrongVertices(const Session& session) {
     return count;
 }
 
+std::size_t changedVertices(const Session& session) {
+    const Target& target = *session.targets().front();
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < target.deformed.vertices().size(); ++i) {
+        count +=
+            target.deformed.vertices()[i].position != target.deformed.render().vertices[i].position ? 1 : 0;
+    }
+    return count;
+}
+
 }  // namespace
 
 class SlicedHitsTest : public QObject {
@@ -94,6 +104,49 @@ private Q_SLOTS:
         }
         QCOMPARE(m_session->tasks().current(), nullptr);
         QVERIFY(!m_gpu->isReadBackPending());
+        QCOMPARE(wrongVertices(*m_session), std::size_t{0});
+    }
+
+    void picturesLeaveHitsToTheSlicesBetweenThem_data() { manyNewHitsComeOverSeveralFrames_data(); }
+    void picturesLeaveHitsToTheSlicesBetweenThem() {
+        QFETCH(PipelineKind, kind);
+        HITSCOPE_NEEDS_PIPELINE(kind);
+        begin(kind);
+        m_gpu->setAppliesBetweenPictures(true);
+        QVERIFY(m_session->hits().addGroup(HitGroupKind::Scatter, scatteredOver(*m_session, kMany)).ok());
+        QVERIFY(m_gpu->isFarBehind());
+        for (int frame = 0; frame < 3; ++frame) {
+            QVERIFY(draw());
+        }
+        QVERIFY(m_gpu->isFarBehind());
+        QCOMPARE(changedVertices(*m_session), std::size_t{0});
+        int slices = 0;
+        for (; (m_gpu->isBehind() || m_gpu->isFarBehind()) && slices < 5000; ++slices) {
+            QVERIFY(m_gpu->applyMore().ok());
+        }
+        QVERIFY(slices > 5);
+        QVERIFY(draw());
+        QVERIFY(!m_gpu->isReadBackPending());
+        QCOMPARE(wrongVertices(*m_session), std::size_t{0});
+
+        m_session->undo();
+        for (slices = 0; (m_gpu->isBehind() || m_gpu->isFarBehind()) && slices < 5000; ++slices) {
+            QVERIFY(m_gpu->applyMore().ok());
+        }
+        QVERIFY(draw());
+        QCOMPARE(m_session->hits().history().size(), std::size_t{0});
+        QCOMPARE(wrongVertices(*m_session), std::size_t{0});
+    }
+
+    void fewHitsComeWithThePicture() {
+        begin(PipelineKind::TransformFeedback);
+        m_gpu->setAppliesBetweenPictures(true);
+        QVERIFY(m_session->hits().add(scatteredOver(*m_session, 3)).ok());
+        QVERIFY(!m_gpu->isFarBehind());
+        for (int frame = 0; frame < 2 || (m_gpu->isReadBackPending() && frame < 50); ++frame) {
+            QVERIFY(draw());
+        }
+        QVERIFY(changedVertices(*m_session) > 0);
         QCOMPARE(wrongVertices(*m_session), std::size_t{0});
     }
 

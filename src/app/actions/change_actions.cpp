@@ -31,7 +31,7 @@ ChangeActions::ChangeActions(Session& session, HitEffects& effects, Viewport& vi
     followComparison();
     const auto redraw = [this] {
         if (m_viewport.options().change.on) {
-            m_viewport.update();
+            m_viewport.followPicture();
         }
     };
     connect(&m_values, &ChangeValues::summaryChanged, &viewport, redraw);
