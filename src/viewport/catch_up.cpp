@@ -11,8 +11,8 @@ CatchUp::CatchUp(QObject* parent) : QObject(parent) {
 }
 
 void CatchUp::pictureShown() {
-    m_hasPicture = m_hasPicture || m_hasSlice;
-    m_hasSlice = false;
+    m_hasPicture = m_hasPicture || m_isPictureWanted;
+    m_isPictureWanted = false;
     m_isPrepared = false;
     m_prepares = false;
     m_isAfterPicture = true;
@@ -39,7 +39,7 @@ void CatchUp::beginSlice() {
 }
 
 bool CatchUp::isPictureDue(bool isMoving) const {
-    return m_hasSlice && (isMoving || !m_hasPicture || m_sincePicture.elapsed() >= kBetweenPictures);
+    return m_isPictureWanted && (isMoving || !m_hasPicture || m_sincePicture.elapsed() >= kBetweenPictures);
 }
 
 }  // namespace hitscope

@@ -23,14 +23,14 @@ public:
     void prepareLater();
     [[nodiscard]] bool isPrepared() const { return m_isPrepared; }
     [[nodiscard]] bool isSliceComing() const { return m_timer.isActive(); }
-    /// A slice was done.
-    void sliceDone() { m_hasSlice = true; }
+    /// A slice was done, or something else has changed.
+    void wantPicture() { m_isPictureWanted = true; }
     /// A picture was shown, of all slices before it.
     void pictureShown();
     /// Nothing is left to be done.
     void end() { m_hasPicture = false; }
-    /// Whether something was done that no picture shows.
-    [[nodiscard]] bool hasSlice() const { return m_hasSlice; }
+    /// Whether something has changed since the last picture.
+    [[nodiscard]] bool isPictureWanted() const { return m_isPictureWanted; }
     /// isMoving: so does what is seen besides.
     [[nodiscard]] bool isPictureDue(bool isMoving) const;
 
@@ -45,7 +45,7 @@ private:
     QElapsedTimer m_sincePicture;
     bool m_prepares = false;  ///< in the next turn
     bool m_isPrepared = false;
-    bool m_hasSlice = false;
+    bool m_isPictureWanted = false;
     bool m_hasPicture = false;      ///< since it began
     bool m_isAfterPicture = false;  ///< perhaps in the same turn
 };

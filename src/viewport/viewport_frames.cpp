@@ -46,7 +46,9 @@ bool Viewport::isCatchingUp() const {
 void Viewport::followPicture() {
     if (m_scene && m_isSoftware && isVisible() && m_error.empty() && m_scene->isFarBehind()) {
         m_catchUp.sliceLater();
-    } else if (!isCatchingUp() && !m_catchUp.isSliceComing()) {
+    } else if (isCatchingUp() || m_catchUp.isSliceComing()) {
+        m_catchUp.wantPicture();
+    } else {
         update();
     }
 }
@@ -61,7 +63,7 @@ void Viewport::slice() {
         doneCurrent();
     }
     if (isBehind) {
-        m_catchUp.sliceDone();
+        m_catchUp.wantPicture();
     }
     moveOn();
 }
@@ -71,7 +73,7 @@ void Viewport::moveOn() {
         m_costsTimer.start();
         m_clock.invalidate();
         m_catchUp.end();
-        if (m_catchUp.hasSlice()) {
+        if (m_catchUp.isPictureWanted()) {
             updatePrepared();
         }
         return;

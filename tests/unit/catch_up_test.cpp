@@ -47,10 +47,10 @@ private Q_SLOTS:
     void thereAreTwoPicturesASecond() {
         CatchUp catchUp;
         QVERIFY(!catchUp.isPictureDue(false));  // nothing new to see
-        catchUp.sliceDone();
+        catchUp.wantPicture();
         QVERIFY(catchUp.isPictureDue(false));
         catchUp.pictureShown();
-        catchUp.sliceDone();
+        catchUp.wantPicture();
         QVERIFY(!catchUp.isPictureDue(false));
         QVERIFY(catchUp.isPictureDue(true));
         QTRY_VERIFY(catchUp.isPictureDue(false));

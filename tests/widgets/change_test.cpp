@@ -67,13 +67,13 @@ private Q_SLOTS:
         shootAll(*m_session, demoShots(*m_session, 30, 3));
         auto* plot = child<HistogramPlot>("histogram");
         QTRY_VERIFY_WITH_TIMEOUT(!plot->histogram().counts.empty(), kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(
+            static_cast<double>(static_cast<float>(plot->range()->high)),
+            static_cast<double>(static_cast<float>(m_session->targets()[0]->deformed.statistics().maximum)),
+            kPatience);
         const ChangeRange automatic{static_cast<float>(plot->range()->low),
                                     static_cast<float>(plot->range()->high)};
         QCOMPARE(automatic.low, 0.0f);
-        QTRY_COMPARE_WITH_TIMEOUT(
-            static_cast<double>(automatic.high),
-            static_cast<double>(static_cast<float>(m_session->targets()[0]->deformed.statistics().maximum)),
-            kPatience);
         QWidget* surface = plot->childAt(plot->rect().center());
         const double y = surface->height() / 2.0;
         const double half = 0.5 * static_cast<double>(automatic.high);
@@ -97,7 +97,8 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(!plot->histogram().counts.empty(), kPatience);
         m_session->hits().clear();
         QTRY_VERIFY_WITH_TIMEOUT(plot->histogram().counts.empty(), kPatience);
-        QCOMPARE(child<QLabel>("numbers")->text(), QStringLiteral("No vertex has changed"));
+        QTRY_COMPARE_WITH_TIMEOUT(child<QLabel>("numbers")->text(), QStringLiteral("No vertex has changed"),
+                                  kPatience);
         m_session->undo();
         QTRY_VERIFY_WITH_TIMEOUT(!plot->histogram().counts.empty(), kPatience);
     }

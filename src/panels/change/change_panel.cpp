@@ -64,13 +64,15 @@ ChangePanel::ChangePanel(ChangeValues& values, Comparison& comparison, const Ses
     m_summaryTimer.setSingleShot(true);
     m_summaryTimer.setInterval(kBetweenSummaries);
     connect(&values, &ChangeValues::summaryChanged, this, [this] {
+        m_isSummaryNew = true;
         if (!m_summaryTimer.isActive()) {
-            m_summaryTimer.start();
+            showSummary();
         }
     });
     connect(&m_summaryTimer, &QTimer::timeout, this, [this] {
-        showRange();
-        showNumbers();
+        if (m_isSummaryNew) {
+            showSummary();
+        }
     });
     connect(&values, &ChangeValues::histogramChanged, this, &ChangePanel::showHistogram);
     setOptions({});
@@ -223,6 +225,13 @@ void ChangePanel::show(const ChangeMapOptions& map) {
     }
     m_ui->histogram->setLabels(titleOf(traits), tr("vertices"));
     m_ui->histogram->setColours([palette = style.map](double at) { return colourAt(palette, at); });
+    showRange();
+    showNumbers();
+}
+
+void ChangePanel::showSummary() {
+    m_isSummaryNew = false;
+    m_summaryTimer.start();
     showRange();
     showNumbers();
 }

@@ -48,6 +48,7 @@ private:
     void showReport();
     void showBeforeAfter();
     void show(const ChangeMapOptions& map);
+    void showSummary();
     void showRange();
     void showNumbers();
     void showHistogram();
@@ -60,7 +61,8 @@ private:
     std::unique_ptr<Ui::Change> m_ui;
     ChangeMapOptions m_map;
     BeforeAfterOptions m_beforeAfter;
-    QTimer m_summaryTimer;   ///< to the next look at the values' summary
+    QTimer m_summaryTimer;  ///< to when another summary may be shown
+    bool m_isSummaryNew = false;
     bool m_showing = false;  ///< the widgets are being set, nobody edits
 };
 
