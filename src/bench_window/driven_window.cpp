@@ -13,6 +13,7 @@
 #include <QUrl>
 #include <QWindow>
 #include <memory>
+#include <utility>
 
 #include "app/scene_files.h"
 #include "session/welcome.h"
@@ -111,8 +112,10 @@ std::optional<DrivenWindow::Taken> DrivenWindow::untilShown(const QString& what,
     std::int64_t begin = 0;
     double spent = 0.0;
     QObject listener;
-    m_paints = [&] { drawn = drawn || isThere(); };
+    m_isPainted = false;
     QObject::connect(&viewport(), &QOpenGLWidget::frameSwapped, &listener, [&] {
+        // What drawing brought along is in its picture. Frames are also shown where others have painted.
+        drawn = (std::exchange(m_isPainted, false) && isThere()) || drawn;
         if (!drawn) {
             return;
         }
@@ -133,14 +136,11 @@ std::optional<DrivenWindow::Taken> DrivenWindow::untilShown(const QString& what,
     begin = nowInNanoseconds();
     act();
     const bool came = wait(what, [&] { return taken.ready > 0.0 && taken.full.seconds > 0.0; });
-    m_paints = {};
     return came ? std::optional(taken) : std::nullopt;
 }
 
 bool DrivenWindow::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Paint && m_paints) {
-        m_paints();
-    }
+    m_isPainted = m_isPainted || event->type() == QEvent::Paint;
     return QObject::eventFilter(watched, event);
 }
 

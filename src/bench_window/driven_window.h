@@ -92,7 +92,7 @@ private:
     QString m_error;
     QEventLoop* m_loop = nullptr;  ///< the one that wait() runs
     std::function<bool()> m_done;
-    std::function<void()> m_paints;  ///< called before the viewport draws
+    bool m_isPainted = false;  ///< the viewport was, since a frame was shown
     std::uint64_t m_frames = 0;
     std::int64_t m_lastFrame = 0;
     std::int64_t m_lastPainted = 0;  ///< when the viewport drew; panels around it swap frames too
