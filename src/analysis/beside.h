@@ -7,14 +7,16 @@
 #include <new>
 #include <utility>
 
+#include "analysis/background_pool.h"
+
 namespace hitscope {
 
-/// Calls work() on a thread of the pool, then then(Owner& owner, bool done) on the application's; not done:
-/// there was no memory for it. `owner` lives on that thread; once it is gone nobody is told. What both share
-/// they hold by shared pointers.
+/// Calls work() on a thread of backgroundPool(), then then(Owner& owner, bool done) on the application's; not
+/// done: there was no memory for it. `owner` lives on that thread; once it is gone nobody is told. What both
+/// share they hold by shared pointers.
 template <typename Owner, typename Work, typename Then>
 void workBeside(Owner* owner, Work work, Then then) {
-    QThreadPool::globalInstance()->start(
+    backgroundPool().start(
         [owner = QPointer<Owner>(owner), work = std::move(work), then = std::move(then)]() mutable {
             bool done = true;
             try {

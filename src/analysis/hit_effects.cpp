@@ -8,6 +8,8 @@
 #include <mutex>
 #include <utility>
 
+#include "analysis/background_pool.h"
+
 namespace hitscope {
 
 namespace {
@@ -82,7 +84,7 @@ struct HitEffects::Worker : std::enable_shared_from_this<HitEffects::Worker> {
 void HitEffects::Worker::runIfIdle() {
     if (!isRunning) {
         isRunning = true;
-        QThreadPool::globalInstance()->start([self = shared_from_this()] { self->run(); });
+        backgroundPool().start([self = shared_from_this()] { self->run(); });
     }
 }
 

@@ -2,6 +2,7 @@
 // What a session's hits did, computed in the background: the same as computed at once, whatever happens
 // between.
 #include "analysis/hit_effects.h"
+#include "analysis/background_pool.h"
 #include "support/test_program.h"
 
 #include <QSemaphore>
@@ -141,11 +142,11 @@ private Q_SLOTS:
         other.target = session.targets().back()->id;
         QVERIFY(session.hits().add(std::vector<Hit>(3, other)).ok());
         shootRandomly(session, random, 20);
-        QThreadPool::globalInstance()->waitForDone();  // worked out, not told yet
+        backgroundPool().waitForDone();  // worked out, not told yet
         session.hits().remove(1);
         compare(effects, session);
         shootRandomly(session, random, 20);
-        QThreadPool::globalInstance()->waitForDone();
+        backgroundPool().waitForDone();
         session.undo();
         session.hits().remove(std::vector<std::size_t>{0, 21, 22, 30});
         compare(effects, session);
@@ -166,17 +167,17 @@ private Q_SLOTS:
         }
         compare(effects, session);
         QVERIFY(!effects.counts(id.front()).empty());
-        QThreadPool* pool = QThreadPool::globalInstance();
-        const int threads = pool->maxThreadCount();
+        QThreadPool& pool = backgroundPool();
+        const int threads = pool.maxThreadCount();
         QSemaphore mayGoOn;
         for (int i = 0; i < threads; ++i) {
-            pool->start([&mayGoOn] { mayGoOn.acquire(); });
+            pool.start([&mayGoOn] { mayGoOn.acquire(); });
         }
         session.targets().remove(id);
         const bool went = effects.counts(id.front()).empty();
         session.undo();
         mayGoOn.release(threads);
-        pool->waitForDone();
+        pool.waitForDone();
         QVERIFY(went);
         compare(effects, session);
         QVERIFY(!effects.counts(id.front()).empty());
@@ -198,7 +199,7 @@ private Q_SLOTS:
         // The earlier question is answered by the thread before the later one is asked.
         effects.finish();
         effects.findVertices(30);
-        QVERIFY(QThreadPool::globalInstance()->waitForDone());
+        QVERIFY(backgroundPool().waitForDone());
         effects.findVertices(40);
         QTRY_VERIFY_WITH_TIMEOUT(!found.empty(), kPatience);
         QVERIFY(on == session.hits().history().hits()[40].target);
