@@ -8,6 +8,7 @@
 
 #include "analysis/beside.h"
 #include "models/quantity_text.h"
+#include "session/mesh_steps/separate_objects.h"
 #include "session/session.h"
 #include "session/task_list.h"
 
@@ -15,11 +16,60 @@ namespace hitscope {
 
 /// What is being done. The other thread holds on to it too.
 struct MeshEditor::Work {
-    TargetState before;
-    MeshEdit edit;
+    virtual ~Work() = default;
+    /// On the other thread.
+    [[nodiscard]] virtual Status make(const MeshGoOn& goOn) = 0;
+    /// After it, on the window's.
+    [[nodiscard]] virtual Status take(Session& session) = 0;
+    [[nodiscard]] virtual QString said() const = 0;  ///< what came of it
+
     std::atomic<bool> cancelled = false;
     Status status = Done{};
+};
+
+/// A target gets another mesh.
+struct MeshEditor::Edit : Work {
+    TargetState before;
+    MeshEdit edit;
     TargetState after;
+
+    Status make(const MeshGoOn& goOn) override {
+        Result<EditedMesh> made = hitscope::edited(*before.shape.mesh, edit, goOn);
+        if (!made) {
+            return made.error();
+        }
+        if (!cancelled) {
+            after = stateWith(before, std::move(made).value());
+        }
+        return Done{};
+    }
+    Status take(Session& session) override { return takeEdited(session, after, edit); }
+    [[nodiscard]] QString said() const override {
+        const MeshData& mesh = *after.shape.mesh;
+        return tr("%1 has %2 vertices and %3 faces now. Undo (Ctrl+Z) brings back how it was.")
+            .arg(before.name, countText(mesh.vertexCount()), countText(mesh.faceCount()));
+    }
+};
+
+/// A target's objects become targets.
+struct MeshEditor::Separation : Work {
+    TargetState before;
+    std::vector<Hit> hits;
+    SeparatedObjects objects;
+
+    Status make(const MeshGoOn& goOn) override {
+        Result<SeparatedObjects> made = separated(before, std::move(hits), goOn);
+        if (!made) {
+            return made.error();
+        }
+        objects = std::move(made).value();
+        return Done{};
+    }
+    Status take(Session& session) override { return takeSeparated(session, objects); }
+    [[nodiscard]] QString said() const override {
+        return tr("%1 is %2 targets now. Undo (Ctrl+Z) joins them again.")
+            .arg(before.name, countText(objects.parts.size()));
+    }
 };
 
 MeshEditor::MeshEditor(Session& session, QObject* parent) : QObject(parent), m_session(session) {
@@ -35,15 +85,29 @@ void MeshEditor::start(TargetId target, MeshEdit edit) {
     if (m_work || found == nullptr) {
         return;
     }
-    const auto work = std::make_shared<Work>();
+    const auto work = std::make_shared<Edit>();
     work->before = *found;
     work->edit = std::move(edit);
-    m_work = work;
-    const QString name = found->name;
     const QString doing[] = {tr("Refining %1"), tr("Simplifying %1"), tr("Smoothing %1"),
                              tr("Applying hits of %1")};
+    start(doing[work->edit.step.index()].arg(found->name), work);
+}
+
+void MeshEditor::startSeparation(TargetId target) {
+    const Target* found = m_session.targets().find(target);
+    if (m_work || found == nullptr) {
+        return;
+    }
+    const auto work = std::make_shared<Separation>();
+    work->before = *found;
+    work->hits = meshEdit(m_session, target, {}).hits;
+    start(tr("Separating %1").arg(found->name), work);
+}
+
+void MeshEditor::start(const QString& doing, std::shared_ptr<Work> work) {
+    m_work = work;
     m_progress = std::make_unique<TaskProgress>(
-        m_session.tasks(), doing[work->edit.step.index()].arg(name),
+        m_session.tasks(), doing,
         [this] {
             giveUp();
             Q_EMIT cancelled();
@@ -62,15 +126,7 @@ void MeshEditor::start(TargetId target, MeshEdit edit) {
         return !work->cancelled;
     };
     workBeside(
-        this,
-        [work, goOn] {
-            Result<EditedMesh> made = hitscope::edited(*work->before.shape.mesh, work->edit, goOn);
-            if (!made) {
-                work->status = made.error();
-            } else if (!work->cancelled) {
-                work->after = stateWith(work->before, std::move(made).value());
-            }
-        },
+        this, [work, goOn] { work->status = work->make(goOn); },
         [work](MeshEditor& self, bool done) { self.finish(work, done); });
 }
 
@@ -100,15 +156,13 @@ void MeshEditor::finish(const std::shared_ptr<Work>& work, bool done) {
                          : Status(Error{"There is not enough memory for the mesh.", "",
                                         "Choose a greater edge length, or close other programs."});
     if (status) {
-        status = takeEdited(m_session, work->after, work->edit);
+        status = work->take(m_session);
     }
     if (!status) {
         Q_EMIT failed(status.error());
         return;
     }
-    const MeshData& mesh = *work->after.shape.mesh;
-    Q_EMIT edited(tr("%1 has %2 vertices and %3 faces now. Undo (Ctrl+Z) brings back how it was.")
-                      .arg(work->before.name, countText(mesh.vertexCount()), countText(mesh.faceCount())));
+    Q_EMIT edited(work->said());
 }
 
 }  // namespace hitscope

@@ -13,8 +13,8 @@ namespace hitscope {
 class Session;
 class TaskProgress;
 
-/// Refines, simplifies and smooths targets' meshes beside the window's work, one after the other; the status
-/// bar shows it, with a button to cancel.
+/// Refines, simplifies, smooths and separates targets' meshes beside the window's work, one after the other;
+/// the status bar shows it, with a button to cancel.
 class MeshEditor : public QObject {
     Q_OBJECT
 public:
@@ -25,6 +25,8 @@ public:
     [[nodiscard]] bool isBusy() const { return m_work != nullptr; }
     /// Ends with edited(), failed() or cancelled(). Not while busy, nor of a target that is not there.
     void start(TargetId target, MeshEdit edit);
+    /// Likewise: its objects become targets of their own.
+    void startSeparation(TargetId target);
 
 Q_SIGNALS:
     void busyChanged();
@@ -34,6 +36,9 @@ Q_SIGNALS:
 
 private:
     struct Work;
+    struct Edit;
+    struct Separation;
+    void start(const QString& doing, std::shared_ptr<Work> work);
     void report(const std::shared_ptr<Work>& work, double share);
     void finish(const std::shared_ptr<Work>& work, bool done);
     void giveUp();

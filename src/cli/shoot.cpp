@@ -7,9 +7,9 @@
 #include "analysis/hit_files.h"
 #include "cli/agreement.h"
 #include "cli/common_options.h"
+#include "cli/mesh_step_options.h"
 #include "cli/opened_scene.h"
 #include "cli/progress_line.h"
-#include "cli/refine_option.h"
 #include "cli/standard_streams.h"
 #include "cli/verbs.h"
 #include "document/capture.h"
@@ -59,6 +59,11 @@ Status setConstants(Session& session, const ShootOptions& options) {
 
 /// All that comes before the shots.
 Status prepare(Session& session, const ShootOptions& options) {
+    if (options.separates) {
+        if (Status separated = separateAll(session); !separated) {
+            return separated;
+        }
+    }
     if (options.refineTo) {
         if (Status refined = refineAll(session, *options.refineTo); !refined) {
             return refined;

@@ -22,6 +22,7 @@ struct ShootOptions {
     enum class Shots : std::uint8_t { None, Burst, Random, At, Script };
 
     QString scenePath;              ///< as SceneWish has it
+    bool separates = false;         ///< objects become targets
     std::optional<float> refineTo;  ///< metres: edges of all targets are no longer; nothing: they stay
     QString hitsPath;               ///< hits that come before the shots; empty: none
     Shots shots = Shots::Burst;

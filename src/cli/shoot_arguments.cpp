@@ -5,7 +5,7 @@
 
 #include "cli/common_options.h"
 #include "cli/form_options.h"
-#include "cli/refine_option.h"
+#include "cli/mesh_step_options.h"
 #include "cli/repeat_options.h"
 #include "cli/shoot.h"
 
@@ -142,7 +142,7 @@ QList<UsageOption> shootOptions() {
         options << parameterOption(
             parameter, QStringLiteral("as the session has it, or %1").arg(parameter.defaultValue));
     }
-    options << formOptions() << refineOption() << repeatOptions();
+    options << formOptions() << meshStepOptions() << repeatOptions();
     options << flagOption("absolute",
                           QStringLiteral("Constants are in metres on any target. Otherwise they are those "
                                          "of a target 5 m across, and grow and shrink with the target."));
@@ -188,6 +188,7 @@ ShootOptions readShootOptions(Invocation& given) {
     }
     options.constants = parametersOf(given, deformationParameters(), true);
     options.form = givenForm(given);
+    options.separates = given.isSet("separate");
     options.refineTo = givenRefinement(given);
     options.repeat = givenRepeat(given);
     options.absolute = given.isSet("absolute");

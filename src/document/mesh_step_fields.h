@@ -17,8 +17,9 @@ namespace hitscope {
 namespace document_words {
 
 /// By the index of MeshStep's alternatives.
-enum class StepKind : std::uint8_t { Refine, Simplify, Smooth, ApplyHits };
-inline constexpr std::array<std::string_view, 4> kStepKinds{"refine", "simplify", "smooth", "apply-hits"};
+enum class StepKind : std::uint8_t { Refine, Simplify, Smooth, ApplyHits, OnlyObject };
+inline constexpr std::array<std::string_view, 5> kStepKinds{"refine", "simplify", "smooth", "apply-hits",
+                                                            "only-object"};
 inline constexpr std::array<std::string_view, 3> kRefineMethods{"midpoint", "longest-edge", "butterfly"};
 inline constexpr std::array<std::string_view, 3> kRegionKinds{"whole", "vertices", "balls"};
 
@@ -58,10 +59,11 @@ struct Fields<MeshStep> {
         visit.require("kind");
         visit.word("kind", kind, document_words::kStepKinds);
         if constexpr (Visit::reads()) {
-            step = kind == StepKind::Refine     ? MeshStep(RefineOptions())
-                   : kind == StepKind::Simplify ? MeshStep(SimplifyOptions())
-                   : kind == StepKind::Smooth   ? MeshStep(SmoothOptions())
-                                                : MeshStep(MergedHits());
+            step = kind == StepKind::Refine      ? MeshStep(RefineOptions())
+                   : kind == StepKind::Simplify  ? MeshStep(SimplifyOptions())
+                   : kind == StepKind::Smooth    ? MeshStep(SmoothOptions())
+                   : kind == StepKind::ApplyHits ? MeshStep(MergedHits())
+                                                 : MeshStep(OnlyObject());
         }
         std::visit([&visit](auto& what) { take(visit, what); }, step);
     }
@@ -72,7 +74,9 @@ private:
         using Kind = std::remove_const_t<What>;
         if constexpr (std::is_same_v<Kind, MergedHits>) {
             visit.rows("hits", "hit", what.hits, SessionDocument::kMostHits);
-            return;
+        } else if constexpr (std::is_same_v<Kind, OnlyObject>) {
+            visit.require("object");
+            visit.number("object", what.index, 0.0, std::numeric_limits<std::uint32_t>::max() - 1.0);
         } else if constexpr (std::is_same_v<Kind, RefineOptions>) {
             visit.require("edge_length");
             visit.word("method", what.method, document_words::kRefineMethods);
@@ -86,7 +90,7 @@ private:
             visit.number("passes", what.passes, 1.0, SmoothOptions::kMostPasses);
             visit.flag("keep_borders", what.keepBorders);
         }
-        if constexpr (!std::is_same_v<Kind, MergedHits>) {
+        if constexpr (requires { what.region; }) {
             visit.object("region", what.region);
         }
     }

@@ -43,6 +43,7 @@ constexpr Words kWords[] = {
     {SessionUndo::Kind::SimplifyMesh, TEXT("Simplify Mesh"), TEXT("Simplify Meshes of %1 Targets")},
     {SessionUndo::Kind::SmoothMesh, TEXT("Smooth Mesh"), TEXT("Smooth Meshes of %1 Targets")},
     {SessionUndo::Kind::ApplyHits, TEXT("Apply Hits"), TEXT("Apply Hits of %1 Targets")},
+    {SessionUndo::Kind::SeparateObjects, TEXT("Separate Objects"), nullptr},
     {SessionUndo::Kind::AddTarget, TEXT("Add Target"), TEXT("Add %1 Targets")},
     {SessionUndo::Kind::DuplicateTarget, TEXT("Duplicate Target"), TEXT("Duplicate %1 Targets")},
     {SessionUndo::Kind::RemoveTarget, TEXT("Remove Target"), TEXT("Remove %1 Targets")},

@@ -25,15 +25,6 @@ QString stem(const QString& name) {
     return space > 0 && isNumber ? name.left(space) : name;
 }
 
-/// `wanted`, with a number where it is one of `taken`; adds it to them.
-QString freeName(const QString& wanted, std::set<QString>& taken) {
-    QString name = wanted;
-    for (int number = 2; !taken.insert(name).second; ++number) {
-        name = QStringLiteral("%1 %2").arg(stem(wanted)).arg(number);
-    }
-    return name;
-}
-
 std::vector<Bounds> boundsOf(std::span<const std::unique_ptr<Target>> targets) {
     std::vector<Bounds> bounds;
     bounds.reserve(targets.size());
@@ -80,6 +71,14 @@ std::set<QString> SessionTargets::names() const {
         names.insert(target->name);
     }
     return names;
+}
+
+QString SessionTargets::freeName(const QString& wanted, std::set<QString>& taken) {
+    QString name = wanted;
+    for (int number = 2; !taken.insert(name).second; ++number) {
+        name = QStringLiteral("%1 %2").arg(stem(wanted)).arg(number);
+    }
+    return name;
 }
 
 Bounds SessionTargets::bounds() const {

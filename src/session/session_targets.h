@@ -70,6 +70,10 @@ public:
     std::map<TargetId, TargetId> replaceMeshes(std::span<const TargetState> meshes,
                                                const std::function<std::optional<Hit>(const Hit&)>& carried,
                                                SessionUndo::Kind kind = SessionUndo::Kind::ReloadMesh);
+    /// Puts parts of a target in its place, under names and ids of their own, which are returned; each of its
+    /// hits, in their order, goes to those parts (by index). The first one is selected.
+    std::vector<TargetId> replaceByParts(TargetId id, std::vector<TargetState> parts,
+                                         std::span<const std::vector<std::uint32_t>> partsOfHit);
     /// Hits go along, since they are kept in the local frame. The rotation is made unit. Refused when a
     /// number is not finite or the rotation is none.
     [[nodiscard]] Status setTransform(TargetId id, const RigidTransform& transform,
@@ -102,6 +106,8 @@ private:
     [[nodiscard]] std::optional<std::size_t> indexOf(TargetId id) const;
     [[nodiscard]] std::vector<std::size_t> indicesOf(std::span<const TargetId> ids) const;
     [[nodiscard]] std::set<QString> names() const;
+    /// `wanted`, with a number where it is one of `taken`; adds it to them.
+    static QString freeName(const QString& wanted, std::set<QString>& taken);
     void change(std::vector<TargetEdit> targets, SessionUndo::Name name, std::vector<HistoryEdit> edits = {},
                 SessionUndo::Merge merge = SessionUndo::Merge::Never);
     void change(const Target& target, TargetState after, SessionUndo::Name name,

@@ -98,7 +98,8 @@ public:
         RefineMesh,
         SimplifyMesh,
         SmoothMesh,
-        ApplyHits,  ///< to the mesh, as its new original
+        ApplyHits,        ///< to the mesh, as its new original
+        SeparateObjects,  ///< of a mesh, as targets of their own
         Projectile,
         FlightMode,
         CoverTexture,

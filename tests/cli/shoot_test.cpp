@@ -90,6 +90,24 @@ private Q_SLOTS:
         }
     }
 
+    void separatesObjectsBeforeItShoots() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("two.obj"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(
+            "o near\nv -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n"
+            "o far\nv -1 -1 -9\nv 1 -1 -9\nv 0 1 -9\nf 4 5 6\n");
+        file.close();
+        const QString out = folder.filePath(QStringLiteral("near.ply"));
+        const QStringList few{"--separate", "--at", "-0.9,-0.97,0", "--instant", "--out", out, path};
+        const CliRun run = shoot(few);
+        QVERIFY2(run.status == 0, qPrintable(run.err + run.out));
+        QFile written(out);
+        QVERIFY(written.open(QIODevice::ReadOnly));
+        QVERIFY(written.readAll().contains("element vertex 3\n"));
+    }
+
     void meshesOfAnySizeAreHit() {
         const QTemporaryDir folder;
         for (const char* extent : {"0.00005", "50000"}) {

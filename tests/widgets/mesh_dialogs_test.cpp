@@ -36,6 +36,7 @@ private Q_SLOTS:
     void saysWhatIsWrong();
     void simplifyAndSmoothApplyHits();
     void cancelChangesNothing();
+    void objectsBecomeTargets();
 
 private:
     [[nodiscard]] const Target& target() const { return *m_session->targets().front(); }
@@ -210,6 +211,33 @@ void MeshDialogsTest::cancelChangesNothing() {
     QCOMPARE(target().id, before);
     QVERIFY(!m_session->steps().canUndo() ||
             m_session->steps().toUndo()->kind == SessionUndo::Kind::LoadScene);
+}
+
+void MeshDialogsTest::objectsBecomeTargets() {
+    const auto separate = [this] {
+        const auto actions = m_window->findChildren<QAction*>();
+        return *std::find_if(actions.begin(), actions.end(), [](const QAction* action) {
+            return action->text().remove(u'&') == QStringLiteral("Separate Objects");
+        });
+    };
+    QVERIFY(!separate()->isEnabled());  // the cube is one
+    MeshData two = mesh();
+    two.groups = {{FaceGroup::Kind::Object, "lower", 0},
+                  {FaceGroup::Kind::Object, "upper", static_cast<std::uint32_t>(two.faceCount() / 2)}};
+    const std::size_t faces = two.faceCount();
+    loadMesh(*m_session, std::move(two));
+    hit();
+    QTRY_VERIFY_WITH_TIMEOUT(separate()->isEnabled(), kPatience);
+    separate()->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->targets().size(), std::size_t(2), kPatience);
+    QCOMPARE(target().name, QStringLiteral("lower"));
+    QCOMPARE(m_session->targets().back()->name, QStringLiteral("upper"));
+    QCOMPARE(mesh().faceCount() + m_session->targets().back()->shape.mesh->faceCount(), faces);
+    QVERIFY(!separate()->isEnabled());
+    key(Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->targets().size(), std::size_t(1), kPatience);
+    QCOMPARE(mesh().faceCount(), faces);
+    QCOMPARE(m_session->hits().history().size(), std::size_t(1));
 }
 
 HITSCOPE_TEST(MeshDialogsTest, QApplication)

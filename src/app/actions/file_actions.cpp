@@ -357,7 +357,7 @@ void FileActions::place(double extent) {
     }
     const Target& target = *m_parts.session.targets().front();
     if (!target.steps.empty()) {
-        Q_EMIT said(tr("The mesh was refined, simplified or smoothed at this size: undo that first."));
+        Q_EMIT said(tr("The mesh was changed at this size, by the Mesh menu: undo that first."));
         return;
     }
     const TargetSource source = target.source;

@@ -5,6 +5,7 @@
 #include <QMenu>
 
 #include "app/actions/menu_building.h"
+#include "mesh/mesh_objects.h"
 #include "models/focus_target.h"
 #include "panels/help/help_text.h"
 #include "session/session.h"
@@ -37,6 +38,8 @@ void MeshActions::fill(QMenu& menu) {
     m_smooth = addAction(menu, tr("S&mooth…"), {}, this, [this] { show(MeshStepDialog::Kind::Smooth); });
     m_apply = addAction(menu, tr("Appl&y Hits"), {}, this, [this] { applyHits(); });
     m_apply->setToolTip(tr("The dented shape becomes the original, and its hits leave the history"));
+    m_separate = addAction(menu, tr("Separate O&bjects"), {}, this, [this] { separateObjects(); });
+    m_separate->setToolTip(tr("Each object of the file becomes a target of its own, with the hits on it"));
     follow();
 }
 
@@ -52,6 +55,9 @@ void MeshActions::follow() {
     const bool hasHits = target != nullptr && !m_session.hits().history().hitsOn(target->id).empty();
     enableIf(*m_apply, hasHits && !m_editor.isBusy(),
              target == nullptr ? why : tr("The target has no hits."));
+    const bool hasObjects = target != nullptr && objectCount(*target->shape.mesh) > 1;
+    enableIf(*m_separate, hasObjects && !m_editor.isBusy(),
+             target == nullptr || m_editor.isBusy() ? why : tr("The target's mesh is one object."));
     enableIf(*m_refineAtAim, m_aim.aim().has_value() && !m_editor.isBusy(),
              m_editor.isBusy() ? why : tr("Rest the cursor on a target first."));
 }
@@ -72,6 +78,12 @@ void MeshActions::show(MeshStepDialog::Kind kind) {
 void MeshActions::applyHits() {
     if (const Target* target = focusTarget(m_session)) {
         m_editor.start(target->id, meshEdit(m_session, target->id, MergedHits{}));
+    }
+}
+
+void MeshActions::separateObjects() {
+    if (const Target* target = focusTarget(m_session)) {
+        m_editor.startSeparation(target->id);
     }
 }
 

@@ -14,7 +14,8 @@ namespace hitscope {
 
 class AimPreview;
 
-/// What the Mesh menu does to the target in focus: refine, simplify, smooth, apply its hits.
+/// What the Mesh menu does to the target in focus: refine, simplify, smooth, apply its
+/// hits, separate its objects.
 class MeshActions : public QObject {
     Q_OBJECT
 public:
@@ -30,6 +31,7 @@ Q_SIGNALS:
 private:
     void show(MeshStepDialog::Kind kind);
     void applyHits();
+    void separateObjects();
     void refineAtAim();
     void follow();
 
@@ -42,6 +44,7 @@ private:
     QAction* m_simplify = nullptr;
     QAction* m_smooth = nullptr;
     QAction* m_apply = nullptr;
+    QAction* m_separate = nullptr;
 };
 
 }  // namespace hitscope

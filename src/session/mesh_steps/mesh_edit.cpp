@@ -2,7 +2,6 @@
 #include "session/mesh_steps/mesh_edit.h"
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
 #include "deform/dent_shape.h"
@@ -90,7 +89,7 @@ Result<MeshRegion> regionOf(const MeshEdit& edit, const MeshData& before, const 
 void setRegion(MeshStep& step, MeshRegion region) {
     std::visit(
         [&region](auto& what) {
-            if constexpr (!std::is_same_v<std::decay_t<decltype(what)>, MergedHits>) {
+            if constexpr (requires { what.region; }) {
                 what.region = std::move(region);
             }
         },
@@ -106,7 +105,8 @@ bool isSameHit(const Hit& a, const Hit& b) {
 
 SessionUndo::Kind MeshEdit::kind() const {
     using Kind = SessionUndo::Kind;
-    constexpr Kind kKinds[] = {Kind::RefineMesh, Kind::SimplifyMesh, Kind::SmoothMesh, Kind::ApplyHits};
+    constexpr Kind kKinds[] = {Kind::RefineMesh, Kind::SimplifyMesh, Kind::SmoothMesh, Kind::ApplyHits,
+                               Kind::SeparateObjects};
     return kKinds[step.index()];
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/mesh_steps/mesh_step.h"
 
+#include <string>
 #include <utility>
 
 #include "deform/reference.h"
+#include "mesh/mesh_objects.h"
 #include "mesh/refine/moved_shape.h"
 #include "mesh/render_mesh.h"
 
@@ -33,6 +35,16 @@ Result<MeshData> make(const MeshData& mesh, const MergedHits& applied, const Mes
         positions[render.fileVertices[v]] = deformation.vertices()[v].position;
     }
     return withShape(mesh, positions);
+}
+
+Result<MeshData> make(const MeshData& mesh, const OnlyObject& object, const MeshGoOn& /*goOn*/) {
+    const MeshObjects objects(mesh);
+    if (object.index >= objects.count()) {
+        return Error{"The mesh has no object " + std::to_string(object.index) + " (counted from 0); it has " +
+                         std::to_string(objects.count()) + ".",
+                     "", "Open the file that the session was made with."};
+    }
+    return objects.only(object.index);
 }
 
 }  // namespace

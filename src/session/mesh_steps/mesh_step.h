@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <variant>
@@ -20,13 +21,18 @@ struct MergedHits {
     std::vector<Hit> hits;  ///< enabled, in order; their target means nothing
 };
 
+/// One object of the mesh is all of it from then on.
+struct OnlyObject {
+    std::uint32_t index = 0;  ///< of MeshObjects
+};
+
 /// Something that was done to a target's mesh as it was read or made: enough to do it again, in every bit.
-using MeshStep = std::variant<RefineOptions, SimplifyOptions, SmoothOptions, MergedHits>;
+using MeshStep = std::variant<RefineOptions, SimplifyOptions, SmoothOptions, MergedHits, OnlyObject>;
 /// In the order in which they were done.
 using MeshSteps = std::vector<std::shared_ptr<const MeshStep>>;
 
 /// What a step makes of a mesh. On any thread. Errors: those of refine(), simplify() and smooth(); hits that
-/// leave a coordinate that is not finite.
+/// leave a coordinate that is not finite; an object that the mesh does not have.
 [[nodiscard]] Result<MeshData> withStep(const MeshData& mesh, const MeshStep& step,
                                         const MeshGoOn& goOn = {});
 /// One after the other.
