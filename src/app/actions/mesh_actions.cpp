@@ -38,7 +38,7 @@ void MeshActions::fill(QMenu& menu) {
     m_smooth = addAction(menu, tr("S&mooth…"), {}, this, [this] { show(MeshStepDialog::Kind::Smooth); });
     m_apply = addAction(menu, tr("Appl&y Hits"), {}, this, [this] { applyHits(); });
     m_apply->setToolTip(tr("The dented shape becomes the original, and its hits leave the history"));
-    m_separate = addAction(menu, tr("Separate O&bjects"), {}, this, [this] { separateObjects(); });
+    m_separate = addAction(menu, tr("S&eparate Objects"), {}, this, [this] { separateObjects(); });
     m_separate->setToolTip(tr("Each object of the file becomes a target of its own, with the hits on it"));
     follow();
 }
