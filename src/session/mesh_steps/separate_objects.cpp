@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/mesh_steps/separate_objects.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -121,11 +120,12 @@ Result<SeparatedObjects> separated(const TargetState& target, std::vector<Hit> h
         if (goOn && !goOn(0.5 * static_cast<double>(i) / static_cast<double>(count))) {
             return cancelled;
         }
-        Result<MeshData> mesh = withStep(*target.shape.mesh, OnlyObject{i});
-        if (!mesh) {
-            return mesh.error();
+        MeshData mesh =
+            objects.only(i);  // as withStep() makes it, which would look for all objects each time
+        if (const Status valid = validate(mesh); !valid) {
+            return valid.error();
         }
-        made.parts.push_back(partOf(target, std::move(mesh).value(), i, count));
+        made.parts.push_back(partOf(target, std::move(mesh), i, count));
         made.vertices.push_back(objects.vertices(i));
     }
     if (!distribute(made, goOn)) {
