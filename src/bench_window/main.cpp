@@ -11,8 +11,8 @@
 #include "bench_window/driven_window.h"
 #include "bench_window/latency.h"
 #include "bench_window/memory.h"
+#include "core/kept_libraries.h"
 #include "core/memory.h"
-#include "core/no_leak_check.h"
 #include "viewport/surface_format.h"
 #include "viewport/viewport.h"
 

@@ -7,15 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/sanitizers.h"
-
-#ifdef HITSCOPE_SANITIZED
-/// Plug-ins and drivers stay to the end: what they keep is then no leak, and the thread sanitizer ends a
-/// program where one goes that it was told to pass over.
-extern "C" int dlclose(void*) {
-    return 0;
-}
-#endif
+#include "core/kept_libraries.h"
 
 namespace hitscope::test {
 namespace {
