@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/full_view.h"
-#include "panels/help/help_text.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -10,6 +9,9 @@
 #include <QStatusBar>
 #include <QToolBar>
 #include <utility>
+
+#include "app/actions/menu_building.h"
+#include "panels/help/help_text.h"
 
 namespace hitscope {
 
@@ -42,6 +44,9 @@ FullView::FullView(QMainWindow& window)
 
 void FullView::fill(QMenu& menu) {
     menu.addAction(m_toggle);
+    addToggle(menu, tr("F&ull Screen"), Qt::Key_F11, false, this, [this](bool on) {
+        m_window.setWindowState(m_window.windowState().setFlag(Qt::WindowFullScreen, on));
+    });
 }
 
 /// The keys of a menu bar that is hidden do not count; those of the window do.

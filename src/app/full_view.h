@@ -12,6 +12,7 @@ class QMenu;
 namespace hitscope {
 
 /// The central widget alone on the whole screen, and back: docks, bars and the window are then as they were.
+/// Its menu has the whole window on the whole screen too.
 class FullView : public QObject {
     Q_OBJECT
 public:

@@ -20,6 +20,12 @@
 
 namespace hitscope {
 
+namespace {
+
+constexpr int kMostNotes = 5;  // that a notice has room for
+
+}  // namespace
+
 /// The other thread holds on to it too.
 struct SessionCollector::Work {
     QString folder;
@@ -93,6 +99,7 @@ void SessionCollector::collect(const QString& folder) {
         m_session.tasks(), tr("Collecting %1").arg(work->name),
         [this] {
             giveUp();
+            Q_EMIT said(tr("Cancelled. Nothing was written."));
             Q_EMIT cancelled();
         },
         tr("Cancel collecting; the folder stays as it was"));
@@ -130,6 +137,15 @@ void SessionCollector::giveUp() {
     }
 }
 
+void SessionCollector::tellCollected(const QString& folder, const QStringList& notes) {
+    const QString where = tr("Collected in %1").arg(QDir::toNativeSeparators(folder));
+    Q_EMIT said(where);
+    if (!notes.isEmpty()) {
+        Q_EMIT noticeWanted((QStringList{where} + notes.mid(0, kMostNotes)).join(u'\n'));
+    }
+    Q_EMIT collected(folder, notes);
+}
+
 void SessionCollector::finish(const std::shared_ptr<Work>& work, bool done) {
     if (work != m_work) {
         return;
@@ -142,7 +158,7 @@ void SessionCollector::finish(const std::shared_ptr<Work>& work, bool done) {
     } else if (!work->notes) {
         Q_EMIT failed(work->notes.error());
     } else {
-        Q_EMIT collected(work->folder, work->notes.value());
+        tellCollected(work->folder, work->notes.value());
     }
 }
 

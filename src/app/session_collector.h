@@ -36,6 +36,8 @@ public:
 Q_SIGNALS:
     /// `notes`: what could not be collected.
     void collected(const QString& folder, const QStringList& notes);
+    void said(const QString& text);          ///< how it ended
+    void noticeWanted(const QString& text);  ///< what could not be collected
     void failed(const hitscope::Error& error);
     void cancelled();
 
@@ -46,6 +48,7 @@ private:
     [[nodiscard]] QString nameOfSession() const;
     [[nodiscard]] QString proposedFolder() const;
     void say(const Work& work, double fraction, const QString& doing);
+    void tellCollected(const QString& folder, const QStringList& notes);
     void finish(const std::shared_ptr<Work>& work, bool done);
     void giveUp();
 

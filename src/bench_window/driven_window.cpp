@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "app/scene_files.h"
+#include "session/task_list.h"
 #include "session/welcome.h"
 #include "viewport/viewport.h"
 

@@ -14,6 +14,7 @@
 
 #include "io/import.h"
 #include "mesh/primitives.h"
+#include "models/mesh_statistics_model.h"
 #include "session/task_list.h"
 #include "support/test_program.h"
 #include "widgets/window_support.h"

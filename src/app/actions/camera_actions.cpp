@@ -9,6 +9,7 @@
 #include <QSettings>
 #include <utility>
 
+#include "app/actions/menu_building.h"
 #include "app/overlays/keys_lines.h"
 #include "panels/help/help_text.h"
 #include "view/camera_text.h"
@@ -62,8 +63,8 @@ Enum choice(const QSettings& settings, const QString& key, int count, Enum befor
 }
 
 template <class Act>
-QAction* addAction(QMenu& menu, const QString& text, const QList<QKeySequence>& keys, QObject* context,
-                   Act act) {
+QAction* addWithKeys(QMenu& menu, const QString& text, const QList<QKeySequence>& keys, QObject* context,
+                     Act act) {
     QAction* action = menu.addAction(text);
     action->setShortcuts(keys);
     QObject::connect(action, &QAction::triggered, context, std::move(act));
@@ -97,8 +98,11 @@ bool CameraActions::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void CameraActions::fill(QMenu& menu) {
-    addAction(menu, tr("Frame &All"), {QKeySequence(tr("Shift+F")), QKeySequence(Qt::Key_Home)}, this,
-              [this] { m_viewport.frameAll(); });
+    m_frame = addAction(
+        menu, tr("&Frame Selection"), Qt::Key_F, this, [this] { m_viewport.frameSelection(); },
+        QStringLiteral("frame"));
+    addWithKeys(menu, tr("Frame &All"), {QKeySequence(tr("Shift+F")), QKeySequence(Qt::Key_Home)}, this,
+                [this] { m_viewport.frameAll(); });
     QMenu& camera = *menu.addMenu(tr("&Camera"));
     fillTrail(camera);
     fillViews(camera);
@@ -108,7 +112,7 @@ void CameraActions::fill(QMenu& menu) {
     auto* abouts = new QActionGroup(this);
     const QString modes[] = {tr("&Point Under the Cursor"), tr("View &Centre"), tr("&Eye (Look Around)")};
     for (int mode = 0; mode < kOrbitModes; ++mode) {
-        m_orbitModes[mode] = addAction(about, modes[mode], {}, this, [this, mode] {
+        m_orbitModes[mode] = addWithKeys(about, modes[mode], {}, this, [this, mode] {
             m_navigation.setOrbitMode(static_cast<OrbitMode>(mode));
         });
         m_orbitModes[mode]->setCheckable(true);
@@ -119,7 +123,7 @@ void CameraActions::fill(QMenu& menu) {
     const QString names[] = {tr("As in &Hitscope: Left Orbits, Right Pans"),
                              tr("As in &Blender: Middle Orbits, Shift Pans, Ctrl Zooms")};
     for (int preset = 0; preset < kNavigationPresets; ++preset) {
-        m_presets[preset] = addAction(habits, names[preset], {}, this, [this, preset] {
+        m_presets[preset] = addWithKeys(habits, names[preset], {}, this, [this, preset] {
             m_navigation.setPreset(static_cast<NavigationPreset>(preset));
         });
         m_presets[preset]->setCheckable(true);
@@ -131,12 +135,12 @@ void CameraActions::fill(QMenu& menu) {
 
 void CameraActions::fillViews(QMenu& menu) {
     for (const StandardView view : kStandardViews) {
-        m_gizmo->setAction(view, addAction(menu, standardViewName(view), keysOf(view), this,
-                                           [this, view] { m_navigation.show(view); }));
+        m_gizmo->setAction(view, addWithKeys(menu, standardViewName(view), keysOf(view), this,
+                                             [this, view] { m_navigation.show(view); }));
     }
     menu.addSeparator();
     m_orthographic =
-        addAction(menu, tr("&Orthographic"), padKeys(Qt::Key_5, Qt::Key_Clear), this, [this](bool on) {
+        addWithKeys(menu, tr("&Orthographic"), padKeys(Qt::Key_5, Qt::Key_Clear), this, [this](bool on) {
             m_navigation.setProjection(on ? Projection::Orthographic : Projection::Perspective);
         });
     m_orthographic->setCheckable(true);
@@ -144,10 +148,10 @@ void CameraActions::fillViews(QMenu& menu) {
 }
 
 void CameraActions::fillTrail(QMenu& menu) {
-    m_back = addAction(menu, tr("&Previous View"), {QKeySequence(Qt::ALT | Qt::Key_Left)}, this,
-                       [this] { m_trail->goBack(); });
-    m_forward = addAction(menu, tr("&Next View"), {QKeySequence(Qt::ALT | Qt::Key_Right)}, this,
-                          [this] { m_trail->goForward(); });
+    m_back = addWithKeys(menu, tr("&Previous View"), {QKeySequence(Qt::ALT | Qt::Key_Left)}, this,
+                         [this] { m_trail->goBack(); });
+    m_forward = addWithKeys(menu, tr("&Next View"), {QKeySequence(Qt::ALT | Qt::Key_Right)}, this,
+                            [this] { m_trail->goForward(); });
     m_back->setToolTip(tr("Where the camera was before"));
     m_forward->setToolTip(tr("Where the camera was before you went back"));
     connect(m_trail, &CameraTrail::changed, this, &CameraActions::followTrail);
@@ -168,7 +172,7 @@ void CameraActions::fillFly(QMenu& menu) {
         {tr("Up\tE"), {0.0f, 1.0f, 0.0f}},      {tr("Down\tQ"), {0.0f, -1.0f, 0.0f}}};
     for (const auto& step : steps) {
         leaveOutOfKeys(
-            *addAction(menu, step.first, {}, this, [this, by = step.second] { m_navigation.flyStep(by); }));
+            *addWithKeys(menu, step.first, {}, this, [this, by = step.second] { m_navigation.flyStep(by); }));
     }
 }
 
@@ -178,9 +182,10 @@ void CameraActions::fillBookmarks(QMenu& menu) {
     for (int index = 0; index < kBookmarks; ++index) {
         const auto key = static_cast<Qt::Key>(Qt::Key_1 + index);
         const QString name = tr("Bookmark &%1").arg(index + 1);
-        QAction* storing = addAction(keep, name, {QKeySequence(Qt::ControlModifier | key)}, this,
-                                     [this, index] { store(index); });
-        m_recall[index] = addAction(menu, name, {QKeySequence(key)}, this, [this, index] { recall(index); });
+        QAction* storing = addWithKeys(keep, name, {QKeySequence(Qt::ControlModifier | key)}, this,
+                                       [this, index] { store(index); });
+        m_recall[index] =
+            addWithKeys(menu, name, {QKeySequence(key)}, this, [this, index] { recall(index); });
         if (index > 0) {
             leaveOutOfKeys(*storing);
             leaveOutOfKeys(*m_recall[index]);
@@ -192,11 +197,11 @@ void CameraActions::fillBookmarks(QMenu& menu) {
 }
 
 void CameraActions::fillEdit(QMenu& menu) {
-    addAction(menu, tr("Copy Ca&mera"), {QKeySequence(tr("Ctrl+Shift+C"))}, this, [this] {
+    addWithKeys(menu, tr("Copy Ca&mera"), {QKeySequence(tr("Ctrl+Shift+C"))}, this, [this] {
         QGuiApplication::clipboard()->setText(textOf(m_navigation.goal()));
         Q_EMIT said(tr("Camera copied to the clipboard as text."));
     });
-    addAction(menu, tr("Paste Camer&a"), {QKeySequence(tr("Ctrl+Shift+V"))}, this, [this] {
+    addWithKeys(menu, tr("Paste Camer&a"), {QKeySequence(tr("Ctrl+Shift+V"))}, this, [this] {
         if (Status pasted = paste(QGuiApplication::clipboard()->text()); !pasted) {
             Q_EMIT failed(pasted.error());
         }

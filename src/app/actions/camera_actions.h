@@ -29,7 +29,8 @@ public:
     explicit CameraActions(Viewport& viewport, QObject* parent = nullptr);
 
     void fill(QMenu& menu);
-    void fillEdit(QMenu& menu);  ///< copy and paste
+    void fillEdit(QMenu& menu);                               ///< copy and paste
+    [[nodiscard]] QAction* frame() const { return m_frame; }  ///< the selection; for a tool bar
 
     /// Remembered: preset, what orbiting turns about, projection, field of view, bookmarks.
     void load(const QSettings& settings);
@@ -70,6 +71,7 @@ private:
     std::array<QAction*, kBookmarks> m_recall{};
     AxisGizmo* m_gizmo;
     CameraTrail* m_trail;
+    QAction* m_frame = nullptr;
     QAction* m_back = nullptr;
     QAction* m_forward = nullptr;
     QAction* m_orthographic = nullptr;

@@ -7,6 +7,7 @@
 #include "app/actions/menu_building.h"
 #include "app/actions/shading_actions.h"
 #include "app/dialogs/texture_chooser.h"
+#include "panels/icons/themed_icon.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -39,6 +40,14 @@ void DisplayActions::fill(QMenu& menu, const std::function<void(QMenu&)>& fillMi
         change([on](DisplayOptions& display) { display.crosshair = on; });
     });
     follow();
+}
+
+void DisplayActions::fillEnd(QMenu& menu) {
+    m_continuous = addToggle(menu, tr("Draw C&ontinuously"), {}, false, this,
+                             [this](bool on) { m_viewport.setDrawsContinuously(on); });
+    m_continuous->setIcon(themedIcon(QStringLiteral("continuous")));
+    m_continuous->setIconVisibleInMenu(false);  // it would hide the check mark
+    m_continuous->setToolTip(tr("Draw frames even when nothing changes, to measure the frame rate"));
 }
 
 void DisplayActions::makeWireframeMenu(QMenu& menu) {

@@ -16,7 +16,7 @@ class ShadingActions;
 class TextureChooser;
 class Viewport;
 
-/// How surfaces are drawn: wireframe, shading, normals, textures, floor, crosshair.
+/// How surfaces are drawn, and when: wireframe, shading, normals, textures, floor, crosshair, continuously.
 class DisplayActions : public QObject {
     Q_OBJECT
 public:
@@ -25,6 +25,8 @@ public:
 
     /// `fillMiddle` adds what stands between the targets' looks and the floor. Once.
     void fill(QMenu& menu, const std::function<void(QMenu&)>& fillMiddle);
+    void fillEnd(QMenu& menu);  ///< once; drawing without a cause
+    [[nodiscard]] QAction* continuous() const { return m_continuous; }
     [[nodiscard]] QMenu* wireframeMenu() const { return m_wireframeMenu; }
     void cycleWireframe();
 
@@ -50,6 +52,7 @@ private:
     QAction* m_textures = nullptr;
     QAction* m_floor = nullptr;
     QAction* m_crosshair = nullptr;
+    QAction* m_continuous = nullptr;
 };
 
 }  // namespace hitscope

@@ -5,10 +5,14 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QMainWindow>
 #include <QMenu>
 
+#include "app/actions/menu_building.h"
 #include "app/dialogs/dialogs.h"
 #include "app/dialogs/text_window.h"
+#include "app/overlays/keys_overlay.h"
+#include "models/verdict_text.h"
 #include "panels/help/help_text.h"
 #include "session/session.h"
 #include "session/task_list.h"
@@ -35,8 +39,8 @@ QString commandLineProgram() {
     return {};
 }
 
-HelpActions::HelpActions(Session& session, Viewport& viewport, QWidget* parent)
-    : QObject(parent), m_session(session), m_viewport(viewport), m_parent(parent) {}
+HelpActions::HelpActions(Session& session, Viewport& viewport, QMainWindow& window)
+    : QObject(&window), m_session(session), m_viewport(viewport), m_window(window) {}
 
 HelpActions::~HelpActions() {
     if (m_process) {
@@ -47,13 +51,31 @@ HelpActions::~HelpActions() {
 }
 
 void HelpActions::fill(QMenu& menu) {
+    addAction(menu, tr("&Keys and Mouse"), Qt::Key_F1, this, [this] { showKeys(); });
+    menu.addSeparator();
     connect(menu.addAction(tr("&Graphics…")), &QAction::triggered, this, &HelpActions::showGraphics);
     m_measure = menu.addAction(tr("&Measure the Paper's Tables"));
     m_measure->setToolTip(
         tr("The frame rates of the paper's nine scenes under every pipeline, on this machine: takes some "
            "minutes"));
     connect(m_measure, &QAction::triggered, this, [this] { measurePaper(); });
+    menu.addSeparator();
+    addAction(menu, tr("&About Hitscope"), {}, this, [this] { showAboutProgram(); });
     follow();
+}
+
+void HelpActions::showKeys() {
+    auto* overlay = m_window.findChild<KeysOverlay*>();
+    if (overlay == nullptr) {
+        overlay = new KeysOverlay(m_window);
+    }
+    const Navigation& navigation = m_viewport.navigation();
+    overlay->toggle({mouseKeys(navigation.preset(), navigation.orbitMode()), heldKeys()});
+}
+
+void HelpActions::showAboutProgram() {
+    showAbout(&m_window, m_viewport.rendererName(), m_viewport.rendererVersion(),
+              verdictText(m_session.readBack().verdict(), m_session.settings().pipeline()));
 }
 
 void HelpActions::follow() {
@@ -64,8 +86,8 @@ void HelpActions::follow() {
 }
 
 TextWindow* HelpActions::showText(const QString& name, const QString& title, const QString& text) {
-    delete m_parent->findChild<TextWindow*>(name);  // an earlier one says what was
-    auto* window = new TextWindow(title, text, m_parent);
+    delete m_window.findChild<TextWindow*>(name);  // an earlier one says what was
+    auto* window = new TextWindow(title, text, &m_window);
     window->setObjectName(name);
     window->show();
     return window;

@@ -10,8 +10,8 @@
 #include "core/result.h"
 
 class QAction;
+class QMainWindow;
 class QMenu;
-class QWidget;
 
 namespace hitscope {
 
@@ -20,12 +20,13 @@ class TaskProgress;
 class TextWindow;
 class Viewport;
 
-/// What the Help menu says of this machine: the graphics driver, and the paper's tables measured on it.
+/// The Help menu: all keys, what is said of this machine (the graphics driver, and the paper's tables
+/// measured on it), and of the program.
 class HelpActions : public QObject {
     Q_OBJECT
 public:
-    /// All outlive this but `parent`.
-    HelpActions(Session& session, Viewport& viewport, QWidget* parent);
+    /// All outlive this; what it shows belongs to `window`.
+    HelpActions(Session& session, Viewport& viewport, QMainWindow& window);
     ~HelpActions() override;
 
     void fill(QMenu& menu);
@@ -40,6 +41,8 @@ Q_SIGNALS:
     void failed(const hitscope::Error& error);
 
 private:
+    void showKeys();
+    void showAboutProgram();
     TextWindow* showText(const QString& name, const QString& title, const QString& text);
     void takeProgress();
     void takeTables(int status, QProcess::ExitStatus how);
@@ -48,7 +51,7 @@ private:
 
     Session& m_session;
     Viewport& m_viewport;
-    QWidget* m_parent;
+    QMainWindow& m_window;
     QAction* m_measure = nullptr;
     std::unique_ptr<QProcess> m_process;
     std::unique_ptr<TaskProgress> m_task;

@@ -2,6 +2,7 @@
 #include "app/actions/shot_actions.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QFileDialog>
 #include <QMenu>
 #include <QSettings>
@@ -10,6 +11,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "app/actions/menu_building.h"
 #include "app/dialogs/dialogs.h"
 #include "app/dialogs/shot_series_dialog.h"
 #include "app/flight_chooser.h"
@@ -66,6 +68,8 @@ void ShotActions::fill(QToolBar& bar) {
 }
 
 void ShotActions::fill(QMenu& menu) {
+    addHeldKey(menu, tr("&Shoot at the Crosshair"), tr("Space"), this,
+               [this] { m_viewport.shootAtCrosshair(); });
     m_flight->fill(menu);
     menu.addAction(tr("B&urst…"), tr("Ctrl+B"), this, [this] { showSeries(ShotSeries::Pattern::Burst); });
     menu.addAction(tr("Se&quence…"), this, [this] { showSeries(ShotSeries::Pattern::Line); });

@@ -17,8 +17,8 @@ class AimPreview;
 class FlightChooser;
 class Viewport;
 
-/// What the Shoot menu and the tool bar offer beside single shots: how they fly, bursts, sequences, scripts,
-/// the aim preview. Says what becomes of shots.
+/// Shots: at the crosshair, how they fly, bursts, sequences, scripts, the aim preview. Says what becomes of
+/// them.
 class ShotActions : public QObject {
     Q_OBJECT
 public:

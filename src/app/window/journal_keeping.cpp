@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/journal_keeping.h"
+
+#include "app/journal_picture.h"
+#include "app/session_files.h"
+#include "app/window/window_view.h"
+#include "document/journal_files.h"
+#include "document/session_journal.h"
+#include "viewport/viewport.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr int kPatience = 2'000;  // milliseconds
+
+}  // namespace
+
+JournalKeeping::JournalKeeping(Session& session, SessionFiles& files, WindowView& view, Viewport& viewport,
+                               QObject* parent)
+    : QObject(parent),
+      m_files(files),
+      m_journal(new SessionJournal(session, view.functions().capture, journalFolder(), this)) {
+    new JournalPicture(viewport, *m_journal, this);
+    connect(&files, &SessionFiles::saved, this, &JournalKeeping::takeSaved);
+    connect(&files, &SessionFiles::opened, this, &JournalKeeping::takeOpened);
+    connect(&files, &SessionFiles::left, m_journal, &SessionJournal::finish);
+    connect(&viewport, &Viewport::optionsChanged, m_journal, &SessionJournal::viewChanged);
+    connect(&m_journal->writer(), &JournalWriter::failed, this, [this](const Error& error) {
+        Q_EMIT noticeWanted(tr("Changes are not kept for recovery: %1 Save often.")
+                                .arg(QString::fromStdString(error.message())));
+    });
+}
+
+void JournalKeeping::flush() {
+    m_journal->flush();
+}
+
+void JournalKeeping::finish() {
+    m_journal->finish();
+}
+
+void JournalKeeping::takeSaved() {
+    if (!m_files.isModified()) {  // meanwhile
+        m_journal->finish();
+    }
+}
+
+void JournalKeeping::takeOpened(const QString& path) {
+    if (!path.isEmpty()) {
+        m_journal->finish();
+        return;
+    }
+    // What it was recovered from goes next.
+    m_journal->flush();
+    m_journal->writer().wait(kPatience);
+}
+
+}  // namespace hitscope

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+namespace hitscope {
+
+class Session;
+class SessionFiles;
+class SessionJournal;
+class Viewport;
+class WindowView;
+
+/// The journal of the window's session: begins with the first change, goes when the session is saved or given
+/// up.
+class JournalKeeping : public QObject {
+    Q_OBJECT
+public:
+    /// All outlive this but `parent`. It is there before the window has been shown.
+    JournalKeeping(Session& session, SessionFiles& files, WindowView& view, Viewport& viewport,
+                   QObject* parent);
+
+    void flush();   ///< what has been noted goes to the file now
+    void finish();  ///< the session is saved, or is not wanted any more
+
+Q_SIGNALS:
+    void noticeWanted(const QString& text);  ///< why there can be no journal
+
+private:
+    void takeSaved();
+    void takeOpened(const QString& path);
+
+    SessionFiles& m_files;
+    SessionJournal* m_journal;
+};
+
+}  // namespace hitscope
