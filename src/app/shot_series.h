@@ -4,7 +4,7 @@
 #include <QPointF>
 #include <cstdint>
 
-#include "session/shot_script.h"
+#include "session/shots/shot_script.h"
 
 class QSettings;
 

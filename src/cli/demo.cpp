@@ -13,9 +13,9 @@
 #include "io/save_image.h"
 #include "scene/picture.h"
 #include "scene/scene_gpu.h"
-#include "session/demo_shots.h"
 #include "session/export/export_target.h"
 #include "session/session.h"
+#include "session/shots/demo_shots.h"
 
 namespace hitscope::cli {
 

@@ -16,7 +16,7 @@
 #include "cli/verbs.h"
 #include "io/save_image.h"
 #include "scene/picture_sequence.h"
-#include "session/demo_shots.h"
+#include "session/shots/demo_shots.h"
 #include "view/camera_text.h"
 
 namespace hitscope::cli {

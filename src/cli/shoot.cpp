@@ -16,7 +16,7 @@
 #include "document/session_file.h"
 #include "io/save_image.h"
 #include "scene/picture.h"
-#include "session/shot_script_file.h"
+#include "session/shots/shot_script_file.h"
 #include "view/camera_text.h"
 
 namespace hitscope::cli {

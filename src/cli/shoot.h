@@ -12,7 +12,7 @@
 #include "deform/pipeline_kind.h"
 #include "session/flight_mode.h"
 #include "session/session.h"
-#include "session/shot_script.h"
+#include "session/shots/shot_script.h"
 #include "usage/invocation.h"
 
 namespace hitscope::cli {

@@ -8,8 +8,8 @@
 
 #include "cli/shoot.h"
 #include "cli/standard_streams.h"
-#include "session/shot_schedule.h"
-#include "session/shot_script_file.h"
+#include "session/shots/shot_schedule.h"
+#include "session/shots/shot_script_file.h"
 
 namespace hitscope::cli {
 

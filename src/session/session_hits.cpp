@@ -7,6 +7,7 @@
 
 #include "session/flight_mode.h"
 #include "session/session.h"
+#include "session/usual_dent.h"
 
 namespace hitscope {
 
@@ -249,8 +250,8 @@ void SessionHits::giveConstants(std::span<const std::size_t> indices) {
     hits.reserve(rows.size());
     for (const std::size_t index : rows) {
         hits.push_back(m_history.hits()[index]);
-        hits.back().constants = constantsOf(hits.back());
-        hits.back().form = formOf(hits.back());
+        hits.back().constants = usualConstants(m_session, hits.back());
+        hits.back().form = usualForm(m_session, hits.back());
     }
     // Constants in force are within what a hit may have, so this is not refused.
     static_cast<void>(replace(rows, hits, SessionUndo::Kind::HitConstants));
@@ -260,40 +261,6 @@ void SessionHits::giveConstantsToAll() {
     std::vector<std::size_t> all(m_history.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     giveConstants(all);
-}
-
-DeformationConstants SessionHits::constantsOf(const Hit& hit) const {
-    const SessionSettings& settings = m_session.m_settings;
-    const Target* on = m_session.m_targets.find(hit.target);
-    DeformationConstants constants = on != nullptr ? settings.constantsOn(*on) : settings.constants();
-    if (settings.projectile().powerFollowsImpulse) {
-        ConstantsSetting most = settings.constantsSetting();
-        most.constants.power = static_cast<float>(deformationParameters()[kPower].maximum);
-        const float cap =
-            on != nullptr ? hitscope::constantsOn(on->extent(), most).power : most.constants.power;
-        const float power = constants.power * (hit.impulse / settings.projectile().referenceImpulse);
-        constants.power = std::clamp(power, 0.0f, cap);
-    }
-    return constants;
-}
-
-DentForm SessionHits::formOf(const Hit& hit, float radius) const {
-    return withRadius(m_session.m_settings.constantsSetting().form, hit, radius);
-}
-
-DentForm SessionHits::withRadius(DentForm form, const Hit& hit, float radius) const {
-    if (form.presses() && radius > 0.0f) {
-        form.radius = radius;
-    } else if (form.presses() && hit.form.radius > 0.0f) {
-        form.radius = hit.form.radius;
-    } else if (form.presses()) {
-        const SessionSettings& settings = m_session.m_settings;
-        const Target* on = m_session.m_targets.find(hit.target);
-        form.radius = projectileOf(settings.flightMode(), settings.projectile(),
-                                   on != nullptr ? on->extent() : kUsualExtent, 0.0f)
-                          .radius;
-    }
-    return plain(form);
 }
 
 AppliedHits SessionHits::applied() const {

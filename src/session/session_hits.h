@@ -58,16 +58,9 @@ public:
     [[nodiscard]] Status replace(std::span<const std::size_t> indices, std::span<const Hit> hits,
                                  SessionUndo::Kind kind,
                                  SessionUndo::Merge merge = SessionUndo::Merge::Never);
-    /// The hits get the constants and the form that a hit like each of them is made with now.
+    /// The hits get the constants and the form that a hit like each of them is made with now (usual_dent.h).
     void giveConstants(std::span<const std::size_t> indices);
     void giveConstantsToAll();
-    /// Those that giveConstants() would give it.
-    [[nodiscard]] DeformationConstants constantsOf(const Hit& hit) const;
-    /// Likewise. The radius of one that presses is `radius` (metres); 0: the hit's own, or that of the
-    /// projectiles now.
-    [[nodiscard]] DentForm formOf(const Hit& hit, float radius = 0.0f) const;
-    /// `form` with the radius that formOf() would give it.
-    [[nodiscard]] DentForm withRadius(DentForm form, const Hit& hit, float radius = 0.0f) const;
 
     /// Shows the targets as they were after the first `count` hits; nothing: after all. The history stays as
     /// it is, and hits that come end it.

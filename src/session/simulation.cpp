@@ -8,6 +8,7 @@
 #include "session/paced_advance.h"
 #include "session/session.h"
 #include "session/task_list.h"
+#include "session/usual_dent.h"
 
 namespace hitscope {
 
@@ -117,9 +118,9 @@ void Simulation::sayWhatShotsDid() {
 /// Nothing for an impact that no hit can be made of.
 std::optional<Hit> Simulation::hitOf(const Impact& impact) const {
     Hit hit = localHit(impact);
-    hit.constants = m_session.m_hits.constantsOf(hit);
-    hit.form = impact.form ? m_session.m_hits.withRadius(*impact.form, hit, impact.radius)
-                           : m_session.m_hits.formOf(hit, impact.radius);
+    hit.constants = usualConstants(m_session, hit);
+    hit.form = impact.form ? withRadius(m_session, *impact.form, hit, impact.radius)
+                           : usualForm(m_session, hit, impact.radius);
     hit.pipeline = static_cast<std::uint8_t>(m_session.m_settings.pipeline());
     Result<Hit> checked = checkedHit(hit);
     return checked && m_session.m_targets.find(impact.target) != nullptr ? std::optional(checked.value())

@@ -13,8 +13,8 @@
 #include "deform/hit_history.h"
 #include "physics/physics_world.h"
 #include "session/collider_follower.h"
-#include "session/shot_schedule.h"
-#include "session/shot_tally.h"
+#include "session/shots/shot_schedule.h"
+#include "session/shots/shot_tally.h"
 #include "session/target.h"
 
 namespace hitscope {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "physics/physics_world.h"
-#include "session/shot_schedule.h"
+#include "session/shots/shot_schedule.h"
 #include "view/camera.h"
 
 namespace hitscope {

@@ -11,7 +11,7 @@
 #include "gl/render_target.h"
 #include "mesh/primitives.h"
 #include "scene/scene_gpu.h"
-#include "session/demo_shots.h"
+#include "session/shots/demo_shots.h"
 #include "session/vertex_selection.h"
 #include "support/baseline.h"
 #include "support/gl_fixture.h"

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "scene/screen_space.h"
-#include "session/demo_shots.h"
 #include "session/primitive_target.h"
+#include "session/shots/demo_shots.h"
 
 namespace hitscope::test {
 

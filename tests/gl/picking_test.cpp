@@ -14,8 +14,8 @@
 #include "mesh/primitives.h"
 #include "scene/scene_picker.h"
 #include "scene/screen_space.h"
-#include "session/demo_shots.h"
 #include "session/primitive_target.h"
+#include "session/shots/demo_shots.h"
 #include "support/test_program.h"
 
 namespace hitscope::picking_test {

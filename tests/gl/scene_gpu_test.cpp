@@ -11,8 +11,8 @@
 #include "gl/pipeline_rows.h"
 #include "io/import.h"
 #include "mesh/primitives.h"
-#include "session/demo_shots.h"
 #include "session/export/export_target.h"
+#include "session/shots/demo_shots.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 

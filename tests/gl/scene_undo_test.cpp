@@ -5,7 +5,7 @@
 #include "deform/fingerprint.h"
 #include "gl/pipeline_rows.h"
 #include "scene/scene_gpu.h"
-#include "session/demo_shots.h"
+#include "session/shots/demo_shots.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 

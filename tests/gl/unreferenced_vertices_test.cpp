@@ -8,7 +8,7 @@
 #include "gl/pipeline_rows.h"
 #include "mesh/primitives.h"
 #include "scene/scene_gpu.h"
-#include "session/demo_shots.h"
+#include "session/shots/demo_shots.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 

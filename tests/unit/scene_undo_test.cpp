@@ -6,8 +6,8 @@
 #include <array>
 
 #include "deform/fingerprint.h"
-#include "session/demo_shots.h"
 #include "session/session.h"
+#include "session/shots/demo_shots.h"
 #include "support/test_program.h"
 
 namespace hitscope::scene_undo_test {

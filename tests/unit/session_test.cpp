@@ -5,7 +5,7 @@
 #include <QTest>
 
 #include "mesh/primitives.h"
-#include "session/demo_shots.h"
+#include "session/shots/demo_shots.h"
 #include "support/test_program.h"
 
 namespace hitscope::session_test {

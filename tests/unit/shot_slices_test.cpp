@@ -7,7 +7,7 @@
 #include "mesh/primitives.h"
 #include "session/paced_advance.h"
 #include "session/session.h"
-#include "session/shot_script.h"
+#include "session/shots/shot_script.h"
 #include "session/task_list.h"
 #include "support/test_program.h"
 

@@ -9,7 +9,7 @@
 #include "io/export_obj.h"
 #include "io/readers/obj_reader.h"
 #include "mesh/primitives.h"
-#include "session/demo_shots.h"
+#include "session/shots/demo_shots.h"
 #include "support/test_program.h"
 #include "unit/deform_support.h"
 

@@ -13,7 +13,7 @@
 #include "mesh/primitives.h"
 #include "panels/change/change_panel.h"
 #include "panels/histogram/histogram_plot.h"
-#include "session/demo_shots.h"
+#include "session/shots/demo_shots.h"
 #include "support/test_program.h"
 #include "widgets/window_support.h"
 

@@ -13,7 +13,7 @@
 #include "app/session_collector.h"
 #include "app/session_files.h"
 #include "deform/fingerprint.h"
-#include "session/demo_shots.h"
+#include "session/shots/demo_shots.h"
 #include "session/task_list.h"
 #include "support/test_program.h"
 #include "window_support.h"

@@ -9,7 +9,7 @@
 
 #include "panels/histogram/histogram_plot.h"
 #include "panels/mesh_statistics/mesh_statistics_panel.h"
-#include "session/demo_shots.h"
+#include "session/shots/demo_shots.h"
 #include "support/test_program.h"
 #include "widgets/window_support.h"
 

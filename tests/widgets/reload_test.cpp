@@ -15,7 +15,7 @@
 #include "deform/fingerprint.h"
 #include "document/journal_records.h"
 #include "document/session_journal.h"
-#include "session/demo_shots.h"
+#include "session/shots/demo_shots.h"
 #include "session/task_list.h"
 #include "session/vertex_selection.h"
 #include "support/test_program.h"

@@ -16,7 +16,7 @@
 #include "deform/fingerprint.h"
 #include "document/journal_files.h"
 #include "document/session_journal.h"
-#include "session/demo_shots.h"
+#include "session/shots/demo_shots.h"
 #include "support/test_program.h"
 #include "window_support.h"
 

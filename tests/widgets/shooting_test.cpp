@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "mesh/primitives.h"
-#include "session/shot_script.h"
+#include "session/shots/shot_script.h"
 #include "support/test_program.h"
 #include "viewport/aim_preview.h"
 #include "widgets/window_support.h"

@@ -17,7 +17,7 @@
 #include "app/actions/menu_building.h"
 #include "app/actions/shot_actions.h"
 #include "document/session_document.h"
-#include "session/shot_script_file.h"
+#include "session/shots/shot_script_file.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {

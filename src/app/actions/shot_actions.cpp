@@ -17,7 +17,7 @@
 #include "app/flight_chooser.h"
 #include "app/shot_text.h"
 #include "panels/help/help_text.h"
-#include "session/shot_script_file.h"
+#include "session/shots/shot_script_file.h"
 #include "viewport/aim_preview.h"
 #include "viewport/viewport.h"
 

@@ -12,6 +12,7 @@
 #include "panels/help/help_text.h"
 #include "session/hit_editing.h"
 #include "session/shown_number.h"
+#include "session/usual_dent.h"
 #include "ui_deformation_constants.h"
 
 namespace hitscope {
@@ -148,7 +149,7 @@ DentForm DeformationConstantsPanel::formOn(TargetId target) const {
     Hit hit;
     hit.target = target;
     const DentForm& form = m_session.settings().constantsSetting().form;
-    return form.presses() ? m_session.hits().withRadius(form, hit) : form;
+    return form.presses() ? withRadius(m_session, form, hit) : form;
 }
 
 void DeformationConstantsPanel::makePresetMenu() {

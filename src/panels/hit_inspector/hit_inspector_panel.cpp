@@ -15,6 +15,7 @@
 #include "panels/help/help_text.h"
 #include "panels/hit_inspector/direction_fields.h"
 #include "session/shown_number.h"
+#include "session/usual_dent.h"
 #include "ui_hit_inspector.h"
 
 namespace hitscope {
@@ -127,7 +128,7 @@ void HitInspectorPanel::makeForm() {
         once(Push, [this, direction](Hit& hit) {
             DentForm form = hit.form;
             form.direction = direction;
-            hit.form = m_session.hits().withRadius(form, hit);
+            hit.form = withRadius(m_session, form, hit);
         });
     });
     connect(m_falloff, &FalloffPlot::curveEdited, this, [this](const CurveOrdinates& curve) {
@@ -245,7 +246,7 @@ void HitInspectorPanel::showTitle() {
 void HitInspectorPanel::showConstants(const Hit& hit) {
     const Target* target = m_session.targets().find(hit.target);
     const double size = target != nullptr ? static_cast<double>(sizeFactor(target->extent())) : 1.0;
-    const DeformationConstants next = m_session.hits().constantsOf(hit);
+    const DeformationConstants next = usualConstants(m_session, hit);
     for (std::size_t i = 0; i < m_editors.size(); ++i) {
         const auto value = [i](const Hit& one) { return parameterValue(one.constants, i); };
         m_editors[i]->setSpan(i == 1 ? size * size : size);
@@ -282,8 +283,8 @@ void HitInspectorPanel::choosePreset(int row) {
              [this, chosen = m_presets.all()[preset]](Hit& hit) { hit.constants = presetFor(chosen, hit); });
     } else {
         once(Preset, [this](Hit& hit) {
-            hit.constants = m_session.hits().constantsOf(hit);
-            hit.form = m_session.hits().formOf(hit);
+            hit.constants = usualConstants(m_session, hit);
+            hit.form = usualForm(m_session, hit);
         });
     }
     show();

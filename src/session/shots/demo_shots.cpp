@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/demo_shots.h"
+#include "session/shots/demo_shots.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/shot_script.h"
+#include "session/shots/shot_script.h"
 
 #include <algorithm>
 #include <cmath>

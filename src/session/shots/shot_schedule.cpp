@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/shot_schedule.h"
+#include "session/shots/shot_schedule.h"
 
 #include <algorithm>
 #include <utility>

@@ -5,7 +5,7 @@
 #include <QString>
 
 #include "core/result.h"
-#include "session/shot_script.h"
+#include "session/shots/shot_script.h"
 
 namespace hitscope {
 
