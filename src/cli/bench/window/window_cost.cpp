@@ -109,22 +109,22 @@ Result<MemoryFigures> measureWindowMemory(const WindowRoom& room, const MemoryWi
             }
         }
     };
-    rowOf("start", QStringLiteral("the scene it starts with"), false);
-    rowOf("opened", QStringLiteral("the mesh opened"), true);
+    rowOf("start", QStringLiteral("at start"), false);
+    rowOf("opened", QStringLiteral("mesh opened"), true);
     rowOf("hits", QStringLiteral("after the hits"), true);
-    rowOf("undone", QStringLiteral("all undone"), true);
-    rowOf("closed", QStringLiteral("the mesh closed"), false);
+    rowOf("undone", QStringLiteral("all hits undone"), true);
+    rowOf("closed", QStringLiteral("mesh closed"), false);
     const MemoryRow* opened = findRow(figures, QStringLiteral("opened"));
     const MemoryRow* after = findRow(figures, QStringLiteral("hits"));
     if (opened != nullptr && after != nullptr && figures.hits > 0) {
         const auto hits = static_cast<double>(figures.hits);
-        figures.rows.push_back({QStringLiteral("hit"), QStringLiteral("more for each hit"),
+        figures.rows.push_back({QStringLiteral("hit"), QStringLiteral("growth per hit"),
                                 (after->share - opened->share) / hits,
                                 (after->resident - opened->resident) / hits, false});
     }
     const double worker = figures.renderer[QStringLiteral("worker")].toDouble();
-    figures.rows.push_back({QStringLiteral("worker"), QStringLiteral("the import's own process, at most"),
-                            worker, worker, false});
+    figures.rows.push_back(
+        {QStringLiteral("worker"), QStringLiteral("import process, at most"), worker, worker, false});
     return figures;
 }
 
