@@ -201,41 +201,41 @@ int runExplain(Invocation& given) {
 }  // namespace
 
 Verb changesVerb() {
-    return {
-        {.name = QStringLiteral("changes"),
-         .files = QStringLiteral("SESSION"),
-         .about = QStringLiteral("print the table of changed vertices"),
-         .description = QStringLiteral("Prints a line for each vertex that is not where it was: as CSV, or "
-                                       "with --json as JSON. Vertices are "
-                                       "numbered from 1, as files do; numbers read back as the same bits."),
-         .options = QList<UsageOption>{targetOption(QStringLiteral("all")),
-                                       pipelineOption(QStringLiteral("that of the session"))} +
-                    reportOptions(),
-         .examples = {{QStringLiteral("The changes as a table."),
-                       QStringLiteral("hitscope-cli changes dents.hitscope > changes.csv")}},
-         .leastFiles = 1,
-         .mostFiles = 1},
-        runChanges};
+    return {{.name = QStringLiteral("changes"),
+             .files = QStringLiteral("SESSION"),
+             .about = QStringLiteral("print the table of changed vertices"),
+             .description = QStringLiteral(
+                 "Prints a line for each changed vertex as CSV, or with --json as JSON. Counts vertices from "
+                 "1, as in the file. Numbers read back to the same bits."),
+             .options = QList<UsageOption>{targetOption(QStringLiteral("all")),
+                                           pipelineOption(QStringLiteral("the session's"))} +
+                        reportOptions(),
+             .examples = {{QStringLiteral("Write the changes to a table."),
+                           QStringLiteral("hitscope-cli changes dents.hitscope > changes.csv")}},
+             .leastFiles = 1,
+             .mostFiles = 1},
+            runChanges};
 }
 
 Verb explainVerb() {
-    return {{.name = QStringLiteral("explain"),
-             .files = QStringLiteral("SESSION"),
-             .about = QStringLiteral("tell which hits moved a vertex, and by how much each"),
-             .description = QStringLiteral(
-                 "Follows one vertex through the hits: how far each was (r), what it added (m), where the "
-                 "vertex was "
-                 "after it. Ends with 1 where that is not where the pipeline has it, in every bit."),
-             .options = QList<UsageOption>{valueOption("vertex", "N",
-                                                       QStringLiteral("Its number in the file, from 1.")),
-                                           targetOption(QStringLiteral("the one with most changed vertices")),
-                                           pipelineOption(QStringLiteral("that of the session"))} +
-                        reportOptions(),
-             .examples = {{QStringLiteral("Why a vertex is where it is."),
-                           QStringLiteral("hitscope-cli explain --vertex 12 dents.hitscope")}},
-             .leastFiles = 1,
-             .mostFiles = 1},
-            runExplain};
+    return {
+        {.name = QStringLiteral("explain"),
+         .files = QStringLiteral("SESSION"),
+         .about = QStringLiteral("list the hits that moved a vertex, with the contribution of each"),
+         .description = QStringLiteral("Follows one vertex through the hits: prints the distance of each hit "
+                                       "(r), its contribution (m), and the position after it. Exits with 1 "
+                                       "if the last position differs in any bit from the pipeline's."),
+         .options =
+             QList<UsageOption>{
+                 valueOption("vertex", "N", QStringLiteral("Number of the vertex in the file, from 1.")),
+                 targetOption(QStringLiteral("the one with the most changed vertices")),
+                 pipelineOption(QStringLiteral("the session's"))} +
+             reportOptions(),
+         .examples = {{QStringLiteral("Explain the position of a vertex."),
+                       QStringLiteral("hitscope-cli explain --vertex 12 dents.hitscope")}},
+         .leastFiles = 1,
+         .mostFiles = 1},
+        runExplain};
 }
 
 }  // namespace hitscope::cli

@@ -69,12 +69,12 @@ int runCollect(Invocation& given) {
 Verb collectVerb() {
     return {{.name = QStringLiteral("collect"),
              .files = QStringLiteral("SESSION FOLDER"),
-             .about = QStringLiteral("put a session, its meshes and textures into one folder"),
+             .about = QStringLiteral("copy a session, its meshes and textures into one folder"),
              .description = QStringLiteral(
-                 "Puts a session, its meshes, materials and textures into one folder, which can be "
-                 "moved and handed on; it is made where it is missing. Nothing that exists is replaced."),
+                 "Copies a session with its meshes, materials and textures into one folder, which you can "
+                 "move and share. Creates the folder if needed and never replaces an existing file."),
              .options = {quietOption()},
-             .examples = {{QStringLiteral("A session to hand on."),
+             .examples = {{QStringLiteral("Collect a session to share it."),
                            QStringLiteral("hitscope-cli collect dents.hitscope to-share")}},
              .leastFiles = 2,
              .mostFiles = 2},

@@ -10,21 +10,20 @@
 namespace hitscope::cli {
 
 UsageOption quietOption() {
-    return flagOption(
-        "quiet",
-        QStringLiteral("No notes and no progress, and with --report no text; errors are still said."));
+    return flagOption("quiet",
+                      QStringLiteral("Print errors only: no notes, no progress, and with --report no text."));
 }
 
 QList<UsageOption> reportOptions() {
     return {
-        flagOption("json", QStringLiteral("Print the report as JSON in place of the text.")),
-        fileOption("report", QStringLiteral("Write the report as JSON into a file, whole or not at all.")),
+        flagOption("json", QStringLiteral("Print the report as JSON instead of text.")),
+        fileOption("report", QStringLiteral("Write the report as JSON to a file, completely or not at all.")),
         quietOption()};
 }
 
 UsageOption pipelineOption(const QString& standard) {
     return wordOption("pipeline", "NAME", pipelineWords(),
-                      QStringLiteral("Pipeline that applies the hits; without it, %1.").arg(standard));
+                      QStringLiteral("Pipeline that applies the hits; default: %1.").arg(standard));
 }
 
 std::optional<PipelineKind> givenPipeline(Invocation& given) {
@@ -33,8 +32,7 @@ std::optional<PipelineKind> givenPipeline(Invocation& given) {
 }
 
 UsageOption targetOption(const QString& standard) {
-    return valueOption("target", "NAME",
-                       QStringLiteral("The target of that name; without it, %1.").arg(standard));
+    return valueOption("target", "NAME", QStringLiteral("Name of the target; default: %1.").arg(standard));
 }
 
 Status giveReport(const Invocation& given, JsonReport& report, const QString& text) {

@@ -183,27 +183,24 @@ Verb compareVerb() {
         {.name = QStringLiteral("compare"),
          .files = QStringLiteral("A [B]"),
          .about = QStringLiteral("compare two meshes, two sessions, or two pipelines, vertex by vertex"),
-         .description = QStringLiteral("Compares the vertices of two meshes of the same topology, of the "
-                                       "targets of two sessions, or of what "
-                                       "two pipelines make of one session. Prints how many differ, the "
-                                       "largest distance and where, and the "
-                                       "root mean square over all vertices. Ends with 1 where the largest is "
-                                       "beyond the tolerance; without "
-                                       "one, where any bit differs."),
+         .description = QStringLiteral(
+             "Compares the vertices of two meshes of the same topology, of the targets of two sessions, or "
+             "of the results of two pipelines for one session. Prints the number of different vertices, the "
+             "largest distance with its place, and the root mean square over all vertices. Exits with 1 if "
+             "the largest distance exceeds the tolerance or, without a tolerance, if any bit differs."),
          .options =
-             QList<UsageOption>{valueOption("tolerance", "METRES",
-                                            QStringLiteral("Largest distance that is "
-                                                           "taken for equal."),
-                                            QStringLiteral("0")),
-                                wordOption("with", "NAME", pipelineWords(),
-                                           QStringLiteral("Compare what this pipeline makes of A.")),
-                                pipelineOption(QStringLiteral("that of the session")),
-                                fileOption("map", QStringLiteral("Write a picture of A, coloured by the "
-                                                                 "distance."))} +
+             QList<UsageOption>{
+                 valueOption("tolerance", "METRES", QStringLiteral("Largest distance that counts as equal."),
+                             QStringLiteral("0")),
+                 wordOption("with", "NAME", pipelineWords(),
+                            QStringLiteral("Compare with the result of this pipeline for A.")),
+                 pipelineOption(QStringLiteral("the session's")),
+                 fileOption("map", QStringLiteral("Write a picture of A, coloured by the "
+                                                  "distance."))} +
              reportOptions(),
-         .examples = {{QStringLiteral("Whether a mesh is what it was, to a micrometre."),
+         .examples = {{QStringLiteral("Check that a mesh is unchanged to within a micrometre."),
                        QStringLiteral("hitscope-cli compare --tolerance 1e-6 bunny.obj bunny.ply")},
-                      {QStringLiteral("A session by two pipelines, with a map."),
+                      {QStringLiteral("Compare two pipelines on a session, with a map."),
                        QStringLiteral("hitscope-cli compare --with reference --map map.png dents.hitscope")}},
          .leastFiles = 1,
          .mostFiles = 2},

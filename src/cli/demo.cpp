@@ -202,31 +202,30 @@ int runDemo(Invocation& given) {
 }  // namespace
 
 Verb demoVerb() {
-    return {
-        {.name = QStringLiteral("demo"),
-         .files = QStringLiteral("[MESH]"),
-         .about = QStringLiteral("shoot, compare the pipelines, write pictures and the deformed mesh"),
-         .description = QStringLiteral("Shoots at the paper's scene, or at one mesh, with no display; "
-                                       "compares the pipelines and writes "
-                                       "before.png, after.png, wireframe.png and deformed.obj. Ends with 1 "
-                                       "where the mesh is not what the "
-                                       "reference makes of the hits."),
-         .options =
-             QList<UsageOption>{
-                 folderOption("out", QStringLiteral("Folder for the results; made where it is missing."),
-                              QStringLiteral("hitscope-demo")),
-                 valueOption("shots", "N", QStringLiteral("Number of shots, 1 to 100000."),
-                             QStringLiteral("50")),
-                 valueOption("seed", "NUMBER", QStringLiteral("Another seed gives other shots."),
-                             QStringLiteral("1")),
-                 pipelineOption(QStringLiteral("transform-feedback")),
-                 wordOption("normals", "KIND", normalWords(), QStringLiteral("In pictures and mesh."),
-                            QStringLiteral("true"))} +
-             reportOptions(),
-         .examples = {{QStringLiteral("The paper's scene."),
-                       QStringLiteral("hitscope-cli demo --out results")}},
-         .mostFiles = 1},
-        runDemo};
+    return {{.name = QStringLiteral("demo"),
+             .files = QStringLiteral("[MESH]"),
+             .about = QStringLiteral("shoot, compare the pipelines, write pictures and the deformed mesh"),
+             .description =
+                 QStringLiteral("Shoots at the paper's scene, or at one mesh, without a display. Compares "
+                                "the pipelines and writes before.png, after.png, wireframe.png and "
+                                "deformed.obj. Exits with 1 if the mesh differs from the reference's."),
+             .options =
+                 QList<UsageOption>{
+                     folderOption("out", QStringLiteral("Folder for the results; created if needed."),
+                                  QStringLiteral("hitscope-demo")),
+                     valueOption("shots", "N", QStringLiteral("Number of shots, 1 to 100000."),
+                                 QStringLiteral("50")),
+                     valueOption("seed", "NUMBER", QStringLiteral("Seed of the random shots."),
+                                 QStringLiteral("1")),
+                     pipelineOption(QStringLiteral("transform-feedback")),
+                     wordOption("normals", "KIND", normalWords(),
+                                QStringLiteral("Normals of the pictures and the mesh."),
+                                QStringLiteral("true"))} +
+                 reportOptions(),
+             .examples = {{QStringLiteral("Shoot at the paper's scene."),
+                           QStringLiteral("hitscope-cli demo --out results")}},
+             .mostFiles = 1},
+            runDemo};
 }
 
 }  // namespace hitscope::cli

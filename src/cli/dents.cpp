@@ -158,15 +158,14 @@ Verb dentsVerb() {
     return {{.name = QStringLiteral("dents"),
              .files = QStringLiteral("SESSION"),
              .about = QStringLiteral("measure each dent: depth, rim, area, volume"),
-             .description = QStringLiteral("Measures each connected piece of surface that hits have moved: "
-                                           "depth along its axis, diameter of the "
-                                           "rim, area before, volume between before and after, and the hits "
-                                           "that made it. Dents that overlap are "
-                                           "one."),
+             .description =
+                 QStringLiteral("Measures each connected part of the surface that hits moved: depth along "
+                                "its axis, diameter of the rim, original area, volume between original and "
+                                "deformed surface, and its hits. Overlapping dents count as one."),
              .options = QList<UsageOption>{targetOption(QStringLiteral("all")),
-                                           pipelineOption(QStringLiteral("that of the session"))} +
+                                           pipelineOption(QStringLiteral("the session's"))} +
                         reportOptions(),
-             .examples = {{QStringLiteral("Every dent of a session."),
+             .examples = {{QStringLiteral("Measure every dent of a session."),
                            QStringLiteral("hitscope-cli dents dents.hitscope")}},
              .leastFiles = 1,
              .mostFiles = 1},

@@ -26,14 +26,13 @@ QStringList formatWords() {
 
 /// What export and convert have in common.
 QList<UsageOption> writingOptions() {
-    return {wordOption("format", "NAME", formatWords(),
-                       QStringLiteral("Without it, what the file's suffix says.")),
-            wordOption("normals", "KIND", {QStringLiteral("true"), QStringLiteral("paper")},
-                       QStringLiteral("Normals of the deformed surface."), QStringLiteral("true")),
-            flagOption("all-normals",
-                       QStringLiteral("OBJ: a normal for each corner, even where the mesh's file has "
-                                      "none.")),
-            flagOption("check", QStringLiteral("Read the file back and compare it with what was meant."))};
+    return {
+        wordOption("format", "NAME", formatWords(), QStringLiteral("Format; default: by the file's suffix.")),
+        wordOption("normals", "KIND", {QStringLiteral("true"), QStringLiteral("paper")},
+                   QStringLiteral("Normals of the deformed surface."), QStringLiteral("true")),
+        flagOption("all-normals",
+                   QStringLiteral("OBJ: write a normal for each corner, even if the mesh's file has none.")),
+        flagOption("check", QStringLiteral("Read the file back and compare it with the mesh."))};
 }
 
 /// What --format says, or else the suffix; a complaint where neither does.
@@ -164,27 +163,27 @@ Verb exportVerb() {
     return {
         {.name = QStringLiteral("export"),
          .files = QStringLiteral("SESSION|MESH"),
-         .about = QStringLiteral("write what hits made of a session's targets"),
-         .description = QStringLiteral("Writes the deformed mesh in the file's own order of vertices: OBJ, "
-                                       "PLY, STL, GLB, glTF, or the table "
-                                       "of changed vertices as CSV."),
+         .about = QStringLiteral("write the deformed targets of a session"),
+         .description = QStringLiteral("Writes the deformed mesh in the vertex order of its file, as OBJ, "
+                                       "PLY, STL, GLB or glTF, or the table of changed vertices as CSV."),
          .options =
              QList<UsageOption>{
                  fileOption("out", QStringLiteral("File to write; - for the standard output.")),
-                 targetOption(QStringLiteral("the one with most changed vertices")),
-                 flagOption("all", QStringLiteral("All targets, as one mesh.")),
-                 flagOption("world", QStringLiteral("Coordinates of the scene, not of the "
-                                                    "mesh's file.")),
+                 targetOption(QStringLiteral("the one with the most changed vertices")),
+                 flagOption("all", QStringLiteral("Write all targets, as one mesh.")),
+                 flagOption(
+                     "world",
+                     QStringLiteral("Use the coordinates of the scene instead of those of the mesh's file.")),
                  valueOption("steps", "N",
-                             QStringLiteral("glTF: shapes on the way, each after as many hits as "
-                                            "any other, as an animation."),
+                             QStringLiteral("glTF: number of intermediate shapes, evenly spaced over the "
+                                            "hits, as an animation."),
                              QStringLiteral("0")),
-                 valueOption("until", "N", QStringLiteral("Only the first N hits.")),
-                 pipelineOption(QStringLiteral("that of the session"))} +
+                 valueOption("until", "N", QStringLiteral("Apply only the first N hits.")),
+                 pipelineOption(QStringLiteral("the session's"))} +
              writingOptions() + reportOptions(),
-         .examples = {{QStringLiteral("The deformed mesh as PLY, read back and compared."),
+         .examples = {{QStringLiteral("Write the deformed mesh as PLY, read it back and compare it."),
                        QStringLiteral("hitscope-cli export --check --out dented.ply dents.hitscope")},
-                      {QStringLiteral("As OBJ to another program."),
+                      {QStringLiteral("Pass an OBJ to another program."),
                        QStringLiteral("hitscope-cli export --format obj --out - dents.hitscope | wc -l")}},
          .leastFiles = 1,
          .mostFiles = 1},
@@ -192,18 +191,18 @@ Verb exportVerb() {
 }
 
 Verb convertVerb() {
-    return {{.name = QStringLiteral("convert"),
-             .files = QStringLiteral("MESH FILE"),
-             .about = QStringLiteral("write a mesh in another format"),
-             .description = QStringLiteral(
-                 "Reads a mesh and writes it in another format; FILE may be - for the standard "
-                 "output. Vertices stay in their order where the format has one."),
-             .options = writingOptions() + reportOptions(),
-             .examples = {{QStringLiteral("OBJ to GLB."),
-                           QStringLiteral("hitscope-cli convert bunny.obj bunny.glb")}},
-             .leastFiles = 2,
-             .mostFiles = 2},
-            runConvert};
+    return {
+        {.name = QStringLiteral("convert"),
+         .files = QStringLiteral("MESH FILE"),
+         .about = QStringLiteral("write a mesh in another format"),
+         .description = QStringLiteral("Reads a mesh and writes it in another format. FILE may be - for the "
+                                       "standard output. Keeps the order of vertices if the format has one."),
+         .options = writingOptions() + reportOptions(),
+         .examples = {{QStringLiteral("Convert OBJ to GLB."),
+                       QStringLiteral("hitscope-cli convert bunny.obj bunny.glb")}},
+         .leastFiles = 2,
+         .mostFiles = 2},
+        runConvert};
 }
 
 }  // namespace hitscope::cli

@@ -19,15 +19,17 @@ QStringList wordsOf(const Keys& keys) {
 }  // namespace
 
 QList<UsageOption> formOptions() {
-    return {wordOption("profile", "NAME", wordsOf(kDentProfileKeys),
-                       QStringLiteral("How far vertices move by their distance from the hit. Without it, as "
-                                      "the session has it, or paper.")),
-            wordOption("dent-direction", "NAME", wordsOf(kDentDirectionKeys),
-                       QStringLiteral("Which way vertices move: as the projectile flew, into the surface "
-                                      "(against its normal), or out of the projectile's sphere (press).")),
-            valueOption("curve", "NUMBERS",
-                        QStringLiteral("The curve of --profile curve: eight numbers from -1 to 1 with commas "
-                                       "between, from the hit to max_distance, in parts of max_magnitude."))};
+    return {
+        wordOption("profile", "NAME", wordsOf(kDentProfileKeys),
+                   QStringLiteral("Fall-off profile: how far vertices move as a function of their distance "
+                                  "from the hit. Default: the session's, or paper.")),
+        wordOption(
+            "dent-direction", "NAME", wordsOf(kDentDirectionKeys),
+            QStringLiteral("Direction in which vertices move: along the projectile's flight, into the "
+                           "surface (against its normal), or out of the projectile's sphere (press).")),
+        valueOption("curve", "NUMBERS",
+                    QStringLiteral("Curve of --profile curve: eight numbers from -1 to 1, separated by "
+                                   "commas, from the hit to max_distance, as fractions of max_magnitude."))};
 }
 
 std::optional<DentForm> givenForm(Invocation& given) {

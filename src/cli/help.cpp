@@ -51,15 +51,17 @@ Verb helpVerb() {
     return {{.name = QStringLiteral("help"),
              .files = QStringLiteral("[VERB [WHAT]]"),
              .about = QStringLiteral("print help, the manual pages, or completion for a shell"),
-             .description = QStringLiteral(
-                 "Prints what a verb takes, or all verbs; the manual page; or what a shell sources to "
-                 "complete command lines. All come from one table of options."),
+             .description =
+                 QStringLiteral("Prints the arguments of a verb, the list of verbs, the manual page, or a "
+                                "completion script for a shell. One table of options generates them all."),
              .options = {flagOption("man", QStringLiteral("Print the manual page, for man(1).")),
                          wordOption("completion", "SHELL", completionShells(),
-                                    QStringLiteral("Print completion for that shell.")),
-                         wordOption("program", "NAME", pages(), QStringLiteral("Whose page or completion."),
+                                    QStringLiteral("Print the completion script for this shell.")),
+                         wordOption("program", "NAME", pages(),
+                                    QStringLiteral("Program whose page or completion to print."),
                                     pages().constFirst())},
-             .examples = {{QStringLiteral("What shoot takes."), QStringLiteral("hitscope-cli help shoot")},
+             .examples = {{QStringLiteral("Show the arguments of shoot."),
+                           QStringLiteral("hitscope-cli help shoot")},
                           {QStringLiteral("Complete command lines in this shell."),
                            QStringLiteral("source <(hitscope-cli help --completion bash)")}},
              .mostFiles = 2},

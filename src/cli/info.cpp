@@ -251,26 +251,28 @@ int runInfo(Invocation& given) {
 }  // namespace
 
 Verb infoVerb() {
-    return {
-        {.name = QStringLiteral("info"),
-         .files = QStringLiteral("[MESH|SESSION...]"),
-         .about = QStringLiteral("measure meshes and sessions, or describe the graphics driver"),
-         .description = QStringLiteral(
-             "Prints what the mesh statistics of the window show: of a mesh file as it is, of each target of "
-             "a "
-             "session original, deformed and the change. With --renderer, what draws here, how many hits its "
-             "uniform arrays hold, and whether each pipeline deforms as the reference in every bit."),
-         .options = QList<UsageOption>{flagOption(
-                        "renderer", QStringLiteral("Describe the graphics driver, and whether pipelines are "
-                                                   "bit-exact on it."))} +
-                    reportOptions(),
-         .examples = {{QStringLiteral("What is in two files."),
-                       QStringLiteral("hitscope-cli info bunny.obj part.ply")},
-                      {QStringLiteral("What hits have changed, as JSON."),
-                       QStringLiteral("hitscope-cli info --json dents.hitscope")},
-                      {QStringLiteral("What draws here."), QStringLiteral("hitscope-cli info --renderer")}},
-         .mostFiles = -1},
-        runInfo};
+    return {{.name = QStringLiteral("info"),
+             .files = QStringLiteral("[MESH|SESSION...]"),
+             .about = QStringLiteral("measure meshes and sessions, or describe the graphics driver"),
+             .description = QStringLiteral(
+                 "Prints the mesh statistics that the window shows: for a mesh file as it is; for each "
+                 "target of a session the original, the deformed mesh and the change. With --renderer, "
+                 "prints the graphics driver, the number of hits that its uniform arrays hold, and whether "
+                 "each pipeline is bit-exact on it."),
+             .options =
+                 QList<UsageOption>{flagOption(
+                     "renderer",
+                     QStringLiteral(
+                         "Describe the graphics driver and test whether pipelines are bit-exact on it."))} +
+                 reportOptions(),
+             .examples = {{QStringLiteral("Measure two mesh files."),
+                           QStringLiteral("hitscope-cli info bunny.obj part.ply")},
+                          {QStringLiteral("Print the changes that the hits made, as JSON."),
+                           QStringLiteral("hitscope-cli info --json dents.hitscope")},
+                          {QStringLiteral("Describe the graphics driver."),
+                           QStringLiteral("hitscope-cli info --renderer")}},
+             .mostFiles = -1},
+            runInfo};
 }
 
 }  // namespace hitscope::cli

@@ -25,11 +25,10 @@ std::vector<TargetId> idsOf(const Session& session) {
 }  // namespace
 
 QList<UsageOption> meshStepOptions() {
-    return {
-        flagOption("separate",
-                   QStringLiteral("Each object of a mesh becomes a target of its own before it is shot at.")),
-        valueOption("refine", "METRES",
-                    QStringLiteral("Refine the meshes before they are shot at, so that no edge is longer."))};
+    return {flagOption("separate",
+                       QStringLiteral("Before shooting, split each mesh into one target for each object.")),
+            valueOption("refine", "METRES",
+                        QStringLiteral("Before shooting, refine the meshes until no edge is longer."))};
 }
 
 std::optional<float> givenRefinement(Invocation& given) {

@@ -236,15 +236,15 @@ Verb pictureVerb() {
     return {
         {.name = QStringLiteral("picture"),
          .files = QStringLiteral("PICTURE [MESH|SESSION]"),
-         .about = QStringLiteral("draw a scene into a picture of any size"),
+         .about = QStringLiteral("draw a picture of a scene in any size"),
          .description =
-             QStringLiteral("Draws the paper's scene, a mesh, or a session as it was seen when it was "
-                            "saved, into a picture, with no display. PICTURE is a file to write: .%1.")
+             QStringLiteral("Draws a picture of the paper's scene, of a mesh, or of a session with its saved "
+                            "view, without a display. PICTURE is the file to write: .%1.")
                  .arg(pictureSuffixes().join(QStringLiteral(", ."))),
          .options = pictureOptions(),
-         .examples = {{QStringLiteral("A session, coloured by displacement."),
+         .examples = {{QStringLiteral("Draw a session, coloured by displacement."),
                        QStringLiteral("hitscope-cli picture --change displacement dents.png dents.hitscope")},
-                      {QStringLiteral("A mesh with its edges, on a transparent background."),
+                      {QStringLiteral("Draw a mesh with its edges, on a transparent background."),
                        QStringLiteral(
                            "hitscope-cli picture --wireframe over --transparent --no-floor bunny.png "
                            "bunny.obj")}},
@@ -257,25 +257,24 @@ Verb pictureVerb() {
 Verb sequenceVerb() {
     return {{.name = QStringLiteral("sequence"),
              .files = QStringLiteral("FOLDER|FILM [MESH|SESSION]"),
-             .about = QStringLiteral("draw a turntable, or the hits one by one, into PNG files or a film"),
-             .description = QStringLiteral("Draws a turntable, or the hits appearing one by one, with no "
-                                           "display: into numbered PNG files in a "
-                                           "folder, which is made where it is missing, or, where ffmpeg is "
-                                           "installed, into a film: .%1.")
+             .about = QStringLiteral("draw a turntable, or the hits one by one, as PNG files or a film"),
+             .description = QStringLiteral("Draws a turntable, or the hits appearing one by one, without a "
+                                           "display. Writes numbered PNG files into a folder, which it "
+                                           "creates if needed, or, if ffmpeg is installed, a film: .%1.")
                                 .arg(filmSuffixes().join(QStringLiteral(", ."))),
              .options =
                  QList<UsageOption>{
                      valueOption("turntable", "N",
                                  QStringLiteral("Number of pictures in one turn around the scene.")),
-                     flagOption("replay", QStringLiteral("A picture before the hits, and one "
-                                                         "after each.")),
-                     valueOption("rate", "N", QStringLiteral("Of a film, pictures a second, 0.1 to 240."),
+                     flagOption("replay",
+                                QStringLiteral("Draw a picture before the hits and one after each hit.")),
+                     valueOption("rate", "N", QStringLiteral("Pictures per second of a film, 0.1 to 240."),
                                  QStringLiteral("25"))} +
                  pictureOptions(),
              .examples =
-                 {{QStringLiteral("One turn around a mesh as a film."),
+                 {{QStringLiteral("Make a film of one turn around a mesh."),
                    QStringLiteral("hitscope-cli sequence --turntable 12 --size 320x180 turn.mp4 bunny.obj")},
-                  {QStringLiteral("The hits of a session one by one, as PNG files."),
+                  {QStringLiteral("Draw the hits of a session one by one, as PNG files."),
                    QStringLiteral("hitscope-cli sequence --replay --size 320x180 frames dents.hitscope")}},
              .leastFiles = 1,
              .mostFiles = 2},

@@ -45,30 +45,31 @@ struct DrawingFlag {
 constexpr std::array<DrawingFlag, 9> kFlags{
     {{"transparent", "No background.", &DisplayOptions::transparent, true},
      {"no-floor", "No floor.", &DisplayOptions::floor, false},
-     {"no-textures", "Without the meshes' textures.", &DisplayOptions::textures, false},
-     {"no-colours", "Without the meshes' vertex colours.", &DisplayOptions::vertexColours, false},
+     {"no-textures", "No textures of the meshes.", &DisplayOptions::textures, false},
+     {"no-colours", "No vertex colours of the meshes.", &DisplayOptions::vertexColours, false},
      {"shadows", "Soft shadows of the directional light.", &DisplayOptions::shadows, true},
-     {"flat", "One normal for each triangle, instead of smooth.", &DisplayOptions::flat, true},
-     {"back-faces", "Faces that turn their back to the eye in red.", &DisplayOptions::backFaces, true},
-     {"needles", "Normals as needles.", &DisplayOptions::needles, true},
-     {"dots", "Vertices as dots.", &DisplayOptions::dots, true}}};
+     {"flat", "Flat shading: one normal for each triangle.", &DisplayOptions::flat, true},
+     {"back-faces", "Show back faces in red.", &DisplayOptions::backFaces, true},
+     {"needles", "Show normals as needles.", &DisplayOptions::needles, true},
+     {"dots", "Show vertices as dots.", &DisplayOptions::dots, true}}};
 
 QList<UsageOption> changeOptions() {
-    return {wordOption("change", "QUANTITY", changeKeys(), QStringLiteral("Colour by change.")),
-            wordOption("colour-map", "MAP", words({"viridis", "cividis", "cool-warm"}),
-                       QStringLiteral("Colours of --change.")),
-            valueOption("range", "LOW,HIGH",
-                        QStringLiteral("Values at the ends of the colour map; without it, those "
-                                       "of the changed vertices.")),
-            flagOption("isolines", QStringLiteral("Lines of equal change.")),
-            flagOption("no-labels", QStringLiteral("No colour bar in the picture.")),
-            wordOption("ghost", "MODE", words({"off", "wire", "translucent"}),
-                       QStringLiteral("The original over the deformed.")),
-            valueOption("wipe", "SHARE",
-                        QStringLiteral("The original left of a line at that share of the width, 0 to "
-                                       "1, the deformed right of it.")),
-            valueOption("exaggerate", "FACTOR",
-                        QStringLiteral("Draw displacements so many times as large, 1 to 20."))};
+    return {
+        wordOption("change", "QUANTITY", changeKeys(), QStringLiteral("Colour the surface by this change.")),
+        wordOption("colour-map", "MAP", words({"viridis", "cividis", "cool-warm"}),
+                   QStringLiteral("Colour map of --change.")),
+        valueOption("range", "LOW,HIGH",
+                    QStringLiteral(
+                        "Values at the ends of the colour map; default: the range of the changed vertices.")),
+        flagOption("isolines", QStringLiteral("Draw lines of equal change.")),
+        flagOption("no-labels", QStringLiteral("No colour bar in the picture.")),
+        wordOption("ghost", "MODE", words({"off", "wire", "translucent"}),
+                   QStringLiteral("Draw the original over the deformed mesh.")),
+        valueOption("wipe", "SHARE",
+                    QStringLiteral("Draw the original left of a line at this part of the width, 0 to 1, and "
+                                   "the deformed mesh right of it.")),
+        valueOption("exaggerate", "FACTOR",
+                    QStringLiteral("Multiply displacements by this factor, 1 to 20."))};
 }
 
 void readSize(Invocation& given, PictureArguments& arguments) {
@@ -122,37 +123,38 @@ void readBeforeAfter(Invocation& given, BeforeAfterOptions& options) {
 
 QList<UsageOption> pictureOptions() {
     QList<UsageOption> options{
-        valueOption("size", "WxH", QStringLiteral("Pixels of the picture."), QStringLiteral("1280x720")),
-        valueOption("camera", "TEXT",
-                    QStringLiteral(
-                        "Camera, as Edit > Copy Camera gives it: \"camera pivot 0 0 0 yaw 35 pitch 20 "
-                        "distance 12 fov 50 perspective\"; without it, the session's, or the whole scene.")),
+        valueOption("size", "WxH", QStringLiteral("Size of the picture in pixels."),
+                    QStringLiteral("1280x720")),
+        valueOption(
+            "camera", "TEXT",
+            QStringLiteral(
+                "Camera, as copied by Edit > Copy Camera: \"camera pivot 0 0 0 yaw 35 pitch 20 distance 12 "
+                "fov 50 perspective\"; default: the session's, or a view of the whole scene.")),
         valueOption("cut", "PLANE",
-                    QStringLiteral(
-                        "Cut the targets open: x=0.1 hides what lies beyond 0.1 m along x, -x=0.1 the other "
-                        "side, 1,1,0=0.5 cuts across that direction.")),
-        flagOption("fill-cut", QStringLiteral("Close what is cut, as if targets were solid.")),
+                    QStringLiteral("Cut the targets: x=0.1 hides everything beyond 0.1 m along x, -x=0.1 the "
+                                   "other side; 1,1,0=0.5 cuts perpendicular to that direction.")),
+        flagOption("fill-cut", QStringLiteral("Fill the cut, as if targets were solid.")),
         wordOption("theme", "NAME", words({"light", "dark"}), QStringLiteral("Background."),
                    QStringLiteral("dark")),
         wordOption("wireframe", "MODE", words({"off", "over", "only"}),
-                   QStringLiteral("Edges of the file's polygons.")),
-        wordOption("normals", "KIND", words({"true", "paper"}), QStringLiteral("What shades."))};
+                   QStringLiteral("Draw the edges of the file's polygons.")),
+        wordOption("normals", "KIND", words({"true", "paper"}), QStringLiteral("Normals for shading."))};
     options << valueOption("samples", "N",
-                           QStringLiteral("Refine: the mean of so many pictures, 1 to %1, with soft shadows "
-                                          "and ambient occlusion from 2 on.")
+                           QStringLiteral("Refine: average this number of samples, 1 to %1; from 2 on, with "
+                                          "soft shadows and ambient occlusion.")
                                .arg(kMostSamples),
                            QStringLiteral("1"))
             << wordOption("material", "NAME", words({"file", "matcap", "clay", "metal"}),
-                          QStringLiteral("What surfaces are made of."))
-            << flagOption("environment", QStringLiteral("A studio lights the scene."));
+                          QStringLiteral("Material of the surfaces."))
+            << flagOption("environment", QStringLiteral("Light the scene with a studio environment."));
     for (const DrawingFlag& flag : kFlags) {
         options << flagOption(flag.option, QString::fromLatin1(flag.help));
     }
-    options << changeOptions() << pipelineOption(QStringLiteral("transform-feedback, or that of the session"))
-            << valueOption("until", "N", QStringLiteral("Of a session, only the first N hits."))
+    options << changeOptions() << pipelineOption(QStringLiteral("the session's, or transform-feedback"))
+            << valueOption("until", "N", QStringLiteral("Apply only the first N hits of a session."))
             << valueOption("shots", "N", QStringLiteral("Number of shots before the picture, 0 to 100000."),
                            QStringLiteral("0"))
-            << valueOption("seed", "NUMBER", QStringLiteral("Another seed gives other shots."),
+            << valueOption("seed", "NUMBER", QStringLiteral("Seed of the random shots."),
                            QStringLiteral("1"));
     return options << quietOption();
 }

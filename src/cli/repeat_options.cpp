@@ -22,15 +22,16 @@ Status addGroup(Session& session, HitGroupKind kind, const std::vector<Hit>& hit
 QList<UsageOption> repeatOptions() {
     const QStringList axes{QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
     return {valueOption("scatter", "N",
-                        QStringLiteral("Spread hits evenly over the first target after the shots, 1 to %1. "
-                                       "Without options about shots there are none.")
+                        QStringLiteral("After the shots, scatter 1 to %1 hits evenly over the first target. "
+                                       "Shots are fired only if an option about shots is given.")
                             .arg(kMostScattered)),
-            valueOption("density", "NUMBER", QStringLiteral("As --scatter, so many per square metre.")),
+            valueOption("density", "NUMBER", QStringLiteral("Like --scatter, as a number per square metre.")),
             valueOption("size-spread", "PERCENT",
-                        QStringLiteral("By how much the sizes of scattered hits differ at most, 0 to 95."),
+                        QStringLiteral("Largest variation in size of scattered hits, 0 to 95."),
                         QStringLiteral("0")),
-            wordOption("mirror", "AXIS", axes,
-                       QStringLiteral("Repeat all hits on the other side of their target's centre."))};
+            wordOption(
+                "mirror", "AXIS", axes,
+                QStringLiteral("Repeat all hits, mirrored along this axis at the centre of their target."))};
 }
 
 RepeatWish givenRepeat(Invocation& given) {

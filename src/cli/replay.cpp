@@ -91,24 +91,26 @@ int runReplay(Invocation& given) {
 }  // namespace
 
 Verb replayVerb() {
-    return {{.name = QStringLiteral("replay"),
-             .files = QStringLiteral("SESSION"),
-             .about = QStringLiteral("apply a session's hits again, compare the positions with those saved"),
-             .description = QStringLiteral(
-                 "Opens a session and applies its hits again, with no display. Prints a fingerprint each of "
-                 "the hits "
-                 "and of the positions. Ends with 1 where these are not the positions that were saved."),
-             .options =
-                 QList<UsageOption>{pipelineOption(QStringLiteral("the session's")),
-                                    valueOption("until", "N", QStringLiteral("Only the first N hits.")),
-                                    fileOption("out", QStringLiteral("Write the target that changed most, in "
-                                                                     "the format that the suffix says."))} +
-                 reportOptions(),
-             .examples = {{QStringLiteral("Whether the hits still make what they made, by the reference."),
-                           QStringLiteral("hitscope-cli replay --pipeline reference dents.hitscope")}},
-             .leastFiles = 1,
-             .mostFiles = 1},
-            runReplay};
+    return {
+        {.name = QStringLiteral("replay"),
+         .files = QStringLiteral("SESSION"),
+         .about =
+             QStringLiteral("apply a session's hits again and compare the positions with the saved ones"),
+         .description = QStringLiteral(
+             "Opens a session and applies its hits again, without a display. Prints fingerprints of the hits "
+             "and of the positions. Exits with 1 if the positions differ from the saved ones."),
+         .options =
+             QList<UsageOption>{
+                 pipelineOption(QStringLiteral("the session's")),
+                 valueOption("until", "N", QStringLiteral("Apply only the first N hits.")),
+                 fileOption("out", QStringLiteral(
+                                       "Write the target that changed most, in the format of the suffix."))} +
+             reportOptions(),
+         .examples = {{QStringLiteral("Check with the reference that the hits still have the same result."),
+                       QStringLiteral("hitscope-cli replay --pipeline reference dents.hitscope")}},
+         .leastFiles = 1,
+         .mostFiles = 1},
+        runReplay};
 }
 
 }  // namespace hitscope::cli

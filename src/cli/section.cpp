@@ -106,23 +106,25 @@ Verb sectionVerb() {
     return {
         {.name = QStringLiteral("section"),
          .files = QStringLiteral("SESSION|MESH"),
-         .about = QStringLiteral("cut a scene by a plane: the profile as CSV, SVG or JSON"),
-         .description = QStringLiteral("Cuts the targets by a plane, as they were and as they are, and "
-                                       "prints the length of the profile and "
-                                       "the greatest depth. Depth at a corner is the distance to the nearest "
-                                       "place of the original's profile."),
+         .about = QStringLiteral("cut a scene with a plane; the profile as CSV, SVG or JSON"),
+         .description =
+             QStringLiteral("Cuts the original and the deformed targets with a plane, and prints the length "
+                            "of the profile and the greatest depth. The depth at a corner is the distance to "
+                            "the nearest point of the original's profile."),
          .options =
              QList<UsageOption>{
                  valueOption("plane", "PLANE",
-                             QStringLiteral("x=0.1 cuts across x at 0.1 m, 1,1,0=0.5 across "
-                                            "that direction, 0.5 m along it.")),
+                             QStringLiteral("Plane: x=0.1 is perpendicular to x at 0.1 m; 1,1,0=0.5 is "
+                                            "perpendicular to that direction, 0.5 m along it.")),
                  fileOption("csv", QStringLiteral("Write a line for each corner; - for the "
                                                   "standard output.")),
-                 fileOption("svg", QStringLiteral("Write a drawing to scale, in millimetres of "
-                                                  "paper; - likewise.")),
-                 targetOption(QStringLiteral("all")), pipelineOption(QStringLiteral("that of the session"))} +
+                 fileOption(
+                     "svg",
+                     QStringLiteral(
+                         "Write a drawing to scale, in millimetres on paper; - for the standard output.")),
+                 targetOption(QStringLiteral("all")), pipelineOption(QStringLiteral("the session's"))} +
              reportOptions(),
-         .examples = {{QStringLiteral("A profile as a drawing and a table."),
+         .examples = {{QStringLiteral("Write a profile as a drawing and a table."),
                        QStringLiteral("hitscope-cli section --plane z=0 --svg profile.svg --csv profile.csv "
                                       "dents.hitscope")}},
          .leastFiles = 1,

@@ -247,21 +247,19 @@ Verb shootVerb() {
     return {
         {.name = QStringLiteral("shoot"),
          .files = QStringLiteral("[MESH|SESSION]"),
-         .about =
-             QStringLiteral("shoot at a mesh or a session, print what was hit; hits and mesh in and out"),
-         .description = QStringLiteral("Shoots with no display, at the paper's scene where no file is named, "
-                                       "and prints what was hit, and a "
-                                       "fingerprint each of the hits and of the positions: equal ones mean "
-                                       "equal results, in every bit. "
-                                       "The same command makes the same hits on every machine."),
+         .about = QStringLiteral("shoot at a mesh or a session, print the hits, write hits and mesh"),
+         .description = QStringLiteral(
+             "Shoots without a display and prints the hits. Without a file, shoots at the paper's scene. "
+             "Also prints fingerprints of the hits and of the positions: equal fingerprints mean equal "
+             "results in every bit. The same command makes the same hits on every machine."),
          .options = shootOptions(),
          .examples =
-             {{QStringLiteral("Fifty shots at random places, and the dented mesh."),
+             {{QStringLiteral("Fire fifty shots at random places and write the dented mesh."),
                QStringLiteral("hitscope-cli shoot --random 50 --seed 7 --out dented.obj bunny.obj")},
-              {QStringLiteral("One shot from above, as a session for the window."),
+              {QStringLiteral("Fire one shot from above and write a session for the window."),
                QStringLiteral("hitscope-cli shoot --at 0,0.1,0 --direction 0,-1,0 --session one.hitscope "
                               "bunny.obj")},
-              {QStringLiteral("A burst with a larger dent, reported as JSON."),
+              {QStringLiteral("Fire a burst with larger dents and report as JSON."),
                QStringLiteral("hitscope-cli shoot --burst 20 --cone 3 --max-distance 0.8 --json bunny.obj")}},
          .mostFiles = 1},
         runShoot};

@@ -33,7 +33,7 @@ bool isOfShots(const ParameterDescriptor& parameter) {
 UsageOption parameterOption(const ParameterDescriptor& parameter, const QString& without) {
     const QString unit = parameter.unit.empty() ? QString() : QStringLiteral(", in ") + text(parameter.unit);
     return valueOption(optionName(parameter).constData(), "NUMBER",
-                       QStringLiteral("%1%2, from %3 to %4; without it, %5.")
+                       QStringLiteral("%1%2, from %3 to %4; default: %5.")
                            .arg(text(parameter.label), unit)
                            .arg(parameter.minimum)
                            .arg(parameter.maximum)
@@ -115,51 +115,54 @@ void readAim(Invocation& given, ShootOptions& options) {
 
 QList<UsageOption> shootOptions() {
     QList<UsageOption> options{
-        valueOption("burst", "N", QStringLiteral("A burst at the middle of the scene, of 1 to 100000 shots."),
+        valueOption("burst", "N",
+                    QStringLiteral("Fire a burst of 1 to 100000 shots at the middle of the scene."),
                     QStringLiteral("20")),
         valueOption("random", "N",
-                    QStringLiteral("Shots at random places of the surface, 1 to 100000, each "
-                                   "within 30 degrees of its normal and with nothing in its way.")),
-        valueOption("at", "X,Y,Z", QStringLiteral("One shot through that place, metres, along --direction.")),
-        valueOption("direction", "X,Y,Z", QStringLiteral("Where the shot of --at goes."),
+                    QStringLiteral("Fire 1 to 100000 shots at random places of the surface, each within 30 "
+                                   "degrees of its normal and unobstructed.")),
+        valueOption("at", "X,Y,Z",
+                    QStringLiteral("Fire one shot through this point, in metres, along --direction.")),
+        valueOption("direction", "X,Y,Z", QStringLiteral("Direction of the shot of --at."),
                     QStringLiteral("0,0,-1")),
-        fileOption("script", QStringLiteral("The shots of a script, as --save and the window write it.")),
-        fileOption("hits",
-                   QStringLiteral("Begin with the hits of a CSV or JSON file, as the window exports them. "
-                                  "Shots follow where something is said about shots.")),
-        valueOption("cone", "DEGREES", QStringLiteral("From a burst's middle to its edge, 0 to 180."),
+        fileOption("script",
+                   QStringLiteral("Fire the shots of a script, as written by --save and the window.")),
+        fileOption("hits", QStringLiteral("Begin with the hits of a CSV or JSON file, as exported by the "
+                                          "window. Shots follow only if an option about shots is given.")),
+        valueOption("cone", "DEGREES",
+                    QStringLiteral("Angle from the middle of a burst to its edge, 0 to 180."),
                     QStringLiteral("5")),
-        valueOption("seed", "NUMBER", QStringLiteral("Another seed gives another burst, other random shots."),
+        valueOption("seed", "NUMBER", QStringLiteral("Seed of the burst or the random shots."),
                     QStringLiteral("1")),
         valueOption("every", "SECONDS", QStringLiteral("Time between shots, 0 to 10."), QStringLiteral("0")),
-        wordOption(
-            "flight", "MODE", flightWords(),
-            QStringLiteral("How shots fly: quick, there in 0.1 s, by the size of the mesh; instant; or as in "
-                           "the paper, 30 m/s, radius 0.1 m. Without it, paper at the paper's scene, instant "
-                           "with --at, else quick.")),
-        flagOption("instant", QStringLiteral("As --flight instant."))};
+        wordOption("flight", "MODE", flightWords(),
+                   QStringLiteral("Flight of shots: quick (arrives in 0.1 s, scales with the mesh), instant, "
+                                  "or as in the paper (30 m/s, radius 0.1 m). Default: paper for the paper's "
+                                  "scene, instant with --at, otherwise quick.")),
+        flagOption("instant", QStringLiteral("Same as --flight instant."))};
     for (const ParameterDescriptor& parameter : deformationParameters()) {
-        options << parameterOption(
-            parameter, QStringLiteral("as the session has it, or %1").arg(parameter.defaultValue));
+        options << parameterOption(parameter,
+                                   QStringLiteral("the session's, or %1").arg(parameter.defaultValue));
     }
     options << formOptions() << meshStepOptions() << repeatOptions();
     options << flagOption("absolute",
-                          QStringLiteral("Constants are in metres on any target. Otherwise they are those "
-                                         "of a target 5 m across, and grow and shrink with the target."));
+                          QStringLiteral("Use the constants in metres on any target. Otherwise they apply to "
+                                         "a target of 5 m and scale with the target."));
     for (const ParameterDescriptor& parameter : projectileParameters()) {
         if (isOfShots(parameter)) {
-            options << parameterOption(parameter, QStringLiteral("as --flight says"));
+            options << parameterOption(parameter, QStringLiteral("by --flight"));
         }
     }
-    options << pipelineOption(QStringLiteral("transform-feedback, or that of the session"))
+    options << pipelineOption(QStringLiteral("the session's, or transform-feedback"))
+            << fileOption("out",
+                          QStringLiteral("Write the deformed mesh as OBJ, PLY, STL, GLB, glTF or CSV, by the "
+                                         "suffix; of several targets, the one with the most changed "
+                                         "vertices. Exits with 1 if the mesh differs from the reference's."))
+            << fileOption("session",
+                          QStringLiteral("Write a session (.hitscope), which the window can open."))
             << fileOption(
-                   "out",
-                   QStringLiteral("Write the deformed mesh: OBJ, PLY, STL, GLB, glTF or CSV, by its suffix; "
-                                  "of several, the one with most changed vertices. The exit status is 1 "
-                                  "where it is not what the reference makes of the hits."))
-            << fileOption("session", QStringLiteral("Write a session (.hitscope) that the window opens."))
-            << fileOption("hits-out",
-                          QStringLiteral("Write all hits: as JSON to a name with .json, else as CSV."))
+                   "hits-out",
+                   QStringLiteral("Write all hits, as JSON if the name ends in .json, otherwise as CSV."))
             << fileOption("picture", QStringLiteral("Write a picture of the scene, 1280 by 720 pixels."))
             << fileOption("save", QStringLiteral("Save the shots as a script."));
     return options + reportOptions();

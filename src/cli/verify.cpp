@@ -105,25 +105,24 @@ int runVerify(Invocation& given) {
 }  // namespace
 
 Verb verifyVerb() {
-    return {{.name = QStringLiteral("verify"),
-             .files = QStringLiteral("[MESH|SESSION]"),
-             .about = QStringLiteral("compare every pipeline with the reference, vertex by vertex"),
-             .description = QStringLiteral(
-                 "Applies the hits of a file or a session with every pipeline that runs here, and holds each "
-                 "vertex "
-                 "against the C++ reference. A pipeline that keeps the last hits only is held against these. "
-                 "Ends "
-                 "with 1 where one differs. Without a file, hits are those of the paper's scene."),
-             .options =
-                 QList<UsageOption>{fileOption("hits", QStringLiteral("The hits: CSV or JSON, as the window "
-                                                                      "exports them."))} +
-                 reportOptions(),
-             .examples = {{QStringLiteral("The hits of a session, by every pipeline."),
-                           QStringLiteral("hitscope-cli verify dents.hitscope")},
-                          {QStringLiteral("Hits in a table, on the mesh that they were made on."),
-                           QStringLiteral("hitscope-cli verify --hits hits.csv bunny.obj")}},
-             .mostFiles = 1},
-            runVerify};
+    return {
+        {.name = QStringLiteral("verify"),
+         .files = QStringLiteral("[MESH|SESSION]"),
+         .about = QStringLiteral("compare every pipeline with the reference, vertex by vertex"),
+         .description =
+             QStringLiteral("Applies the hits of a file or a session with every available pipeline and "
+                            "compares each vertex with the C++ reference. For a pipeline that keeps only the "
+                            "last hits, compares with the result of these. Exits with 1 if a vertex differs. "
+                            "Without a mesh, applies the hits to the paper's scene."),
+         .options = QList<UsageOption>{fileOption(
+                        "hits", QStringLiteral("File of hits, CSV or JSON, as exported by the window."))} +
+                    reportOptions(),
+         .examples = {{QStringLiteral("Apply the hits of a session with every pipeline."),
+                       QStringLiteral("hitscope-cli verify dents.hitscope")},
+                      {QStringLiteral("Apply the hits of a table to the mesh they were made on."),
+                       QStringLiteral("hitscope-cli verify --hits hits.csv bunny.obj")}},
+         .mostFiles = 1},
+        runVerify};
 }
 
 }  // namespace hitscope::cli

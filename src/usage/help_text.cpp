@@ -55,7 +55,7 @@ QString optionRows(const Usage& usage) {
     for (const UsageOption& option : usage.options) {
         text += row(option.synopsis(), option.fullHelp(), width);
     }
-    return text + row(help, QStringLiteral("This text."), width);
+    return text + row(help, QStringLiteral("Print this help."), width);
 }
 
 /// A verb a line.
@@ -110,7 +110,7 @@ QString helpText(const ProgramUsage& program, const Usage& verb) {
     text += QStringLiteral("\nExit status:\n") + statusRows(program);
     return verb.verbs.empty()
                ? text
-               : text + QStringLiteral("\n%1 %2 %3 --help tells the options of each, with examples.\n")
+               : text + QStringLiteral("\nRun %1 %2 %3 --help for the options of each, with examples.\n")
                             .arg(program.all.name, verb.name, verb.files);
 }
 
@@ -119,7 +119,7 @@ QString helpText(const ProgramUsage& program) {
     text += wrapped(program.all.description, 0, 0) + QStringLiteral("\nVerbs:\n") + verbRows(program.verbs);
     text += QStringLiteral("\nOptions:\n") + optionRows(program.all) + QStringLiteral("\nExit status:\n") +
             statusRows(program);
-    return text + QStringLiteral("\n%1 VERB --help tells the options of a verb, with examples.\n")
+    return text + QStringLiteral("\nRun %1 VERB --help for the options of a verb, with examples.\n")
                       .arg(program.all.name);
 }
 

@@ -38,8 +38,8 @@ Verb benchVerb() {
          .files = QStringLiteral("WHAT"),
          .about = QStringLiteral("measure the pipelines: frames, hits, the paper's tables"),
          .description = QStringLiteral(
-             "Measures on this machine. What is compared is measured in turn, A B A B, so that drift of "
-             "the machine falls on all alike; ratios of one run say more than times."),
+             "Measures on this machine. Runs the variants of a comparison alternately, A B A B, so that "
+             "drift of the machine affects all of them; ratios within one run are more reliable than times."),
          .options = {},
          .examples = {}},
         {}};

@@ -30,14 +30,13 @@ Plan takePlan(Invocation& given) {
 
 QList<UsageOption> destinationOptions() {
     return {
-        flagOption("json", QStringLiteral("Print the report as JSON in place of the tables.")),
-        fileOption("report", QStringLiteral("Write the report as JSON into a file, whole or not at all.")),
-        fileOption("csv", QStringLiteral("Write its records as CSV into a file.")),
-        fileOption("html",
-                   QStringLiteral("Write it with diagrams as a page of HTML that needs no other file.")),
-        flagOption("quiet",
-                   QStringLiteral("No progress, and with a file for the report no tables; errors are "
-                                  "still said."))};
+        flagOption("json", QStringLiteral("Print the report as JSON instead of tables.")),
+        fileOption("report", QStringLiteral("Write the report as JSON to a file, completely or not at all.")),
+        fileOption("csv", QStringLiteral("Write the records of the report as CSV to a file.")),
+        fileOption("html", QStringLiteral("Write the report with diagrams as a self-contained HTML page.")),
+        flagOption(
+            "quiet",
+            QStringLiteral("Print errors only: no progress, and with a file for the report no tables."))};
 }
 
 Destinations takeDestinations(Invocation& given) {
@@ -57,13 +56,14 @@ Destinations takeDestinations(Invocation& given) {
 
 QList<UsageOption> measuringOptions() {
     return QList<UsageOption>{
-               valueOption("seconds", "NUMBER",
-                           QStringLiteral("Time for each variant; a slow one is still sampled three times."),
-                           QStringLiteral("2")),
-               valueOption("frames", "N", QStringLiteral("Most samples of each variant."),
+               valueOption(
+                   "seconds", "NUMBER",
+                   QStringLiteral("Time for each variant; a slow variant gets at least three samples."),
+                   QStringLiteral("2")),
+               valueOption("frames", "N", QStringLiteral("Maximum number of samples of each variant."),
                            QStringLiteral("100")),
                flagOption("quick",
-                          QStringLiteral("A few samples each: to see that it runs, not to measure."))} +
+                          QStringLiteral("Take only a few samples, to test the command, not to measure."))} +
            destinationOptions();
 }
 
@@ -75,7 +75,7 @@ CommonOptions takeMeasuringOptions(Invocation& given) {
 }
 
 UsageOption sizeOption() {
-    return valueOption("size", "WIDTHxHEIGHT", QStringLiteral("The picture in pixels."),
+    return valueOption("size", "WIDTHxHEIGHT", QStringLiteral("Size of the picture in pixels."),
                        QStringLiteral("1280x720"));
 }
 
@@ -88,8 +88,7 @@ void takeSizeInto(CommonOptions& options, Invocation& given) {
 QList<UsageOption> commonOptions() {
     return QList<UsageOption>{
                wordsOption("pipelines", pipelineKeys(), QStringLiteral("Pipelines to measure.")),
-               valueOption("seed", "N", QStringLiteral("Another seed gives other hits."),
-                           QStringLiteral("1"))} +
+               valueOption("seed", "N", QStringLiteral("Seed of the random hits."), QStringLiteral("1"))} +
            measuringOptions();
 }
 
@@ -106,7 +105,7 @@ CommonOptions takeCommonOptions(Invocation& given) {
 }
 
 UsageOption strictOption(const QString& what) {
-    return flagOption("strict", QStringLiteral("End with 1 if %1 is not kept.").arg(what));
+    return flagOption("strict", QStringLiteral("Exit with 1 if %1 is not kept.").arg(what));
 }
 
 }  // namespace hitscope::bench

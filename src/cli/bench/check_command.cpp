@@ -133,20 +133,20 @@ QStringList checkNames() {
 }  // namespace
 
 cli::Verb checkVerb() {
-    return {{.name = QStringLiteral("bench check"),
-             .files = {},
-             .about = QStringLiteral("the ratios that Hitscope promises, measured"),
-             .description = QStringLiteral(
-                 "Measures the ratios of times that Hitscope promises, each in one run, and on each row, "
-                 "size or pipeline "
-                 "that it speaks of. All take about ten minutes on two cores; --only takes some."),
-             .options =
-                 QList<UsageOption>{wordsOption("only", checkNames(), QStringLiteral("Promises to measure.")),
-                                    strictOption(QStringLiteral("a promise"))} +
-                 measuringOptions(),
-             .examples = {{QStringLiteral("One promise, a few samples."),
-                           QStringLiteral("hitscope-cli bench check --quick --only paper-way-8k")}}},
-            runCheck};
+    return {
+        {.name = QStringLiteral("bench check"),
+         .files = {},
+         .about = QStringLiteral("measure the ratios that Hitscope promises"),
+         .description = QStringLiteral("Measures the ratios of times that Hitscope promises, each within one "
+                                       "run, on every row, size or pipeline that the promise covers. This "
+                                       "takes about ten minutes on two cores; select promises with --only."),
+         .options =
+             QList<UsageOption>{wordsOption("only", checkNames(), QStringLiteral("Promises to measure.")),
+                                strictOption(QStringLiteral("a promise"))} +
+             measuringOptions(),
+         .examples = {{QStringLiteral("Measure one promise with a few samples."),
+                       QStringLiteral("hitscope-cli bench check --quick --only paper-way-8k")}}},
+        runCheck};
 }
 
 }  // namespace hitscope::bench

@@ -166,9 +166,9 @@ cli::Verb frameVerb() {
     return {
         {.name = QStringLiteral("bench frame"),
          .files = {},
-         .about = QStringLiteral("frame time against the number of hits"),
-         .description =
-             QStringLiteral("Measures frames of a scene at rest against the number of hits behind it."),
+         .about = QStringLiteral("frame time over the number of hits"),
+         .description = QStringLiteral(
+             "Measures the frame time of a scene at rest over the number of hits in its history."),
          .options =
              QList<UsageOption>{
                  valueOption("hits", "LIST", QStringLiteral("Numbers of hits; K is a thousand, M a million."),
@@ -176,12 +176,13 @@ cli::Verb frameVerb() {
                  valueOption("row", "N", QStringLiteral("Row of the paper's tables to show, 1 to 9."),
                              QString::number(kDefaultPaperRow + 1)),
                  valueOption("vertices", "LIST",
-                             QStringLiteral("In place of a row, spheres of about so many vertices each.")),
-                 flagOption("gentle", QStringLiteral("Hits too weak to be seen, so that the picture is "
-                                                     "always the same.")),
+                             QStringLiteral("Spheres of about this many vertices, instead of a row.")),
+                 flagOption(
+                     "gentle",
+                     QStringLiteral("Use hits too weak to be seen, so that the picture is always the same.")),
                  sizeOption()} +
              commonOptions(),
-         .examples = {{QStringLiteral("What 700 hits cost on a sphere, a few samples each."),
+         .examples = {{QStringLiteral("Measure the cost of 700 hits on a sphere with a few samples."),
                        QStringLiteral("hitscope-cli bench frame --quick --gentle --vertices 8K --hits "
                                       "0,700 --size 320x180")}}},
         runFrame};

@@ -218,20 +218,20 @@ int runHit(Invocation& given) {
 cli::Verb hitVerb() {
     return {{.name = QStringLiteral("bench hit"),
              .files = {},
-             .about = QStringLiteral("time a hit takes against the size of the mesh"),
-             .description = QStringLiteral(
-                 "Measures what a hit costs on spheres of different sizes, beside the paper's own way and "
-                 "memcpy."),
+             .about = QStringLiteral("time of a hit over the size of the mesh"),
+             .description = QStringLiteral("Measures the cost of a hit on spheres of different sizes, next "
+                                           "to the paper's method and memcpy."),
              .options =
                  QList<UsageOption>{
                      valueOption("vertices", "LIST", QStringLiteral("Sizes; K is a thousand, M a million."),
                                  QStringLiteral("7938,100K,1M,4M,10M")),
-                     valueOption("affected", "NUMBER", QStringLiteral("Vertices that a hit moves, about."),
+                     valueOption("affected", "NUMBER",
+                                 QStringLiteral("Approximate number of vertices that a hit moves."),
                                  QStringLiteral("80")),
-                     valueOption("hits-a-frame", "LIST", QStringLiteral("Hits that arrive at once."),
+                     valueOption("hits-a-frame", "LIST", QStringLiteral("Numbers of hits per frame."),
                                  QStringLiteral("1,10,100,1000"))} +
                  commonOptions(),
-             .examples = {{QStringLiteral("A hit on two sizes, a few samples each, as JSON."),
+             .examples = {{QStringLiteral("Measure a hit on two sizes with a few samples, as JSON."),
                            QStringLiteral("hitscope-cli bench hit --quick --vertices 1K,8K --hits-a-frame 1 "
                                           "--json")}}},
             runHit};

@@ -153,10 +153,10 @@ int runIo(Invocation& given) {
 cli::Verb ioVerb() {
     return {{.name = QStringLiteral("bench io"),
              .files = {},
-             .about = QStringLiteral("opening and exporting large files, beside other programs; memory"),
-             .description = QStringLiteral(
-                 "Measures opening and exporting large mesh files, beside tinyobjloader, Assimp and cp. It "
-                 "makes the files itself, in the folder for temporary files."),
+             .about = QStringLiteral("opening and exporting large files, next to other programs; memory"),
+             .description =
+                 QStringLiteral("Measures opening and exporting large mesh files, next to tinyobjloader, "
+                                "Assimp and cp. Creates the files in the folder for temporary files."),
              .options =
                  QList<UsageOption>{
                      valueOption("quads", "N",
@@ -167,7 +167,7 @@ cli::Verb ioVerb() {
                                  QStringLiteral("10M")),
                      sizeOption(), strictOption(QStringLiteral("a limit"))} +
                  measuringOptions(),
-             .examples = {{QStringLiteral("Small files, a few samples each."),
+             .examples = {{QStringLiteral("Measure small files with a few samples."),
                            QStringLiteral("hitscope-cli bench io --quick --quads 1K --triangles 0 --size "
                                           "320x180")}}},
             runIo};

@@ -80,21 +80,22 @@ int runModes(Invocation& given) {
 }  // namespace
 
 cli::Verb modesVerb() {
-    return {{.name = QStringLiteral("bench modes"),
-             .files = {},
-             .about = QStringLiteral("frame time of each way to look at a scene, against plain shading"),
-             .description =
-                 QStringLiteral("Measures frames of a dented scene in each mode against plain shading."),
-             .options =
-                 QList<UsageOption>{
-                     valueOption("row", "N", QStringLiteral("Row of the paper's tables to show, 1 to 9."),
-                                 QString::number(kFullestRow + 1)),
-                     sizeOption()} +
-                 commonOptions(),
-             .examples = {{QStringLiteral("One pipeline, a small scene, a few samples each."),
-                           QStringLiteral("hitscope-cli bench modes --quick --row 6 --pipelines "
-                                          "transform-feedback --size 160x90")}}},
-            runModes};
+    return {
+        {.name = QStringLiteral("bench modes"),
+         .files = {},
+         .about = QStringLiteral("frame time of each display mode, compared with plain shading"),
+         .description = QStringLiteral(
+             "Measures the frame time of a dented scene in each display mode, compared with plain shading."),
+         .options =
+             QList<UsageOption>{
+                 valueOption("row", "N", QStringLiteral("Row of the paper's tables to show, 1 to 9."),
+                             QString::number(kFullestRow + 1)),
+                 sizeOption()} +
+             commonOptions(),
+         .examples = {{QStringLiteral("Measure one pipeline on a small scene with a few samples."),
+                       QStringLiteral("hitscope-cli bench modes --quick --row 6 --pipelines "
+                                      "transform-feedback --size 160x90")}}},
+        runModes};
 }
 
 }  // namespace hitscope::bench

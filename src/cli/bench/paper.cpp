@@ -125,21 +125,23 @@ cli::Verb paperVerb() {
          .files = {},
          .about = QStringLiteral("the paper's tables 1 and 2: frame rates of its nine scenes"),
          .description = QStringLiteral(
-             "Measures the frame rates of the paper's nine scenes, as in its tables 1 and 2, under every "
-             "pipeline, and stands the paper's own figures and ratios beside them."),
+             "Measures the frame rates of the paper's nine scenes, as in its tables 1 and 2, with every "
+             "pipeline, and shows them next to the paper's own figures and ratios."),
          .options =
              QList<UsageOption>{
                  wordsOption("textures", textureKeys(), QStringLiteral("Textures on the targets."),
                              QStringLiteral("none")),
                  valueOption("rows", "LIST", QStringLiteral("Rows of the tables, 1 to 9."),
                              QStringLiteral("1,2,3,4,5,6,7,8,9")),
-                 valueOption("hit-every", "N", QStringLiteral("Frames from one hit to the next; 0: none."),
+                 valueOption("hit-every", "N", QStringLiteral("Frames between two hits; 0: no hits."),
                              QStringLiteral("10")),
-                 flagOption("progress", QStringLiteral("Lines \"progress 0.25 WHAT\" on the standard "
-                                                       "error, for programs.")),
+                 flagOption("progress",
+                            QStringLiteral(
+                                "Print lines \"progress 0.25 WHAT\" to the standard error, for programs.")),
                  sizeOption()} +
              commonOptions(),
-         .examples = {{QStringLiteral("The sixth row by the paper's two methods, a few samples each."),
+         .examples = {{QStringLiteral(
+                           "Measure the sixth row with the paper's two methods and a few samples."),
                        QStringLiteral("hitscope-cli bench paper --quick --rows 6 --size 160x90 "
                                       "--pipelines uniform-array,transform-feedback")}}},
         runPaper};

@@ -150,7 +150,7 @@ cli::Verb physicsVerb() {
                                                    QStringLiteral("8000,2M")),
                                        sizeOption()} +
                     measuringOptions(),
-         .examples = {{QStringLiteral("On a small target, a few samples each."),
+         .examples = {{QStringLiteral("Measure a small target with a few samples."),
                        QStringLiteral("hitscope-cli bench physics --quick --triangles 1K --size 320x180")}}},
         runPhysics};
 }

@@ -109,7 +109,7 @@ cli::Verb sessionVerb() {
              .options = QList<UsageOption>{valueOption("hits", "N", QStringLiteral("Hits in the session."),
                                                        QStringLiteral("100K"))} +
                         measuringOptions(),
-             .examples = {{QStringLiteral("A session of 500 hits, a few samples each."),
+             .examples = {{QStringLiteral("Measure a session of 500 hits with a few samples."),
                            QStringLiteral("hitscope-cli bench session --quick --hits 500")}}},
             runSession};
 }

@@ -211,40 +211,35 @@ Verb sweepVerb() {
          .about = QStringLiteral("run a grid of shoots, here or on many machines, into one table"),
          .description = QStringLiteral(
              "A plan is JSON: {\"hitscope-sweep\": 1, \"scenes\": [\"a.obj\", \"b.obj\"], \"options\": "
-             "{\"random\": 50, "
-             "\"max-distance\": [0.3, 0.5], \"seed\": [1, 2, 3]}}. Its options are those of shoot; each "
-             "combination "
-             "is a job. Jobs that have a result are not run again, so a sweep that was interrupted goes on "
-             "where it "
-             "was. A result belongs to the content of its files. When all jobs are over, here or elsewhere, "
-             "table.csv, table.json and plots.svg are written; they are the same whoever ran the jobs. Slurm "
-             "runs "
-             "what --slurm prints when it is piped into sbatch --wait; the table comes from --merge after "
-             "it."),
-         .options = {folderOption("out", QStringLiteral("Folder for results; made where it is missing."),
+             "{\"random\": 50, \"max-distance\": [0.3, 0.5], \"seed\": [1, 2, 3]}}. Its options are those of "
+             "shoot; each combination is a job. Skips jobs that have a result, so an interrupted sweep "
+             "resumes where it stopped. A result is valid for the content of its files. When all jobs have "
+             "finished, here or elsewhere, writes table.csv, table.json and plots.svg, which do not depend "
+             "on who ran the jobs. To use Slurm, pipe the output of --slurm into sbatch --wait, then write "
+             "the table with --merge."),
+         .options = {folderOption("out", QStringLiteral("Folder for the results; created if needed."),
                                   QStringLiteral("hitscope-sweep")),
                      valueOption("jobs", "N",
-                                 QStringLiteral("Jobs at a time, 1 to 1024; without it, one for each "
-                                                "processor.")),
-                     flagOption("list",
-                                QStringLiteral("Run nothing; print a command a line for each job without a "
-                                               "result, for GNU parallel.")),
+                                 QStringLiteral(
+                                     "Number of parallel jobs, 1 to 1024; default: one for each processor.")),
+                     flagOption("list", QStringLiteral("Run nothing; print one command line for each job "
+                                                       "without a result, for GNU parallel.")),
                      flagOption("slurm", QStringLiteral("Run nothing; print a job array for sbatch.")),
                      flagOption("snakemake", QStringLiteral("Run nothing; print a workflow for snakemake.")),
                      flagOption("merge",
-                                QStringLiteral("Run nothing; write the table of the results there are.")),
-                     valueOption("program", "PATH", QStringLiteral("What the printed commands call."),
+                                QStringLiteral("Run nothing; write the table of the existing results.")),
+                     valueOption("program", "PATH", QStringLiteral("Program that the printed commands call."),
                                  QStringLiteral("hitscope-cli")),
-                     flagOption("json", QStringLiteral("Print the table as JSON in place of the text.")),
+                     flagOption("json", QStringLiteral("Print the table as JSON instead of text.")),
                      quietOption()},
          .examples =
-             {{QStringLiteral("A sweep on this machine."),
+             {{QStringLiteral("Run a sweep on this machine."),
                QStringLiteral("hitscope-cli sweep plan.json --out results")},
-              {QStringLiteral("The jobs that are left by GNU parallel, which takes --sshlogin for other "
-                              "machines; then the table."),
+              {QStringLiteral("Run the remaining jobs with GNU parallel (--sshlogin for other machines), "
+                              "then write the table."),
                QStringLiteral("hitscope-cli sweep plan.json --out results --list | parallel && hitscope-cli "
                               "sweep plan.json --out results --merge")},
-              {QStringLiteral("The same by snakemake."),
+              {QStringLiteral("Do the same with snakemake."),
                QStringLiteral("hitscope-cli sweep plan.json --out flow --snakemake > Snakefile && snakemake "
                               "--cores 2 --quiet && hitscope-cli sweep plan.json --out flow --merge")}},
          .leastFiles = 1,

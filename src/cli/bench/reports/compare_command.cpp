@@ -56,24 +56,22 @@ cli::Verb compareReportsVerb() {
     return {
         {.name = QStringLiteral("bench compare"),
          .files = QStringLiteral("A.json B.json"),
-         .about = QStringLiteral("two reports of a benchmark, row by row, with confidence intervals"),
-         .description = QStringLiteral(
-             "Reads two reports that the same benchmark has written, and says for each row how many times as "
-             "long B takes as A, with the interval in which that lies for certain. Ends with 1 where a row "
-             "is "
-             "slower by more than the tolerance for certain. To compare two programs or two machines, "
-             "measure both with the same options, several times if you can."),
+         .about = QStringLiteral("compare two reports of a benchmark, row by row, with confidence intervals"),
+         .description =
+             QStringLiteral("Reads two reports of the same benchmark and prints, for each row, the ratio of "
+                            "the times of B and A with its confidence interval. Exits with 1 if a row is "
+                            "significantly slower by more than the tolerance. To compare two programs or two "
+                            "machines, measure both with the same options, if possible several times."),
          .options =
-             QList<UsageOption>{valueOption("tolerance", "PART",
-                                            QStringLiteral("What part slower does not count: 0.05 is "
-                                                           "5 %."),
-                                            QStringLiteral("0.05")),
-                                valueOption("confidence", "PART",
-                                            QStringLiteral("How certain, 0.5 to 1: with 0.99, five runs "
-                                                           "of each are the least."),
-                                            QStringLiteral("0.99"))} +
+             QList<UsageOption>{
+                 valueOption("tolerance", "PART", QStringLiteral("Slowdown that is ignored: 0.05 is 5 %."),
+                             QStringLiteral("0.05")),
+                 valueOption(
+                     "confidence", "PART",
+                     QStringLiteral("Confidence level, 0.5 to 1; 0.99 needs at least five runs of each."),
+                     QStringLiteral("0.99"))} +
              destinationOptions(),
-         .examples = {{QStringLiteral("What has become slower."),
+         .examples = {{QStringLiteral("Find the rows that became slower."),
                        QStringLiteral("hitscope-cli bench compare before.json after.json")}},
          .leastFiles = 2,
          .mostFiles = 2},

@@ -114,23 +114,25 @@ int runLatencyVerb(Invocation& given) {
 cli::Verb latencyVerb() {
     return {{.name = QStringLiteral("bench latency"),
              .files = {},
-             .about = QStringLiteral("what a person waits for in the window: clicks, undo, opening, frames"),
-             .description = QStringLiteral(
-                 "Measures what a person waits for in the window, used by events as with mouse and "
-                 "keyboard, on the display at hand or, without one, on one in memory (Xvfb). Makes the "
-                 "mesh files itself, in the folder for temporary files."),
+             .about = QStringLiteral("response times of the window: clicks, undo, opening, frames"),
+             .description =
+                 QStringLiteral("Measures the response times of the window to events like those of mouse and "
+                                "keyboard, on the current display or, without one, on a virtual display "
+                                "(Xvfb). Creates the mesh files in the folder for temporary files."),
              .options =
                  QList<UsageOption>{
-                     valueOption("vertices", "LIST", QStringLiteral("Of the meshes, one after the other."),
-                                 QStringLiteral("8K,100K,1M")),
-                     valueOption("size", "WIDTHxHEIGHT", QStringLiteral("The window in pixels."),
+                     valueOption(
+                         "vertices", "LIST",
+                         QStringLiteral("Numbers of vertices of the meshes, measured one after the other."),
+                         QStringLiteral("8K,100K,1M")),
+                     valueOption("size", "WIDTHxHEIGHT", QStringLiteral("Size of the window in pixels."),
                                  QStringLiteral("1600x1000")),
                      valueOption("scattered", "N",
-                                 QStringLiteral("Hits scattered over the mesh at once; 0: none."),
+                                 QStringLiteral("Number of hits scattered over the mesh at once; 0: none."),
                                  QStringLiteral("10K"))} +
                  measuringOptions(),
              .examples =
-                 {{QStringLiteral("Of a small mesh, a few samples each."),
+                 {{QStringLiteral("Measure a small mesh with a few samples."),
                    QStringLiteral(
                        "hitscope-cli bench latency --quick --vertices 1K --size 640x480 --scattered 0")}}},
             runLatencyVerb};

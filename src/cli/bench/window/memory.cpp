@@ -89,21 +89,22 @@ cli::Verb memoryVerb() {
     return {
         {.name = QStringLiteral("bench memory"),
          .files = {},
-         .about = QStringLiteral("what the window has in memory with a large mesh, and a hit adds"),
+         .about = QStringLiteral("memory of the window with a large mesh, and of each hit"),
          .description = QStringLiteral(
-             "Measures what the window has in memory with a large mesh, on the display at hand or, "
-             "without one, on one in memory (Xvfb). Makes the mesh files itself, in the folder for "
-             "temporary files."),
+             "Measures the memory of the window with a large mesh, on the current display or, without one, "
+             "on a virtual display (Xvfb). Creates the mesh files in the folder for temporary files."),
          .options =
              QList<UsageOption>{
-                 valueOption("vertices", "LIST", QStringLiteral("Of the meshes, one after the other."),
-                             QStringLiteral("2M")),
-                 valueOption("size", "WIDTHxHEIGHT", QStringLiteral("The window in pixels."),
+                 valueOption(
+                     "vertices", "LIST",
+                     QStringLiteral("Numbers of vertices of the meshes, measured one after the other."),
+                     QStringLiteral("2M")),
+                 valueOption("size", "WIDTHxHEIGHT", QStringLiteral("Size of the window in pixels."),
                              QStringLiteral("1600x1000")),
-                 valueOption("hits", "N", QStringLiteral("Of about 80 vertices each."),
+                 valueOption("hits", "N", QStringLiteral("Number of hits, of about 80 vertices each."),
                              QStringLiteral("500"))} +
              destinationOptions(),
-         .examples = {{QStringLiteral("With a mesh of ten thousand vertices."),
+         .examples = {{QStringLiteral("Measure a mesh of ten thousand vertices."),
                        QStringLiteral("hitscope-cli bench memory --vertices 10K --size 640x480 --hits 10")}}},
         runMemoryVerb};
 }
