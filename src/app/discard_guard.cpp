@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "app/session_files.h"
-#include "models/quantity_text.h"
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -114,8 +114,7 @@ QMessageBox* DiscardGuard::makeBox() {
     const std::size_t hits = hitsAtRisk();
     const QString what = !m_files.path().isEmpty()
                              ? tr("Changes of %1 will be lost.").arg(QFileInfo(m_files.path()).fileName())
-                         : hits == 1 ? tr("1 hit on this scene will be lost.")
-                                     : tr("%1 hits on this scene will be lost.").arg(countText(hits));
+                             : tr("%Ln {hit|hits} on this scene will be lost.", nullptr, trCount(hits));
     auto* box =
         new QMessageBox(QMessageBox::Question, tr("Save session"), what, QMessageBox::NoButton, &m_window);
     box->setObjectName(QStringLiteral("discardHits"));

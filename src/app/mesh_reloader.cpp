@@ -12,8 +12,8 @@
 #include "document/capture.h"
 #include "document/mesh_references.h"
 #include "document/open_document.h"
-#include "models/quantity_text.h"
 #include "session/session.h"
+#include "session/shown_number.h"
 #include "session/task_list.h"
 #include "session/vertex_selection.h"
 
@@ -41,7 +41,7 @@ Error noRoomForMesh() {
 }
 
 QString hitsText(std::size_t hits) {
-    return hits == 1 ? MeshReloader::tr("1 hit") : MeshReloader::tr("%1 hits").arg(countText(hits));
+    return MeshReloader::tr("%Ln {hit|hits}", nullptr, trCount(hits));
 }
 
 /// Selected and picked vertices of what is replaced, and which hits are shown and selected.

@@ -18,7 +18,7 @@
 #include "app/session_files.h"
 #include "document/journal_files.h"
 #include "document/journal_records.h"
-#include "models/quantity_text.h"
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -126,8 +126,7 @@ void RecoveryBar::take(const std::shared_ptr<Found>& found) {
     m_found = found;
     const SessionDocument& document = found->read->document;
     const QString when = QLocale().toString(found->changed, QLocale::ShortFormat);
-    const QString hits =
-        document.hits.size() == 1 ? tr("1 hit") : tr("%1 hits").arg(countText(document.hits.size()));
+    const QString hits = tr("%Ln {hit|hits}", nullptr, trCount(document.hits.size()));
     m_text->setText(tr("Hitscope ended unexpectedly. The session “%1” of %2, with %3, can be recovered.")
                         .arg(document.scene.name, when, hits));
     const QPixmap picture = pictureOf(found->read->picture, devicePixelRatioF());

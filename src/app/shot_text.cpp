@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 
 #include "models/quantity_text.h"
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -27,7 +28,8 @@ QString oneShot(const ShotCount& count, const Session& session) {
 }
 
 QString wholeSeries(const ShotCount& count) {
-    QString text = ShotText::tr("%1 shots, %2 hits").arg(countText(count.shots), countText(count.hits));
+    QString text = ShotText::tr("%1, %2").arg(ShotText::tr("%Ln {shot|shots}", nullptr, trCount(count.shots)),
+                                              ShotText::tr("%Ln {hit|hits}", nullptr, trCount(count.hits)));
     if (count.landed > 0) {
         text += ShotText::tr(", %1 on the floor").arg(countText(count.landed));
     }
@@ -47,7 +49,7 @@ QString shotText(const ShotCount& count, const Session& session) {
         return wholeSeries(count);
     }
     return count.fired == 0 && count.shots > 0
-               ? ShotText::tr("%1 shots are on their way.").arg(countText(count.shots))
+               ? ShotText::tr("%Ln {shot is|shots are} on {its|their} way.", nullptr, trCount(count.shots))
                : QString();
 }
 

@@ -192,7 +192,7 @@ void StatusLine::showScene() {
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
         vertices += target->deformed.original().vertexCount();
     }
-    m_vertices->setText(tr("%1 vertices in all").arg(countText(vertices)));
+    m_vertices->setText(tr("%Ln {vertex|vertices} in all", nullptr, trCount(vertices)));
     m_vertices->setToolTip(tr("Vertices of all targets (%1)").arg(countText(m_session.targets().size())));
     showTarget();
     showHits();
@@ -200,16 +200,16 @@ void StatusLine::showScene() {
 
 void StatusLine::showTarget() {
     const Target* target = m_session.targets().find(m_session.targets().selected());
-    m_target->setText(
-        target != nullptr
-            ? tr("%1: %2 vertices").arg(target->name, countText(target->deformed.original().vertexCount()))
-            : tr("no target selected"));
+    m_target->setText(target != nullptr ? tr("%1: %Ln {vertex|vertices}", nullptr,
+                                             trCount(target->deformed.original().vertexCount()))
+                                              .arg(target->name)
+                                        : tr("no target selected"));
     m_vertices->setVisible(target == nullptr || m_session.targets().size() > 1);
 }
 
 void StatusLine::showHits() {
     const std::size_t hits = m_session.hits().history().size();
-    QString text = hits == 1 ? tr("1 hit") : tr("%1 hits").arg(countText(hits));
+    QString text = tr("%Ln {hit|hits}", nullptr, trCount(hits));
     const CapacityReport& report = m_session.readBack().capacity();
     if (report.capacity) {
         text = report.perTarget ? tr("%1, max %2 on a target").arg(text, countText(*report.capacity))

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "deform/fingerprint.h"
+#include "session/shown_number.h"
 
 namespace hitscope::cli {
 
@@ -160,6 +161,12 @@ void addTargets(JsonReport& report, const Session& session) {
         report.number("mean_m", statistics.mean).number("rms_m", statistics.rms).endObject();
     }
     report.endArray();
+}
+
+QString shotsAndHits(std::size_t shots, const Session& session) {
+    const std::size_t hits = session.hits().history().size();
+    return inEnglish(QStringLiteral("%1 {shot|shots}, "), trCount(shots)).arg(shots) +
+           inEnglish(QStringLiteral("%1 {hit|hits}"), trCount(hits)).arg(hits);
 }
 
 QString fingerprintLines(const Session& session) {

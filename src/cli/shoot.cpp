@@ -188,9 +188,8 @@ Outcome reportShots(Invocation& given, OpenedScene& scene, const ShootOptions& o
     addAgreement(report, session, agreement);
     addFingerprints(report, session);
     addTargets(report, session);
-    QString text = QStringLiteral("%1 shots, %2 hits\n").arg(shots).arg(session.hits().history().size()) +
-                   targetLines(session) + agreementLine(session, agreement) + u'\n' +
-                   fingerprintLines(session);
+    QString text = shotsAndHits(shots, session) + u'\n' + targetLines(session) +
+                   agreementLine(session, agreement) + u'\n' + fingerprintLines(session);
     Outcome result = Done{};
     if (!options.meshOutPath.isEmpty() && !session.targets().empty()) {
         const Target& exported = mostChangedTarget(session);

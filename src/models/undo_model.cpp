@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "models/quantity_text.h"
 #include "models/undo_text.h"
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -43,11 +43,8 @@ QVariant UndoModel::data(const QModelIndex& index, int role) const {
 QString UndoModel::summary() const {
     const SessionUndo& steps = m_session.steps();
     const QLocale locale;
-    QString text =
-        steps.size() == 1
-            ? tr("1 step, %1").arg(locale.formattedDataSize(static_cast<qint64>(steps.bytes())))
-            : tr("%1 steps, %2")
-                  .arg(countText(steps.size()), locale.formattedDataSize(static_cast<qint64>(steps.bytes())));
+    QString text = tr("%Ln {step|steps}, %1", nullptr, trCount(steps.size()))
+                       .arg(locale.formattedDataSize(static_cast<qint64>(steps.bytes())));
     if (steps.forgotten() > 0) {
         text += tr("; the oldest are forgotten beyond %1")
                     .arg(locale.formattedDataSize(static_cast<qint64>(SessionUndo::kMostBytes)));

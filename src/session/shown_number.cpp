@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/shown_number.h"
 
+#include <QCoreApplication>
 #include <QLocale>
+#include <QRegularExpression>
+#include <QTranslator>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "io/number_text.h"
@@ -19,7 +24,32 @@ QLocale groupingLocale() {
     return locale;
 }
 
+/// Any translation that is installed later is asked before it.
+class EnglishPlurals : public QTranslator {
+public:
+    using QTranslator::QTranslator;
+    QString translate(const char*, const char* text, const char*, int number) const override {
+        return number < 0 ? QString() : inEnglish(QString::fromUtf8(text), number);
+    }
+};
+
+void installEnglishPlurals() {
+    QCoreApplication::installTranslator(new EnglishPlurals(QCoreApplication::instance()));
+}
+Q_COREAPP_STARTUP_FUNCTION(installEnglishPlurals)
+
 }  // namespace
+
+QString inEnglish(const QString& text, int number) {
+    static const QRegularExpression kForms(QStringLiteral("\\{([^{}|]*)\\|([^{}|]*)\\}"));
+    return QString(text)
+        .replace(kForms, number == 1 ? QStringLiteral("\\1") : QStringLiteral("\\2"))
+        .replace(QStringLiteral("%Ln"), shownCount(static_cast<std::size_t>(number)));
+}
+
+int trCount(std::size_t count) {
+    return static_cast<int>(std::min(count, std::size_t{std::numeric_limits<int>::max()}));
+}
 
 QString shownNumber(double value, char format, int precision) {
     return groupingLocale().toString(value, format, precision);

@@ -19,6 +19,12 @@ namespace hitscope {
 /// "7,938", grouped as the locale does.
 [[nodiscard]] QString shownCount(std::size_t count);
 
+/// For tr(): "%Ln {hit|hits}" says "1 hit" and "7,938 hits". English has no translation that could tell one
+/// from several, so every program reads its texts through this.
+[[nodiscard]] QString inEnglish(const QString& text, int number);
+/// A count for tr(), which takes no greater number.
+[[nodiscard]] int trCount(std::size_t count);
+
 /// Between numbers in a row: ", ", or "; " where a comma stands for the decimal point.
 [[nodiscard]] QString numberSeparator();
 

@@ -131,8 +131,7 @@ void AimPreview::show() {
     const std::size_t count = preview.affectedVertices;
     const auto metres = static_cast<double>(preview.depth);
     const QString depth = metres >= kMillimetre ? shownNumber(metres, 'f', 3) : shownNumber(metres, 'g', 3);
-    QString text = count == 1 ? tr("1 vertex, %1 m deep").arg(depth)
-                              : tr("%1 vertices, %2 m deep").arg(shownCount(count), depth);
+    QString text = tr("%Ln {vertex|vertices}, %1 m deep", nullptr, trCount(count)).arg(depth);
     if (count < kFewVertices) {
         text += tr("\nFew vertices for a dent: Ctrl+R refines the mesh here");
     }

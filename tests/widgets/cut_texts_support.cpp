@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut_texts_support.h"
+#include "session/shown_number.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -218,6 +219,7 @@ QStringList cutTexts(const QWidget& top) {
 QString LongerWords::translate(const char*, const char* text, const char*, int number) const {
     QString source = QString::fromUtf8(text);
     if (number >= 0) {
+        source = inEnglish(source, number);
         source.replace(QStringLiteral("%n"), QString::number(number));
     }
     constexpr double kLonger = 0.4;

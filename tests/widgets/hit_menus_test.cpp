@@ -16,6 +16,7 @@
 #include "app/dialogs/export_dialog.h"
 #include "app/notice_bar.h"
 #include "mesh/primitives.h"
+#include "session/task_list.h"
 #include "support/read_back.h"
 #include "support/test_program.h"
 #include "widgets/window_support.h"

@@ -8,8 +8,8 @@
 #include <QVBoxLayout>
 
 #include "models/group_name.h"
-#include "models/quantity_text.h"
 #include "panels/help/help_text.h"
+#include "session/shown_number.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -67,7 +67,8 @@ void PlanDialog::apply() {
         return;
     }
     close();
-    Q_EMIT made(tr("%1 hits made as group “%2”").arg(countText(count), groupName(group.value())));
+    Q_EMIT made(
+        tr("%Ln {hit|hits} made as group “%1”", nullptr, trCount(count)).arg(groupName(group.value())));
 }
 
 void PlanDialog::showEvent(QShowEvent* event) {

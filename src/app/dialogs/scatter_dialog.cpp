@@ -12,6 +12,7 @@
 #include "models/focus_target.h"
 #include "models/quantity_text.h"
 #include "panels/fields/number_box.h"
+#include "session/shown_number.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -155,9 +156,8 @@ void ScatterDialog::replan() {
 
 QString ScatterDialog::summary(const HitPlanner::Plan& plan) const {
     const Target* target = focusTarget(session());
-    const QString text = tr("%1 hits over %2 m² of %3.")
-                             .arg(countText(plan.hits.size()), quantityText(plan.area),
-                                  target != nullptr ? target->name : QString());
+    const QString text = tr("%Ln {hit|hits} over %1 m² of %2.", nullptr, trCount(plan.hits.size()))
+                             .arg(quantityText(plan.area), target != nullptr ? target->name : QString());
     return plan.areDents ? text : text + u' ' + tr("They are shown as marks: too many for dents.");
 }
 

@@ -4,7 +4,6 @@
 #include <QEvent>
 #include <QStringList>
 
-#include "models/quantity_text.h"
 #include "session/shown_number.h"
 
 namespace hitscope {
@@ -46,7 +45,7 @@ void TimeBadge::follow() {
         parts << time;
     }
     if (const std::size_t toCome = m_session.simulation().shotsToCome(); toCome > 0) {
-        parts << (toCome == 1 ? tr("1 pending shot") : tr("%1 pending shots").arg(countText(toCome)));
+        parts << tr("%Ln pending {shot|shots}", nullptr, trCount(toCome));
     }
     setText(parts.join(QStringLiteral(" · ")));
     setVisible(!parts.isEmpty());

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "analysis/comparison_text.h"
-#include "models/quantity_text.h"
 #include "panels/help/help_text.h"
 #include "session/shown_number.h"
 #include "ui_change.h"
@@ -253,9 +252,9 @@ void ChangePanel::showNumbers() {
     }
     const QString unit = QString::fromUtf8(changeTraits(m_map.quantity).unit);
     const double mean = summary.sum / static_cast<double>(summary.count);
-    m_ui->numbers->setText(tr("%1 vertices: %2 to %3, mean %4 %5")
-                               .arg(countText(summary.count), shownNumber(summary.low, 'g', 4),
-                                    shownNumber(summary.high, 'g', 4), shownNumber(mean, 'g', 4), unit));
+    m_ui->numbers->setText(tr("%Ln {vertex|vertices}: %1 to %2, mean %3 %4", nullptr, trCount(summary.count))
+                               .arg(shownNumber(summary.low, 'g', 4), shownNumber(summary.high, 'g', 4),
+                                    shownNumber(mean, 'g', 4), unit));
     m_ui->numbers->setToolTip(
         tr("Root mean square: %1 %2").arg(shownNumber(summary.rootMeanSquare(), 'g', 5), unit));
 }

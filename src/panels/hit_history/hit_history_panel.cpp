@@ -17,6 +17,7 @@
 #include "panels/hit_history/hit_filter_bar.h"
 #include "panels/hit_history/time_scrubber.h"
 #include "panels/icons/themed_icon.h"
+#include "session/shown_number.h"
 #include "ui_hit_history.h"
 
 namespace hitscope {
@@ -347,9 +348,8 @@ void HitHistoryPanel::scrollToNewest() {
 
 void HitHistoryPanel::updateSummary() {
     const std::size_t hits = m_session.hits().history().size();
-    QString text = hits == 0   ? tr("No hits yet: click on a target")
-                   : hits == 1 ? tr("1 hit")
-                               : tr("%1 hits").arg(countText(hits));
+    QString text =
+        hits == 0 ? tr("No hits yet: click on a target") : tr("%Ln {hit|hits}", nullptr, trCount(hits));
     if (!m_session.hits().showsAll()) {
         text = tr("After hit %1 of %2").arg(countText(m_session.hits().shown().size()), countText(hits));
     } else if (!m_list.filter().isAll()) {

@@ -7,7 +7,7 @@
 #include <QMimeData>
 #include <QPainter>
 
-#include "models/quantity_text.h"
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -44,7 +44,7 @@ void HitTable::startDrag(Qt::DropActions actions) {
     auto* drag = new QDrag(this);  // Qt deletes it
     drag->setMimeData(model()->mimeData(rows));
     const auto count = static_cast<std::size_t>(rows.size());
-    drag->setPixmap(label(count == 1 ? tr("1 hit") : tr("%1 hits").arg(countText(count))));
+    drag->setPixmap(label(tr("%Ln {hit|hits}", nullptr, trCount(count))));
     drag->setHotSpot(kBeside);
     drag->exec(actions, Qt::MoveAction);
     showPlace(std::nullopt);

@@ -233,7 +233,7 @@ void HitInspectorPanel::showTitle() {
             tr("No hit is selected. Click a dent with the Inspect tool, or a row of the hit history."));
     } else if (count > 1) {
         m_ui->title->setText(
-            tr("%1 hits are selected. A change applies to all of them.").arg(shownCount(count)));
+            tr("%Ln hits are selected. A change applies to all of them.", nullptr, trCount(count)));
     } else {
         const Target* target = m_session.targets().find(hit->target);
         const QString name = target != nullptr ? target->name : QString();

@@ -8,6 +8,7 @@
 #include "models/quantity_text.h"
 #include "panels/help/help_text.h"
 #include "panels/histogram/histogram_plot.h"
+#include "session/shown_number.h"
 #include "session/vertex_selection.h"
 
 namespace hitscope {
@@ -65,8 +66,8 @@ std::size_t DisplacementHistogram::countBetween(double low, double high) const {
 }
 
 void DisplacementHistogram::showBetween(double low, double high) {
-    QString text = tr("%1 vertices moved %2 to %3 m")
-                       .arg(countText(countBetween(low, high)), quantityText(low), quantityText(high));
+    QString text = tr("%Ln {vertex|vertices} moved %1 to %2 m", nullptr, trCount(countBetween(low, high)))
+                       .arg(quantityText(low), quantityText(high));
     if (!m_measuring.isUpToDate()) {
         text += u' ' + tr("(updating…)");
     }

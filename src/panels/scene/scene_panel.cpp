@@ -238,9 +238,7 @@ void ScenePanel::updateActions() {
     });
     enableIf(*m_reset, isAnyHit, some ? tr("It has no hits.") : tr("Select a target first."));
     const int count = m_model.rowCount();
-    m_ui->summary->setText(count == 0   ? tr("No targets yet")
-                           : count == 1 ? tr("1 target")
-                                        : tr("%1 targets").arg(countText(static_cast<std::size_t>(count))));
+    m_ui->summary->setText(count == 0 ? tr("No targets yet") : tr("%Ln {target|targets}", nullptr, count));
 }
 
 }  // namespace hitscope

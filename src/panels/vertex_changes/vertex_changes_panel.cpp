@@ -190,8 +190,7 @@ void VertexChangesPanel::updateSummary() {
         const std::size_t selected = m_session.selection().vertices(target->id).size();
         const QString listed = countText(static_cast<std::size_t>(rows));
         text = selected > 0 ? tr("%1 listed, %2 selected").arg(listed, countText(selected))
-               : rows == 1  ? tr("1 vertex")
-                            : tr("%1 vertices").arg(listed);
+                            : tr("%Ln {vertex|vertices}", nullptr, rows);
     }
     m_ui->summary->setText(text);
     m_ui->summary->setToolTip(target != nullptr ? tr("Of %1").arg(target->name) : QString());
