@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/memory.h"
 #include "deform/deform.h"
 #include "mesh/connectivity.h"
 #include "mesh/face_measure.h"
@@ -13,6 +14,8 @@
 namespace hitscope {
 
 namespace {
+
+constexpr std::size_t kLarge = 100'000;  // vertices of a mesh whose measuring takes much memory for a while
 
 /// One face's corners, taken through hits on their own: vertices do not influence one another.
 class LoneFace {
@@ -89,7 +92,7 @@ void MeasuredTarget::follow(std::span<const MovedVertex> moved, const std::stop_
         if (!m_topology) {
             return;
         }
-        m_refusedFaces = connect(*m_mesh).refused;
+        m_refusedFaces = refusedFaces(*m_mesh, *m_topology);
     }
     if (!m_measurer) {
         auto measurer = std::make_unique<SurfaceMeasurer>(m_mesh, m_topology, stop);
@@ -97,6 +100,9 @@ void MeasuredTarget::follow(std::span<const MovedVertex> moved, const std::stop_
             return;
         }
         m_measurer = std::move(measurer);
+        if (m_mesh->vertexCount() > kLarge) {
+            giveBackFreedMemory();
+        }
         m_deformed = m_measurer->original();
         m_displacements = std::make_shared<const Displacements>();
     }

@@ -50,9 +50,22 @@ bool repeatsVertex(std::span<const std::uint32_t> face) {
     return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
 }
 
-Connectivity connect(const MeshData& mesh) {
+/// Where all faces around each vertex are one fan and look the same way, a face always finds its sides free
+/// and a gap at its corners, in whatever order they come: it never closes a fan before the last one, and two
+/// parts of a fan that it joins were next to each other. FaceGate gives up on vertices of many faces alone.
+std::size_t refusedFaces(const MeshData& mesh, const SurfaceTopology& topology) {
+    const SurfaceStatistics& surface = topology.statistics();
+    bool isHeld = surface.isManifold() && surface.opposedEdges == 0 && surface.collapsedFaces == 0;
+    std::vector<std::uint8_t> faces(isHeld ? mesh.vertexCount() : 0, 0);
+    for (std::size_t c = 0; c < mesh.cornerVertices.size() && isHeld; ++c) {
+        isHeld = ++faces[mesh.cornerVertices[c]] < FaceGate::kMostSteps;
+    }
+    return isHeld ? 0 : connect(mesh, surface.edges).refused;
+}
+
+Connectivity connect(const MeshData& mesh, std::size_t edges) {
     HalfEdges halfEdges;
-    halfEdges.reserve(mesh.vertexCount(), mesh.cornerVertices.size() / 2, mesh.faceCount());
+    halfEdges.reserve(mesh.vertexCount(), std::max(edges, mesh.cornerVertices.size() / 2), mesh.faceCount());
     for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
         halfEdges.add_vertex();
     }

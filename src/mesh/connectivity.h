@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "mesh/mesh_data.h"
+#include "mesh/surface_topology.h"
 
 namespace hitscope {
 
@@ -17,8 +18,13 @@ struct Connectivity {
     std::size_t refused = 0;     ///< faces without a repeated vertex that cannot be connected
 };
 
-/// Connects mesh's faces in their order, leaving out those that repeat a vertex.
-[[nodiscard]] Connectivity connect(const MeshData& mesh);
+/// Connects mesh's faces in their order, leaving out those that repeat a vertex. `edges`: about how many
+/// there are, if that is known, so that room for them is made once.
+[[nodiscard]] Connectivity connect(const MeshData& mesh, std::size_t edges = 0);
+
+/// connect(mesh).refused. Half-edges take some hundred bytes a vertex: they are made only where `topology`,
+/// of this mesh, leaves open whether they can hold all faces.
+[[nodiscard]] std::size_t refusedFaces(const MeshData& mesh, const SurfaceTopology& topology);
 
 /// Whether a face names a vertex twice.
 [[nodiscard]] bool repeatsVertex(std::span<const std::uint32_t> face);

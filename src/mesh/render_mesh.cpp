@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/memory.h"
 #include "core/parallel.h"
 #include "mesh/corner_normals.h"
 #include "mesh/spatial_order.h"
@@ -323,7 +324,7 @@ void makeEdges(const MeshData& mesh, const VertexCorners& vertexCorners, RenderM
         runs[part] = edgesOf(mesh, vertexCorners, faceOfCorner, render, count * part / parts,
                              count * (part + 1) / parts);
     });
-    faceOfCorner = {};
+    freeAll(faceOfCorner);
     std::size_t edges = 0;
     for (const std::vector<std::uint32_t>& run : runs) {
         edges += run.size();
@@ -331,7 +332,7 @@ void makeEdges(const MeshData& mesh, const VertexCorners& vertexCorners, RenderM
     render.edges.reserve(edges);
     for (std::vector<std::uint32_t>& run : runs) {
         render.edges.insert(render.edges.end(), run.begin(), run.end());
-        run = {};
+        freeAll(run);
     }
 }
 

@@ -69,7 +69,6 @@ SurfaceMeasurer::SurfaceMeasurer(std::shared_ptr<const MeshData> mesh,
                                  std::shared_ptr<const SurfaceTopology> topology, const std::stop_token& stop)
     : m_mesh(std::move(mesh)),
       m_topology(std::move(topology)),
-      m_positions(m_mesh->positions),
       m_isListed(m_mesh->vertexCount(), false),
       m_faces(blocksOf(m_mesh->faceCount())),
       m_edges(blocksOf(m_topology->edges().size())),
@@ -93,6 +92,10 @@ void SurfaceMeasurer::move(std::span<const MovedVertex> moved) {
     m_dirtyFaces.clear();
     m_dirtyEdges.clear();
     m_dirtyBoxes.clear();
+    if (!m_index && !moved.empty()) {
+        m_index.emplace(*m_mesh, *m_topology);
+        m_positions = m_mesh->positions;
+    }
     for (const MovedVertex& vertex : moved) {
         if (m_positions[vertex.vertex] == vertex.position) {
             continue;
@@ -103,10 +106,10 @@ void SurfaceMeasurer::move(std::span<const MovedVertex> moved) {
             m_listed.push_back(vertex.vertex);
         }
         m_dirtyBoxes.push_back(blockOf(vertex.vertex));
-        for (const std::uint32_t face : m_topology->facesAt(vertex.vertex)) {
+        for (const std::uint32_t face : m_index->facesAt(vertex.vertex)) {
             m_dirtyFaces.push_back(blockOf(face));
         }
-        for (const std::uint32_t edge : m_topology->edgesAt(vertex.vertex)) {
+        for (const std::uint32_t edge : m_index->edgesAt(vertex.vertex)) {
             m_dirtyEdges.push_back(blockOf(edge));
         }
     }
@@ -129,7 +132,7 @@ SurfaceMeasurer::FaceBlock SurfaceMeasurer::measureFaces(std::size_t block) cons
     const std::size_t end = std::min((block + 1) * kBlock, m_mesh->faceCount());
     for (std::size_t f = block * kBlock; f < end; ++f) {
         const std::span<const std::uint32_t> face = m_mesh->face(f);
-        const FaceMeasure measure = measureFace(m_positions, face, m_reference);
+        const FaceMeasure measure = measureFace(positions(), face, m_reference);
         sums.area.add(measure.area);
         sums.volume += measure.volume;
         sums.moment += measure.moment;
@@ -138,14 +141,14 @@ SurfaceMeasurer::FaceBlock SurfaceMeasurer::measureFaces(std::size_t block) cons
             sums.aspect.add(measure.aspect);
         }
         const bool isMoved = std::any_of(face.begin(), face.end(), [this](std::uint32_t vertex) {
-            return m_positions[vertex] != m_mesh->positions[vertex];
+            return positions()[vertex] != m_mesh->positions[vertex];
         });
         if (isMoved) {
-            sums.flipped += isFlipped(face, m_mesh->positions, m_positions) ? 1 : 0;
+            sums.flipped += isFlipped(face, m_mesh->positions, positions()) ? 1 : 0;
             sums.degenerated +=
                 measure.isDegenerate && !measureFace(m_mesh->positions, face, m_reference).isDegenerate ? 1
                                                                                                         : 0;
-            sums.stretch = std::max(sums.stretch, stretchOf(face, m_mesh->positions, m_positions));
+            sums.stretch = std::max(sums.stretch, stretchOf(face, m_mesh->positions, positions()));
         }
     }
     return sums;
@@ -155,15 +158,15 @@ Spread SurfaceMeasurer::measureEdges(std::size_t block) const {
     Spread lengths;
     const std::span<const SurfaceTopology::Edge> edges = m_topology->edges();
     for (std::size_t e = block * kBlock; e < std::min((block + 1) * kBlock, edges.size()); ++e) {
-        lengths.add(distance(m_positions[edges[e].low], m_positions[edges[e].high]));
+        lengths.add(distance(positions()[edges[e].low], positions()[edges[e].high]));
     }
     return lengths;
 }
 
 Box SurfaceMeasurer::measureBox(std::size_t block) const {
     Box box;
-    for (std::size_t v = block * kBlock; v < std::min((block + 1) * kBlock, m_positions.size()); ++v) {
-        box.add(glm::dvec3(m_positions[v]));
+    for (std::size_t v = block * kBlock; v < std::min((block + 1) * kBlock, positions().size()); ++v) {
+        box.add(glm::dvec3(positions()[v]));
     }
     return box;
 }
@@ -196,9 +199,9 @@ Displacements SurfaceMeasurer::displacements() const {
     std::vector<Length> found;
     found.reserve(m_listed.size());
     for (const std::uint32_t vertex : m_listed) {
-        if (m_positions[vertex] != m_mesh->positions[vertex]) {
+        if (positions()[vertex] != m_mesh->positions[vertex]) {
             found.push_back(
-                {static_cast<float>(distance(m_mesh->positions[vertex], m_positions[vertex])), vertex});
+                {static_cast<float>(distance(m_mesh->positions[vertex], positions()[vertex])), vertex});
         }
     }
     std::sort(found.begin(), found.end(), [](const Length& a, const Length& b) {
@@ -231,16 +234,16 @@ void SurfaceMeasurer::listHarms(std::size_t block, float stretchLimit, std::size
     const std::size_t end = std::min((block + 1) * kBlock, m_mesh->faceCount());
     for (std::size_t f = block * kBlock; f < end; ++f) {
         const std::span<const std::uint32_t> face = m_mesh->face(f);
-        const float stretch = stretchOf(face, m_mesh->positions, m_positions);
+        const float stretch = stretchOf(face, m_mesh->positions, positions());
         const auto note = [&](FaceHarm::Kind kind) {
             if (++found <= most) {
                 harms.push_back({static_cast<std::uint32_t>(f), kind, stretch});
             }
         };
-        if (isFlipped(face, m_mesh->positions, m_positions)) {
+        if (isFlipped(face, m_mesh->positions, positions())) {
             note(FaceHarm::Kind::Flipped);
         }
-        if (measureFace(m_positions, face, m_reference).isDegenerate &&
+        if (measureFace(positions(), face, m_reference).isDegenerate &&
             !measureFace(m_mesh->positions, face, m_reference).isDegenerate) {
             note(FaceHarm::Kind::Degenerated);
         }
@@ -251,7 +254,7 @@ void SurfaceMeasurer::listHarms(std::size_t block, float stretchLimit, std::size
 }
 
 Box SurfaceMeasurer::boxThrough(const glm::dmat3& rotation, const glm::dvec3& shift) const {
-    return boxOf(m_positions, rotation, shift);
+    return boxOf(positions(), rotation, shift);
 }
 
 Box SurfaceMeasurer::originalBoxThrough(const glm::dmat3& rotation, const glm::dvec3& shift) const {

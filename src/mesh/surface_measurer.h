@@ -3,6 +3,7 @@
 
 #include <glm/mat3x3.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -56,7 +57,9 @@ public:
 
     [[nodiscard]] const MeshData& mesh() const { return *m_mesh; }
     [[nodiscard]] const SurfaceTopology& topology() const { return *m_topology; }
-    [[nodiscard]] std::span<const glm::vec3> positions() const { return m_positions; }
+    [[nodiscard]] std::span<const glm::vec3> positions() const {
+        return m_positions.empty() ? m_mesh->positions : m_positions;
+    }
     [[nodiscard]] const SurfaceMeasures& original() const { return m_original; }
 
 private:
@@ -79,6 +82,8 @@ private:
     std::shared_ptr<const MeshData> m_mesh;
     std::shared_ptr<const SurfaceTopology> m_topology;
     glm::dvec3 m_reference{0.0};  ///< volumes are measured from here: far off they would cancel in rounding
+    // Both are there once something has moved.
+    std::optional<SurfaceIndex> m_index;
     std::vector<glm::vec3> m_positions;
     std::vector<std::uint32_t> m_listed;  ///< file vertices that were ever moved
     std::vector<bool> m_isListed;

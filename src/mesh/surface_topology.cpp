@@ -5,22 +5,21 @@
 #include <bit>
 #include <unordered_map>
 
+#include "core/memory.h"
 #include "mesh/disjoint_sets.h"
 
 namespace hitscope {
 
 namespace {
 
-struct PlaceHash {
-    std::size_t operator()(const glm::vec3& place) const {
-        // -0 equals 0, so it must hash alike.
-        const auto bits = [](float part) { return std::uint64_t{std::bit_cast<std::uint32_t>(part + 0.0f)}; };
-        std::uint64_t hash = bits(place.x) * 0x9e3779b97f4a7c15u;
-        hash = (hash ^ hash >> 29 ^ bits(place.y)) * 0xbf58476d1ce4e5b9u;
-        hash = (hash ^ hash >> 32 ^ bits(place.z)) * 0x94d049bb133111ebu;
-        return static_cast<std::size_t>(hash ^ hash >> 31);
-    }
-};
+std::size_t hashOf(const glm::vec3& place) {
+    // -0 equals 0, so it must hash alike.
+    const auto bits = [](float part) { return std::uint64_t{std::bit_cast<std::uint32_t>(part + 0.0f)}; };
+    std::uint64_t hash = bits(place.x) * 0x9e3779b97f4a7c15u;
+    hash = (hash ^ hash >> 29 ^ bits(place.y)) * 0xbf58476d1ce4e5b9u;
+    hash = (hash ^ hash >> 32 ^ bits(place.z)) * 0x94d049bb133111ebu;
+    return static_cast<std::size_t>(hash ^ hash >> 31);
+}
 
 std::vector<bool> usedVertices(const MeshData& mesh) {
     std::vector<bool> used(mesh.vertexCount(), false);
@@ -28,6 +27,10 @@ std::vector<bool> usedVertices(const MeshData& mesh) {
         used[vertex] = true;
     }
     return used;
+}
+
+void accumulate(std::vector<std::uint32_t>& counts) {
+    std::partial_sum(counts.begin(), counts.end(), counts.begin());
 }
 
 bool repeats(std::vector<std::uint32_t> places) {
@@ -69,10 +72,22 @@ void SurfaceStatistics::add(const SurfaceStatistics& other) {
 std::vector<std::uint32_t> weldedVertices(const MeshData& mesh) {
     const std::vector<bool> used = usedVertices(mesh);
     std::vector<std::uint32_t> standsFor(mesh.vertexCount());
-    std::unordered_map<glm::vec3, std::uint32_t, PlaceHash> places;
-    places.reserve(mesh.vertexCount());
+    // Twice as many places as vertices or more, each empty or the first vertex there; who finds his taken by
+    // another place goes on to the next. A map would take ten times the memory.
+    const std::size_t mask = std::bit_ceil(2 * mesh.vertexCount() + 1) - 1;
+    std::vector<std::uint32_t> places(mask + 1, kNoIndex);
     for (std::uint32_t v = 0; v < standsFor.size(); ++v) {
-        standsFor[v] = used[v] ? places.try_emplace(mesh.positions[v], v).first->second : v;
+        standsFor[v] = v;
+        if (used[v]) {
+            std::size_t at = hashOf(mesh.positions[v]) & mask;
+            while (places[at] != kNoIndex && mesh.positions[places[at]] != mesh.positions[v]) {
+                at = (at + 1) & mask;
+            }
+            if (places[at] == kNoIndex) {
+                places[at] = v;
+            }
+            standsFor[v] = places[at];
+        }
     }
     return standsFor;
 }
@@ -85,9 +100,9 @@ public:
     [[nodiscard]] std::shared_ptr<const SurfaceTopology> build(const std::stop_token& stop) {
         using Step = void (SurfaceTopologyBuilder::*)();
         for (const Step step : {&SurfaceTopologyBuilder::count, &SurfaceTopologyBuilder::weld,
-                                &SurfaceTopologyBuilder::gatherSides, &SurfaceTopologyBuilder::joinFaces,
-                                &SurfaceTopologyBuilder::countFans, &SurfaceTopologyBuilder::conclude,
-                                &SurfaceTopologyBuilder::indexFaces, &SurfaceTopologyBuilder::indexEdges}) {
+                                &SurfaceTopologyBuilder::gatherCorners, &SurfaceTopologyBuilder::sortSides,
+                                &SurfaceTopologyBuilder::joinFaces, &SurfaceTopologyBuilder::countFans,
+                                &SurfaceTopologyBuilder::conclude}) {
             if (stop.stop_requested()) {
                 return nullptr;
             }
@@ -99,11 +114,21 @@ public:
 private:
     /// A face's way along an edge.
     struct Side {
-        std::uint64_t edge = 0;  ///< lower place, higher place
+        std::uint32_t low = 0;   ///< place
+        std::uint32_t high = 0;  ///< place
         std::uint32_t face = 0;
         std::uint32_t lowCorner = 0;   ///< the face's corner at the lower place, numbered in m_cornerPlaces
         std::uint32_t highCorner = 0;  ///< likewise at the higher
         bool isUp = false;
+
+        [[nodiscard]] bool hasEdgeOf(const Side& other) const {
+            return low == other.low && high == other.high;
+        }
+    };
+    /// What it is worked out from: a mesh of millions of faces has many.
+    struct SideStart {
+        std::uint32_t corner = 0;  ///< that it starts from, in m_cornerPlaces
+        std::uint32_t face = 0;
     };
 
     void count() {
@@ -123,10 +148,10 @@ private:
 
     void weld() { m_standsFor = weldedVertices(m_mesh); }
 
-    /// The sides of every face, sorted by edge. Corners in a row at one place are one.
-    void gatherSides() {
-        m_sides.reserve(m_mesh.cornerVertices.size());
+    /// The corners of every face that is not collapsed. Corners in a row at one place are one.
+    void gatherCorners() {
         m_cornerPlaces.reserve(m_mesh.cornerVertices.size());
+        m_cornerStarts.reserve(m_mesh.faceCount() + 1);
         std::vector<std::uint32_t> places;
         for (std::uint32_t f = 0; f < m_mesh.faceCount(); ++f) {
             places.clear();
@@ -138,29 +163,55 @@ private:
             while (places.size() > 1 && places.front() == places.back()) {
                 places.pop_back();
             }
+            m_cornerStarts.push_back(static_cast<std::uint32_t>(m_cornerPlaces.size()));
             if (places.size() < 3 || repeats(places)) {
                 ++m_made.m_statistics.collapsedFaces;
             } else {
-                addSides(f, places);
+                m_cornerPlaces.insert(m_cornerPlaces.end(), places.begin(), places.end());
             }
         }
-        std::sort(m_sides.begin(), m_sides.end(), [](const Side& a, const Side& b) {
-            return a.edge != b.edge ? a.edge < b.edge : a.face < b.face;
-        });
+        m_cornerStarts.push_back(static_cast<std::uint32_t>(m_cornerPlaces.size()));
+        freeAll(m_standsFor);
     }
 
-    void addSides(std::uint32_t face, std::span<const std::uint32_t> places) {
-        const auto first = static_cast<std::uint32_t>(m_cornerPlaces.size());
-        const auto corners = static_cast<std::uint32_t>(places.size());
-        for (std::uint32_t i = 0; i < corners; ++i) {
-            const std::uint32_t next = i + 1 < corners ? i + 1 : 0;
-            const bool isUp = places[i] < places[next];
-            const std::uint32_t low = isUp ? i : next;
-            const std::uint32_t high = isUp ? next : i;
-            m_sides.push_back(
-                {std::uint64_t{places[low]} << 32 | places[high], face, first + low, first + high, isUp});
+    [[nodiscard]] Side sideAt(const SideStart& start) const {
+        const std::uint32_t first = m_cornerStarts[start.face];
+        const std::uint32_t end = m_cornerStarts[start.face + 1];
+        const std::uint32_t next = start.corner + 1 < end ? start.corner + 1 : first;
+        const std::uint32_t from = m_cornerPlaces[start.corner];
+        const std::uint32_t to = m_cornerPlaces[next];
+        return from < to ? Side{from, to, start.face, start.corner, next, true}
+                         : Side{to, from, start.face, next, start.corner, false};
+    }
+    [[nodiscard]] Side side(std::size_t index) const { return sideAt(m_sides[index]); }
+
+    /// The sides of these, sorted by lower place, then by higher, then by face.
+    void sortSides() {
+        std::vector<std::uint32_t> starts(m_mesh.vertexCount() + 2, 0);
+        const auto forEachSide = [this](const auto& act) {
+            for (std::uint32_t f = 0; f < m_mesh.faceCount(); ++f) {
+                for (std::uint32_t corner = m_cornerStarts[f]; corner < m_cornerStarts[f + 1]; ++corner) {
+                    act(SideStart{corner, f});
+                }
+            }
+        };
+        forEachSide([&](const SideStart& start) { ++starts[sideAt(start).low + 2]; });
+        accumulate(starts);
+        m_sides.resize(m_cornerPlaces.size());
+        forEachSide([&](const SideStart& start) { m_sides[starts[sideAt(start).low + 1]++] = start; });
+        std::size_t edges = 0;
+        for (std::size_t place = 0; place < m_mesh.vertexCount(); ++place) {
+            const auto run = std::span(m_sides).subspan(starts[place], starts[place + 1] - starts[place]);
+            std::sort(run.begin(), run.end(), [this](const SideStart& a, const SideStart& b) {
+                const std::uint32_t highA = sideAt(a).high;
+                const std::uint32_t highB = sideAt(b).high;
+                return highA != highB ? highA < highB : a.face < b.face;
+            });
+            for (std::size_t i = 0; i < run.size(); ++i) {
+                edges += i == 0 || sideAt(run[i]).high != sideAt(run[i - 1]).high ? 1 : 0;
+            }
         }
-        m_cornerPlaces.insert(m_cornerPlaces.end(), places.begin(), places.end());
+        m_made.m_edges.reserve(edges);
     }
 
     /// Goes through the edges once: counts them by their faces, and joins the faces that share one, both as
@@ -170,26 +221,26 @@ private:
         DisjointSets faces(m_mesh.faceCount());
         m_fans = std::make_unique<DisjointSets>(m_cornerPlaces.size());
         m_isEdgeEnd.assign(m_mesh.vertexCount(), false);
+        std::vector<Side> sides;
         for (std::size_t begin = 0, end = 0; begin < m_sides.size(); begin = end) {
-            while (end < m_sides.size() && m_sides[end].edge == m_sides[begin].edge) {
-                ++end;
-            }
-            const std::span<const Side> sides = std::span(m_sides).subspan(begin, end - begin);
-            const auto low = static_cast<std::uint32_t>(sides[0].edge >> 32);
-            const auto high = static_cast<std::uint32_t>(sides[0].edge);
-            m_made.m_edges.push_back({low, high});
+            sides.clear();
+            do {
+                sides.push_back(side(end++));
+            } while (end < m_sides.size() && side(end).hasEdgeOf(sides[0]));
+            const Side& first = sides[0];
+            m_made.m_edges.push_back({first.low, first.high});
             statistics.boundaryEdges += sides.size() == 1 ? 1 : 0;
             if (sides.size() > 2) {
                 ++statistics.nonManifoldEdges;
-                m_isEdgeEnd[low] = m_isEdgeEnd[high] = true;
+                m_isEdgeEnd[first.low] = m_isEdgeEnd[first.high] = true;
             }
-            for (const Side& side : sides.subspan(1)) {
-                const bool opposed = side.isUp == sides[0].isUp;
+            for (const Side& other : std::span(sides).subspan(1)) {
+                const bool opposed = other.isUp == first.isUp;
                 statistics.opposedEdges += opposed && sides.size() == 2 ? 1 : 0;
-                const bool fits = faces.join(sides[0].face, side.face, opposed && sides.size() == 2);
+                const bool fits = faces.join(first.face, other.face, opposed && sides.size() == 2);
                 statistics.orientable = statistics.orientable && (fits || sides.size() > 2);
-                m_fans->join(sides[0].lowCorner, side.lowCorner);
-                m_fans->join(sides[0].highCorner, side.highCorner);
+                m_fans->join(first.lowCorner, other.lowCorner);
+                m_fans->join(first.highCorner, other.highCorner);
             }
         }
         statistics.edges = m_made.m_edges.size();
@@ -222,12 +273,13 @@ private:
         std::vector<std::pair<std::uint32_t, std::uint32_t>> joined;
         std::uint32_t edges = 0;
         for (std::size_t i = 0; i < m_sides.size(); ++i) {
-            const bool isShared = (i > 0 && m_sides[i - 1].edge == m_sides[i].edge) ||
-                                  (i + 1 < m_sides.size() && m_sides[i + 1].edge == m_sides[i].edge);
+            const Side alone = side(i);
+            const bool isShared = (i > 0 && side(i - 1).hasEdgeOf(alone)) ||
+                                  (i + 1 < m_sides.size() && side(i + 1).hasEdgeOf(alone));
             if (isShared) {
                 continue;
             }
-            for (const std::uint32_t corner : {m_sides[i].lowCorner, m_sides[i].highCorner}) {
+            for (const std::uint32_t corner : {alone.lowCorner, alone.highCorner}) {
                 const auto [known, isNew] = edgeAtFan.try_emplace(m_fans->find(corner).root, edges);
                 if (!isNew) {
                     joined.emplace_back(known->second, edges);
@@ -251,52 +303,18 @@ private:
             // chi = 2 components - 2 genus - holes
             s.genus = (2 * number(s.components) - number(s.holes) - s.eulerCharacteristic) / 2;
         }
-        m_sides = {};
-        m_cornerPlaces = {};
+        freeAll(m_sides);
+        freeAll(m_cornerPlaces);
+        freeAll(m_cornerStarts);
         m_fans.reset();
-    }
-
-    void indexFaces() {
-        std::vector<std::uint32_t>& starts = m_made.m_faceStarts;
-        starts.assign(m_mesh.vertexCount() + 1, 0);
-        for (const std::uint32_t vertex : m_mesh.cornerVertices) {
-            ++starts[vertex + 1];
-        }
-        accumulate(starts);
-        m_made.m_faces.resize(m_mesh.cornerVertices.size());
-        std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
-        for (std::uint32_t f = 0; f < m_mesh.faceCount(); ++f) {
-            for (const std::uint32_t vertex : m_mesh.face(f)) {
-                m_made.m_faces[next[vertex]++] = f;
-            }
-        }
-    }
-
-    void indexEdges() {
-        std::vector<std::uint32_t>& starts = m_made.m_edgeStarts;
-        starts.assign(m_mesh.vertexCount() + 1, 0);
-        for (const SurfaceTopology::Edge& edge : m_made.m_edges) {
-            ++starts[edge.low + 1];
-            ++starts[edge.high + 1];
-        }
-        accumulate(starts);
-        m_made.m_vertexEdges.resize(2 * m_made.m_edges.size());
-        std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
-        for (std::uint32_t e = 0; e < m_made.m_edges.size(); ++e) {
-            m_made.m_vertexEdges[next[m_made.m_edges[e].low]++] = e;
-            m_made.m_vertexEdges[next[m_made.m_edges[e].high]++] = e;
-        }
-    }
-
-    static void accumulate(std::vector<std::uint32_t>& counts) {
-        std::partial_sum(counts.begin(), counts.end(), counts.begin());
     }
 
     const MeshData& m_mesh;
     SurfaceTopology m_made;
     std::vector<std::uint32_t> m_standsFor;
-    std::vector<Side> m_sides;
     std::vector<std::uint32_t> m_cornerPlaces;
+    std::vector<std::uint32_t> m_cornerStarts;  ///< face -> its first of these; one more
+    std::vector<SideStart> m_sides;
     std::unique_ptr<DisjointSets> m_fans;  ///< of corners, joined where faces share an edge there
     std::vector<bool> m_isEdgeEnd;         ///< place is an end of a non-manifold edge
 };
@@ -304,6 +322,34 @@ private:
 std::shared_ptr<const SurfaceTopology> SurfaceTopology::build(const MeshData& mesh,
                                                               const std::stop_token& stop) {
     return SurfaceTopologyBuilder(mesh).build(stop);
+}
+
+SurfaceIndex::SurfaceIndex(const MeshData& mesh, const SurfaceTopology& topology) {
+    m_faceStarts.assign(mesh.vertexCount() + 1, 0);
+    for (const std::uint32_t vertex : mesh.cornerVertices) {
+        ++m_faceStarts[vertex + 1];
+    }
+    accumulate(m_faceStarts);
+    m_faces.resize(mesh.cornerVertices.size());
+    std::vector<std::uint32_t> next(m_faceStarts.begin(), m_faceStarts.end() - 1);
+    for (std::uint32_t f = 0; f < mesh.faceCount(); ++f) {
+        for (const std::uint32_t vertex : mesh.face(f)) {
+            m_faces[next[vertex]++] = f;
+        }
+    }
+    const std::span<const SurfaceTopology::Edge> edges = topology.edges();
+    m_edgeStarts.assign(mesh.vertexCount() + 1, 0);
+    for (const SurfaceTopology::Edge& edge : edges) {
+        ++m_edgeStarts[edge.low + 1];
+        ++m_edgeStarts[edge.high + 1];
+    }
+    accumulate(m_edgeStarts);
+    m_vertexEdges.resize(2 * edges.size());
+    next.assign(m_edgeStarts.begin(), m_edgeStarts.end() - 1);
+    for (std::uint32_t e = 0; e < edges.size(); ++e) {
+        m_vertexEdges[next[edges[e].low]++] = e;
+        m_vertexEdges[next[edges[e].high]++] = e;
+    }
 }
 
 }  // namespace hitscope

@@ -63,6 +63,22 @@ public:
 
     [[nodiscard]] const SurfaceStatistics& statistics() const { return m_statistics; }
     [[nodiscard]] std::span<const Edge> edges() const { return m_edges; }
+
+private:
+    friend class SurfaceTopologyBuilder;
+    SurfaceTopology() = default;
+
+    SurfaceStatistics m_statistics;
+    std::vector<Edge> m_edges;  ///< sorted
+};
+
+/// Which faces and edges of a surface are at its vertices. As large as the surface's edges themselves: who
+/// follows vertices that move makes one.
+class SurfaceIndex {
+public:
+    /// `topology` is that of `mesh`.
+    SurfaceIndex(const MeshData& mesh, const SurfaceTopology& topology);
+
     /// Faces with a corner at this file vertex.
     [[nodiscard]] std::span<const std::uint32_t> facesAt(std::uint32_t fileVertex) const {
         return std::span(m_faces).subspan(m_faceStarts[fileVertex],
@@ -75,11 +91,6 @@ public:
     }
 
 private:
-    friend class SurfaceTopologyBuilder;
-    SurfaceTopology() = default;
-
-    SurfaceStatistics m_statistics;
-    std::vector<Edge> m_edges;                ///< sorted
     std::vector<std::uint32_t> m_faceStarts;  ///< file vertex -> its run of m_faces; V + 1 entries
     std::vector<std::uint32_t> m_faces;
     std::vector<std::uint32_t> m_edgeStarts;  ///< file vertex -> its run of m_vertexEdges; V + 1 entries

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "mesh/connectivity.h"
+#include "mesh/primitives.h"
 #include "mesh_support.h"
 #include "support/test_program.h"
 
@@ -23,6 +24,15 @@ MeshData fan(std::uint32_t sides, bool isShuffled) {
         std::shuffle(faces.begin(), faces.end(), std::mt19937(3));
     }
     return meshOf(std::vector<glm::vec3>(sides + 1), faces);
+}
+
+/// Likewise, whose vertices are at different places.
+MeshData fanInSpace(std::uint32_t sides) {
+    MeshData mesh = fan(sides, true);
+    for (std::uint32_t i = 0; i <= sides; ++i) {
+        mesh.positions[i] = glm::vec3(static_cast<float>(i), 0.0f, 0.0f);
+    }
+    return mesh;
 }
 
 }  // namespace
@@ -88,6 +98,44 @@ private Q_SLOTS:
             QVERIFY(c.faces > 0);
             QVERIFY(c.faces + c.refused <= mesh.faceCount());
         }
+    }
+
+    /// What the surface tells spares the half-edges, and never says otherwise.
+    void refusedFacesAreTheSame() {
+        std::mt19937 random(11);
+        std::size_t refused = 0;
+        for (int round = 0; round < 300; ++round) {
+            // Faces left out, turned over, doubled, in no order; vertices split as along seams.
+            MeshData mesh = makeUvSphere(12, 9, 1.0f);
+            std::vector<std::vector<std::uint32_t>> faces;
+            const int changes = round % 4 == 0 ? 0 : round % 6;
+            for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+                faces.emplace_back(mesh.face(f).begin(), mesh.face(f).end());
+            }
+            std::vector<glm::vec3> places = mesh.positions;
+            for (int i = 0; i < changes; ++i) {
+                std::vector<std::uint32_t>& face = faces[random() % faces.size()];
+                if (i % 3 == 0) {
+                    std::reverse(face.begin(), face.end());
+                } else if (i % 3 == 1) {
+                    places.push_back(places[face[0]]);
+                    face[0] = static_cast<std::uint32_t>(places.size() - 1);
+                } else {
+                    const std::vector<std::uint32_t> again = face;
+                    faces.push_back(again);
+                }
+            }
+            std::shuffle(faces.begin(), faces.end(), random);
+            faces.resize(faces.size() - (round % 3 == 0 ? 0 : random() % 40));
+            const MeshData made = meshOf(places, faces);
+            const std::size_t found = refusedFaces(made, *SurfaceTopology::build(made));
+            QCOMPARE(found, hitscope::connect(made).refused);
+            refused += found;
+        }
+        QVERIFY(refused > 0);
+        // More faces round a vertex than the gate goes round for certain.
+        const MeshData many = fanInSpace(3000);
+        QCOMPARE(refusedFaces(many, *SurfaceTopology::build(many)), std::size_t{0});
     }
 
     void largeFansInOrderAreConnected() {

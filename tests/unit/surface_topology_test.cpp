@@ -166,10 +166,11 @@ private Q_SLOTS:
     void neighboursAreFound() {
         const MeshData mesh = torus(9, 7, 2.0, 0.5);
         const auto topology = SurfaceTopology::build(mesh);
+        const SurfaceIndex index(mesh, *topology);
         for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
-            QCOMPARE(topology->facesAt(v).size(), std::size_t{4});
-            QCOMPARE(topology->edgesAt(v).size(), std::size_t{4});
-            for (const std::uint32_t edge : topology->edgesAt(v)) {
+            QCOMPARE(index.facesAt(v).size(), std::size_t{4});
+            QCOMPARE(index.edgesAt(v).size(), std::size_t{4});
+            for (const std::uint32_t edge : index.edgesAt(v)) {
                 QVERIFY(topology->edges()[edge].low == v || topology->edges()[edge].high == v);
             }
         }

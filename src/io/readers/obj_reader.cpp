@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/memory.h"
 #include "core/parallel.h"
 #include "io/readers/obj_parser.h"
 #include "io/readers/tidy.h"
@@ -72,7 +73,7 @@ void ObjJoiner::append(std::vector<T>& to, std::vector<T>& from) {
     } else {
         to.insert(to.end(), from.begin(), from.end());
     }
-    from = {};
+    freeAll(from);
 }
 
 ObjJoiner::ObjJoiner(const std::vector<ObjPart>& parts) {

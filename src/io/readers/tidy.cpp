@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "core/finite.h"
+#include "core/memory.h"
 #include "core/srgb.h"
 
 namespace hitscope {
@@ -28,7 +29,7 @@ std::size_t dropBadCorners(std::vector<std::uint32_t>& corners, std::vector<Vect
 
 void clearIfUnused(std::vector<std::uint32_t>& indices) {
     if (std::all_of(indices.begin(), indices.end(), [](std::uint32_t i) { return i == kNoIndex; })) {
-        indices = {};
+        freeAll(indices);
     }
 }
 

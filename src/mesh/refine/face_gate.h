@@ -12,6 +12,8 @@ namespace hitscope {
 /// stream, and stops the program on others.
 class FaceGate {
 public:
+    static constexpr int kMostSteps = 64;  ///< round a vertex, once few are left
+
     explicit FaceGate(const OpenMesh::PolyConnectivity& halfEdges) : m_halfEdges(halfEdges) {}
 
     /// Faces that name a vertex twice are not asked about.
@@ -37,7 +39,7 @@ private:
                 return m_halfEdges.is_boundary(side);
             }
             m_stepsLeft -= m_stepsLeft > 0 ? 1 : 0;
-            if (m_stepsLeft == 0 && ++steps > 64) {
+            if (m_stepsLeft == 0 && ++steps > kMostSteps) {
                 return false;
             }
         }
