@@ -47,7 +47,7 @@ bool putAtTheEnd(std::span<const TargetHitsEdit> edits, std::size_t size) {
 
 TargetEffects::TargetEffects(std::shared_ptr<const RenderMesh> mesh)
     : m_mesh(std::move(mesh)),
-      m_vertices(m_mesh->vertices),
+      m_vertices(*m_mesh),
       m_reach(m_mesh->clusters),
       m_counts(m_mesh->fileVertexStarts.empty() ? 0 : m_mesh->fileVertexStarts.size() - 1, 0) {}
 
@@ -120,8 +120,9 @@ HitEffect TargetEffects::apply(const Hit& hit, std::uint32_t cluster) {
     HitEffect effect;
     const Cluster& run = m_mesh->clusters[cluster];
     const DentShape dent = dentShapeOf(hit);
+    const std::span<DynamicVertex> vertices = m_vertices.cluster(cluster);
     for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
-        DynamicVertex& vertex = m_vertices[i];
+        DynamicVertex& vertex = vertices[i - run.first];
         const glm::vec3 before = vertex.position;
         if (!deform(vertex.position, vertex.normal, dent) || vertex.position == before || !isFirstOf(i)) {
             continue;
@@ -130,7 +131,7 @@ HitEffect TargetEffects::apply(const Hit& hit, std::uint32_t cluster) {
         ++m_counts[fileVertex];
         add(effect, {1, distanceBetween(before, vertex.position), fileVertex});
     }
-    m_reach.place(run.first, std::span(m_vertices).subspan(run.first, run.count));
+    m_reach.place(run.first, vertices);
     return effect;
 }
 
@@ -179,7 +180,7 @@ void TargetEffects::append(std::size_t first, std::span<const Hit> hits, const s
 }
 
 void TargetEffects::startOver(std::span<const Hit> hits, const std::atomic<bool>& stop, Changes& changes) {
-    m_vertices = m_mesh->vertices;
+    m_vertices = VertexCopy(*m_mesh);
     m_reach.restart();
     std::fill(m_counts.begin(), m_counts.end(), 0);
     m_keepsParts = true;
@@ -192,7 +193,7 @@ void TargetEffects::startOver(std::span<const Hit> hits, const std::atomic<bool>
 
 void TargetEffects::restore(std::uint32_t cluster) {
     const Cluster& run = m_mesh->clusters[cluster];
-    std::copy_n(m_mesh->vertices.begin() + run.first, run.count, m_vertices.begin() + run.first);
+    m_vertices.restore(cluster);
     for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
         if (isFirstOf(i)) {
             m_counts[m_mesh->fileVertices[i]] = 0;

@@ -9,6 +9,7 @@
 
 #include "deform/cluster_reach.h"
 #include "deform/hits_by_target.h"
+#include "deform/vertex_copy.h"
 #include "mesh/render_mesh.h"
 
 namespace hitscope {
@@ -48,7 +49,7 @@ public:
     /// How many hits moved each vertex; one a file vertex.
     [[nodiscard]] std::span<const std::uint32_t> counts() const { return m_counts; }
     /// After all hits; one a render vertex.
-    [[nodiscard]] std::span<const DynamicVertex> vertices() const { return m_vertices; }
+    [[nodiscard]] std::span<const DynamicVertex> vertices() const { return m_vertices.all(); }
     /// The file vertices that hits[index] moved, ascending; `hits` are those followed.
     [[nodiscard]] std::vector<std::uint32_t> movedBy(std::size_t index, std::span<const Hit> hits) const;
 
@@ -76,7 +77,7 @@ private:
     void addVertices(std::span<const std::uint32_t> clusters, Changes& changes) const;
 
     std::shared_ptr<const RenderMesh> m_mesh;
-    std::vector<DynamicVertex> m_vertices;
+    mutable VertexCopy m_vertices;  ///< of the clusters that hits have reached, unless all are asked for
     ClusterReach m_reach;
     std::vector<std::uint32_t> m_counts;
     std::vector<HitEffect> m_effects;

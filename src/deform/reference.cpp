@@ -30,7 +30,7 @@ void deformEverywhere(std::span<DynamicVertex> vertices, std::span<const Hit> hi
 }
 
 ReferenceDeformation::ReferenceDeformation(const RenderMesh& mesh)
-    : m_mesh(mesh), m_vertices(mesh.vertices), m_reach(mesh.clusters) {}
+    : m_mesh(mesh), m_vertices(mesh), m_reach(mesh.clusters) {}
 
 Hit ReferenceDeformation::hit(std::size_t index) const {
     const Dent& dent = m_dents[index];
@@ -80,9 +80,7 @@ void ReferenceDeformation::concern(std::span<const Hit> hits) {
 
 void ReferenceDeformation::restartConcerned() {
     for (const std::uint32_t index : m_concerned) {
-        const Cluster& cluster = m_mesh.clusters[index];
-        std::copy_n(m_mesh.vertices.begin() + cluster.first, cluster.count,
-                    m_vertices.begin() + cluster.first);
+        m_vertices.restore(index);
     }
     m_reach.restart(m_concerned);
     m_changed.add(m_reach.rangesOf(m_concerned));
@@ -105,12 +103,11 @@ bool ReferenceDeformation::continueHit(const Hit& hit, const IsTimeUp& isTimeUp)
         const std::span<const std::uint32_t> some =
             std::span(m_progress.reached).subspan(m_progress.next, end - m_progress.next);
         for (const std::uint32_t index : some) {
-            const Cluster& cluster = m_mesh.clusters[index];
-            const auto vertices = std::span(m_vertices).subspan(cluster.first, cluster.count);
+            const std::span<DynamicVertex> vertices = m_vertices.cluster(index);
             for (DynamicVertex& vertex : vertices) {
                 deform(vertex.position, vertex.normal, dent);
             }
-            m_reach.place(cluster.first, vertices);
+            m_reach.place(m_mesh.clusters[index].first, vertices);
         }
         m_changed.add(m_reach.rangesOf(some));
         m_progress.next = end;

@@ -9,6 +9,7 @@
 #include "core/time_limit.h"
 #include "deform/cluster_reach.h"
 #include "deform/hits_by_target.h"
+#include "deform/vertex_copy.h"
 #include "mesh/render_mesh.h"
 
 namespace hitscope {
@@ -41,8 +42,14 @@ public:
     /// The ranges that may have changed since the last call, sorted and merged.
     [[nodiscard]] std::vector<VertexRange> takeChanged() { return m_changed.take(); }
 
-    /// With the hits applied so far.
-    [[nodiscard]] std::span<const DynamicVertex> vertices() const { return m_vertices; }
+    /// With the hits applied so far. All of them: makes the copy whole.
+    [[nodiscard]] std::span<const DynamicVertex> vertices() const { return m_vertices.all(); }
+    /// Likewise some.
+    [[nodiscard]] std::span<const DynamicVertex> vertices(const VertexRange& range) const {
+        return m_vertices.range(range);
+    }
+    /// The ranges outside of which no vertex has ever been worked on, sorted and merged.
+    [[nodiscard]] std::vector<VertexRange> touched() const { return m_reach.rangesOf(m_vertices.copied()); }
 
 private:
     /// What of a hit deforms: a long history is kept in several places.
@@ -72,7 +79,7 @@ private:
     void restartConcerned();
 
     const RenderMesh& m_mesh;
-    std::vector<DynamicVertex> m_vertices;
+    mutable VertexCopy m_vertices;  ///< of the clusters that hits have reached, unless all are asked for
     ClusterReach m_reach;
     std::vector<Dent> m_dents;
     std::size_t m_applied = 0;  ///< hits begun; the last of them as far as m_progress

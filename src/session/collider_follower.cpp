@@ -12,8 +12,6 @@ namespace hitscope {
 
 namespace {
 
-/// Copying more vertices than these would hold up the frame of the first hit.
-constexpr std::size_t kManyToCopy = 100'000;
 constexpr std::uint32_t kBetweenLooks = 256 * kClusterVertices;  // about 1 ms
 
 /// The first vertices of the ranges, at most so many; they are taken out of them. `ranges` is not empty.
@@ -33,9 +31,6 @@ VertexRange takeSome(std::deque<VertexRange>& ranges, std::uint32_t most) {
 void ColliderFollower::add(TargetId target, std::shared_ptr<const RenderMesh> shape) {
     Followed& followed = m_targets[target];
     followed = {std::move(shape), nullptr, {}, {}, 0.0f, false};
-    if (followed.shape->vertices.size() > kManyToCopy) {
-        followed.state = std::make_unique<ReferenceDeformation>(*followed.shape);
-    }
 }
 
 void ColliderFollower::forget(TargetId target) {
@@ -83,7 +78,10 @@ void ColliderFollower::note(const TargetHitsEdit& edit) {
 void ColliderFollower::restore(TargetId target) {
     const auto found = m_targets.find(target);
     if (found != m_targets.end() && found->second.state) {
-        m_physics.updateTarget(target, 0, found->second.state->vertices());
+        const ReferenceDeformation& state = *found->second.state;
+        for (const VertexRange& range : state.touched()) {
+            m_physics.updateTarget(target, range.first, state.vertices(range));
+        }
     }
 }
 
@@ -107,8 +105,7 @@ bool ColliderFollower::update(TargetId target, Followed& followed, const IsTimeU
     followed.toTake.insert(followed.toTake.end(), changed.begin(), changed.end());
     while (!followed.toTake.empty()) {
         const VertexRange some = takeSome(followed.toTake, kBetweenLooks);
-        m_physics.updateTarget(target, some.first,
-                               followed.state->vertices().subspan(some.first, some.count));
+        m_physics.updateTarget(target, some.first, followed.state->vertices(some));
         if (isTimeUp && isTimeUp() && !followed.toTake.empty()) {
             return false;
         }

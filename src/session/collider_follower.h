@@ -51,7 +51,7 @@ public:
 private:
     struct Followed {
         std::shared_ptr<const RenderMesh> shape;
-        std::unique_ptr<ReferenceDeformation> state;  ///< null: it is small and has had no hit
+        std::unique_ptr<ReferenceDeformation> state;  ///< null: it has had no hit
         std::deque<VertexRange> toTake;       ///< applied, and not in the collider yet; some may overlap
         std::optional<std::int64_t> dueStep;  ///< nothing: it is up to date
         /// Metres: vertices have moved by no more since it was up to date; nothing: there is no telling.
