@@ -9,28 +9,27 @@
 namespace hitscope {
 
 VertexChangeOrder::VertexChangeOrder(std::shared_ptr<const MeshData> original)
-    : m_original(std::move(original)),
-      m_current(m_original->positions),
-      m_length(m_current.size(), 0.0f),
-      m_turned(m_current.size(), 0.0f),
-      m_counts(m_current.size(), 0),
-      m_isListed(m_current.size(), 0),
-      m_isMoved(m_current.size(), 0) {}
+    : m_original(std::move(original)) {}
 
 void VertexChangeOrder::take(std::span<const VertexState> moved) {
+    if (m_placeOf.empty() && !moved.empty()) {
+        m_placeOf.assign(m_original->vertexCount(), kNoIndex);
+    }
     for (const VertexState& vertex : moved) {
         const std::uint32_t v = vertex.vertex;
-        m_current[v] = vertex.current;
-        m_length[v] = static_cast<float>(
-            glm::distance(glm::dvec3(vertex.current), glm::dvec3(m_original->positions[v])));
-        m_turned[v] = vertex.turned;
-        m_counts[v] = vertex.hits;
-        if (m_isListed[v] == 0) {
-            m_isListed[v] = 1;
+        if (m_placeOf[v] == kNoIndex) {
+            m_placeOf[v] = static_cast<std::uint32_t>(m_told.size());
+            m_told.emplace_back();
             m_listed.push_back(v);
         }
-        if (m_isMoved[v] == 0) {
-            m_isMoved[v] = 1;
+        Told& told = m_told[m_placeOf[v]];
+        told.current = vertex.current;
+        told.length = static_cast<float>(
+            glm::distance(glm::dvec3(vertex.current), glm::dvec3(m_original->positions[v])));
+        told.turned = vertex.turned;
+        told.hits = vertex.hits;
+        if (!told.isMoved) {
+            told.isMoved = true;
             m_moved.push_back(v);
         }
     }
@@ -40,13 +39,19 @@ VertexChangesTable VertexChangeOrder::table(std::vector<std::uint32_t> vertices)
     VertexChangesTable table{m_original, std::move(vertices), {}};
     table.values.reserve(table.rows.size());
     for (const std::uint32_t vertex : table.rows) {
-        table.values.push_back({m_current[vertex], m_turned[vertex], m_counts[vertex]});
+        if (m_placeOf.empty() || m_placeOf[vertex] == kNoIndex) {
+            table.values.push_back({m_original->positions[vertex], 0.0f, 0});
+        } else {
+            const Told& is = told(vertex);
+            table.values.push_back({is.current, is.turned, is.hits});
+        }
     }
     return table;
 }
 
 bool VertexChangeOrder::isShown(std::uint32_t vertex) const {
-    return m_current[vertex] != m_original->positions[vertex] && m_length[vertex] >= m_query.leastLength &&
+    const Told& is = told(vertex);
+    return is.current != m_original->positions[vertex] && is.length >= m_query.leastLength &&
            (m_query.only == nullptr ||
             std::binary_search(m_query.only->begin(), m_query.only->end(), vertex));
 }
@@ -56,15 +61,15 @@ float VertexChangeOrder::keyOf(std::uint32_t vertex, int component) const {
         case VertexQuery::Key::Original:
             return m_original->positions[vertex][component];
         case VertexQuery::Key::Current:
-            return m_current[vertex][component];
+            return told(vertex).current[component];
         case VertexQuery::Key::Displacement:
-            return m_current[vertex][component] - m_original->positions[vertex][component];
+            return told(vertex).current[component] - m_original->positions[vertex][component];
         case VertexQuery::Key::Length:
-            return m_length[vertex];
+            return told(vertex).length;
         case VertexQuery::Key::Turned:
-            return m_turned[vertex];
+            return told(vertex).turned;
         case VertexQuery::Key::Hits:
-            return static_cast<float>(m_counts[vertex]);
+            return static_cast<float>(told(vertex).hits);
         case VertexQuery::Key::Number:
             break;
     }
@@ -93,7 +98,7 @@ std::vector<std::uint32_t> VertexChangeOrder::rows(const VertexQuery& query) {
         mergeMoved();
     }
     for (const std::uint32_t vertex : m_moved) {
-        m_isMoved[vertex] = 0;
+        m_told[m_placeOf[vertex]].isMoved = false;
     }
     m_moved.clear();
     return *m_rows;
@@ -114,7 +119,7 @@ void VertexChangeOrder::mergeMoved() {
     std::copy_if(m_moved.begin(), m_moved.end(), std::back_inserter(moved),
                  [this](std::uint32_t vertex) { return isShown(vertex); });
     std::sort(moved.begin(), moved.end(), before);
-    std::erase_if(*m_rows, [this](std::uint32_t vertex) { return m_isMoved[vertex] != 0; });
+    std::erase_if(*m_rows, [this](std::uint32_t vertex) { return told(vertex).isMoved; });
     std::vector<std::uint32_t> merged;
     merged.reserve(m_rows->size() + moved.size());
     std::merge(m_rows->begin(), m_rows->end(), moved.begin(), moved.end(), std::back_inserter(merged),

@@ -54,15 +54,21 @@ private:
     void sortAll();
     void mergeMoved();
 
+    /// Of a vertex that was told of.
+    struct Told {
+        glm::vec3 current{0.0f};
+        float length = 0.0f;
+        float turned = 0.0f;
+        std::uint32_t hits = 0;
+        bool isMoved = false;  ///< in m_moved
+    };
+    [[nodiscard]] const Told& told(std::uint32_t vertex) const { return m_told[m_placeOf[vertex]]; }
+
     std::shared_ptr<const MeshData> m_original;
-    std::vector<glm::vec3> m_current;
-    std::vector<float> m_length;
-    std::vector<float> m_turned;
-    std::vector<std::uint32_t> m_counts;
-    std::vector<std::uint32_t> m_listed;   ///< every vertex that was ever told of, each once
-    std::vector<std::uint8_t> m_isListed;  ///< by vertex
-    std::vector<std::uint8_t> m_isMoved;   ///< by vertex: in m_moved
-    std::vector<std::uint32_t> m_moved;    ///< since m_rows was made
+    std::vector<std::uint32_t> m_placeOf;  ///< vertex -> its place in m_told, or kNoIndex; empty: none was
+    std::vector<Told> m_told;
+    std::vector<std::uint32_t> m_listed;  ///< whose these are
+    std::vector<std::uint32_t> m_moved;   ///< since m_rows was made
     VertexQuery m_query;
     std::optional<std::vector<std::uint32_t>> m_rows;  ///< the answer to m_query before m_moved
 };
