@@ -83,13 +83,7 @@ TrueNormals::Groups::Groups(std::shared_ptr<const MeshData> ofMesh,
 }
 
 TrueNormals::TrueNormals(std::shared_ptr<const MeshData> mesh, std::shared_ptr<const RenderMesh> render)
-    : m_normals(std::make_shared<std::vector<glm::vec3>>()) {
-    m_normals->reserve(render->vertices.size());
-    for (const DynamicVertex& vertex : render->vertices) {
-        m_normals->push_back(vertex.normal);
-    }
-    m_groups = std::make_shared<const Groups>(std::move(mesh), std::move(render));
-}
+    : m_groups(std::make_shared<const Groups>(std::move(mesh), std::move(render))) {}
 
 TrueNormals::TrueNormals(const MeshData& mesh, const RenderMesh& render)
     : TrueNormals(std::make_shared<const MeshData>(mesh), std::make_shared<const RenderMesh>(render)) {}
@@ -171,7 +165,23 @@ void TrueNormals::recompute(std::uint32_t group, std::span<const glm::vec3> posi
     }
 }
 
+std::span<const glm::vec3> TrueNormals::normals() const {
+    if (!m_normals) {
+        m_normals = std::make_shared<std::vector<glm::vec3>>();
+        m_normals->reserve(m_groups->render->vertices.size());
+        for (const DynamicVertex& vertex : m_groups->render->vertices) {
+            m_normals->push_back(vertex.normal);
+        }
+    }
+    return *m_normals;
+}
+
+const glm::vec3& TrueNormals::normal(std::uint32_t renderVertex) const {
+    return m_normals ? (*m_normals)[renderVertex] : m_groups->original(renderVertex);
+}
+
 void TrueNormals::makeOwn() {
+    static_cast<void>(normals());
     if (m_normals.use_count() > 1) {
         m_normals = std::make_shared<std::vector<glm::vec3>>(*m_normals);
     }

@@ -31,8 +31,12 @@ public:
                 std::vector<std::uint32_t>& updated);
     void reset();
 
-    /// One unit normal a render vertex. Valid until the next update() or reset().
-    [[nodiscard]] std::span<const glm::vec3> normals() const { return *m_normals; }
+    /// Nothing was ever recomputed: normals() are the render mesh's.
+    [[nodiscard]] bool areOriginal() const { return m_pass == 0; }
+    /// One unit normal a render vertex. Valid until the next update() or reset(). Makes an array of the
+    /// render mesh's where nothing was ever recomputed, so not for two threads at once.
+    [[nodiscard]] std::span<const glm::vec3> normals() const;
+    [[nodiscard]] const glm::vec3& normal(std::uint32_t renderVertex) const;
 
 private:
     struct Groups;
@@ -41,8 +45,9 @@ private:
     void makeOwn();
 
     std::shared_ptr<const Groups> m_groups;  ///< shared by the copies, as the mesh's size in memory counts
-    std::shared_ptr<std::vector<glm::vec3>> m_normals;  ///< copied when one that is shared changes
-    std::vector<std::uint32_t> m_visited;               ///< group -> the update() that recomputed it last
+    /// Copied when one that is shared changes; null: they are the render mesh's.
+    mutable std::shared_ptr<std::vector<glm::vec3>> m_normals;
+    std::vector<std::uint32_t> m_visited;  ///< group -> the update() that recomputed it last
     std::uint32_t m_pass = 0;
     std::vector<std::uint32_t> m_concerned;  ///< groups, of the update() that runs
 };

@@ -274,7 +274,9 @@ SceneExport copyForExport(const Session& session, std::span<const Target* const>
         one.positions.assign(mesh.positions().begin(), mesh.positions().end());
         one.sourcePath = target->sourcePath;
         if (options.normals == NormalMode::True) {
-            one.normals.assign(target->trueNormals.normals().begin(), target->trueNormals.normals().end());
+            for (std::uint32_t v = 0; v < mesh.vertices().size(); ++v) {
+                one.normals.push_back(target->trueNormals.normal(v));
+            }
             continue;
         }
         for (const DynamicVertex& vertex : mesh.vertices()) {
