@@ -10,4 +10,8 @@ namespace hitscope {
 /// done. The application waits for what runs here when it ends.
 [[nodiscard]] QThreadPool& backgroundPool();
 
+/// Has the thread that calls this, which is one of that pool's, give way to the window's where processors are
+/// few: a key or click then waits less while a large mesh is worked on.
+void yieldToTheWindow();
+
 }  // namespace hitscope

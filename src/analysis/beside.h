@@ -18,6 +18,7 @@ template <typename Owner, typename Work, typename Then>
 void workBeside(Owner* owner, Work work, Then then) {
     backgroundPool().start(
         [owner = QPointer<Owner>(owner), work = std::move(work), then = std::move(then)]() mutable {
+            yieldToTheWindow();
             bool done = true;
             try {
                 work();

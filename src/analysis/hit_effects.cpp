@@ -84,7 +84,10 @@ struct HitEffects::Worker : std::enable_shared_from_this<HitEffects::Worker> {
 void HitEffects::Worker::runIfIdle() {
     if (!isRunning) {
         isRunning = true;
-        backgroundPool().start([self = shared_from_this()] { self->run(); });
+        backgroundPool().start([self = shared_from_this()] {
+            yieldToTheWindow();
+            self->run();
+        });
     }
 }
 
