@@ -102,6 +102,8 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     makeOverlays();
+    m_files->setReadying([this](const ScenePlan& scene) { return m_viewport->bringMeshes(scene); });
+    connect(m_files, &SceneFiles::ended, m_viewport, &Viewport::dropUnusedMeshes);
     m_menus = new WindowMenus(*this, *m_viewport, m_actions);
     m_docks = new WindowDocks(
         {session, m_settings, m_hitEffects, *m_viewport, *m_files, m_actions, *m_menus, *this});

@@ -2,6 +2,7 @@
 #include "app/scene_files.h"
 
 #include <QFileInfo>
+#include <QTimer>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -220,6 +221,14 @@ void SceneFiles::deliver() {
     }
     if (work->scene.targets.empty()) {
         fail(work->firstError.value_or(outOfMemory(work->name)));
+        return;
+    }
+    if (m_ready && !m_ready(work->scene)) {
+        QTimer::singleShot(0, this, [this, current = std::weak_ptr(work)] {
+            if (m_work && current.lock() == m_work) {
+                deliver();
+            }
+        });
         return;
     }
     if (work->into == Into::ThisScene) {

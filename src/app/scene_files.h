@@ -41,6 +41,11 @@ public:
     /// `make` is called on this thread for each file that is to be a scene of its own.
     void setDrawing(std::function<Drawing()> make) { m_makeDrawing = std::move(make); }
 
+    /// Called on this thread with what the session is about to get, in one turn of the event loop after the
+    /// other until it returns true: for what each of whom would hold the window up otherwise.
+    using Readying = std::function<bool(const ScenePlan&)>;
+    void setReadying(Readying ready) { m_ready = std::move(ready); }
+
 Q_SIGNALS:
     void started(const QString& name);  ///< also with each further file
     /// fraction in [0, 1]; negative: not known.
@@ -73,6 +78,7 @@ private:
     std::unique_ptr<TaskProgress> m_progress;  ///< null: nothing is
     std::shared_ptr<Work> m_work;              ///< null: nothing is being opened
     std::function<Drawing()> m_makeDrawing;
+    Readying m_ready;
 };
 
 }  // namespace hitscope

@@ -21,25 +21,15 @@ gl::Buffer makeBuffer(std::span<const T> content, GLenum usage) {
     return buffer;
 }
 
-/// The triangles, and behind them the coarse ones.
-gl::Buffer makeTriangles(const RenderMesh& mesh) {
-    const auto all = std::span<const std::uint32_t>(mesh.triangles);
-    if (mesh.coarseTriangles.empty()) {
-        return makeBuffer(all, GL_STATIC_DRAW);
-    }
-    const auto coarse = std::span<const std::uint32_t>(mesh.coarseTriangles);
+gl::Buffer makeEmptyBuffer(std::size_t bytes, GLenum usage) {
     gl::Buffer buffer = gl::Buffer::make();
     glBindBuffer(GL_COPY_WRITE_BUFFER, buffer.id());
-    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(all.size_bytes() + coarse.size_bytes()),
-                 nullptr, GL_STATIC_DRAW);
-    glBufferSubData(GL_COPY_WRITE_BUFFER, 0, static_cast<GLsizeiptr>(all.size_bytes()), all.data());
-    glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(all.size_bytes()),
-                    static_cast<GLsizeiptr>(coarse.size_bytes()), coarse.data());
+    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, usage);
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
     return buffer;
 }
 
-/// Their places in that buffer.
+/// They come behind the triangles in that buffer.
 std::vector<DrawRange> coarseDrawsOf(const RenderMesh& mesh) {
     std::vector<DrawRange> draws = mesh.coarseDraws;
     for (DrawRange& draw : draws) {
@@ -128,27 +118,92 @@ private:
 }  // namespace
 
 TargetBuffers::TargetBuffers(const RenderMesh& mesh, std::span<const glm::vec3> colours)
-    : m_vertexCount(static_cast<std::uint32_t>(mesh.vertices.size())),
+    : TargetBuffers(mesh, colours, Later{}) {
+    fillMore(std::numeric_limits<std::size_t>::max());
+}
+
+TargetBuffers::TargetBuffers(const RenderMesh& mesh, std::span<const glm::vec3> colours, Later /*later*/)
+    : m_mesh(&mesh),
+      m_vertexCount(static_cast<std::uint32_t>(mesh.vertices.size())),
       m_drawnVertexCount(mesh.drawnVertices),
       m_triangleIndexCount(static_cast<std::uint32_t>(mesh.triangles.size())),
       m_edgeIndexCount(static_cast<std::uint32_t>(mesh.edges.size())),
       m_draws(mesh.draws),
       m_coarseDraws(coarseDrawsOf(mesh)),
       m_clusters(mesh.clusters),
-      m_clusterEdges(mesh),
       m_bounds(mesh.bounds),
       m_usualEdge(usualEdgeOf(mesh)),
-      m_dynamic(makeBuffer(std::span<const DynamicVertex>(mesh.vertices), GL_DYNAMIC_COPY)),
-      m_original(makeBuffer(std::span<const DynamicVertex>(mesh.vertices), GL_STATIC_DRAW)),
-      m_texcoords(makeBuffer(std::span<const glm::vec2>(mesh.texcoords), GL_STATIC_DRAW)),
-      m_shadingNormals(makeBuffer(std::span<const glm::vec3>(normalsOf(mesh.vertices)), GL_DYNAMIC_DRAW)),
-      m_triangles(makeTriangles(mesh)),
-      m_edges(makeBuffer(std::span<const std::uint32_t>(mesh.edges), GL_STATIC_DRAW)),
       m_surfaceArray(gl::VertexArray::make()),
       m_edgeArray(gl::VertexArray::make()),
       m_captureArray(gl::VertexArray::make()),
       m_originalSurfaceArray(gl::VertexArray::make()),
       m_originalEdgeArray(gl::VertexArray::make()) {
+    makeBuffers();
+    if (!colours.empty()) {
+        m_colours = makeBuffer(std::span<const LinearColour>(linearColours(colours, mesh.fileVertices)),
+                               GL_STATIC_DRAW);
+    }
+    makeArrays();
+}
+
+void TargetBuffers::makeBuffers() {
+    const auto vertices = std::as_bytes(std::span(m_mesh->vertices));
+    const auto texcoords = std::as_bytes(std::span(m_mesh->texcoords));
+    const auto triangles = std::as_bytes(std::span(m_mesh->triangles));
+    const auto coarse = std::as_bytes(std::span(m_mesh->coarseTriangles));
+    const std::size_t normals = m_vertexCount * sizeof(glm::vec3);
+    m_dynamic = makeEmptyBuffer(vertices.size(), GL_DYNAMIC_COPY);
+    m_original = makeEmptyBuffer(vertices.size(), GL_STATIC_DRAW);
+    m_texcoords = makeEmptyBuffer(texcoords.size(), GL_STATIC_DRAW);
+    m_shadingNormals = makeEmptyBuffer(normals, GL_DYNAMIC_DRAW);
+    m_triangles = makeEmptyBuffer(triangles.size() + coarse.size(), GL_STATIC_DRAW);
+    m_missing = {{m_dynamic.id(), 0, vertices.data(), vertices.size()},
+                 {m_original.id(), 0, vertices.data(), vertices.size()},
+                 {m_texcoords.id(), 0, texcoords.data(), texcoords.size()},
+                 {m_shadingNormals.id(), 0, nullptr, normals},
+                 {m_triangles.id(), 0, triangles.data(), triangles.size()},
+                 {m_triangles.id(), triangles.size(), coarse.data(), coarse.size()}};
+}
+
+bool TargetBuffers::fillMore(std::size_t bytes) {
+    while (!m_missing.empty()) {
+        const Part& part = m_missing.back();
+        // Whole normals.
+        const std::size_t left = part.bytes - m_filled;
+        const std::size_t some =
+            left <= bytes ? left : std::max<std::size_t>(bytes / sizeof(glm::vec3), 1) * sizeof(glm::vec3);
+        if (some > 0) {
+            fill(part, m_filled, std::min(some, left));
+            m_filled += std::min(some, left);
+        }
+        if (m_filled < part.bytes) {
+            return false;
+        }
+        bytes -= std::min(some, bytes);
+        m_missing.pop_back();
+        m_filled = 0;
+        if (bytes == 0) {
+            break;
+        }
+    }
+    return m_missing.empty();
+}
+
+void TargetBuffers::fill(const Part& part, std::size_t start, std::size_t bytes) const {
+    std::vector<glm::vec3> normals;
+    const void* from = part.from + start;
+    if (part.from == nullptr) {
+        normals = normalsOf(
+            std::span(m_mesh->vertices).subspan(start / sizeof(glm::vec3), bytes / sizeof(glm::vec3)));
+        from = normals.data();
+    }
+    glBindBuffer(GL_COPY_WRITE_BUFFER, part.buffer);
+    glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(part.start + start),
+                    static_cast<GLsizeiptr>(bytes), from);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+}
+
+void TargetBuffers::makeArrays() {
     const KeepBindings keep;
     glBindVertexArray(m_surfaceArray.id());
     attachDynamic(m_dynamic);
@@ -160,7 +215,6 @@ TargetBuffers::TargetBuffers(const RenderMesh& mesh, std::span<const glm::vec3> 
     glBindVertexArray(m_edgeArray.id());
     attachDynamic(m_dynamic);
     attachOriginal(m_original);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_edges.id());
 
     glBindVertexArray(m_captureArray.id());
     attachDynamic(m_dynamic);
@@ -176,13 +230,30 @@ TargetBuffers::TargetBuffers(const RenderMesh& mesh, std::span<const glm::vec3> 
     glBindVertexArray(m_originalEdgeArray.id());
     attachDynamic(m_original);
     attachOriginal(m_original);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_edges.id());
 
-    if (!colours.empty()) {
-        m_colours = makeBuffer(std::span<const LinearColour>(linearColours(colours, mesh.fileVertices)),
-                               GL_STATIC_DRAW);
+    if (m_colours) {
         attachColours();
     }
+}
+
+/// Most targets are never drawn with edges, and these take a tenth of their memory.
+void TargetBuffers::needEdges() const {
+    if (m_edges) {
+        return;
+    }
+    m_edges = makeBuffer(std::span<const std::uint32_t>(m_mesh->edges), GL_STATIC_DRAW);
+    const KeepBindings keep;
+    for (const gl::VertexArray* array : {&m_edgeArray, &m_originalEdgeArray}) {
+        glBindVertexArray(array->id());
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_edges.id());
+    }
+}
+
+const ClusterEdges& TargetBuffers::clusterEdges() const {
+    if (!m_clusterEdges) {
+        m_clusterEdges.emplace(*m_mesh);
+    }
+    return *m_clusterEdges;
 }
 
 void TargetBuffers::attachColours() {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,16 +33,29 @@ enum class Attribute : GLuint {
 /// destructor.
 class TargetBuffers {
 public:
-    /// colours: MeshData::colours; they go where surfaces are drawn from (Attribute::Colour), linear.
+    /// `mesh` outlives this. colours: MeshData::colours; they go where surfaces are drawn from
+    /// (Attribute::Colour), linear.
     explicit TargetBuffers(const RenderMesh& mesh, std::span<const glm::vec3> colours = {});
+    struct Later {};
+    /// Likewise, but empty until fillMore() has brought everything; nothing else is to be called before.
+    TargetBuffers(const RenderMesh& mesh, std::span<const glm::vec3> colours, Later later);
+    /// Brings so many bytes at most; returns whether everything is there.
+    bool fillMore(std::size_t bytes);
 
     /// All attributes and the triangles' index buffer: for glDrawElements(GL_TRIANGLES) over mesh.draws.
     [[nodiscard]] GLuint surfaceArray() const { return m_surfaceArray.id(); }
     /// Position, normal and original position, with the edges' index buffer: for glDrawElements(GL_LINES).
-    [[nodiscard]] GLuint edgeArray() const { return m_edgeArray.id(); }
+    /// That buffer is made when this is first asked for.
+    [[nodiscard]] GLuint edgeArray() const {
+        needEdges();
+        return m_edgeArray.id();
+    }
     /// The same two of the target as it was: positions and all normals are the original ones.
     [[nodiscard]] GLuint originalSurfaceArray() const { return m_originalSurfaceArray.id(); }
-    [[nodiscard]] GLuint originalEdgeArray() const { return m_originalEdgeArray.id(); }
+    [[nodiscard]] GLuint originalEdgeArray() const {
+        needEdges();
+        return m_originalEdgeArray.id();
+    }
     /// Position and normal from the dynamic buffer and the original, no indices: for capturing and for
     /// points.
     [[nodiscard]] GLuint captureArray() const { return m_captureArray.id(); }
@@ -65,7 +80,7 @@ public:
     /// has none.
     [[nodiscard]] std::span<const DrawRange> coarseDraws() const { return m_coarseDraws; }
     [[nodiscard]] std::span<const Cluster> clusters() const { return m_clusters; }
-    [[nodiscard]] const ClusterEdges& clusterEdges() const { return m_clusterEdges; }
+    [[nodiscard]] const ClusterEdges& clusterEdges() const;  ///< made when first asked for
     [[nodiscard]] const Bounds& originalBounds() const { return m_bounds; }
     /// About the length of an edge of the original, in metres.
     [[nodiscard]] float usualEdge() const { return m_usualEdge; }
@@ -86,8 +101,20 @@ public:
     void clearChangeValues();  ///< all 0 again
 
 private:
+    /// A part of what buffers are to hold.
+    struct Part {
+        GLuint buffer = 0;
+        std::size_t start = 0;            ///< bytes, in the buffer
+        const std::byte* from = nullptr;  ///< null: the mesh's normals
+        std::size_t bytes = 0;
+    };
+    void makeBuffers();
+    void makeArrays();
+    void fill(const Part& part, std::size_t start, std::size_t bytes) const;
     void attachColours();
+    void needEdges() const;
 
+    const RenderMesh* m_mesh;
     std::uint32_t m_vertexCount = 0;
     std::uint32_t m_drawnVertexCount = 0;
     std::uint32_t m_triangleIndexCount = 0;
@@ -95,7 +122,7 @@ private:
     std::vector<DrawRange> m_draws;
     std::vector<DrawRange> m_coarseDraws;
     std::vector<Cluster> m_clusters;
-    ClusterEdges m_clusterEdges;
+    mutable std::optional<ClusterEdges> m_clusterEdges;
     Bounds m_bounds;
     float m_usualEdge = 0.0f;
     gl::Buffer m_dynamic;
@@ -106,12 +133,14 @@ private:
     gl::Buffer m_changeValues;    ///< made when first written
     gl::Buffer m_clusterNumbers;  ///< made when first needed
     gl::Buffer m_triangles;
-    gl::Buffer m_edges;
+    mutable gl::Buffer m_edges;  ///< made when first needed
     gl::VertexArray m_surfaceArray;
     gl::VertexArray m_edgeArray;
     gl::VertexArray m_captureArray;
     gl::VertexArray m_originalSurfaceArray;
     gl::VertexArray m_originalEdgeArray;
+    std::vector<Part> m_missing;  ///< of the buffers' content
+    std::size_t m_filled = 0;     ///< bytes, of the last of these
 };
 
 }  // namespace hitscope

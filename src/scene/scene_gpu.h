@@ -18,6 +18,8 @@ class ChangeValues;
 class Comparison;
 class PickPass;
 class RefinedView;
+struct MeshData;
+struct RenderMesh;
 
 /// A session on the GPU: buffers for its targets, the active pipeline, the renderer. Follows the session by
 /// the history's revision; nothing in it is truth, so it can be thrown away with its context and made again.
@@ -33,6 +35,12 @@ public:
     /// Brings the GPU to the session's state: new targets, pipeline, hits; then waits for what changed to be
     /// read back into the session.
     [[nodiscard]] Status sync();
+
+    /// Brings some of a mesh to the GPU that is about to be a target's, for some milliseconds: the frame that
+    /// first shows it then does not have to. Returns whether all of it is there.
+    bool bring(const std::shared_ptr<const MeshData>& mesh, const std::shared_ptr<const RenderMesh>& render);
+    /// Gives up what was brought of meshes that no target has.
+    void dropUnusedMeshes();
 
     struct View {
         int width = 0;   ///< pixels

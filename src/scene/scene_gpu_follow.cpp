@@ -110,7 +110,9 @@ void SceneGpu::Private::takeReapplied() {
     pipeline = done->takePipeline();
     for (auto& [id, target] : targets) {
         target.buffers = std::move(buffers.at(id));
-        target.buffers->writeShadingNormals(0, session.targets().find(id)->trueNormals.normals());
+        if (const TrueNormals& normals = session.targets().find(id)->trueNormals; !normals.areOriginal()) {
+            target.buffers->writeShadingNormals(0, normals.normals());
+        }
     }
     readBack.restart();
     readBack.setCapacity(pipeline->capacity());

@@ -37,11 +37,18 @@ struct SceneGpu::Private {
         std::shared_ptr<const MeshData> dressed = nullptr;  ///< whose materials these are
     };
 
+    /// A mesh that is on its way to the GPU, or there, before a target of it.
+    struct Coming {
+        std::shared_ptr<const RenderMesh> mesh;
+        std::unique_ptr<TargetBuffers> buffers;
+    };
+
     Session& session;
     ReadBack& readBack;  ///< the session's
     FrameMeter meter;
     std::unique_ptr<Renderer> renderer;
     std::unordered_map<TargetId, GpuTarget> targets;
+    std::vector<Coming> coming;
     std::unique_ptr<DeformationPipeline> pipeline;  // below the buffers it is given, so that it goes first
     std::unordered_map<const MeshData*, std::weak_ptr<const MaterialSet>> materials;
     std::shared_ptr<const Image> coverImage;  // what `cover` was made of
@@ -67,6 +74,7 @@ struct SceneGpu::Private {
 
     enum class Delivery { WhatHasArrived, All };
     void followTargets();
+    [[nodiscard]] std::unique_ptr<TargetBuffers> buffersFor(const Target& target);
     void followMaterials(const Target& target, GpuTarget& gpu);
     void followCover();
     [[nodiscard]] const MaterialSet* materialsToDraw(const Target& target) const;

@@ -91,6 +91,10 @@ public:
     [[nodiscard]] Result<Image> drawPicture(const PictureRequest& request);
     /// Does something with the scene on the GPU while its context is current; fails when there is none.
     [[nodiscard]] Status withScene(const std::function<Status(SceneGpu&)>& work);
+    /// Has some of the large meshes of a scene brought to the GPU before the session gets it: called in turns
+    /// of the event loop until it returns true.
+    bool bringMeshes(const ScenePlan& scene);
+    void dropUnusedMeshes();  ///< gives up those that the session has not got
     /// "llvmpipe (LLVM 15.0.6, 256 bits)"; empty before the first frame.
     [[nodiscard]] QString rendererName() const { return m_rendererName; }
     [[nodiscard]] QString rendererVersion() const { return m_rendererVersion; }

@@ -2,6 +2,7 @@
 // What others have the viewport's scene and context do: pictures of it, what else is drawn in it, what can be
 // told of the renderer, and a wait until all has been read back.
 #include <QOpenGLContext>
+#include <algorithm>
 #include <utility>
 
 #include "pipeline/graphics_report.h"
@@ -9,6 +10,12 @@
 #include "viewport/viewport.h"
 
 namespace hitscope {
+
+namespace {
+
+constexpr std::size_t kLargeMesh = 50'000;  // vertices: fewer are on the GPU in some milliseconds
+
+}  // namespace
 
 Status Viewport::withScene(const std::function<Status(SceneGpu&)>& work) {
     if (!m_scene) {
@@ -25,6 +32,25 @@ Status Viewport::withScene(const std::function<Status(SceneGpu&)>& work) {
         doneCurrent();
     }
     return status;
+}
+
+bool Viewport::bringMeshes(const ScenePlan& scene) {
+    bool isAll = true;
+    static_cast<void>(withScene([&](SceneGpu& gpu) -> Status {
+        isAll = std::all_of(scene.targets.begin(), scene.targets.end(), [&gpu](const TargetPlan& plan) {
+            return plan.shape.render->vertices.size() < kLargeMesh ||
+                   gpu.bring(plan.shape.mesh, plan.shape.render);
+        });
+        return Done{};
+    }));
+    return isAll;
+}
+
+void Viewport::dropUnusedMeshes() {
+    static_cast<void>(withScene([](SceneGpu& gpu) -> Status {
+        gpu.dropUnusedMeshes();
+        return Done{};
+    }));
 }
 
 Status Viewport::syncNow() {

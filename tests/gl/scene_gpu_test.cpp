@@ -220,6 +220,35 @@ private Q_SLOTS:
         }
     }
 
+    /// A mesh that was brought before the session has it is that of its targets, and one that never comes
+    /// goes.
+    void meshesAreBroughtBeforeTheirTargets() {
+        Session session;
+        loadTeapot(session);
+        Result<std::unique_ptr<SceneGpu>> made = SceneGpu::create(session);
+        QVERIFY(made);
+        SceneGpu& gpu = *made.value();
+        QVERIFY(gpu.sync());
+        const PreparedMesh coming = prepareMesh(makeUvSphere(300, 200, 1.0f));
+        const PreparedMesh never = prepareMesh(makeUvSphere(20, 20, 1.0f));
+        while (!gpu.bring(coming.mesh, coming.render)) {
+        }
+        QVERIFY(gpu.bring(coming.mesh, coming.render));
+        QVERIFY(!gpu.bring(never.mesh, never.render));  // begun
+        QCOMPARE(never.render.use_count(), coming.render.use_count());
+        loadMesh(session, coming, QString());
+        gpu.dropUnusedMeshes();
+        QVERIFY(never.render.use_count() < coming.render.use_count());
+        for (int frame = 0; frame < 2; ++frame) {
+            QVERIFY(gpu.sync());
+            QCOMPARE(differences(session), std::size_t{0});
+            shootAll(session, demoShots(session, 10, 4));
+        }
+        QVERIFY(gpu.sync());
+        QVERIFY(changed(session) > 0);
+        QCOMPARE(differences(session), std::size_t{0});
+    }
+
 private:
     test::GlFixture m_gl;
 };

@@ -6,6 +6,7 @@
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
+#include <QTimer>
 #include <QToolButton>
 #include <cstdlib>
 
@@ -49,6 +50,8 @@ private Q_SLOTS:
     void filesAndTargetsAreAdded();
     void cancellingLeavesTheScene();
     void aLargeMeshIsSeenBeforeItIsPrepared();
+    void theSceneComesWhenAllIsReady();
+    void whatIsNotReadyYetCanBeCancelled();
     void sampleScenesAreMade_data();
     void sampleScenesAreMade();
     void deleteInTheViewportRemovesTheTarget();
@@ -129,6 +132,46 @@ void SceneFilesTest::cancellingLeavesTheScene() {
     QTest::qWait(600);
     QCOMPARE(made.count(), 0);
     QCOMPARE(session.targets().size(), std::size_t{16});
+}
+
+void SceneFilesTest::theSceneComesWhenAllIsReady() {
+    Session session;
+    SceneFiles files(session);
+    QSignalSpy ended(&files, &SceneFiles::ended);
+    int asked = 0;
+    int turns = 0;
+    QTimer turn;
+    connect(&turn, &QTimer::timeout, this, [&turns] { ++turns; });
+    files.setReadying([&](const ScenePlan& scene) {
+        if (asked == 0) {
+            turn.start(0);
+        }
+        return scene.targets.size() == 1 && session.targets().empty() && ++asked == 20;
+    });
+    files.open({path("a.obj")});
+    QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, kPatience);
+    QCOMPARE(asked, 20);
+    QVERIFY2(turns >= 10, qPrintable(QString::number(turns)));  // others had their turns meanwhile
+    QCOMPARE(session.targets().size(), std::size_t{1});
+}
+
+void SceneFilesTest::whatIsNotReadyYetCanBeCancelled() {
+    Session session;
+    SceneFiles files(session);
+    QSignalSpy opened(&files, &SceneFiles::opened);
+    int asked = 0;
+    files.setReadying([&asked](const ScenePlan&) {
+        ++asked;
+        return false;
+    });
+    files.open({path("a.obj")});
+    QTRY_VERIFY_WITH_TIMEOUT(asked > 3, kPatience);
+    files.cancel();
+    const int then = asked;
+    QTest::qWait(50);
+    QCOMPARE(asked, then);
+    QCOMPARE(opened.count(), 0);
+    QVERIFY(session.targets().empty());
 }
 
 /// Which pixels are not the background, whose colour changes from row to row only.
