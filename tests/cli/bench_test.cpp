@@ -172,9 +172,9 @@ private Q_SLOTS:
             QVERIFY(text(record, "measured") == QLatin1String("hit") || number(record, "share") > 1.0e6);
         }
         QCOMPARE(measured,
-                 QStringList({QStringLiteral("start"), QStringLiteral("opened"), QStringLiteral("hits"),
-                              QStringLiteral("undone"), QStringLiteral("closed"), QStringLiteral("hit"),
-                              QStringLiteral("worker")}));
+                 QStringList({QStringLiteral("start"), QStringLiteral("opened"), QStringLiteral("first"),
+                              QStringLiteral("hits"), QStringLiteral("undone"), QStringLiteral("closed"),
+                              QStringLiteral("hit"), QStringLiteral("worker")}));
     }
 
     void windowWithoutAnyDisplaySaysWhatToInstall() {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/sanitizers.h"
+#include "mesh/primitives.h"
 #include "session/session.h"
 #include "support/test_program.h"
 
@@ -21,6 +22,8 @@ class MemoryTest : public QObject {
 private Q_SLOTS:
     void freedBlocksStayWithTheLibrary();
     void hitsAndTheirStepsAreSmall();
+    void aMeshIsHeldOnce();
+    void freeAllGivesTheRoomBack();
 };
 
 void MemoryTest::freedBlocksStayWithTheLibrary() {
@@ -69,6 +72,36 @@ void MemoryTest::hitsAndTheirStepsAreSmall() {
 #else
     QSKIP("only glibc tells what is in use");
 #endif
+}
+
+/// Positions and texture coordinates of the file and as they are drawn, triangles, edges, where what is, the
+/// tree that shots are aimed by.
+void MemoryTest::aMeshIsHeldOnce() {
+#ifdef HITSCOPE_SANITIZED
+    QSKIP("The sanitizers have a malloc of their own.");
+#endif
+#ifdef __GLIBC__
+    constexpr std::size_t kMost = 265;  // bytes a vertex of two triangles
+    const auto used = [] {
+        const struct mallinfo2 now = mallinfo2();
+        return now.uordblks + now.hblkhd;
+    };
+    MeshData mesh = makeUvSphere(600, 400, 1.0f);
+    const std::size_t vertices = mesh.vertexCount();
+    const std::size_t before = used();
+    Session session;
+    loadMesh(session, std::move(mesh), QString());
+    const std::size_t each = (used() - before) / vertices;
+    QVERIFY2(each <= kMost, qPrintable(QString::number(each)));
+#else
+    QSKIP("only glibc tells what is in use");
+#endif
+}
+
+void MemoryTest::freeAllGivesTheRoomBack() {
+    std::vector<int> values(1000, 1);
+    freeAll(values);
+    QCOMPARE(values.capacity(), std::size_t{0});
 }
 
 HITSCOPE_TEST(MemoryTest, QCoreApplication)
