@@ -3,19 +3,27 @@
 
 #include <QCoreApplication>
 #include <QThreadPool>
+#include <utility>
 
-#ifdef __linux__
+#ifdef Q_OS_LINUX
 #include <sys/resource.h>
-#include <sys/syscall.h>
-#include <unistd.h>
 #endif
 
 namespace hitscope {
 
 namespace {
 
-[[maybe_unused]] constexpr int kBehindTheWindow =
-    5;  // niceness: a quarter of the processor where both want it
+/// Threads have a share of a processor by this: next to one that does not give way, a tenth of it.
+[[maybe_unused]] constexpr int kNiceness = 10;
+
+void giveWay() {
+#ifdef Q_OS_LINUX
+    // Of this thread, and of those that it starts. The whole program may give way by more already.
+    thread_local const bool gives =
+        getpriority(PRIO_PROCESS, 0) >= kNiceness || setpriority(PRIO_PROCESS, 0, kNiceness) == 0;
+    Q_UNUSED(gives)
+#endif
+}
 
 }  // namespace
 
@@ -28,16 +36,11 @@ QThreadPool& backgroundPool() {
     return pool;
 }
 
-void yieldToTheWindow() {
-#ifdef __linux__
-    // Of this thread alone, and of those that it starts.
-    thread_local const bool isBehind = [] {
-        const auto thread = static_cast<id_t>(syscall(SYS_gettid));
-        return getpriority(PRIO_PROCESS, thread) >= kBehindTheWindow ||
-               setpriority(PRIO_PROCESS, thread, kBehindTheWindow) == 0;
-    }();
-    static_cast<void>(isBehind);
-#endif
+void startInBackground(std::function<void()> job) {
+    backgroundPool().start([job = std::move(job)] {
+        giveWay();
+        job();
+    });
 }
 
 }  // namespace hitscope

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+
 class QThreadPool;
 
 namespace hitscope {
@@ -10,8 +12,8 @@ namespace hitscope {
 /// done. The application waits for what runs here when it ends.
 [[nodiscard]] QThreadPool& backgroundPool();
 
-/// Has the thread that calls this, which is one of that pool's, give way to the window's where processors are
-/// few: a key or click then waits less while a large mesh is worked on.
-void yieldToTheWindow();
+/// Runs the job there. Its thread gives way to the window's and to those that a software renderer draws with:
+/// a picture that shares the processors with it as an equal takes twice as long, and events wait for it.
+void startInBackground(std::function<void()> job);
 
 }  // namespace hitscope

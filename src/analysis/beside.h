@@ -3,7 +3,6 @@
 
 #include <QCoreApplication>
 #include <QPointer>
-#include <QThreadPool>
 #include <new>
 #include <utility>
 
@@ -16,9 +15,8 @@ namespace hitscope {
 /// share they hold by shared pointers.
 template <typename Owner, typename Work, typename Then>
 void workBeside(Owner* owner, Work work, Then then) {
-    backgroundPool().start(
+    startInBackground(
         [owner = QPointer<Owner>(owner), work = std::move(work), then = std::move(then)]() mutable {
-            yieldToTheWindow();
             bool done = true;
             try {
                 work();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/hit_effects.h"
 
-#include <QThreadPool>
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
@@ -84,10 +83,7 @@ struct HitEffects::Worker : std::enable_shared_from_this<HitEffects::Worker> {
 void HitEffects::Worker::runIfIdle() {
     if (!isRunning) {
         isRunning = true;
-        backgroundPool().start([self = shared_from_this()] {
-            yieldToTheWindow();
-            self->run();
-        });
+        startInBackground([self = shared_from_this()] { self->run(); });
     }
 }
 

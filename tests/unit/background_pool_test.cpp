@@ -8,7 +8,19 @@
 #include "analysis/beside.h"
 #include "support/test_program.h"
 
+#ifdef Q_OS_LINUX
+#include <sys/resource.h>
+#endif
+
 namespace hitscope::background_pool_test {
+
+#ifdef Q_OS_LINUX
+namespace {
+
+constexpr int kNiceness = 10;  // of background work
+
+}  // namespace
+#endif
 
 class BackgroundPoolTest : public QObject {
     Q_OBJECT
@@ -33,6 +45,20 @@ private Q_SLOTS:
         QTRY_COMPARE(told, jobs);
         QCOMPARE(threadsTaken, 0);
     }
+
+#ifdef Q_OS_LINUX
+    void givesWay() {
+        const int here = getpriority(PRIO_PROCESS, 0);
+        int there = here;
+        bool isTold = false;
+        workBeside(
+            this, [&there] { there = getpriority(PRIO_PROCESS, 0); },
+            [&isTold](BackgroundPoolTest& /*owner*/, bool /*done*/) { isTold = true; });
+        QTRY_VERIFY(isTold);
+        QVERIFY2(there > here || here >= kNiceness, qPrintable(QString::number(there)));
+        QCOMPARE(getpriority(PRIO_PROCESS, 0), here);
+    }
+#endif
 };
 
 HITSCOPE_TEST(BackgroundPoolTest, QCoreApplication)
