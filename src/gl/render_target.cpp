@@ -37,11 +37,11 @@ RenderTarget::RenderTarget(int width, int height, int samples)
       m_samples(clampSamples(samples)),
       m_framebuffer(Framebuffer::make()),
       m_colour(makeStorage(GL_RGBA8, m_samples, width, height)),
-      m_depth(makeStorage(GL_DEPTH_COMPONENT24, m_samples, width, height)) {
+      m_depth(makeStorage(GL_DEPTH24_STENCIL8, m_samples, width, height)) {
     const KeepFramebuffers keep;
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.id());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, m_colour.id());
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, m_depth.id());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, m_depth.id());
     m_complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 

@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/picture_motion.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace hitscope {
+
+namespace {
+
+constexpr float kHurriedScale = 0.70710678f;  // half of the pixels
+
+}  // namespace
 
 PictureMotion::PictureMotion(QObject* parent) : QObject(parent) {
     m_timer.setSingleShot(true);
@@ -58,6 +65,9 @@ PictureDetail PictureMotion::coming() const {
     if (isLeftToRefiner() && !m_held) {
         detail.coarse = true;
     }
+    if (isHurried()) {
+        detail.scale = std::min(detail.scale, kHurriedScale);
+    }
     return detail;
 }
 
@@ -65,7 +75,7 @@ PictureDetail PictureMotion::beginFrame() {
     m_detail = coming();
     // A motion's first frame comes after a pause, and others may do as much meanwhile: its time is not
     // counted.
-    m_isCounted = !isFirstComing();
+    m_isCounted = !isFirstComing() && !isHurried();
     m_isFirst = false;
     m_isRefinedShown = false;
     return m_detail;

@@ -28,6 +28,9 @@ public:
     void setCoarsePart(float part, bool isSlow = false);
     /// A picture in full that takes longer is left to the refiner; seconds.
     void setSlow(double seconds) { m_slow = seconds; }
+    /// The session catches up, and events wait for pictures: those that are left to the refiner have half of
+    /// the pixels, too.
+    void setCatchingUp(bool on) { m_isCatchingUp = on; }
     /// The picture changes now, and likely once more soon.
     void moved();
     /// Of the next picture, as things are.
@@ -57,6 +60,7 @@ private:
     void drawInFullIfAtRest();
     void judgeFull(double seconds);
     [[nodiscard]] bool isFirstComing() const;  ///< the next picture is a motion's first, or none moves
+    [[nodiscard]] bool isHurried() const { return m_isCatchingUp && isLeftToRefiner() && !m_held; }
     [[nodiscard]] bool isLeftToRefiner() const { return m_isOn && m_isSlow && m_isRefined; }
 
     MotionDetail m_motion;
@@ -64,6 +68,7 @@ private:
     bool m_isOn = false;
     bool m_isRefined = false;
     bool m_isRefinedShown = false;
+    bool m_isCatchingUp = false;
     double m_slow = 0.1;
     bool m_isSlowFirst = false;  ///< one is expected to take too long
     bool m_isSlow = false;       ///< one took too long, or is expected to

@@ -73,6 +73,7 @@ void Viewport::moveOn() {
         m_costsTimer.start();
         m_clock.invalidate();
         m_catchUp.end();
+        m_motion.setCatchingUp(false);
         if (m_catchUp.isPictureWanted()) {
             updatePrepared();
         }
@@ -96,6 +97,7 @@ void Viewport::moveOn() {
         return;
     }
     m_frameFollows = true;
+    m_motion.setCatchingUp(isCatchingUp());
     if (isCatchingUp()) {
         updatePrepared();
     } else {

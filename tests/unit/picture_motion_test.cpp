@@ -4,6 +4,7 @@
 
 #include <QSignalSpy>
 #include <QTest>
+#include <cmath>
 
 #include "support/test_program.h"
 
@@ -63,6 +64,28 @@ private Q_SLOTS:
         motion.forget();
         QCOMPARE(rested.size(), 1);  // now nobody else draws it in full
         QVERIFY(drawn(motion, 0.03).isFull());
+    }
+
+    static void whatIsInAHurryHasHalfOfThePixels() {
+        PictureMotion motion;
+        motion.setOn(true);
+        motion.setCoarsePart(0.5f, true);
+        motion.setCatchingUp(true);
+        motion.moved();
+        QCOMPARE(motion.coming().scale, 1.0f);  // nobody else would draw it in full
+        motion.setRefined(true);
+        for (int i = 0; i < 12; ++i) {
+            const PictureDetail detail = drawn(motion, 0.2);
+            QVERIFY(detail.coarse);
+            QVERIFY2(std::abs(detail.scale * detail.scale - 0.5f) < 1e-6f,
+                     qPrintable(QString::number(detail.scale)));
+        }
+        motion.setCatchingUp(false);
+        QCOMPARE(motion.coming().scale, 1.0f);  // nothing was learnt from them
+        QVERIFY(motion.isReduced());
+        motion.setCatchingUp(true);
+        motion.hold(PictureDetail());
+        QCOMPARE(motion.coming().scale, 1.0f);
     }
 
     static void whatWillBeSlowIsCoarseFromTheFirst() {
