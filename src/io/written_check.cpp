@@ -9,6 +9,7 @@
 #include "io/number_text.h"
 #include "io/readers/ply_header.h"
 #include "io/writers/file_positions.h"
+#include "io/written_surface_check.h"
 #include "mesh/triangulate.h"
 
 namespace hitscope {
@@ -21,8 +22,8 @@ double rounded(double coordinate, PlyType type) {
                                       : coordinate;
 }
 
-/// The type of a PLY file's coordinates; floats in all other formats.
-PlyType coordinateType(const QString& path, const QString& suffix) {
+/// The type of a PLY file's coordinates (of `name`: "x", or "nx"); floats in all other formats.
+PlyType coordinateType(const QString& path, const QString& suffix, const char* name) {
     QFile file(path);
     if (suffix != QStringLiteral("ply") || !file.open(QIODevice::ReadOnly)) {
         return PlyType::Float32;
@@ -33,7 +34,7 @@ PlyType coordinateType(const QString& path, const QString& suffix) {
     if (header) {
         for (const PlyElement& element : header.value().elements) {
             for (const PlyProperty& property : element.properties) {
-                if (element.name == "vertex" && property.name == "x") {
+                if (element.name == "vertex" && property.name == name) {
                     return property.type;
                 }
             }
@@ -75,18 +76,26 @@ Status compareFaces(const MeshData& read, const MeshData& meant, const QString& 
     return Done{};
 }
 
-/// The file's own vertices and faces.
-Status compareMesh(const MeshData& read, const MeshExport& what, const QString& path, PlyType type) {
+/// The file's own vertices and faces, and what their surface has.
+Status compareMesh(const MeshData& read, const MeshExport& what, const WrittenNormals& normals,
+                   const QString& path) {
     if (read.positions.size() != what.positions.size()) {
         return notAsMeant(path, counts("vertices", read.positions.size(), what.positions.size()));
     }
     if (read.faceCount() != what.mesh->faceCount()) {
         return notAsMeant(path, counts("faces", read.faceCount(), what.mesh->faceCount()));
     }
-    if (Status same = compareVertices(read, what, path, type); !same) {
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    if (Status same = compareVertices(read, what, path, coordinateType(path, suffix, "x")); !same) {
         return same;
     }
-    return compareFaces(read, *what.mesh, path);
+    if (Status same = compareFaces(read, *what.mesh, path); !same) {
+        return same;
+    }
+    const std::optional<std::string> difference = surfaceDifference(
+        read, what, normals, suffix == QStringLiteral("obj") ? SurfaceFormat::Obj : SurfaceFormat::Ply,
+        !isWhole(coordinateType(path, suffix, "nx")));
+    return difference ? Status(notAsMeant(path, *difference)) : Status(Done{});
 }
 
 /// Corner by corner: an STL file has no vertices that faces share.
@@ -139,6 +148,10 @@ std::string elsewhere(const std::string& which, const glm::dvec3& is, const glm:
 }
 
 Status verifyWritten(const QString& path, const MeshExport& what) {
+    return verifyWritten(path, what, {{what.normals, {}}, false});
+}
+
+Status verifyWritten(const QString& path, const MeshExport& what, const WrittenNormals& normals) {
     const QString suffix = QFileInfo(path).suffix().toLower();
     if (suffix == QStringLiteral("glb") || suffix == QStringLiteral("gltf")) {
         return verifyWrittenGltf(path, what);
@@ -152,7 +165,7 @@ Status verifyWritten(const QString& path, const MeshExport& what) {
         return notAsMeant(path, "it cannot be read (" + read.error().what + ")");
     }
     return isStl ? compareFacets(read.value().mesh, what, path)
-                 : compareMesh(read.value().mesh, what, path, coordinateType(path, suffix));
+                 : compareMesh(read.value().mesh, what, normals, path);
 }
 
 }  // namespace hitscope

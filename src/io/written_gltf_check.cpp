@@ -13,7 +13,9 @@
 #include <map>
 
 #include "io/writers/file_positions.h"
+#include "io/writers/gltf_morphs.h"
 #include "io/written_check.h"
+#include "io/written_surface_check.h"
 #include "mesh/triangulate.h"
 
 namespace hitscope {
@@ -100,7 +102,11 @@ struct ReadPrimitive {
     std::vector<float> positions;            ///< 3 a vertex
     std::vector<float> fileVertices;         ///< empty: there are too many to be numbered
     std::vector<std::vector<float>> morphs;  ///< one a target, 3 a vertex
-    std::size_t next = 0;                    ///< index to be held against the mesh
+    std::vector<float> normals;              ///< 3 a vertex, or empty
+    std::vector<float> turns;                ///< of them, by "Deformed"; 3 a vertex, or empty
+    std::vector<float> texcoords;            ///< 2 a vertex, or empty
+    int material = -1;
+    std::size_t next = 0;  ///< index to be held against the mesh
 };
 
 ReadPrimitive readPrimitive(const tinygltf::Primitive& primitive, const Accessors& accessors) {
@@ -118,6 +124,20 @@ ReadPrimitive readPrimitive(const tinygltf::Primitive& primitive, const Accessor
             throw Difference{"some vertices have no number"};
         }
     }
+    const auto vectors = [&](const auto& attributes, const char* name, std::size_t components) {
+        const auto found = attributes.find(name);
+        std::vector<float> numbers =
+            found == attributes.end() ? std::vector<float>() : accessors.floats(found->second, components);
+        if (!numbers.empty() && numbers.size() / components != read.positions.size() / 3) {
+            throw Difference{std::string("some vertices have no ") + name};
+        }
+        return numbers;
+    };
+    read.normals = vectors(primitive.attributes, "NORMAL", 3);
+    read.texcoords = vectors(primitive.attributes, "TEXCOORD_0", 2);
+    read.turns =
+        primitive.targets.empty() ? std::vector<float>() : vectors(primitive.targets.front(), "NORMAL", 3);
+    read.material = primitive.material;
     for (const auto& target : primitive.targets) {
         const auto moved = target.find("POSITION");
         if (moved == target.end()) {
@@ -165,17 +185,26 @@ std::vector<ReadPrimitive> readPrimitives(const tinygltf::Model& model) {
 class GltfComparison {
 public:
     GltfComparison(const MeshExport& what, std::vector<ReadPrimitive> read)
-        : m_mesh(*what.mesh), m_positions(what), m_read(std::move(read)), m_seen(m_mesh.positions.size()) {}
+        : m_what(what),
+          m_mesh(*what.mesh),
+          m_positions(what),
+          m_originals(originalNormals(what)),
+          m_read(std::move(read)),
+          m_seen(m_mesh.positions.size()) {}
 
     void compare();
 
 private:
     void vertices(const ReadPrimitive& primitive);
     void vertex(const ReadPrimitive& primitive, std::size_t slot, std::uint32_t vertex) const;
+    void surface(const ReadPrimitive& primitive, std::size_t slot, std::size_t face,
+                 std::size_t corner) const;
     ReadPrimitive& primitiveOf(std::size_t face);
 
+    const MeshExport& m_what;
     const MeshData& m_mesh;
     FilePositions m_positions;
+    std::vector<glm::vec3> m_originals;  ///< normals, one a corner, or empty
     std::vector<ReadPrimitive> m_read;
     std::vector<bool> m_seen;                                              ///< file vertices
     std::map<std::pair<std::size_t, std::uint32_t>, std::size_t> m_known;  ///< by object and material
@@ -224,6 +253,44 @@ void GltfComparison::vertices(const ReadPrimitive& primitive) {
     }
 }
 
+/// Normals, of the original and with "Deformed", and texture coordinates of a corner.
+void GltfComparison::surface(const ReadPrimitive& primitive, std::size_t slot, std::size_t face,
+                             std::size_t corner) const {
+    constexpr float kRounding = 2e-6f;
+    const std::size_t c = m_mesh.faceStarts[face] + corner;
+    const auto vectorAt = [slot](const std::vector<float>& numbers) {
+        return glm::vec3(numbers[3 * slot], numbers[3 * slot + 1], numbers[3 * slot + 2]);
+    };
+    const auto check = [&](const char* kind, const glm::vec3& is, const glm::vec3& meant) {
+        if (!(glm::length(is - meant) <= kRounding)) {
+            throw Difference{otherVector(cornerName(face, corner), kind, is, meant, 3)};
+        }
+    };
+    if (!m_originals.empty()) {
+        if (primitive.normals.empty()) {
+            throw Difference{cornerName(face, corner) + " has no normal"};
+        }
+        const glm::vec3 original = vectorAt(primitive.normals);
+        check("normal", original, unitNormal(m_originals[c]));
+        if (!m_what.normals.empty() && !primitive.turns.empty()) {
+            check("normal, deformed,", original + vectorAt(primitive.turns), unitNormal(m_what.normals[c]));
+        }
+    }
+    if (!m_mesh.cornerTexcoords.empty()) {
+        const std::uint32_t index = m_mesh.cornerTexcoords[c];
+        const glm::vec2 texcoord = index == kNoIndex ? glm::vec2(0.0f) : m_mesh.texcoords[index];
+        const glm::vec2 meant(texcoord.x, 1.0f - texcoord.y);  // glTF's begin above
+        if (primitive.texcoords.empty()) {
+            throw Difference{cornerName(face, corner) + " has no texture coordinate"};
+        }
+        const glm::vec2 is(primitive.texcoords[2 * slot], primitive.texcoords[2 * slot + 1]);
+        if (is != meant) {
+            throw Difference{otherVector(cornerName(face, corner), "texture coordinate", glm::vec3(is, 0.0f),
+                                         glm::vec3(meant, 0.0f), 2)};
+        }
+    }
+}
+
 /// They come as the first face of each object and material does.
 ReadPrimitive& GltfComparison::primitiveOf(std::size_t face) {
     for (; m_nextGroup < m_mesh.groups.size() && m_mesh.groups[m_nextGroup].firstFace <= face;
@@ -234,6 +301,12 @@ ReadPrimitive& GltfComparison::primitiveOf(std::size_t face) {
     const std::size_t p = m_known.try_emplace({m_objects, material}, m_known.size()).first->second;
     if (p >= m_read.size()) {
         throw Difference{"it has fewer objects or materials than it should have"};
+    }
+    const std::size_t meant = material == kNoIndex ? m_mesh.materials.size() : material;
+    if (m_read[p].material != static_cast<int>(meant)) {
+        throw Difference{"face " + std::to_string(face + 1) + " has material " +
+                         std::to_string(m_read[p].material + 1) + " and should have " +
+                         std::to_string(meant + 1)};
     }
     return m_read[p];
 }
@@ -267,6 +340,7 @@ void GltfComparison::compare() {
             if (!areNumbered) {
                 vertex(primitive, slot, meant);
             }
+            surface(primitive, slot, f, corner);
             ++primitive.next;
         }
     }

@@ -249,7 +249,10 @@ Result<ExportReport> write(const SceneExport& what, const QString& path, const G
     }
     ExportReport report{gathered.notes() + written.value()};
     if (what.options.readBack && what.options.format != ExportFormat::Csv) {
-        if (const Status same = verifyWritten(path, mesh); !same) {
+        const bool isObj = what.options.format == ExportFormat::Obj;
+        const WrittenNormals normals{isObj ? gathered.normals() : CornerNormalView{mesh.normals, {}},
+                                     what.options.allNormals};
+        if (const Status same = verifyWritten(path, mesh, normals); !same) {
             return same.error();
         }
         report.wasReadBack = true;
