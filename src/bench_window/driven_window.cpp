@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "app/scene_files.h"
+#include "scene/picture.h"
 #include "session/task_list.h"
 #include "session/welcome.h"
 #include "viewport/viewport.h"
@@ -45,9 +46,7 @@ DrivenWindow::DrivenWindow(QSize size) : m_watch([this] { seeLoop(); }) {
     qputenv("XDG_STATE_HOME", m_folder.filePath(QStringLiteral("state")).toLocal8Bit());
     loadWelcomeScene(m_session);
     m_window = std::make_unique<MainWindow>(m_session);
-    DisplayOptions options = viewport().options();
-    options.refine = false;
-    viewport().setOptions(options);
+    setRefines(false);
     QObject::connect(&viewport(), &Viewport::framePainted, &m_watch,
                      [this] { m_lastPainted = nowInNanoseconds(); });
     QObject::connect(&viewport(), &QOpenGLWidget::frameSwapped, &m_watch, [this] {
@@ -138,6 +137,39 @@ std::optional<DrivenWindow::Taken> DrivenWindow::untilShown(const QString& what,
     act();
     const bool came = wait(what, [&] { return taken.ready > 0.0 && taken.full.seconds > 0.0; });
     return came ? std::optional(taken) : std::nullopt;
+}
+
+std::optional<DrivenWindow::Moment> DrivenWindow::untilRefined(const std::function<void()>& act) {
+    Moment refined;
+    std::int64_t begin = 0;
+    double spent = 0.0;
+    QObject listener;
+    m_isPainted = false;
+    QObject::connect(&viewport(), &QOpenGLWidget::frameSwapped, &listener, [&] {
+        if (!std::exchange(m_isPainted, false)) {
+            return;
+        }
+        const PictureRefiner& refiner = viewport().refiner();
+        if (begin == 0 && !refiner.wasShown()) {
+            m_watch.restart();
+            spent = processorTime();
+            begin = nowInNanoseconds();
+        } else if (begin != 0 && refined.seconds == 0.0 && refiner.wasShown() &&
+                   refiner.samples() == kShownSamples) {
+            refined = {kNanoseconds * static_cast<double>(nowInNanoseconds() - begin), m_watch.longest(),
+                       processorTime() - spent};
+        }
+    });
+    act();
+    const bool came = wait(QStringLiteral("the refined picture"),
+                           [&] { return refined.seconds > 0.0 || !viewport().refiner().whyNot().isEmpty(); });
+    return came && refined.seconds > 0.0 ? std::optional(refined) : std::nullopt;
+}
+
+void DrivenWindow::setRefines(bool on) {
+    DisplayOptions options = viewport().options();
+    options.refine = on;
+    viewport().setOptions(options);
 }
 
 bool DrivenWindow::eventFilter(QObject* watched, QEvent* event) {

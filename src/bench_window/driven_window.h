@@ -32,8 +32,8 @@ namespace hitscope::bench {
 class DrivenWindow : public QObject {
 public:
     /// Shows it, `size` pixels large, with the scene that the program starts with. Pictures at rest are not
-    /// refined: on a slow renderer that takes seconds, and what is measured would meet another part of it
-    /// each time.
+    /// refined until setRefines() asks for it: on a slow renderer that takes seconds, and what is measured
+    /// would meet another part of it each time.
     explicit DrivenWindow(QSize size);
     ~DrivenWindow() override;
     /// Why it is of no use; empty: it is. Each wait() that ended without what it waited for is a reason.
@@ -63,6 +63,12 @@ public:
     /// Does `act` and waits until a frame has been shown in full that was drawn when `isThere` held.
     std::optional<Taken> untilShown(const QString& what, const std::function<void()>& act,
                                     const std::function<bool()>& isThere);
+    /// Does `act`, which changes the picture at once and sets nothing in motion, and waits until the refined
+    /// picture of what came of it is shown. The times run from the first frame of that. Nothing: it is not
+    /// refined here.
+    std::optional<Moment> untilRefined(const std::function<void()>& act);
+    /// Whether pictures are refined at rest.
+    void setRefines(bool on);
     /// Frames that have been swapped so far, and when the last one was, nanoseconds.
     [[nodiscard]] std::uint64_t frames() const { return m_frames; }
     [[nodiscard]] std::int64_t lastFrame() const { return m_lastFrame; }

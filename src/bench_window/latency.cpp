@@ -68,6 +68,7 @@ class LatencyRun {
 public:
     LatencyRun(DrivenWindow& window, const Repeats& repeats) : m_window(window), m_repeats(repeats) {}
 
+    void refinements();
     void openings(const QString& mesh);
     void frames();
     [[nodiscard]] Row moving(const QString& what, std::optional<PictureDetail> detail, int frames);
@@ -156,6 +157,26 @@ bool LatencyRun::openOnce(const QString& mesh, Row& coarse, Row& full) {
     }
     full.add(*shown);
     return true;
+}
+
+/// Of the scene that the window starts with: its dent is undone and done again.
+void LatencyRun::refinements() {
+    Row row{QStringLiteral("teapot, rest to refined picture")};
+    bool isUndo = true;
+    m_window.settle();
+    m_window.setRefines(true);
+    repeat([&] {
+        const auto refined = m_window.untilRefined([&] {
+            m_window.key(Qt::Key_Z, isUndo ? Qt::ControlModifier : Qt::ControlModifier | Qt::ShiftModifier);
+        });
+        isUndo = !isUndo;
+        if (refined) {
+            row.add(*refined);
+        }
+        return refined.has_value();
+    });
+    m_window.setRefines(false);
+    take(row);
 }
 
 void LatencyRun::openings(const QString& mesh) {
@@ -359,6 +380,7 @@ QJsonObject LatencyRun::result() const {
 
 QJsonObject measureLatency(DrivenWindow& window, const QString& mesh, const Repeats& repeats) {
     LatencyRun run(window, repeats);
+    run.refinements();
     run.openings(mesh);
     run.clicks(FlightMode::Quick, QStringLiteral("click to dent"));
     run.clicks(FlightMode::Instant, QStringLiteral("click to dent, instant"));

@@ -69,6 +69,12 @@ struct Renderer::Private {
     // Of the sample at hand; none: the picture is drawn as it is.
     glm::vec2 jitter{0.0f};
     const render::Occlusion* occlusion = nullptr;
+    GLsync partDrawn = nullptr;  ///< of the last part of a picture, where a software renderer draws in parts
+
+    Private() = default;
+    Private(const Private&) = delete;
+    Private& operator=(const Private&) = delete;
+    ~Private() { glDeleteSync(partDrawn); }
 
     [[nodiscard]] render::FrameContext contextOf(const Frame& frame);
     /// Targets and projectiles into a framebuffer, what is selected as well; nothing over them. In parts, the
@@ -86,6 +92,7 @@ struct Renderer::Private {
                                    RefinedPicture& picture);
     [[nodiscard]] Status drawSample(render::FrameContext& context, DeformationPipeline& pipeline,
                                     RefinedPicture& picture);
+    void waitForPartBefore(const render::SurfacePart& part);
     [[nodiscard]] Status addSample(const Frame& frame, DeformationPipeline& pipeline,
                                    RefinedPicture& picture);
     [[nodiscard]] Status drawGhosts(const Frame& frame, DeformationPipeline& pipeline);

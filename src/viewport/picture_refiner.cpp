@@ -8,7 +8,9 @@ namespace hitscope {
 
 namespace {
 
-constexpr int kBetweenLooks = 150;    // milliseconds from one look at what there is to the next
+// Milliseconds from the beginning to the first look at what there is, and from one to the next. The whole
+// window is composed for each, which takes a software renderer almost as long as a sample.
+constexpr int kBetweenLooks = 400;
 constexpr qint64 kRestForSample = 2;  // times as long as a sample takes, nothing must have happened before it
 constexpr qint64 kLongestRest = 1000;  // milliseconds
 
@@ -77,6 +79,9 @@ void PictureRefiner::step() {
     }
     const int before = m_view->samples();
     const bool hadPicture = m_view->hasPicture();
+    if (before == 0) {
+        m_sinceShown.start();
+    }
     if (before > 0 && m_sinceStep.isValid()) {
         m_sampleTime = m_sinceStep.elapsed();  // all of the one before, which the driver may have put off
     }
@@ -95,7 +100,7 @@ void PictureRefiner::step() {
     if (samples > before) {
         Q_EMIT refined(samples);
     }
-    const bool isNew = !m_sinceShown.isValid() || m_sinceShown.elapsed() >= kBetweenLooks;
+    const bool isNew = m_sinceShown.elapsed() >= kBetweenLooks;
     const bool isFirst = !hadPicture && m_view->hasPicture() && m_hooks.isCoarse();
     if (isDone() || isFirst || (samples >= RefinedView::kFewestShown && isNew)) {
         m_sinceShown.start();

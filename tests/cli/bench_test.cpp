@@ -127,7 +127,8 @@ private Q_SLOTS:
             QSKIP("no Xvfb");
         }
         QVERIFY2(run.status == 0, qPrintable(run.err));
-        const QStringList wanted{QStringLiteral("open to picture"),
+        const QStringList wanted{QStringLiteral("teapot, rest to refined picture"),
+                                 QStringLiteral("open to picture"),
                                  QStringLiteral("click to dent"),
                                  QStringLiteral("click to dent, instant"),
                                  QStringLiteral("undo key to picture"),

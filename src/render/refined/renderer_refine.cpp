@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <string>
+#include <utility>
 
 #include "render/renderer_private.h"
 
@@ -13,6 +14,9 @@ using namespace render;
 namespace {
 
 constexpr float kLightSize = 0.055f;  // radius of the directional light's disc, a metre away: 3 degrees
+
+/// Samples that a software renderer draws with one shadow map, which takes it as long as a third of a sample.
+constexpr int kSamplesALight = 2;
 
 /// The way that the light travels from a place (unit disc) on it.
 glm::vec3 placeOnLight(const glm::vec3& given, const glm::vec2& place) {
@@ -82,7 +86,26 @@ Status Renderer::Private::drawPart(FrameContext& context, DeformationPipeline& p
         return status;
     }
     picture.setNextPart(context.part.isLast() ? 0 : context.part.index + 1);
+    if (software && context.part.count > 1) {
+        waitForPartBefore(context.part);
+    }
     return Done{};
+}
+
+/// A software renderer transforms vertices as far ahead of its pixels as it gets, and whoever shows the
+/// picture would wait for all of these at once: no more than one part is ahead, and none after the last.
+void Renderer::Private::waitForPartBefore(const SurfacePart& part) {
+    constexpr GLuint64 kPatience = 1'000'000'000;  // nanoseconds
+    const GLsync drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    glFlush();
+    if (const GLsync before = std::exchange(partDrawn, drawn)) {
+        glClientWaitSync(before, 0, kPatience);
+        glDeleteSync(before);
+    }
+    if (part.isLast()) {
+        glClientWaitSync(partDrawn, 0, kPatience);
+        glDeleteSync(std::exchange(partDrawn, nullptr));
+    }
 }
 
 Status Renderer::Private::addSample(const Frame& frame, DeformationPipeline& pipeline,
@@ -99,7 +122,9 @@ Status Renderer::Private::addSample(const Frame& frame, DeformationPipeline& pip
     if (ShadowMap::isWanted(frame)) {
         Frame lit = frame;
         if (!isPlain) {
-            lit.lights.directional.direction = placeOnLight(frame.lights.directional.direction, sample.light);
+            lit.lights.directional.direction = placeOnLight(
+                frame.lights.directional.direction,
+                RefinedPicture::sampleAt(picture.samples() / (software ? kSamplesALight : 1)).light);
         }
         ShadowMap& map = isPlain ? shadows : sampleShadows;
         Status updated = map.update(contextOf(lit), pipeline, context.part.count);

@@ -71,7 +71,10 @@ Report emptyLatencyReport() {
         "\"events wait\" is how long an event was kept waiting at most until then, median and worst; "
         "\"processor\" is the time of all threads of the window: where other programs run too, it says more "
         "than the clock. "
-        "Pictures at rest are not refined. One that takes the renderer long is shown with fewer triangles "
+        "Pictures at rest are refined in one row only, that of the teapot with its dent: it runs from the "
+        "frame "
+        "with which the picture came to rest to the one that shows sixteen samples. One that takes the "
+        "renderer long is shown with fewer triangles "
         "first: \"in full\" says when all of them were there. The aim preview's 150 ms of rest do not "
         "count.");
     return report;
