@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/descriptor.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -64,6 +65,14 @@ bool copyRange(int from, std::uint64_t offset, std::uint64_t size, int to) {
         size -= part;
     }
     return true;
+}
+
+void startToWrite(int descriptor, std::uint64_t offset, std::uint64_t size) {
+    const int before = errno;
+    // What goes wrong is told by the sync.
+    static_cast<void>(::sync_file_range(descriptor, static_cast<off64_t>(offset), static_cast<off64_t>(size),
+                                        SYNC_FILE_RANGE_WRITE));
+    errno = before;
 }
 
 }  // namespace hitscope

@@ -30,4 +30,8 @@ private:
 /// errno where it fails, EIO if there are fewer.
 [[nodiscard]] bool copyRange(int from, std::uint64_t offset, std::uint64_t size, int to);
 
+/// Lets the system write a file's bytes [offset, offset + size) to the disk while more are made, so that the
+/// sync at the end need not wait for all of it. Does nothing where there is no such thing.
+void startToWrite(int descriptor, std::uint64_t offset, std::uint64_t size);
+
 }  // namespace hitscope

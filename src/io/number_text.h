@@ -4,6 +4,8 @@
 #include <charconv>
 #include <string>
 
+#include "io/float_text.h"
+
 namespace hitscope {
 
 /// Appends the shortest text that reads back as the same number.
@@ -14,18 +16,10 @@ void appendNumber(std::string& text, Number value) {
     text.append(digits, end);
 }
 
-/// The same for a float that other programs may read as a double first and round then. Rarely, the shortest
-/// text lies so close to the middle between two floats that rounding twice gives the wrong one; all digits
-/// are written then.
+/// The same for a float: writeFloat().
 inline void appendTwiceRoundedFloat(std::string& text, float value) {
-    const std::size_t start = text.size();
-    appendNumber(text, value);
-    double read = 0.0;
-    std::from_chars(text.data() + start, text.data() + text.size(), read);
-    if (static_cast<float>(read) != value) {
-        text.resize(start);
-        appendNumber(text, static_cast<double>(value));
-    }
+    char digits[kFloatText];
+    text.append(digits, writeFloat(digits, value));
 }
 
 }  // namespace hitscope

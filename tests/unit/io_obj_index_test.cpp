@@ -107,17 +107,72 @@ private Q_SLOTS:
         for (std::size_t c = 0; c < normals.size(); ++c) {
             normals[c] = glm::normalize(positions[mesh.cornerVertices[c]] + 0.1f);
         }
+        const std::vector<std::uint8_t> moved = movedVertices(mesh, positions);
+        const CornerNormalView view{normals, {}};
         pretendedProcessors() = 1;
-        const NormalPlan alone = planNormals(mesh, positions, {normals, {}}, all);
+        const NormalPlan alone = planNormals(mesh, moved, view, all);
         QVERIFY(!alone.replaced.empty());
         QVERIFY(!alone.added.empty());
         pretendedProcessors() = 3;
-        const NormalPlan shared = planNormals(mesh, positions, {normals, {}}, all);
+        const NormalPlan shared = planNormals(mesh, moved, view, all);
         QVERIFY(shared.replaced == alone.replaced);
         QVERIFY(shared.values == alone.values);
         QVERIFY(shared.added == alone.added);
         QVERIFY(shared.corners == alone.corners);
-        QVERIFY(shared.cornerNormals == alone.cornerNormals);
+        QVERIFY(shared.numbers == alone.numbers);
+    }
+
+    /// A normal a vertex, which corners refer to, comes to the same as one a corner.
+    void planIsTheSameForSharedNormals_data() {
+        QTest::addColumn<bool>("all");
+        QTest::newRow("those of the file") << false;
+        QTest::newRow("all normals") << true;
+    }
+    void planIsTheSameForSharedNormals() {
+        QFETCH(bool, all);
+        const MeshData mesh = largeMesh();
+        std::vector<glm::vec3> positions = mesh.positions;
+        for (std::size_t v = 0; v < positions.size(); v += 3) {
+            positions[v] *= 0.9f;
+        }
+        std::vector<glm::vec3> ofVertices(positions.size());
+        for (std::size_t v = 0; v < positions.size(); ++v) {
+            ofVertices[v] = glm::normalize(positions[v] + 0.1f);
+        }
+        std::vector<glm::vec3> ofCorners(mesh.cornerVertices.size());
+        for (std::size_t c = 0; c < ofCorners.size(); ++c) {
+            ofCorners[c] = ofVertices[mesh.cornerVertices[c]];
+        }
+        const std::vector<std::uint8_t> moved = movedVertices(mesh, positions);
+        const NormalPlan one = planNormals(mesh, moved, {ofVertices, mesh.cornerVertices}, all);
+        const NormalPlan other = planNormals(mesh, moved, {ofCorners, {}}, all);
+        QVERIFY(one.replaced == other.replaced);
+        QVERIFY(one.values == other.values);
+        QVERIFY(one.corners == other.corners);
+        QCOMPARE(one.added.size(), other.added.size());
+        for (std::size_t c = 0; c < ofCorners.size(); ++c) {
+            if (one.corners.has(c)) {
+                QCOMPARE(one.added[one.numberOf(c) - mesh.normals.size()], ofCorners[c]);
+                QCOMPARE(other.added[other.numberOf(c) - mesh.normals.size()], ofCorners[c]);
+            }
+        }
+    }
+
+    void cornersAreFoundInAnyRange() {
+        CornerSet corners;
+        QVERIFY(!corners.has(7) && !corners.hasBetween(0, 300));
+        corners.words().assign(5, 0);
+        for (const std::size_t corner : {0u, 63u, 64u, 200u}) {
+            corners.words()[corner / CornerSet::kBits] |= std::uint64_t{1} << corner % CornerSet::kBits;
+        }
+        for (std::size_t first = 0; first < 300; ++first) {
+            bool has = false;
+            for (std::size_t end = first; end < 300; ++end) {
+                QCOMPARE(corners.hasBetween(first, end), has);
+                has = has || end == 0 || end == 63 || end == 64 || end == 200;
+                QCOMPARE(corners.has(end), end == 0 || end == 63 || end == 64 || end == 200);
+            }
+        }
     }
 };
 

@@ -163,6 +163,15 @@ void SourceObjTest::replacesNormals_data() {
     QTest::addRow("that others share, with CRLF")
         << withReturns(vertices + "vn 0 0 1\nf 1//1 2//1 3//1\nf 4//1 5//1 6//1\n")
         << withReturns(vertices + "vn 0 0 1\nvn 1 0 0\nf 1//2 2//1 3//1\nf 4//1 5//1 6//1\n");
+    QTest::addRow("between all sorts of blanks")
+        << vertices + "vn 0 0 1\nf\t1//1\t2//1  3//1\nf  4//1\t5//1 6//1 \n"
+        << vertices + "vn 0 0 1\nvn 1 0 0\nf\t1//2\t2//1  3//1\nf  4//1\t5//1 6//1 \n";
+    QTest::addRow("beside long numbers")
+        << vertices +
+               "vt 0 0\nvn 0 0 1\nf 000000000001/0000000001/1 2/1/1\t3/1/1\nf 4/1/00000000000001 5//1 6//1\n"
+        << vertices +
+               "vt 0 0\nvn 0 0 1\nvn 1 0 0\nf 000000000001/0000000001/2 2/1/1\t3/1/1\n"
+               "f 4/1/00000000000001 5//1 6//1\n";
     QTest::addRow("counted from the end")
         << vertices + "vn 0 0 1\nf -6//-1 2//-1 3//-1\nf 4//1 5//1 6//-1"
         << vertices + "vn 0 0 1\nf -6//2 2//-1 3//-1\nf 4//1 5//1 6//-1\nvn 1 0 0\n";

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <bit>
+#include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
-#include "io/number_text.h"
+#include "io/float_text.h"
 #include "mesh/mesh_data.h"
 
 namespace hitscope {
@@ -24,16 +26,22 @@ inline double fileCoordinate(const MeshData& mesh, std::size_t vertex, const glm
     return static_cast<double>(now[axis]) / mesh.placement.scale + mesh.placement.centre[axis];
 }
 
-/// Appends its shortest text that reads as the same number: as the same float where a float is what it is.
-inline void appendFileCoordinate(std::string& text, const MeshData& mesh, std::size_t vertex,
-                                 const glm::vec3& now, int axis) {
+inline constexpr std::size_t kNumberText = kFloatText;  ///< bytes that a coordinate's text takes at most
+
+/// Writes its shortest text that reads as the same number, as the same float where a float is what it is;
+/// returns its end. `to` has room for kNumberText bytes.
+inline char* writeFileCoordinate(char* to, const MeshData& mesh, std::size_t vertex, const glm::vec3& now,
+                                 int axis) {
     const bool isFloat =
         mesh.placement.isIdentity() && (mesh.filePositions.empty() || !isStill(mesh, vertex, now, axis));
-    if (isFloat) {
-        appendTwiceRoundedFloat(text, now[axis]);
-    } else {
-        appendNumber(text, fileCoordinate(mesh, vertex, now, axis));
-    }
+    return isFloat ? writeFloat(to, now[axis])
+                   : std::to_chars(to, to + kNumberText, fileCoordinate(mesh, vertex, now, axis)).ptr;
+}
+
+inline void appendFileCoordinate(std::string& text, const MeshData& mesh, std::size_t vertex,
+                                 const glm::vec3& now, int axis) {
+    char number[kNumberText];
+    text.append(number, writeFileCoordinate(number, mesh, vertex, now, axis));
 }
 
 }  // namespace hitscope

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <utility>
 
 #include "core/finite.h"
@@ -17,37 +18,22 @@ namespace {
 
 constexpr std::size_t kLeastPart = 1 << 17;  // of a loop over vertices, faces or corners
 
-/// Calls collect(first, end, list) for parts of [0, count) at once and returns the lists one after the other.
-template <class Collect>
-std::vector<std::uint32_t> collectInParts(std::size_t count, const Collect& collect) {
-    const std::size_t parts = std::clamp<std::size_t>(count / kLeastPart, 1, usefulThreads());
-    std::vector<std::vector<std::uint32_t>> lists(parts);
-    forEachAtOnce(parts, [&](std::size_t part) {
-        collect(count * part / parts, count * (part + 1) / parts, lists[part]);
-    });
-    std::vector<std::uint32_t> all = std::move(lists[0]);
-    for (std::size_t part = 1; part < parts; ++part) {
-        all.insert(all.end(), lists[part].begin(), lists[part].end());
-    }
-    return all;
+// What several threads may write at once, all of them the same.
+template <class Number>
+void setShared(Number& what, Number value) {
+    std::atomic_ref(what).store(value, std::memory_order_relaxed);
+}
+template <class Number>
+Number readShared(Number& what) {
+    return std::atomic_ref(what).load(std::memory_order_relaxed);
 }
 
-/// Corners whose normals may have changed, rising: those at the vertices of faces of which a vertex moved.
-std::vector<std::uint32_t> touchedCorners(const MeshData& mesh, std::span<const glm::vec3> positions) {
-    std::vector<std::uint8_t> moved(positions.size());
-    std::atomic<bool> any = false;
-    inParts(positions.size(), kLeastPart, [&](std::size_t first, std::size_t end) {
-        for (std::size_t v = first; v < end; ++v) {
-            if (!sameBits(positions[v], mesh.positions[v])) {
-                moved[v] = 1;
-                any.store(true, std::memory_order_relaxed);
-            }
-        }
-    });
-    if (!any) {
+/// Vertices whose corners may have another normal now: those of faces of which a vertex moved. Empty: none.
+std::vector<std::uint8_t> touchedVertices(const MeshData& mesh, std::span<const std::uint8_t> moved) {
+    if (std::find(moved.begin(), moved.end(), 1) == moved.end()) {
         return {};
     }
-    std::vector<std::uint8_t> touched(positions.size());
+    std::vector<std::uint8_t> touched(moved.size());
     inParts(mesh.faceCount(), kLeastPart, [&](std::size_t first, std::size_t end) {
         for (std::size_t f = first; f < end; ++f) {
             std::uint8_t isTouched = 0;
@@ -56,138 +42,215 @@ std::vector<std::uint32_t> touchedCorners(const MeshData& mesh, std::span<const 
             }
             if (isTouched != 0) {
                 for (const std::uint32_t vertex : mesh.face(f)) {
-                    // Faces of another part may have the same vertex.
-                    std::atomic_ref(touched[vertex]).store(1, std::memory_order_relaxed);
+                    setShared<std::uint8_t>(touched[vertex], 1);  // faces of another part may have it too
                 }
             }
         }
     });
-    return collectInParts(mesh.cornerVertices.size(),
-                          [&](std::size_t first, std::size_t end, std::vector<std::uint32_t>& list) {
-                              for (std::size_t c = first; c < end; ++c) {
-                                  if (touched[mesh.cornerVertices[c]] != 0) {
-                                      list.push_back(static_cast<std::uint32_t>(c));
-                                  }
-                              }
-                          });
+    return touched;
+}
+
+/// Of unit length, or not numbers where it has none.
+glm::vec3 directionOf(const glm::vec3& normal) {
+    const float length = glm::length(normal);
+    return length > 0.0f && std::isfinite(length) ? normal / length
+                                                  : glm::vec3(std::numeric_limits<float>::quiet_NaN());
+}
+
+bool isNear(const glm::vec3& direction, const glm::vec3& now) {
+    constexpr float kRounding = 1e-6f;
+    const glm::vec3 gap = glm::abs(direction - now);
+    return gap.x <= kRounding && gap.y <= kRounding && gap.z <= kRounding;
 }
 
 class Planner {
 public:
     Planner(const MeshData& mesh, const CornerNormalView& normals) : m_mesh(mesh), m_normals(normals) {}
 
-    NormalPlan plan(const std::vector<std::uint32_t>& touched, bool all);
+    NormalPlan plan(std::vector<std::uint8_t> touched, bool all);
 
 private:
     [[nodiscard]] std::uint32_t inFile(std::size_t corner) const {
         return m_mesh.cornerNormals.empty() ? kNoIndex : m_mesh.cornerNormals[corner];
     }
-    /// Whether any of the file's normals is to change.
-    bool findWanted(const std::vector<std::uint32_t>& touched);
+    [[nodiscard]] bool isTouched(std::size_t corner) const {
+        return !m_touched.empty() && m_touched[m_mesh.cornerVertices[corner]] != 0;
+    }
+    [[nodiscard]] bool isOther(std::uint32_t normal, std::size_t corner) const {
+        return !isSameDirection(m_mesh.normals[normal], m_normals[corner]);
+    }
+    void findWanted();
     void findDisagreement();
-    void add(std::size_t corner, Welder& added);
+    void replace();
+    void findDirections();
+    void findCorners(bool all);
+    [[nodiscard]] std::uint64_t cornersOfWord(std::size_t word, bool all);
+    void number();
 
     const MeshData& m_mesh;
     const CornerNormalView& m_normals;
+    std::vector<std::uint8_t> m_touched;    // of vertices
     std::vector<std::uint32_t> m_wantedBy;  // for each of the file's normals, the first corner to change it
-    std::vector<bool> m_isShared;           // its corners want different ones
+    std::vector<std::uint8_t> m_isShared;   // its corners want different ones
+    std::vector<glm::vec3> m_directions;    // of those, made unit length
+    std::vector<std::uint8_t> m_isUsed;     // slots of m_normals that corners are to have instead
+    std::atomic<bool> m_any = false;
     NormalPlan m_plan;
 };
 
-bool Planner::findWanted(const std::vector<std::uint32_t>& touched) {
-    bool any = false;
-    for (const std::uint32_t c : touched) {
-        const std::uint32_t normal = inFile(c);
-        if (normal != kNoIndex && m_wantedBy[normal] == kNoIndex &&
-            !isSameDirection(m_mesh.normals[normal], m_normals[c])) {
-            m_wantedBy[normal] = c;
-            any = true;
+void Planner::findWanted() {
+    inParts(m_mesh.cornerNormals.size(), kLeastPart, [this](std::size_t first, std::size_t end) {
+        for (std::size_t c = first; c < end; ++c) {
+            const std::uint32_t normal = inFile(c);
+            const auto corner = static_cast<std::uint32_t>(c);
+            if (normal == kNoIndex || !isTouched(c)) {
+                continue;
+            }
+            const std::atomic_ref wantedBy(m_wantedBy[normal]);
+            std::uint32_t earliest = wantedBy.load(std::memory_order_relaxed);
+            if (earliest > corner && isOther(normal, c)) {
+                m_any.store(true, std::memory_order_relaxed);
+                while (earliest > corner &&
+                       !wantedBy.compare_exchange_weak(earliest, corner, std::memory_order_relaxed)) {
+                }
+            }
         }
-    }
-    return any;
+    });
 }
 
 void Planner::findDisagreement() {
-    const std::vector<std::uint32_t> shared =
-        collectInParts(m_mesh.cornerNormals.size(),
-                       [this](std::size_t first, std::size_t end, std::vector<std::uint32_t>& list) {
-                           for (std::size_t c = first; c < end; ++c) {
-                               const std::uint32_t normal = inFile(c);
-                               if (normal != kNoIndex && m_wantedBy[normal] != kNoIndex &&
-                                   !sameBits(m_normals[c], m_normals[m_wantedBy[normal]])) {
-                                   list.push_back(normal);
-                               }
-                           }
-                       });
-    for (const std::uint32_t normal : shared) {
-        m_isShared[normal] = true;
-    }
-}
-
-void Planner::add(std::size_t corner, Welder& added) {
-    const glm::vec3& normal = m_normals[corner];
-    m_plan.corners.push_back(static_cast<std::uint32_t>(corner));
-    m_plan.cornerNormals.push_back(static_cast<std::uint32_t>(m_mesh.normals.size()) +
-                                   added.index(isFinite(normal) ? normal : glm::vec3(0.0f)));
-}
-
-NormalPlan Planner::plan(const std::vector<std::uint32_t>& touched, bool all) {
-    m_wantedBy.assign(m_mesh.normals.size(), kNoIndex);
-    m_isShared.assign(m_mesh.normals.size(), false);
-    if (findWanted(touched)) {
-        findDisagreement();
-    }
-    for (std::size_t n = 0; n < m_wantedBy.size(); ++n) {
-        if (m_wantedBy[n] != kNoIndex && !m_isShared[n]) {
-            const glm::vec3& value = m_normals[m_wantedBy[n]];
-            m_plan.replaced.push_back(static_cast<std::uint32_t>(n));
-            m_plan.values.push_back(isFinite(value) ? value : glm::vec3(0.0f));
-        }
-    }
-    Welder added(m_plan.added);
-    const auto isSplit = [this](std::uint32_t c) {
-        const std::uint32_t normal = inFile(c);
-        return normal != kNoIndex && m_isShared[normal] &&
-               !isSameDirection(m_mesh.normals[normal], m_normals[c]);
-    };
-    if (!all) {
-        for (const std::uint32_t c : touched) {
-            if (isSplit(c)) {
-                add(c, added);
+    inParts(m_mesh.cornerNormals.size(), kLeastPart, [this](std::size_t first, std::size_t end) {
+        for (std::size_t c = first; c < end; ++c) {
+            const std::uint32_t normal = inFile(c);
+            if (normal != kNoIndex && m_wantedBy[normal] != kNoIndex && readShared(m_isShared[normal]) == 0 &&
+                !sameBits(m_normals[c], m_normals[m_wantedBy[normal]])) {
+                setShared<std::uint8_t>(m_isShared[normal], 1);
             }
         }
-        return std::move(m_plan);
-    }
-    auto next = touched.begin();
-    for (std::uint32_t c = 0; c < m_mesh.cornerVertices.size(); ++c) {
-        const bool isTouched = next != touched.end() && *next == c;
-        next += isTouched ? 1 : 0;
-        if (inFile(c) == kNoIndex || (isTouched && isSplit(c))) {
-            add(c, added);
+    });
+}
+
+void Planner::replace() {
+    for (std::size_t n = 0; n < m_wantedBy.size(); ++n) {
+        if (m_wantedBy[n] != kNoIndex && m_isShared[n] == 0) {
+            m_plan.replaced.push_back(static_cast<std::uint32_t>(n));
         }
+    }
+    m_plan.values.resize(m_plan.replaced.size());
+    inParts(m_plan.values.size(), kLeastPart, [this](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i) {
+            const glm::vec3& value = m_normals[m_wantedBy[m_plan.replaced[i]]];
+            m_plan.values[i] = isFinite(value) ? value : glm::vec3(0.0f);
+        }
+    });
+}
+
+std::uint64_t Planner::cornersOfWord(std::size_t word, bool all) {
+    std::uint64_t bits = 0;
+    const std::size_t first = word * CornerSet::kBits;
+    const std::size_t end = std::min(first + CornerSet::kBits, m_mesh.cornerVertices.size());
+    for (std::size_t c = first; c < end; ++c) {
+        const std::uint32_t normal = inFile(c);
+        const bool changes = normal == kNoIndex ? all
+                                                : m_isShared[normal] != 0 && isTouched(c) &&
+                                                      !isNear(m_directions[normal], m_normals[c]) &&
+                                                      !sameBits(m_mesh.normals[normal], m_normals[c]);
+        if (changes) {
+            bits |= std::uint64_t{1} << (c - first);
+            setShared<std::uint8_t>(m_isUsed[m_normals.slot(c)], 1);
+        }
+    }
+    return bits;
+}
+
+void Planner::findDirections() {
+    m_directions.resize(m_isShared.size());
+    inParts(m_isShared.size(), kLeastPart, [this](std::size_t first, std::size_t end) {
+        for (std::size_t n = first; n < end; ++n) {
+            if (m_isShared[n] != 0) {
+                m_directions[n] = directionOf(m_mesh.normals[n]);
+            }
+        }
+    });
+}
+
+void Planner::findCorners(bool all) {
+    std::vector<std::uint64_t>& words = m_plan.corners.words();
+    words.resize((m_mesh.cornerVertices.size() + CornerSet::kBits - 1) / CornerSet::kBits);
+    m_isUsed.resize(m_normals.values.size());
+    inParts(words.size(), kLeastPart / CornerSet::kBits, [&](std::size_t first, std::size_t end) {
+        for (std::size_t word = first; word < end; ++word) {
+            words[word] = cornersOfWord(word, all);
+        }
+    });
+}
+
+/// Each value once, in the order of the slots.
+void Planner::number() {
+    m_plan.numbers.resize(m_isUsed.size());
+    Welder added(m_plan.added);
+    const auto before = static_cast<std::uint32_t>(m_mesh.normals.size());
+    for (std::size_t slot = 0; slot < m_isUsed.size(); ++slot) {
+        if (m_isUsed[slot] != 0) {
+            const glm::vec3& normal = m_normals.values[slot];
+            m_plan.numbers[slot] = before + added.index(isFinite(normal) ? normal : glm::vec3(0.0f));
+        }
+    }
+}
+
+NormalPlan Planner::plan(std::vector<std::uint8_t> touched, bool all) {
+    m_plan.normals = m_normals;
+    m_touched = std::move(touched);
+    m_wantedBy.assign(m_mesh.normals.size(), kNoIndex);
+    m_isShared.assign(m_mesh.normals.size(), 0);
+    if (!m_touched.empty()) {
+        findWanted();
+    }
+    if (m_any) {
+        findDisagreement();
+        replace();
+    }
+    if (all || std::find(m_isShared.begin(), m_isShared.end(), 1) != m_isShared.end()) {
+        findDirections();
+        findCorners(all);
+        number();
     }
     return std::move(m_plan);
 }
 
 }  // namespace
 
-bool isSameDirection(const glm::vec3& original, const glm::vec3& now) {
-    constexpr float kRounding = 1e-6f;
-    if (sameBits(original, now)) {
-        return true;
-    }
-    const float length = glm::length(original);
-    if (!(length > 0.0f) || !std::isfinite(length)) {
+bool CornerSet::hasBetween(std::size_t first, std::size_t end) const {
+    if (empty() || first >= end) {
         return false;
     }
-    const glm::vec3 gap = glm::abs(original / length - now);
-    return gap.x <= kRounding && gap.y <= kRounding && gap.z <= kRounding;
+    const std::size_t last = (end - 1) / kBits;
+    std::size_t word = first / kBits;
+    std::uint64_t bits = m_words[word] & (~std::uint64_t{0} << first % kBits);
+    while (word < last && bits == 0) {
+        bits = m_words[++word];
+    }
+    return (word < last ? bits : bits & (~std::uint64_t{0} >> (kBits - 1 - (end - 1) % kBits))) != 0;
 }
 
-NormalPlan planNormals(const MeshData& mesh, std::span<const glm::vec3> positions,
+bool isSameDirection(const glm::vec3& original, const glm::vec3& now) {
+    return sameBits(original, now) || isNear(directionOf(original), now);
+}
+
+std::vector<std::uint8_t> movedVertices(const MeshData& mesh, std::span<const glm::vec3> positions) {
+    std::vector<std::uint8_t> moved(positions.size());
+    inParts(positions.size(), kLeastPart, [&](std::size_t first, std::size_t end) {
+        for (std::size_t v = first; v < end; ++v) {
+            moved[v] = sameBits(positions[v], mesh.positions[v]) ? 0 : 1;
+        }
+    });
+    return moved;
+}
+
+NormalPlan planNormals(const MeshData& mesh, std::span<const std::uint8_t> moved,
                        const CornerNormalView& normals, bool all) {
     const bool concerns = !normals.empty() && (all || !mesh.cornerNormals.empty());
-    return concerns ? Planner(mesh, normals).plan(touchedCorners(mesh, positions), all) : NormalPlan();
+    return concerns ? Planner(mesh, normals).plan(touchedVertices(mesh, moved), all) : NormalPlan();
 }
 
 }  // namespace hitscope

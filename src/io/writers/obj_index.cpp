@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::uint64_t kPiece = ContentHasher::kHashedPiece;
+constexpr std::size_t kPart = 256 << 10;        // bytes, and what is left at a piece's end
 constexpr std::uint64_t kLeastRange = 4 << 20;  // bytes; shorter ones are read sooner than a thread starts
 
 /// What the lines of a range of the file come to.
@@ -169,20 +170,29 @@ void Indexer::takeLines(Range& range, std::string& text, std::uint64_t& textStar
     SourcePart part{textStart};
     ObjLines lines(text, m_index.lineEnd);
     TextRange line;
+    std::size_t begin = 0;
     std::size_t done = 0;
+    const auto endPart = [&] {
+        part.size = done - begin;
+        range.hasRelativeNormals = range.hasRelativeNormals ||
+                                   hasRelativeNumber(std::string_view(text).substr(begin, part.size), part);
+        range.parts.push_back(part);
+        part = {textStart + done};
+        begin = done;
+    };
     while (lines.next(line) && (isLast || line.end < text.size())) {
         take(range, part, std::string_view(text).substr(line.start, line.end - line.start),
              textStart + line.start);
         done = line.end;
+        if (done - begin >= kPart) {
+            endPart();
+        }
     }
-    if (done > 0) {
-        part.size = done;
-        range.hasRelativeNormals =
-            range.hasRelativeNormals || hasRelativeNumber(std::string_view(text).substr(0, done), part);
-        range.parts.push_back(part);
-        textStart += done;
-        text.erase(0, done);
+    if (done > begin) {
+        endPart();
     }
+    textStart += done;
+    text.erase(0, done);
 }
 
 void Indexer::read(Range& range, bool isTelling) {

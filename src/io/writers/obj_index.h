@@ -23,10 +23,10 @@ struct SourcePart {
 /// What must be known of an OBJ file to find its vertices, normals and faces again.
 struct ObjIndex {
     std::vector<SourcePart>
-        parts;                   ///< all of the file but its byte order mark, in order; about a megabyte each
-    std::uint64_t hash = 0;      ///< contentHash()
-    char lineEnd = '\n';         ///< or '\r', for files of old Macs
-    std::string newLine = "\n";  ///< for lines that are added: also "\r\n" or "\r"
+        parts;  ///< all of the file but its byte order mark, in order; 256 KB each, so that caches hold them
+    std::uint64_t hash = 0;           ///< contentHash()
+    char lineEnd = '\n';              ///< or '\r', for files of old Macs
+    std::string newLine = "\n";       ///< for lines that are added: also "\r\n" or "\r"
     std::uint64_t afterNormals = 0;   ///< byte behind the last vn line; 0: there is none
     std::uint64_t firstFace = 0;      ///< byte at which the first face starts; the file's size: none
     bool hasRelativeNormals = false;  ///< a face may count its normals from the end

@@ -4,13 +4,6 @@
 #include <cstring>
 
 namespace hitscope {
-namespace {
-
-bool isSpace(char c) {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v';
-}
-
-}  // namespace
 
 bool ObjLines::next(TextRange& line) {
     line.start = m_at;
@@ -33,28 +26,13 @@ bool ObjLines::next(TextRange& line) {
 }
 
 /// A backslash counts as blank where only blanks follow it on its line.
-bool ObjWords::isBlank(std::size_t at) const {
-    if (m_line[at] != '\\') {
-        return isSpace(m_line[at]);
-    }
+bool ObjWords::isContinued(std::size_t at) const {
     for (++at; at < m_line.size() && isSpace(m_line[at]); ++at) {
         if (m_line[at] == m_lineEnd) {
             return true;
         }
     }
     return at == m_line.size();
-}
-
-TextRange ObjWords::next() {
-    while (m_at < m_line.size() && isBlank(m_at)) {
-        ++m_at;
-    }
-    TextRange word{m_at, m_at};
-    while (m_at < m_line.size() && !isBlank(m_at)) {
-        ++m_at;
-    }
-    word.end = m_at;
-    return word;
 }
 
 ObjKeyword keywordOf(std::string_view line, char lineEnd) {

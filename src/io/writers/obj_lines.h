@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 
 namespace hitscope {
@@ -14,6 +15,11 @@ struct TextRange {
     std::size_t start = 0;
     std::size_t end = 0;
 };
+
+/// What separates words.
+inline bool isSpace(char c) {
+    return c == ' ' || (c >= '\t' && c <= '\r');
+}
 
 /// Goes through the lines of an OBJ file as its reader does (readers/obj_reader.cpp): those that a backslash
 /// continues are one. It changes nothing, so that what it gives can be found in the file.
@@ -37,13 +43,26 @@ public:
     ObjWords(std::string_view line, char lineEnd) : m_line(line), m_lineEnd(lineEnd) {}
 
     /// The next word, within the line; empty where there is none.
-    TextRange next();
+    TextRange next() {
+        while (m_at < m_line.size() && isBlank(m_at)) {
+            ++m_at;
+        }
+        TextRange word{m_at, m_at};
+        while (m_at < m_line.size() && !isBlank(m_at)) {
+            ++m_at;
+        }
+        word.end = m_at;
+        return word;
+    }
     [[nodiscard]] std::string_view text(const TextRange& word) const {
         return m_line.substr(word.start, word.end - word.start);
     }
 
 private:
-    [[nodiscard]] bool isBlank(std::size_t at) const;
+    [[nodiscard]] bool isBlank(std::size_t at) const {
+        return isSpace(m_line[at]) || (m_line[at] == '\\' && isContinued(at));
+    }
+    [[nodiscard]] bool isContinued(std::size_t at) const;
 
     std::string_view m_line;
     std::size_t m_at = 0;

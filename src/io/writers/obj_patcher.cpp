@@ -2,27 +2,56 @@
 #include "io/writers/obj_patcher.h"
 
 #include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cstring>
 
-#include "io/number_text.h"
+#include "io/float_text.h"
 #include "io/writers/file_coordinate.h"
-#include "mesh/same_bits.h"
 
 namespace hitscope {
 namespace {
 
-/// Whether `values`, which rise, have one in [first, end).
-bool hasBetween(const std::vector<std::uint32_t>& values, std::size_t first, std::size_t end) {
-    const auto found = std::lower_bound(values.begin(), values.end(), first);
-    return found != values.end() && *found < end;
+constexpr std::size_t kIndexText = 12;  // of a number of a normal, with its slashes
+
+char* copyText(char* to, std::string_view text) {
+    std::memcpy(to, text.data(), text.size());
+    return to + text.size();
+}
+
+char* writeIndex(char* to, std::uint32_t index) {
+    return std::to_chars(to, to + kIndexText, index + 1).ptr;
+}
+
+/// Copies digits, eight at a time: may read and write so many bytes more.
+void copyDigits(const char*& from, char*& to) {
+    if constexpr (std::endian::native == std::endian::little) {
+        constexpr std::uint64_t kHighest = 0x8080808080808080u;
+        std::size_t digits = sizeof(std::uint64_t);
+        while (digits == sizeof(std::uint64_t)) {
+            std::uint64_t word = 0;
+            std::memcpy(&word, from, sizeof word);
+            std::memcpy(to, &word, sizeof word);
+            word ^= 0x3030303030303030u;  // digits: 0 to 9
+            const std::uint64_t others = (((word & ~kHighest) + 0x7676767676767676u) | word) & kHighest;
+            digits = static_cast<std::size_t>(std::countr_zero(others)) / 8;
+            from += digits;
+            to += digits;
+        }
+    } else {
+        while (*from >= '0' && *from <= '9') {
+            *to++ = *from++;
+        }
+    }
 }
 
 /// "v", "v/t", "v//n" or "v/t/n" with another normal, counted from 0.
-void appendCorner(std::string& out, std::string_view corner, std::uint32_t normal) {
+char* writeCorner(char* to, std::string_view corner, std::uint32_t normal) {
     const std::size_t slash = corner.find('/');
     const std::size_t second = slash == corner.npos ? slash : corner.find('/', slash + 1);
-    out += corner.substr(0, second);
-    out += slash == corner.npos ? "//" : "/";
-    appendNumber(out, std::uint64_t{normal} + 1);
+    to = copyText(to, corner.substr(0, second));
+    to = copyText(to, slash == corner.npos ? "//" : "/");
+    return writeIndex(to, normal);
 }
 
 /// "v" or "v/t": without its normal.
@@ -55,10 +84,6 @@ ObjPatcher::ObjPatcher(const ObjChanges& changes, const ObjIndex& index, ObjFace
                     std::find(corners.begin(), corners.end(), kNoIndex) != corners.end();
 }
 
-bool ObjPatcher::moved(std::size_t vertex) const {
-    return !sameBits(m_changes.positions[vertex], m_changes.mesh.positions[vertex]);
-}
-
 bool ObjPatcher::changes(std::size_t p) const {
     const SourcePart& part = m_index.parts[p];
     const Counts& first = m_before[p];
@@ -67,157 +92,224 @@ bool ObjPatcher::changes(std::size_t p) const {
     const bool addsHere = !m_changes.normals.added.empty() && m_addAt >= part.start &&
                           (m_addAt < partEnd || (m_addAt == partEnd && p + 1 == m_index.parts.size()));
     const auto library = m_changes.libraries.lower_bound(first.libraries);
+    const std::vector<std::uint32_t>& replaced = m_changes.normals.replaced;
+    const auto normal = std::lower_bound(replaced.begin(), replaced.end(), first.normals);
     if (addsHere || (m_hasDangling && part.faces > 0) ||
-        hasBetween(m_changes.normals.replaced, first.normals, end.normals) ||
-        hasBetween(m_changes.normals.corners, m_changes.mesh.faceStarts[first.faces],
-                   m_changes.mesh.faceStarts[end.faces]) ||
+        (normal != replaced.end() && *normal < end.normals) ||
+        (part.faces > 0 && m_changes.normals.corners.hasBetween(m_changes.mesh.faceStarts[first.faces],
+                                                                m_changes.mesh.faceStarts[end.faces])) ||
         (library != m_changes.libraries.end() && library->first < end.libraries)) {
         return true;
     }
-    std::size_t vertex = first.vertices;
-    while (vertex < end.vertices && !moved(vertex)) {
-        ++vertex;
-    }
-    return vertex < end.vertices;
+    const std::span<const std::uint8_t> moved =
+        m_changes.moved.subspan(first.vertices, end.vertices - first.vertices);
+    return std::find(moved.begin(), moved.end(), 1) != moved.end();
 }
 
-void ObjPatcher::appendAdded(std::string& out) const {
+void ObjPatcher::appendAdded(TextBuffer& out) const {
     if (m_addAt == m_index.size && m_index.endsInLine) {
-        out += m_index.newLine;
+        out.append(m_index.newLine);
     }
     for (const glm::vec3& normal : m_changes.normals.added) {
-        out += "vn";
+        char* to = copyText(out.room(2 + 3 * (1 + kFloatText) + m_index.newLine.size()), "vn");
         for (int i = 0; i < 3; ++i) {
-            out += ' ';
-            appendTwiceRoundedFloat(out, normal[i]);
+            *to++ = ' ';
+            to = writeFloat(to, normal[i]);
         }
-        out += m_index.newLine;
+        out.endAt(copyText(to, m_index.newLine));
     }
 }
 
-void ObjPatcher::rewrite(std::size_t p, std::string_view text, std::string& out) const {
-    const SourcePart& part = m_index.parts[p];
-    Counts at = m_before[p];
-    ObjLines lines(text, m_index.lineEnd);
-    TextRange range;
-    const bool adds = !m_changes.normals.added.empty();
-    while (lines.next(range)) {
-        const std::uint64_t start = part.start + range.start;
-        if (adds && start == m_addAt) {
-            appendAdded(out);
-        }
-        rewriteLine({text.substr(range.start, range.end - range.start), start}, at, out);
+/// A part's text, of which lines that stay are copied, many at once.
+class ObjPatcher::Part {
+public:
+    Part(std::string_view text, TextBuffer& out) : m_text(text), m_out(out) {}
+    [[nodiscard]] std::string_view line(const TextRange& range) const {
+        return m_text.substr(range.start, range.end - range.start);
     }
+    /// Where a line is written that comes instead of [line.start, line.end).
+    TextBuffer& instead(const TextRange& line) {
+        m_out.append(m_text.substr(m_copied, line.start - m_copied));
+        m_copied = line.end;
+        return m_out;
+    }
+
+private:
+    std::string_view m_text;
+    TextBuffer& m_out;
+    std::size_t m_copied = 0;
+};
+
+void ObjPatcher::rewrite(std::size_t p, std::string_view text, TextBuffer& out) const {
+    const SourcePart& source = m_index.parts[p];
+    const std::vector<std::uint32_t>& replaced = m_changes.normals.replaced;
+    Counts at = m_before[p];
+    at.replaced = static_cast<std::size_t>(std::lower_bound(replaced.begin(), replaced.end(), at.normals) -
+                                           replaced.begin());
+    const bool adds = !m_changes.normals.added.empty();
+    Part part(text, out);
+    ObjLines lines(text, m_index.lineEnd);
+    TextRange line;
+    while (lines.next(line)) {
+        if (adds && source.start + line.start == m_addAt) {
+            appendAdded(part.instead({line.start, line.start}));
+        }
+        rewriteLine(line, at, part);
+    }
+    part.instead({text.size(), text.size()});
     if (adds && m_addAt == m_index.size && p + 1 == m_index.parts.size()) {
         appendAdded(out);
     }
 }
 
-void ObjPatcher::rewriteLine(const Line& line, Counts& at, std::string& out) const {
+void ObjPatcher::rewriteLine(const TextRange& range, Counts& at, Part& part) const {
     const NormalPlan& normals = m_changes.normals;
     const std::vector<std::uint32_t>& starts = m_changes.mesh.faceStarts;
-    switch (keywordOf(line.text, m_index.lineEnd)) {
+    const std::string_view line = part.line(range);
+    switch (keywordOf(line, m_index.lineEnd)) {
         case ObjKeyword::Vertex:
-            if (moved(at.vertices++)) {
-                return vertex(line.text, at.vertices - 1, out);
+            if (m_changes.moved[at.vertices++] != 0) {
+                vertex(line, at.vertices - 1, part.instead(range));
             }
             break;
         case ObjKeyword::Normal:
-            ++at.normals;
-            if (hasBetween(normals.replaced, at.normals - 1, at.normals)) {
-                return normal(line.text, at.normals - 1, out);
+            if (at.replaced < normals.replaced.size() && normals.replaced[at.replaced] == at.normals) {
+                normal(line, normals.values[at.replaced++], part.instead(range));
             }
+            ++at.normals;
             break;
         case ObjKeyword::Face:
             if (normals.corners.empty() ||
-                (m_faces == ObjFaces::OfThreeCorners && !isObjFace(line.text, m_index.lineEnd))) {
+                (m_faces == ObjFaces::OfThreeCorners && !isObjFace(line, m_index.lineEnd))) {
                 break;
             }
             ++at.faces;
-            if (m_hasDangling || hasBetween(normals.corners, starts[at.faces - 1], starts[at.faces])) {
-                return face(line.text, at.faces - 1, out);
+            if (m_hasDangling || normals.corners.hasBetween(starts[at.faces - 1], starts[at.faces])) {
+                face(line, at.faces - 1, part.instead(range));
             }
             break;
         case ObjKeyword::Library:
             if (const auto found = m_changes.libraries.find(at.libraries++);
                 found != m_changes.libraries.end()) {
-                return library(line.text, found->second, out);
+                library(line, found->second, part.instead(range));
             }
             break;
         case ObjKeyword::Other:
             break;
     }
-    out += line.text;
 }
 
-void ObjPatcher::vertex(std::string_view line, std::size_t vertex, std::string& out) const {
+void ObjPatcher::vertex(std::string_view line, std::size_t vertex, TextBuffer& out) const {
     const glm::vec3& now = m_changes.positions[vertex];
+    char* to = out.room(line.size() + 3 * kNumberText);
     ObjWords words(line, m_index.lineEnd);
     words.next();
     std::size_t copied = 0;
     for (int axis = 0; axis < 3; ++axis) {
         const TextRange word = words.next();
         if (!isStill(m_changes.mesh, vertex, now, axis)) {
-            out += line.substr(copied, word.start - copied);
-            appendFileCoordinate(out, m_changes.mesh, vertex, now, axis);
+            to = copyText(to, line.substr(copied, word.start - copied));
+            to = writeFileCoordinate(to, m_changes.mesh, vertex, now, axis);
             copied = word.end;
         }
     }
-    out += line.substr(copied);
+    out.endAt(copyText(to, line.substr(copied)));
 }
 
-void ObjPatcher::normal(std::string_view line, std::size_t normal, std::string& out) const {
-    const std::vector<std::uint32_t>& replaced = m_changes.normals.replaced;
-    const auto found = std::lower_bound(replaced.begin(), replaced.end(), normal);
-    const glm::vec3& value = m_changes.normals.values[static_cast<std::size_t>(found - replaced.begin())];
+void ObjPatcher::normal(std::string_view line, const glm::vec3& value, TextBuffer& out) const {
+    char* to = out.room(line.size() + 3 * kFloatText);
     ObjWords words(line, m_index.lineEnd);
     words.next();
     std::size_t copied = 0;
     for (int axis = 0; axis < 3; ++axis) {
         const TextRange word = words.next();
-        out += line.substr(copied, word.start - copied);
-        appendTwiceRoundedFloat(out, value[axis]);
+        to = copyText(to, line.substr(copied, word.start - copied));
+        to = writeFloat(to, value[axis]);
         copied = word.end;
     }
-    out += line.substr(copied);
+    out.endAt(copyText(to, line.substr(copied)));
 }
 
-void ObjPatcher::face(std::string_view line, std::size_t face, std::string& out) const {
-    const std::vector<std::uint32_t>& corners = m_changes.normals.corners;
+/// Most lines: of digits, slashes and blanks. False for others, without having written anything.
+bool ObjPatcher::plainFace(std::string_view line, std::size_t face, TextBuffer& out) const {
     const std::size_t first = m_changes.mesh.faceStarts[face];
     const std::size_t end = m_changes.mesh.faceStarts[face + 1];
-    auto next = std::lower_bound(corners.begin(), corners.end(), first);
+    const NormalPlan& normals = m_changes.normals;
+    // What ends the line ends its last number too.
+    if (m_hasDangling || line.size() < 2 || line[0] != 'f' || line[1] != ' ' || !isSpace(line.back())) {
+        return false;
+    }
+    const char* at = line.data() + 1;
+    char* to = out.room(line.size() + kIndexText * (end - first) + kPadding);
+    *to++ = 'f';
+    for (std::size_t c = first; c < end; ++c) {
+        while (*at == ' ') {
+            *to++ = *at++;
+        }
+        const char* const vertex = to;
+        copyDigits(at, to);
+        if (to == vertex) {
+            return false;
+        }
+        const char* const texcoord = to;
+        if (*at == '/') {
+            *to++ = *at++;
+            copyDigits(at, to);
+        }
+        const bool isOther = normals.corners.has(c);
+        if (isOther && to <= texcoord + 1) {
+            *(to == texcoord ? to++ : to - 1) = '/';
+        }
+        char* const slash = to;
+        if (*at == '/') {
+            *to++ = *at++;
+            copyDigits(at, to);
+        }
+        if (isOther) {
+            *slash = '/';
+            to = writeIndex(slash + 1, normals.numberOf(c));
+        }
+        if (!isSpace(*at)) {
+            return false;
+        }
+    }
+    out.endAt(copyText(to, {at, static_cast<std::size_t>(line.data() + line.size() - at)}));
+    return true;
+}
+
+void ObjPatcher::face(std::string_view line, std::size_t face, TextBuffer& out) const {
+    if (plainFace(line, face, out)) {
+        return;
+    }
+    const std::size_t first = m_changes.mesh.faceStarts[face];
+    const std::size_t end = m_changes.mesh.faceStarts[face + 1];
+    char* to = out.room(line.size() + kIndexText * (end - first));
     ObjWords words(line, m_index.lineEnd);
     words.next();
     std::size_t copied = 0;
     for (std::size_t c = first; c < end; ++c) {
         const TextRange word = words.next();
-        const bool isOther = next != corners.end() && *next == c;
+        const bool isOther = m_changes.normals.corners.has(c);
         if (!isOther && !(m_hasDangling && m_changes.mesh.cornerNormals[c] == kNoIndex)) {
             continue;
         }
-        out += line.substr(copied, word.start - copied);
-        if (isOther) {
-            appendCorner(out, words.text(word),
-                         m_changes.normals.cornerNormals[static_cast<std::size_t>(next - corners.begin())]);
-            ++next;
-        } else {
-            out += withoutNormal(words.text(word));
-        }
+        to = copyText(to, line.substr(copied, word.start - copied));
+        to = isOther ? writeCorner(to, words.text(word), m_changes.normals.numberOf(c))
+                     : copyText(to, withoutNormal(words.text(word)));
         copied = word.end;
     }
-    out += line.substr(copied);
+    out.endAt(copyText(to, line.substr(copied)));
 }
 
 /// The name goes on to the line's end.
-void ObjPatcher::library(std::string_view line, const std::string& name, std::string& out) const {
+void ObjPatcher::library(std::string_view line, const std::string& name, TextBuffer& out) const {
     ObjWords words(line, m_index.lineEnd);
     const TextRange keyword = words.next();
-    out += line.substr(0, keyword.end);
-    out += ' ';
-    out += name;
+    out.append(line.substr(0, keyword.end));
+    out.append(" ");
+    out.append(name);
     const std::size_t end = line.find_last_not_of("\r\n");
-    out += end == line.npos ? std::string_view() : line.substr(end + 1);
+    out.append(end == line.npos ? std::string_view() : line.substr(end + 1));
 }
 
 }  // namespace hitscope

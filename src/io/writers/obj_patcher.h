@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "io/text_buffer.h"
 #include "io/writers/normal_plan.h"
 #include "io/writers/obj_index.h"
 #include "io/writers/obj_lines.h"
@@ -18,6 +20,7 @@ namespace hitscope {
 struct ObjChanges {
     const MeshData& mesh;                  ///< as it was read from the file
     std::span<const glm::vec3> positions;  ///< one for each of mesh.positions
+    std::span<const std::uint8_t> moved;   ///< movedVertices()
     const NormalPlan& normals;
     /// What mtllib lines name instead, by their number from 0.
     const std::map<std::size_t, std::string>& libraries;
@@ -30,28 +33,29 @@ public:
 
     /// Whether part `p` of the index has something that changes.
     [[nodiscard]] bool changes(std::size_t p) const;
-    /// Appends the part's new text to `out`. `text`: its bytes in the file.
-    void rewrite(std::size_t p, std::string_view text, std::string& out) const;
+    /// Bytes behind a part's text that may be read.
+    static constexpr std::size_t kPadding = 8;
+    /// Appends the part's new text to `out`. `text`: its bytes in the file, and kPadding of any behind. Of
+    /// any thread.
+    void rewrite(std::size_t p, std::string_view text, TextBuffer& out) const;
 
 private:
-    /// How many of each come before a part.
+    /// How many of each come before a part, or a line; and how many of NormalPlan::replaced.
     struct Counts {
         std::size_t vertices = 0;
         std::size_t normals = 0;
         std::size_t faces = 0;
         std::size_t libraries = 0;
+        std::size_t replaced = 0;
     };
-    struct Line {
-        std::string_view text;
-        std::uint64_t start;  // in the file
-    };
-    void rewriteLine(const Line& line, Counts& at, std::string& out) const;
-    void vertex(std::string_view line, std::size_t vertex, std::string& out) const;
-    void normal(std::string_view line, std::size_t normal, std::string& out) const;
-    void face(std::string_view line, std::size_t face, std::string& out) const;
-    void library(std::string_view line, const std::string& name, std::string& out) const;
-    void appendAdded(std::string& out) const;
-    [[nodiscard]] bool moved(std::size_t vertex) const;
+    class Part;
+    void rewriteLine(const TextRange& line, Counts& at, Part& part) const;
+    void vertex(std::string_view line, std::size_t vertex, TextBuffer& out) const;
+    void normal(std::string_view line, const glm::vec3& value, TextBuffer& out) const;
+    void face(std::string_view line, std::size_t face, TextBuffer& out) const;
+    [[nodiscard]] bool plainFace(std::string_view line, std::size_t face, TextBuffer& out) const;
+    void library(std::string_view line, const std::string& name, TextBuffer& out) const;
+    void appendAdded(TextBuffer& out) const;
 
     const ObjChanges& m_changes;
     const ObjIndex& m_index;

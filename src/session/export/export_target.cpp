@@ -9,6 +9,7 @@
 #include <new>
 #include <optional>
 
+#include "core/parallel.h"
 #include "deform/effects.h"
 #include "io/export_obj.h"
 #include "io/writers/merge_targets.h"
@@ -260,6 +261,17 @@ Result<ExportReport> write(const SceneExport& what, const QString& path, const G
     return report;
 }
 
+/// One a render vertex.
+std::vector<glm::vec3> shownNormals(const Target& target, NormalMode mode) {
+    const std::span<const DynamicVertex> vertices = target.deformed.vertices();
+    std::vector<glm::vec3> normals;
+    normals.reserve(vertices.size());
+    for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+        normals.push_back(mode == NormalMode::True ? target.trueNormals.normal(v) : vertices[v].normal);
+    }
+    return normals;
+}
+
 }  // namespace
 
 SceneExport copyForExport(const Session& session, std::span<const Target* const> targets,
@@ -274,17 +286,9 @@ SceneExport copyForExport(const Session& session, std::span<const Target* const>
         one.original = mesh.sharedOriginal();
         one.render = mesh.sharedRender();
         one.transform = target->transform;
-        one.positions.assign(mesh.positions().begin(), mesh.positions().end());
         one.sourcePath = target->sourcePath;
-        if (options.normals == NormalMode::True) {
-            for (std::uint32_t v = 0; v < mesh.vertices().size(); ++v) {
-                one.normals.push_back(target->trueNormals.normal(v));
-            }
-            continue;
-        }
-        for (const DynamicVertex& vertex : mesh.vertices()) {
-            one.normals.push_back(vertex.normal);
-        }
+        bothAtOnce([&] { one.positions.assign(mesh.positions().begin(), mesh.positions().end()); },
+                   [&] { one.normals = shownNormals(*target, options.normals); });
     }
     const AppliedHits applied = session.hits().applied();
     for (const Hit& hit : session.hits().history().hits()) {

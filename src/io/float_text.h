@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+namespace hitscope {
+
+/// Bytes that a float's text takes at most, and some more that writing it may use.
+inline constexpr std::size_t kFloatText = 40;
+
+/// Writes the shortest text that reads back as the same float, and is the nearest of its length to it, as
+/// std::to_chars() does; returns its end. Where other programs, which may read a double first and round
+/// then, would get another float from it (rarely: it lies close to the middle between two floats), it has all
+/// digits of the float. `to` has room for kFloatText bytes.
+char* writeFloat(char* to, float value);
+
+}  // namespace hitscope

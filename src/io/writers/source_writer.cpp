@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/writers/source_writer.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <string>
+
+#include "core/parallel.h"
+#include "io/descriptor.h"
+
+namespace hitscope {
+namespace {
+
+constexpr std::uint64_t kPiece = 8 << 20;          // bytes that are copied before somebody may give up
+constexpr std::chrono::milliseconds kBetween{20};  // questions whether to go on
+
+}  // namespace
+
+std::optional<SourceWriter::Turn> SourceWriter::take() {
+    const std::lock_guard lock(m_mutex);
+    while (m_nextPart < m_index.parts.size() && !m_patcher.changes(m_nextPart)) {
+        ++m_nextPart;
+    }
+    if (m_nextPart == m_index.parts.size() || m_reason != 0) {
+        return std::nullopt;
+    }
+    return Turn{m_nextPart++, m_taken++};
+}
+
+void SourceWriter::fail(int reason) {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_reason = m_reason == 0 ? reason : m_reason;
+    }
+    m_ended.notify_all();
+}
+
+bool SourceWriter::tell(bool isTelling) {
+    if (isTelling && m_goOn && !m_goOn(m_share)) {
+        fail(ECANCELED);
+    }
+    const std::lock_guard lock(m_mutex);
+    return m_reason == 0;
+}
+
+/// False: there is nothing to be written any more.
+bool SourceWriter::waitFor(std::size_t number, bool isTelling) {
+    for (;;) {
+        {
+            std::unique_lock lock(m_mutex);
+            m_ended.wait_for(lock, kBetween, [&] { return m_turn == number || m_reason != 0; });
+            if (m_turn == number || m_reason != 0) {
+                return m_reason == 0;
+            }
+        }
+        if (!tell(isTelling)) {
+            return false;
+        }
+    }
+}
+
+void SourceWriter::wrote(std::uint64_t bytes) {
+    m_written += bytes;
+    if (m_written - m_started >= kPiece) {
+        startToWrite(m_to, m_started, m_written - m_started);
+        m_started = m_written;
+    }
+}
+
+bool SourceWriter::copyUntil(std::uint64_t end, bool isTelling) {
+    while (m_done < end) {
+        const std::uint64_t size = std::min(end - m_done, kPiece);
+        if (!copyRange(m_source, m_done, size, m_to)) {
+            fail(errno);
+            return false;
+        }
+        m_done += size;
+        m_share = static_cast<double>(m_done) / static_cast<double>(m_index.size);
+        wrote(size);
+        if (!tell(isTelling)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool SourceWriter::put(std::string_view text) {
+    if (!writeAll(m_to, text.data(), text.size())) {
+        fail(errno);
+        return false;
+    }
+    wrote(text.size());
+    return true;
+}
+
+/// isTelling: on the thread that asks whether to go on.
+void SourceWriter::work(bool isTelling) {
+    std::string before;
+    TextBuffer after;
+    while (const std::optional<Turn> turn = take()) {
+        const SourcePart& part = m_index.parts[turn->part];
+        before.resize(part.size + ObjPatcher::kPadding);
+        if (!readAt(m_source, part.start, before.data(), part.size)) {
+            m_couldNotRead = true;
+            return fail(errno);
+        }
+        after.clear();
+        m_patcher.rewrite(turn->part, std::string_view(before).substr(0, part.size), after);
+        if (!waitFor(turn->number, isTelling) || !copyUntil(part.start, isTelling) || !put(after.text())) {
+            return;
+        }
+        m_done = part.start + part.size;
+        m_share = static_cast<double>(m_done) / static_cast<double>(m_index.size);
+        {
+            const std::lock_guard lock(m_mutex);
+            ++m_turn;
+        }
+        m_ended.notify_all();
+        if (!tell(isTelling)) {
+            return;
+        }
+    }
+}
+
+bool SourceWriter::write(int to) {
+    m_to = to;
+    const std::size_t threads = std::clamp<std::size_t>(m_index.parts.size(), 1, usefulThreads());
+    forEachAtOnce(threads, [this](std::size_t thread) {
+        try {
+            work(thread == 0);  // on this thread
+        } catch (...) {
+            fail(ENOMEM);  // the others do not wait for this one's turn
+            throw;
+        }
+    });
+    if (m_reason != 0 || !copyUntil(m_index.size, true)) {
+        errno = m_reason;
+        return false;
+    }
+    return true;
+}
+
+}  // namespace hitscope
