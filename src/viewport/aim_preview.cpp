@@ -88,7 +88,7 @@ bool AimPreview::eventFilter(QObject* watched, QEvent* event) {
 void AimPreview::clear() {
     m_rest.stop();
     m_label->hide();
-    m_viewport.setGhost(nullptr);
+    m_viewport.decorations().setGhost(nullptr);
 }
 
 void AimPreview::wait() {
@@ -125,7 +125,7 @@ void AimPreview::show() {
     for (const glm::vec3& corner : preview.dent) {
         ghost->push_back(target->transform.toWorld(corner));
     }
-    m_viewport.setGhost(std::move(ghost));
+    m_viewport.decorations().setGhost(std::move(ghost));
     m_aim = Aim{target->id, hit->point, sphere.radius};
     Q_EMIT shown();
     const std::size_t count = preview.affectedVertices;

@@ -175,10 +175,10 @@ SceneGpu::View Viewport::view() const {
     view.pixelRatio = static_cast<float>(devicePixelRatioF());
     view.camera = camera();
     view.options = m_options;
-    view.ghost = m_plannedGhosts ? m_plannedGhosts : m_ghost;
-    view.section = m_section;
-    view.otherSection = m_otherSection;
-    view.showsCutPlane = m_showsCutPlane;
+    view.ghost = m_decorations.ghost();
+    view.section = m_decorations.section();
+    view.otherSection = m_decorations.otherSection();
+    view.showsCutPlane = m_decorations.showsCutPlane();
     view.changeValues = m_changeValues;
     view.comparison = m_comparison;
     view.options.crosshair = m_options.crosshair || m_crosshairTimer.isActive();

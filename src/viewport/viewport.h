@@ -18,6 +18,7 @@
 #include "viewport/navigation.h"
 #include "viewport/picture_motion.h"
 #include "viewport/picture_refiner.h"
+#include "viewport/scene_decorations.h"
 #include "viewport/viewport_picking.h"
 
 namespace hitscope {
@@ -64,15 +65,7 @@ public:
     [[nodiscard]] ViewportPicking& picking() { return m_picking; }
     [[nodiscard]] PictureRefiner& refiner() { return m_refiner; }
     [[nodiscard]] PictureMotion& motion() { return m_motion; }
-    /// A surface to draw over the picture (SceneGpu::View); null: none.
-    void setGhost(std::shared_ptr<const std::vector<glm::vec3>> ghost);
-    /// Likewise, and in its place while there is one: of hits that are planned.
-    void setPlannedGhosts(std::shared_ptr<const std::vector<glm::vec3>> ghosts);
-    /// Lines where options().cut cuts the targets, and of the second of two pipelines; null: none are drawn.
-    void setSection(std::shared_ptr<const SectionLines> lines);
-    void setOtherSection(std::shared_ptr<const SectionLines> lines);
-    /// Whether the cutting plane is drawn as a pane.
-    void setShowsCutPlane(bool on);
+    [[nodiscard]] SceneDecorations& decorations() { return m_decorations; }
 
     /// Shoot, Inspect or Brush, and what Inspect does.
     [[nodiscard]] InspectTool& inspectTool() { return *m_inspect; }
@@ -169,11 +162,7 @@ private:
     std::string m_error;        ///< the reason there is no picture; empty: there is one
 
     DisplayOptions m_options;
-    std::shared_ptr<const std::vector<glm::vec3>> m_ghost;
-    std::shared_ptr<const std::vector<glm::vec3>> m_plannedGhosts;
-    std::shared_ptr<const SectionLines> m_section;
-    std::shared_ptr<const SectionLines> m_otherSection;
-    bool m_showsCutPlane = false;
+    SceneDecorations m_decorations{[this] { update(); }};
     ChangeValues* m_changeValues = nullptr;
     Comparison* m_comparison = nullptr;
     ChangeOverlay m_changeOverlay;

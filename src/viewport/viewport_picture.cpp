@@ -67,7 +67,7 @@ PictureRequest Viewport::pictureRequest() const {
             .options = m_options,
             .changeValues = m_changeValues,
             .comparison = m_comparison,
-            .otherSection = m_otherSection,
+            .otherSection = m_decorations.otherSection(),
             .labels = true};
 }
 
@@ -86,41 +86,6 @@ Result<Image> Viewport::drawPicture(const PictureRequest& request) {
     }
     update();
     return image;
-}
-
-void Viewport::setGhost(std::shared_ptr<const std::vector<glm::vec3>> ghost) {
-    if (ghost != m_ghost) {
-        m_ghost = std::move(ghost);
-        update();
-    }
-}
-
-void Viewport::setPlannedGhosts(std::shared_ptr<const std::vector<glm::vec3>> ghosts) {
-    if (ghosts != m_plannedGhosts) {
-        m_plannedGhosts = std::move(ghosts);
-        update();
-    }
-}
-
-void Viewport::setSection(std::shared_ptr<const SectionLines> lines) {
-    if (lines != m_section) {
-        m_section = std::move(lines);
-        update();
-    }
-}
-
-void Viewport::setOtherSection(std::shared_ptr<const SectionLines> lines) {
-    if (lines != m_otherSection) {
-        m_otherSection = std::move(lines);
-        update();
-    }
-}
-
-void Viewport::setShowsCutPlane(bool on) {
-    if (on != m_showsCutPlane) {
-        m_showsCutPlane = on;
-        update();
-    }
 }
 
 PictureRefiner::Hooks Viewport::refinerHooks() {

@@ -171,7 +171,7 @@ private Q_SLOTS:
         QTest::keyClick(&viewport(), Qt::Key_K);
         QTest::keyClick(&viewport(), Qt::Key_B, Qt::ShiftModifier);
         QVERIFY(viewport().options().sideBySide);
-        viewport().setShowsCutPlane(false);
+        viewport().decorations().setShowsCutPlane(false);
         const int half = viewport().width() / 2;
         const auto right = [&] {
             return viewport().grabFramebuffer().copy(half, 0, half, viewport().height());

@@ -78,7 +78,7 @@ CutActions::CutActions(Session& session, Comparison& comparison, Viewport& viewp
         showPane();
     });
     connect(&m_sections, &SceneSections::changed, this, [this] {
-        m_viewport.setSection(m_sections.section() ? m_sections.section()->lines : nullptr);
+        m_viewport.decorations().setSection(m_sections.section() ? m_sections.section()->lines : nullptr);
         m_panel->setSection(m_sections.section());
     });
     connect(&viewport, &Viewport::optionsChanged, this, [this] {
@@ -109,7 +109,8 @@ void CutActions::followSession() {
 
 void CutActions::followComparison() {
     connect(&m_otherSections, &SceneSections::changed, this, [this] {
-        m_viewport.setOtherSection(m_otherSections.section() ? m_otherSections.section()->lines : nullptr);
+        m_viewport.decorations().setOtherSection(m_otherSections.section() ? m_otherSections.section()->lines
+                                                                           : nullptr);
     });
     connect(&m_comparison, &Comparison::otherChanged, this, &CutActions::cutTargets);
     connect(&m_comparison, &Comparison::verticesChanged, this,
@@ -234,7 +235,7 @@ void CutActions::show() {
 }
 
 void CutActions::showPane() {
-    m_viewport.setShowsCutPlane(m_handled || m_sliding);
+    m_viewport.decorations().setShowsCutPlane(m_handled || m_sliding);
 }
 
 QAction* CutActions::addToggle(QMenu& menu, const QString& text, bool CuttingPlane::*option) {

@@ -50,7 +50,7 @@ void PlanDialog::showPlan() {
     const bool isReady = plan != nullptr && !plan->hits.empty();
     if (plan != nullptr) {
         m_summary->setText(!isReady ? plan->why : summary(*plan));
-        m_viewport.setPlannedGhosts(isVisible() ? plan->ghosts : nullptr);
+        m_viewport.decorations().setPlannedGhosts(isVisible() ? plan->ghosts : nullptr);
     }
     enableIf(*m_apply, isReady, plan != nullptr ? plan->why : tr("The hits are being placed."));
 }
@@ -79,7 +79,7 @@ void PlanDialog::showEvent(QShowEvent* event) {
 
 void PlanDialog::hideEvent(QHideEvent* event) {
     m_planner.clear();
-    m_viewport.setPlannedGhosts(nullptr);
+    m_viewport.decorations().setPlannedGhosts(nullptr);
     QDialog::hideEvent(event);
 }
 
