@@ -4,11 +4,8 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDir>
-#include <QDragEnterEvent>
-#include <QDropEvent>
 #include <QFileInfo>
 #include <QMenu>
-#include <QMimeData>
 #include <QScreen>
 #include <QSessionManager>
 #include <QSettings>
@@ -99,7 +96,6 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
                     *m_notice, m_view, *this});
     new HelpTips(this);
     makeCentre();
-    setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     makeOverlays();
     m_files->setReadying([this](const ScenePlan& scene) { return m_viewport->bringMeshes(scene); });
@@ -232,26 +228,6 @@ Status MainWindow::savePictureTo(const QString& path) {
 
 void MainWindow::placeMesh(double extent) {
     m_actions.file->place(extent);
-}
-
-/// What is dragged out of the window does not come in again.
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->source() == nullptr && ExchangeActions::canTake(*event->mimeData())) {
-        event->acceptProposedAction();
-    }
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-    if (event->source() != nullptr || !ExchangeActions::canTake(*event->mimeData())) {
-        return;
-    }
-    event->acceptProposedAction();
-    activateWindow();
-    // Later: the program that was dragged from waits for the drop's end.
-    auto dropped = std::make_shared<QMimeData>();
-    dropped->setUrls(event->mimeData()->urls());
-    QMetaObject::invokeMethod(
-        this, [this, dropped] { m_actions.exchange->take(*dropped); }, Qt::QueuedConnection);
 }
 
 // What is said

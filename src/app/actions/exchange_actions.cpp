@@ -3,12 +3,15 @@
 
 #include <QAction>
 #include <QClipboard>
+#include <QDropEvent>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QImage>
 #include <QMenu>
 #include <QMimeData>
 #include <QUrl>
+#include <QWidget>
+#include <memory>
 
 #include "app/actions/camera_actions.h"
 #include "app/actions/copy_as_file.h"
@@ -22,7 +25,38 @@
 
 namespace hitscope {
 
-ExchangeActions::ExchangeActions(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {}
+ExchangeActions::ExchangeActions(const Parts& parts, QWidget& window)
+    : QObject(&window), m_parts(parts), m_window(window) {
+    window.setAcceptDrops(true);
+    window.installEventFilter(this);
+}
+
+/// What is dragged out of the window does not come in again.
+bool ExchangeActions::eventFilter(QObject* watched, QEvent* event) {
+    const bool isDrop = event->type() == QEvent::Drop;
+    if (watched != &m_window || (!isDrop && event->type() != QEvent::DragEnter)) {
+        return QObject::eventFilter(watched, event);
+    }
+    auto& drop = *static_cast<QDropEvent*>(event);  // what enters is one too
+    if (drop.source() != nullptr || !canTake(*drop.mimeData())) {
+        drop.ignore();
+    } else {
+        drop.acceptProposedAction();
+        if (isDrop) {
+            takeDrop(drop);
+        }
+    }
+    return true;
+}
+
+/// Later: the program that was dragged from waits for the drop's end.
+void ExchangeActions::takeDrop(QDropEvent& event) {
+    m_window.activateWindow();
+    auto dropped = std::make_shared<QMimeData>();
+    dropped->setUrls(event.mimeData()->urls());
+    QMetaObject::invokeMethod(
+        this, [this, dropped] { take(*dropped); }, Qt::QueuedConnection);
+}
 
 void ExchangeActions::fill(QMenu& menu) {
     addAction(menu, tr("Copy Pictu&re"), tr("Ctrl+F12"), this, [this] { copyPicture(); });

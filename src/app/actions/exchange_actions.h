@@ -7,8 +7,10 @@
 
 #include "core/result.h"
 
+class QDropEvent;
 class QMenu;
 class QMimeData;
+class QWidget;
 
 namespace hitscope {
 
@@ -35,8 +37,8 @@ public:
         ExportActions& exports;
         std::function<SessionDocument()> capture;  ///< the session as it is now
     };
-    /// All of them outlive this.
-    ExchangeActions(const Parts& parts, QObject* parent);
+    /// All of them outlive this. Takes what is dropped on `window`.
+    ExchangeActions(const Parts& parts, QWidget& window);
 
     void fill(QMenu& menu);  ///< once
 
@@ -47,15 +49,20 @@ public:
     void paste();
     void copyPicture();
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 Q_SIGNALS:
     void said(const QString& text);
     void failed(const hitscope::Error& error);
 
 private:
     [[nodiscard]] static QStringList tables(const QMimeData& data);
+    void takeDrop(QDropEvent& event);
     void pasteText(const QString& text);
 
     Parts m_parts;
+    QWidget& m_window;
 };
 
 }  // namespace hitscope
