@@ -3,12 +3,14 @@
 
 #include <QFile>
 #include <QFileInfo>
+#include <algorithm>
 #include <cmath>
 
 #include "io/import.h"
 #include "io/number_text.h"
 #include "io/readers/ply_header.h"
 #include "io/writers/file_positions.h"
+#include "io/writers/line_segments.h"
 #include "io/written_surface_check.h"
 #include "mesh/triangulate.h"
 
@@ -76,6 +78,22 @@ Status compareFaces(const MeshData& read, const MeshData& meant, const QString& 
     return Done{};
 }
 
+/// OBJ and PLY; PLY has no points.
+Status compareLoose(const MeshData& read, const MeshData& meant, bool hasPoints, const QString& path) {
+    const std::vector<std::uint32_t> is = lineSegments(read);
+    const std::vector<std::uint32_t> should = lineSegments(meant);
+    if (is.size() != should.size()) {
+        return notAsMeant(path, counts("segments of lines", is.size() / 2, should.size() / 2));
+    }
+    const auto [at, wanted] = std::mismatch(is.begin(), is.end(), should.begin());
+    if (at != is.end()) {
+        return notAsMeant(path, "segment " + std::to_string((at - is.begin()) / 2 + 1) +
+                                    " of the lines has other vertices");
+    }
+    return hasPoints && read.points != meant.points ? Status(notAsMeant(path, "it has other points"))
+                                                    : Status(Done{});
+}
+
 /// The file's own vertices and faces, and what their surface has.
 Status compareMesh(const MeshData& read, const MeshExport& what, const WrittenNormals& normals,
                    const QString& path) {
@@ -90,6 +108,9 @@ Status compareMesh(const MeshData& read, const MeshExport& what, const WrittenNo
         return same;
     }
     if (Status same = compareFaces(read, *what.mesh, path); !same) {
+        return same;
+    }
+    if (Status same = compareLoose(read, *what.mesh, suffix == QStringLiteral("obj"), path); !same) {
         return same;
     }
     const std::optional<std::string> difference = surfaceDifference(

@@ -1,185 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Draco, which Assimp brings, has a tinygltf of its own, of another layout and the same names: a library's
-// would become that one in a program that has both. So it is compiled in here, under a name of ours.
-#define tinygltf hitscope_tinygltf
-#define TINYGLTF_IMPLEMENTATION
-#define TINYGLTF_NO_STB_IMAGE
-#define TINYGLTF_NO_STB_IMAGE_WRITE
-#include <tiny_gltf.h>
-
-#include <QFile>
 #include <cmath>
-#include <cstring>
 #include <map>
+#include <new>
 
 #include "io/writers/file_positions.h"
 #include "io/writers/gltf_morphs.h"
 #include "io/written_check.h"
+#include "io/written_gltf_read.h"
 #include "io/written_surface_check.h"
 #include "mesh/triangulate.h"
 
 namespace hitscope {
 namespace {
 
-/// Thrown within this file: what differs.
-struct Difference {
-    std::string what;
-};
-
-/// Numbers of a glTF file's accessors. It is our own file, but the disk may have made anything of it.
-class Accessors {
-public:
-    explicit Accessors(const tinygltf::Model& model) : m_model(model) {}
-
-    [[nodiscard]] std::vector<std::uint32_t> indices(int index) const {
-        const tinygltf::Accessor& accessor = at(index);
-        std::vector<std::uint32_t> numbers(accessor.count);
-        const bool areShort = accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
-        const std::size_t size = areShort ? sizeof(std::uint16_t) : sizeof(std::uint32_t);
-        const unsigned char* const from =
-            bytes(accessor.bufferView, accessor.byteOffset, size * accessor.count);
-        for (std::size_t i = 0; i < accessor.count; ++i) {
-            std::memcpy(&numbers[i], from + size * i, size);  // little endian
-        }
-        return numbers;
-    }
-    /// `components` to each element.
-    [[nodiscard]] std::vector<float> floats(int index, std::size_t components) const {
-        const tinygltf::Accessor& accessor = at(index);
-        if (accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT) {
-            throw Difference{"an accessor has no floats"};
-        }
-        std::vector<float> numbers(accessor.count * components);
-        const std::size_t size = sizeof(float) * components;
-        if (accessor.bufferView >= 0) {
-            std::memcpy(numbers.data(),
-                        bytes(accessor.bufferView, accessor.byteOffset, size * accessor.count),
-                        size * accessor.count);
-        }
-        if (accessor.sparse.isSparse) {
-            const auto count = static_cast<std::size_t>(std::max(accessor.sparse.count, 0));
-            const unsigned char* const slots =
-                bytes(accessor.sparse.indices.bufferView, 0, sizeof(std::uint32_t) * count);
-            const unsigned char* const values = bytes(accessor.sparse.values.bufferView, 0, size * count);
-            for (std::size_t i = 0; i < count; ++i) {
-                std::uint32_t slot = 0;
-                std::memcpy(&slot, slots + sizeof slot * i, sizeof slot);
-                if (slot >= accessor.count) {
-                    throw Difference{"a morph target moves a vertex that is not there"};
-                }
-                std::memcpy(&numbers[components * slot], values + size * i, size);
-            }
-        }
-        return numbers;
-    }
-
-private:
-    [[nodiscard]] const tinygltf::Accessor& at(int index) const {
-        if (index < 0 || static_cast<std::size_t>(index) >= m_model.accessors.size()) {
-            throw Difference{"an accessor is not there"};
-        }
-        return m_model.accessors[static_cast<std::size_t>(index)];
-    }
-    [[nodiscard]] const unsigned char* bytes(int view, std::size_t offset, std::size_t size) const {
-        if (view < 0 || static_cast<std::size_t>(view) >= m_model.bufferViews.size()) {
-            throw Difference{"a part of the buffer is not there"};
-        }
-        const tinygltf::BufferView& from = m_model.bufferViews[static_cast<std::size_t>(view)];
-        if (from.buffer != 0 || m_model.buffers.empty() || offset > from.byteLength ||
-            size > from.byteLength - offset || from.byteOffset > m_model.buffers[0].data.size() ||
-            from.byteLength > m_model.buffers[0].data.size() - from.byteOffset) {
-            throw Difference{"the buffer ends too early"};
-        }
-        return m_model.buffers[0].data.data() + from.byteOffset + offset;
-    }
-
-    const tinygltf::Model& m_model;
-};
-
-/// A primitive as it is in the file.
-struct ReadPrimitive {
-    std::vector<std::uint32_t> indices;
-    std::vector<float> positions;            ///< 3 a vertex
-    std::vector<float> fileVertices;         ///< empty: there are too many to be numbered
-    std::vector<std::vector<float>> morphs;  ///< one a target, 3 a vertex
-    std::vector<float> normals;              ///< 3 a vertex, or empty
-    std::vector<float> turns;                ///< of them, by "Deformed"; 3 a vertex, or empty
-    std::vector<float> texcoords;            ///< 2 a vertex, or empty
-    int material = -1;
-    std::size_t next = 0;  ///< index to be held against the mesh
-};
-
-ReadPrimitive readPrimitive(const tinygltf::Primitive& primitive, const Accessors& accessors) {
-    ReadPrimitive read;
-    const auto position = primitive.attributes.find("POSITION");
-    if (position == primitive.attributes.end()) {
-        throw Difference{"vertices have no positions"};
-    }
-    read.positions = accessors.floats(position->second, 3);
-    read.indices = accessors.indices(primitive.indices);
-    const auto number = primitive.attributes.find("_FILE_VERTEX");
-    if (number != primitive.attributes.end()) {
-        read.fileVertices = accessors.floats(number->second, 1);
-        if (3 * read.fileVertices.size() != read.positions.size()) {
-            throw Difference{"some vertices have no number"};
-        }
-    }
-    const auto vectors = [&](const auto& attributes, const char* name, std::size_t components) {
-        const auto found = attributes.find(name);
-        std::vector<float> numbers =
-            found == attributes.end() ? std::vector<float>() : accessors.floats(found->second, components);
-        if (!numbers.empty() && numbers.size() / components != read.positions.size() / 3) {
-            throw Difference{std::string("some vertices have no ") + name};
-        }
-        return numbers;
-    };
-    read.normals = vectors(primitive.attributes, "NORMAL", 3);
-    read.texcoords = vectors(primitive.attributes, "TEXCOORD_0", 2);
-    read.turns =
-        primitive.targets.empty() ? std::vector<float>() : vectors(primitive.targets.front(), "NORMAL", 3);
-    read.material = primitive.material;
-    for (const auto& target : primitive.targets) {
-        const auto moved = target.find("POSITION");
-        if (moved == target.end()) {
-            throw Difference{"a morph target moves nothing"};
-        }
-        read.morphs.push_back(accessors.floats(moved->second, 3));
-        if (read.morphs.back().size() != read.positions.size()) {
-            throw Difference{"a morph target has another number of vertices"};
-        }
-    }
-    return read;
-}
-
-void checkTargetNames(const tinygltf::Mesh& mesh) {
-    if (mesh.primitives.empty() || mesh.primitives.front().targets.empty()) {
-        return;
-    }
-    const bool isNamed = mesh.extras.Has("targetNames") && mesh.extras.Get("targetNames").ArrayLen() > 0 &&
-                         mesh.extras.Get("targetNames").Get(0).IsString() &&
-                         mesh.extras.Get("targetNames").Get(0).Get<std::string>() == "Deformed";
-    const bool isShown = !mesh.weights.empty() && mesh.weights.front() == 1.0;
-    if (!isNamed || !isShown) {
-        throw Difference{"the deformed shape is not the one that is shown"};
-    }
-}
-
-/// Those of all nodes, in their order.
-std::vector<ReadPrimitive> readPrimitives(const tinygltf::Model& model) {
-    const Accessors accessors(model);
-    std::vector<ReadPrimitive> read;
-    for (const tinygltf::Node& node : model.nodes) {
-        if (node.mesh < 0 || static_cast<std::size_t>(node.mesh) >= model.meshes.size()) {
-            throw Difference{"a node has no mesh"};
-        }
-        const tinygltf::Mesh& mesh = model.meshes[static_cast<std::size_t>(node.mesh)];
-        checkTargetNames(mesh);
-        for (const tinygltf::Primitive& primitive : mesh.primitives) {
-            read.push_back(readPrimitive(primitive, accessors));
-        }
-    }
-    return read;
-}
+constexpr int kTriangles = static_cast<int>(GltfPrimitive::Kind::Triangles);
 
 /// Holds what was read against the mesh.
 class GltfComparison {
@@ -189,8 +23,11 @@ public:
           m_mesh(*what.mesh),
           m_positions(what),
           m_originals(originalNormals(what)),
-          m_read(std::move(read)),
-          m_seen(m_mesh.positions.size()) {}
+          m_seen(m_mesh.positions.size()) {
+        for (ReadPrimitive& primitive : read) {
+            (primitive.mode == kTriangles ? m_read : m_loose).push_back(std::move(primitive));
+        }
+    }
 
     void compare();
 
@@ -200,13 +37,21 @@ private:
     void surface(const ReadPrimitive& primitive, std::size_t slot, std::size_t face,
                  std::size_t corner) const;
     ReadPrimitive& primitiveOf(std::size_t face);
+    [[nodiscard]] std::uint32_t slotAt(const ReadPrimitive& primitive, std::size_t at, std::uint32_t vertex,
+                                       const std::string& name) const;
+    void faces();
+    void looseElements(std::size_t& next, std::size_t object, GltfPrimitive::Kind kind,
+                       const std::vector<std::uint32_t>& meant) const;
+    void allLoose() const;
 
     const MeshExport& m_what;
     const MeshData& m_mesh;
     FilePositions m_positions;
     std::vector<glm::vec3> m_originals;  ///< normals, one a corner, or empty
-    std::vector<ReadPrimitive> m_read;
-    std::vector<bool> m_seen;                                              ///< file vertices
+    std::vector<ReadPrimitive> m_read;   ///< of faces
+    std::vector<ReadPrimitive> m_loose;  ///< of lines and points
+    bool m_areNumbered = true;           ///< all vertices
+    std::vector<bool> m_seen;            ///< file vertices
     std::map<std::pair<std::size_t, std::uint32_t>, std::size_t> m_known;  ///< by object and material
     std::size_t m_objects = 0;                                             ///< begun before the face
     std::size_t m_nextGroup = 0;
@@ -311,17 +156,22 @@ ReadPrimitive& GltfComparison::primitiveOf(std::size_t face) {
     return m_read[p];
 }
 
-void GltfComparison::compare() {
-    bool areNumbered = true;
-    for (const ReadPrimitive& primitive : m_read) {
-        vertices(primitive);
-        areNumbered = areNumbered && !primitive.fileVertices.empty();
+/// The glTF vertex that an index refers to, which is that of the file; `name`: of what it is a corner.
+std::uint32_t GltfComparison::slotAt(const ReadPrimitive& primitive, std::size_t at, std::uint32_t vertex,
+                                     const std::string& name) const {
+    const bool isThere =
+        at < primitive.indices.size() && 3 * std::size_t{primitive.indices[at]} < primitive.positions.size();
+    const std::uint32_t slot = isThere ? primitive.indices[at] : 0;
+    if (!isThere || (m_areNumbered && primitive.fileVertices[slot] != static_cast<float>(vertex))) {
+        throw Difference{name + " has other vertices"};
     }
-    for (std::size_t v = 0; areNumbered && v < m_seen.size(); ++v) {
-        if (!m_seen[v]) {
-            throw Difference{"vertex " + std::to_string(v + 1) + " is not there"};
-        }
+    if (!m_areNumbered) {
+        this->vertex(primitive, slot, vertex);
     }
+    return slot;
+}
+
+void GltfComparison::faces() {
     Triangulator triangulator;
     std::vector<std::uint32_t> corners;
     for (std::size_t f = 0; f < m_mesh.faceCount(); ++f) {
@@ -329,17 +179,8 @@ void GltfComparison::compare() {
         corners.clear();
         triangulator.triangulate(m_mesh.positions, m_mesh.face(f), corners);
         for (const std::uint32_t corner : corners) {
-            const std::uint32_t meant = m_mesh.face(f)[corner];
-            const bool isThere =
-                primitive.next < primitive.indices.size() &&
-                3 * std::size_t{primitive.indices[primitive.next]} < primitive.positions.size();
-            const std::size_t slot = isThere ? primitive.indices[primitive.next] : 0;
-            if (!isThere || (areNumbered && primitive.fileVertices[slot] != static_cast<float>(meant))) {
-                throw Difference{"face " + std::to_string(f + 1) + " has other vertices"};
-            }
-            if (!areNumbered) {
-                vertex(primitive, slot, meant);
-            }
+            const std::uint32_t slot =
+                slotAt(primitive, primitive.next, m_mesh.face(f)[corner], "face " + std::to_string(f + 1));
             surface(primitive, slot, f, corner);
             ++primitive.next;
         }
@@ -351,26 +192,61 @@ void GltfComparison::compare() {
     }
 }
 
+/// An object's lines or points; `next` is the primitive that should have them.
+void GltfComparison::looseElements(std::size_t& next, std::size_t object, GltfPrimitive::Kind kind,
+                                   const std::vector<std::uint32_t>& meant) const {
+    if (meant.empty()) {
+        return;
+    }
+    const bool areLines = kind == GltfPrimitive::Kind::Lines;
+    const std::string names = areLines ? "lines" : "points";
+    const bool isThere = next < m_loose.size() && m_loose[next].object == object &&
+                         m_loose[next].mode == static_cast<int>(kind);
+    if (!isThere || m_loose[next].indices.size() != meant.size()) {
+        throw Difference{"object " + std::to_string(object + 1) + " has other " + names};
+    }
+    for (std::size_t i = 0; i < meant.size(); ++i) {
+        const std::size_t number = areLines ? i / 2 : i;
+        (void)slotAt(m_loose[next], i, meant[i],
+                     (areLines ? "line " : "point ") + std::to_string(number + 1) + " of object " +
+                         std::to_string(object + 1));
+    }
+    ++next;
+}
+
+void GltfComparison::allLoose() const {
+    const std::vector<LooseElements> meant = hitscope::looseElements(m_mesh);
+    std::size_t next = 0;
+    for (std::size_t object = 0; object < meant.size(); ++object) {
+        looseElements(next, object, GltfPrimitive::Kind::Lines, meant[object].segments);
+        looseElements(next, object, GltfPrimitive::Kind::Points, meant[object].points);
+    }
+    if (next != m_loose.size()) {
+        throw Difference{"it has more lines or points than it should have"};
+    }
+}
+
+void GltfComparison::compare() {
+    for (const std::vector<ReadPrimitive>* const list : {&m_read, &m_loose}) {
+        for (const ReadPrimitive& primitive : *list) {
+            vertices(primitive);
+            m_areNumbered = m_areNumbered && !primitive.fileVertices.empty();
+        }
+    }
+    for (std::size_t v = 0; m_areNumbered && v < m_seen.size(); ++v) {
+        if (!m_seen[v]) {
+            throw Difference{"vertex " + std::to_string(v + 1) + " is not there"};
+        }
+    }
+    faces();
+    allLoose();
+}
+
 }  // namespace
 
 Status verifyWrittenGltf(const QString& path, const MeshExport& what) {
-    tinygltf::TinyGLTF loader;
-    // Pictures are not looked at.
-    loader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int,
-                             const unsigned char*, int, void*) { return true; },
-                          nullptr);
-    tinygltf::Model model;
-    std::string error;
-    std::string warning;
-    const std::string name = QFile::encodeName(path).toStdString();
-    const bool isRead = path.endsWith(QStringLiteral(".glb"), Qt::CaseInsensitive)
-                            ? loader.LoadBinaryFromFile(&model, &error, &warning, name)
-                            : loader.LoadASCIIFromFile(&model, &error, &warning, name);
-    if (!isRead) {
-        return notAsMeant(path, "it cannot be read (" + error + ")");
-    }
     try {
-        GltfComparison(what, readPrimitives(model)).compare();
+        GltfComparison(what, readPrimitives(path)).compare();
     } catch (const Difference& difference) {
         return notAsMeant(path, difference.what);
     } catch (const std::bad_alloc&) {

@@ -279,6 +279,46 @@ private Q_SLOTS:
         }
     }
 
+    void linesBecomeEdges_data() { wholeMeshes_data(); }
+    void linesBecomeEdges() {
+        QFETCH(PlyOptions::Encoding, encoding);
+        QTemporaryDir folder;
+        const DentedFile mesh(
+            writeFile(folder.path(), QStringLiteral("a.obj"),
+                      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 5 5 5\nf 1 2 3\nl 1 2 4\nl 3 1\np 2\n"));
+        const QString path = folder.filePath(QStringLiteral("b.ply"));
+        const Result<QStringList> written = exportPly(mesh.what(), path, {.encoding = encoding});
+        QVERIFY2(written, qPrintable(messageOf(written)));
+        QCOMPARE(written.value(), QStringList());
+        QVERIFY(readFile(path).find("element edge 3\nproperty int vertex1\nproperty int vertex2\n") !=
+                std::string::npos);
+        const std::vector<std::vector<std::uint32_t>> edges{{0, 1}, {1, 3}, {2, 0}};
+        QCOMPARE(readBack(path).lines, edges);
+        const DentedFile again(path);  // and a copy of them
+        const QString copy = folder.filePath(QStringLiteral("c.ply"));
+        QVERIFY(exportPly(again.what(), copy, nothingAdded()));
+        QVERIFY(readFile(copy) == readFile(path));
+    }
+
+    void otherEdgesAreNotCopied() {
+        const std::string source =
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+            "element face 1\nproperty list uchar int vertex_indices\nelement edge 1\nproperty int vertex1\n"
+            "property uchar red\nproperty int vertex2\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 9 1\n";
+        QTemporaryDir folder;
+        const DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.ply"), source));
+        QCOMPARE(mesh.original.mesh.lines, (std::vector<std::vector<std::uint32_t>>{{2, 1}}));
+        writeFile(folder.path(), QStringLiteral("a.ply"), replaced(source, "2 9 1", "2 9 0"));
+        const QString path = folder.filePath(QStringLiteral("b.ply"));
+        const Result<QStringList> written = exportPly(mesh.what(), path, {});
+        QVERIFY2(written, qPrintable(messageOf(written)));
+        QVERIFY(written.value().value(0).contains(QStringLiteral("edges")));
+        QCOMPARE(readBack(path).lines, mesh.original.mesh.lines);
+        const QString bad =
+            writeFile(folder.path(), QStringLiteral("c.ply"), replaced(source, "2 9 1", "2 9 3"));
+        QVERIFY(messageOf(readMesh(bad, {})).contains(QStringLiteral("edge 1")));
+    }
+
     void hardEdgesLoseTheirNormals() {
         QTemporaryDir folder;
         DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.obj"),

@@ -17,6 +17,8 @@ namespace {
 const char* const kSource =
     "v 0.125 0 0\nv 1.5 0 0\nv 1 1 0\nv 0 1 0\nv 7 7.75 7\no one\nf 1 2 3 4\nf 1 3 2\nf 4 3 1\n";
 
+const char* const kLoose = "l 1 2 5\np 3\n";
+
 // A corner without texture coordinate and one without normal are in it.
 const char* const kPainted =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.125 0.25\nvt 0.5 0.375\nvt 0.75 0.875\nvn 0 0 1\nvn 0 3 0\n"
@@ -153,6 +155,46 @@ private Q_SLOTS:
         QByteArray bytes = QByteArray::fromStdString(readFile(path));
         QVERIFY2(bytes.contains(from), bytes.constData());
         bytes.replace(bytes.indexOf(from), from.size(), to);
+        writeFile(folder.path(), QFileInfo(path).fileName(), bytes.toStdString());
+        const Status same = verifyWritten(path, mesh.what());
+        QVERIFY(!same);
+        QVERIFY2(messageOf(same).contains(says), qPrintable(messageOf(same)));
+    }
+
+    void brokenLinesAreFound_data() {
+        QTest::addColumn<QString>("suffix");
+        QTest::addColumn<QByteArray>("from");
+        QTest::addColumn<QByteArray>("to");
+        QTest::addColumn<QString>("says");
+        const auto row = [](const char* name, const char* suffix, const std::string& from,
+                            const std::string& to, const char* says) {
+            QTest::newRow(name) << QString::fromLatin1(suffix) << QByteArray::fromStdString(from)
+                                << QByteArray::fromStdString(to) << QString::fromLatin1(says);
+        };
+        row("obj, line", "obj", "l 1 2 5", "l 1 3 5", "segment 1 of the lines");
+        row("obj, shorter line", "obj", "l 1 2 5", "l 1 2", "segments of lines");
+        row("obj, point", "obj", "p 3", "p 2", "points");
+        row("ply, edge", "ply", "\n1 4\n", "\n1 3\n", "segment 2 of the lines");
+        row("ply, other element", "ply", "element edge", "element seam", "segments of lines");
+        const std::string indices("\0\0\1\0\1\0\2\0", 8);
+        row("glb, line", "glb", indices, std::string("\0\0\1\0\2\0\2\0", 8), "line 2 of object 1");
+        row("glb, points instead", "glb", "\"mode\":1", "\"mode\":0", "other lines");
+        row("glb, no points", "glb", "\"mode\":0", "\"mode\":1", "other points");
+    }
+    void brokenLinesAreFound() {
+        QFETCH(QString, suffix);
+        QFETCH(QByteArray, from);
+        QFETCH(QByteArray, to);
+        QFETCH(QString, says);
+        QTemporaryDir folder;
+        DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.obj"), kSource + std::string(kLoose)));
+        mesh.move(1, {0.0f, 0.0f, -1.75f});
+        const QString path = write(mesh, suffix, folder);
+        const Status sound = verifyWritten(path, mesh.what());
+        QVERIFY2(sound, qPrintable(messageOf(sound)));
+        QByteArray bytes = QByteArray::fromStdString(readFile(path));
+        QVERIFY2(bytes.contains(from), "nothing to break");
+        bytes.replace(bytes.lastIndexOf(from), from.size(), to);
         writeFile(folder.path(), QFileInfo(path).fileName(), bytes.toStdString());
         const Status same = verifyWritten(path, mesh.what());
         QVERIFY(!same);

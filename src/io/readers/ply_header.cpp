@@ -166,4 +166,16 @@ Result<PlyHeader> parsePlyHeader(std::string_view start, std::uint64_t fileSize)
     return Error{"The file ends inside its header.", {}, kCutAdvice};
 }
 
+std::optional<PlyEdgeEnds> plyEdgeEnds(const PlyElement& element) {
+    std::optional<std::size_t> ends[2];
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        const PlyProperty& property = element.properties[p];
+        for (int i = 0; i < 2 && !property.isList; ++i) {
+            ends[i] = property.name == (i == 0 ? "vertex1" : "vertex2") ? p : ends[i];
+        }
+    }
+    const bool isWhole = element.name == "edge" && ends[0] && ends[1];
+    return isWhole ? std::optional(PlyEdgeEnds{*ends[0], *ends[1]}) : std::nullopt;
+}
+
 }  // namespace hitscope

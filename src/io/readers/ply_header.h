@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,6 +45,15 @@ struct PlyHeader {
     std::vector<std::string> textures;  ///< from MeshLab's "comment TextureFile"
     std::size_t size = 0;               ///< bytes of the file before the first element
 };
+
+/// Where the records of an element "edge" have vertex1 and vertex2.
+struct PlyEdgeEnds {
+    std::size_t first;
+    std::size_t second;
+};
+
+/// Nothing for other elements, and for edges that do not say both.
+[[nodiscard]] std::optional<PlyEdgeEnds> plyEdgeEnds(const PlyElement& element);
 
 /// Parses the header at the start of a PLY file; pure. Promises of more elements than the file has room for
 /// are an error, so that counts can be trusted when allocating.

@@ -3,6 +3,7 @@
 
 #include <unordered_map>
 
+#include "io/readers/ply_indices.h"
 #include "io/readers/ply_values.h"
 #include "io/readers/text_cursor.h"
 #include "io/readers/tidy.h"
@@ -48,6 +49,7 @@ private:
     void readElement(const PlyElement& element);
     void readVertices(const PlyElement& element);
     void readFaces(const PlyElement& element, bool strips);
+    void readEdges(const PlyElement& element, const PlyEdgeEnds& ends);
     void skipElement(const PlyElement& element);
     void skipProperty(const PlyProperty& property);
     std::uint64_t listLength(const PlyProperty& property);
@@ -57,7 +59,6 @@ private:
     void addStripTriangle(std::span<const std::uint32_t> strip);
     void readFaceTexcoords(const PlyProperty& property);
     void finishVertexAttributes();
-    Status checkIndices() const;
     void addTextures();
     void report();
 
@@ -275,6 +276,23 @@ void PlyParser<Source>::readFaces(const PlyElement& element, bool strips) {
 }
 
 template <class Source>
+void PlyParser<Source>::readEdges(const PlyElement& element, const PlyEdgeEnds& ends) {
+    for (m_element = 1; m_element <= element.count; ++m_element) {
+        std::vector<std::uint32_t> line(2);
+        for (std::size_t p = 0; p < element.properties.size(); ++p) {
+            const PlyProperty& property = element.properties[p];
+            if (p == ends.first || p == ends.second) {
+                line[p == ends.first ? 0 : 1] = index(m_source.value(property.type));
+            } else {
+                skipProperty(property);
+            }
+        }
+        m_mesh.lines.push_back(std::move(line));
+        report();
+    }
+}
+
+template <class Source>
 void PlyParser<Source>::readElement(const PlyElement& element) {
     m_elementName = element.name.c_str();
     m_element = 0;
@@ -282,24 +300,11 @@ void PlyParser<Source>::readElement(const PlyElement& element) {
         readVertices(element);
     } else if ((element.name == "face" || element.name == "tristrips") && element.count > 0) {
         readFaces(element, element.name == "tristrips");
+    } else if (const std::optional<PlyEdgeEnds> ends = plyEdgeEnds(element)) {
+        readEdges(element, *ends);
     } else {
         skipElement(element);
     }
-}
-
-template <class Source>
-Status PlyParser<Source>::checkIndices() const {
-    for (std::size_t f = 0; f < m_mesh.faceCount(); ++f) {
-        for (const std::uint32_t vertex : m_mesh.face(f)) {
-            if (vertex >= m_positions.size()) {
-                return Error{
-                    "It refers to vertex " + std::to_string(vertex) + " (counted from 0), but the file has " +
-                        std::to_string(m_positions.size()) + " vertices.",
-                    "face " + std::to_string(f + 1), "Write the file again with the program it came from."};
-            }
-        }
-    }
-    return Done{};
 }
 
 template <class Source>
@@ -349,7 +354,7 @@ Result<ImportedMesh> PlyParser<Source>::parse() {
     if (m_mesh.faceStarts.size() == 1) {
         m_mesh.faceStarts.clear();
     }
-    if (Status good = checkIndices(); !good) {
+    if (Status good = checkPlyIndices(m_mesh, m_positions.size()); !good) {
         return good.error();
     }
     if (Status set = setPositions(m_mesh, std::move(m_positions)); !set) {

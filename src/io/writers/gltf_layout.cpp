@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "io/writers/line_segments.h"
 #include "mesh/corner_normals.h"
 #include "mesh/same_bits.h"
 #include "mesh/triangulate.h"
@@ -103,9 +104,14 @@ void PrimitiveMaker::takeVertices(GltfPrimitive& primitive, std::span<const std:
     std::vector<std::uint32_t>& vertices = primitive.fileVertices;
     if (withUnused) {
         std::vector<bool> used(m_mesh.positions.size());
-        for (const std::uint32_t vertex : m_mesh.cornerVertices) {
-            used[vertex] = true;
-        }
+        const auto use = [&used](const std::vector<std::uint32_t>& indices) {
+            for (const std::uint32_t vertex : indices) {
+                used[vertex] = true;
+            }
+        };
+        use(m_mesh.cornerVertices);
+        use(lineSegments(m_mesh));
+        use(m_mesh.points);
         for (std::uint32_t v = 0; v < used.size(); ++v) {
             if (!used[v]) {
                 vertices.push_back(v);
@@ -180,7 +186,60 @@ void PrimitiveMaker::make(GltfPrimitive& primitive, std::span<const std::uint32_
     }
 }
 
+/// Of an object's lines or points, if it has any.
+void addLoose(std::vector<GltfPrimitive>& primitives, std::uint32_t object, GltfPrimitive::Kind kind,
+              const std::vector<std::uint32_t>& elements) {
+    if (elements.empty()) {
+        return;
+    }
+    GltfPrimitive& primitive = primitives.emplace_back();
+    primitive.kind = kind;
+    primitive.object = object;
+    std::vector<std::uint32_t>& vertices = primitive.fileVertices;
+    vertices = elements;
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    primitive.ownVertices = vertices.size();
+    primitive.corners.assign(vertices.size(), kNoIndex);
+    for (const std::uint32_t vertex : elements) {
+        const auto at = std::lower_bound(vertices.begin(), vertices.end(), vertex);
+        primitive.indices.push_back(static_cast<std::uint32_t>(at - vertices.begin()));
+    }
+}
+
 }  // namespace
+
+std::vector<LooseElements> looseElements(const MeshData& mesh) {
+    if (mesh.lines.empty() && mesh.points.empty()) {
+        return {};
+    }
+    std::vector<std::uint32_t> first(mesh.positions.size(), kNoIndex);  // object that has a face there
+    std::uint32_t objects = 0;
+    std::size_t nextGroup = 0;
+    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        bool isNew = f == 0;
+        for (; nextGroup < mesh.groups.size() && mesh.groups[nextGroup].firstFace <= f; ++nextGroup) {
+            isNew = isNew || mesh.groups[nextGroup].kind == FaceGroup::Kind::Object;
+        }
+        objects += isNew ? 1 : 0;
+        for (const std::uint32_t vertex : mesh.face(f)) {
+            first[vertex] = std::min(first[vertex], objects - 1);
+        }
+    }
+    std::vector<LooseElements> loose(std::max<std::uint32_t>(objects, 1));
+    const auto at = [&](std::uint32_t vertex) -> LooseElements& {
+        return loose[first[vertex] == kNoIndex ? 0 : first[vertex]];
+    };
+    for (const std::vector<std::uint32_t>& line : mesh.lines) {
+        if (!line.empty()) {
+            appendSegments(line, at(line.front()).segments);
+        }
+    }
+    for (const std::uint32_t point : mesh.points) {
+        at(point).points.push_back(point);
+    }
+    return loose;
+}
 
 void GltfPrimitive::sortCopies() {
     m_copies.resize(fileVertices.size() - ownVertices);
@@ -218,6 +277,13 @@ GltfLayout layOut(const MeshExport& what, std::span<const glm::vec3> originalNor
             std::span(sorter.faces).subspan(sorter.starts[p], sorter.starts[p + 1] - sorter.starts[p]);
         maker.make(layout.primitives[p], faces, p == 0);
     }
+    const std::vector<LooseElements> loose = looseElements(*what.mesh);
+    for (std::uint32_t object = 0; object < loose.size(); ++object) {
+        addLoose(layout.primitives, object, GltfPrimitive::Kind::Lines, loose[object].segments);
+        addLoose(layout.primitives, object, GltfPrimitive::Kind::Points, loose[object].points);
+    }
+    std::stable_sort(layout.primitives.begin(), layout.primitives.end(),
+                     [](const GltfPrimitive& a, const GltfPrimitive& b) { return a.object < b.object; });
     return layout;
 }
 

@@ -266,7 +266,7 @@ QJsonObject addMorph(GltfDocument& document, const GltfPrimitive& primitive, con
     };
     const std::size_t count = primitive.fileVertices.size();
     const QJsonObject limits = limitsOf(*entries, count, position);
-    const bool hasNormals = !what.normals.empty();
+    const bool hasNormals = !what.normals.empty() && primitive.kind == GltfPrimitive::Kind::Triangles;
     QJsonObject result;
     if (4 * entries->size() < 3 * count) {
         const int indices =

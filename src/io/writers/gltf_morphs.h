@@ -29,8 +29,8 @@ struct MorphTarget {
 /// the last of them.
 [[nodiscard]] std::vector<MorphTarget> stepTargets(const MeshExport& what, const MorphTarget& deformed);
 
-/// Adds a primitive's part of a target to the document: {"POSITION": accessor, "NORMAL": accessor}, sparse
-/// where few vertices move. What it refers to outlives the document.
+/// Adds a primitive's part of a target to the document: {"POSITION": accessor, "NORMAL": accessor}, without
+/// normals for lines and points; sparse where few vertices move. What it refers to outlives the document.
 [[nodiscard]] QJsonObject addMorph(GltfDocument& document, const GltfPrimitive& primitive,
                                    const MorphTarget& target, const MeshExport& what,
                                    std::span<const glm::vec3> originalNormals);

@@ -14,12 +14,17 @@ namespace {
 
 constexpr std::uint32_t kMostNumbered = 1u << 24;  // whole numbers up to here are floats
 
+bool isFaces(const GltfPrimitive& primitive) {
+    return primitive.kind == GltfPrimitive::Kind::Triangles;
+}
+
 }  // namespace
 
 Status GltfParts::make() {
     bool plain = false;
     for (const GltfPrimitive& primitive : m_layout.primitives) {
-        plain = plain || primitive.material == kNoIndex;
+        plain = plain || (isFaces(primitive) && primitive.material == kNoIndex);
+        m_hasLoose = m_hasLoose || !isFaces(primitive);
         m_copies += primitive.fileVertices.size();
     }
     m_copies -= std::min(m_copies, m_mesh.positions.size());
@@ -98,7 +103,7 @@ int GltfParts::addPositions(const GltfPrimitive& primitive) {
         {{QStringLiteral("min"), jsonOf(least)}, {QStringLiteral("max"), jsonOf(most)}});
 }
 
-/// Normals, texture coordinates and colours, as far as the mesh has them.
+/// Normals, texture coordinates and colours, as far as the mesh has them; lines and points have colours only.
 void GltfParts::addVectors(QJsonObject& attributes, const GltfPrimitive& primitive) {
     const std::size_t count = primitive.fileVertices.size();
     const auto add = [&](const char* key, const char* type, std::size_t bytes,
@@ -106,13 +111,13 @@ void GltfParts::addVectors(QJsonObject& attributes, const GltfPrimitive& primiti
         const int view = m_document.addView(count, bytes, gltf::kVertices, put);
         attributes[QLatin1String(key)] = m_document.addAccessor(view, gltf::kFloat, type, count);
     };
-    if (!m_originals.empty()) {
+    if (!m_originals.empty() && isFaces(primitive)) {
         add("NORMAL", "VEC3", sizeof(glm::vec3), [this, &primitive](PieceWriter& out, std::size_t i) {
             const std::uint32_t corner = primitive.corners[i];
             out.plain(unitNormal(corner == kNoIndex ? glm::vec3(0.0f) : m_originals[corner]));
         });
     }
-    if (!m_mesh.cornerTexcoords.empty()) {
+    if (!m_mesh.cornerTexcoords.empty() && isFaces(primitive)) {
         add("TEXCOORD_0", "VEC2", sizeof(glm::vec2), [this, &primitive](PieceWriter& out, std::size_t i) {
             const std::uint32_t corner = primitive.corners[i];
             const std::uint32_t index = corner == kNoIndex ? kNoIndex : m_mesh.cornerTexcoords[corner];
@@ -157,8 +162,12 @@ int GltfParts::addIndices(const GltfPrimitive& primitive) {
 QJsonObject GltfParts::primitiveOf(const GltfPrimitive& primitive,
                                    const std::vector<const MorphTarget*>& targets) {
     QJsonObject result{{QStringLiteral("attributes"), attributesOf(primitive)},
-                       {QStringLiteral("indices"), addIndices(primitive)},
-                       {QStringLiteral("material"), m_materials.indexOf(primitive.material)}};
+                       {QStringLiteral("indices"), addIndices(primitive)}};
+    if (isFaces(primitive)) {
+        result[QStringLiteral("material")] = m_materials.indexOf(primitive.material);
+    } else {
+        result[QStringLiteral("mode")] = static_cast<int>(primitive.kind);
+    }
     QJsonArray morphs;
     for (const MorphTarget* const target : targets) {
         morphs.append(addMorph(m_document, primitive, *target, m_what, m_originals));
@@ -243,10 +252,12 @@ QStringList GltfParts::notes() const {
         notes += QStringLiteral("glTF has triangles only: polygons are cut into triangles.");
     }
     if (m_copies > 0) {
-        notes += QStringLiteral(
-                     "Vertices with several normals, texture coordinates, materials or objects are "
-                     "repeated (%1 added).")
-                     .arg(m_copies);
+        notes +=
+            QStringLiteral(
+                "Vertices with several normals, texture coordinates, materials or objects%1 are "
+                "repeated (%2 added).")
+                .arg(m_hasLoose ? QStringLiteral(", and those of faces and of lines or points,") : QString())
+                .arg(m_copies);
     }
     if (m_mesh.positions.size() > kMostNumbered) {
         notes += QStringLiteral("There are too many vertices to keep their numbers in the file.");
@@ -257,9 +268,6 @@ QStringList GltfParts::notes() const {
     const auto isGroup = [](const FaceGroup& group) { return group.kind == FaceGroup::Kind::Group; };
     if (std::any_of(m_mesh.groups.begin(), m_mesh.groups.end(), isGroup)) {
         notes += QStringLiteral("glTF has objects, but no groups within them; those are left out.");
-    }
-    if (!m_mesh.lines.empty() || !m_mesh.points.empty()) {
-        notes += QStringLiteral("Lines and points are left out.");
     }
     if (m_deformed.deltas.empty()) {
         notes += QStringLiteral("Nothing has moved, so there is no morph target.");

@@ -53,6 +53,7 @@ private:
     QJsonArray m_channels;
     QJsonArray m_samplers;
     int m_times = -1;
+    bool m_hasLoose = false;  ///< lines or points
     std::size_t m_copies = 0;
 };
 

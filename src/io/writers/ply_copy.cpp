@@ -119,12 +119,17 @@ bool PlyCopy::check() {
                 walkVertices(pieces, nullptr);
             } else {
                 m_hasStrips = m_hasStrips || (element.name == "tristrips" && element.count > 0);
+                const std::optional<PlyEdgeEnds> ends = plyEdgeEnds(element);
                 element.name == "face" ? walkFaces(pieces, element, nullptr)
+                : ends                 ? walkEdges(pieces, element, *ends)
                                        : walkOthers(pieces, element, nullptr);
             }
         }
         if (!m_hasStrips && m_face != m_mesh.faceCount()) {
             differs(QStringLiteral("it has other faces"));
+        }
+        if (m_line != m_mesh.lines.size()) {
+            differs(QStringLiteral("it has other edges"));
         }
         return true;
     } catch (const PlyDataEnd&) {
@@ -234,6 +239,25 @@ void PlyCopy::walkFaces(PlyPieces& pieces, const PlyElement& element, PieceWrite
     for (std::uint64_t f = 0; f < element.count; ++f) {
         walkFace(pieces, element, out);
         look(f);
+    }
+}
+
+/// It only looks.
+void PlyCopy::walkEdges(PlyPieces& pieces, const PlyElement& element, const PlyEdgeEnds& ends) {
+    for (std::uint64_t e = 0; e < element.count; ++e, ++m_line) {
+        for (std::size_t p = 0; p < element.properties.size(); ++p) {
+            const PlyProperty& property = element.properties[p];
+            if (p != ends.first && p != ends.second) {
+                passList(pieces, property, nullptr);
+                continue;
+            }
+            const double vertex = pieces.next(property.type).value;
+            if (m_line >= m_mesh.lines.size() ||
+                vertex != static_cast<double>(m_mesh.lines[m_line][p == ends.first ? 0 : 1])) {
+                differs(QStringLiteral("it has other edges"));
+            }
+        }
+        look(e);
     }
 }
 

@@ -41,6 +41,7 @@ private:
     // With `out` null they only look.
     void walkVertices(PlyPieces& pieces, PieceWriter* out);
     void walkFaces(PlyPieces& pieces, const PlyElement& element, PieceWriter* out);
+    void walkEdges(PlyPieces& pieces, const PlyElement& element, const PlyEdgeEnds& ends);
     void walkOthers(PlyPieces& pieces, const PlyElement& element, PieceWriter* out);
     void walkFace(PlyPieces& pieces, const PlyElement& element, PieceWriter* out);
     double pass(PlyPieces& pieces, PlyType type, PieceWriter* out);
@@ -66,6 +67,7 @@ private:
     std::optional<PlyAdded> m_added;
     glm::dvec3 m_read{0.0};  ///< of the vertex being read
     std::size_t m_face = 0;  ///< the next one of the mesh
+    std::size_t m_line = 0;  ///< likewise
     bool m_hasStrips = false;
     bool m_isRounded = false;
     QString m_whyNot;

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "io/export_names.h"
+#include "io/writers/line_segments.h"
 #include "io/writers/ply_copy.h"
 
 namespace hitscope {
@@ -48,7 +49,8 @@ public:
           m_type(m_positions.fitFloats() ? PlyType::Float32 : PlyType::Float64),
           m_normals(oneNormalPerVertex(m_mesh, what.normals)),
           m_texcoords(onePerVertex(m_mesh, m_mesh.cornerTexcoords)),
-          m_hasFaceTexcoords(!m_mesh.cornerTexcoords.empty() && m_texcoords.empty()) {
+          m_hasFaceTexcoords(!m_mesh.cornerTexcoords.empty() && m_texcoords.empty()),
+          m_segments(lineSegments(m_mesh)) {
         for (std::size_t f = 0; f < m_mesh.faceCount(); ++f) {
             m_largest = std::max(m_largest, m_mesh.face(f).size());
         }
@@ -61,6 +63,7 @@ private:
     [[nodiscard]] std::string header() const;
     void vertex(std::string& text, std::size_t v) const;
     void face(std::string& text, std::size_t f) const;
+    void edge(std::string& text, std::size_t e) const;
     [[nodiscard]] PlyType countType() const { return m_largest < 128 ? PlyType::Uint8 : PlyType::Int32; }
     [[nodiscard]] PlyType texcoordCountType() const {
         return 2 * m_largest < 256 ? PlyType::Uint8 : PlyType::Int32;
@@ -78,7 +81,8 @@ private:
     std::vector<std::uint32_t> m_normals;    ///< a corner for each vertex, or empty
     std::vector<std::uint32_t> m_texcoords;  ///< one for each vertex, or empty
     bool m_hasFaceTexcoords;
-    std::size_t m_largest = 3;  ///< corners of a face
+    std::vector<std::uint32_t> m_segments;  ///< of lines, 2 vertices each
+    std::size_t m_largest = 3;              ///< corners of a face
 };
 
 std::string WholePly::header() const {
@@ -116,6 +120,10 @@ std::string WholePly::header() const {
     addList(countType(), {"vertex_indices", indexType(), true, countType()});
     if (m_hasFaceTexcoords) {
         addList(texcoordCountType(), {"texcoord", PlyType::Float32, true, texcoordCountType()});
+    }
+    if (!m_segments.empty()) {
+        text += "element edge " + std::to_string(m_segments.size() / 2) + '\n';
+        add(indexType(), {"vertex1", "vertex2"});
     }
     return text + "end_header\n";
 }
@@ -163,14 +171,25 @@ void WholePly::face(std::string& text, std::size_t f) const {
     m_values.endRecord(text);
 }
 
+void WholePly::edge(std::string& text, std::size_t e) const {
+    m_values.append(text, indexType(), m_segments[2 * e]);
+    m_values.append(text, indexType(), m_segments[2 * e + 1]);
+    m_values.endRecord(text);
+}
+
 void WholePly::write(PieceWriter& out) const {
-    const std::size_t all = m_mesh.positions.size() + m_mesh.faceCount();
+    const std::size_t edges = m_segments.size() / 2;
+    const std::size_t records = m_mesh.positions.size() + m_mesh.faceCount();
+    const std::size_t all = records + edges;
     out.put(header());
     for (std::size_t v = 0; v < m_mesh.positions.size() && out.goesOn(v, all); ++v) {
         vertex(out.text(), v);
     }
     for (std::size_t f = 0; f < m_mesh.faceCount() && out.goesOn(m_mesh.positions.size() + f, all); ++f) {
         face(out.text(), f);
+    }
+    for (std::size_t e = 0; e < edges && out.goesOn(records + e, all); ++e) {
+        edge(out.text(), e);
     }
 }
 
@@ -187,9 +206,6 @@ QStringList WholePly::notes() const {
     }
     if (!m_mesh.groups.empty()) {
         notes += QStringLiteral("PLY has no groups; they are left out.");
-    }
-    if (!m_mesh.lines.empty() || !m_mesh.points.empty()) {
-        notes += QStringLiteral("Lines and points are left out.");
     }
     return notes;
 }

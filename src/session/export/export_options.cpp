@@ -14,12 +14,21 @@ namespace hitscope {
 namespace {
 
 // Typical bytes, from files that other programs write.
-constexpr std::uint64_t kNumber = 9;       // of a text, with its blank
-constexpr std::uint64_t kPlyVertex = 44;   // position, normal, displacement, its length, hits
-constexpr std::uint64_t kGltfVertex = 44;  // position, normal, texture coordinate, number in the file
-constexpr std::uint64_t kMorph = 24;       // change of position and normal
-constexpr std::uint64_t kFacet = 50;       // of a binary STL
-constexpr std::uint64_t kPixel = 2;        // of a PNG
+constexpr std::uint64_t kNumber = 9;        // of a text, with its blank
+constexpr std::uint64_t kPlyVertex = 44;    // position, normal, displacement, its length, hits
+constexpr std::uint64_t kGltfVertex = 44;   // position, normal, texture coordinate, number in the file
+constexpr std::uint64_t kLooseVertex = 28;  // position, its change, number in the file
+constexpr std::uint64_t kMorph = 24;        // change of position and normal
+constexpr std::uint64_t kFacet = 50;        // of a binary STL
+constexpr std::uint64_t kPixel = 2;         // of a PNG
+
+std::uint64_t segmentsOf(const MeshData& mesh) {
+    std::uint64_t segments = 0;
+    for (const std::vector<std::uint32_t>& line : mesh.lines) {
+        segments += std::max<std::size_t>(line.size(), 1) - 1;
+    }
+    return segments;
+}
 
 /// Of the pictures that go into a glTF file or beside it: as they are, or as PNG.
 std::uint64_t pictureBytes(const Target& target) {
@@ -63,14 +72,15 @@ std::uint64_t bytesOf(const Target& target, const ExportOptions& options) {
                                 2 * kNumber * mesh.texcoords.size() + 2 * kNumber * corners;
         }
         case ExportFormat::Ply:
-            return kPlyVertex * vertices + 4 * corners + faces;
+            return kPlyVertex * vertices + 4 * corners + faces + 8 * segmentsOf(mesh);
         case ExportFormat::PlyAscii:
-            return 11 * kNumber * vertices + kNumber * corners;
+            return 11 * kNumber * vertices + kNumber * corners + 2 * kNumber * segmentsOf(mesh);
         case ExportFormat::Stl:
             return kFacet * (corners - 2 * faces);
         case ExportFormat::Glb:
         case ExportFormat::Gltf:
-            return (kGltfVertex + kMorph) * drawn + 12 * (corners - 2 * faces) + pictureBytes(target);
+            return (kGltfVertex + kMorph) * drawn + 12 * (corners - 2 * faces) +
+                   (kLooseVertex + 4) * (2 * segmentsOf(mesh) + mesh.points.size()) + pictureBytes(target);
         case ExportFormat::Csv:
             break;
     }
