@@ -14,6 +14,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "analysis/freed_memory.h"
 #include "app/actions/camera_actions.h"
 #include "app/actions/display_actions.h"
 #include "app/actions/exchange_actions.h"
@@ -95,6 +96,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     m_actions.make({session, m_settings, m_hitEffects, *m_viewport, *m_files, *m_sessions, *m_guard,
                     *m_notice, m_view, *this});
     new HelpTips(this);
+    new FreedMemory(session, giveBackFreedMemory, this);
     makeCentre();
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     makeOverlays();
