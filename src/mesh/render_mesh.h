@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/bounds.h"
+#include "mesh/cluster_runs.h"
 #include "mesh/corner_normals.h"
 #include "mesh/mesh_data.h"
 
@@ -18,13 +19,6 @@ struct Cluster {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
     Bounds bounds;  ///< of the original positions
-};
-
-/// A run of triangles or edges drawn with one material: [first, first + count) entries of the index array.
-struct DrawRange {
-    std::uint32_t first = 0;
-    std::uint32_t count = 0;
-    std::uint32_t material = kNoIndex;
 };
 
 /// Position and unit normal: the part of a vertex that hits change, laid out as in the GPU's buffer (24
@@ -54,6 +48,7 @@ struct RenderMesh {
     /// render vertices of its ends.
     std::vector<std::uint32_t> edges;
     std::vector<DrawRange> draws;  ///< cover `triangles`, one a material
+    ClusterRuns triangleRuns;      ///< of `triangles`
     /// Of a large mesh, fewer triangles between the same vertices, for pictures that move: see
     /// coarse_triangles.h. Empty of others.
     std::vector<std::uint32_t> coarseTriangles;

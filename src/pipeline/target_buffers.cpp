@@ -249,11 +249,11 @@ void TargetBuffers::needEdges() const {
     }
 }
 
-const ClusterEdges& TargetBuffers::clusterEdges() const {
-    if (!m_clusterEdges) {
-        m_clusterEdges.emplace(*m_mesh);
+const ClusterRuns& TargetBuffers::edgeRuns() const {
+    if (!m_edgeRuns) {
+        m_edgeRuns.emplace(m_mesh->edges, 2, std::span<const DrawRange>());
     }
-    return *m_clusterEdges;
+    return *m_edgeRuns;
 }
 
 void TargetBuffers::attachColours() {

@@ -10,7 +10,6 @@
 
 #include "deform/vertex_range.h"
 #include "gl/objects.h"
-#include "mesh/cluster_edges.h"
 #include "mesh/render_mesh.h"
 
 namespace hitscope {
@@ -80,7 +79,8 @@ public:
     /// has none.
     [[nodiscard]] std::span<const DrawRange> coarseDraws() const { return m_coarseDraws; }
     [[nodiscard]] std::span<const Cluster> clusters() const { return m_clusters; }
-    [[nodiscard]] const ClusterEdges& clusterEdges() const;  ///< made when first asked for
+    [[nodiscard]] const ClusterRuns& triangleRuns() const { return m_mesh->triangleRuns; }
+    [[nodiscard]] const ClusterRuns& edgeRuns() const;  ///< made when first asked for
     [[nodiscard]] const Bounds& originalBounds() const { return m_bounds; }
     /// About the length of an edge of the original, in metres.
     [[nodiscard]] float usualEdge() const { return m_usualEdge; }
@@ -122,7 +122,7 @@ private:
     std::vector<DrawRange> m_draws;
     std::vector<DrawRange> m_coarseDraws;
     std::vector<Cluster> m_clusters;
-    mutable std::optional<ClusterEdges> m_clusterEdges;
+    mutable std::optional<ClusterRuns> m_edgeRuns;
     Bounds m_bounds;
     float m_usualEdge = 0.0f;
     gl::Buffer m_dynamic;

@@ -3,9 +3,23 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
+#include <span>
 #include <vector>
 
 namespace hitscope {
+
+/// Entries [first, end) of an index buffer.
+struct IndexRun {
+    std::uint32_t first = 0;
+    std::uint32_t end = 0;
+};
+
+/// How many entries are in all of them.
+[[nodiscard]] inline std::size_t countOf(std::span<const IndexRun> runs) {
+    return std::accumulate(runs.begin(), runs.end(), std::size_t{0},
+                           [](std::size_t sum, const IndexRun& run) { return sum + (run.end - run.first); });
+}
 
 /// Runs of an index buffer (32 bits an index), as glMultiDrawElements() takes them.
 struct IndexRuns {

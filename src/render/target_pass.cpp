@@ -19,6 +19,7 @@
 #include "render/shadow_map.h"
 #include "render/studio.h"
 #include "render/surface_looks.h"
+#include "render/visible_runs.h"
 
 namespace hitscope::render {
 namespace {
@@ -169,8 +170,20 @@ struct Draw {
     const DrawItem* item;
     DrawRange range;
     Parts parts;
+    std::optional<std::vector<IndexRun>> seen;       ///< of the range; nothing: all of it
     std::array<std::uint32_t, kMostRounds> order{};  ///< in which its parts are drawn
 };
+
+/// From close by, much of a target lies beside the picture. A GPU draws it sooner than the CPU has found it.
+std::optional<std::vector<IndexRun>> seenOf(const FrameContext& context, const DeformationPipeline& pipeline,
+                                            const DrawItem& item, const DrawRange& range) {
+    if (!context.software || (context.frame.coarse && !item.buffers->coarseDraws().empty())) {
+        return std::nullopt;
+    }
+    const WindowPlanes window(context.viewProjection * item.model, context.window.value_or(PictureWindow{}));
+    return visibleRuns(item, context.frame, pipeline, window, item.buffers->triangleRuns(),
+                       {range.first, range.first + range.count});
+}
 
 /// Those for one program are neighbours.
 std::vector<Draw> drawsOf(const FrameContext& context, const DeformationPipeline& pipeline,
@@ -185,7 +198,7 @@ std::vector<Draw> drawsOf(const FrameContext& context, const DeformationPipeline
             // Translucent ones come when all others are there.
             const DrawRange drawn = translucent ? range : context.part.of(range);
             if (drawn.count > 0 && parts.translucent == translucent) {
-                draws.push_back({&item, drawn, parts});
+                draws.push_back({&item, drawn, parts, seenOf(context, pipeline, item, drawn)});
             }
         }
     }
@@ -198,7 +211,7 @@ std::vector<Draw> drawsOf(const FrameContext& context, const DeformationPipeline
 std::uint32_t roundsOf(std::span<const Draw> draws, std::uint32_t parts) {
     std::uint64_t indices = 0;
     for (const Draw& draw : draws) {
-        indices += draw.range.count;
+        indices += draw.seen ? countOf(*draw.seen) : draw.range.count;
     }
     return static_cast<std::uint32_t>(
         std::clamp<std::uint64_t>(indices / kIndicesARound, 1, parts > 1 ? 2 : kMostRounds));
@@ -249,7 +262,11 @@ Status drawWithOneProgram(const FrameContext& context, DeformationPipeline& pipe
             }
             materialsOf(context.frame, *draw.item)
                 .apply(program, part.material, parts.coloured, context.textureSampler);
-            drawBounded(context, GL_TRIANGLES, part.first, part.count);
+            if (draw.seen) {
+                drawBounded(context, GL_TRIANGLES, *draw.seen, {part.first, part.first + part.count});
+            } else {
+                drawBounded(context, GL_TRIANGLES, part.first, part.count);
+            }
         }
         if (rounds > 1) {
             glFlush();

@@ -109,7 +109,7 @@ private Q_SLOTS:
         QCOMPARE(static_cast<GLuint>(bound), buffers.surfaceArray());  // in the middle of a frame
         QVERIFY(same(contentOf<std::uint32_t>(indicesOf(array)), mesh.edges));
         QCOMPARE(indicesOf(buffers.originalEdgeArray()), indicesOf(array));
-        QCOMPARE(buffers.clusterEdges().of(0).first, 0u);
+        QCOMPARE(buffers.edgeRuns().runs()[0].first, 0u);
     }
 
 private:

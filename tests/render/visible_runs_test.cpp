@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edges beside the picture are passed over: fewer are drawn, and the picture stays the same.
-#include "render/visible_edges.h"
+// Edges and triangles beside the picture are passed over: fewer are drawn, and the picture stays the same.
+#include "render/visible_runs.h"
 
 #include <QTest>
 #include <cmath>
@@ -15,7 +15,7 @@
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
-namespace hitscope::visible_edges_test {
+namespace hitscope::visible_runs_test {
 
 using namespace test;
 
@@ -80,7 +80,7 @@ MeshData fence() {
 
 }  // namespace
 
-class VisibleEdgesTest : public QObject {
+class VisibleRunsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void initTestCase();
@@ -88,7 +88,8 @@ private Q_SLOTS:
     void cleanupTestCase();
     void theSamePicture_data();
     void theSamePicture();
-    void edgesThatCrossThePicture();
+    void whatCrossesThePicture_data();
+    void whatCrossesThePicture();
     void originalsToo();
     void nothingBehindTheEye();
     void notKnownWhereExaggerated();
@@ -107,13 +108,23 @@ private:
                                                frame.camera.projection(aspect) * frame.camera.view(), {});
         return runs ? runs->indices : m_scene->items()[0].buffers->edgeIndexCount() + 1;
     }
+    [[nodiscard]] std::size_t trianglesOf(const Frame& frame, const DeformationPipeline& pipeline) const {
+        const float aspect = static_cast<float>(frame.width) / static_cast<float>(frame.height);
+        const DrawItem& item = frame.targets[0];
+        const render::WindowPlanes window(frame.camera.projection(aspect) * frame.camera.view() * item.model,
+                                          {});
+        const std::uint32_t all = item.buffers->triangleIndexCount();
+        const auto runs =
+            render::visibleRuns(item, frame, pipeline, window, item.buffers->triangleRuns(), {0, all});
+        return runs ? countOf(*runs) : all;
+    }
 
     GlFixture m_gl;
     std::unique_ptr<Renderer> m_renderer;
     std::unique_ptr<TestScene> m_scene;
 };
 
-void VisibleEdgesTest::initTestCase() {
+void VisibleRunsTest::initTestCase() {
     m_renderer = openRenderer(m_gl);
     if (!m_renderer) {
         return;
@@ -122,22 +133,23 @@ void VisibleEdgesTest::initTestCase() {
     m_scene->add(*m_renderer, makeUvSphere(160, 100, kRadius), glm::vec3(0));
 }
 
-void VisibleEdgesTest::cleanupTestCase() {
+void VisibleRunsTest::cleanupTestCase() {
     m_scene.reset();
     m_renderer.reset();
 }
 
-void VisibleEdgesTest::theSamePicture_data() {
+void VisibleRunsTest::theSamePicture_data() {
     QTest::addColumn<PipelineKind>("kind");
     QTest::addColumn<WireframeMode>("mode");
     for (const PipelineKind kind : {PipelineKind::TransformFeedback, PipelineKind::UniformArray}) {
         const char* name = kind == PipelineKind::UniformArray ? "uniform array" : "feedback";
         QTest::addRow("%s, over", name) << kind << WireframeMode::Over;
         QTest::addRow("%s, only", name) << kind << WireframeMode::Only;
+        QTest::addRow("%s, surfaces", name) << kind << WireframeMode::Off;
     }
 }
 
-void VisibleEdgesTest::theSamePicture() {
+void VisibleRunsTest::theSamePicture() {
     QFETCH(PipelineKind, kind);
     QFETCH(WireframeMode, mode);
     HITSCOPE_NEEDS_EXACT_ARITHMETIC();  // or the programs put an edge a pixel apart
@@ -151,25 +163,36 @@ void VisibleEdgesTest::theSamePicture() {
         QCOMPARE(differing(shown, picture(*m_renderer, frame, secretive)), 0);
         const std::size_t drawn = indicesOf(frame, *pipeline);
         QVERIFY2(drawn > 100 && drawn < 3 * all / 4, qPrintable(QString::number(drawn)));
+        const std::size_t corners = trianglesOf(frame, *pipeline);
+        QVERIFY2(
+            corners > 100 && corners < 3 * std::size_t{m_scene->items()[0].buffers->triangleIndexCount()} / 4,
+            qPrintable(QString::number(corners)));
     }
 }
 
-void VisibleEdgesTest::edgesThatCrossThePicture() {
-    // Both of their ends lie beside it.
+void VisibleRunsTest::whatCrossesThePicture_data() {
+    QTest::addColumn<WireframeMode>("mode");
+    QTest::newRow("edges") << WireframeMode::Only;
+    QTest::newRow("triangles") << WireframeMode::Off;
+}
+
+void VisibleRunsTest::whatCrossesThePicture() {
+    QFETCH(WireframeMode, mode);
+    // Its ends lie beside it.
     TestScene scene;
     scene.add(*m_renderer, fence(), glm::vec3(0));
     const auto pipeline = scene.pipeline(PipelineKind::TransformFeedback, {});
     Secretive secretive(*pipeline);
     Frame frame = frameOf(scene, 240, 160);
     frame.camera.setPivot(glm::vec3(0), 0.0f, 0.0f, 2.0f);
-    frame.options.wireframe = WireframeMode::Only;
+    frame.options.wireframe = mode;
     const QImage shown = picture(*m_renderer, frame, *pipeline);
     QCOMPARE(differing(shown, picture(*m_renderer, frame, secretive)), 0);
     frame.targets = {};
     QVERIFY(differing(shown, picture(*m_renderer, frame, *pipeline)) > 1000);
 }
 
-void VisibleEdgesTest::originalsToo() {
+void VisibleRunsTest::originalsToo() {
     const auto pipeline = m_scene->pipeline(PipelineKind::TransformFeedback, deepDents());
     std::vector<DrawItem> items(m_scene->items().begin(), m_scene->items().end());
     items[0].original = true;
@@ -181,7 +204,7 @@ void VisibleEdgesTest::originalsToo() {
              qPrintable(QString::number(drawn)));
 }
 
-void VisibleEdgesTest::nothingBehindTheEye() {
+void VisibleRunsTest::nothingBehindTheEye() {
     const auto pipeline = m_scene->pipeline(PipelineKind::TransformFeedback, {});
     Frame frame = near(0);
     frame.camera.setPivot(glm::vec3(0.0f, 0.0f, -20.0f), 0.0f, 0.0f, 1.0f);
@@ -189,15 +212,15 @@ void VisibleEdgesTest::nothingBehindTheEye() {
     QCOMPARE(indicesOf(frame, *pipeline), std::size_t{0});
 }
 
-void VisibleEdgesTest::notKnownWhereExaggerated() {
+void VisibleRunsTest::notKnownWhereExaggerated() {
     const auto pipeline = m_scene->pipeline(PipelineKind::TransformFeedback, deepDents());
     Frame frame = near(0);
     frame.options.beforeAfter.exaggeration = 5.0f;
     QVERIFY(indicesOf(frame, *pipeline) > m_scene->items()[0].buffers->edgeIndexCount());
 }
 
-HITSCOPE_TEST(VisibleEdgesTest, QCoreApplication)
+HITSCOPE_TEST(VisibleRunsTest, QCoreApplication)
 
-}  // namespace hitscope::visible_edges_test
+}  // namespace hitscope::visible_runs_test
 
-#include "visible_edges_test.moc"
+#include "visible_runs_test.moc"
