@@ -11,6 +11,7 @@
 #include <QSettings>
 #include <QTest>
 #include <QUrl>
+#include <QWheelEvent>
 #include <QWindow>
 #include <memory>
 #include <utility>
@@ -196,6 +197,16 @@ void DrivenWindow::moveTo(double x, double y) {
 
 void DrivenWindow::release(double x, double y) {
     QTest::mouseRelease(m_window->windowHandle(), Qt::LeftButton, {}, place(x, y));
+}
+
+void DrivenWindow::wheel(double x, double y, int turns) {
+    constexpr int kTurn = 120;  // in the unit of QWheelEvent
+    for (int i = 0; i < turns; ++i) {
+        const QPointF at = place(x, y);
+        QWheelEvent turn(at, m_window->mapToGlobal(at), {}, {0, kTurn}, Qt::NoButton, Qt::NoModifier,
+                         Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(m_window->windowHandle(), &turn);
+    }
 }
 
 void DrivenWindow::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {

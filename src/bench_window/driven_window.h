@@ -79,6 +79,7 @@ public:
     void press(double x, double y);
     void moveTo(double x, double y);
     void release(double x, double y);
+    void wheel(double x, double y, int turns);  ///< towards the mesh
     void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {});
     void drop(const QString& file);
     /// The entry of a menu whose text, without & and …, is `text`; false: there is none.

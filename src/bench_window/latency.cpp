@@ -20,6 +20,7 @@ namespace hitscope::bench {
 
 namespace {
 
+constexpr int kTurnsClose = 24;          // of the wheel, to look at a dent from close by
 constexpr int kLeastFrames = 5;          // in one drag
 constexpr int kMostFrames = 20;          // likewise
 constexpr double kNanosecond = 1.0e-9;   // seconds
@@ -261,6 +262,12 @@ void LatencyRun::frames() {
     take(rest);
     take(moving(QStringLiteral("frame in motion, full size"), PictureDetail(), frames));
     take(moving(QStringLiteral("frame in motion"), std::nullopt, frames));
+    const Camera camera = m_window.viewport().camera();
+    m_window.wheel(0.5, 0.5, kTurnsClose);
+    m_window.settle();
+    take(moving(QStringLiteral("frame in motion, close up"), std::nullopt, frames));
+    m_window.viewport().navigation().setCamera(camera, Navigation::Arrival::AtOnce);
+    m_window.settle();
 }
 
 /// Frames of a drag. detail: of the picture; nothing: as the window chooses, after the frames that it takes

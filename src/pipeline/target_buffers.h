@@ -78,6 +78,8 @@ public:
     /// The same of RenderMesh::coarseTriangles, behind the others in the index buffer; none of a mesh that
     /// has none.
     [[nodiscard]] std::span<const DrawRange> coarseDraws() const { return m_coarseDraws; }
+    /// How many indices those have.
+    [[nodiscard]] std::size_t coarseIndexCount() const { return m_mesh->coarseTriangles.size(); }
     [[nodiscard]] std::span<const Cluster> clusters() const { return m_clusters; }
     [[nodiscard]] const ClusterRuns& triangleRuns() const { return m_mesh->triangleRuns; }
     [[nodiscard]] const ClusterRuns& edgeRuns() const;  ///< made when first asked for

@@ -54,8 +54,9 @@ struct FrameContext {
     const ThemeColours& colours;
     ProgramCache& programs;
     ColourTextures& colourTextures;
-    bool software = false;  ///< the CPU draws
-    GLuint emptyArray = 0;  ///< a vertex array without attributes, for corners made in the shader
+    bool software = false;       ///< the CPU draws
+    bool* drewCoarse = nullptr;  ///< set where a coarse shape is drawn; may be null
+    GLuint emptyArray = 0;       ///< a vertex array without attributes, for corners made in the shader
     glm::mat4 projection{1.0f};
     glm::mat4 viewProjection{1.0f};
     glm::mat4 steadyViewProjection{1.0f};  ///< the same in each sample of a refined picture

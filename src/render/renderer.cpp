@@ -211,6 +211,7 @@ Status Renderer::Private::drawDotsAndNeedles(const FrameContext& context, Deform
 FrameContext Renderer::Private::contextOf(const Frame& frame) {
     FrameContext context = makeContext(frame, programs, colourTextures, emptyArray.id(), jitter);
     context.software = software;
+    context.drewCoarse = &wasCoarse;
     context.occlusion = occlusion;
     if (isStudioWanted(frame)) {
         studio.prepare(frame);
@@ -323,7 +324,12 @@ Status Renderer::prepare(const Frame& given, DeformationPipeline& pipeline) {
                                             : Status(Done{});
 }
 
+bool Renderer::wasCoarse() const {
+    return d->wasCoarse;
+}
+
 Status Renderer::draw(const Frame& given, DeformationPipeline& pipeline, GLuint framebuffer) {
+    d->wasCoarse = false;
     if (given.width <= 0 || given.height <= 0) {
         return Done{};
     }

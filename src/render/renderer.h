@@ -94,6 +94,8 @@ public:
     [[nodiscard]] Status prepare(const Frame& frame, DeformationPipeline& pipeline);
     /// Programs are built for the pipeline when it first draws; the error is the driver's.
     [[nodiscard]] Status draw(const Frame& frame, DeformationPipeline& pipeline, GLuint framebuffer);
+    /// Whether the last draw() put coarse shapes in the picture.
+    [[nodiscard]] bool wasCoarse() const;
 
     /// Adds a sample to a picture of this frame, of the same one until the picture is cleared; or what has to
     /// be known before the first one; or of either the next part, where a software renderer would take long:

@@ -59,6 +59,7 @@ struct Renderer::Private {
     render::DentGhostPass dentGhost;
     render::SectionPass sections;
     gl::VertexArray emptyArray = gl::VertexArray::make();
+    bool wasCoarse = false;  ///< at the last draw()
     bool software = gl::rendererInfo().isSoftware();
     render::ShadowMap shadows{software};
     render::ShadowMap sampleShadows{software,

@@ -177,12 +177,29 @@ struct Draw {
 /// From close by, much of a target lies beside the picture. A GPU draws it sooner than the CPU has found it.
 std::optional<std::vector<IndexRun>> seenOf(const FrameContext& context, const DeformationPipeline& pipeline,
                                             const DrawItem& item, const DrawRange& range) {
-    if (!context.software || (context.frame.coarse && !item.buffers->coarseDraws().empty())) {
+    if (!context.software) {
         return std::nullopt;
     }
     const WindowPlanes window(context.viewProjection * item.model, context.window.value_or(PictureWindow{}));
     return visibleRuns(item, context.frame, pipeline, window, item.buffers->triangleRuns(),
                        {range.first, range.first + range.count});
+}
+
+struct ItemDraws {
+    std::span<const DrawRange> draws;
+    std::optional<std::vector<IndexRun>> seen;  ///< nothing: all of them, or each finds its own
+};
+
+/// Where a coarse picture shows little of a target, all of that has no more triangles than the coarse shape.
+ItemDraws drawsOf(const FrameContext& context, const DeformationPipeline& pipeline, const DrawItem& item) {
+    const std::span<const DrawRange> coarse = hitscope::drawsOf(item, context.frame.coarse);
+    const std::span<const DrawRange> all = item.buffers->draws();
+    if (coarse.data() == all.data()) {
+        return {all, std::nullopt};
+    }
+    auto seen = seenOf(context, pipeline, item, {0, item.buffers->triangleIndexCount()});
+    const std::size_t few = item.buffers->coarseIndexCount();
+    return seen && countOf(*seen) <= few ? ItemDraws{all, std::move(seen)} : ItemDraws{coarse, std::nullopt};
 }
 
 /// Those for one program are neighbours.
@@ -193,12 +210,18 @@ std::vector<Draw> drawsOf(const FrameContext& context, const DeformationPipeline
         if (!context.mayShow(item, pipeline)) {
             continue;
         }
-        for (const DrawRange& range : hitscope::drawsOf(item, context.frame.coarse)) {
+        const auto [ranges, seen] = drawsOf(context, pipeline, item);
+        const bool isCoarse = ranges.data() != item.buffers->draws().data();
+        if (isCoarse && context.drewCoarse != nullptr) {
+            *context.drewCoarse = true;
+        }
+        for (const DrawRange& range : ranges) {
             const Parts parts = partsOf(context.frame, item, range.material);
             // Translucent ones come when all others are there.
             const DrawRange drawn = translucent ? range : context.part.of(range);
             if (drawn.count > 0 && parts.translucent == translucent) {
-                draws.push_back({&item, drawn, parts, seenOf(context, pipeline, item, drawn)});
+                draws.push_back(
+                    {&item, drawn, parts, seen || isCoarse ? seen : seenOf(context, pipeline, item, drawn)});
             }
         }
     }

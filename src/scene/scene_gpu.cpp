@@ -258,6 +258,10 @@ Status SceneGpu::prepare(const View& view) {
     return status;
 }
 
+bool SceneGpu::wasCoarse() const {
+    return d->renderer->wasCoarse();
+}
+
 Status SceneGpu::draw(const View& shown, unsigned framebuffer, RefinedView* refined) {
     d->meter.begin();
     const View view = d->reducedView(shown);

@@ -36,6 +36,11 @@ void MotionDetail::forget() {
     m_coarsePart = part;
 }
 
+void MotionDetail::tryAgain() {
+    m_areFewTrianglesNoHelp = false;
+    m_areFewPixelsNoHelp = false;
+}
+
 void MotionDetail::setCoarsePart(float part) {
     m_coarsePart = part;
     forget();

@@ -26,6 +26,8 @@ public:
     [[nodiscard]] bool hasCoarse() const { return m_coarsePart < 1.0f; }
     /// Frames take another time from now on: another scene, size or way to draw.
     void forget();
+    /// What was no help may be some from now on: from close by it is pixels that take long.
+    void tryAgain();
 
 private:
     void settle();  ///< a step was made

@@ -45,6 +45,14 @@ void PictureMotion::forget() {
     drawInFullIfAtRest();
 }
 
+void PictureMotion::seenFrom(float distance) {
+    constexpr float kOther = 2.0f;  // times as far or as near
+    if (distance > kOther * m_distance || distance * kOther < m_distance) {
+        m_distance = distance;
+        m_motion.tryAgain();
+    }
+}
+
 /// The refiner may have been going to draw the picture that now nobody else draws.
 void PictureMotion::drawInFullIfAtRest() {
     if (!m_timer.isActive() && isReduced()) {

@@ -43,10 +43,18 @@ public:
     void refinedShown();
     /// Of the last picture.
     [[nodiscard]] const PictureDetail& lastDetail() const { return m_detail; }
+    /// Of what was drawn last: from close by there may be all triangles all the same.
+    void drawn(bool coarse) { m_drewCoarse = coarse; }
+    /// The last picture as one sees it.
+    [[nodiscard]] PictureDetail seenDetail() const {
+        return {.scale = m_detail.scale, .coarse = m_detail.coarse && m_drewCoarse};
+    }
     /// Whether another picture comes, in full, once nothing moves.
     [[nodiscard]] bool isReduced() const;
     /// Frames take another time from now on.
     void forget();
+    /// The next frames are seen from that far away, metres.
+    void seenFrom(float distance);
     /// Draws what moves with this detail, whatever the time that frames take; nothing: as their time demands.
     void hold(std::optional<PictureDetail> detail) { m_held = detail; }
 
@@ -75,7 +83,9 @@ private:
     int m_fullFrames = 0;        ///< drawn since frames took another time
     bool m_isFirst = true;       ///< the next frame is a motion's first
     bool m_isCounted = false;    ///< the last one was not
+    bool m_drewCoarse = false;   ///< the last one did
     PictureDetail m_detail;      ///< of the last picture
+    float m_distance = 0.0f;     ///< metres, where what is no help was forgotten last
     QTimer m_timer;              ///< runs while the picture moves
 };
 

@@ -194,11 +194,13 @@ void Viewport::paintGL() {
     m_isDrawn = true;
     const bool follows = std::exchange(m_frameFollows, false) && m_sinceFrame.isValid();
     SceneGpu::View shown = view();
+    m_motion.seenFrom(camera().distance());
     shown.detail = m_motion.beginFrame();
     if (Status drawn = m_scene->draw(shown, defaultFramebufferObject(), m_refiner.view()); !drawn) {
         report(drawn.error());
         return;
     }
+    m_motion.drawn(m_scene->wasCoarse());
     paintOverlay();
     m_error.clear();
     if (m_refiner.wasShown()) {

@@ -154,6 +154,29 @@ private Q_SLOTS:
         const int differs = differing(full, coarse, 0);
         QVERIFY2(differs > 20 && differs < kWidth * kHeight / 10, qPrintable(QString::number(differs)));
         QVERIFY(3 * differs < 2 * differing(full, round, 0));  // the dent is there
+        QVERIFY(!gpu.value()->wasCoarse());
+        m_floor = false;
+        (void)draw(session, *gpu.value(), true, {.coarse = true});
+        QVERIFY(gpu.value()->wasCoarse());
+    }
+
+    /// Where little of it is in the picture, all triangles of that are drawn, on renderers that would not be
+    /// held up more by looking for them.
+    void coarseOfLittle() {
+        if (!gl::rendererInfo().isSoftware()) {
+            QSKIP("A GPU draws the coarse shape.");
+        }
+        Session session;
+        std::vector<TargetPlan> large(1, planMesh(prepareMesh(makeGeodesicSphere(90, 2.0f)), TargetSource()));
+        session.loadScene({{}, std::move(large), 0.0f});
+        const auto gpu = SceneGpu::create(session);
+        QVERIFY(gpu);
+        m_isNarrow = true;
+        const Image full = draw(session, *gpu.value());
+        const Image coarse = draw(session, *gpu.value(), true, {.coarse = true});
+        m_isNarrow = false;
+        QVERIFY(!gpu.value()->wasCoarse());
+        QVERIFY(full.pixels == coarse.pixels);
     }
 
 private:
@@ -177,6 +200,9 @@ private:
             bounds.add(target->worldBounds());
         }
         view.camera.frame(bounds, 2.0f);
+        if (m_isNarrow) {
+            view.camera.setFieldOfView(Camera::kNarrowest);
+        }
         view.options.floor = m_floor;
         view.options.shadows = m_floor;
         view.options.vertexColours = colours;
@@ -187,6 +213,7 @@ private:
 
     test::GlFixture m_gl;
     bool m_floor = false;
+    bool m_isNarrow = false;  // the picture shows little
 };
 
 HITSCOPE_TEST(SceneDrawTest, QCoreApplication)

@@ -54,6 +54,15 @@ private Q_SLOTS:
         QCOMPARE(moved(motion, 20, [](float at) { return 0.1 * static_cast<double>(at * at); }), 0.5f);
     }
 
+    static void whatWasNoHelpIsTriedAgainWhenTold() {
+        MotionDetail motion;
+        QCOMPARE(moved(motion, 20, [](float) { return 0.1; }), 1.0f);
+        const auto byPixels = [](float at) { return 0.1 * static_cast<double>(at * at); };
+        QCOMPARE(moved(motion, 20, byPixels), 1.0f);
+        motion.tryAgain();  // one has come closer
+        QCOMPARE(moved(motion, 20, byPixels), 0.5f);
+    }
+
     static void growsAgainWhereFramesAreFast() {
         MotionDetail motion;
         QCOMPARE(moved(motion, 20, [](float at) { return 0.1 * static_cast<double>(at * at); }), 0.5f);

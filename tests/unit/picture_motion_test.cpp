@@ -66,6 +66,28 @@ private Q_SLOTS:
         QVERIFY(drawn(motion, 0.03).isFull());
     }
 
+    static void fewerPixelsAreTriedAgainFromCloseBy() {
+        PictureMotion motion;
+        motion.setOn(true);
+        motion.seenFrom(10.0f);
+        motion.moved();
+        for (int i = 0; i < 20; ++i) {
+            drawn(motion, 0.1);
+        }
+        const auto move = [&motion](float distance) {
+            float scale = 1.0f;
+            for (int i = 0; i < 20; ++i) {
+                motion.seenFrom(distance);
+                motion.moved();
+                scale = motion.coming().scale;
+                drawn(motion, 0.1 * static_cast<double>(scale * scale));
+            }
+            return scale;
+        };
+        QCOMPARE(move(8.0f), 1.0f);  // it was no help
+        QCOMPARE(move(4.0f), 0.5f);
+    }
+
     static void whatIsInAHurryHasHalfOfThePixels() {
         PictureMotion motion;
         motion.setOn(true);

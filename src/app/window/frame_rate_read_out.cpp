@@ -28,7 +28,7 @@ FrameRateReadOut::FrameRateReadOut(FrameRatePanel& frames, Viewport& viewport, S
 
 void FrameRateReadOut::follow() {
     const FrameTimes::Summary summary = m_frames.summary();
-    m_status.setFrameRate(summary, m_viewport.motion().lastDetail());
+    m_status.setFrameRate(summary, m_viewport.motion().seenDetail());
     if (summary.recent == 0) {
         m_timer.stop();  // until the next frame
     }
