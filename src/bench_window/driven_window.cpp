@@ -151,12 +151,11 @@ std::optional<DrivenWindow::Moment> DrivenWindow::untilRefined(const std::functi
             return;
         }
         const PictureRefiner& refiner = viewport().refiner();
-        if (begin == 0 && !refiner.wasShown()) {
+        if (!refiner.wasShown()) {  // the last of these: what follows the hit comes in another frame
             m_watch.restart();
             spent = processorTime();
             begin = nowInNanoseconds();
-        } else if (begin != 0 && refined.seconds == 0.0 && refiner.wasShown() &&
-                   refiner.samples() == kShownSamples) {
+        } else if (begin != 0 && refined.seconds == 0.0 && refiner.samples() == kShownSamples) {
             refined = {kNanoseconds * static_cast<double>(nowInNanoseconds() - begin), m_watch.longest(),
                        processorTime() - spent};
         }

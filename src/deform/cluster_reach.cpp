@@ -139,6 +139,7 @@ void ClusterReach::restart() {
         m_now[node].add(m_now[2 * node + 1]);
     }
     m_ever = m_now;
+    m_reached.assign(m_clusters.size(), false);
 }
 
 /// Makes a leaf's ancestors hold their children again.
@@ -193,6 +194,7 @@ void ClusterReach::find(const Tree& tree, const Hit& hit, std::vector<std::uint3
 }
 
 void ClusterReach::grow(std::uint32_t cluster, const Hit& hit) {
+    m_reached[cluster] = true;
     const std::size_t leaf = m_leaves + cluster;
     enlarge(m_now, leaf, grownBy(m_now[leaf], hit));
 }
@@ -234,6 +236,7 @@ void ClusterReach::restart(std::span<const std::uint32_t> clusters) {
         const std::size_t leaf = m_leaves + cluster;
         m_now[leaf] = m_clusters[cluster].bounds;
         m_ever[leaf] = m_clusters[cluster].bounds;
+        m_reached[cluster] = false;
         refit(m_now, leaf);
         refit(m_ever, leaf);
     }
@@ -251,6 +254,7 @@ void ClusterReach::place(std::uint32_t first, std::span<const DynamicVertex> ver
     const auto end = first + static_cast<std::uint32_t>(vertices.size());
     const VertexRange range{first, end - first};
     for (const std::uint32_t index : clustersIn({&range, 1})) {
+        m_reached[index] = true;
         const Cluster& cluster = m_clusters[index];
         const std::uint32_t begin = std::max(cluster.first, first);
         const std::uint32_t count = std::min(cluster.first + cluster.count, end) - begin;

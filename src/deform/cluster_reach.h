@@ -30,6 +30,9 @@ public:
     /// Likewise, of one cluster.
     [[nodiscard]] Bounds bounds(std::size_t cluster) const { return nodeBounds(m_leaves + cluster); }
 
+    /// Whether no hit has reached it since its vertices were at their original.
+    [[nodiscard]] bool isOriginal(std::size_t cluster) const { return !m_reached[cluster]; }
+
     // Clusters are lists of indices into clusters(), ascending; what is found is appended.
 
     /// Finds the clusters that may have a vertex within reachOf(hit), and takes
@@ -72,7 +75,8 @@ private:
     static void enlarge(Tree& tree, std::size_t leaf, const Bounds& box);
 
     std::span<const Cluster> m_clusters;
-    std::size_t m_leaves = 1;  ///< a power of two; those beyond the clusters are empty
+    std::size_t m_leaves = 1;     ///< a power of two; those beyond the clusters are empty
+    std::vector<bool> m_reached;  ///< by cluster
     Tree m_now;
     Tree m_ever;  ///< where a box of m_now was before it was drawn tight; with that one, every place
 };

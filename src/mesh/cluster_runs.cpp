@@ -7,25 +7,28 @@
 
 namespace hitscope {
 
-ClusterRuns::ClusterRuns(std::span<const std::uint32_t> indices, std::size_t corners,
-                         std::span<const DrawRange> draws) {
+ClusterRuns::ClusterRuns(std::span<const DynamicVertex> vertices, std::span<const std::uint32_t> indices,
+                         std::size_t corners, std::span<const DrawRange> draws) {
     std::vector<std::size_t> knownTo;  // by cluster: one more than the last run with a corner there
     const auto addRange = [&](std::size_t first, std::size_t end) {
         for (std::size_t element = first; element < end; element += corners) {
-            const std::span<const std::uint32_t> vertices = indices.subspan(element, corners);
-            const auto [lowest, highest] = std::minmax_element(vertices.begin(), vertices.end());
+            const std::span<const std::uint32_t> ends = indices.subspan(element, corners);
+            const auto [lowest, highest] = std::minmax_element(ends.begin(), ends.end());
             // All clusters but the last are full.
             const std::uint32_t cluster = *lowest / kClusterVertices;
             if (element == first || m_runs.back().cluster != cluster) {
                 const auto index = static_cast<std::uint32_t>(element);
-                m_runs.push_back({index, index, cluster, static_cast<std::uint32_t>(m_others.size())});
+                m_runs.push_back({index, index, cluster, static_cast<std::uint32_t>(m_others.size()), {}});
             }
             m_runs.back().end = static_cast<std::uint32_t>(element + corners);
+            for (const std::uint32_t vertex : ends) {
+                m_runs.back().bounds.add(vertices[vertex].position);
+            }
             if (*highest / kClusterVertices == cluster) {
                 continue;
             }
             knownTo.resize(std::max(knownTo.size(), std::size_t{*highest} / kClusterVertices + 1));
-            for (const std::uint32_t vertex : vertices) {
+            for (const std::uint32_t vertex : ends) {
                 const std::uint32_t other = vertex / kClusterVertices;
                 if (other != cluster && knownTo[other] != m_runs.size()) {
                     knownTo[other] = m_runs.size();

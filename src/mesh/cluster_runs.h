@@ -9,6 +9,8 @@
 
 namespace hitscope {
 
+struct DynamicVertex;
+
 /// A run of triangles or edges drawn with one material: [first, first + count) entries of the index array.
 struct DrawRange {
     std::uint32_t first = 0;
@@ -26,12 +28,13 @@ public:
         std::uint32_t end = 0;
         std::uint32_t cluster = 0;
         std::uint32_t othersStart = 0;  ///< others() has them
+        Bounds bounds;                  ///< of the original positions
     };
     ClusterRuns() = default;
-    /// indices: `corners` an element (2 or 3), elements of each draw by their lowest vertex. draws: cover
-    /// indices in order; none: all are one.
-    ClusterRuns(std::span<const std::uint32_t> indices, std::size_t corners,
-                std::span<const DrawRange> draws);
+    /// indices: of `vertices`, `corners` an element (2 or 3), elements of each draw by their lowest one.
+    /// draws: cover indices in order; none: all are one.
+    ClusterRuns(std::span<const DynamicVertex> vertices, std::span<const std::uint32_t> indices,
+                std::size_t corners, std::span<const DrawRange> draws);
 
     /// In the order of the indices, which they cover.
     [[nodiscard]] std::span<const Run> runs() const { return m_runs; }

@@ -345,7 +345,7 @@ RenderMesh buildRenderMesh(const MeshData& mesh, float creaseAngle) {
     orderVertices(render);
     makeFileVertexMap(mesh, render);
     makeTriangles(mesh, render);
-    render.triangleRuns = ClusterRuns(render.triangles, 3, render.draws);
+    render.triangleRuns = ClusterRuns(render.vertices, render.triangles, 3, render.draws);
     makeEdges(mesh, vertexCorners, render);
     return render;
 }

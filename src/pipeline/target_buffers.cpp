@@ -251,7 +251,7 @@ void TargetBuffers::needEdges() const {
 
 const ClusterRuns& TargetBuffers::edgeRuns() const {
     if (!m_edgeRuns) {
-        m_edgeRuns.emplace(m_mesh->edges, 2, std::span<const DrawRange>());
+        m_edgeRuns.emplace(m_mesh->vertices, m_mesh->edges, 2, std::span<const DrawRange>());
     }
     return *m_edgeRuns;
 }

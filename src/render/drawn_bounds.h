@@ -40,6 +40,10 @@ public:
     [[nodiscard]] Bounds of(std::size_t cluster) const {
         return m_reach != nullptr ? m_reach->bounds(cluster) : m_clusters[cluster].bounds;
     }
+    /// Whether no vertex of it has moved.
+    [[nodiscard]] bool isOriginal(std::size_t cluster) const {
+        return m_reach == nullptr || m_reach->isOriginal(cluster);
+    }
 
 private:
     std::span<const Cluster> m_clusters;

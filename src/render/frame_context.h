@@ -15,6 +15,7 @@
 namespace hitscope::render {
 
 class ColourTextures;
+class MarkedTiles;
 class ShadowMap;
 class Studio;
 
@@ -75,6 +76,7 @@ struct FrameContext {
     float depthPerPixel = 0.0f;
 
     SurfacePart part = {};                     ///< of the picture, what is drawn
+    const MarkedTiles* tiles = nullptr;        ///< nothing of surfaces is wanted elsewhere; null: everywhere
     std::optional<PictureWindow> window = {};  ///< nothing else of the picture can be drawn to
 
     /// False: nothing of the target can be drawn within the window.

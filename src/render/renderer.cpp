@@ -145,15 +145,15 @@ Status drawTargets(const FrameContext& context, DeformationPipeline& pipeline) {
 
 namespace render {
 
-void prepareFramebuffer(const Frame& frame, GLuint framebuffer, const PixelArea* area, Before before) {
+void prepareFramebuffer(const Frame& frame, GLuint framebuffer, const DrawnPixels* within, Before before) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(frame.left, 0, frame.width, frame.height);
     for (const GLenum capability : {GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_FRAMEBUFFER_SRGB,
                                     GL_RASTERIZER_DISCARD, GL_COLOR_LOGIC_OP, GL_BLEND, GL_DEPTH_TEST}) {
         glDisable(capability);
     }
-    if (area != nullptr) {
-        limitDrawing(*area);
+    if (within != nullptr) {
+        limitDrawing(*within);
     }
     glEnable(GL_MULTISAMPLE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -288,9 +288,9 @@ std::shared_ptr<const MaterialSet> Renderer::makeCover(const Image& texture) {
 }
 
 Status Renderer::Private::drawPicture(const FrameContext& context, DeformationPipeline& pipeline,
-                                      GLuint framebuffer, const PixelArea* area) {
+                                      GLuint framebuffer, const DrawnPixels* within) {
     const bool isFirst = context.part.isFirst();
-    prepareFramebuffer(context.frame, framebuffer, area, isFirst ? Before::Goes : Before::Stays);
+    prepareFramebuffer(context.frame, framebuffer, within, isFirst ? Before::Goes : Before::Stays);
     startSolid();
     if (Status status = isFirst ? projectiles.draw(context) : Status(Done{}); !status) {
         return status;

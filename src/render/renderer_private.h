@@ -41,8 +41,8 @@ private:
 
 /// What is in a framebuffer that is drawn to.
 enum class Before { Goes, Stays };
-/// area: what is drawn within; null: the whole viewport.
-void prepareFramebuffer(const Frame& frame, GLuint framebuffer, const PixelArea* area = nullptr,
+/// within: null: the whole viewport.
+void prepareFramebuffer(const Frame& frame, GLuint framebuffer, const DrawnPixels* within = nullptr,
                         Before before = Before::Goes);
 void startBlended();
 /// Marks are on what they mark: left of a wipe's line on the originals.
@@ -81,13 +81,13 @@ struct Renderer::Private {
     /// Targets and projectiles into a framebuffer, what is selected as well; nothing over them. In parts, the
     /// framebuffer keeps what the ones before have drawn.
     [[nodiscard]] Status drawPicture(const render::FrameContext& context, DeformationPipeline& pipeline,
-                                     GLuint framebuffer, const PixelArea* area = nullptr);
+                                     GLuint framebuffer, const render::DrawnPixels* within = nullptr);
     /// What is drawn over everything.
     [[nodiscard]] Status drawOver(const render::FrameContext& context);
     /// The next part of a picture that is refined: context.part.count is set, and the index will be.
     [[nodiscard]] Status drawPart(render::FrameContext& context, DeformationPipeline& pipeline,
                                   RefinedPicture& picture, GLuint framebuffer,
-                                  const PixelArea* area = nullptr);
+                                  const render::DrawnPixels* within = nullptr);
     /// What has to be known before the first sample: the picture as draw() draws it.
     [[nodiscard]] Status drawPlain(render::FrameContext& context, DeformationPipeline& pipeline,
                                    RefinedPicture& picture);

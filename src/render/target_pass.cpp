@@ -180,8 +180,9 @@ std::optional<std::vector<IndexRun>> seenOf(const FrameContext& context, const D
     if (!context.software) {
         return std::nullopt;
     }
-    const WindowPlanes window(context.viewProjection * item.model, context.window.value_or(PictureWindow{}));
-    return visibleRuns(item, context.frame, pipeline, window, item.buffers->triangleRuns(),
+    Sight sight(context.viewProjection * item.model, context.window.value_or(PictureWindow{}));
+    sight.limitTo(context.tiles, {context.frame.width, context.frame.height});
+    return visibleRuns(item, context.frame, pipeline, sight, item.buffers->triangleRuns(),
                        {range.first, range.first + range.count});
 }
 

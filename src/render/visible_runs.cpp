@@ -3,21 +3,50 @@
 
 #include <algorithm>
 
+#include "render/seen_area.h"
+
 namespace hitscope::render {
 
 namespace {
 
 constexpr std::uint32_t kGap = 48;  // indices: so many cost less than another run
 
+/// Around all of the run's elements.
+Bounds boxOf(const ClusterBoxes& boxes, const ClusterRuns& runs, std::size_t index) {
+    const ClusterRuns::Run& run = runs.runs()[index];
+    const std::span<const std::uint32_t> others = runs.others(index);
+    const auto isOriginal = [&boxes](std::uint32_t cluster) { return boxes.isOriginal(cluster); };
+    if (isOriginal(run.cluster) && std::all_of(others.begin(), others.end(), isOriginal)) {
+        return run.bounds;
+    }
+    Bounds box = boxes.of(run.cluster);
+    for (const std::uint32_t other : others) {
+        box.add(boxes.of(other));
+    }
+    return box;
+}
+
 }  // namespace
 
+void Sight::limitTo(const MarkedTiles* tiles, const glm::ivec2& picture) {
+    m_tiles = tiles;
+    m_picture = picture;
+}
+
+bool Sight::mayShow(const Bounds& box) const {
+    if (!m_window.mayShow(box) || m_tiles == nullptr) {
+        return m_window.mayShow(box);
+    }
+    SeenArea seen(m_toClip);
+    return !seen.add(box) || m_tiles->any(seen.in(m_picture));
+}
+
 std::optional<std::vector<IndexRun>> visibleRuns(const DrawItem& item, const Frame& frame,
-                                                 const DeformationPipeline& pipeline,
-                                                 const WindowPlanes& window, const ClusterRuns& runs,
-                                                 const IndexRun& range) {
+                                                 const DeformationPipeline& pipeline, const Sight& sight,
+                                                 const ClusterRuns& runs, const IndexRun& range) {
     const std::optional<Bounds> all = drawnBounds(item, frame, pipeline);
     const std::optional<ClusterBoxes> boxes = clusterBoxesOf(item, frame, pipeline);
-    if (runs.runs().empty() || !all || !boxes || window.holds(*all)) {
+    if (runs.runs().empty() || !all || !boxes || sight.holds(*all)) {
         return std::nullopt;
     }
     const std::span<const ClusterRuns::Run> clusters = runs.runs();
@@ -26,11 +55,7 @@ std::optional<std::vector<IndexRun>> visibleRuns(const DrawItem& item, const Fra
                              [&range](const ClusterRuns::Run& run) { return run.end <= range.first; });
     std::vector<IndexRun> visible;
     for (auto run = first; run != clusters.end() && run->first < range.end; ++run) {
-        Bounds box = boxes->of(run->cluster);
-        for (const std::uint32_t other : runs.others(static_cast<std::size_t>(run - clusters.begin()))) {
-            box.add(boxes->of(other));
-        }
-        if (!window.mayShow(box)) {
+        if (!sight.mayShow(boxOf(*boxes, runs, static_cast<std::size_t>(run - clusters.begin())))) {
             continue;
         }
         const IndexRun more{std::max(run->first, range.first), std::min(run->end, range.end)};
@@ -45,7 +70,7 @@ std::optional<std::vector<IndexRun>> visibleRuns(const DrawItem& item, const Fra
 std::optional<IndexRuns> visibleEdges(const DrawItem& item, const Frame& frame,
                                       const DeformationPipeline& pipeline, const glm::mat4& viewProjection,
                                       const PictureWindow& window) {
-    const auto visible = visibleRuns(item, frame, pipeline, WindowPlanes(viewProjection * item.model, window),
+    const auto visible = visibleRuns(item, frame, pipeline, Sight(viewProjection * item.model, window),
                                      item.buffers->edgeRuns(), {0, item.buffers->edgeIndexCount()});
     if (!visible) {
         return std::nullopt;

@@ -6,18 +6,37 @@
 
 #include "render/drawn_bounds.h"
 #include "render/index_runs.h"
+#include "render/refined/marked_tiles.h"
 
 namespace hitscope::render {
 
-/// Of the triangles or edges in the range of the index buffer, those of clusters that may be drawn within the
-/// window, in order; nothing: it may be all of them. Costs a look at each cluster of a target that is partly
+/// What of a target can be seen in a picture.
+class Sight {
+public:
+    /// toClip: from the frame of the boxes to come.
+    Sight(const glm::mat4& toClip, const PictureWindow& window)
+        : m_toClip(toClip), m_window(toClip, window) {}
+    /// Nothing is drawn but in tiles of a picture of that size, pixels; null: everywhere. They outlive this.
+    void limitTo(const MarkedTiles* tiles, const glm::ivec2& picture);
+    [[nodiscard]] bool mayShow(const Bounds& box) const;
+    /// Whether all of the box can be seen.
+    [[nodiscard]] bool holds(const Bounds& box) const { return m_tiles == nullptr && m_window.holds(box); }
+
+private:
+    glm::mat4 m_toClip;
+    WindowPlanes m_window;
+    glm::ivec2 m_picture{0};
+    const MarkedTiles* m_tiles = nullptr;
+};
+
+/// Of the triangles or edges in the range of the index buffer, those of clusters that may be
+/// seen, in order; nothing: it may be all of them. Costs a look at each cluster of a target that is partly
 /// outside.
 ///
 /// runs: of the item's triangles or edges; none: they are not known.
 [[nodiscard]] std::optional<std::vector<IndexRun>> visibleRuns(const DrawItem& item, const Frame& frame,
                                                                const DeformationPipeline& pipeline,
-                                                               const WindowPlanes& window,
-                                                               const ClusterRuns& runs,
+                                                               const Sight& sight, const ClusterRuns& runs,
                                                                const IndexRun& range);
 
 /// The edges of a target likewise.

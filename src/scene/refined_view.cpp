@@ -81,11 +81,14 @@ RefinedKey::RefinedKey(const FrameParts& parts)
 }  // namespace
 
 struct RefinedView::Private {
+    explicit Private(RefinedPicture::Extent extent) : picture(extent) {}
     RefinedPicture picture;
     std::optional<RefinedKey> key;
 };
 
-RefinedView::RefinedView() : d(std::make_unique<Private>()) {}
+RefinedView::RefinedView(Pixels pixels)
+    : d(std::make_unique<Private>(pixels == Pixels::UntilSettled ? RefinedPicture::Extent::WhereItStillVaries
+                                                                 : RefinedPicture::Extent::WhereItVaries)) {}
 RefinedView::~RefinedView() = default;
 
 int RefinedView::samples() const {

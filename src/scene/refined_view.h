@@ -12,7 +12,9 @@ class RefinedPicture;
 /// while it stays. A context is current for every call and the destructor, once it has a sample.
 class RefinedView {
 public:
-    RefinedView();
+    /// UntilSettled: where the CPU draws, pixels whose first samples are alike get no more.
+    enum class Pixels { AllSamples, UntilSettled };
+    explicit RefinedView(Pixels pixels = Pixels::AllSamples);
     ~RefinedView();
     RefinedView(const RefinedView&) = delete;
     RefinedView& operator=(const RefinedView&) = delete;

@@ -10,9 +10,13 @@ namespace {
 
 // Milliseconds from the beginning to the first look at what there is, and from one to the next. The whole
 // window is composed for each, which takes a software renderer almost as long as a sample.
-constexpr int kBetweenLooks = 400;
-constexpr qint64 kRestForSample = 2;  // times as long as a sample takes, nothing must have happened before it
+constexpr int kBetweenLooks = 600;
+constexpr qint64 kRestForSample = 1;  // times as long as a sample takes, nothing must have happened before it
 constexpr qint64 kLongestRest = 1000;  // milliseconds
+
+std::unique_ptr<RefinedView> makeView() {
+    return std::make_unique<RefinedView>(RefinedView::Pixels::UntilSettled);
+}
 
 }  // namespace
 
@@ -31,20 +35,20 @@ void PictureRefiner::setOn(bool on) {
     if (!on) {
         releaseGpu();
     } else if (m_whyNot.isEmpty()) {
-        m_view = std::make_unique<RefinedView>();
+        m_view = makeView();
     }
 }
 
 void PictureRefiner::setWanted(int samples) {
     m_wanted = samples;
     if (m_view && m_view->samples() > samples) {
-        m_view = std::make_unique<RefinedView>();
+        m_view = makeView();
     }
 }
 
 void PictureRefiner::releaseGpu() {
     m_timer.stop();
-    m_view = m_view && m_on ? std::make_unique<RefinedView>() : nullptr;
+    m_view = m_view && m_on ? makeView() : nullptr;
 }
 
 bool PictureRefiner::isDone() const {

@@ -40,17 +40,6 @@ QImage shrunk(const QImage& large, int side) {
     return small;
 }
 
-/// The mean difference of a channel.
-double meanDifference(const QImage& a, const QImage& b) {
-    double sum = 0.0;
-    for (int y = 0; y < a.height(); ++y) {
-        for (int x = 0; x < a.width(); ++x) {
-            sum += levels(a.pixel(x, y), b.pixel(x, y));
-        }
-    }
-    return sum / (a.width() * a.height());
-}
-
 int green(const QImage& image, int x, int y) {
     return qGreen(image.pixel(x, y));
 }

@@ -111,11 +111,10 @@ private:
     [[nodiscard]] std::size_t trianglesOf(const Frame& frame, const DeformationPipeline& pipeline) const {
         const float aspect = static_cast<float>(frame.width) / static_cast<float>(frame.height);
         const DrawItem& item = frame.targets[0];
-        const render::WindowPlanes window(frame.camera.projection(aspect) * frame.camera.view() * item.model,
-                                          {});
+        const render::Sight sight(frame.camera.projection(aspect) * frame.camera.view() * item.model, {});
         const std::uint32_t all = item.buffers->triangleIndexCount();
         const auto runs =
-            render::visibleRuns(item, frame, pipeline, window, item.buffers->triangleRuns(), {0, all});
+            render::visibleRuns(item, frame, pipeline, sight, item.buffers->triangleRuns(), {0, all});
         return runs ? countOf(*runs) : all;
     }
 

@@ -15,6 +15,17 @@ namespace hitscope::test {
         {std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b))});
 }
 
+/// The mean over all pixels of levels().
+[[nodiscard]] inline double meanDifference(const QImage& a, const QImage& b) {
+    double sum = 0.0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            sum += levels(a.pixel(x, y), b.pixel(x, y));
+        }
+    }
+    return sum / (a.width() * a.height());
+}
+
 /// Pixels of two pictures of the same size that differ by more than `tolerance` levels in some channel.
 [[nodiscard]] inline int differing(const QImage& a, const QImage& b, int tolerance = 0) {
     int count = 0;

@@ -32,7 +32,7 @@ private Q_SLOTS:
         QFETCH(MeshData, mesh);
         const RenderMesh render = buildRenderMesh(mesh);
         check(render, render.triangleRuns, render.triangles, 3);
-        check(render, ClusterRuns(render.edges, 2, {}), render.edges, 2);
+        check(render, ClusterRuns(render.vertices, render.edges, 2, {}), render.edges, 2);
         const auto runs = render.triangleRuns.runs();
         for (const DrawRange& draw : render.draws) {
             const auto isStart = [&draw](const ClusterRuns::Run& run) { return run.first == draw.first; };
@@ -50,14 +50,18 @@ private:
             QVERIFY(run.end > run.first);
             next = run.end;
             std::set<std::uint32_t> others;
+            Bounds bounds;
             for (std::size_t element = run.first; element < run.end; element += corners) {
                 std::uint32_t lowest = kNoIndex;
                 for (const std::uint32_t vertex : indices.subspan(element, corners)) {
                     lowest = std::min(lowest, vertex);
                     others.insert(clusterOf(mesh, vertex));
+                    bounds.add(mesh.vertices[vertex].position);
                 }
                 QCOMPARE(clusterOf(mesh, lowest), run.cluster);
             }
+            QCOMPARE(run.bounds.min, bounds.min);
+            QCOMPARE(run.bounds.max, bounds.max);
             others.erase(run.cluster);
             const std::span<const std::uint32_t> found = runs.others(i);
             QCOMPARE(found.size(), others.size());

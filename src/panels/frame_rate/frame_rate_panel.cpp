@@ -30,6 +30,7 @@ namespace {
 
 constexpr int kRefreshInterval = 100;      // milliseconds
 constexpr int kSlowRefreshInterval = 250;  // the same, where the window takes long to compose
+constexpr int kIdleInterval = 500;         // after the last frame: the graph alone is new
 constexpr double kSlowFrame = 1.0 / 30.0;  // seconds
 constexpr int kLegendPadding = 21;         // pixels: swatch, gaps and frame
 
@@ -86,8 +87,10 @@ FrameRatePanel::FrameRatePanel(Session& session, QAction& continuous, const Cost
         } else {
             m_alone.push_back(frame.number);
         }
-        if (isVisible() && !m_timer.isActive()) {
-            m_timer.start(frame.total > kSlowFrame ? kSlowRefreshInterval : kRefreshInterval);
+        m_isNew = true;
+        const int interval = frame.total > kSlowFrame ? kSlowRefreshInterval : kRefreshInterval;
+        if (isVisible() && (!m_timer.isActive() || m_timer.interval() == kIdleInterval)) {
+            m_timer.start(interval);
         }
     });
 }
@@ -300,6 +303,8 @@ void FrameRatePanel::refresh() {
     m_costView->refresh();
     if (!m_graph->isMoving() && summary().recent == 0) {
         m_timer.stop();  // nothing more to show until the next frame
+    } else if (!std::exchange(m_isNew, false)) {
+        m_timer.setInterval(kIdleInterval);
     }
 }
 

@@ -70,6 +70,7 @@ private:
     FrameGraph* m_graph = nullptr;
     CostView* m_costView = nullptr;
     QTimer m_timer;
+    bool m_isNew = false;  ///< a frame came since the last refresh
     struct ReadOuts {
         QLabel* framesPerSecond = nullptr;
         QLabel* mean = nullptr;

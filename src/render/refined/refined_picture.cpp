@@ -4,11 +4,14 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/gtc/constants.hpp>
+#include <vector>
 
 #include "render/refined/varying_area.h"
 
 namespace hitscope {
 namespace {
+
+constexpr float kGoldenAngle = 2.3999632f;
 
 /// The number's digits to that base, behind the point in turned order (van der Corput).
 float turned(int number, int base) {
@@ -60,6 +63,12 @@ gl::Framebuffer makeFramebuffer(GLuint colour, GLuint depthTexture) {
     return framebuffer;
 }
 
+void bind(int unit, const gl::Texture& texture) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindSampler(static_cast<GLuint>(unit), 0);
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+}
+
 bool isComplete(const gl::Framebuffer& framebuffer) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
     return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
@@ -80,13 +89,32 @@ RefinedPicture::Sample RefinedPicture::sampleAt(int index) {
     return sample;
 }
 
+glm::vec2 RefinedPicture::nextLight(bool software) const {
+    constexpr int kSharing = 2;
+    if (!m_settles) {
+        return sampleAt(m_samples / (software ? kSharing : 1)).light;
+    }
+    // The first ones tell where shadows are soft, and so stand for the light's rim, a quarter of its disc.
+    constexpr float kRim = 0.93f;
+    constexpr float kInner = 0.866f;
+    if (m_samples < kJudged) {
+        const float angle = glm::two_pi<float>() * (static_cast<float>(m_samples) + 0.5f) / kJudged;
+        return kRim * glm::vec2(std::cos(angle), std::sin(angle));
+    }
+    const int place = (m_samples - kJudged) / kSharing + 1;
+    const float angle = kGoldenAngle * static_cast<float>(place);
+    return kInner * std::sqrt(turned(place, 2)) * glm::vec2(std::cos(angle), std::sin(angle));
+}
+
 void RefinedPicture::clear() {
     m_samples = 0;
     m_hasDepths = false;
+    m_unsettled.reset();
     m_nextPart = 0;
 }
 
-void RefinedPicture::begin(const PixelArea& varying) {
+void RefinedPicture::begin(const PixelArea& varying, bool maySettle) {
+    m_settles = maySettle && m_extent == Extent::WhereItStillVaries;
     m_area = m_extent == Extent::Everywhere ? PixelArea{0, 0, m_width, m_height} : varying;
     m_hasDepths = true;
 }
@@ -105,12 +133,15 @@ bool RefinedPicture::prepare(int width, int height) {
     glBindTexture(GL_TEXTURE_2D, 0);
     m_sampleDepth = gl::Renderbuffer::make();
     glBindRenderbuffer(GL_RENDERBUFFER, m_sampleDepth.id());
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, width, height);
     glBindRenderbuffer(GL_RENDERBUFFER, 0);
     m_plain = makeFramebuffer(m_colour.id(), m_depths.id());
     m_sample = makeFramebuffer(m_colour.id(), 0);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, m_sampleDepth.id());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
+                              m_sampleDepth.id());
     m_adding = makeFramebuffer(m_sum.id(), 0);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
+                              m_sampleDepth.id());
     for (std::size_t i = 0; i < m_floor.size(); ++i) {
         m_drawnFloor[i] = makeFramebuffer(m_floor[i].id(), 0);
     }
@@ -122,14 +153,18 @@ bool RefinedPicture::prepare(int width, int height) {
 }
 
 Status RefinedPicture::add(render::ProgramCache& programs, GLuint emptyArray) {
-    const auto found = programs.get("refined.vert", "refined.frag");
+    gl::Defines defines;
+    if (m_settles) {
+        defines.emplace_back(m_unsettled ? "HITSCOPE_COUNT" : "HITSCOPE_SQUARES", "1");
+    }
+    const auto found = programs.get("refined.vert", "refined.frag", defines);
     if (!found) {
         return found.error();
     }
     const gl::Program& program = *found.value();
     glBindFramebuffer(GL_FRAMEBUFFER, m_adding.id());
     glViewport(0, 0, m_width, m_height);
-    render::limitDrawing(m_area);
+    render::limitDrawing(drawnPixels());
     glDisable(GL_DEPTH_TEST);
     if (m_samples > 0) {
         glEnable(GL_BLEND);
@@ -147,41 +182,92 @@ Status RefinedPicture::add(render::ProgramCache& programs, GLuint emptyArray) {
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindTexture(GL_TEXTURE_2D, 0);
     ++m_samples;
-    return Done{};
+    return m_settles && m_samples == kJudged ? settle(programs, emptyArray) : Status(Done{});
 }
 
-Status RefinedPicture::draw(render::ProgramCache& programs, GLuint emptyArray, bool withDepths) const {
-    const auto found = programs.get("refined.vert", "refined.frag",
-                                    withDepths ? gl::Defines{{"HITSCOPE_DEPTHS", "1"}} : gl::Defines{});
+Status RefinedPicture::settle(render::ProgramCache& programs, GLuint emptyArray) {
+    const auto found = programs.get("refined.vert", "unsettled.frag");
     if (!found) {
         return found.error();
     }
     const gl::Program& program = *found.value();
+    glBindFramebuffer(GL_FRAMEBUFFER, m_sample.id());
+    glDisable(GL_BLEND);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glEnable(GL_STENCIL_TEST);
+    glStencilMask(1);
+    glClearStencil(0);
+    glClear(GL_STENCIL_BUFFER_BIT);
+    glStencilFunc(GL_ALWAYS, 1, 1);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     program.use();
-    program.set("u_picture", 0);
-    program.set("u_depths", 1);
-    const auto bind = [](int unit, const gl::Texture& texture) {
-        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        glBindSampler(static_cast<GLuint>(unit), 0);
-        glBindTexture(GL_TEXTURE_2D, texture.id());
-    };
-    bind(1, m_depths);
+    program.set("u_sum", 0);
+    program.set("u_share", 1.0f / static_cast<float>(m_samples));
+    const glm::ivec2 first(m_area.x, m_area.y);
+    const glm::ivec2 size(m_area.width, m_area.height);
+    program.set("u_first", glm::vec2(first));
+    program.set("u_last", glm::vec2(first + size - 1));
+    glBindTexture(GL_TEXTURE_2D, m_sum.id());
+    glBindVertexArray(emptyArray);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glDisable(GL_STENCIL_TEST);
+    std::vector<std::uint8_t> marks(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(first.x, first.y, size.x, size.y, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, marks.data());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    m_unsettled.emplace(m_area, marks);
+    // From now on they are counted.
+    glBindFramebuffer(GL_FRAMEBUFFER, m_adding.id());
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+    glClearColor(0.0f, 0.0f, 0.0f, static_cast<float>(m_samples));
+    glClear(GL_COLOR_BUFFER_BIT);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    return Done{};
+}
+
+gl::Defines RefinedPicture::drawDefines(bool isSum, bool withDepths) const {
+    gl::Defines defines;
+    if (withDepths) {
+        defines.emplace_back("HITSCOPE_DEPTHS", "1");
+    }
+    if (isSum && m_settles) {
+        defines.emplace_back(m_unsettled ? "HITSCOPE_COUNTED" : "HITSCOPE_OPAQUE", "1");
+    }
+    return defines;
+}
+
+Status RefinedPicture::draw(render::ProgramCache& programs, GLuint emptyArray, bool withDepths) const {
     glDisable(GL_BLEND);
     // Depths are written only where the test is on.
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
     glDepthMask(withDepths ? GL_TRUE : GL_FALSE);
     glBindVertexArray(emptyArray);
-    bind(0, m_colour);
-    program.set("u_share", 1.0f);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    if (m_samples > 0) {
-        bind(0, m_sum);
-        program.set("u_share", 1.0f / static_cast<float>(m_samples));
-        render::limitDrawing(m_area);
+    for (const bool isSum : {false, true}) {
+        if (isSum && m_samples == 0) {
+            continue;
+        }
+        const auto found =
+            programs.get("refined.vert", "refined.frag", drawDefines(isSum, withDepths && !isSum));
+        if (!found) {
+            return found.error();
+        }
+        const gl::Program& program = *found.value();
+        program.use();
+        program.set("u_picture", 0);
+        program.set("u_depths", 1);
+        program.set("u_share", isSum ? 1.0f / static_cast<float>(m_samples) : 1.0f);
+        bind(1, m_depths);
+        bind(0, isSum ? m_sum : m_colour);
+        if (isSum) {
+            render::limitDrawing(m_area);
+            glDepthMask(GL_FALSE);
+        }
         glDrawArrays(GL_TRIANGLES, 0, 3);
-        glDisable(GL_SCISSOR_TEST);
     }
+    glDisable(GL_SCISSOR_TEST);
+    glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
     glDisable(GL_DEPTH_TEST);
     return Done{};

@@ -3,11 +3,14 @@
 
 #include <array>
 #include <glm/vec2.hpp>
+#include <optional>
 
 #include "gl/objects.h"
 #include "render/frame_context.h"
 #include "render/pixel_area.h"
 #include "render/program_cache.h"
+#include "render/refined/marked_tiles.h"
+#include "render/refined/varying_area.h"
 
 namespace hitscope {
 
@@ -20,8 +23,12 @@ public:
     static constexpr int kUsualSamples = 16;  ///< of a window's picture
     static constexpr int kMostSamples = 64;
 
-    /// Everywhere: sums up where samples are alike too, to see that they are; it takes longer.
-    enum class Extent { WhereItVaries, Everywhere };
+    /// Where samples are drawn. Everywhere: where they are alike too, to see that they are; it takes longer.
+    /// WhereItVaries: but for where nothing can make them differ. WhereItStillVaries: where the CPU draws,
+    /// only the first ones; all others at pixels alone in which these, or neighbours, differ by as much as
+    /// one would see.
+    enum class Extent { WhereItStillVaries, WhereItVaries, Everywhere };
+    static constexpr int kJudged = 4;  ///< the first samples, which tell where others are drawn
     /// Samples are drawn in parts of so many triangles.
     static constexpr std::size_t kUsualPart = 1 << 17;  ///< some forty milliseconds of a software renderer
     explicit RefinedPicture(Extent extent = Extent::WhereItVaries, std::size_t trianglesAPart = kUsualPart)
@@ -51,9 +58,19 @@ public:
     [[nodiscard]] bool prepare(int width, int height);
     [[nodiscard]] bool hasDepths() const { return m_hasDepths; }
     /// The frame without jitter has been drawn into plainFramebuffer(); samples differ within `varying`.
-    void begin(const PixelArea& varying);
+    /// maySettle: the CPU draws, and the picture is opaque.
+    void begin(const PixelArea& varying, bool maySettle);
     /// Samples are drawn within it.
     [[nodiscard]] const PixelArea& area() const { return m_area; }
+    /// Where on the light the next one's shadows are cast from, in the unit disc. software: neighbours share
+    /// a place, since a shadow map takes the CPU as long as a third of a sample.
+    [[nodiscard]] glm::vec2 nextLight(bool software) const;
+    /// Where the next one is drawn.
+    [[nodiscard]] render::DrawnPixels drawnPixels() const { return {m_area, m_unsettled.has_value()}; }
+    /// Likewise; null: everywhere.
+    [[nodiscard]] const render::MarkedTiles* unsettled() const {
+        return m_unsettled ? &*m_unsettled : nullptr;
+    }
     [[nodiscard]] GLuint depths() const { return m_depths.id(); }  ///< a texture
     [[nodiscard]] GLuint plainFramebuffer() const { return m_plain.id(); }
     [[nodiscard]] render::FloorLayers floorLayers() const { return {m_floor[0].id(), m_floor[1].id()}; }
@@ -71,6 +88,10 @@ public:
     [[nodiscard]] Status draw(render::ProgramCache& programs, GLuint emptyArray, bool withDepths) const;
 
 private:
+    /// Marks what is drawn from now on in the stencil buffer of samples.
+    [[nodiscard]] Status settle(render::ProgramCache& programs, GLuint emptyArray);
+    [[nodiscard]] gl::Defines drawDefines(bool isSum, bool withDepths) const;
+
     int m_width = 0;
     int m_height = 0;
     int m_samples = 0;
@@ -78,11 +99,15 @@ private:
     std::size_t m_trianglesAPart;
     PixelArea m_area;
     bool m_hasDepths = false;
+    bool m_settles = false;  ///< some pixels after the first samples
+    std::optional<render::MarkedTiles> m_unsettled;
     std::uint32_t m_nextPart = 0;
     gl::Texture m_colour;  ///< of the sample at hand; outside of the area, of the plain picture
     gl::Texture m_depths;
     std::array<gl::Texture, 2> m_floor;  ///< lit, shaded
-    gl::Texture m_sum;                   ///< of floats, within the area
+    /// Of floats, within the area. In place of opacity, if pixels settle: of the first samples the squares of
+    /// their brightness, afterwards how many samples there are of each pixel.
+    gl::Texture m_sum;
     gl::Renderbuffer m_sampleDepth;
     gl::Framebuffer m_plain;
     gl::Framebuffer m_sample;

@@ -15,9 +15,6 @@ namespace {
 
 constexpr float kLightSize = 0.055f;  // radius of the directional light's disc, a metre away: 3 degrees
 
-/// Samples that a software renderer draws with one shadow map, which takes it as long as a third of a sample.
-constexpr int kSamplesALight = 2;
-
 /// The way that the light travels from a place (unit disc) on it.
 glm::vec3 placeOnLight(const glm::vec3& given, const glm::vec2& place) {
     const float length = glm::length(given);
@@ -54,7 +51,7 @@ Status drawFloorLayers(const FrameContext& context, const RefinedPicture& pictur
     }
     for (const bool isShaded : {false, true}) {
         glBindFramebuffer(GL_FRAMEBUFFER, picture.floorFramebuffer(isShaded));
-        glDisable(GL_SCISSOR_TEST);
+        limitDrawing(picture.area());
         glDisable(GL_BLEND);
         glDisable(GL_DEPTH_TEST);
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -80,9 +77,9 @@ std::uint32_t partsOf(const Frame& frame, const RefinedPicture& picture, bool so
 }  // namespace
 
 Status Renderer::Private::drawPart(FrameContext& context, DeformationPipeline& pipeline,
-                                   RefinedPicture& picture, GLuint framebuffer, const PixelArea* area) {
+                                   RefinedPicture& picture, GLuint framebuffer, const DrawnPixels* within) {
     context.part.index = picture.nextPart();
-    if (Status status = drawPicture(context, pipeline, framebuffer, area); !status) {
+    if (Status status = drawPicture(context, pipeline, framebuffer, within); !status) {
         return status;
     }
     picture.setNextPart(context.part.isLast() ? 0 : context.part.index + 1);
@@ -122,9 +119,8 @@ Status Renderer::Private::addSample(const Frame& frame, DeformationPipeline& pip
     if (ShadowMap::isWanted(frame)) {
         Frame lit = frame;
         if (!isPlain) {
-            lit.lights.directional.direction = placeOnLight(
-                frame.lights.directional.direction,
-                RefinedPicture::sampleAt(picture.samples() / (software ? kSamplesALight : 1)).light);
+            lit.lights.directional.direction =
+                placeOnLight(frame.lights.directional.direction, picture.nextLight(software));
         }
         ShadowMap& map = isPlain ? shadows : sampleShadows;
         Status updated = map.update(contextOf(lit), pipeline, context.part.count);
@@ -145,7 +141,7 @@ Status Renderer::Private::drawPlain(FrameContext& context, DeformationPipeline& 
     if (Status drawn = trails.draw(context); !drawn) {
         return drawn;
     }
-    picture.begin(varyingArea(context, pipeline, kLightSize));
+    picture.begin(varyingArea(context, pipeline, kLightSize), software && !context.frame.options.transparent);
     return drawFloorLayers(context, picture);
 }
 
@@ -159,8 +155,9 @@ Status Renderer::Private::drawSample(FrameContext& context, DeformationPipeline&
     }
     const FloorLayers floor = picture.floorLayers();
     context.floorLayers = &floor;
-    const PixelArea& area = picture.area();
-    if (Status drawn = drawPart(context, pipeline, picture, picture.sampleFramebuffer(), &area);
+    const DrawnPixels within = picture.drawnPixels();
+    context.tiles = picture.unsettled();
+    if (Status drawn = drawPart(context, pipeline, picture, picture.sampleFramebuffer(), &within);
         !drawn || !context.part.isLast()) {
         return drawn;
     }

@@ -9,26 +9,16 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "render/seen_area.h"
 #include "render/shadow_map.h"
 
 namespace hitscope::render {
 
 namespace {
 
-constexpr float kShadowTexels = 4.0f;     // that a shadow's edge is blurred by
-constexpr float kLowestLight = 0.1f;      // sine of its height; shadows of lower lights reach far
-constexpr float kNearlyWhole = 0.85f;     // of the picture
-constexpr int kMargin = 2;                // pixels: half of one for the samples' own offsets
-constexpr float kLeastClipWidth = 1e-6f;  // of what is in front of the eye
-
-std::array<glm::vec3, 8> cornersOf(const Bounds& box) {
-    std::array<glm::vec3, 8> corners{};
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        corners[i] = {(i & 1) != 0 ? box.max.x : box.min.x, (i & 2) != 0 ? box.max.y : box.min.y,
-                      (i & 4) != 0 ? box.max.z : box.min.z};
-    }
-    return corners;
-}
+constexpr float kShadowTexels = 4.0f;  // that a shadow's edge is blurred by
+constexpr float kLowestLight = 0.1f;   // sine of its height; shadows of lower lights reach far
+constexpr float kNearlyWhole = 0.85f;  // of the picture
 
 Bounds grown(const Bounds& box, float by) {
     return {box.min - glm::vec3(by), box.max + glm::vec3(by)};
@@ -49,38 +39,6 @@ Bounds moved(const Bounds& box, const glm::mat4& to) {
     }
     return result;
 }
-
-/// The part of the picture that points were seen in.
-class Seen {
-public:
-    explicit Seen(const glm::mat4& viewProjection) : m_viewProjection(viewProjection) {}
-    /// False: some of the box is not in front of the eye.
-    [[nodiscard]] bool add(const Bounds& box) {
-        for (const glm::vec3& corner : cornersOf(box)) {
-            const glm::vec4 clip = m_viewProjection * glm::vec4(corner, 1.0f);
-            if (!(clip.w > kLeastClipWidth)) {
-                return false;
-            }
-            m_bounds.add(glm::vec3(clip) / clip.w);
-        }
-        return true;
-    }
-    [[nodiscard]] PixelArea area(const glm::ivec2& picture) const {
-        if (m_bounds.empty()) {
-            return {};
-        }
-        const glm::vec2 size(picture);
-        const glm::vec2 low = glm::clamp(0.5f * (glm::vec2(m_bounds.min) + 1.0f), 0.0f, 1.0f) * size;
-        const glm::vec2 high = glm::clamp(0.5f * (glm::vec2(m_bounds.max) + 1.0f), 0.0f, 1.0f) * size;
-        const glm::ivec2 first = glm::max(glm::ivec2(glm::floor(low)) - kMargin, glm::ivec2(0));
-        const glm::ivec2 last = glm::min(glm::ivec2(glm::ceil(high)) + kMargin, picture);
-        return {first.x, first.y, last.x - first.x, last.y - first.y};
-    }
-
-private:
-    glm::mat4 m_viewProjection;
-    Bounds m_bounds;
-};
 
 /// Where on the floor the box's shadow falls; nothing: that is far away.
 std::optional<Bounds> shadowOf(const Bounds& box, const FrameContext& context, float lightRadius,
@@ -107,7 +65,8 @@ std::optional<Bounds> shadowOf(const Bounds& box, const FrameContext& context, f
 }
 
 /// Of one target's cluster; false: what it reaches may be anywhere.
-bool seeCluster(Seen& seen, const Bounds& box, const FrameContext& context, float lightRadius, float texel) {
+bool seeCluster(SeenArea& seen, const Bounds& box, const FrameContext& context, float lightRadius,
+                float texel) {
     if (!seen.add(grown(box, occlusionReach(context.frame)))) {
         return false;
     }
@@ -118,7 +77,7 @@ bool seeCluster(Seen& seen, const Bounds& box, const FrameContext& context, floa
     return shadow && seen.add(*shadow);
 }
 
-bool seeTargets(Seen& seen, const FrameContext& context, const DeformationPipeline& pipeline,
+bool seeTargets(SeenArea& seen, const FrameContext& context, const DeformationPipeline& pipeline,
                 float lightRadius) {
     const Frame& frame = context.frame;
     Bounds all;
@@ -148,14 +107,23 @@ void limitDrawing(const PixelArea& area) {
     glScissor(area.x, area.y, area.width, area.height);
 }
 
+void limitDrawing(const DrawnPixels& pixels) {
+    limitDrawing(pixels.area);
+    if (pixels.marked) {
+        glEnable(GL_STENCIL_TEST);
+        glStencilFunc(GL_EQUAL, 1, 1);
+        glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    }
+}
+
 PixelArea varyingArea(const FrameContext& context, const DeformationPipeline& pipeline, float lightRadius) {
     const glm::ivec2 picture(context.frame.width, context.frame.height);
     const PixelArea whole{0, 0, picture.x, picture.y};
-    Seen seen(context.steadyViewProjection);
+    SeenArea seen(context.steadyViewProjection);
     if (isBeyondTargets(context.frame) || !seeTargets(seen, context, pipeline, lightRadius)) {
         return whole;
     }
-    const PixelArea area = seen.area(picture);
+    const PixelArea area = seen.in(picture);
     const double share = (1.0 * area.width * area.height) / (1.0 * picture.x * picture.y);
     return share > kNearlyWhole ? whole : area;
 }

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+
+#include "core/bounds.h"
+#include "render/pixel_area.h"
+
+namespace hitscope::render {
+
+[[nodiscard]] std::array<glm::vec3, 8> cornersOf(const Bounds& box);
+
+/// The part of a picture that boxes are seen in.
+class SeenArea {
+public:
+    /// toClip: from the frame of the boxes to come.
+    explicit SeenArea(const glm::mat4& toClip) : m_toClip(toClip) {}
+    /// False: some of the box is not in front of the eye, and where it is seen is not known.
+    [[nodiscard]] bool add(const Bounds& box);
+    /// Of a picture of that size, pixels, with those around it that samples of a refined one may reach.
+    [[nodiscard]] PixelArea in(const glm::ivec2& picture) const;
+
+private:
+    glm::mat4 m_toClip;
+    Bounds m_bounds;
+};
+
+}  // namespace hitscope::render
