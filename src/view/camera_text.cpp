@@ -14,8 +14,10 @@ namespace {
 
 constexpr std::string_view kExample = "camera pivot 0 1.5 0 yaw 34.4 pitch 20 distance 12 fov 50 perspective";
 constexpr double kDegree = glm::pi<double>() / 180.0;
-constexpr float kFarthestPivot = 1.0e6f;    // metres
-constexpr float kLongestDistance = 1.0e6f;  // metres
+// Meshes are of any size and anywhere, and so is the camera that looks at one: only what is no float is
+// refused.
+constexpr double kLargestFloat = 3.4028235e38;  // metres; rounds to the largest float
+constexpr double kSmallestFloat = 1.17549436e-38;
 
 /// A word and the numbers that follow it.
 struct Field {
@@ -25,10 +27,10 @@ struct Field {
     double highest;
 };
 enum FieldIndex : std::size_t { kPivot, kYaw, kPitch, kDistance, kFov, kFieldCount };
-constexpr std::array<Field, kFieldCount> kFields{{{"pivot", 3, -kFarthestPivot, kFarthestPivot},
+constexpr std::array<Field, kFieldCount> kFields{{{"pivot", 3, -kLargestFloat, kLargestFloat},
                                                   {"yaw", 1, -360.0, 360.0},
                                                   {"pitch", 1, -90.0, 90.0},
-                                                  {"distance", 1, 1.0e-6, kLongestDistance},
+                                                  {"distance", 1, kSmallestFloat, kLargestFloat},
                                                   {"fov", 1, 5.0, 120.0}}};
 constexpr std::string_view kPerspective = "perspective";
 constexpr std::string_view kOrthographic = "orthographic";

@@ -135,6 +135,43 @@ private Q_SLOTS:
         }
     }
 
+    // A session of a mesh far from the origin, and of one of any size, opens again and is exported.
+    void sessionsOfMeshesAnywhereOpenAgain_data() {
+        QTest::addColumn<double>("place");
+        QTest::addColumn<double>("extent");
+        QTest::newRow("a thousand kilometres away") << 1.0e6 << 5.0;
+        QTest::newRow("further than floats tell metres") << 1.0e9 << 5.0;
+        QTest::newRow("a thousand kilometres across") << 0.0 << 1.0e6;
+        QTest::newRow("a tenth of a micrometre") << 0.0 << 1.0e-7;
+        QTest::newRow("too large to be shot at") << 1.0e30 << 1.0e30;
+    }
+    void sessionsOfMeshesAnywhereOpenAgain() {
+        QFETCH(const double, place);
+        QFETCH(const double, extent);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("box.obj"));
+        const QString session = folder.filePath(QStringLiteral("box.hitscope"));
+        const QString written = folder.filePath(QStringLiteral("again.obj"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        for (int corner = 0; corner < 8; ++corner) {
+            const auto at = [&](int axis) {
+                return " " + QByteArray::number(place + ((corner >> axis & 1) != 0 ? extent : 0.0), 'g', 17);
+            };
+            file.write("v" + at(0) + at(1) + at(2) + "\n");
+        }
+        file.write("f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
+        file.close();
+        const CliRun shot = shoot({"--random", "3", "--session", session, path});
+        QVERIFY2(shot.status == 0, qPrintable(shot.err));
+        QCOMPARE(shot.out.startsWith(QStringLiteral("3 shots, 3 hits")), extent < 1.0e30);
+        const CliRun again = runCli({"export", "--check", "--out", written, session});
+        QVERIFY2(again.status == 0, qPrintable(again.err));
+        const CliRun replayed = runCli({"replay", session});
+        QVERIFY2(replayed.status == 0, qPrintable(replayed.out + replayed.err));
+        QCOMPARE(fingerprintOf(replayed), fingerprintOf(shot));
+    }
+
     void scatteredAndMirroredHitsAreTheSameAgain() {
         const QTemporaryDir folder;
         const QString hits = folder.filePath(QStringLiteral("hits.csv"));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <optional>
 
 #include "physics_support.h"
@@ -303,6 +304,14 @@ void CameraTest::textGivesTheSameCamera() {
         QVERIFY2(read.value() == camera, text.c_str());
         QVERIFY(text.find('\n') == std::string::npos && text.size() < 160);
     }
+    // At meshes of any size, anywhere: as far as a float goes.
+    for (const float away : {1.0e-7f, 3.0e6f, 1.0e30f, std::numeric_limits<float>::max()}) {
+        Camera far;
+        far.setSceneRadius(away);
+        far.setPivot({away, -away, 0.0f}, 0.3f, 0.2f, away);
+        const Result<Camera> read = parseCamera(cameraText(far), far);
+        QVERIFY2(read.ok() && read.value() == far, cameraText(far).c_str());
+    }
     // The poles, and a default camera, whose numbers are short.
     Camera camera;
     QVERIFY(cameraText(camera).ends_with("fov 50 perspective"));
@@ -324,6 +333,7 @@ void CameraTest::textSaysWhatIsWrong_data() {
     row("no number", "camera pivot 0 0 0 yaw 0 pitch 0 distance 3 fov", "\"fov\" needs a number");
     row("units", "camera pivot 0 0 0 yaw 0 pitch 0 distance 3m fov 50 perspective", "\"distance\" needs");
     row("not finite", "camera pivot nan 0 0 yaw 0 pitch 0 distance 3 fov 50 perspective", "\"pivot\" needs");
+    row("no float", "camera pivot 4e38 0 0 yaw 0 pitch 0 distance 3 fov 50 perspective", "\"pivot\" has");
     row("zero distance", "camera pivot 0 0 0 yaw 0 pitch 0 distance 0 fov 50 perspective",
         "\"distance\" has");
     row("wide", "camera pivot 0 0 0 yaw 0 pitch 0 distance 3 fov 170 perspective", "from 5 to 120");
