@@ -223,57 +223,6 @@ private Q_SLOTS:
     }
 
     /// Behind the triangles of their object, with the displacement and without normals.
-    void linesAndPointsAreWritten() {
-        QTemporaryDir folder;
-        DentedFile mesh(
-            writeFile(folder.path(), QStringLiteral("a.obj"),
-                      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nv 0 0 1\nv 1 0 1\nv 0 1 1\no one\nf 1 2 3\n"
-                      "o two\nf 5 6 7\nl 5 6 4\nl 4 1\np 2 4\np 7\n"));
-        mesh.normals = cornerNormals(mesh.original.mesh, 0.7853982f);
-        mesh.move(5, {0.0f, 0.0f, 0.5f});
-        const QString path = folder.filePath(QStringLiteral("a.glb"));
-        const Result<QStringList> written = exportGltf(mesh.what(), path, {});
-        QVERIFY2(written, qPrintable(messageOf(written)));
-        QVERIFY(!written.value().join(u' ').contains(QStringLiteral("left out")));
-        const Status same = verifyWritten(path, mesh.what());
-        QVERIFY2(same, qPrintable(messageOf(same)));
-        const Glb glb(path);
-        QCOMPARE(brokenRule(glb), QString());
-        const auto primitive = [&glb](int object, int index) {
-            return glb.item("meshes", object)[QStringLiteral("primitives")].toArray()[index].toObject();
-        };
-        const auto vertices = [&glb, &primitive](int object, int index) {
-            const QJsonObject part = primitive(object, index);
-            const QJsonObject attributes = part[QStringLiteral("attributes")].toObject();
-            const std::vector<float> numbers =
-                floatsOf(glb, attributes[QStringLiteral("_FILE_VERTEX")].toInt());
-            const QJsonObject indices = glb.item("accessors", part[QStringLiteral("indices")].toInt());
-            std::vector<int> of;
-            for (qsizetype i = 0; i < indices[QStringLiteral("count")].toInt(); ++i) {
-                of.push_back(static_cast<int>(
-                    numbers[numbersIn<std::uint16_t>(glb, indices)[static_cast<std::size_t>(i)]]));
-            }
-            return of;
-        };
-        QCOMPARE(vertices(0, 1), (std::vector<int>{3, 0}));  // no face is there: of the first object
-        QCOMPARE(vertices(0, 2), (std::vector<int>{1, 3}));
-        QCOMPARE(vertices(1, 1), (std::vector<int>{4, 5, 5, 3}));
-        QCOMPARE(vertices(1, 2), (std::vector<int>{6}));
-        QCOMPARE(primitive(1, 0)[QStringLiteral("mode")].toInt(4), 4);
-        QCOMPARE(primitive(1, 1)[QStringLiteral("mode")].toInt(4), 1);
-        QCOMPARE(primitive(1, 2)[QStringLiteral("mode")].toInt(4), 0);
-        const QJsonObject lines = primitive(1, 1);
-        QVERIFY(!lines[QStringLiteral("attributes")].toObject().contains(QStringLiteral("NORMAL")));
-        const QJsonObject target = lines[QStringLiteral("targets")].toArray()[0].toObject();
-        QVERIFY(!target.contains(QStringLiteral("NORMAL")));
-        QCOMPARE(floatsOf(glb, target[QStringLiteral("POSITION")].toInt()),
-                 (std::vector<float>{0, 0, 0, 0, 0, 0, 0, 0, 0.5f}));
-        const MeshData back = readBack(path);  // Assimp
-        QCOMPARE(back.faceCount(), std::size_t{2});
-        QCOMPARE(back.lines.size(), std::size_t{3});
-        QCOMPARE(back.points.size(), std::size_t{3});
-    }
-
     void normalsOfTheStepsAddUp() {
         Scene scene;
         scene.dent();

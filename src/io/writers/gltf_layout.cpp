@@ -73,6 +73,26 @@ private:
     std::map<std::uint32_t, std::uint32_t> m_known;  ///< primitives of the object by material
 };
 
+/// Those that no face, line or point has.
+std::vector<std::uint32_t> unusedVertices(const MeshData& mesh) {
+    std::vector<bool> used(mesh.positions.size());
+    const auto use = [&used](const std::vector<std::uint32_t>& indices) {
+        for (const std::uint32_t vertex : indices) {
+            used[vertex] = true;
+        }
+    };
+    use(mesh.cornerVertices);
+    use(lineSegments(mesh));
+    use(mesh.points);
+    std::vector<std::uint32_t> unused;
+    for (std::uint32_t v = 0; v < used.size(); ++v) {
+        if (!used[v]) {
+            unused.push_back(v);
+        }
+    }
+    return unused;
+}
+
 /// Fills primitives, one after the other.
 class PrimitiveMaker {
 public:
@@ -103,20 +123,7 @@ void PrimitiveMaker::takeVertices(GltfPrimitive& primitive, std::span<const std:
                                   bool withUnused) {
     std::vector<std::uint32_t>& vertices = primitive.fileVertices;
     if (withUnused) {
-        std::vector<bool> used(m_mesh.positions.size());
-        const auto use = [&used](const std::vector<std::uint32_t>& indices) {
-            for (const std::uint32_t vertex : indices) {
-                used[vertex] = true;
-            }
-        };
-        use(m_mesh.cornerVertices);
-        use(lineSegments(m_mesh));
-        use(m_mesh.points);
-        for (std::uint32_t v = 0; v < used.size(); ++v) {
-            if (!used[v]) {
-                vertices.push_back(v);
-            }
-        }
+        vertices = unusedVertices(m_mesh);
     }
     for (const std::uint32_t face : faces) {
         for (const std::uint32_t vertex : m_mesh.face(face)) {
@@ -186,17 +193,21 @@ void PrimitiveMaker::make(GltfPrimitive& primitive, std::span<const std::uint32_
     }
 }
 
-/// Of an object's lines or points, if it has any.
+/// Of an object's lines or points, if it has any; with these vertices, too, if it is the first primitive.
 void addLoose(std::vector<GltfPrimitive>& primitives, std::uint32_t object, GltfPrimitive::Kind kind,
-              const std::vector<std::uint32_t>& elements) {
+              const std::vector<std::uint32_t>& elements, const std::vector<std::uint32_t>& unused) {
     if (elements.empty()) {
         return;
     }
+    const bool isFirst = primitives.empty();
     GltfPrimitive& primitive = primitives.emplace_back();
     primitive.kind = kind;
     primitive.object = object;
     std::vector<std::uint32_t>& vertices = primitive.fileVertices;
     vertices = elements;
+    if (isFirst) {
+        vertices.insert(vertices.end(), unused.begin(), unused.end());
+    }
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     primitive.ownVertices = vertices.size();
@@ -278,9 +289,14 @@ GltfLayout layOut(const MeshExport& what, std::span<const glm::vec3> originalNor
         maker.make(layout.primitives[p], faces, p == 0);
     }
     const std::vector<LooseElements> loose = looseElements(*what.mesh);
+    std::vector<std::uint32_t> unused;
+    if (layout.objects.empty()) {
+        layout.objects.push_back(what.mesh->name);  // of lines and points alone
+        unused = unusedVertices(*what.mesh);
+    }
     for (std::uint32_t object = 0; object < loose.size(); ++object) {
-        addLoose(layout.primitives, object, GltfPrimitive::Kind::Lines, loose[object].segments);
-        addLoose(layout.primitives, object, GltfPrimitive::Kind::Points, loose[object].points);
+        addLoose(layout.primitives, object, GltfPrimitive::Kind::Lines, loose[object].segments, unused);
+        addLoose(layout.primitives, object, GltfPrimitive::Kind::Points, loose[object].points, unused);
     }
     std::stable_sort(layout.primitives.begin(), layout.primitives.end(),
                      [](const GltfPrimitive& a, const GltfPrimitive& b) { return a.object < b.object; });

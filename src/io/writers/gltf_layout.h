@@ -34,7 +34,7 @@ private:
 /// A mesh as glTF's one index for each vertex has it. Primitives come in the order of their objects, an
 /// object's lines and points behind its faces; vertices that nothing uses are in the first one.
 struct GltfLayout {
-    std::vector<std::string> objects;  ///< names; those with faces
+    std::vector<std::string> objects;  ///< names; those with faces, or one without
     std::vector<GltfPrimitive> primitives;
 };
 

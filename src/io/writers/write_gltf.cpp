@@ -5,6 +5,7 @@
 #include <new>
 
 #include "io/writers/gltf_parts.h"
+#include "io/writers/line_segments.h"
 
 namespace hitscope {
 namespace {
@@ -62,8 +63,9 @@ Result<QStringList> exportGltf(const MeshExport& what, const QString& path, cons
     if (const Status fits = checkLengths(what); !fits) {
         return fits.error();
     }
-    if (what.mesh->faceCount() == 0) {
-        return Error{"The mesh has no faces, which glTF needs.", path.toStdString(),
+    const bool hasLoose = !lineSegments(*what.mesh).empty() || !what.mesh->points.empty();
+    if (what.mesh->faceCount() == 0 && !hasLoose) {
+        return Error{"The mesh has no faces, lines or points, one of which glTF needs.", path.toStdString(),
                      "Choose another format."};
     }
     try {
