@@ -31,7 +31,13 @@ QString placeBelow(const QString& name) {
     return leadsDown ? clean : QFileInfo(clean).fileName();
 }
 
-/// Whether a line of an MTL file begins with a word that names a picture.
+unsigned modeOf(const QString& path) {
+    struct stat info {};
+    return ::stat(QFile::encodeName(path).constData(), &info) == 0 ? info.st_mode & 0777 : 0600;
+}
+
+}  // namespace
+
 bool namesAPicture(const QByteArray& line) {
     const QByteArray word = line.simplified().split(' ').value(0).toLower();
     return word.startsWith("map_") || word == "bump" || word == "norm" || word == "disp" || word == "decal" ||
@@ -41,13 +47,6 @@ bool namesAPicture(const QByteArray& line) {
 bool hasMaterials(const QByteArray& library) {
     return library.startsWith("newmtl ") || library.contains("\nnewmtl ") || library.contains("\nnewmtl\t");
 }
-
-unsigned modeOf(const QString& path) {
-    struct stat info {};
-    return ::stat(QFile::encodeName(path).constData(), &info) == 0 ? info.st_mode & 0777 : 0600;
-}
-
-}  // namespace
 
 bool ExportPlace::isOwnFolder() const {
     const QString source = QFileInfo(sourceFolder).canonicalFilePath();

@@ -24,6 +24,11 @@ struct ExportPlace {
     [[nodiscard]] bool isOwnFolder() const;
 };
 
+/// Whether a line of an MTL file begins with a word that names a picture.
+[[nodiscard]] bool namesAPicture(const QByteArray& line);
+/// Whether an MTL file defines any.
+[[nodiscard]] bool hasMaterials(const QByteArray& library);
+
 /// Brings what a mesh's materials refer to beside its export. Only files that the import read as pictures are
 /// copied, kMaxTextureBytes at most each; nothing that exists is replaced: a file of another content gets
 /// another name ("wood-1.png").

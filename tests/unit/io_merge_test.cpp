@@ -6,10 +6,10 @@
 #include <set>
 
 #include "deform/reference.h"
+#include "io/check/written_check.h"
 #include "io/export_obj.h"
 #include "io/writers/merge_targets.h"
 #include "io/writers/morph_steps.h"
-#include "io/written_check.h"
 #include "mesh/primitives.h"
 #include "support/test_program.h"
 #include "write_support.h"

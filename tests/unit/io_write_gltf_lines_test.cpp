@@ -5,8 +5,8 @@
 #include <QTest>
 
 #include "glb_support.h"
+#include "io/check/written_check.h"
 #include "io/writers/mesh_export.h"
-#include "io/written_check.h"
 #include "mesh/corner_normals.h"
 #include "support/test_program.h"
 #include "write_support.h"

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "glb_support.h"
-#include "io/written_check.h"
+#include "io/check/written_check.h"
 #include "mesh/corner_normals.h"
 #include "support/test_program.h"
 #include "write_support.h"

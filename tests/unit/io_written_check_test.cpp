@@ -3,8 +3,8 @@
 #include <QTest>
 #include <cstring>
 
+#include "io/check/written_check.h"
 #include "io/export_obj.h"
-#include "io/written_check.h"
 #include "support/test_program.h"
 #include "write_support.h"
 
@@ -218,6 +218,23 @@ private Q_SLOTS:
                  qPrintable(messageOf(same)));
     }
 
+    void binaryStlNormalsAreLookedAt() {
+        QTemporaryDir folder;
+        DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.obj"), kSource));
+        mesh.move(1, {0.0f, 0.0f, -1.75f});
+        const QString path = folder.filePath(QStringLiteral("written.stl"));
+        QVERIFY(exportStl(mesh.what(), path));
+        const Status sound = verifyWritten(path, mesh.what());
+        QVERIFY2(sound, qPrintable(messageOf(sound)));
+        std::string bytes = readFile(path);
+        bytes[84 + 2 * 50 + 3] = static_cast<char>(bytes[84 + 2 * 50 + 3] ^ 1);  // an exponent
+        writeFile(folder.path(), QStringLiteral("written.stl"), bytes);
+        const Status same = verifyWritten(path, mesh.what());
+        QVERIFY(!same);
+        QVERIFY2(messageOf(same).contains(QStringLiteral("triangle 3 has the normal")),
+                 qPrintable(messageOf(same)));
+    }
+
     /// A vertex of a PLY file has the normal of the first corner that turned.
     void plyNormalWithoutDirectionPasses() {
         QTemporaryDir folder;
@@ -260,6 +277,8 @@ private Q_SLOTS:
         row("ply, face", "ply", "3 0 2 1", "3 0 1 2", "face 2");
         row("ply, cut", "ply", "3 3 2 0\n", "", "read");
         row("stl, moved", "stl", "-1.75", "-1.76", "triangle 1");
+        row("stl, normal", "stl", "facet normal -", "facet normal ", "triangle 3 has the normal 0.6");
+        row("stl, no normal", "stl", "facet normal", "facet abnormal", "triangle 1 has no normal");
         row("stl, fewer", "stl", "endsolid",
             "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
             "0\nendloop\nendfacet\nendsolid",

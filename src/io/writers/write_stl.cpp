@@ -1,26 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
-
 #include "io/export_names.h"
 #include "io/number_text.h"
 #include "io/writers/file_positions.h"
 #include "io/writers/piece_writer.h"
+#include "io/writers/stl_facet.h"
 #include "mesh/triangulate.h"
 
 namespace hitscope {
 namespace {
 
-using Facet = std::array<glm::vec3, 3>;
-
-glm::vec3 facetNormal(const Facet& facet) {
-    const glm::dvec3 a(facet[0]);
-    const glm::dvec3 across = glm::cross(glm::dvec3(facet[1]) - a, glm::dvec3(facet[2]) - a);
-    const double length = glm::length(across);
-    return length > 0.0 ? glm::vec3(across / length) : glm::vec3(0.0f);
-}
-
-void putBinary(PieceWriter& out, const Facet& facet) {
-    out.plain(facetNormal(facet));
+void putBinary(PieceWriter& out, const StlFacet& facet) {
+    out.plain(stlNormal(facet));
     out.plain(facet);
     out.plain(std::uint16_t{0});
 }
@@ -34,9 +24,9 @@ void putVector(std::string& text, const char* word, const glm::vec3& vector) {
     text += '\n';
 }
 
-void putAscii(PieceWriter& out, const Facet& facet) {
+void putAscii(PieceWriter& out, const StlFacet& facet) {
     std::string& text = out.text();
-    putVector(text, "facet normal", facetNormal(facet));
+    putVector(text, "facet normal", stlNormal(facet));
     text += "outer loop\n";
     for (const glm::vec3& corner : facet) {
         putVector(text, "vertex", corner);
@@ -53,7 +43,7 @@ void putFacets(const MeshExport& what, PieceWriter& out, bool isAscii) {
         corners.clear();
         triangulator.triangulate(mesh.positions, mesh.face(f), corners);
         for (std::size_t t = 0; t + 3 <= corners.size(); t += 3) {
-            Facet facet;
+            StlFacet facet;
             for (std::size_t i = 0; i < 3; ++i) {
                 facet[i] = glm::vec3(positions.now(mesh.face(f)[corners[t + i]]));
             }

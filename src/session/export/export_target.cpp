@@ -11,10 +11,10 @@
 
 #include "core/parallel.h"
 #include "deform/effects.h"
+#include "io/check/written_check.h"
 #include "io/export_obj.h"
 #include "io/writers/merge_targets.h"
 #include "io/writers/morph_steps.h"
-#include "io/written_check.h"
 #include "session/session.h"
 
 namespace hitscope {

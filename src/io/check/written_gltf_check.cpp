@@ -3,11 +3,11 @@
 #include <map>
 #include <new>
 
+#include "io/check/written_check.h"
+#include "io/check/written_gltf_read.h"
+#include "io/check/written_surface_check.h"
 #include "io/writers/file_positions.h"
 #include "io/writers/gltf_morphs.h"
-#include "io/written_check.h"
-#include "io/written_gltf_read.h"
-#include "io/written_surface_check.h"
 #include "mesh/triangulate.h"
 
 namespace hitscope {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "io/written_check.h"
+#include "io/check/written_check.h"
 
 namespace hitscope {
 

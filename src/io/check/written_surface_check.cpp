@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/written_surface_check.h"
+#include "io/check/written_surface_check.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/written_gltf_read.h"
+#include "io/check/written_gltf_read.h"
 
 // Draco, which Assimp brings, has a tinygltf of its own, of another layout and the same names: a library's
 // would become that one in a program that has both. So it is compiled in here, under a name of ours.

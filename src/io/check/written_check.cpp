@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/written_check.h"
+#include "io/check/written_check.h"
 
 #include <QFile>
 #include <QFileInfo>
 #include <algorithm>
 #include <cmath>
 
+#include "io/check/written_materials_check.h"
+#include "io/check/written_stl_check.h"
+#include "io/check/written_surface_check.h"
 #include "io/import.h"
 #include "io/number_text.h"
 #include "io/readers/ply_header.h"
 #include "io/writers/file_positions.h"
 #include "io/writers/line_segments.h"
-#include "io/written_surface_check.h"
-#include "mesh/triangulate.h"
 
 namespace hitscope {
 namespace {
@@ -113,37 +114,14 @@ Status compareMesh(const MeshData& read, const MeshExport& what, const WrittenNo
     if (Status same = compareLoose(read, *what.mesh, suffix == QStringLiteral("obj"), path); !same) {
         return same;
     }
-    const std::optional<std::string> difference = surfaceDifference(
-        read, what, normals, suffix == QStringLiteral("obj") ? SurfaceFormat::Obj : SurfaceFormat::Ply,
-        !isWhole(coordinateType(path, suffix, "nx")));
+    const bool isObj = suffix == QStringLiteral("obj");
+    std::optional<std::string> difference =
+        surfaceDifference(read, what, normals, isObj ? SurfaceFormat::Obj : SurfaceFormat::Ply,
+                          !isWhole(coordinateType(path, suffix, "nx")));
+    if (!difference) {
+        difference = isObj ? materialDifference(read, what, path) : textureDifference(read, *what.mesh);
+    }
     return difference ? Status(notAsMeant(path, *difference)) : Status(Done{});
-}
-
-/// Corner by corner: an STL file has no vertices that faces share.
-Status compareFacets(const MeshData& read, const MeshExport& what, const QString& path) {
-    const MeshData& mesh = *what.mesh;
-    const FilePositions positions(what);
-    const std::size_t facets = mesh.cornerVertices.size() - 2 * mesh.faceCount();
-    if (read.faceCount() != facets || read.cornerVertices.size() != 3 * facets) {
-        return notAsMeant(path, counts("triangles", read.faceCount(), facets));
-    }
-    Triangulator triangulator;
-    std::vector<std::uint32_t> corners;
-    std::size_t at = 0;
-    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-        corners.clear();
-        triangulator.triangulate(mesh.positions, mesh.face(f), corners);
-        for (const std::uint32_t corner : corners) {
-            const glm::vec3 is = read.positions[read.cornerVertices[at]];
-            const glm::vec3 meant(positions.now(mesh.face(f)[corner]));
-            if (is != meant) {
-                return notAsMeant(path,
-                                  elsewhere("a corner of triangle " + std::to_string(at / 3 + 1), is, meant));
-            }
-            ++at;
-        }
-    }
-    return Done{};
 }
 
 void appendVector(std::string& text, const glm::dvec3& vector) {
@@ -185,7 +163,7 @@ Status verifyWritten(const QString& path, const MeshExport& what, const WrittenN
     if (!read) {
         return notAsMeant(path, "it cannot be read (" + read.error().what + ")");
     }
-    return isStl ? compareFacets(read.value().mesh, what, path)
+    return isStl ? verifyWrittenStl(read.value().mesh, what, path)
                  : compareMesh(read.value().mesh, what, normals, path);
 }
 
