@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <unordered_map>
+#include <numeric>
 
-#include "core/memory.h"
 #include "mesh/disjoint_sets.h"
 
 namespace hitscope {
@@ -33,9 +32,28 @@ void accumulate(std::vector<std::uint32_t>& counts) {
     std::partial_sum(counts.begin(), counts.end(), counts.begin());
 }
 
-bool repeats(std::vector<std::uint32_t> places) {
-    std::sort(places.begin(), places.end());
-    return std::adjacent_find(places.begin(), places.end()) != places.end();
+bool repeats(std::span<const std::uint32_t> places) {
+    constexpr std::size_t kFew = 8;
+    if (places.size() > kFew) {
+        std::vector<std::uint32_t> sorted(places.begin(), places.end());
+        std::sort(sorted.begin(), sorted.end());
+        return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+    }
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        if (std::find(places.begin(), places.begin() + i, places[i]) != places.begin() + i) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Of few that are joined, each pointing at another one of its set or at itself.
+std::uint32_t rootOf(std::span<std::uint32_t> joined, std::uint32_t member) {
+    while (joined[member] != member) {
+        joined[member] = joined[joined[member]];
+        member = joined[member];
+    }
+    return member;
 }
 
 }  // namespace
@@ -92,264 +110,276 @@ std::vector<std::uint32_t> weldedVertices(const MeshData& mesh) {
     return standsFor;
 }
 
-/// Makes a SurfaceTopology step by step.
+/// Makes a SurfaceTopology step by step. What it holds meanwhile is bounded: the faces at the vertices, from
+/// which edges and fans follow, are gathered for a part of the vertices at a time.
 class SurfaceTopologyBuilder {
 public:
-    explicit SurfaceTopologyBuilder(const MeshData& mesh) : m_mesh(mesh) {}
+    explicit SurfaceTopologyBuilder(const MeshData& mesh) : m_mesh(mesh), m_faces(mesh.faceCount()) {}
 
     [[nodiscard]] std::shared_ptr<const SurfaceTopology> build(const std::stop_token& stop) {
-        using Step = void (SurfaceTopologyBuilder::*)();
-        for (const Step step : {&SurfaceTopologyBuilder::count, &SurfaceTopologyBuilder::weld,
-                                &SurfaceTopologyBuilder::gatherCorners, &SurfaceTopologyBuilder::sortSides,
-                                &SurfaceTopologyBuilder::joinFaces, &SurfaceTopologyBuilder::countFans,
-                                &SurfaceTopologyBuilder::conclude}) {
+        constexpr std::size_t kParts = 8;
+        constexpr std::size_t kFewest = 1 << 16;  // places in a part
+        count();
+        gatherCorners();
+        const std::size_t places = m_mesh.vertexCount();
+        const std::size_t step = std::max(kFewest, (places + kParts - 1) / kParts);
+        // Nearly all edges have two faces.
+        m_made.m_edges.reserve(m_cornerPlaces.size() / 2 + m_cornerPlaces.size() / 32);
+        for (std::size_t begin = 0; begin < places; begin += step) {
             if (stop.stop_requested()) {
                 return nullptr;
             }
-            (this->*step)();
+            takePlaces(begin, std::min(begin + step, places));
         }
+        conclude();
         return std::make_shared<const SurfaceTopology>(std::move(m_made));
     }
 
 private:
-    /// A face's way along an edge.
+    /// A face's corner at a place.
+    struct Corner {
+        std::uint32_t index = 0;  ///< in m_cornerPlaces
+        std::uint32_t face = 0;
+    };
+    /// A face's side at the place that is looked at.
     struct Side {
-        std::uint32_t low = 0;   ///< place
-        std::uint32_t high = 0;  ///< place
-        std::uint32_t face = 0;
-        std::uint32_t lowCorner = 0;   ///< the face's corner at the lower place, numbered in m_cornerPlaces
-        std::uint32_t highCorner = 0;  ///< likewise at the higher
-        bool isUp = false;
-
-        [[nodiscard]] bool hasEdgeOf(const Side& other) const {
-            return low == other.low && high == other.high;
-        }
-    };
-    /// What it is worked out from: a mesh of millions of faces has many.
-    struct SideStart {
-        std::uint32_t corner = 0;  ///< that it starts from, in m_cornerPlaces
-        std::uint32_t face = 0;
+        std::uint32_t other = 0;  ///< the place at its other end
+        std::uint32_t corner =
+            0;               ///< of the face, numbered among those at the place, which go by their faces
+        bool isOut = false;  ///< the face's way is from here to there
     };
 
-    void count() {
-        SurfaceStatistics& statistics = m_made.m_statistics;
-        const std::vector<bool> used = usedVertices(m_mesh);
-        statistics.vertices = m_mesh.vertexCount();
-        statistics.unreferencedVertices =
-            static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
-        statistics.faces = m_mesh.faceCount();
-        for (std::size_t f = 0; f < m_mesh.faceCount(); ++f) {
-            const std::size_t corners = m_mesh.face(f).size();
-            statistics.triangles += corners == 3 ? 1 : 0;
-            statistics.quads += corners == 4 ? 1 : 0;
-            statistics.largerPolygons += corners > 4 ? 1 : 0;
-        }
-    }
-
-    void weld() { m_standsFor = weldedVertices(m_mesh); }
-
-    /// The corners of every face that is not collapsed. Corners in a row at one place are one.
-    void gatherCorners() {
-        m_cornerPlaces.reserve(m_mesh.cornerVertices.size());
-        m_cornerStarts.reserve(m_mesh.faceCount() + 1);
-        std::vector<std::uint32_t> places;
-        for (std::uint32_t f = 0; f < m_mesh.faceCount(); ++f) {
-            places.clear();
-            for (const std::uint32_t vertex : m_mesh.face(f)) {
-                if (places.empty() || places.back() != m_standsFor[vertex]) {
-                    places.push_back(m_standsFor[vertex]);
-                }
-            }
-            while (places.size() > 1 && places.front() == places.back()) {
-                places.pop_back();
-            }
-            m_cornerStarts.push_back(static_cast<std::uint32_t>(m_cornerPlaces.size()));
-            if (places.size() < 3 || repeats(places)) {
-                ++m_made.m_statistics.collapsedFaces;
-            } else {
-                m_cornerPlaces.insert(m_cornerPlaces.end(), places.begin(), places.end());
-            }
-        }
-        m_cornerStarts.push_back(static_cast<std::uint32_t>(m_cornerPlaces.size()));
-        freeAll(m_standsFor);
-    }
-
-    [[nodiscard]] Side sideAt(const SideStart& start) const {
-        const std::uint32_t first = m_cornerStarts[start.face];
-        const std::uint32_t end = m_cornerStarts[start.face + 1];
-        const std::uint32_t next = start.corner + 1 < end ? start.corner + 1 : first;
-        const std::uint32_t from = m_cornerPlaces[start.corner];
-        const std::uint32_t to = m_cornerPlaces[next];
-        return from < to ? Side{from, to, start.face, start.corner, next, true}
-                         : Side{to, from, start.face, next, start.corner, false};
-    }
-    [[nodiscard]] Side side(std::size_t index) const { return sideAt(m_sides[index]); }
-
-    /// The sides of these, sorted by lower place, then by higher, then by face.
-    void sortSides() {
-        std::vector<std::uint32_t> starts(m_mesh.vertexCount() + 2, 0);
-        const auto forEachSide = [this](const auto& act) {
-            for (std::uint32_t f = 0; f < m_mesh.faceCount(); ++f) {
-                for (std::uint32_t corner = m_cornerStarts[f]; corner < m_cornerStarts[f + 1]; ++corner) {
-                    act(SideStart{corner, f});
-                }
-            }
-        };
-        forEachSide([&](const SideStart& start) { ++starts[sideAt(start).low + 2]; });
-        accumulate(starts);
-        m_sides.resize(m_cornerPlaces.size());
-        forEachSide([&](const SideStart& start) { m_sides[starts[sideAt(start).low + 1]++] = start; });
-        std::size_t edges = 0;
-        for (std::size_t place = 0; place < m_mesh.vertexCount(); ++place) {
-            const auto run = std::span(m_sides).subspan(starts[place], starts[place + 1] - starts[place]);
-            std::sort(run.begin(), run.end(), [this](const SideStart& a, const SideStart& b) {
-                const std::uint32_t highA = sideAt(a).high;
-                const std::uint32_t highB = sideAt(b).high;
-                return highA != highB ? highA < highB : a.face < b.face;
-            });
-            for (std::size_t i = 0; i < run.size(); ++i) {
-                edges += i == 0 || sideAt(run[i]).high != sideAt(run[i - 1]).high ? 1 : 0;
-            }
-        }
-        m_made.m_edges.reserve(edges);
-    }
-
-    /// Goes through the edges once: counts them by their faces, and joins the faces that share one, both as
-    /// wholes (components) and corner by corner (fans).
-    void joinFaces() {
-        SurfaceStatistics& statistics = m_made.m_statistics;
-        DisjointSets faces(m_mesh.faceCount());
-        m_fans = std::make_unique<DisjointSets>(m_cornerPlaces.size());
-        m_isEdgeEnd.assign(m_mesh.vertexCount(), false);
-        std::vector<Side> sides;
-        for (std::size_t begin = 0, end = 0; begin < m_sides.size(); begin = end) {
-            sides.clear();
-            do {
-                sides.push_back(side(end++));
-            } while (end < m_sides.size() && side(end).hasEdgeOf(sides[0]));
-            const Side& first = sides[0];
-            m_made.m_edges.push_back({first.low, first.high});
-            statistics.boundaryEdges += sides.size() == 1 ? 1 : 0;
-            if (sides.size() > 2) {
-                ++statistics.nonManifoldEdges;
-                m_isEdgeEnd[first.low] = m_isEdgeEnd[first.high] = true;
-            }
-            for (const Side& other : std::span(sides).subspan(1)) {
-                const bool opposed = other.isUp == first.isUp;
-                statistics.opposedEdges += opposed && sides.size() == 2 ? 1 : 0;
-                const bool fits = faces.join(first.face, other.face, opposed && sides.size() == 2);
-                statistics.orientable = statistics.orientable && (fits || sides.size() > 2);
-                m_fans->join(first.lowCorner, other.lowCorner);
-                m_fans->join(first.highCorner, other.highCorner);
-            }
-        }
-        statistics.edges = m_made.m_edges.size();
-        statistics.components = faces.sets() - statistics.collapsedFaces;
-    }
-
-    /// A place where more than one fan of faces meets is not manifold. Boundary edges that end in the same
-    /// fan follow one another round a hole.
-    void countFans() {
-        SurfaceStatistics& statistics = m_made.m_statistics;
-        constexpr std::uint32_t kNone = kNoIndex;
-        std::vector<std::uint32_t> fanAt(m_mesh.vertexCount(), kNone);
-        std::vector<bool> isSplit(m_mesh.vertexCount(), false);
-        for (std::uint32_t corner = 0; corner < m_cornerPlaces.size(); ++corner) {
-            const std::uint32_t place = m_cornerPlaces[corner];
-            const std::uint32_t fan = m_fans->find(corner).root;
-            statistics.places += fanAt[place] == kNone ? 1 : 0;
-            if (fanAt[place] == kNone) {
-                fanAt[place] = fan;
-            } else if (fanAt[place] != fan && !isSplit[place] && !m_isEdgeEnd[place]) {
-                isSplit[place] = true;
-                ++statistics.nonManifoldVertices;
-            }
-        }
-        countHoles();
-    }
-
-    void countHoles() {
-        std::unordered_map<std::uint32_t, std::uint32_t> edgeAtFan;
-        std::vector<std::pair<std::uint32_t, std::uint32_t>> joined;
-        std::uint32_t edges = 0;
-        for (std::size_t i = 0; i < m_sides.size(); ++i) {
-            const Side alone = side(i);
-            const bool isShared = (i > 0 && side(i - 1).hasEdgeOf(alone)) ||
-                                  (i + 1 < m_sides.size() && side(i + 1).hasEdgeOf(alone));
-            if (isShared) {
-                continue;
-            }
-            for (const std::uint32_t corner : {alone.lowCorner, alone.highCorner}) {
-                const auto [known, isNew] = edgeAtFan.try_emplace(m_fans->find(corner).root, edges);
-                if (!isNew) {
-                    joined.emplace_back(known->second, edges);
-                }
-            }
-            ++edges;
-        }
-        DisjointSets lines(edges);
-        for (const auto& pair : joined) {
-            lines.join(pair.first, pair.second);
-        }
-        m_made.m_statistics.holes = lines.sets();
-    }
-
-    void conclude() {
-        SurfaceStatistics& s = m_made.m_statistics;
-        const auto number = [](std::size_t count) { return static_cast<long long>(count); };
-        s.eulerCharacteristic = number(s.places) - number(s.edges) + number(s.faces - s.collapsedFaces);
-        s.watertight = s.isManifold() && s.boundaryEdges == 0 && s.faces > s.collapsedFaces;
-        if (s.isManifold() && s.orientable && s.components > 0) {
-            // chi = 2 components - 2 genus - holes
-            s.genus = (2 * number(s.components) - number(s.holes) - s.eulerCharacteristic) / 2;
-        }
-        freeAll(m_sides);
-        freeAll(m_cornerPlaces);
-        freeAll(m_cornerStarts);
-        m_fans.reset();
-    }
+    void count();
+    void gatherCorners();
+    [[nodiscard]] bool isPlain(std::span<const std::uint32_t> standsFor) const;
+    void takePlaces(std::size_t begin, std::size_t end);
+    void takePlace(std::uint32_t place, std::span<const Corner> corners);
+    void listSides(std::span<const Corner> corners);
+    void takeEdge(std::uint32_t place, std::span<const Corner> corners, std::span<const Side> sides);
+    void takeBoundary(const SurfaceTopology::Edge& edge, std::uint32_t corner);
+    void countFans(std::size_t corners);
+    void conclude();
 
     const MeshData& m_mesh;
     SurfaceTopology m_made;
-    std::vector<std::uint32_t> m_standsFor;
-    std::vector<std::uint32_t> m_cornerPlaces;
-    std::vector<std::uint32_t> m_cornerStarts;  ///< face -> its first of these; one more
-    std::vector<SideStart> m_sides;
-    std::unique_ptr<DisjointSets> m_fans;  ///< of corners, joined where faces share an edge there
-    std::vector<bool> m_isEdgeEnd;         ///< place is an end of a non-manifold edge
+    /// The corners of every face that is not collapsed; the mesh's own, where nothing is welded.
+    std::span<const std::uint32_t> m_cornerPlaces;
+    std::span<const std::uint32_t> m_cornerStarts;  ///< face -> its first of these; one more
+    std::vector<std::uint32_t> m_ownPlaces;
+    std::vector<std::uint32_t> m_ownStarts;
+    DisjointSets m_faces;                   ///< joined where they share an edge
+    std::vector<std::uint32_t> m_boundary;  ///< numbers of edges of one face, ascending
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> m_neighbours;  ///< of m_boundary, round a hole
+    // Of the place that is looked at.
+    std::vector<Side> m_sides;
+    std::vector<std::uint32_t> m_fans;      ///< a corner -> one of the same fan, or itself
+    std::vector<std::uint32_t> m_fanEdges;  ///< a corner that stands for a fan -> an index into m_boundary
+    bool m_isEdgeEnd = false;               ///< of an edge of three faces or more
 };
+
+void SurfaceTopologyBuilder::count() {
+    SurfaceStatistics& statistics = m_made.m_statistics;
+    const std::vector<bool> used = usedVertices(m_mesh);
+    statistics.vertices = m_mesh.vertexCount();
+    statistics.unreferencedVertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
+    statistics.faces = m_mesh.faceCount();
+    for (std::size_t f = 0; f < m_mesh.faceCount(); ++f) {
+        const std::size_t corners = m_mesh.face(f).size();
+        statistics.triangles += corners == 3 ? 1 : 0;
+        statistics.quads += corners == 4 ? 1 : 0;
+        statistics.largerPolygons += corners > 4 ? 1 : 0;
+    }
+}
+
+/// Nothing is welded, and no face collapsed.
+bool SurfaceTopologyBuilder::isPlain(std::span<const std::uint32_t> standsFor) const {
+    for (std::uint32_t v = 0; v < standsFor.size(); ++v) {
+        if (standsFor[v] != v) {
+            return false;
+        }
+    }
+    for (std::size_t f = 0; f < m_mesh.faceCount(); ++f) {
+        if (repeats(m_mesh.face(f))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Corners in a row at one place are one.
+void SurfaceTopologyBuilder::gatherCorners() {
+    const std::vector<std::uint32_t> standsFor = weldedVertices(m_mesh);
+    if (isPlain(standsFor)) {
+        m_cornerPlaces = m_mesh.cornerVertices;
+        m_cornerStarts = m_mesh.faceStarts;
+        return;
+    }
+    m_ownPlaces.reserve(m_mesh.cornerVertices.size());
+    m_ownStarts.reserve(m_mesh.faceCount() + 1);
+    std::vector<std::uint32_t> places;
+    for (std::uint32_t f = 0; f < m_mesh.faceCount(); ++f) {
+        places.clear();
+        for (const std::uint32_t vertex : m_mesh.face(f)) {
+            if (places.empty() || places.back() != standsFor[vertex]) {
+                places.push_back(standsFor[vertex]);
+            }
+        }
+        while (places.size() > 1 && places.front() == places.back()) {
+            places.pop_back();
+        }
+        m_ownStarts.push_back(static_cast<std::uint32_t>(m_ownPlaces.size()));
+        if (places.size() < 3 || repeats(places)) {
+            ++m_made.m_statistics.collapsedFaces;
+        } else {
+            m_ownPlaces.insert(m_ownPlaces.end(), places.begin(), places.end());
+        }
+    }
+    m_ownStarts.push_back(static_cast<std::uint32_t>(m_ownPlaces.size()));
+    m_cornerPlaces = m_ownPlaces;
+    m_cornerStarts = m_ownStarts;
+}
+
+/// Places [begin, end), in their order.
+void SurfaceTopologyBuilder::takePlaces(std::size_t begin, std::size_t end) {
+    std::vector<std::uint32_t> starts(end - begin + 1, 0);
+    const auto isHere = [&](std::uint32_t place) { return place >= begin && place < end; };
+    for (const std::uint32_t place : m_cornerPlaces) {
+        if (isHere(place)) {
+            ++starts[place - begin + 1];
+        }
+    }
+    accumulate(starts);
+    std::vector<Corner> corners(starts.back());
+    std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
+    for (std::uint32_t f = 0; f < m_mesh.faceCount(); ++f) {
+        for (std::uint32_t corner = m_cornerStarts[f]; corner < m_cornerStarts[f + 1]; ++corner) {
+            if (isHere(m_cornerPlaces[corner])) {
+                corners[next[m_cornerPlaces[corner] - begin]++] = {corner, f};
+            }
+        }
+    }
+    for (std::size_t i = 0; i < end - begin; ++i) {
+        if (starts[i] < starts[i + 1]) {
+            takePlace(static_cast<std::uint32_t>(begin + i),
+                      std::span(corners).subspan(starts[i], starts[i + 1] - starts[i]));
+        }
+    }
+}
+
+/// Both sides of each corner, by the place at their other end, then by face.
+void SurfaceTopologyBuilder::listSides(std::span<const Corner> corners) {
+    m_sides.clear();
+    for (std::uint32_t c = 0; c < corners.size(); ++c) {
+        const std::uint32_t first = m_cornerStarts[corners[c].face];
+        const std::uint32_t last = m_cornerStarts[corners[c].face + 1] - 1;
+        const std::uint32_t at = corners[c].index;
+        m_sides.push_back({m_cornerPlaces[at < last ? at + 1 : first], c, true});
+        m_sides.push_back({m_cornerPlaces[at > first ? at - 1 : last], c, false});
+    }
+    std::sort(m_sides.begin(), m_sides.end(), [](const Side& a, const Side& b) {
+        return a.other != b.other ? a.other < b.other : a.corner < b.corner;
+    });
+}
+
+void SurfaceTopologyBuilder::takePlace(std::uint32_t place, std::span<const Corner> corners) {
+    ++m_made.m_statistics.places;
+    listSides(corners);
+    m_fans.resize(corners.size());
+    std::iota(m_fans.begin(), m_fans.end(), 0u);
+    m_fanEdges.assign(corners.size(), kNoIndex);
+    m_isEdgeEnd = false;
+    const auto forEachEdge = [this](const auto& act) {
+        for (std::size_t begin = 0, end = 0; begin < m_sides.size(); begin = end) {
+            while (end < m_sides.size() && m_sides[end].other == m_sides[begin].other) {
+                ++end;
+            }
+            act(std::span<const Side>(m_sides).subspan(begin, end - begin));
+        }
+    };
+    forEachEdge([&](std::span<const Side> sides) { takeEdge(place, corners, sides); });
+    forEachEdge([&](std::span<const Side> sides) {
+        if (sides.size() == 1) {
+            takeBoundary({std::min(place, sides[0].other), std::max(place, sides[0].other)}, sides[0].corner);
+        }
+    });
+    countFans(corners.size());
+}
+
+/// Joins the faces that share an edge, corner by corner (fans), and at its lower end as wholes (components).
+void SurfaceTopologyBuilder::takeEdge(std::uint32_t place, std::span<const Corner> corners,
+                                      std::span<const Side> sides) {
+    m_isEdgeEnd = m_isEdgeEnd || sides.size() > 2;
+    for (const Side& other : sides.subspan(1)) {
+        m_fans[rootOf(m_fans, other.corner)] = rootOf(m_fans, sides[0].corner);
+    }
+    if (place > sides[0].other) {
+        return;
+    }
+    SurfaceStatistics& statistics = m_made.m_statistics;
+    if (sides.size() == 1) {
+        ++statistics.boundaryEdges;
+        m_boundary.push_back(static_cast<std::uint32_t>(m_made.m_edges.size()));
+    }
+    m_made.m_edges.push_back({place, sides[0].other});
+    statistics.nonManifoldEdges += sides.size() > 2 ? 1 : 0;
+    for (const Side& other : sides.subspan(1)) {
+        const bool opposed = other.isOut == sides[0].isOut;
+        statistics.opposedEdges += opposed && sides.size() == 2 ? 1 : 0;
+        const bool fits = m_faces.join(corners[sides[0].corner].face, corners[other.corner].face,
+                                       opposed && sides.size() == 2);
+        statistics.orientable = statistics.orientable && (fits || sides.size() > 2);
+    }
+}
+
+/// Boundary edges that end in the same fan follow one another round a hole. Those that end here begin here
+/// or at a place that was taken before.
+void SurfaceTopologyBuilder::takeBoundary(const SurfaceTopology::Edge& edge, std::uint32_t corner) {
+    const auto& edges = m_made.m_edges;
+    const auto at = std::lower_bound(m_boundary.begin(), m_boundary.end(), edge,
+                                     [&edges](std::uint32_t number, const SurfaceTopology::Edge& wanted) {
+                                         const SurfaceTopology::Edge& other = edges[number];
+                                         return other.low != wanted.low ? other.low < wanted.low
+                                                                        : other.high < wanted.high;
+                                     });
+    const auto number = static_cast<std::uint32_t>(at - m_boundary.begin());
+    std::uint32_t& known = m_fanEdges[rootOf(m_fans, corner)];
+    if (known == kNoIndex) {
+        known = number;
+    } else {
+        m_neighbours.emplace_back(known, number);
+    }
+}
+
+/// A place where more than one fan of faces meets is not manifold.
+void SurfaceTopologyBuilder::countFans(std::size_t corners) {
+    std::size_t fans = 0;
+    for (std::uint32_t c = 0; c < corners; ++c) {
+        fans += m_fans[c] == c ? 1 : 0;
+    }
+    m_made.m_statistics.nonManifoldVertices += fans > 1 && !m_isEdgeEnd ? 1 : 0;
+}
+
+void SurfaceTopologyBuilder::conclude() {
+    SurfaceStatistics& s = m_made.m_statistics;
+    s.edges = m_made.m_edges.size();
+    s.components = m_faces.sets() - s.collapsedFaces;
+    DisjointSets lines(m_boundary.size());
+    for (const auto& [one, other] : m_neighbours) {
+        lines.join(one, other);
+    }
+    s.holes = lines.sets();
+    const auto number = [](std::size_t count) { return static_cast<long long>(count); };
+    s.eulerCharacteristic = number(s.places) - number(s.edges) + number(s.faces - s.collapsedFaces);
+    s.watertight = s.isManifold() && s.boundaryEdges == 0 && s.faces > s.collapsedFaces;
+    if (s.isManifold() && s.orientable && s.components > 0) {
+        // chi = 2 components - 2 genus - holes
+        s.genus = (2 * number(s.components) - number(s.holes) - s.eulerCharacteristic) / 2;
+    }
+}
 
 std::shared_ptr<const SurfaceTopology> SurfaceTopology::build(const MeshData& mesh,
                                                               const std::stop_token& stop) {
     return SurfaceTopologyBuilder(mesh).build(stop);
-}
-
-SurfaceIndex::SurfaceIndex(const MeshData& mesh, const SurfaceTopology& topology) {
-    m_faceStarts.assign(mesh.vertexCount() + 1, 0);
-    for (const std::uint32_t vertex : mesh.cornerVertices) {
-        ++m_faceStarts[vertex + 1];
-    }
-    accumulate(m_faceStarts);
-    m_faces.resize(mesh.cornerVertices.size());
-    std::vector<std::uint32_t> next(m_faceStarts.begin(), m_faceStarts.end() - 1);
-    for (std::uint32_t f = 0; f < mesh.faceCount(); ++f) {
-        for (const std::uint32_t vertex : mesh.face(f)) {
-            m_faces[next[vertex]++] = f;
-        }
-    }
-    const std::span<const SurfaceTopology::Edge> edges = topology.edges();
-    m_edgeStarts.assign(mesh.vertexCount() + 1, 0);
-    for (const SurfaceTopology::Edge& edge : edges) {
-        ++m_edgeStarts[edge.low + 1];
-        ++m_edgeStarts[edge.high + 1];
-    }
-    accumulate(m_edgeStarts);
-    m_vertexEdges.resize(2 * edges.size());
-    next.assign(m_edgeStarts.begin(), m_edgeStarts.end() - 1);
-    for (std::uint32_t e = 0; e < edges.size(); ++e) {
-        m_vertexEdges[next[edges[e].low]++] = e;
-        m_vertexEdges[next[edges[e].high]++] = e;
-    }
 }
 
 }  // namespace hitscope

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/memory.h"
 
+#include <QCoreApplication>
+#include <QFile>
 #include <QTest>
 #include <cstdlib>
 #include <memory>
 #include <vector>
 
+#include "core/process_memory.h"
 #include "core/sanitizers.h"
 #include "mesh/primitives.h"
+#include "mesh/surface_topology.h"
 #include "session/session.h"
 #include "support/test_program.h"
 
@@ -23,6 +27,7 @@ private Q_SLOTS:
     void freedBlocksStayWithTheLibrary();
     void hitsAndTheirStepsAreSmall();
     void aMeshIsHeldOnce();
+    void surfacesAreMeasuredInLittle();
     void freeAllGivesTheRoomBack();
 };
 
@@ -95,6 +100,30 @@ void MemoryTest::aMeshIsHeldOnce() {
     QVERIFY2(each <= kMost, qPrintable(QString::number(each)));
 #else
     QSKIP("only glibc tells what is in use");
+#endif
+}
+
+/// What the process has at most meanwhile: the edges, and the faces at a part of the vertices.
+void MemoryTest::surfacesAreMeasuredInLittle() {
+#ifdef HITSCOPE_SANITIZED
+    QSKIP("The sanitizers have a malloc of their own.");
+#endif
+#ifdef __GLIBC__
+    constexpr double kMost = 45.0;  // bytes a vertex of quads, of which edges are 16
+    const MeshData mesh = makeUvSphere(1400, 1000, 1.0f);
+    const std::int64_t self = QCoreApplication::applicationPid();
+    malloc_trim(0);
+    QFile reset(QStringLiteral("/proc/self/clear_refs"));
+    if (!reset.open(QIODevice::WriteOnly | QIODevice::Unbuffered) || reset.write("5") != 1) {
+        QSKIP("the system does not count the most anew");
+    }
+    const double before = memoryOf(self).resident;
+    const std::shared_ptr<const SurfaceTopology> topology = SurfaceTopology::build(mesh);
+    const double each = (memoryOf(self).most - before) / static_cast<double>(mesh.vertexCount());
+    QVERIFY(topology->edges().size() > mesh.vertexCount());
+    QVERIFY2(each >= 16.0 && each <= kMost, qPrintable(QString::number(each)));
+#else
+    QSKIP("only glibc gives memory back");
 #endif
 }
 
