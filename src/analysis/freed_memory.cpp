@@ -11,12 +11,15 @@ namespace hitscope {
 
 FreedMemory::FreedMemory(Session& session, std::function<void()> giveBack, QObject* parent)
     : QObject(parent), m_session(session), m_giveBack(std::move(giveBack)), m_large(largeMeshes()) {
-    for (const auto& [timer, wait] : {std::pair(&m_soon, kSoon), std::pair(&m_later, kLater)}) {
-        timer->setSingleShot(true);
-        timer->setInterval(wait);
-        connect(timer, &QTimer::timeout, this,
-                [this] { workBeside(this, m_giveBack, [](FreedMemory& /*self*/, bool /*done*/) {}); });
-    }
+    m_soon.setSingleShot(true);
+    m_later.setSingleShot(true);
+    connect(&m_soon, &QTimer::timeout, this, &FreedMemory::giveBack);
+    connect(&m_later, &QTimer::timeout, this, &FreedMemory::giveBackInTheEnd);
+    connect(&session.tasks(), &TaskList::changed, this, [this] {
+        if (m_isNew && m_session.tasks().size() == 0) {
+            m_later.start(kSoon);
+        }
+    });
     connect(&session, &Session::sceneReplaced, this, &FreedMemory::follow);
     connect(&session.targets(), &SessionTargets::added, this, &FreedMemory::follow);
     connect(&session.targets(), &SessionTargets::removed, this, &FreedMemory::follow);
@@ -25,9 +28,26 @@ FreedMemory::FreedMemory(Session& session, std::function<void()> giveBack, QObje
 void FreedMemory::follow() {
     const std::set<const MeshData*> before = std::exchange(m_large, largeMeshes());
     if (!std::includes(m_large.begin(), m_large.end(), before.begin(), before.end())) {
-        m_soon.start();
-        m_later.start();
+        m_soon.start(kSoon);
+        m_later.start(kLater);
     }
+    if (!std::includes(before.begin(), before.end(), m_large.begin(), m_large.end())) {
+        m_isNew = true;
+        m_later.start(kLater);
+    }
+}
+
+/// Of a mesh that has come once the long tasks are done: each that ends starts the timer anew.
+void FreedMemory::giveBackInTheEnd() {
+    if (m_isNew && m_session.tasks().size() > 0) {
+        return;
+    }
+    m_isNew = false;
+    giveBack();
+}
+
+void FreedMemory::giveBack() {
+    workBeside(this, m_giveBack, [](FreedMemory& /*self*/, bool /*done*/) {});
 }
 
 std::set<const MeshData*> FreedMemory::largeMeshes() const {

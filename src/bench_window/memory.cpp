@@ -3,12 +3,14 @@
 
 #include <QAbstractItemView>
 #include <QCoreApplication>
+#include <QElapsedTimer>
 #include <QJsonArray>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
 
+#include "analysis/freed_memory.h"
 #include "analysis/hit_planner.h"
 #include "app/scene_files.h"
 #include "bench_window/worker_watch.h"
@@ -47,10 +49,17 @@ class MemoryRun {
 public:
     explicit MemoryRun(DrivenWindow& window) : m_window(window) {}
 
-    /// What is there once all has come to rest; the mesh is measured some seconds after a change of it.
+    /// What is there once all has come to rest; the mesh is measured some seconds after a change of it, and
+    /// what was freed goes to the system after that.
     void note(const QString& measured) {
+        constexpr int kRest = FreedMemory::kLater + FreedMemory::kSoon;  // milliseconds
         if (!m_window.settle() ||
             !m_window.wait(QStringLiteral("the measured mesh"), [this] { return isMeasured(); })) {
+            return;
+        }
+        QElapsedTimer rest;
+        rest.start();
+        if (!m_window.wait(QStringLiteral("rest"), [&rest] { return rest.hasExpired(kRest); })) {
             return;
         }
         const ProcessMemory memory = memoryOf(QCoreApplication::applicationPid());

@@ -3,9 +3,11 @@
 
 #include <QTest>
 #include <atomic>
+#include <memory>
 
 #include "mesh/primitives.h"
 #include "session/session.h"
+#include "session/task_list.h"
 #include "session/welcome.h"
 #include "support/test_program.h"
 
@@ -31,8 +33,25 @@ private Q_SLOTS:
         const FreedMemory memory(session, [this] { ++m_times; });
         session.loadScene(sphere(250));
         QVERIFY(session.targets().begin()->get()->deformed.original().vertexCount() > FreedMemory::kLarge);
+        QTRY_COMPARE_WITH_TIMEOUT(m_times.load(), 1, kPatience);
         loadWelcomeScene(session);
-        QTRY_COMPARE_WITH_TIMEOUT(m_times.load(), 2, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(m_times.load(), 3, kPatience);
+    }
+
+    void whenAllIsWorkedOutOfOneThatHasCome() {
+        Session session;
+        const FreedMemory memory(session, [this] { ++m_times; });
+        auto task = std::make_unique<TaskProgress>(session.tasks(), QStringLiteral("Measuring the mesh"));
+        session.loadScene(sphere(250));
+        QTest::qWait(FreedMemory::kLater + FreedMemory::kSoon);
+        QCOMPARE(m_times.load(), 0);
+        task.reset();
+        QTRY_COMPARE_WITH_TIMEOUT(m_times.load(), 1, kPatience);
+        // Not after each task while it is there.
+        task = std::make_unique<TaskProgress>(session.tasks(), QStringLiteral("Measuring the mesh"));
+        task.reset();
+        QTest::qWait(FreedMemory::kLater + FreedMemory::kSoon);
+        QCOMPARE(m_times.load(), 1);
     }
 
     void whenAnotherLargeOneTakesItsPlace() {
@@ -52,12 +71,11 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(m_times.load(), 2, kPatience);
     }
 
-    void notForSmallOnesNorWhileItIsThere() {
+    void notForSmallOnes() {
         Session session;
         const FreedMemory memory(session, [this] { ++m_times; });
         session.loadScene(sphere(20));
         loadWelcomeScene(session);
-        session.loadScene(sphere(250));
         QTest::qWait(FreedMemory::kLater + FreedMemory::kSoon);
         QCOMPARE(m_times.load(), 0);
     }
