@@ -252,6 +252,8 @@ Status SceneGpu::prepare(const View& view) {
     if (!d->pipeline) {
         return Done{};
     }
+    d->followTargets();
+    d->followCover();
     const std::unique_ptr<FrameParts> parts = d->frameOf(view);
     Status status = d->renderer->prepare(parts->frame, *d->pipeline);
     glFinish();

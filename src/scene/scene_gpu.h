@@ -67,7 +67,8 @@ public:
     [[nodiscard]] Status draw(const View& view, unsigned framebuffer, RefinedView* refined = nullptr);
     /// Whether that drew any target with fewer triangles; where one looks from close by it need not.
     [[nodiscard]] bool wasCoarse() const;
-    /// Draws the shadows that draw() would draw first, and waits for them: a picture then takes less time.
+    /// Draws the shadows that draw() would draw first, of new targets too, and waits for them: a picture then
+    /// takes less time.
     [[nodiscard]] Status prepare(const View& view);
     /// Adds a sample to `refined`, of what was drawn last, or draws a part of one: takes as long as a frame
     /// at most, follows nothing and shows nothing. Samples of another picture are forgotten first. Two

@@ -277,6 +277,9 @@ void Viewport::setDrawsContinuously(bool on) {
 void Viewport::followScene() {
     followSize();
     frameAll(Navigation::Arrival::AtOnce);
+    if (m_scene && m_isSoftware && isVisible()) {
+        preparePicture();  // an event waits for the shadows or for the first picture, not for both
+    }
 }
 
 void Viewport::followSize() {

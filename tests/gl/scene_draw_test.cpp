@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of the session's targets is in the picture: hidden ones are not, and a cover is on those it can be on.
+#include <epoxy/gl.h>
+
 #include <QTest>
 #include <array>
 #include <cstdlib>
+#include <functional>
 
 #include "gl/render_target.h"
 #include "mesh/geodesic_sphere.h"
@@ -179,7 +182,43 @@ private Q_SLOTS:
         QVERIFY(full.pixels == coarse.pixels);
     }
 
+    /// Of a scene that is new, too: the picture then draws no shadows, and is the same.
+    void shadowsAreDrawnBeforeThePicture() {
+        Session session;
+        session.loadScene({{}, plans(), 0.0f});
+        const auto gpu = SceneGpu::create(session);
+        QVERIFY(gpu);
+        m_floor = true;
+        static_cast<void>(draw(session, *gpu.value()));
+        const auto loadOther = [&session] {
+            std::vector<TargetPlan> one(1, planPrimitive({PrimitiveKind::UvSphere, 32, 3.0f}));
+            session.loadScene({{}, std::move(one), 0.0f});
+        };
+        loadOther();
+        Image whole;
+        const GLuint all = primitivesOf([&] { whole = draw(session, *gpu.value()); });
+        loadOther();
+        QVERIFY(gpu.value()->prepare(viewOf(session)));
+        Image rest;
+        const GLuint fewer = primitivesOf([&] { rest = draw(session, *gpu.value()); });
+        QVERIFY2(fewer > 0 && fewer < all, qPrintable(QStringLiteral("%1 of %2").arg(fewer).arg(all)));
+        QVERIFY(rest.pixels == whole.pixels);
+    }
+
 private:
+    /// Triangles and lines that were drawn meanwhile.
+    static GLuint primitivesOf(const std::function<void()>& act) {
+        GLuint query = 0;
+        glGenQueries(1, &query);
+        glBeginQuery(GL_PRIMITIVES_GENERATED, query);
+        act();
+        glEndQuery(GL_PRIMITIVES_GENERATED);
+        GLuint primitives = 0;
+        glGetQueryObjectuiv(query, GL_QUERY_RESULT, &primitives);
+        glDeleteQueries(1, &query);
+        return primitives;
+    }
+
     /// Two cubes side by side, far enough apart that neither shades the other.
     static std::vector<TargetPlan> plans() {
         std::vector<TargetPlan> made(2, planPrimitive({PrimitiveKind::Cube, 4, 4.0f}));
@@ -189,8 +228,8 @@ private:
     }
 
     /// From the front, however little of the scene is visible.
-    Image draw(const Session& session, SceneGpu& gpu, bool colours = true,
-               const PictureDetail& detail = {}) const {
+    [[nodiscard]] SceneGpu::View viewOf(const Session& session, bool colours = true,
+                                        const PictureDetail& detail = {}) const {
         SceneGpu::View view;
         view.width = kWidth;
         view.height = kHeight;
@@ -206,8 +245,12 @@ private:
         view.options.floor = m_floor;
         view.options.shadows = m_floor;
         view.options.vertexColours = colours;
+        return view;
+    }
+    Image draw(const Session& session, SceneGpu& gpu, bool colours = true,
+               const PictureDetail& detail = {}) const {
         const gl::RenderTarget into(kWidth, kHeight);
-        const Status drawn = gpu.draw(view, into.framebuffer());
+        const Status drawn = gpu.draw(viewOf(session, colours, detail), into.framebuffer());
         return drawn.ok() ? into.read() : Image{};
     }
 
