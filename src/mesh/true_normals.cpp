@@ -59,26 +59,41 @@ struct TrueNormals::Groups {
     }
     [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(renderStarts.size() - 1); }
     [[nodiscard]] std::span<const std::uint32_t> members(std::uint32_t group) const {
-        return std::span(renderVertices)
-            .subspan(renderStarts[group], renderStarts[group + 1] - renderStarts[group]);
+        return renderVertices.subspan(renderStarts[group], renderStarts[group + 1] - renderStarts[group]);
     }
     /// Sum of the area vectors of a group's faces.
     [[nodiscard]] glm::dvec3 areaOf(std::uint32_t group, std::span<const glm::vec3> positions) const;
 
     std::shared_ptr<const MeshData> mesh;
     std::shared_ptr<const RenderMesh> render;
-    std::vector<std::uint32_t> groupOf;       ///< one a render vertex
-    std::vector<std::uint32_t> vertexStarts;  ///< file vertex -> first of its groups; V + 1 entries
-    std::vector<std::uint32_t> renderStarts;  ///< group -> its run of renderVertices
-    std::vector<std::uint32_t> renderVertices;
+    // The render mesh's own arrays where each file vertex has one render vertex, and so one group.
+    std::span<const std::uint32_t> groupOf;       ///< one a render vertex
+    std::span<const std::uint32_t> vertexStarts;  ///< file vertex -> first of its groups; V + 1 entries
+    std::span<const std::uint32_t> renderStarts;  ///< group -> its run of renderVertices
+    std::span<const std::uint32_t> renderVertices;
     std::vector<std::uint32_t> faceStarts;  ///< group -> its run of faces
     std::vector<std::uint32_t> faces;
+
+private:
+    void nameGroups();
+
+    std::vector<std::uint32_t> m_groupOf;
+    std::vector<std::uint32_t> m_vertexStarts;
+    std::vector<std::uint32_t> m_renderStarts;
+    std::vector<std::uint32_t> m_renderVertices;
 };
 
 TrueNormals::Groups::Groups(std::shared_ptr<const MeshData> ofMesh,
                             std::shared_ptr<const RenderMesh> ofRender)
     : mesh(std::move(ofMesh)), render(std::move(ofRender)) {
-    groupRenderVertices();
+    if (render->fileVertices.size() + 1 == render->fileVertexStarts.size()) {
+        groupOf = render->fileVertices;
+        vertexStarts = renderStarts = render->fileVertexStarts;
+        renderVertices = render->fileVertexRender;
+    } else {
+        groupRenderVertices();
+        nameGroups();
+    }
     groupFaces();
 }
 
@@ -90,33 +105,40 @@ TrueNormals::TrueNormals(const MeshData& mesh, const RenderMesh& render)
 
 void TrueNormals::Groups::groupRenderVertices() {
     const auto vertices = static_cast<std::uint32_t>(render->fileVertexStarts.size() - 1);
-    renderVertices = render->fileVertexRender;
-    renderStarts.reserve(renderVertices.size() + 1);
-    vertexStarts.reserve(vertices + 1);
-    vertexStarts.push_back(0);
+    m_renderVertices = render->fileVertexRender;
+    m_renderStarts.reserve(m_renderVertices.size() + 1);
+    m_vertexStarts.reserve(vertices + 1);
+    m_vertexStarts.push_back(0);
     for (std::uint32_t v = 0; v < vertices; ++v) {
         const std::uint32_t first = render->fileVertexStarts[v];
         const std::uint32_t end = render->fileVertexStarts[v + 1];
-        const auto around = std::span(renderVertices).subspan(first, end - first);
+        const auto around = std::span(m_renderVertices).subspan(first, end - first);
         std::sort(around.begin(), around.end(),
                   [this](std::uint32_t a, std::uint32_t b) { return key(original(a)) < key(original(b)); });
         for (std::uint32_t i = first; i < end; ++i) {
-            if (i == first || original(renderVertices[i]) != original(renderVertices[i - 1])) {
-                renderStarts.push_back(i);
+            if (i == first || original(m_renderVertices[i]) != original(m_renderVertices[i - 1])) {
+                m_renderStarts.push_back(i);
             }
         }
-        vertexStarts.push_back(static_cast<std::uint32_t>(renderStarts.size()));
+        m_vertexStarts.push_back(static_cast<std::uint32_t>(m_renderStarts.size()));
     }
-    renderStarts.push_back(static_cast<std::uint32_t>(renderVertices.size()));
+    m_renderStarts.push_back(static_cast<std::uint32_t>(m_renderVertices.size()));
+    vertexStarts = m_vertexStarts;
+    renderStarts = m_renderStarts;
+    renderVertices = m_renderVertices;
+}
+
+void TrueNormals::Groups::nameGroups() {
+    m_groupOf.resize(renderVertices.size());
+    for (std::uint32_t group = 0; group < count(); ++group) {
+        for (const std::uint32_t member : members(group)) {
+            m_groupOf[member] = group;
+        }
+    }
+    groupOf = m_groupOf;
 }
 
 void TrueNormals::Groups::groupFaces() {
-    groupOf.resize(renderVertices.size());
-    for (std::uint32_t group = 0; group < count(); ++group) {
-        for (const std::uint32_t member : members(group)) {
-            groupOf[member] = group;
-        }
-    }
     // A face that comes to a group with two corners is listed twice: it counts with its area each time,
     // before and after the dent alike.
     const std::vector<std::uint32_t>& corners = render->cornerRenderVertices;

@@ -12,6 +12,7 @@
 #include "core/sanitizers.h"
 #include "mesh/primitives.h"
 #include "mesh/surface_topology.h"
+#include "mesh/true_normals.h"
 #include "session/session.h"
 #include "support/test_program.h"
 
@@ -28,6 +29,7 @@ private Q_SLOTS:
     void hitsAndTheirStepsAreSmall();
     void aMeshIsHeldOnce();
     void surfacesAreMeasuredInLittle();
+    void trueNormalsShareTheRenderMesh();
     void freeAllGivesTheRoomBack();
 };
 
@@ -124,6 +126,38 @@ void MemoryTest::surfacesAreMeasuredInLittle() {
     QVERIFY2(each >= 16.0 && each <= kMost, qPrintable(QString::number(each)));
 #else
     QSKIP("only glibc gives memory back");
+#endif
+}
+
+/// Where each vertex has one normal, what is listed for its faces alone is new: 4 bytes a vertex and a
+/// corner.
+void MemoryTest::trueNormalsShareTheRenderMesh() {
+#ifdef HITSCOPE_SANITIZED
+    QSKIP("The sanitizers have a malloc of their own.");
+#endif
+#ifdef __GLIBC__
+    constexpr std::size_t kMost = 21;  // bytes a vertex of quads
+    constexpr std::uint32_t kSide = 500;
+    auto mesh = std::make_shared<MeshData>();
+    mesh->faceStarts.push_back(0);
+    for (std::uint32_t v = 0; v < kSide * kSide; ++v) {
+        mesh->positions.emplace_back(static_cast<float>(v % kSide), static_cast<float>(v / kSide), 0.0f);
+        if (v % kSide + 1 < kSide && v / kSide + 1 < kSide) {
+            mesh->cornerVertices.insert(mesh->cornerVertices.end(), {v, v + 1, v + kSide + 1, v + kSide});
+            mesh->faceStarts.push_back(static_cast<std::uint32_t>(mesh->cornerVertices.size()));
+        }
+    }
+    const auto render = std::make_shared<const RenderMesh>(buildRenderMesh(*mesh));
+    const auto used = [] {
+        const struct mallinfo2 now = mallinfo2();
+        return now.uordblks + now.hblkhd;
+    };
+    const std::size_t before = used();
+    const TrueNormals normals(mesh, render);
+    const std::size_t each = (used() - before) / mesh->vertexCount();
+    QVERIFY2(each <= kMost, qPrintable(QString::number(each)));
+#else
+    QSKIP("only glibc tells what is in use");
 #endif
 }
 
