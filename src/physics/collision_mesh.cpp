@@ -39,7 +39,7 @@ CollisionMesh::CollisionMesh(std::vector<glm::vec3> vertices, Corners corners)
       m_tree(std::make_unique<TriangleTree>(m_vertices, *m_corners)) {
     m_hasSurface = hasAnyArea(*this);
     if (m_hasSurface) {
-        m_hull = std::make_unique<Outermost>(*m_tree, m_vertices, *m_corners);
+        m_hull = std::make_unique<Outermost>(*m_tree, RunPositions(m_vertices));
     }
 }
 

@@ -10,22 +10,8 @@
 namespace hitscope::physics {
 namespace {
 
-/// How many regions around moved runs about take in a place of the surface.
-constexpr std::size_t kOverlap = 4;
-constexpr std::size_t kACacheLine = 5;  // positions
 /// Vertices that a hull is shown one by one; a target that nothing knocks about has no use for the list.
 constexpr std::size_t kMostMoved = 16384;
-
-/// Makes one region of two that are next to each other: the tree is gone through once for both.
-bool joins(Bounds& region, const Bounds& other) {
-    Bounds both = region;
-    both.add(other);
-    if (both.diagonal() > region.diagonal() + other.diagonal()) {
-        return false;
-    }
-    region = both;
-    return true;
-}
 
 /// Ericson, Real-Time Collision Detection, 5.3.3: a segment against a box, by separating axes. Divides by
 /// nothing, and errs on the side of touching.
@@ -106,82 +92,104 @@ private:
 }  // namespace
 
 MeshSurface::MeshSurface(std::shared_ptr<const CollisionMesh> original)
-    : m_original(std::move(original)), m_tree(m_original->tree()) {}
-
-/// Large meshes take much memory: a surface has vertices of its own from its first dent on.
-void MeshSurface::makeOwn() {
-    if (m_vertices.empty()) {
-        m_vertices = m_original->vertices();
-        m_isAway.assign(m_vertices.size(), 0);
-    }
-}
+    : m_original(std::move(original)), m_at(m_original->vertices()), m_tree(m_original->tree()) {}
 
 void MeshSurface::update(std::uint32_t first, std::span<const DynamicVertex> vertices) {
-    makeOwn();
-    if (first > m_vertices.size() || vertices.size() > m_vertices.size() - first) {
+    if (first > m_at.size() || vertices.size() > m_at.size() - first) {
         return;
     }
-    // Neighbours in the buffer are neighbours in space, but only within a run of this length: a region over
-    // several dents would take in all that lies between them.
-    std::vector<Bounds> regions;
-    for (std::size_t i = 0; i < vertices.size(); i += kClusterVertices) {
-        const std::size_t count = std::min<std::size_t>(kClusterVertices, vertices.size() - i);
-        const Bounds moved = moveRun(first + static_cast<std::uint32_t>(i), vertices.subspan(i, count));
-        if (!moved.empty() && (regions.empty() || !joins(regions.back(), moved))) {
-            regions.push_back(moved);
+    m_runs.clear();
+    for (std::size_t i = 0; i < vertices.size();) {
+        const auto begin = first + static_cast<std::uint32_t>(i);
+        const std::size_t left = RunPositions::kRun - begin % RunPositions::kRun;
+        const std::size_t count = std::min(left, vertices.size() - i);
+        if (i + count < vertices.size()) {
+            m_at.ask(begin / RunPositions::kRun + 1);
         }
-    }
-    // Regions of neighbours overlap: where much of the mesh moved, going through it once is less.
-    if (regions.size() * kClusterVertices * kOverlap > m_vertices.size()) {
-        Bounds all;
-        for (const Bounds& region : regions) {
-            all.add(region);
+        const Bounds before = moveRun(begin, vertices.subspan(i, count));
+        if (!before.empty()) {
+            m_runs.push_back({static_cast<std::uint32_t>(begin / RunPositions::kRun), before});
         }
-        regions.assign(1, all);
+        i += count;
     }
-    for (const Bounds& region : regions) {
-        m_tree.refit(m_vertices, region);
+    if (!m_runs.empty()) {
+        m_tree.refit(m_at, m_runs);
+        findDent();
     }
 }
 
-/// Returns where the vertices were that moved; empty: none did.
+/// Of vertices in one run. Returns where those were that moved; empty: none did.
 Bounds MeshSurface::moveRun(std::uint32_t first, std::span<const DynamicVertex> vertices) {
-    const std::vector<glm::vec3>& original = m_original->vertices();
-    Bounds moved;
-    // On a fine mesh each is a cache miss; asked for together, the memory works on them at once.
-    for (std::size_t i = 0; i < vertices.size(); i += kACacheLine) {
-        __builtin_prefetch(&m_vertices[first + i], 1);
-        __builtin_prefetch(&original[first + i]);
+    std::size_t i = 0;
+    while (i < vertices.size() && m_at[first + i] == vertices[i].position) {
+        ++i;
     }
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        glm::vec3& vertex = m_vertices[first + i];
-        const glm::vec3& position = vertices[i].position;
-        if (vertex != position) {
-            moved.add(vertex);
-            // What moves for the first time leaves its place: on a fine mesh a look at it is a cache miss.
-            const bool isAway = m_isAway[first + i] == 0 || position != original[first + i];
-            m_away += isAway ? 1u : 0u;
-            m_away -= m_isAway[first + i];
-            m_isAway[first + i] = isAway ? 1 : 0;
-            vertex = position;
-            m_movedMany = m_movedMany || m_moved.size() == kMostMoved;
-            if (!m_movedMany) {
-                m_moved.push_back(first + static_cast<std::uint32_t>(i));
+    Bounds moved;
+    if (i == vertices.size()) {
+        return moved;
+    }
+    bool isBack = true;  // those that moved are at their original places
+    const std::span<glm::vec3> run = m_at.change(first / RunPositions::kRun);
+    const std::span<glm::vec3> at = run.subspan(first % RunPositions::kRun, vertices.size());
+    for (; i < vertices.size(); ++i) {
+        if (at[i] != vertices[i].position) {
+            const auto vertex = first + static_cast<std::uint32_t>(i);
+            moved.add(at[i]);
+            at[i] = vertices[i].position;
+            if (m_moved.size() < kMostMoved) {
+                m_moved.push_back(vertex);
+            } else {
+                m_movedMany = true;
+            }
+            // On a fine mesh a look at an original is a cache miss: one that is away is enough.
+            if (isBack && isAway(vertex)) {
+                isBack = false;
+                m_isDented = true;
+                m_dent = vertex;
+                m_whole = 0;
             }
         }
     }
     return moved;
 }
 
-void MeshSurface::reset() {
-    if (isDented()) {
-        m_vertices = m_original->vertices();
-        m_tree = m_original->tree();
-        m_tree.makeOwn();  // the next dent is not to wait for it
-        m_isAway.assign(m_vertices.size(), 0);
-        m_away = 0;
-        m_movedMany = true;
+/// If the vertex that was known to be away is back: looks for another one. What it passes is not looked at
+/// again before a vertex moves away.
+void MeshSurface::findDent() {
+    if (!m_isDented || isAway(m_dent)) {
+        return;
     }
+    for (; m_whole < m_at.changed().size(); ++m_whole) {
+        const std::uint32_t run = m_at.changed()[m_whole];
+        for (std::uint32_t i = 0; i < m_at.run(run).size(); ++i) {
+            m_dent = run * static_cast<std::uint32_t>(RunPositions::kRun) + i;
+            if (isAway(m_dent)) {
+                return;
+            }
+        }
+    }
+    m_at.reset();
+    m_isDented = false;
+    m_whole = 0;
+}
+
+void MeshSurface::reset() {
+    if (!isDented()) {
+        return;
+    }
+    m_runs.clear();
+    for (const std::uint32_t run : m_at.changed()) {
+        Bounds before;
+        for (const glm::vec3& position : m_at.run(run)) {
+            before.add(position);
+        }
+        m_runs.push_back({run, before});
+    }
+    m_at.reset();
+    m_tree.refit(m_at, m_runs);
+    m_isDented = false;
+    m_whole = 0;
+    m_movedMany = true;
 }
 
 void MeshSurface::update(Outermost& hull) {
@@ -190,41 +198,43 @@ void MeshSurface::update(Outermost& hull) {
     if (!isDented()) {
         hull = *m_original->hull();
     } else if (movedMany) {
-        hull = Outermost(m_tree, vertices(), *m_original->corners());
+        hull = Outermost(m_tree, m_at);
     } else {
-        hull.follow(m_tree, vertices(), *m_original->corners(), moved);
+        hull.follow(m_tree, m_at, moved);
     }
 }
 
 Triangle MeshSurface::triangle(std::uint32_t index) const {
     const std::uint32_t* corners = &(*m_original->corners())[std::size_t{3} * index];
-    const std::vector<glm::vec3>& at = vertices();
-    return {at[corners[0]], at[corners[1]], at[corners[2]]};
+    return triangle(TriangleTree::Corners{corners[0], corners[1], corners[2]});
 }
 
 std::optional<SurfaceCast> MeshSurface::cast(const glm::dvec3& start, const glm::dvec3& motion,
                                              double radius) const {
     SurfaceCast first;
-    bool found = false;
+    const glm::vec3 ahead(motion);
+    std::optional<TriangleTree::Visited> met;  // of several at once the one that the tree puts first
     const SweptBall swept(start, motion, radius);
     const auto accept = [&](const Bounds& box) {
         // Nothing comes before the very start.
         return first.fraction > 0.0 && swept.mayMeet(box, first.fraction) &&
                segmentMeetsBox(start, motion * first.fraction, box, radius);
     };
-    m_tree.visit(glm::vec3(motion), accept, [&](std::uint32_t index) {
-        const Triangle candidate = triangle(index);
+    m_tree.visit(ahead, accept, [&](const TriangleTree::Visited& visited) {
+        const Triangle candidate = triangle(visited.corners);
         if (!swept.mayMeet(candidate, first.fraction) || !candidate.hasArea()) {
             return;
         }
         const auto fraction =
             radius > 0.0 ? castSphere(candidate, start, motion, radius) : castPoint(candidate, start, motion);
-        if (fraction && (!found || *fraction < first.fraction)) {
-            first = {*fraction, static_cast<int>(index)};
-            found = true;
+        if (fraction && (!met || *fraction < first.fraction ||
+                         (*fraction == first.fraction && visited.leaf == met->leaf &&
+                          m_tree.comesFirst(visited, *met, m_at, ahead)))) {
+            first = {*fraction, static_cast<int>(visited.triangle)};
+            met = visited;
         }
     });
-    return found ? std::optional(first) : std::nullopt;
+    return met ? std::optional(first) : std::nullopt;
 }
 
 void MeshSurface::visitNear(const glm::vec3& point, float distance,
@@ -233,10 +243,10 @@ void MeshSurface::visitNear(const glm::vec3& point, float distance,
         const glm::vec3 away = glm::max(glm::max(box.min - point, point - box.max), glm::vec3(0.0f));
         return glm::dot(away, away) <= distance * distance;
     };
-    m_tree.visit(glm::vec3(0.0f), accept, [&](std::uint32_t index) {
-        const Triangle candidate = triangle(index);
+    m_tree.visit(glm::vec3(0.0f), accept, [&](const TriangleTree::Visited& visited) {
+        const Triangle candidate = triangle(visited.corners);
         if (candidate.hasArea()) {
-            visit(index, candidate);
+            visit(visited.triangle, candidate);
         }
     });
 }
@@ -247,10 +257,10 @@ void MeshSurface::visitWithin(const Bounds& box,
         return glm::all(glm::lessThanEqual(other.min, box.max)) &&
                glm::all(glm::lessThanEqual(box.min, other.max));
     };
-    m_tree.visit(glm::vec3(0.0f), accept, [&](std::uint32_t index) {
-        const Triangle candidate = triangle(index);
+    m_tree.visit(glm::vec3(0.0f), accept, [&](const TriangleTree::Visited& visited) {
+        const Triangle candidate = triangle(visited.corners);
         if (candidate.hasArea()) {
-            visit(index, candidate);
+            visit(visited.triangle, candidate);
         }
     });
 }

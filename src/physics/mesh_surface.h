@@ -10,6 +10,7 @@
 #include "mesh/render_mesh.h"
 #include "physics/collision_mesh.h"
 #include "physics/outermost.h"
+#include "physics/run_positions.h"
 #include "physics/triangle_math.h"
 #include "physics/triangle_tree.h"
 
@@ -31,7 +32,7 @@ public:
     /// around those that moved.
     void update(std::uint32_t first, std::span<const DynamicVertex> vertices);
     void reset();                                               ///< to the original
-    [[nodiscard]] bool isDented() const { return m_away > 0; }  ///< a vertex is not where it was
+    [[nodiscard]] bool isDented() const { return m_isDented; }  ///< a vertex is not where it was
     [[nodiscard]] Bounds bounds() const { return m_tree.bounds(); }
     [[nodiscard]] const CollisionMesh& original() const { return *m_original; }
 
@@ -51,18 +52,21 @@ public:
 
 private:
     Bounds moveRun(std::uint32_t first, std::span<const DynamicVertex> vertices);
-    void makeOwn();
-    [[nodiscard]] const std::vector<glm::vec3>& vertices() const {
-        return m_vertices.empty() ? m_original->vertices() : m_vertices;
+    void findDent();
+    [[nodiscard]] bool isAway(std::uint32_t vertex) const { return m_at[vertex] != m_at.original(vertex); }
+    [[nodiscard]] Triangle triangle(const TriangleTree::Corners& corners) const {
+        return {m_at[corners[0]], m_at[corners[1]], m_at[corners[2]]};
     }
 
     std::shared_ptr<const CollisionMesh> m_original;
-    std::vector<glm::vec3> m_vertices;  ///< empty: the original ones
+    RunPositions m_at;
     TriangleTree m_tree;
-    std::vector<std::uint32_t> m_moved;  ///< since the hull was last brought up to date; may repeat
-    bool m_movedMany = false;            ///< too many for a list
-    std::vector<std::uint8_t> m_isAway;  ///< as many as m_vertices, 1: it is not at its original place
-    std::size_t m_away = 0;              ///< vertices that are not
+    std::vector<TriangleTree::MovedRun> m_runs;  ///< of the update() that runs
+    std::vector<std::uint32_t> m_moved;          ///< since the hull was last brought up to date; may repeat
+    bool m_movedMany = false;                    ///< too many for a list
+    bool m_isDented = false;
+    std::uint32_t m_dent = 0;  ///< if dented: a vertex that is not where it was
+    std::size_t m_whole = 0;   ///< of m_at.changed(), the first ones: none of their vertices is away
 };
 
 }  // namespace hitscope::physics

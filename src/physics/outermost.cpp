@@ -37,22 +37,19 @@ float reach(const Bounds& box, const glm::vec3& direction) {
 
 }  // namespace
 
-Outermost::Outermost(const TriangleTree& tree, std::span<const glm::vec3> vertices,
-                     std::span<const std::uint32_t> corners) {
+Outermost::Outermost(const TriangleTree& tree, const RunPositions& vertices) {
     for (const glm::vec3& direction : hullDirections()) {
         m_supports.push_back({direction, glm::vec3(0.0f), -std::numeric_limits<float>::infinity(), 0});
-        extend(m_supports.back(), tree, vertices, corners);
+        extend(m_supports.back(), tree, vertices);
     }
 }
 
 /// To the vertex that is farthest, if one is farther than the support; boxes that cannot hold one are passed
 /// over.
-void Outermost::extend(Support& support, const TriangleTree& tree, std::span<const glm::vec3> vertices,
-                       std::span<const std::uint32_t> corners) {
+void Outermost::extend(Support& support, const TriangleTree& tree, const RunPositions& vertices) {
     const auto accept = [&](const Bounds& box) { return reach(box, support.direction) > support.along; };
-    tree.visit(-support.direction, accept, [&](std::uint32_t triangle) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t vertex = corners[std::size_t{3} * triangle + k];
+    tree.visitInOrder(vertices, -support.direction, accept, [&](const TriangleTree::Visited& visited) {
+        for (const std::uint32_t vertex : visited.corners) {
             const float along = glm::dot(vertices[vertex], support.direction);
             if (along > support.along) {
                 support = {support.direction, vertices[vertex], along, vertex};
@@ -61,8 +58,8 @@ void Outermost::extend(Support& support, const TriangleTree& tree, std::span<con
     });
 }
 
-void Outermost::follow(const TriangleTree& tree, std::span<const glm::vec3> vertices,
-                       std::span<const std::uint32_t> corners, std::span<const std::uint32_t> moved) {
+void Outermost::follow(const TriangleTree& tree, const RunPositions& vertices,
+                       std::span<const std::uint32_t> moved) {
     for (Support& support : m_supports) {
         const float before = support.along;
         support.point = vertices[support.vertex];
@@ -74,7 +71,7 @@ void Outermost::follow(const TriangleTree& tree, std::span<const glm::vec3> vert
             }
         }
         if (support.along < before) {
-            extend(support, tree, vertices, corners);
+            extend(support, tree, vertices);
         }
     }
 }

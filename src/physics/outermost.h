@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "physics/run_positions.h"
 #include "physics/triangle_tree.h"
 
 namespace hitscope::physics {
@@ -14,14 +15,12 @@ namespace hitscope::physics {
 /// The tree's boxes lead to them, so that a fine mesh is not gone through.
 class Outermost {
 public:
-    /// `tree` is that of the triangles `corners` (3 each) at `vertices`, metres.
-    Outermost(const TriangleTree& tree, std::span<const glm::vec3> vertices,
-              std::span<const std::uint32_t> corners);
+    /// `tree` is that of the triangles at `vertices`, metres.
+    Outermost(const TriangleTree& tree, const RunPositions& vertices);
 
     /// The same surface after these vertices moved. Costs by them; only where one that was outermost sank the
     /// tree is searched.
-    void follow(const TriangleTree& tree, std::span<const glm::vec3> vertices,
-                std::span<const std::uint32_t> corners, std::span<const std::uint32_t> moved);
+    void follow(const TriangleTree& tree, const RunPositions& vertices, std::span<const std::uint32_t> moved);
     [[nodiscard]] std::vector<glm::vec3> points() const;  ///< each once
 
 private:
@@ -31,8 +30,7 @@ private:
         float along;  ///< dot(point, direction)
         std::uint32_t vertex;
     };
-    static void extend(Support& support, const TriangleTree& tree, std::span<const glm::vec3> vertices,
-                       std::span<const std::uint32_t> corners);
+    static void extend(Support& support, const TriangleTree& tree, const RunPositions& vertices);
 
     std::vector<Support> m_supports;
 };

@@ -85,7 +85,10 @@ std::vector<float> contentOf(const physics::TriangleTree& tree) {
             content.insert(content.end(), {box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z});
             return true;
         },
-        [&content](std::uint32_t triangle) { content.push_back(static_cast<float>(triangle)); });
+        [&content](const physics::TriangleTree::Visited& visited) {
+            content.push_back(static_cast<float>(visited.triangle));
+            content.insert(content.end(), visited.corners.begin(), visited.corners.end());
+        });
     return content;
 }
 
@@ -140,12 +143,15 @@ void ParallelMeshesTest::copiesOfTreesAreApart() {
     std::vector<glm::vec3> positions = positionsOf(mesh);
     const physics::TriangleTree original(positions, mesh.triangles);
     physics::TriangleTree dented = original;
-    const Bounds all = original.bounds();
+    std::vector<physics::TriangleTree::MovedRun> all;
+    for (std::uint32_t run = 0; run <= positions.size() / physics::RunPositions::kRun; ++run) {
+        all.push_back({run, original.bounds()});
+    }
     const std::vector<float> before = contentOf(original);
     for (glm::vec3& position : positions) {
         position *= 3.0f;
     }
-    dented.refit(positions, all);
+    dented.refit(physics::RunPositions(positions), all);
     QCOMPARE(contentOf(original), before);
     QVERIFY(dented.bounds().max.x > 2.5f);
 }
