@@ -218,6 +218,13 @@ void ClusterReach::advanceWithin(std::span<const std::uint32_t> among, const Hit
     }
 }
 
+void ClusterReach::findWithin(std::span<const std::uint32_t> among, const Hit& hit,
+                              std::vector<std::uint32_t>& reached) const {
+    const HitReach sphere = reachOf(hit);
+    std::copy_if(among.begin(), among.end(), std::back_inserter(reached),
+                 [&](std::uint32_t cluster) { return reaches(sphere, m_now[m_leaves + cluster]); });
+}
+
 void ClusterReach::everReached(const Hit& hit, std::vector<std::uint32_t>& reached) const {
     std::vector<std::uint32_t> before;
     std::vector<std::uint32_t> now;
@@ -269,6 +276,10 @@ void ClusterReach::place(std::uint32_t first, std::span<const DynamicVertex> ver
         }
         replace(index, box);
     }
+}
+
+void ClusterReach::placeCluster(std::uint32_t cluster, std::span<const DynamicVertex> vertices) {
+    replace(cluster, around(vertices));
 }
 
 std::vector<std::uint32_t> ClusterReach::clustersIn(std::span<const VertexRange> ranges) const {

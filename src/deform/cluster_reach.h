@@ -41,6 +41,10 @@ public:
     /// Likewise, among these clusters only: for taking some through all the hits again.
     void advanceWithin(std::span<const std::uint32_t> among, const Hit& hit,
                        std::vector<std::uint32_t>& reached);
+    /// The same for who moves the vertices at once: has to place() each of them before it looks again.
+    void find(const Hit& hit, std::vector<std::uint32_t>& reached) const { find(m_now, hit, reached); }
+    void findWithin(std::span<const std::uint32_t> among, const Hit& hit,
+                    std::vector<std::uint32_t>& reached) const;
     /// Finds the clusters that a hit may reach at whatever time it strikes.
     void everReached(const Hit& hit, std::vector<std::uint32_t>& reached) const;
     /// Whether everReached() may find any.
@@ -54,6 +58,9 @@ public:
     /// Vertices [first, first + vertices.size()) were as given, and then came the hits `since`. Clusters
     /// given in part keep what they had and grow.
     void place(std::uint32_t first, std::span<const DynamicVertex> vertices, std::span<const Hit> since = {});
+
+    /// All vertices of a cluster are as given.
+    void placeCluster(std::uint32_t cluster, std::span<const DynamicVertex> vertices);
 
     /// The clusters that have a vertex in these ranges (sorted, merged).
     [[nodiscard]] std::vector<std::uint32_t> clustersIn(std::span<const VertexRange> ranges) const;

@@ -131,7 +131,7 @@ HitEffect TargetEffects::apply(const Hit& hit, std::uint32_t cluster) {
         ++m_counts[fileVertex];
         add(effect, {1, distanceBetween(before, vertex.position), fileVertex});
     }
-    m_reach.place(run.first, vertices);
+    m_reach.placeCluster(cluster, vertices);
     return effect;
 }
 
@@ -165,7 +165,7 @@ void TargetEffects::append(std::size_t first, std::span<const Hit> hits, const s
     std::vector<std::uint32_t> reached;
     for (std::size_t i = first; i < hits.size() && !stop; ++i) {
         reached.clear();
-        m_reach.advance(hits[i], reached);
+        m_reach.find(hits[i], reached);
         m_effects[i] = {};
         applyTo(reached, hits[i], i);
         for (const std::uint32_t cluster : reached) {
@@ -221,7 +221,7 @@ void TargetEffects::redo(std::span<const std::uint32_t> concerned, std::span<con
             }
         }
         reached.clear();
-        m_reach.advanceWithin(concerned, hits[i], reached);
+        m_reach.findWithin(concerned, hits[i], reached);
         applyTo(reached, hits[i], i);
         if (!m_keepsParts) {  // they became too many: without them the rest cannot be told
             startOver(hits, stop, changes = {});

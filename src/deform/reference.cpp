@@ -107,7 +107,7 @@ bool ReferenceDeformation::continueHit(const Hit& hit, const IsTimeUp& isTimeUp)
             for (DynamicVertex& vertex : vertices) {
                 deform(vertex.position, vertex.normal, dent);
             }
-            m_reach.place(m_mesh.clusters[index].first, vertices);
+            m_reach.placeCluster(index, vertices);
         }
         m_changed.add(m_reach.rangesOf(some));
         m_progress.next = end;
@@ -129,7 +129,7 @@ bool ReferenceDeformation::redo(const IsTimeUp& isTimeUp) {
             m_redone = 0;
         } else {
             m_progress = {};
-            m_reach.advanceWithin(m_concerned, hit(m_redone), m_progress.reached);
+            m_reach.findWithin(m_concerned, hit(m_redone), m_progress.reached);
             ++m_redone;
             if (isTimeUp && isTimeUp()) {
                 return false;
@@ -148,7 +148,7 @@ bool ReferenceDeformation::advance(const IsTimeUp& isTimeUp) {
     }
     while (m_applied < m_dents.size()) {
         m_progress = {};
-        m_reach.advance(hit(m_applied), m_progress.reached);
+        m_reach.find(hit(m_applied), m_progress.reached);
         ++m_applied;
         if (!continueHit(hit(m_applied - 1), isTimeUp)) {
             return false;
