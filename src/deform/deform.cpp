@@ -6,16 +6,11 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 
+#include "deform/deform_all.h"
+
 namespace hitscope {
 namespace {
 
-/// Nearer than 1e-11 m counts as r = 0. Some renderers flush denormal numbers to zero; from here on that
-/// changes nothing: a sum of two squares that feels a lost denormal is below 1e-30, less than half a unit in
-/// the last place of r2.
-constexpr float kNoDistance2 = 1e-22f;
-/// Smaller components of a turned normal count as 0, so that neither they nor the residuals by which
-/// exactDivide() in deform.glsl corrects a quotient are denormal.
-constexpr float kNoComponent = 1e-20f;
 constexpr float kNoMagnitude = 1e-15f;  // metres
 /// Where a press' sphere goes over into a cone, and how far its front is there, in radii: 12/13 and 5/13.
 constexpr float kPressEdge = 0.9230769f;
@@ -25,9 +20,10 @@ float turnedComponent(float s, float length) {
     return std::abs(s) < kNoComponent ? 0.0f : s / length;
 }
 
-// The order of operations, which shaders/deform.glsl mirrors. Every operation is rounded to float; there are
-// no contractions, no library normalize() or length(), and the rim is decided on squares: the function jumps
-// by power / max_distance there, so one unit in the last place is a visible step.
+// The order of operations, which shaders/deform.glsl mirrors, and deform_all.cpp for several vertices at
+// once. Every operation is rounded to float; there are no contractions, no library normalize() or length(),
+// and the rim is decided on squares: the function jumps by power / max_distance there, so one unit in the
+// last place is a visible step.
 //
 //   dx = p.x - h.x, dy = p.y - h.y, dz = p.z - h.z
 //   r2 = (dx * dx + dy * dy) + dz * dz
@@ -169,7 +165,7 @@ float magnitudeOf(const DentShape& dent, const glm::vec3& q, float r2, Contribut
     const float sy = normal.y + v.y;
     const float sz = normal.z + v.z;
     const float len2 = (sx * sx + sy * sy) + sz * sz;
-    if (len2 > 1e-12f) {
+    if (len2 > kNoLength2) {
         const float length = std::sqrt(len2);
         normal.x = turnedComponent(sx, length);
         normal.y = turnedComponent(sy, length);

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "deform/deform.h"
+#include "deform/deform_all.h"
 
 namespace hitscope {
 
@@ -104,9 +105,7 @@ bool ReferenceDeformation::continueHit(const Hit& hit, const IsTimeUp& isTimeUp)
             std::span(m_progress.reached).subspan(m_progress.next, end - m_progress.next);
         for (const std::uint32_t index : some) {
             const std::span<DynamicVertex> vertices = m_vertices.cluster(index);
-            for (DynamicVertex& vertex : vertices) {
-                deform(vertex.position, vertex.normal, dent);
-            }
+            deformAll(vertices, dent);
             m_reach.placeCluster(index, vertices);
         }
         m_changed.add(m_reach.rangesOf(some));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/reference_pipeline.h"
 
-#include "deform/deform.h"
+#include "deform/deform_all.h"
 
 namespace hitscope {
 
@@ -31,10 +31,8 @@ void ReferencePipeline::deform(TargetId target, TargetBuffers& buffers, const Hi
     const std::span<DynamicVertex> vertices(m_vertices.at(target));
     for (const ClusterHits& cluster : batch.clusters()) {
         const auto indices = batch.indices().subspan(cluster.firstIndex, cluster.indexCount);
-        for (DynamicVertex& vertex : vertices.subspan(cluster.firstVertex, cluster.vertexCount)) {
-            for (const std::uint32_t index : indices) {
-                hitscope::deform(vertex.position, vertex.normal, batch.hits()[index]);
-            }
+        for (const std::uint32_t index : indices) {
+            deformAll(vertices.subspan(cluster.firstVertex, cluster.vertexCount), batch.hits()[index]);
         }
     }
     for (const VertexRange& range : batch.ranges()) {
