@@ -207,24 +207,21 @@ void TrueNormals::makeOwn() {
     if (m_normals.use_count() > 1) {
         m_normals = std::make_shared<std::vector<glm::vec3>>(*m_normals);
     }
-    m_visited.resize(m_groups->count(), 0);
+    m_isConcerned.resize(m_groups->count(), false);
 }
 
 void TrueNormals::update(std::span<const glm::vec3> positions,
                          std::span<const std::uint32_t> movedFileVertices,
                          std::vector<std::uint32_t>& updated) {
     makeOwn();
-    if (++m_pass == 0) {  // after 2^32 updates the marks of the first would count as new
-        std::fill(m_visited.begin(), m_visited.end(), 0);
-        m_pass = 1;
-    }
+    m_wasUpdated = true;
     m_concerned.clear();
     const auto visit = [&](std::uint32_t renderVertex) {
         const std::uint32_t group = m_groups->groupOf[renderVertex];
-        if (m_visited[group] == m_pass) {
+        if (m_isConcerned[group]) {
             return;
         }
-        m_visited[group] = m_pass;
+        m_isConcerned[group] = true;
         m_concerned.push_back(group);
         const std::span<const std::uint32_t> members = m_groups->members(group);
         updated.insert(updated.end(), members.begin(), members.end());
@@ -240,6 +237,9 @@ void TrueNormals::update(std::span<const glm::vec3> positions,
         }
     }
     recompute(m_concerned, positions);
+    for (const std::uint32_t group : m_concerned) {
+        m_isConcerned[group] = false;
+    }
 }
 
 /// Groups write different normals: many are shared among the processors.
@@ -266,7 +266,7 @@ void TrueNormals::recompute(std::span<const std::uint32_t> groups, std::span<con
 }
 
 void TrueNormals::reset() {
-    if (m_pass == 0) {
+    if (!m_wasUpdated) {
         return;  // nothing was ever recomputed
     }
     makeOwn();

@@ -32,7 +32,7 @@ public:
     void reset();
 
     /// Nothing was ever recomputed: normals() are the render mesh's.
-    [[nodiscard]] bool areOriginal() const { return m_pass == 0; }
+    [[nodiscard]] bool areOriginal() const { return !m_wasUpdated; }
     /// One unit normal a render vertex. Valid until the next update() or reset(). Makes an array of the
     /// render mesh's where nothing was ever recomputed, so not for two threads at once.
     [[nodiscard]] std::span<const glm::vec3> normals() const;
@@ -47,9 +47,10 @@ private:
     std::shared_ptr<const Groups> m_groups;  ///< shared by the copies, as the mesh's size in memory counts
     /// Copied when one that is shared changes; null: they are the render mesh's.
     mutable std::shared_ptr<std::vector<glm::vec3>> m_normals;
-    std::vector<std::uint32_t> m_visited;  ///< group -> the update() that recomputed it last
-    std::uint32_t m_pass = 0;
-    std::vector<std::uint32_t> m_concerned;  ///< groups, of the update() that runs
+    bool m_wasUpdated = false;
+    // Of the update() that runs.
+    std::vector<std::uint32_t> m_concerned;  ///< groups
+    std::vector<bool> m_isConcerned;         ///< group is one of them
 };
 
 }  // namespace hitscope
