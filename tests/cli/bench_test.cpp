@@ -136,6 +136,7 @@ private Q_SLOTS:
                                  QStringLiteral("frame at rest"),
                                  QStringLiteral("frame in motion, full size"),
                                  QStringLiteral("frame in motion"),
+                                 QStringLiteral("frame in motion, close up"),
                                  QStringLiteral("aim preview, rest to picture"),
                                  QStringLiteral("scatter, previewed"),
                                  QStringLiteral("scatter, applied"),

@@ -88,7 +88,7 @@ void RefinedSettledTest::asGoodAsWithAllSamples() {
     QCOMPARE(few.settled, isSoftware());
     if (few.settled && options.wireframe == WireframeMode::Off) {
         constexpr int kAll = (kWidth / 8) * ((kHeight + 7) / 8);
-        QVERIFY2(few.tiles > 20 && few.tiles < kAll / 2, qPrintable(QString::number(few.tiles)));
+        QVERIFY2(few.tiles > 20 && few.tiles < 3 * kAll / 4, qPrintable(QString::number(few.tiles)));
     }
     RefinedPicture all;
     const QImage many = refined(view, all, RefinedPicture::kUsualSamples).image;
