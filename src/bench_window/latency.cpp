@@ -19,7 +19,6 @@
 namespace hitscope::bench {
 
 namespace {
-
 constexpr int kTurnsClose = 24;          // of the wheel, to look at a dent from close by
 constexpr int kLeastFrames = 5;          // in one drag
 constexpr int kMostFrames = 20;          // likewise
@@ -35,7 +34,6 @@ struct Row {
     QString measured;
     std::vector<double> seconds{};
     std::vector<double> blocked{};
-
     std::vector<double> processor{};           ///< seconds of all threads
     std::vector<DrivenWindow::Moment> full{};  ///< of those with fewer triangles, when all were there
 
@@ -72,6 +70,7 @@ public:
     void refinements();
     void openings(const QString& mesh);
     void frames();
+    void framesCloseUp();  ///< the camera stays there
     [[nodiscard]] Row moving(const QString& what, std::optional<PictureDetail> detail, int frames);
     void aims();
     void clicks(FlightMode mode, const QString& what);
@@ -262,12 +261,12 @@ void LatencyRun::frames() {
     take(rest);
     take(moving(QStringLiteral("frame in motion, full size"), PictureDetail(), frames));
     take(moving(QStringLiteral("frame in motion"), std::nullopt, frames));
-    const Camera camera = m_window.viewport().camera();
+}
+
+void LatencyRun::framesCloseUp() {
     m_window.wheel(0.5, 0.5, kTurnsClose);
     m_window.settle();
-    take(moving(QStringLiteral("frame in motion, close up"), std::nullopt, frames));
-    m_window.viewport().navigation().setCamera(camera, Navigation::Arrival::AtOnce);
-    m_window.settle();
+    take(moving(QStringLiteral("frame in motion, close up"), std::nullopt, kLeastFrames));
 }
 
 /// Frames of a drag. detail: of the picture; nothing: as the window chooses, after the frames that it takes
@@ -394,6 +393,7 @@ QJsonObject measureLatency(DrivenWindow& window, const QString& mesh, const Repe
     run.frames();
     run.aims();
     run.scatter();
+    run.framesCloseUp();
     return run.result();
 }
 

@@ -136,12 +136,12 @@ private Q_SLOTS:
                                  QStringLiteral("frame at rest"),
                                  QStringLiteral("frame in motion, full size"),
                                  QStringLiteral("frame in motion"),
-                                 QStringLiteral("frame in motion, close up"),
                                  QStringLiteral("aim preview, rest to picture"),
                                  QStringLiteral("scatter, previewed"),
                                  QStringLiteral("scatter, applied"),
                                  QStringLiteral("scatter, undone"),
-                                 QStringLiteral("scatter, redone")};
+                                 QStringLiteral("scatter, redone"),
+                                 QStringLiteral("frame in motion, close up")};
         for (const int vertices : {500, 900}) {
             QStringList measured;
             for (const auto& record : recordsOf(run.out)) {
