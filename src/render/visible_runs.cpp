@@ -34,8 +34,11 @@ void Sight::limitTo(const MarkedTiles* tiles, const glm::ivec2& picture) {
 }
 
 bool Sight::mayShow(const Bounds& box) const {
-    if (!m_window.mayShow(box) || m_tiles == nullptr) {
-        return m_window.mayShow(box);
+    if (!m_window.mayShow(box)) {
+        return false;
+    }
+    if (m_tiles == nullptr) {
+        return true;
     }
     SeenArea seen(m_toClip);
     return !seen.add(box) || m_tiles->any(seen.in(m_picture));
