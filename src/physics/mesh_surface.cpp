@@ -129,7 +129,7 @@ Bounds MeshSurface::moveRun(std::uint32_t first, std::span<const DynamicVertex> 
         return moved;
     }
     bool isBack = true;  // those that moved are at their original places
-    const std::span<glm::vec3> run = m_at.change(first / RunPositions::kRun);
+    const std::span<glm::vec3> run = m_at.change(static_cast<std::uint32_t>(first / RunPositions::kRun));
     const std::span<glm::vec3> at = run.subspan(first % RunPositions::kRun, vertices.size());
     for (; i < vertices.size(); ++i) {
         if (at[i] != vertices[i].position) {
