@@ -22,7 +22,7 @@ public:
     /// After writing behind room().
     void endAt(const char* end) { m_size = static_cast<std::size_t>(end - m_bytes.get()); }
     void append(std::string_view text) {
-        std::memcpy(room(text.size()), text.data(), text.size());
+        std::copy(text.begin(), text.end(), room(text.size()));
         m_size += text.size();
     }
     void clear() { m_size = 0; }
