@@ -7,11 +7,14 @@
 #include <QSpinBox>
 #include <QTest>
 #include <algorithm>
+#include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "app/dialogs/scatter_dialog.h"
 #include "app/scene_files.h"
+#include "bench_window/latency_row.h"
 #include "session/target.h"
 #include "viewport/aim_preview.h"
 #include "viewport/viewport.h"
@@ -29,45 +32,12 @@ double secondsSince(std::int64_t begin) {
     return kNanosecond * static_cast<double>(nowInNanoseconds() - begin);
 }
 
-/// One row of the report.
-struct Row {
-    QString measured;
-    std::vector<double> seconds{};
-    std::vector<double> blocked{};
-    std::vector<double> processor{};           ///< seconds of all threads
-    std::vector<DrivenWindow::Moment> full{};  ///< of those with fewer triangles, when all were there
-
-    void add(double taken, double waited, double spent) {
-        seconds.push_back(taken);
-        blocked.push_back(waited);
-        processor.push_back(spent);
-    }
-    void add(const DrivenWindow::Moment& moment) { add(moment.seconds, moment.blocked, moment.processor); }
-    void add(const DrivenWindow::Taken& taken) {
-        add(taken.seen);
-        full.push_back(taken.full);
-    }
-    [[nodiscard]] QJsonObject json() const {
-        QJsonArray times;
-        QJsonArray waits;
-        QJsonArray spent;
-        for (std::size_t i = 0; i < seconds.size(); ++i) {
-            times.append(seconds[i]);
-            waits.append(blocked[i]);
-            spent.append(processor[i]);
-        }
-        return {{QStringLiteral("measured"), measured},
-                {QStringLiteral("seconds"), times},
-                {QStringLiteral("blocked"), waits},
-                {QStringLiteral("processor"), spent}};
-    }
-};
-
 class LatencyRun {
 public:
     LatencyRun(DrivenWindow& window, const Repeats& repeats) : m_window(window), m_repeats(repeats) {}
 
     void refinements();
+    void refine(const QString& what, const std::function<void(bool isOdd)>& act);
     void openings(const QString& mesh);
     void frames();
     void framesCloseUp();  ///< the camera stays there
@@ -159,23 +129,33 @@ bool LatencyRun::openOnce(const QString& mesh, Row& coarse, Row& full) {
     return true;
 }
 
-/// Of the scene that the window starts with: its dent is undone and done again.
+/// Of the scene that the window starts with: its dent is undone and done again, and the camera turned.
 void LatencyRun::refinements() {
-    Row row{QStringLiteral("teapot, rest to refined picture")};
-    bool isUndo = true;
     m_window.settle();
     m_window.setRefines(true);
+    refine(QStringLiteral("teapot, rest to refined picture"), [&](bool isOdd) {
+        m_window.key(Qt::Key_Z, isOdd ? Qt::ControlModifier | Qt::ShiftModifier : Qt::ControlModifier);
+    });
+    refine(QStringLiteral("teapot, turned, rest to refined picture"), [&](bool isOdd) {
+        m_window.press(0.05, 0.1);
+        m_window.moveTo(0.1, 0.1);
+        m_window.moveTo(isOdd ? 0.05 : 0.15, 0.1);
+        m_window.release(isOdd ? 0.05 : 0.15, 0.1);
+    });
+    m_window.setRefines(false);
+}
+
+void LatencyRun::refine(const QString& what, const std::function<void(bool isOdd)>& act) {
+    Row row{what};
+    bool isOdd = false;
     repeat([&] {
-        const auto refined = m_window.untilRefined([&] {
-            m_window.key(Qt::Key_Z, isUndo ? Qt::ControlModifier : Qt::ControlModifier | Qt::ShiftModifier);
-        });
-        isUndo = !isUndo;
+        const auto refined = m_window.untilRefined([&] { act(isOdd); });
+        isOdd = !isOdd;
         if (refined) {
             row.add(*refined);
         }
         return refined.has_value();
     });
-    m_window.setRefines(false);
     take(row);
 }
 

@@ -62,9 +62,10 @@ struct Renderer::Private {
     bool wasCoarse = false;  ///< at the last draw()
     bool software = gl::rendererInfo().isSoftware();
     render::ShadowMap shadows{software};
-    render::ShadowMap sampleShadows{software,
-                                    render::ShadowMap::Edges::Sampled};  // of samples, so that the other one
-                                                                         // is there when something moves
+    /// Of samples, so that the other one is there when something moves. By RefinedPicture::LightPlace::index:
+    /// those of a place that is looked from again are kept while the camera alone moves. The last is of all
+    /// other places.
+    std::vector<render::ShadowMap> sampleShadows;
     gl::Sampler sampleTextures;  ///< made with the first sample that needs it
     render::Studio studio;
     // Of the sample at hand; none: the picture is drawn as it is.
@@ -77,6 +78,7 @@ struct Renderer::Private {
     Private& operator=(const Private&) = delete;
     ~Private() { glDeleteSync(partDrawn); }
 
+    [[nodiscard]] render::ShadowMap& sampleShadowsAt(int place);
     [[nodiscard]] render::FrameContext contextOf(const Frame& frame);
     /// Targets and projectiles into a framebuffer, what is selected as well; nothing over them. In parts, the
     /// framebuffer keeps what the ones before have drawn.

@@ -33,10 +33,12 @@ void ShadowMap::makeTexture() {
     m_depth = gl::Texture::make();
     m_framebuffer = gl::Framebuffer::make();
     glBindTexture(GL_TEXTURE_2D, m_depth.id());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, m_size, m_size, 0, GL_DEPTH_COMPONENT,
-                 GL_UNSIGNED_INT, nullptr);
+    const bool isSampled = m_software && m_edges == Edges::Sampled;
+    // Many of these may be kept. Depths need not be finer than a texel is wide.
+    glTexImage2D(GL_TEXTURE_2D, 0, isSampled ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24, m_size, m_size, 0,
+                 GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
     // Samples have lights at other places, and so texels at others: where the CPU draws, one each will do.
-    const GLint filter = m_software && m_edges == Edges::Sampled ? GL_NEAREST : GL_LINEAR;
+    const GLint filter = isSampled ? GL_NEAREST : GL_LINEAR;
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);

@@ -128,6 +128,7 @@ private Q_SLOTS:
         }
         QVERIFY2(run.status == 0, qPrintable(run.err));
         const QStringList wanted{QStringLiteral("teapot, rest to refined picture"),
+                                 QStringLiteral("teapot, turned, rest to refined picture"),
                                  QStringLiteral("open to picture"),
                                  QStringLiteral("click to dent"),
                                  QStringLiteral("click to dent, instant"),

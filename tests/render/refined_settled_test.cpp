@@ -2,7 +2,9 @@
 // Pixels whose first samples are alike get no more, where the CPU draws: the picture is as good as with all
 // samples.
 #include <QTest>
+#include <glm/ext/matrix_transform.hpp>
 #include <numeric>
+#include <vector>
 
 #include "gl/context.h"
 #include "refined_scene.h"
@@ -31,6 +33,7 @@ private Q_SLOTS:
     void asGoodAsWithAllSamples_data();
     void asGoodAsWithAllSamples();
     void whatChangesIsSeenAgain();
+    void shadowsAreKeptForTheCameraAlone();
     void neitherTransparentNorGpu();
     void tiles_data();
     void tiles();
@@ -112,6 +115,34 @@ void RefinedSettledTest::whatChangesIsSeenAgain() {
     const QImage again = refined(other, picture, 16).image;
     RefinedPicture alone(RefinedPicture::Extent::WhereItStillVaries);
     QCOMPARE(differing(again, refined(other, alone, 16).image, 0), 0);
+}
+
+/// Shadow maps stay while the camera moves; what moves or is changed casts others.
+void RefinedSettledTest::shadowsAreKeptForTheCameraAlone() {
+    Frame turned = frame({.shadows = true});
+    turned.camera.orbit(0.4f, 0.2f);
+    std::vector<DrawItem> items(turned.targets.begin(), turned.targets.end());
+    items[0].model = glm::translate(items[0].model, glm::vec3(0.8f, 0.6f, 0.0f));
+    Frame moved = turned;
+    moved.targets = items;
+    Frame lit = turned;
+    lit.lights.directional.direction = glm::vec3(0.7f, -1.0f, 0.2f);
+    Frame changed = turned;  // as after a hit
+    changed.meshRevision = 2;
+    changed.options.beforeAfter.exaggeration = 3.0f;
+    RefinedPicture picture(RefinedPicture::Extent::WhereItStillVaries);
+    (void)refined(frame({.shadows = true}), picture, 16);
+    for (const Frame& next : {turned, moved, lit, changed}) {
+        picture.clear();
+        const QImage again = refined(next, picture, 16).image;
+        auto fresh = Renderer::create();
+        QVERIFY(fresh.ok());
+        RefinedPicture alone(RefinedPicture::Extent::WhereItStillVaries);
+        while (alone.samples() < 16) {
+            QVERIFY(fresh.value()->refine(next, *m_refined.pipeline, alone).ok());
+        }
+        QCOMPARE(differing(again, m_refined.shown(next, alone), 0), 0);
+    }
 }
 
 void RefinedSettledTest::neitherTransparentNorGpu() {

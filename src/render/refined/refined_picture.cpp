@@ -89,21 +89,23 @@ RefinedPicture::Sample RefinedPicture::sampleAt(int index) {
     return sample;
 }
 
-glm::vec2 RefinedPicture::nextLight(bool software) const {
+RefinedPicture::LightPlace RefinedPicture::nextLight(bool software) const {
     constexpr int kSharing = 2;
+    static_assert(kJudged + (kUsualSamples - kJudged) / kSharing == LightPlace::kKept);
     if (!m_settles) {
-        return sampleAt(m_samples / (software ? kSharing : 1)).light;
+        return {sampleAt(m_samples / (software ? kSharing : 1)).light, LightPlace::kKept};
     }
     // The first ones tell where shadows are soft, and so stand for the light's rim, a quarter of its disc.
     constexpr float kRim = 0.93f;
     constexpr float kInner = 0.866f;
     if (m_samples < kJudged) {
         const float angle = glm::two_pi<float>() * (static_cast<float>(m_samples) + 0.5f) / kJudged;
-        return kRim * glm::vec2(std::cos(angle), std::sin(angle));
+        return {kRim * glm::vec2(std::cos(angle), std::sin(angle)), m_samples};
     }
     const int place = (m_samples - kJudged) / kSharing + 1;
     const float angle = kGoldenAngle * static_cast<float>(place);
-    return kInner * std::sqrt(turned(place, 2)) * glm::vec2(std::cos(angle), std::sin(angle));
+    return {kInner * std::sqrt(turned(place, 2)) * glm::vec2(std::cos(angle), std::sin(angle)),
+            kJudged + place - 1};
 }
 
 void RefinedPicture::clear() {

@@ -62,9 +62,16 @@ public:
     void begin(const PixelArea& varying, bool maySettle);
     /// Samples are drawn within it.
     [[nodiscard]] const PixelArea& area() const { return m_area; }
-    /// Where on the light the next one's shadows are cast from, in the unit disc. software: neighbours share
-    /// a place, since a shadow map takes the CPU as long as a third of a sample.
-    [[nodiscard]] glm::vec2 nextLight(bool software) const;
+    /// Where on the light a sample's shadows are cast from.
+    struct LightPlace {
+        glm::vec2 at;  ///< in the unit disc
+        int index =
+            0;  ///< the same place has the same one in every picture; kKept and more: of this one only
+        static constexpr int kKept = 10;  ///< of usual pictures in a window, where the CPU draws
+    };
+    /// Of the next one. software: neighbours share a place, since a shadow map takes the CPU as long as a
+    /// third of a sample.
+    [[nodiscard]] LightPlace nextLight(bool software) const;
     /// Where the next one is drawn.
     [[nodiscard]] render::DrawnPixels drawnPixels() const { return {m_area, m_unsettled.has_value()}; }
     /// Likewise; null: everywhere.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Samples of refined pictures.
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <string>
@@ -105,6 +106,14 @@ void Renderer::Private::waitForPartBefore(const SurfacePart& part) {
     }
 }
 
+ShadowMap& Renderer::Private::sampleShadowsAt(int place) {
+    constexpr int kKept = RefinedPicture::LightPlace::kKept;
+    while (sampleShadows.size() <= kKept) {
+        sampleShadows.emplace_back(software, ShadowMap::Edges::Sampled);
+    }
+    return sampleShadows[static_cast<std::size_t>(std::min(place, kKept))];
+}
+
 Status Renderer::Private::addSample(const Frame& frame, DeformationPipeline& pipeline,
                                     RefinedPicture& picture) {
     const RefinedPicture::Sample sample = RefinedPicture::sampleAt(picture.samples());
@@ -118,11 +127,11 @@ Status Renderer::Private::addSample(const Frame& frame, DeformationPipeline& pip
     context.part.count = partsOf(frame, picture, software);
     if (ShadowMap::isWanted(frame)) {
         Frame lit = frame;
+        const RefinedPicture::LightPlace place = picture.nextLight(software);
         if (!isPlain) {
-            lit.lights.directional.direction =
-                placeOnLight(frame.lights.directional.direction, picture.nextLight(software));
+            lit.lights.directional.direction = placeOnLight(frame.lights.directional.direction, place.at);
         }
-        ShadowMap& map = isPlain ? shadows : sampleShadows;
+        ShadowMap& map = isPlain ? shadows : sampleShadowsAt(place.index);
         Status updated = map.update(contextOf(lit), pipeline, context.part.count);
         if (!updated || !map.isWhole()) {
             return updated;
