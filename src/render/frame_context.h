@@ -15,6 +15,7 @@
 namespace hitscope::render {
 
 class ColourTextures;
+class FrontDepths;
 class MarkedTiles;
 class ShadowMap;
 class Studio;
@@ -77,6 +78,7 @@ struct FrameContext {
 
     SurfacePart part = {};                     ///< of the picture, what is drawn
     const MarkedTiles* tiles = nullptr;        ///< nothing of surfaces is wanted elsewhere; null: everywhere
+    const FrontDepths* front = nullptr;        ///< surfaces behind these are not wanted; null: all are
     std::optional<PictureWindow> window = {};  ///< nothing else of the picture can be drawn to
 
     /// False: nothing of the target can be drawn within the window.

@@ -22,6 +22,9 @@ public:
     /// Of a picture of that size, pixels, with those around it that samples of a refined one may reach.
     [[nodiscard]] PixelArea in(const glm::ivec2& picture) const;
 
+    /// The nearest depth of any, as a depth buffer has it.
+    [[nodiscard]] float nearest() const { return 0.5f * (m_bounds.min.z + 1.0f); }
+
 private:
     glm::mat4 m_toClip;
     Bounds m_bounds;

@@ -181,7 +181,9 @@ std::optional<std::vector<IndexRun>> seenOf(const FrameContext& context, const D
         return std::nullopt;
     }
     Sight sight(context.viewProjection * item.model, context.window.value_or(PictureWindow{}));
-    sight.limitTo(context.tiles, {context.frame.width, context.frame.height});
+    const glm::ivec2 picture(context.frame.width, context.frame.height);
+    sight.limitTo(context.tiles, picture);
+    sight.hideBehind(context.front, picture);
     return visibleRuns(item, context.frame, pipeline, sight, item.buffers->triangleRuns(),
                        {range.first, range.first + range.count});
 }

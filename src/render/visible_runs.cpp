@@ -33,15 +33,25 @@ void Sight::limitTo(const MarkedTiles* tiles, const glm::ivec2& picture) {
     m_picture = picture;
 }
 
+void Sight::hideBehind(const FrontDepths* front, const glm::ivec2& picture) {
+    m_front = front;
+    m_picture = picture;
+}
+
 bool Sight::mayShow(const Bounds& box) const {
     if (!m_window.mayShow(box)) {
         return false;
     }
-    if (m_tiles == nullptr) {
+    if (m_tiles == nullptr && m_front == nullptr) {
         return true;
     }
     SeenArea seen(m_toClip);
-    return !seen.add(box) || m_tiles->any(seen.in(m_picture));
+    if (!seen.add(box)) {
+        return true;
+    }
+    const PixelArea area = seen.in(m_picture);
+    return (m_tiles == nullptr || m_tiles->any(area)) &&
+           (m_front == nullptr || !m_front->hide(area, seen.nearest()));
 }
 
 std::optional<std::vector<IndexRun>> visibleRuns(const DrawItem& item, const Frame& frame,

@@ -6,6 +6,7 @@
 
 #include "render/drawn_bounds.h"
 #include "render/index_runs.h"
+#include "render/refined/front_depths.h"
 #include "render/refined/marked_tiles.h"
 
 namespace hitscope::render {
@@ -18,15 +19,20 @@ public:
         : m_toClip(toClip), m_window(toClip, window) {}
     /// Nothing is drawn but in tiles of a picture of that size, pixels; null: everywhere. They outlive this.
     void limitTo(const MarkedTiles* tiles, const glm::ivec2& picture);
+    /// Nothing is drawn behind what such a picture shows; null: nothing is hidden. Likewise.
+    void hideBehind(const FrontDepths* front, const glm::ivec2& picture);
     [[nodiscard]] bool mayShow(const Bounds& box) const;
     /// Whether all of the box can be seen.
-    [[nodiscard]] bool holds(const Bounds& box) const { return m_tiles == nullptr && m_window.holds(box); }
+    [[nodiscard]] bool holds(const Bounds& box) const {
+        return m_tiles == nullptr && m_front == nullptr && m_window.holds(box);
+    }
 
 private:
     glm::mat4 m_toClip;
     WindowPlanes m_window;
     glm::ivec2 m_picture{0};
     const MarkedTiles* m_tiles = nullptr;
+    const FrontDepths* m_front = nullptr;
 };
 
 /// Of the triangles or edges in the range of the index buffer, those of clusters that may be

@@ -45,7 +45,7 @@ public:
     void releaseGpu();    ///< the context goes; it is current
 
     static constexpr int kRest =
-        40;  ///< milliseconds without frame or input before the first sample, at least
+        32;  ///< milliseconds without frame or input before the first sample, at least
 
 Q_SIGNALS:
     void refined(int samples);  ///< one sample more

@@ -38,6 +38,8 @@ private Q_SLOTS:
     void tiles_data();
     void tiles();
     void trianglesElsewhereAreLeftOut();
+    void hidesWhatIsBehindAllPixels();
+    void hiddenTrianglesAreLeftOut();
 
 private:
     struct Refined {
@@ -204,6 +206,49 @@ void RefinedSettledTest::trianglesElsewhereAreLeftOut() {
     const render::MarkedTiles middle(whole, marks);
     const std::size_t few = seenIn(&middle);
     QVERIFY2(few > 0 && few < all / 4, qPrintable(QString::number(few)));
+}
+
+void RefinedSettledTest::hidesWhatIsBehindAllPixels() {
+    constexpr int kColumns = 37;
+    constexpr int kRows = 21;
+    std::vector<float> depths(kColumns * kRows, 0.25f);
+    depths[kColumns * 12 + 17] = 0.75f;
+    const render::FrontDepths front(kColumns, kRows, depths);
+    QVERIFY(front.hide({0, 0, 8, 8}, 0.5f));
+    QVERIFY(!front.hide({0, 0, 8, 8}, 0.25f));
+    QVERIFY(!front.hide({0, 0, 8, 8}, 0.2f));
+    QVERIFY(!front.hide({17, 12, 1, 1}, 0.5f));
+    QVERIFY(!front.hide({0, 0, kColumns, kRows}, 0.5f));
+    QVERIFY(front.hide({0, 0, kColumns, kRows}, 0.8f));
+    QVERIFY(front.hide({30, 16, 100, 100}, 0.5f));  // what is outside of the picture is not seen
+    QVERIFY(!front.hide({5, 5, 0, 3}, 0.5f));
+}
+
+/// The sphere's back, and nothing that any sample shows.
+void RefinedSettledTest::hiddenTrianglesAreLeftOut() {
+    const Frame view = frame({.shadows = false});
+    RefinedPicture settling(RefinedPicture::Extent::WhereItStillVaries);
+    RefinedPicture all;
+    const QImage few = refined(view, settling, RefinedPicture::kJudged - 1).image;
+    // Between pixels a sample may see a little further round an edge.
+    constexpr int kRoundEdges = 4;
+    QVERIFY(differing(few, refined(view, all, RefinedPicture::kJudged - 1).image, 0) <= kRoundEdges);
+    QCOMPARE(all.front(), nullptr);
+    if (!isSoftware()) {
+        return;
+    }
+    QVERIFY(settling.front() != nullptr);
+    const DrawItem& item = view.targets[0];
+    const float aspect = static_cast<float>(kWidth) / static_cast<float>(kHeight);
+    render::Sight sight(view.camera.projection(aspect) * view.camera.view() * item.model, {});
+    sight.hideBehind(settling.front(), {kWidth, kHeight});
+    const std::uint32_t indices = item.buffers->triangleIndexCount();
+    const auto runs = render::visibleRuns(item, view, *m_refined.pipeline, sight,
+                                          item.buffers->triangleRuns(), {0, indices});
+    QVERIFY(runs.has_value());
+    const std::size_t seen = countOf(*runs);
+    QVERIFY2(seen > indices / 2 && seen < 9 * indices / 10,
+             qPrintable(QStringLiteral("%1 of %2").arg(seen).arg(indices)));
 }
 
 HITSCOPE_TEST(RefinedSettledTest, QCoreApplication)

@@ -111,6 +111,7 @@ RefinedPicture::LightPlace RefinedPicture::nextLight(bool software) const {
 void RefinedPicture::clear() {
     m_samples = 0;
     m_hasDepths = false;
+    m_front.reset();
     m_unsettled.reset();
     m_nextPart = 0;
 }
@@ -119,6 +120,16 @@ void RefinedPicture::begin(const PixelArea& varying, bool maySettle) {
     m_settles = maySettle && m_extent == Extent::WhereItStillVaries;
     m_area = m_extent == Extent::Everywhere ? PixelArea{0, 0, m_width, m_height} : varying;
     m_hasDepths = true;
+    if (m_settles) {
+        readFront();
+    }
+}
+
+void RefinedPicture::readFront() {
+    std::vector<float> depths(static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height));
+    glBindFramebuffer(GL_FRAMEBUFFER, m_plain.id());
+    glReadPixels(0, 0, m_width, m_height, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+    m_front.emplace(m_width, m_height, depths);
 }
 
 bool RefinedPicture::prepare(int width, int height) {

@@ -9,6 +9,7 @@
 #include "render/frame_context.h"
 #include "render/pixel_area.h"
 #include "render/program_cache.h"
+#include "render/refined/front_depths.h"
 #include "render/refined/marked_tiles.h"
 #include "render/refined/varying_area.h"
 
@@ -78,6 +79,8 @@ public:
     [[nodiscard]] const render::MarkedTiles* unsettled() const {
         return m_unsettled ? &*m_unsettled : nullptr;
     }
+    /// What is behind these is hidden in every sample; null: that is not known.
+    [[nodiscard]] const render::FrontDepths* front() const { return m_front ? &*m_front : nullptr; }
     [[nodiscard]] GLuint depths() const { return m_depths.id(); }  ///< a texture
     [[nodiscard]] GLuint plainFramebuffer() const { return m_plain.id(); }
     [[nodiscard]] render::FloorLayers floorLayers() const { return {m_floor[0].id(), m_floor[1].id()}; }
@@ -95,6 +98,7 @@ public:
     [[nodiscard]] Status draw(render::ProgramCache& programs, GLuint emptyArray, bool withDepths) const;
 
 private:
+    void readFront();
     /// Marks what is drawn from now on in the stencil buffer of samples.
     [[nodiscard]] Status settle(render::ProgramCache& programs, GLuint emptyArray);
     [[nodiscard]] gl::Defines drawDefines(bool isSum, bool withDepths) const;
@@ -106,7 +110,8 @@ private:
     std::size_t m_trianglesAPart;
     PixelArea m_area;
     bool m_hasDepths = false;
-    bool m_settles = false;  ///< some pixels after the first samples
+    bool m_settles = false;                      ///< some pixels after the first samples
+    std::optional<render::FrontDepths> m_front;  ///< where pixels settle
     std::optional<render::MarkedTiles> m_unsettled;
     std::uint32_t m_nextPart = 0;
     gl::Texture m_colour;  ///< of the sample at hand; outside of the area, of the plain picture

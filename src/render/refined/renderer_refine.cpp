@@ -166,6 +166,7 @@ Status Renderer::Private::drawSample(FrameContext& context, DeformationPipeline&
     context.floorLayers = &floor;
     const DrawnPixels within = picture.drawnPixels();
     context.tiles = picture.unsettled();
+    context.front = picture.front();
     if (Status drawn = drawPart(context, pipeline, picture, picture.sampleFramebuffer(), &within);
         !drawn || !context.part.isLast()) {
         return drawn;
