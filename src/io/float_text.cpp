@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "io/eight_digits.h"
+
 namespace hitscope {
 namespace {
 
@@ -21,15 +23,6 @@ constexpr auto kPowers = [] {
         power *= 10.0;
     }
     return powers;
-}();
-
-constexpr auto kPairs = [] {
-    std::array<char, 200> pairs{};
-    for (std::size_t i = 0; i < 100; ++i) {
-        pairs[2 * i] = static_cast<char>('0' + i / 10);
-        pairs[2 * i + 1] = static_cast<char>('0' + i % 10);
-    }
-    return pairs;
 }();
 
 /// 0.DIGITS * 10^exponent
@@ -135,11 +128,7 @@ char* writeFloat(char* to, float value) {
         *at++ = '-';
     }
     std::array<char, 2 * kLongest> digits{};
-    std::uint32_t left = decimal.digits;
-    for (std::size_t pair = kLongest; pair > 0; pair -= 2) {
-        std::memcpy(&digits[pair - 2], &kPairs[2 * std::size_t{left % 100}], 2);
-        left /= 100;
-    }
+    storeDigits(digits.data(), eightDigits(decimal.digits));
     if (decimal.exponent <= 0) {  // 0.00ddd
         if (decimal.exponent == -3 && decimal.count == 1) {
             return writeSlowly(to, value);  // 1e-04 is shorter

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <system_error>
+#include <thread>
 
 #include "io/descriptor.h"
 #include "io/pending_files.h"
@@ -76,6 +78,37 @@ bool renameToNew(const char* from, const char* to) {
     }
     return ::rename(from, to) == 0;
 }
+
+/// Keeps a large file that is about to be replaced, and lets go of it on a thread of its own: the system
+/// takes 50 ms to free the memory of 200 MB, and would do so within the renaming otherwise.
+class ReplacedFile {
+public:
+    explicit ReplacedFile(const char* path) : m_file(::open(path, O_PATH | O_NOFOLLOW | O_CLOEXEC)) {
+        struct stat info {};
+        m_isLarge = m_file >= 0 && ::fstat(m_file, &info) == 0 && info.st_size >= kLarge;
+    }
+    ReplacedFile(const ReplacedFile&) = delete;
+    ReplacedFile& operator=(const ReplacedFile&) = delete;
+    ~ReplacedFile() {
+        if (m_file < 0) {
+            return;
+        }
+        try {
+            if (m_isLarge) {
+                std::thread([file = m_file] { ::close(file); }).detach();
+                return;
+            }
+        } catch (const std::system_error&) {
+            // There is no thread to be had.
+        }
+        ::close(m_file);
+    }
+
+private:
+    static constexpr off_t kLarge = 16 << 20;  // bytes
+    int m_file;
+    bool m_isLarge = false;
+};
 
 /// Where a file that is replaced really is.
 QString withoutLinks(const QString& path) {
@@ -186,6 +219,7 @@ Status StagedFiles::commit() {
             syncFolderOf(m_files[i - 1].path);  // what it refers to is there for good
         }
         step();
+        const ReplacedFile replaced(path.constData());
         const bool isNamed = file.existing == Existing::Keep
                                  ? renameToNew(file.temporary.constData(), path.constData())
                                  : ::rename(file.temporary.constData(), path.constData()) == 0;

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <string_view>
 
+#include "io/eight_digits.h"
 #include "support/test_program.h"
 
 namespace hitscope::float_text_test {
@@ -56,6 +58,24 @@ private Q_SLOTS:
         QFETCH(float, value);
         QFETCH(QByteArray, text);
         QCOMPARE(QByteArray::fromStdString(written(value)), text);
+    }
+
+    void writesShortNumbers() {
+        const auto check = [](std::uint32_t number) {
+            char text[16];
+            const std::string_view written(text,
+                                           static_cast<std::size_t>(writeShortNumber(text, number) - text));
+            if (written != std::to_string(number)) {
+                QFAIL(qPrintable(QStringLiteral("%1 is written as %2")
+                                     .arg(number)
+                                     .arg(QString::fromUtf8(written.data(), qsizetype(written.size())))));
+            }
+        };
+        for (std::uint32_t number = 0; number < 1'000'000 && !QTest::currentTestFailed(); ++number) {
+            check(number);
+            check(kMostOfEightDigits - number);
+            check(97 * number);
+        }
     }
 
     /// Of every size, dense and sparse, and what people write.

@@ -8,11 +8,13 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <csignal>
 
 #include "export_support.h"
 #include "io/export_obj.h"
 #include "io/readers/obj_reader.h"
+#include "io/staged_files.h"
 #include "support/test_program.h"
 
 namespace hitscope::io_export_files_test {
@@ -33,6 +35,7 @@ private Q_SLOTS:
     void overwritesNothingElse();
     void leavesTexturesOfTheOwnFolderAlone();
     void writesEmbeddedPictures();
+    void letsGoOfLargeReplacedFiles();
     void saysWhyItCannotWrite_data();
     void saysWhyItCannotWrite();
 
@@ -284,6 +287,22 @@ void ExportFilesTest::writesEmbeddedPictures() {
     QCOMPARE(again.mesh.materials[1].diffuseTexture, std::string("a_texture1.png"));
     QCOMPARE(again.mesh.images.size(), std::size_t(1));
     QCOMPARE(again.mesh.images[0].pixels, mesh.images[0].pixels);
+}
+
+void ExportFilesTest::letsGoOfLargeReplacedFiles() {
+    const auto isStillOpen = [](const QFileInfo& file) {
+        return file.symLinkTarget().contains(QStringLiteral("target/large.obj"));
+    };
+    const auto openFiles = [&isStillOpen] {
+        const QFileInfoList files =
+            QDir(QStringLiteral("/proc/self/fd")).entryInfoList(QDir::AllEntries | QDir::System);
+        return std::count_if(files.begin(), files.end(), isStillOpen);
+    };
+    const std::string old(20 << 20, 'o');
+    QVERIFY(writeWhole(in("target/large.obj"), old));
+    QVERIFY(writeWhole(in("target/large.obj"), "new"));
+    QCOMPARE(QFileInfo(in("target/large.obj")).size(), qint64{3});
+    QTRY_COMPARE(openFiles(), 0);
 }
 
 void ExportFilesTest::saysWhyItCannotWrite_data() {

@@ -59,8 +59,9 @@ glm::vec3 directionOf(const glm::vec3& normal) {
 
 bool isNear(const glm::vec3& direction, const glm::vec3& now) {
     constexpr float kRounding = 1e-6f;
-    const glm::vec3 gap = glm::abs(direction - now);
-    return gap.x <= kRounding && gap.y <= kRounding && gap.z <= kRounding;
+    const glm::vec3 gap = direction - now;
+    // glm::abs() branches by the sign, which cannot be foretold.
+    return std::abs(gap.x) <= kRounding && std::abs(gap.y) <= kRounding && std::abs(gap.z) <= kRounding;
 }
 
 class Planner {

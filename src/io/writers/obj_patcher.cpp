@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstring>
 
+#include "io/eight_digits.h"
 #include "io/float_text.h"
 #include "io/writers/file_coordinate.h"
 
@@ -20,7 +21,8 @@ char* copyText(char* to, std::string_view text) {
 }
 
 char* writeIndex(char* to, std::uint32_t index) {
-    return std::to_chars(to, to + kIndexText, index + 1).ptr;
+    return index < kMostOfEightDigits ? writeShortNumber(to, index + 1)
+                                      : std::to_chars(to, to + kIndexText, index + 1).ptr;
 }
 
 /// Copies digits, eight at a time: may read and write so many bytes more.
