@@ -35,7 +35,7 @@ std::string keyOf(const SavedTarget& target) {
 
 /// As place() did it, in every bit.
 void placeAgain(MeshData& mesh, const Placement& placement) {
-    if (placement.isIdentity()) {
+    if (placement.isIdentity() && mesh.placement.isIdentity()) {
         return;
     }
     if (mesh.filePositions.empty()) {

@@ -195,7 +195,12 @@ Result<ImportedMesh> AsciiParser::parse() {
 }  // namespace
 
 Result<ImportedMesh> parseStl(std::string_view file, const ProgressSink& progress) {
-    return isBinary(file) ? parseBinary(file, progress) : AsciiParser(file, progress).parse();
+    Result<ImportedMesh> parsed =
+        isBinary(file) ? parseBinary(file, progress) : AsciiParser(file, progress).parse();
+    if (parsed) {
+        placeIfExtreme(parsed.value());
+    }
+    return parsed;
 }
 
 }  // namespace hitscope

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <limits>
 
 #include "core/finite.h"
 #include "core/memory.h"
@@ -11,6 +12,8 @@
 
 namespace hitscope {
 namespace {
+
+constexpr double kSmallestExtent = 1e-300;  // the inverse of it is a number
 
 /// Corners whose value is missing or not finite get kNoIndex; gives their number.
 template <class Vector>
@@ -49,7 +52,37 @@ glm::dvec3 centreIfFar(const std::vector<glm::dvec3>& positions) {
     return isFar ? glm::round(0.5 * lowest + 0.5 * highest) : glm::dvec3(0.0);
 }
 
+/// The largest of the sizes along the axes.
+template <class Vector>
+double extentOf(const std::vector<Vector>& positions) {
+    glm::dvec3 lowest(std::numeric_limits<double>::infinity());
+    glm::dvec3 highest(-std::numeric_limits<double>::infinity());
+    for (const Vector& position : positions) {
+        lowest = glm::min(lowest, glm::dvec3(position));
+        highest = glm::max(highest, glm::dvec3(position));
+    }
+    const glm::dvec3 size = highest - lowest;
+    return positions.empty() ? 0.0 : std::max({size.x, size.y, size.z});
+}
+
 }  // namespace
+
+void placeIfExtreme(ImportedMesh& imported) {
+    constexpr double kSmallest = 1e-6;  // metres; far smaller ones underflow where lengths are squared
+    constexpr double kLargest = 1e6;
+    constexpr float kShown = 1.0f;
+    const MeshData& mesh = imported.mesh;
+    const double extent =
+        mesh.filePositions.empty() ? extentOf(mesh.positions) : extentOf(mesh.filePositions);
+    if (extent > 0.0 && (extent < kSmallest || extent > kLargest)) {
+        place(imported.mesh, kShown);
+        imported.notes +=
+            QStringLiteral(
+                "The mesh is %1 units across, too much or too little to be shot at. It is shown "
+                "1 m across; exported files have its own coordinates.")
+                .arg(extent);
+    }
+}
 
 QString counted(std::size_t count, const char* one, const char* many) {
     return QString::number(count) + QLatin1Char(' ') + QString::fromUtf8(count == 1 ? one : many);
@@ -69,6 +102,11 @@ Status setPositions(MeshData& mesh, std::vector<glm::dvec3> filePositions) {
     }
     if (exact) {
         return Done{};
+    }
+    const double extent = extentOf(filePositions);
+    if (extent > 0.0 && extent < kSmallestExtent) {
+        return Error{"The mesh is smaller than numbers can tell.", "",
+                     "Scale it up in the program the file came from."};
     }
     mesh.placement.centre = centreIfFar(filePositions);
     if (!mesh.placement.isIdentity()) {
@@ -113,7 +151,8 @@ void tidy(ImportedMesh& imported) {
         imported.notes += counted(bad, "face corner refers to a normal that the file lacks; it is computed.",
                                   "face corners refer to normals that the file lacks; they are computed.");
     }
-    if (!mesh.placement.isIdentity()) {
+    placeIfExtreme(imported);
+    if (!mesh.placement.isIdentity() && mesh.placement.scale == 1.0) {
         imported.notes += QStringLiteral(
             "The mesh lies far from the origin. It is shown moved there, as its shape would be lost to "
             "rounding; "
