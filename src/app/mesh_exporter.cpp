@@ -2,6 +2,7 @@
 #include "app/mesh_exporter.h"
 
 #include <QFileInfo>
+#include <cmath>
 #include <utility>
 
 #include "session/task_list.h"
@@ -35,7 +36,12 @@ void MeshExporter::start(SceneExport what, const QString& name, const QString& p
 
 /// On the other thread.
 void MeshExporter::write(const std::shared_ptr<Job>& job) {
-    const auto goOn = [this, &job](double fraction) {
+    constexpr double kStep = 1.0e-3;  // of the progress that is told
+    const auto goOn = [this, &job, told = -1.0](double fraction) mutable {
+        if (std::abs(fraction - told) < kStep) {
+            return !job->isCancelled;
+        }
+        told = fraction;
         QMetaObject::invokeMethod(
             this,
             [job, fraction] {

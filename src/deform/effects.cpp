@@ -7,11 +7,14 @@
 #include <numeric>
 #include <utility>
 
+#include "core/give_up.h"
 #include "deform/deform.h"
 
 namespace hitscope {
 
 namespace {
+
+constexpr std::size_t kClustersBetween = 512;  // looks whether to go on
 
 /// Differs from whatever a hit may turn out to have done.
 constexpr HitEffect kNotYet{kNoIndex, 0.0f, kNoIndex};
@@ -136,7 +139,9 @@ HitEffect TargetEffects::apply(const Hit& hit, std::uint32_t cluster) {
 }
 
 void TargetEffects::applyTo(std::span<const std::uint32_t> clusters, const Hit& hit, std::size_t index) {
+    std::size_t done = 0;
     for (const std::uint32_t cluster : clusters) {
+        mayGiveUp(done++, kClustersBetween);
         const HitEffect effect = apply(hit, cluster);
         if (effect.affected == 0) {
             continue;

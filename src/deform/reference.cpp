@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/give_up.h"
 #include "deform/deform.h"
 #include "deform/deform_all.h"
 
@@ -110,6 +111,7 @@ bool ReferenceDeformation::continueHit(const Hit& hit, const IsTimeUp& isTimeUp)
         }
         m_changed.add(m_reach.rangesOf(some));
         m_progress.next = end;
+        mayGiveUp();
         if (isTimeUp && isTimeUp()) {
             break;
         }

@@ -67,6 +67,14 @@ bool copyRange(int from, std::uint64_t offset, std::uint64_t size, int to) {
     return true;
 }
 
+void waitUntilWritten(int descriptor, std::uint64_t offset, std::uint64_t size) {
+    const int before = errno;
+    static_cast<void>(
+        ::sync_file_range(descriptor, static_cast<off64_t>(offset), static_cast<off64_t>(size),
+                          SYNC_FILE_RANGE_WAIT_BEFORE | SYNC_FILE_RANGE_WRITE | SYNC_FILE_RANGE_WAIT_AFTER));
+    errno = before;
+}
+
 void startToWrite(int descriptor, std::uint64_t offset, std::uint64_t size) {
     const int before = errno;
     // What goes wrong is told by the sync.

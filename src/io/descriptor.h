@@ -33,5 +33,7 @@ private:
 /// Lets the system write a file's bytes [offset, offset + size) to the disk while more are made, so that the
 /// sync at the end need not wait for all of it. Does nothing where there is no such thing.
 void startToWrite(int descriptor, std::uint64_t offset, std::uint64_t size);
+/// Waits until the disk has these bytes; a sync is needed all the same.
+void waitUntilWritten(int descriptor, std::uint64_t offset, std::uint64_t size);
 
 }  // namespace hitscope

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/give_up.h"
 #include "io/export_names.h"
 #include "io/export_obj.h"
 #include "io/number_text.h"
@@ -24,6 +25,7 @@ NormalTable tabulateNormals(const MeshData& mesh, const CornerNormalView& normal
     std::vector<bool> used(mesh.normals.size());
     std::vector<bool> still(mesh.normals.size());
     for (std::size_t c = 0; c < mesh.cornerNormals.size() && c < normals.size(); ++c) {
+        mayGiveUp(c);
         const std::uint32_t index = mesh.cornerNormals[c];
         if (index != kNoIndex) {
             used[index] = true;
@@ -43,6 +45,7 @@ NormalTable tabulateNormals(const MeshData& mesh, const CornerNormalView& normal
     Welder others(table.values);
     others.startAnew();
     for (std::size_t c = 0; c < normals.size(); ++c) {
+        mayGiveUp(c);
         const glm::vec3& normal = normals[c];
         const bool finite = std::isfinite(normal.x) && std::isfinite(normal.y) && std::isfinite(normal.z);
         std::uint32_t& corner = table.corners[c];
@@ -113,22 +116,24 @@ void ObjText::vertices() {
 }
 
 void ObjText::texcoords() {
-    for (const glm::vec2& texcoord : m_mesh.texcoords) {
+    for (std::size_t t = 0; t < m_mesh.texcoords.size(); ++t) {
+        mayGiveUp(t);
         m_text += "vt ";
-        appendTwiceRoundedFloat(m_text, texcoord.x);
+        appendTwiceRoundedFloat(m_text, m_mesh.texcoords[t].x);
         m_text += ' ';
-        appendTwiceRoundedFloat(m_text, texcoord.y);
+        appendTwiceRoundedFloat(m_text, m_mesh.texcoords[t].y);
         m_text += '\n';
     }
 }
 
 void ObjText::normals() {
     m_normals = tabulateNormals(m_mesh, m_what.normals);
-    for (const glm::vec3& normal : m_normals.values) {
+    for (std::size_t n = 0; n < m_normals.values.size(); ++n) {
+        mayGiveUp(n);
         m_text += "vn";
         for (int i = 0; i < 3; ++i) {
             m_text += ' ';
-            appendTwiceRoundedFloat(m_text, normal[i]);
+            appendTwiceRoundedFloat(m_text, m_normals.values[n][i]);
         }
         m_text += '\n';
     }

@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <optional>
 
+#include "core/give_up.h"
 #include "io/import_checks.h"
 #include "io/nameless_file.h"
 #include "io/take_over.h"
@@ -229,7 +230,10 @@ void MeshImport::cancel() {
     d->stop();
 }
 
-Result<ImportedMesh> importMesh(const QString& path, const ImportLimits& limits) {
+Result<ImportedMesh> importMesh(const QString& path, const ImportLimits& limits,
+                                const std::function<void(double)>& told) {
+    constexpr int kBetweenQuestions = 20;  // milliseconds
+    bool isGivenUp = false;
     std::optional<Result<ImportedMesh>> result;
     QEventLoop loop;
     MeshImport import(path, limits);
@@ -242,8 +246,24 @@ Result<ImportedMesh> importMesh(const QString& path, const ImportLimits& limits)
         result.emplace(error);
         loop.quit();
     });
+    QTimer questions;
+    QObject::connect(&questions, &QTimer::timeout, &loop, [&] {
+        isGivenUp = GiveUpScope::isGivenUp();
+        if (isGivenUp) {
+            loop.quit();
+        }
+    });
+    questions.start(kBetweenQuestions);
+    QObject::connect(&import, &MeshImport::progressed, &loop, [&told](double fraction) {
+        if (told && fraction >= 0.0) {
+            told(fraction);
+        }
+    });
     import.start();
     loop.exec();
+    if (isGivenUp) {
+        throw GivenUp{};
+    }
     return std::move(*result);
 }
 

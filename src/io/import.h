@@ -5,6 +5,7 @@
 #include <QString>
 #include <QStringList>
 #include <cstdint>
+#include <functional>
 #include <memory>
 
 #include "core/result.h"
@@ -53,8 +54,10 @@ private:
     std::unique_ptr<Private> d;
 };
 
-/// The same, waiting: for the command line and tests. Needs a QCoreApplication.
-[[nodiscard]] Result<ImportedMesh> importMesh(const QString& path, const ImportLimits& limits = {});
+/// The same, waiting: for the command line and tests. Needs a QCoreApplication. `told`: its progressed().
+/// Throws GivenUp where the thread's GiveUpScope says so.
+[[nodiscard]] Result<ImportedMesh> importMesh(const QString& path, const ImportLimits& limits = {},
+                                              const std::function<void(double)>& told = {});
 
 /// Where the worker program is; set by tests, else found beside the executable and in its build folder.
 void setImportWorkerPath(const QString& path);

@@ -15,6 +15,7 @@
 #include <system_error>
 #include <thread>
 
+#include "core/give_up.h"
 #include "io/descriptor.h"
 #include "io/pending_files.h"
 
@@ -22,7 +23,8 @@ namespace hitscope {
 
 namespace {
 
-constexpr std::size_t kPiece = 1 << 20;  // bytes read at once
+constexpr std::size_t kPiece = 1 << 20;      // bytes read at once
+constexpr std::size_t kDiskPiece = 8 << 20;  // bytes that the disk is given at once
 
 Error cannotSave(const QString& path, int reason) {
     return {"The file cannot be saved: " + qt_error_string(reason).toStdString() + ".", path.toStdString(),
@@ -48,6 +50,33 @@ bool copyAll(int from, int to, qint64 most) {
             return false;
         }
     }
+}
+
+/// Lets the disk begin while the rest is written.
+bool writeInPieces(int descriptor, std::string_view content) {
+    for (std::size_t at = 0; at < content.size(); at += kDiskPiece) {
+        mayGiveUp();
+        const std::string_view piece = content.substr(at, kDiskPiece);
+        if (!writeAll(descriptor, piece.data(), piece.size())) {
+            return false;
+        }
+        startToWrite(descriptor, at, piece.size());
+    }
+    return true;
+}
+
+/// What the sync would wait for, a piece at a time: of a long wait somebody may want the end.
+bool waitForDisk(int descriptor) {
+    struct stat info {};
+    if (::fstat(descriptor, &info) != 0) {
+        return false;
+    }
+    for (off_t at = 0; at < info.st_size; at += static_cast<off_t>(kDiskPiece)) {
+        mayGiveUp();
+        waitUntilWritten(descriptor, static_cast<std::uint64_t>(at), kDiskPiece);
+    }
+    mayGiveUp();
+    return true;
 }
 
 bool syncFile(int descriptor) {
@@ -181,7 +210,7 @@ Status StagedFiles::fill(const QString& path, Existing existing, unsigned mode,
         static_cast<void>(::fchmod(file.get(), before.st_mode & 0777));
     }
     step();
-    if (!write(file.get()) || !syncFile(file.get())) {
+    if (!write(file.get()) || !waitForDisk(file.get()) || !syncFile(file.get())) {
         return cannotSave(path, errno);
     }
     return Done{};
@@ -192,7 +221,7 @@ Status StagedFiles::add(const QString& path, std::string_view content, Existing 
         return cannotSave(path, errno);
     }
     return fill(path, existing, mode,
-                [content](int descriptor) { return writeAll(descriptor, content.data(), content.size()); });
+                [content](int descriptor) { return writeInPieces(descriptor, content); });
 }
 
 Status StagedFiles::addCopy(const QString& source, const QString& path, qint64 most) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/parallel.h"
+#include "core/give_up.h"
 #include "mesh/triangulate.h"
 
 namespace hitscope {
@@ -55,7 +55,7 @@ struct FaceNormals {
 
     explicit FaceNormals(const MeshData& mesh)
         : faceOfCorner(mesh.cornerVertices.size()), areas(mesh.faceCount()), units(mesh.faceCount()) {
-        inParts(mesh.faceCount(), kFacesAThread, [&](std::size_t begin, std::size_t end) {
+        inWatchedParts(mesh.faceCount(), kFacesAThread, [&](std::size_t begin, std::size_t end) {
             for (std::size_t f = begin; f < end; ++f) {
                 for (std::size_t c = mesh.faceStarts[f]; c < mesh.faceStarts[f + 1]; ++c) {
                     faceOfCorner[c] = static_cast<std::uint32_t>(f);
@@ -115,14 +115,16 @@ void computeMissing(std::span<const std::uint32_t> around, const FaceNormals& fa
 
 VertexCorners::VertexCorners(const MeshData& mesh)
     : starts(mesh.vertexCount() + 1, 0), corners(mesh.cornerVertices.size()) {
-    for (const std::uint32_t vertex : mesh.cornerVertices) {
-        ++starts[vertex + 1];
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+        mayGiveUp(c);
+        ++starts[mesh.cornerVertices[c] + 1];
     }
     for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
         starts[v + 1] += starts[v];
     }
     std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
     for (std::size_t c = 0; c < corners.size(); ++c) {
+        mayGiveUp(c);
         corners[next[mesh.cornerVertices[c]]++] = static_cast<std::uint32_t>(c);
     }
 }
@@ -137,6 +139,7 @@ CornerNormals::CornerNormals(const MeshData& mesh, const VertexCorners& vertexCo
     : m_mesh(mesh) {
     m_units.reserve(mesh.normals.size());
     for (const glm::vec3& normal : mesh.normals) {
+        mayGiveUp(m_units.size());
         m_units.emplace_back(unitOrZero(glm::dvec3(normal)));
     }
     if (isComplete()) {
@@ -144,6 +147,7 @@ CornerNormals::CornerNormals(const MeshData& mesh, const VertexCorners& vertexCo
     }
     m_ofCorners.assign(mesh.cornerVertices.size(), glm::vec3(0.0f));
     for (std::size_t c = 0; c < mesh.cornerNormals.size(); ++c) {
+        mayGiveUp(c);
         if (mesh.cornerNormals[c] != kNoIndex) {
             m_ofCorners[c] = m_units[mesh.cornerNormals[c]];
         }
@@ -151,7 +155,7 @@ CornerNormals::CornerNormals(const MeshData& mesh, const VertexCorners& vertexCo
     const FaceNormals faces(mesh);
     const Smoothness smoothness(mesh, creaseAngle);
     // The corners of a vertex are its own: parts write to different ones.
-    inParts(mesh.vertexCount(), kVerticesAThread, [&](std::size_t begin, std::size_t end) {
+    inWatchedParts(mesh.vertexCount(), kVerticesAThread, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v) {
             computeMissing(vertexCorners.of(v), faces, smoothness, m_ofCorners);
         }
@@ -164,6 +168,7 @@ std::vector<glm::vec3> cornerNormals(const MeshData& mesh, float creaseAngle) {
     std::vector<glm::vec3> list;
     list.reserve(mesh.cornerVertices.size());
     for (std::size_t corner = 0; corner < mesh.cornerVertices.size(); ++corner) {
+        mayGiveUp(corner);
         list.push_back(normals[corner]);
     }
     return list;

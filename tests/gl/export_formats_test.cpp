@@ -38,6 +38,8 @@ private Q_SLOTS:
     void stepsLeadToTheShapeShown();
     void hitsNotShownAreLeftOut();
     void whatIsNotAsMeantIsSaid();
+    void endsSoonWhereNobodyWantsIt_data();
+    void endsSoonWhereNobodyWantsIt();
 
 private:
     [[nodiscard]] QString path(const QString& name) const { return m_folder.filePath(name); }
@@ -184,6 +186,67 @@ void ExportFormatsTest::whatIsNotAsMeantIsSaid() {
     what.targets[0].positions[3].x = std::numeric_limits<float>::quiet_NaN();  // no file holds that
     const Result<ExportReport> written = writeExport(what, path(QStringLiteral("broken.obj")));
     QVERIFY(!written.ok());
+}
+
+// Between two questions whether to go on there is at most so much work: each format goes through a number of
+// corners that does not depend on the machine, and asks again and again meanwhile.
+void ExportFormatsTest::endsSoonWhereNobodyWantsIt_data() {
+    QTest::addColumn<int>("format");
+    QTest::addColumn<int>("least");
+    const auto row = [](ExportFormat format, int least) {
+        QTest::newRow(traitsOf(format).key) << static_cast<int>(format) << least;
+    };
+    row(ExportFormat::Obj, 95);
+    row(ExportFormat::Ply, 90);
+    row(ExportFormat::PlyAscii, 92);
+    row(ExportFormat::Stl, 48);
+    row(ExportFormat::Glb, 450);
+    row(ExportFormat::Gltf, 450);
+    row(ExportFormat::Csv, 48);
+}
+
+void ExportFormatsTest::endsSoonWhereNobodyWantsIt() {
+    QFETCH(const int, format);
+    QFETCH(const int, least);
+    constexpr int kSegments = 208;  // a million corners
+    Session session;
+    std::vector<TargetPlan> plans;
+    plans.push_back(planMesh(makeCube(kSegments, 2.5f)));
+    session.loadScene({QStringLiteral("cube"), std::move(plans)});
+    const Result<std::unique_ptr<SceneGpu>> gpu = SceneGpu::create(session);
+    QVERIFY(gpu);
+    shootAll(session, demoShots(session, 4, 2));
+    QVERIFY(gpu.value()->sync());
+    ExportOptions options;
+    options.format = static_cast<ExportFormat>(format);
+    options.readBack = true;
+    options.steps = 2;
+    const Target* const target = session.targets().front().get();
+    const SceneExport what = copyForExport(session, {&target, 1}, options);
+    const QString file = path(QStringLiteral("cube.") + QLatin1String(traitsOf(options.format).suffix));
+    QFile::remove(file);
+    int questions = 0;
+    int last = 0;  // while the file is not there yet
+    const auto count = [&](double) {
+        last = QFile::exists(file) ? last : questions;
+        ++questions;
+        return true;
+    };
+    QVERIFY(writeExport(what, file, count));
+    QVERIFY2(last >= least, qPrintable(QString::number(last)));
+    for (int part = 0; part < 12; ++part) {
+        QFile::remove(file);
+        int left = last * part / 12;
+        int after = 0;
+        const Result<ExportReport> written = writeExport(what, file, [&left, &after](double) {
+            after += left < 0 ? 1 : 0;
+            return --left >= 0;
+        });
+        QVERIFY(!written);
+        QCOMPARE(QString::fromStdString(written.error().what), QStringLiteral("The export was cancelled."));
+        QVERIFY(!QFile::exists(file));
+        QVERIFY2(after <= 1, qPrintable(QString::number(after)));  // it does not go on for long
+    }
 }
 
 HITSCOPE_TEST(ExportFormatsTest, QCoreApplication)

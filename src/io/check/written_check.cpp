@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/give_up.h"
 #include "io/check/written_materials_check.h"
 #include "io/check/written_stl_check.h"
 #include "io/check/written_surface_check.h"
@@ -57,6 +58,7 @@ std::string counts(const char* what, std::size_t is, std::size_t meant) {
 Status compareVertices(const MeshData& read, const MeshExport& what, const QString& path, PlyType type) {
     const FilePositions positions(what);
     for (std::size_t v = 0; v < what.positions.size(); ++v) {
+        mayGiveUp(v);
         const glm::dvec3 meant = positions.now(v);
         const glm::dvec3 is = readPosition(read, v);
         for (int i = 0; i < 3; ++i) {
@@ -70,6 +72,7 @@ Status compareVertices(const MeshData& read, const MeshExport& what, const QStri
 
 Status compareFaces(const MeshData& read, const MeshData& meant, const QString& path) {
     for (std::size_t f = 0; f < meant.faceCount(); ++f) {
+        mayGiveUp(f);
         const std::span<const std::uint32_t> is = read.face(f);
         const std::span<const std::uint32_t> should = meant.face(f);
         if (!std::equal(is.begin(), is.end(), should.begin(), should.end())) {
@@ -150,7 +153,9 @@ Status verifyWritten(const QString& path, const MeshExport& what) {
     return verifyWritten(path, what, {{what.normals, {}}, false});
 }
 
-Status verifyWritten(const QString& path, const MeshExport& what, const WrittenNormals& normals) {
+Status verifyWritten(const QString& path, const MeshExport& what, const WrittenNormals& normals,
+                     const std::function<bool(double)>& goOn) {
+    constexpr double kReadShare = 0.8;
     const QString suffix = QFileInfo(path).suffix().toLower();
     if (suffix == QStringLiteral("glb") || suffix == QStringLiteral("gltf")) {
         return verifyWrittenGltf(path, what);
@@ -159,7 +164,11 @@ Status verifyWritten(const QString& path, const MeshExport& what, const WrittenN
     if (!isStl && suffix != QStringLiteral("obj") && suffix != QStringLiteral("ply")) {
         return Done{};
     }
-    const Result<ImportedMesh> read = importMesh(path);
+    const Result<ImportedMesh> read = importMesh(path, {}, [&goOn](double share) {
+        if (goOn) {
+            goOn(kReadShare * share);  // the scope of this thread ends it
+        }
+    });
     if (!read) {
         return notAsMeant(path, "it cannot be read (" + read.error().what + ")");
     }

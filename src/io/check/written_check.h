@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <functional>
 
 #include "core/result.h"
 #include "io/writers/mesh_export.h"
@@ -20,9 +21,10 @@ struct WrittenNormals {
 /// and materials, as far as the format holds them. OBJ, PLY and STL are read as any file that is opened
 /// (importMesh(), which needs a QCoreApplication); glTF with its morph targets: the original, "Deformed", and
 /// all steps together. The error names the first difference. `what` is in the file's frame as its writer got
-/// it; what a text of another suffix holds is not looked at.
-[[nodiscard]] Status verifyWritten(const QString& path, const MeshExport& what,
-                                   const WrittenNormals& normals);
+/// it; what a text of another suffix holds is not looked at. goOn: told how much is done, [0, 1]; throws
+/// GivenUp where the thread's GiveUpScope says so.
+[[nodiscard]] Status verifyWritten(const QString& path, const MeshExport& what, const WrittenNormals& normals,
+                                   const std::function<bool(double)>& goOn = {});
 /// With what.normals.
 [[nodiscard]] Status verifyWritten(const QString& path, const MeshExport& what);
 

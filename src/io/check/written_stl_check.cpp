@@ -4,6 +4,7 @@
 #include <QFile>
 #include <cstring>
 
+#include "core/give_up.h"
 #include "io/check/written_check.h"
 #include "io/check/written_surface_check.h"
 #include "io/readers/text_cursor.h"
@@ -118,6 +119,7 @@ Status verifyWrittenStl(const MeshData& read, const MeshExport& what, const QStr
     Triangulator triangulator;
     std::vector<std::uint32_t> corners;
     for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        mayGiveUp(f);
         corners.clear();
         triangulator.triangulate(mesh.positions, mesh.face(f), corners);
         for (std::size_t t = 0; t + 3 <= corners.size(); t += 3) {

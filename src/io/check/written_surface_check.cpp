@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/finite.h"
+#include "core/give_up.h"
 #include "io/export_names.h"
 #include "io/number_text.h"
 #include "mesh/same_bits.h"
@@ -68,6 +69,7 @@ SurfaceComparison::SurfaceComparison(const MeshData& read, const MeshExport& wha
 
 void SurfaceComparison::findTouched() {
     for (std::size_t f = 0; f < m_mesh.faceCount(); ++f) {
+        mayGiveUp(f);
         const std::span<const std::uint32_t> face = m_mesh.face(f);
         const bool isTouched = std::any_of(face.begin(), face.end(), [this](std::uint32_t v) {
             return !sameBits(m_what.positions[v], m_mesh.positions[v]);
@@ -82,6 +84,7 @@ void SurfaceComparison::findTouched() {
 void SurfaceComparison::findTurned() {
     m_turned.assign(m_mesh.positions.size(), kNoIndex);
     for (std::uint32_t c = 0; c < m_mesh.cornerVertices.size(); ++c) {
+        mayGiveUp(c);
         const std::uint32_t before = indexAt(m_mesh.cornerNormals, c);
         const glm::vec3& now = m_normals.corners[c];
         std::uint32_t& turned = m_turned[m_mesh.cornerVertices[c]];
@@ -99,6 +102,7 @@ bool SurfaceComparison::plyHasNormals() const {
     }
     std::vector<std::uint32_t> first(m_mesh.positions.size(), kNoIndex);
     for (std::uint32_t c = 0; c < m_mesh.cornerVertices.size(); ++c) {
+        mayGiveUp(c);
         std::uint32_t& corner = first[m_mesh.cornerVertices[c]];
         corner = corner == kNoIndex ? c : corner;
         if (!sameBits(m_normals.corners[corner], m_normals.corners[c])) {
@@ -176,6 +180,7 @@ std::string SurfaceComparison::material(std::size_t f) const {
 
 std::optional<std::string> SurfaceComparison::first() {
     for (std::size_t f = 0; f < m_mesh.faceCount(); ++f) {
+        mayGiveUp(f);
         std::string difference = m_format == SurfaceFormat::Obj ? material(f) : std::string();
         for (std::size_t c = m_mesh.faceStarts[f]; difference.empty() && c < m_mesh.faceStarts[f + 1]; ++c) {
             difference = texcoord(f, c);

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <utility>
 
+#include "core/give_up.h"
 #include "io/writers/line_segments.h"
 #include "mesh/corner_normals.h"
 #include "mesh/same_bits.h"
@@ -22,6 +24,7 @@ public:
     void sort() {
         std::vector<std::uint32_t> of(m_mesh.faceCount());
         for (std::size_t f = 0; f < of.size(); ++f) {
+            mayGiveUp(f);
             of[f] = primitiveOf(f);
         }
         starts.assign(m_layout.primitives.size() + 1, 0);
@@ -32,6 +35,7 @@ public:
         std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
         faces.resize(of.size());
         for (std::size_t f = 0; f < of.size(); ++f) {
+            mayGiveUp(f);
             faces[next[of[f]]++] = static_cast<std::uint32_t>(f);
         }
     }
@@ -77,8 +81,9 @@ private:
 std::vector<std::uint32_t> unusedVertices(const MeshData& mesh) {
     std::vector<bool> used(mesh.positions.size());
     const auto use = [&used](const std::vector<std::uint32_t>& indices) {
-        for (const std::uint32_t vertex : indices) {
-            used[vertex] = true;
+        for (std::size_t i = 0; i < indices.size(); ++i) {
+            mayGiveUp(i);
+            used[indices[i]] = true;
         }
     };
     use(mesh.cornerVertices);
@@ -126,6 +131,7 @@ void PrimitiveMaker::takeVertices(GltfPrimitive& primitive, std::span<const std:
         vertices = unusedVertices(m_mesh);
     }
     for (const std::uint32_t face : faces) {
+        mayGiveUp(face);
         for (const std::uint32_t vertex : m_mesh.face(face)) {
             if (m_slots[vertex] == kNoIndex) {
                 m_slots[vertex] = 0;
@@ -133,7 +139,7 @@ void PrimitiveMaker::takeVertices(GltfPrimitive& primitive, std::span<const std:
             }
         }
     }
-    std::sort(vertices.begin(), vertices.end());
+    sortWatched(vertices.begin(), vertices.end());
     for (std::uint32_t i = 0; i < vertices.size(); ++i) {
         m_slots[vertices[i]] = i;
     }
@@ -181,6 +187,7 @@ std::uint32_t PrimitiveMaker::slotOf(GltfPrimitive& primitive, std::uint32_t cor
 void PrimitiveMaker::make(GltfPrimitive& primitive, std::span<const std::uint32_t> faces, bool withUnused) {
     takeVertices(primitive, faces, withUnused);
     for (const std::uint32_t face : faces) {
+        mayGiveUp(face);
         m_corners.clear();
         m_triangulator.triangulate(m_mesh.positions, m_mesh.face(face), m_corners);
         for (const std::uint32_t corner : m_corners) {
@@ -208,11 +215,12 @@ void addLoose(std::vector<GltfPrimitive>& primitives, std::uint32_t object, Gltf
     if (isFirst) {
         vertices.insert(vertices.end(), unused.begin(), unused.end());
     }
-    std::sort(vertices.begin(), vertices.end());
+    sortWatched(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     primitive.ownVertices = vertices.size();
     primitive.corners.assign(vertices.size(), kNoIndex);
     for (const std::uint32_t vertex : elements) {
+        mayGiveUp(primitive.indices.size());
         const auto at = std::lower_bound(vertices.begin(), vertices.end(), vertex);
         primitive.indices.push_back(static_cast<std::uint32_t>(at - vertices.begin()));
     }
@@ -228,6 +236,7 @@ std::vector<LooseElements> looseElements(const MeshData& mesh) {
     std::uint32_t objects = 0;
     std::size_t nextGroup = 0;
     for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        mayGiveUp(f);
         bool isNew = f == 0;
         for (; nextGroup < mesh.groups.size() && mesh.groups[nextGroup].firstFace <= f; ++nextGroup) {
             isNew = isNew || mesh.groups[nextGroup].kind == FaceGroup::Kind::Object;
@@ -255,8 +264,9 @@ std::vector<LooseElements> looseElements(const MeshData& mesh) {
 void GltfPrimitive::sortCopies() {
     m_copies.resize(fileVertices.size() - ownVertices);
     std::iota(m_copies.begin(), m_copies.end(), static_cast<std::uint32_t>(ownVertices));
-    std::stable_sort(m_copies.begin(), m_copies.end(),
-                     [this](std::uint32_t a, std::uint32_t b) { return fileVertices[a] < fileVertices[b]; });
+    sortWatched(m_copies.begin(), m_copies.end(), [this](std::uint32_t a, std::uint32_t b) {
+        return std::pair(fileVertices[a], a) < std::pair(fileVertices[b], b);
+    });
 }
 
 void GltfPrimitive::findVertices(std::uint32_t fileVertex, std::vector<std::uint32_t>& found) const {

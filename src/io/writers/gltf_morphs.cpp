@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/finite.h"
+#include "core/give_up.h"
 #include "io/writers/file_positions.h"
 
 namespace hitscope {
@@ -13,6 +14,7 @@ namespace {
 std::vector<bool> turnedVertices(const MeshExport& what, std::span<const glm::vec3> originals) {
     std::vector<bool> turned(what.mesh->positions.size());
     for (std::size_t c = 0; c < what.normals.size(); ++c) {
+        mayGiveUp(c);
         if (!sameBits(what.normals[c], originals[c])) {
             turned[what.mesh->cornerVertices[c]] = true;
         }
@@ -26,11 +28,13 @@ std::vector<std::uint32_t> lastSteps(const MeshData& mesh, const std::vector<Mor
     std::vector<std::uint32_t> own(mesh.positions.size(), kNoIndex);
     for (std::uint32_t s = 0; s < steps.size(); ++s) {
         for (const MorphDelta& delta : steps[s].deltas) {
+            mayGiveUp(delta.vertex);
             own[delta.vertex] = s;
         }
     }
     std::vector<std::uint32_t> last = own;
     for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        mayGiveUp(f);
         std::uint32_t latest = kNoIndex;
         for (const std::uint32_t vertex : mesh.face(f)) {
             const bool isLater = own[vertex] != kNoIndex && (latest == kNoIndex || own[vertex] > latest);
@@ -46,8 +50,8 @@ std::vector<std::uint32_t> lastSteps(const MeshData& mesh, const std::vector<Mor
 }
 
 void sortByVertex(MorphTarget& target) {
-    std::sort(target.deltas.begin(), target.deltas.end(),
-              [](const MorphDelta& a, const MorphDelta& b) { return a.vertex < b.vertex; });
+    sortWatched(target.deltas.begin(), target.deltas.end(),
+                [](const MorphDelta& a, const MorphDelta& b) { return a.vertex < b.vertex; });
 }
 
 /// The part of how normals turn that each step has: by how far it moves a vertex.
@@ -56,17 +60,20 @@ void shareTurning(const MeshData& mesh, const MorphTarget& deformed, std::vector
     std::vector<float> ways(mesh.positions.size());
     for (const MorphTarget& step : steps) {
         for (const MorphDelta& delta : step.deltas) {
+            mayGiveUp(delta.vertex);
             ways[delta.vertex] += glm::length(delta.moved);
         }
     }
     for (MorphTarget& step : steps) {
         for (MorphDelta& delta : step.deltas) {
+            mayGiveUp(delta.vertex);
             const float way = ways[delta.vertex];
             delta.turned = way > 0.0f ? glm::length(delta.moved) / way : 0.0f;
         }
     }
     const auto lastStep = static_cast<std::uint32_t>(steps.size() - 1);
     for (const MorphDelta& delta : deformed.deltas) {
+        mayGiveUp(delta.vertex);
         if (!(ways[delta.vertex] > 0.0f)) {
             const std::uint32_t at = last[delta.vertex] == kNoIndex ? lastStep : last[delta.vertex];
             steps[at].deltas.push_back({delta.vertex, glm::vec3(0.0f), 1.0f});
@@ -95,6 +102,7 @@ std::vector<Entry> entriesOf(const GltfPrimitive& primitive, const MorphTarget& 
     std::vector<Entry> entries;
     if (primitive.fileVertices.size() < target.deltas.size()) {
         for (std::uint32_t slot = 0; slot < primitive.fileVertices.size(); ++slot) {
+            mayGiveUp(slot);
             const std::uint32_t delta = deltaOf(target, primitive.fileVertices[slot]);
             if (delta != kNoIndex) {
                 entries.push_back({slot, delta});
@@ -104,13 +112,15 @@ std::vector<Entry> entriesOf(const GltfPrimitive& primitive, const MorphTarget& 
     }
     std::vector<std::uint32_t> slots;
     for (std::uint32_t d = 0; d < target.deltas.size(); ++d) {
+        mayGiveUp(d);
         slots.clear();
         primitive.findVertices(target.deltas[d].vertex, slots);
         for (const std::uint32_t slot : slots) {
             entries.push_back({slot, d});
         }
     }
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.slot < b.slot; });
+    sortWatched(entries.begin(), entries.end(),
+                [](const Entry& a, const Entry& b) { return a.slot < b.slot; });
     return entries;
 }
 
@@ -173,6 +183,7 @@ QJsonObject limitsOf(const std::vector<Entry>& entries, std::size_t count, const
     glm::vec3 least = allMove ? delta(entries.front()) : glm::vec3(0.0f);
     glm::vec3 most = least;
     for (const Entry& entry : entries) {
+        mayGiveUp(entry.slot);
         const glm::vec3 value = delta(entry);
         least = glm::min(least, value);
         most = glm::max(most, value);
@@ -192,6 +203,7 @@ MorphTarget deformedTarget(const MeshExport& what, std::span<const glm::vec3> or
     const std::vector<bool> turned = turnedVertices(what, originalNormals);
     MorphTarget target{"Deformed", {}};
     for (std::uint32_t v = 0; v < what.positions.size(); ++v) {
+        mayGiveUp(v);
         if (positions.isMoved(v) || turned[v]) {
             const glm::dvec3 from(glm::vec3(positions.original(v)));
             const glm::dvec3 to(glm::vec3(positions.now(v)));
@@ -219,6 +231,7 @@ std::vector<MorphTarget> stepTargets(const MeshExport& what, const MorphTarget& 
     for (const MorphStep& step : what.steps) {
         MorphTarget& target = targets.emplace_back(MorphTarget{step.name, {}});
         for (const MovedVertex& moved : step.moved) {
+            mayGiveUp(moved.vertex);
             add(target, moved.vertex, moved.position);
         }
     }
@@ -227,6 +240,7 @@ std::vector<MorphTarget> stepTargets(const MeshExport& what, const MorphTarget& 
     sortByVertex(targets.back());
     const std::size_t known = last.size();
     for (std::uint32_t v = 0; v < at.size(); ++v) {
+        mayGiveUp(v);
         if (sameBits(at[v], what.positions[v])) {
             continue;
         }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 
+#include "core/give_up.h"
 #include "core/srgb.h"
 
 namespace hitscope {
@@ -90,6 +91,7 @@ int GltfParts::addPositions(const GltfPrimitive& primitive) {
     glm::vec3 least(std::numeric_limits<float>::infinity());
     glm::vec3 most(-std::numeric_limits<float>::infinity());
     for (const std::uint32_t vertex : vertices) {
+        mayGiveUp(vertex);
         const glm::vec3 position(m_positions.original(vertex));
         least = glm::min(least, position);
         most = glm::max(most, position);

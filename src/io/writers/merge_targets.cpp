@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 #include <unordered_set>
 
+#include "core/give_up.h"
 #include "mesh/corner_normals.h"
 #include "mesh/same_bits.h"
 
@@ -83,6 +84,7 @@ void Merger::addVertices(const PlacedTarget& target) {
     const MeshData& mesh = *target.mesh;
     m_firstVertex = m_mesh.positions.size();
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        mayGiveUp(v);
         const glm::vec3 original = placed(target.transform, mesh.positions[v]);
         const bool isMoved = !sameBits(mesh.positions[v], target.positions[v]);
         m_mesh.positions.push_back(original);
@@ -90,11 +92,13 @@ void Merger::addVertices(const PlacedTarget& target) {
     }
     if (std::ranges::any_of(m_targets, [](const PlacedTarget& one) { return !one.mesh->isAsRead(); })) {
         for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+            mayGiveUp(v);
             m_mesh.sourceVertices.push_back(mesh.isAsRead() ? static_cast<std::uint32_t>(v)
                                                             : mesh.sourceVertices[v]);
         }
     }
     for (std::size_t v = 0; m_has.colours && v < mesh.positions.size(); ++v) {
+        mayGiveUp(v);
         m_mesh.colours.push_back(mesh.colours.empty() ? glm::vec3(1.0f) : mesh.colours[v]);
     }
     if (m_has.hits) {
@@ -108,6 +112,7 @@ void Merger::addFaces(const PlacedTarget& target) {
     m_firstFace = m_mesh.faceCount();
     const std::size_t firstCorner = m_mesh.cornerVertices.size();
     for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        mayGiveUp(f);
         m_mesh.faceStarts.push_back(static_cast<std::uint32_t>(firstCorner + mesh.faceStarts[f + 1]));
         if (m_has.materials) {
             const std::uint32_t own = mesh.faceMaterials.empty() ? kNoIndex : mesh.faceMaterials[f];
@@ -118,6 +123,7 @@ void Merger::addFaces(const PlacedTarget& target) {
         }
     }
     for (std::size_t c = 0; c < corners; ++c) {
+        mayGiveUp(c);
         m_mesh.cornerVertices.push_back(shifted(mesh.cornerVertices[c], m_firstVertex));
         if (m_has.texcoords) {
             const std::uint32_t own = mesh.cornerTexcoords.empty() ? kNoIndex : mesh.cornerTexcoords[c];

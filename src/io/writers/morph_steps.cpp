@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/give_up.h"
 #include "deform/reference.h"
 #include "mesh/same_bits.h"
 
@@ -15,6 +16,7 @@ class MorphReplay {
 public:
     explicit MorphReplay(const RenderMesh& render) : m_render(render), m_deformation(render) {
         for (const DynamicVertex& vertex : render.vertices) {
+            mayGiveUp(m_known.size());
             m_known.push_back(vertex.position);
         }
     }
@@ -23,6 +25,7 @@ public:
         std::vector<MovedVertex> moved;
         for (const VertexRange& range : m_deformation.apply(hits)) {
             for (std::uint32_t r = range.first; r < range.first + range.count; ++r) {
+                mayGiveUp(r);
                 take(r, moved);
             }
         }

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/finite.h"
-#include "core/parallel.h"
+#include "core/give_up.h"
 #include "io/welder.h"
 #include "mesh/same_bits.h"
 
@@ -34,7 +34,7 @@ std::vector<std::uint8_t> touchedVertices(const MeshData& mesh, std::span<const 
         return {};
     }
     std::vector<std::uint8_t> touched(moved.size());
-    inParts(mesh.faceCount(), kLeastPart, [&](std::size_t first, std::size_t end) {
+    inWatchedParts(mesh.faceCount(), kLeastPart, [&](std::size_t first, std::size_t end) {
         for (std::size_t f = first; f < end; ++f) {
             std::uint8_t isTouched = 0;
             for (const std::uint32_t vertex : mesh.face(f)) {
@@ -100,7 +100,7 @@ private:
 };
 
 void Planner::findWanted() {
-    inParts(m_mesh.cornerNormals.size(), kLeastPart, [this](std::size_t first, std::size_t end) {
+    inWatchedParts(m_mesh.cornerNormals.size(), kLeastPart, [this](std::size_t first, std::size_t end) {
         for (std::size_t c = first; c < end; ++c) {
             const std::uint32_t normal = inFile(c);
             const auto corner = static_cast<std::uint32_t>(c);
@@ -120,7 +120,7 @@ void Planner::findWanted() {
 }
 
 void Planner::findDisagreement() {
-    inParts(m_mesh.cornerNormals.size(), kLeastPart, [this](std::size_t first, std::size_t end) {
+    inWatchedParts(m_mesh.cornerNormals.size(), kLeastPart, [this](std::size_t first, std::size_t end) {
         for (std::size_t c = first; c < end; ++c) {
             const std::uint32_t normal = inFile(c);
             if (normal != kNoIndex && m_wantedBy[normal] != kNoIndex && readShared(m_isShared[normal]) == 0 &&
@@ -133,12 +133,13 @@ void Planner::findDisagreement() {
 
 void Planner::replace() {
     for (std::size_t n = 0; n < m_wantedBy.size(); ++n) {
+        mayGiveUp(n);
         if (m_wantedBy[n] != kNoIndex && m_isShared[n] == 0) {
             m_plan.replaced.push_back(static_cast<std::uint32_t>(n));
         }
     }
     m_plan.values.resize(m_plan.replaced.size());
-    inParts(m_plan.values.size(), kLeastPart, [this](std::size_t first, std::size_t end) {
+    inWatchedParts(m_plan.values.size(), kLeastPart, [this](std::size_t first, std::size_t end) {
         for (std::size_t i = first; i < end; ++i) {
             const glm::vec3& value = m_normals[m_wantedBy[m_plan.replaced[i]]];
             m_plan.values[i] = isFinite(value) ? value : glm::vec3(0.0f);
@@ -166,7 +167,7 @@ std::uint64_t Planner::cornersOfWord(std::size_t word, bool all) {
 
 void Planner::findDirections() {
     m_directions.resize(m_isShared.size());
-    inParts(m_isShared.size(), kLeastPart, [this](std::size_t first, std::size_t end) {
+    inWatchedParts(m_isShared.size(), kLeastPart, [this](std::size_t first, std::size_t end) {
         for (std::size_t n = first; n < end; ++n) {
             if (m_isShared[n] != 0) {
                 m_directions[n] = directionOf(m_mesh.normals[n]);
@@ -179,7 +180,7 @@ void Planner::findCorners(bool all) {
     std::vector<std::uint64_t>& words = m_plan.corners.words();
     words.resize((m_mesh.cornerVertices.size() + CornerSet::kBits - 1) / CornerSet::kBits);
     m_isUsed.resize(m_normals.values.size());
-    inParts(words.size(), kLeastPart / CornerSet::kBits, [&](std::size_t first, std::size_t end) {
+    inWatchedParts(words.size(), kLeastPart / CornerSet::kBits, [&](std::size_t first, std::size_t end) {
         for (std::size_t word = first; word < end; ++word) {
             words[word] = cornersOfWord(word, all);
         }
@@ -192,6 +193,7 @@ void Planner::number() {
     Welder added(m_plan.added);
     const auto before = static_cast<std::uint32_t>(m_mesh.normals.size());
     for (std::size_t slot = 0; slot < m_isUsed.size(); ++slot) {
+        mayGiveUp(slot);
         if (m_isUsed[slot] != 0) {
             const glm::vec3& normal = m_normals.values[slot];
             m_plan.numbers[slot] = before + added.index(isFinite(normal) ? normal : glm::vec3(0.0f));
@@ -240,7 +242,7 @@ bool isSameDirection(const glm::vec3& original, const glm::vec3& now) {
 
 std::vector<std::uint8_t> movedVertices(const MeshData& mesh, std::span<const glm::vec3> positions) {
     std::vector<std::uint8_t> moved(positions.size());
-    inParts(positions.size(), kLeastPart, [&](std::size_t first, std::size_t end) {
+    inWatchedParts(positions.size(), kLeastPart, [&](std::size_t first, std::size_t end) {
         for (std::size_t v = first; v < end; ++v) {
             moved[v] = sameBits(positions[v], mesh.positions[v]) ? 0 : 1;
         }

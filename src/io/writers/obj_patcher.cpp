@@ -13,7 +13,8 @@
 namespace hitscope {
 namespace {
 
-constexpr std::size_t kIndexText = 12;  // of a number of a normal, with its slashes
+constexpr std::size_t kAddedAtOnce = 8192;  // normals
+constexpr std::size_t kIndexText = 12;      // of a number of a normal, with its slashes
 
 char* copyText(char* to, std::string_view text) {
     std::memcpy(to, text.data(), text.size());
@@ -86,17 +87,21 @@ ObjPatcher::ObjPatcher(const ObjChanges& changes, const ObjIndex& index, ObjFace
                     std::find(corners.begin(), corners.end(), kNoIndex) != corners.end();
 }
 
+bool ObjPatcher::addsIn(std::size_t p) const {
+    const SourcePart& part = m_index.parts[p];
+    const std::uint64_t end = part.start + part.size;
+    return !m_changes.normals.added.empty() && m_addAt >= part.start &&
+           (m_addAt < end || (m_addAt == end && p + 1 == m_index.parts.size()));
+}
+
 bool ObjPatcher::changes(std::size_t p) const {
     const SourcePart& part = m_index.parts[p];
     const Counts& first = m_before[p];
     const Counts& end = m_before[p + 1];
-    const std::uint64_t partEnd = part.start + part.size;
-    const bool addsHere = !m_changes.normals.added.empty() && m_addAt >= part.start &&
-                          (m_addAt < partEnd || (m_addAt == partEnd && p + 1 == m_index.parts.size()));
     const auto library = m_changes.libraries.lower_bound(first.libraries);
     const std::vector<std::uint32_t>& replaced = m_changes.normals.replaced;
     const auto normal = std::lower_bound(replaced.begin(), replaced.end(), first.normals);
-    if (addsHere || (m_hasDangling && part.faces > 0) ||
+    if (addsIn(p) || (m_hasDangling && part.faces > 0) ||
         (normal != replaced.end() && *normal < end.normals) ||
         (part.faces > 0 && m_changes.normals.corners.hasBetween(m_changes.mesh.faceStarts[first.faces],
                                                                 m_changes.mesh.faceStarts[end.faces])) ||
@@ -108,11 +113,13 @@ bool ObjPatcher::changes(std::size_t p) const {
     return std::find(moved.begin(), moved.end(), 1) != moved.end();
 }
 
-void ObjPatcher::appendAdded(TextBuffer& out) const {
-    if (m_addAt == m_index.size && m_index.endsInLine) {
+void ObjPatcher::appendAdded(std::size_t piece, TextBuffer& out) const {
+    if (piece == 0 && m_addAt == m_index.size && m_index.endsInLine) {
         out.append(m_index.newLine);
     }
-    for (const glm::vec3& normal : m_changes.normals.added) {
+    const std::span<const glm::vec3> all = m_changes.normals.added;
+    const std::size_t first = piece * kAddedAtOnce;
+    for (const glm::vec3& normal : all.subspan(first, std::min(kAddedAtOnce, all.size() - first))) {
         char* to = copyText(out.room(2 + 3 * (1 + kFloatText) + m_index.newLine.size()), "vn");
         for (int i = 0; i < 3; ++i) {
             *to++ = ' ';
@@ -142,25 +149,44 @@ private:
     std::size_t m_copied = 0;
 };
 
-void ObjPatcher::rewrite(std::size_t p, std::string_view text, TextBuffer& out) const {
-    const SourcePart& source = m_index.parts[p];
+std::size_t ObjPatcher::pieces(std::size_t p) const {
+    return addsIn(p) ? 2 + (m_changes.normals.added.size() + kAddedAtOnce - 1) / kAddedAtOnce : 1;
+}
+
+void ObjPatcher::rewrite(std::size_t p, std::size_t piece, std::string_view text, TextBuffer& out) const {
+    const std::size_t last = pieces(p) - 1;
+    if (piece > 0 && piece < last) {
+        appendAdded(piece - 1, out);
+        return;
+    }
+    const std::size_t middle = last > 0 ? m_addAt - m_index.parts[p].start : text.size();
+    if (piece == 0) {
+        rewriteLines(p, text, 0, middle, out);
+    } else {
+        rewriteLines(p, text, middle, text.size(), out);
+    }
+}
+
+/// Appends the new text of the lines in [from, to) of the part.
+void ObjPatcher::rewriteLines(std::size_t p, std::string_view text, std::size_t from, std::size_t to,
+                              TextBuffer& out) const {
     const std::vector<std::uint32_t>& replaced = m_changes.normals.replaced;
     Counts at = m_before[p];
     at.replaced = static_cast<std::size_t>(std::lower_bound(replaced.begin(), replaced.end(), at.normals) -
                                            replaced.begin());
-    const bool adds = !m_changes.normals.added.empty();
     Part part(text, out);
     ObjLines lines(text, m_index.lineEnd);
     TextRange line;
-    while (lines.next(line)) {
-        if (adds && source.start + line.start == m_addAt) {
-            appendAdded(part.instead({line.start, line.start}));
+    while (lines.next(line) && line.start < to) {
+        if (from > 0 && line.start == from) {
+            part.instead({from, from});
+            out.clear();  // of the lines before only the numbers matter
         }
         rewriteLine(line, at, part);
     }
-    part.instead({text.size(), text.size()});
-    if (adds && m_addAt == m_index.size && p + 1 == m_index.parts.size()) {
-        appendAdded(out);
+    part.instead({to, to});
+    if (from > 0 && from == text.size()) {
+        out.clear();
     }
 }
 

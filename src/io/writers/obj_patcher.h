@@ -35,9 +35,12 @@ public:
     [[nodiscard]] bool changes(std::size_t p) const;
     /// Bytes behind a part's text that may be read.
     static constexpr std::size_t kPadding = 8;
-    /// Appends the part's new text to `out`. `text`: its bytes in the file, and kPadding of any behind. Of
-    /// any thread.
-    void rewrite(std::size_t p, std::string_view text, TextBuffer& out) const;
+    /// In how many pieces it is rewritten, 1 at least: added normals, of which there may be millions, are
+    /// some.
+    [[nodiscard]] std::size_t pieces(std::size_t p) const;
+    /// Appends a piece of the part's new text to `out`. `text`: the part's bytes in the file, and kPadding of
+    /// any behind, which only the first and the last piece need. Of any thread.
+    void rewrite(std::size_t p, std::size_t piece, std::string_view text, TextBuffer& out) const;
 
 private:
     /// How many of each come before a part, or a line; and how many of NormalPlan::replaced.
@@ -55,7 +58,10 @@ private:
     void face(std::string_view line, std::size_t face, TextBuffer& out) const;
     [[nodiscard]] bool plainFace(std::string_view line, std::size_t face, TextBuffer& out) const;
     void library(std::string_view line, const std::string& name, TextBuffer& out) const;
-    void appendAdded(TextBuffer& out) const;
+    [[nodiscard]] bool addsIn(std::size_t p) const;
+    void rewriteLines(std::size_t p, std::string_view text, std::size_t from, std::size_t to,
+                      TextBuffer& out) const;
+    void appendAdded(std::size_t piece, TextBuffer& out) const;
 
     const ObjChanges& m_changes;
     const ObjIndex& m_index;

@@ -7,11 +7,14 @@
 #include <cerrno>
 #include <new>
 
+#include "io/descriptor.h"
+
 namespace hitscope {
 namespace {
 
-constexpr std::size_t kPiece = 1 << 20;        // bytes written at once
-constexpr std::uint64_t kBetweenLooks = 8192;  // vertices or faces
+constexpr std::size_t kPiece = 1 << 20;           // bytes written at once
+constexpr std::uint64_t kDiskPiece = 8 << 20;     // bytes that the disk begins to write
+constexpr std::uint64_t kElementsBetween = 8192;  // questions whether to go on
 
 }  // namespace
 
@@ -22,6 +25,11 @@ void PieceWriter::flush() {
         m_isGood = written >= 0 || errno == EINTR;
         left.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
     }
+    m_written += m_text.size() - left.size();
+    if (m_written - m_started >= kDiskPiece) {
+        startToWrite(m_descriptor, m_started, m_written - m_started);
+        m_started = m_written;
+    }
     m_text.clear();
 }
 
@@ -29,7 +37,7 @@ bool PieceWriter::goesOn(std::uint64_t done, std::uint64_t all) {
     if (m_text.size() >= kPiece) {
         flush();
     }
-    if (m_goOn && done % kBetweenLooks == 0 && !m_isGivenUp) {
+    if (m_goOn && done % kElementsBetween == 0 && !m_isGivenUp) {
         m_isGivenUp = !m_goOn(all == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(all));
     }
     return m_isGood && !m_isGivenUp && !m_error;

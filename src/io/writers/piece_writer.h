@@ -43,6 +43,8 @@ private:
     int m_descriptor;
     const std::function<bool(double)>& m_goOn;
     std::string m_text;
+    std::uint64_t m_written = 0;  ///< bytes
+    std::uint64_t m_started = 0;  ///< bytes of them that are on their way to the disk
     bool m_isGood = true;
     bool m_isGivenUp = false;
     std::optional<Error> m_error;

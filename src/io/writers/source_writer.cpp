@@ -19,13 +19,19 @@ constexpr std::chrono::milliseconds kBetween{20};  // questions whether to go on
 
 std::optional<SourceWriter::Turn> SourceWriter::take() {
     const std::lock_guard lock(m_mutex);
-    while (m_nextPart < m_index.parts.size() && !m_patcher.changes(m_nextPart)) {
+    while (m_nextPiece == 0 && m_nextPart < m_index.parts.size() && !m_patcher.changes(m_nextPart)) {
         ++m_nextPart;
     }
     if (m_nextPart == m_index.parts.size() || m_reason != 0) {
         return std::nullopt;
     }
-    return Turn{m_nextPart++, m_taken++};
+    Turn turn{m_nextPart, m_nextPiece++, false, m_taken++};
+    turn.isLast = m_nextPiece == m_patcher.pieces(turn.part);
+    if (turn.isLast) {
+        ++m_nextPart;
+        m_nextPiece = 0;
+    }
+    return turn;
 }
 
 void SourceWriter::fail(int reason) {
@@ -101,16 +107,17 @@ void SourceWriter::work(bool isTelling) {
     while (const std::optional<Turn> turn = take()) {
         const SourcePart& part = m_index.parts[turn->part];
         before.resize(part.size + ObjPatcher::kPadding);
-        if (!readAt(m_source, part.start, before.data(), part.size)) {
+        const bool isOfText = turn->piece == 0 || turn->isLast;  // the others are added
+        if (isOfText && !readAt(m_source, part.start, before.data(), part.size)) {
             m_couldNotRead = true;
             return fail(errno);
         }
         after.clear();
-        m_patcher.rewrite(turn->part, std::string_view(before).substr(0, part.size), after);
+        m_patcher.rewrite(turn->part, turn->piece, std::string_view(before).substr(0, part.size), after);
         if (!waitFor(turn->number, isTelling) || !copyUntil(part.start, isTelling) || !put(after.text())) {
             return;
         }
-        m_done = part.start + part.size;
+        m_done = turn->isLast ? part.start + part.size : part.start;
         m_share = static_cast<double>(m_done) / static_cast<double>(m_index.size);
         {
             const std::lock_guard lock(m_mutex);

@@ -28,9 +28,11 @@ public:
     [[nodiscard]] bool couldNotRead() const { return m_couldNotRead; }
 
 private:
-    /// A part that is rewritten, and how many of these come before it.
+    /// A piece of a part that is rewritten, and how many of these come before it.
     struct Turn {
         std::size_t part = 0;
+        std::size_t piece = 0;
+        bool isLast = false;  ///< of its part
         std::size_t number = 0;
     };
     void work(bool isTelling);
@@ -51,9 +53,10 @@ private:
     std::mutex m_mutex;
     std::condition_variable m_ended;  // a turn, or all
     std::size_t m_nextPart = 0;
-    std::size_t m_taken = 0;  // turns
-    std::size_t m_turn = 0;   // that may write now
-    int m_reason = 0;         // errno; 0: all is well
+    std::size_t m_nextPiece = 0;  // of it
+    std::size_t m_taken = 0;      // turns
+    std::size_t m_turn = 0;       // that may write now
+    int m_reason = 0;             // errno; 0: all is well
 
     // Of whoever's turn it is:
     std::uint64_t m_done = 0;     // bytes of the source

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <new>
 
+#include "core/give_up.h"
 #include "io/export_names.h"
 #include "io/writers/line_segments.h"
 #include "io/writers/ply_copy.h"
@@ -14,6 +15,7 @@ namespace {
 std::vector<std::uint32_t> onePerVertex(const MeshData& mesh, const std::vector<std::uint32_t>& corners) {
     std::vector<std::uint32_t> values(mesh.positions.size(), kNoIndex);
     for (std::size_t c = 0; c < corners.size(); ++c) {
+        mayGiveUp(c);
         std::uint32_t& value = values[mesh.cornerVertices[c]];
         if (corners[c] == kNoIndex || (value != kNoIndex && value != corners[c])) {
             return {};
@@ -27,6 +29,7 @@ std::vector<std::uint32_t> onePerVertex(const MeshData& mesh, const std::vector<
 std::vector<std::uint32_t> oneNormalPerVertex(const MeshData& mesh, std::span<const glm::vec3> normals) {
     std::vector<std::uint32_t> first(mesh.positions.size(), kNoIndex);
     for (std::size_t c = 0; c < normals.size(); ++c) {
+        mayGiveUp(c);
         std::uint32_t& corner = first[mesh.cornerVertices[c]];
         corner = corner == kNoIndex ? static_cast<std::uint32_t>(c) : corner;
         if (!sameBits(normals[corner], normals[c])) {

@@ -9,6 +9,7 @@
 #include <new>
 #include <optional>
 
+#include "core/give_up.h"
 #include "core/parallel.h"
 #include "deform/effects.h"
 #include "io/check/written_check.h"
@@ -102,6 +103,7 @@ bool Gathered::stepsLeadToShown() const {
         std::vector<glm::vec3> end = target.original->positions;
         for (const MorphStep& step : m_steps[t]) {
             for (const MovedVertex& moved : step.moved) {
+                mayGiveUp(moved.vertex);
                 end[moved.vertex] = moved.position;
             }
         }
@@ -116,7 +118,9 @@ Status Gathered::gather(const GoOn& goOn, const QString& path) {
     for (const TargetExport& target : m_what.targets) {
         One& one = m_targets.emplace_back();
         if (hasNormals(target) && (isMerged() || m_what.options.format != ExportFormat::Obj)) {
+            one.normals.reserve(target.render->cornerRenderVertices.size());
             for (const std::uint32_t vertex : target.render->cornerRenderVertices) {
+                mayGiveUp(one.normals.size());
                 one.normals.push_back(target.normals[vertex]);
             }
         }
@@ -253,10 +257,15 @@ Result<ExportReport> write(const SceneExport& what, const QString& path, const G
         const bool isObj = what.options.format == ExportFormat::Obj;
         const WrittenNormals normals{isObj ? gathered.normals() : CornerNormalView{mesh.normals, {}},
                                      what.options.allNormals};
-        if (const Status same = verifyWritten(path, mesh, normals); !same) {
-            return same.error();
+        try {
+            if (const Status same = verifyWritten(path, mesh, normals, within(goOn, end, 1.0)); !same) {
+                return same.error();
+            }
+            report.wasReadBack = true;
+        } catch (const GivenUp&) {
+            report.notes += QCoreApplication::translate(
+                "Export", "The check was cancelled: the file is written, but was not read back.");
         }
-        report.wasReadBack = true;
     }
     return report;
 }
@@ -299,8 +308,18 @@ SceneExport copyForExport(const Session& session, std::span<const Target* const>
 }
 
 Result<ExportReport> writeExport(const SceneExport& what, const QString& path, const GoOn& goOn) {
+    double done = 0.0;
+    const GoOn told = goOn ? GoOn([&goOn, &done](double share) {
+        done = share;
+        return goOn(share);
+    })
+                           : GoOn();
+    const std::function<bool()> isWanted = [&goOn, &done] { return !goOn || goOn(done); };
+    const GiveUpScope watched(isWanted);
     try {
-        return write(what, path, goOn);
+        return write(what, path, told);
+    } catch (const GivenUp&) {
+        return givenUp(path);
     } catch (const std::bad_alloc&) {
         return Error{"There is not enough memory to write the mesh.", path.toStdString(),
                      "Close other programs."};
