@@ -3,11 +3,13 @@
 
 #include <QFileInfo>
 #include <QTimer>
+#include <atomic>
 #include <iterator>
 #include <optional>
 #include <utility>
 
 #include "analysis/beside.h"
+#include "core/give_up.h"
 #include "session/task_list.h"
 
 namespace hitscope {
@@ -25,6 +27,18 @@ struct SceneFiles::Work {
     std::optional<Error> firstError;
     std::optional<ScenePlan> made;  ///< by the other thread, last
     ScenePlan scene;
+    std::atomic<bool> isCancelled = false;
+
+    /// On the other thread. Given up, there is nothing made.
+    void make(const std::function<ScenePlan()>& how) {
+        const std::function<bool()> isWanted = [this] { return !isCancelled; };
+        const GiveUpScope watched(isWanted, GiveUpScope::Asked::Anywhere);
+        try {
+            made = how();
+        } catch (const GivenUp&) {
+            made.reset();
+        }
+    }
 };
 
 namespace {
@@ -57,7 +71,11 @@ SceneFiles::SceneFiles(Session& session, QObject* parent) : QObject(parent), m_s
     connect(this, &SceneFiles::ended, this, [this] { m_progress.reset(); });
 }
 
-SceneFiles::~SceneFiles() = default;
+SceneFiles::~SceneFiles() {
+    if (m_work) {
+        m_work->isCancelled = true;
+    }
+}
 
 void SceneFiles::say(double fraction, const QString& doing) {
     if (m_progress) {
@@ -194,7 +212,7 @@ void SceneFiles::leaveOut(const Error& error) {
 /// Adds what `make` makes to the work's scene and calls `then`, unless the work was given up.
 void SceneFiles::runElsewhere(const std::function<ScenePlan()>& make, const std::function<void()>& then) {
     workBeside(
-        this, [work = m_work, make] { work->made = make(); },
+        this, [work = m_work, make] { work->make(make); },
         [work = m_work, then](SceneFiles& self, bool) { self.takeMade(work, then); });
 }
 
@@ -256,6 +274,9 @@ void SceneFiles::fail(const Error& error) {
 }
 
 void SceneFiles::end() {
+    if (m_work) {
+        m_work->isCancelled = true;  // who still works for it may stop
+    }
     m_work.reset();
     Q_EMIT ended();
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/beside.h"
+#include "core/give_up.h"
 #include "document/session_file.h"
 #include "session/frame_costs.h"
 #include "session/session.h"
@@ -25,6 +26,25 @@ struct SessionFiles::Work {
     std::atomic<bool> cancelled = false;
     Status status = Done{};
     PreparedSession prepared;
+
+    /// On the other thread.
+    void prepare(const std::function<void(double, const QString&)>& report) {
+        if (!isRead) {
+            Result<SessionDocument> read = readSessionFile(path);
+            if (!read) {
+                status = read.error();
+                return;
+            }
+            document = std::move(read.value());
+            isRead = true;
+        }
+        Result<PreparedSession> made = prepareSession(document, places, {report, &cancelled});
+        if (made) {
+            prepared = std::move(made.value());
+        } else {
+            status = made.error();
+        }
+    }
 };
 
 namespace {
@@ -155,21 +175,12 @@ void SessionFiles::prepare() {
     workBeside(
         this,
         [work = m_work, report] {
-            if (!work->isRead) {
-                Result<SessionDocument> document = readSessionFile(work->path);
-                if (!document) {
-                    work->status = document.error();
-                    return;
-                }
-                work->document = std::move(document.value());
-                work->isRead = true;
-            }
-            Result<PreparedSession> prepared =
-                prepareSession(work->document, work->places, {report, &work->cancelled});
-            if (prepared) {
-                work->prepared = std::move(prepared.value());
-            } else {
-                work->status = prepared.error();
+            const std::function<bool()> isWanted = [&work] { return !work->cancelled; };
+            const GiveUpScope watched(isWanted, GiveUpScope::Asked::Anywhere);
+            try {
+                work->prepare(report);
+            } catch (const GivenUp&) {
+                work->status = Error{"Opening the session was cancelled.", "", ""};
             }
         },
         [work = m_work](SessionFiles& self, bool done) { self.take(work, done); });

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <utility>
-
-#include "core/parallel.h"
 
 namespace hitscope {
 
@@ -18,20 +17,34 @@ struct GivenUp {};
 /// a thread counts.
 class GiveUpScope {
 public:
-    /// goOn: false ends the work; called on this thread, often. Outlives the scope.
-    explicit GiveUpScope(const std::function<bool()>& goOn)
-        : m_goOn(goOn), m_outer(std::exchange(s_latest, this)) {}
+    /// Who may ask: this thread, or also those that help it (parallel.h).
+    enum class Asked : std::uint8_t { Here, Anywhere };
+
+    /// goOn: false ends the work; called often. Outlives the scope.
+    explicit GiveUpScope(const std::function<bool()>& goOn, Asked asked = Asked::Here)
+        : m_goOn(&goOn), m_asked(asked), m_outer(std::exchange(s_latest, this)) {}
+    /// On a thread that helps: of the thread that it helps, as forHelpers() gives it.
+    explicit GiveUpScope(const GiveUpScope* helped)
+        : m_goOn(helped != nullptr ? helped->m_goOn : nullptr),
+          m_asked(Asked::Anywhere),
+          m_outer(std::exchange(s_latest, this)) {}
     ~GiveUpScope() { s_latest = m_outer; }
     GiveUpScope(const GiveUpScope&) = delete;
     GiveUpScope& operator=(const GiveUpScope&) = delete;
 
     /// Whether the work of this thread is to end; false where nobody can end it.
     [[nodiscard]] static bool isGivenUp() {
-        return s_latest != nullptr && s_latest->m_goOn && !s_latest->m_goOn();
+        return s_latest != nullptr && s_latest->m_goOn != nullptr && *s_latest->m_goOn &&
+               !(*s_latest->m_goOn)();
+    }
+    /// This thread's, if others may ask it.
+    [[nodiscard]] static const GiveUpScope* forHelpers() {
+        return s_latest != nullptr && s_latest->m_asked == Asked::Anywhere ? s_latest : nullptr;
     }
 
 private:
-    const std::function<bool()>& m_goOn;
+    const std::function<bool()>* m_goOn;
+    Asked m_asked;
     GiveUpScope* m_outer;
     static inline thread_local GiveUpScope* s_latest = nullptr;
 };
@@ -49,18 +62,6 @@ inline constexpr std::size_t kStepsBetweenLooks = 65536;  ///< vertices, faces o
 inline void mayGiveUp(std::size_t step, std::size_t between = kStepsBetweenLooks) {
     if (step % between == 0) {
         mayGiveUp();
-    }
-}
-
-/// As inParts(), with looks in between. Threads that help ask nobody, so each has little to do at once.
-template <class Work>
-void inWatchedParts(std::size_t count, std::size_t least, const Work& work) {
-    constexpr std::size_t kPartsAtOnce = 8;
-    const std::size_t most = kPartsAtOnce * std::max<std::size_t>(least, 1);
-    for (std::size_t first = 0; first < count; first += most) {
-        mayGiveUp();
-        inParts(std::min(most, count - first), least,
-                [&work, first](std::size_t begin, std::size_t end) { work(first + begin, first + end); });
     }
 }
 

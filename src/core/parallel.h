@@ -8,6 +8,8 @@
 #include <system_error>
 #include <thread>
 
+#include "core/give_up.h"
+
 namespace hitscope {
 
 /// For tests: as if there were so many processors; 0: those that there are.
@@ -31,7 +33,8 @@ void bothAtOnce(const A& a, const B& b) {
         std::jthread helper;
         bool started = true;
         try {
-            helper = std::jthread([&a, &thrown] {
+            helper = std::jthread([&a, &thrown, helped = GiveUpScope::forHelpers()] {
+                const GiveUpScope scope(helped);
                 try {
                     a();
                 } catch (...) {
@@ -74,6 +77,19 @@ void inParts(std::size_t count, std::size_t least, const Work& work) {
     const std::size_t parts =
         std::clamp<std::size_t>(count / std::max<std::size_t>(least, 1), 1, usefulThreads());
     forEachAtOnce(parts, [&](std::size_t part) { work(count * part / parts, count * (part + 1) / parts); });
+}
+
+/// As inParts(), with looks in between. Threads that help may ask nobody, so each has little
+/// to do at once.
+template <class Work>
+void inWatchedParts(std::size_t count, std::size_t least, const Work& work) {
+    constexpr std::size_t kPartsAtOnce = 8;
+    const std::size_t most = kPartsAtOnce * std::max<std::size_t>(least, 1);
+    for (std::size_t first = 0; first < count; first += most) {
+        mayGiveUp();
+        inParts(std::min(most, count - first), least,
+                [&work, first](std::size_t begin, std::size_t end) { work(first + begin, first + end); });
+    }
 }
 
 }  // namespace hitscope

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/give_up.h"
 #include "mesh/render_mesh.h"
 
 namespace hitscope {
@@ -12,6 +13,7 @@ ClusterRuns::ClusterRuns(std::span<const DynamicVertex> vertices, std::span<cons
     std::vector<std::size_t> knownTo;  // by cluster: one more than the last run with a corner there
     const auto addRange = [&](std::size_t first, std::size_t end) {
         for (std::size_t element = first; element < end; element += corners) {
+            mayGiveUp(element / corners);
             const std::span<const std::uint32_t> ends = indices.subspan(element, corners);
             const auto [lowest, highest] = std::minmax_element(ends.begin(), ends.end());
             // All clusters but the last are full.

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/give_up.h"
+
 namespace hitscope {
 namespace {
 
@@ -45,6 +47,7 @@ private:
         m_indices.clear();
         m_indices.reserve(indices.size());
         for (const std::uint32_t vertex : indices) {
+            mayGiveUp(m_indices.size());
             if (m_placeOf[vertex] == kNoIndex) {
                 m_placeOf[vertex] = static_cast<std::uint32_t>(m_vertices.size());
                 m_vertices.push_back(vertex);
@@ -54,6 +57,7 @@ private:
         }
         m_normals.assign(m_positions.size(), glm::vec3(0.0f));
         for (std::size_t i = 0; i + 2 < m_indices.size(); i += 3) {
+            mayGiveUp(i / 3);
             const glm::vec3 normal = normalOf(&m_indices[i]);
             for (std::size_t corner = i; corner < i + 3; ++corner) {
                 m_normals[m_indices[corner]] += normal;

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/give_up.h"
+#include "core/parallel.h"
 #include "mesh/triangulate.h"
 
 namespace hitscope {

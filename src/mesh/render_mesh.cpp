@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/give_up.h"
 #include "core/memory.h"
 #include "core/parallel.h"
 #include "mesh/corner_normals.h"
@@ -62,6 +63,7 @@ VertexRun makeRun(const MeshData& mesh, const VertexCorners& vertexCorners, std:
     run.fileVertices.reserve(end - begin);
     std::vector<std::pair<decltype(attributes.key(0)), std::uint32_t>> sorted;
     for (std::size_t v = begin; v < end; ++v) {
+        mayGiveUp(v);
         sorted.clear();
         bool isOne = true;
         for (const std::uint32_t corner : vertexCorners.of(v)) {
@@ -104,6 +106,7 @@ void makeVertices(const MeshData& mesh, const VertexCorners& vertexCorners,
         render.fileVertices.insert(render.fileVertices.end(), run.fileVertices.begin(),
                                    run.fileVertices.end());
         for (std::size_t v = count * part / parts; v < count * (part + 1) / parts; ++v) {
+            mayGiveUp(v);
             for (const std::uint32_t corner : vertexCorners.of(v)) {
                 render.cornerRenderVertices[corner] += before;
             }
@@ -111,6 +114,7 @@ void makeVertices(const MeshData& mesh, const VertexCorners& vertexCorners,
     }
     render.drawnVertices = static_cast<std::uint32_t>(render.vertices.size());
     for (std::size_t v = 0; v < count; ++v) {
+        mayGiveUp(v);
         if (vertexCorners.of(v).empty()) {
             render.vertices.push_back({mesh.positions[v], glm::vec3(0.0f)});
             render.texcoords.emplace_back(0.0f);
@@ -124,6 +128,7 @@ std::vector<T> permuted(const std::vector<T>& values, std::span<const std::uint3
     std::vector<T> result;
     result.reserve(values.size());
     for (const std::uint32_t index : order) {
+        mayGiveUp(result.size());
         result.push_back(values[index]);
     }
     return result;
@@ -167,10 +172,12 @@ void orderVertices(RenderMesh& render) {
 
     std::vector<std::uint32_t> placeOf(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
+        mayGiveUp(i);
         placeOf[order[i]] = static_cast<std::uint32_t>(i);
     }
-    for (std::uint32_t& vertex : render.cornerRenderVertices) {
-        vertex = placeOf[vertex];
+    for (std::size_t c = 0; c < render.cornerRenderVertices.size(); ++c) {
+        mayGiveUp(c);
+        render.cornerRenderVertices[c] = placeOf[render.cornerRenderVertices[c]];
     }
 }
 
@@ -184,6 +191,7 @@ void makeFileVertexMap(const MeshData& mesh, RenderMesh& render) {
     std::vector<std::uint32_t> next(render.fileVertexStarts.begin(), render.fileVertexStarts.end() - 1);
     render.fileVertexRender.resize(render.fileVertices.size());
     for (std::size_t i = 0; i < render.fileVertices.size(); ++i) {
+        mayGiveUp(i);
         render.fileVertexRender[next[render.fileVertices[i]]++] = static_cast<std::uint32_t>(i);
     }
 }
@@ -203,6 +211,7 @@ void cutFaces(const MeshData& mesh, const RenderMesh& render, std::size_t begin,
               Triangulator& triangulator, FileTriangles& triangles) {
     std::vector<std::uint32_t> corners;
     for (std::size_t f = begin; f < end; ++f) {
+        mayGiveUp(f);
         corners.clear();
         triangulator.triangulate(mesh.positions, mesh.face(f), corners);
         const std::size_t first = mesh.faceStarts[f] - 2 * f;
@@ -242,7 +251,9 @@ std::vector<std::uint32_t> sortedBy(const std::vector<std::uint32_t>& order, std
     }
     std::partial_sum(starts.begin(), starts.end(), starts.begin());
     std::vector<std::uint32_t> sorted(order.size());
+    std::size_t done = 0;
     for (const std::uint32_t index : order) {
+        mayGiveUp(done++);
         sorted[starts[key(index)]++] = index;
     }
     return sorted;
@@ -266,6 +277,7 @@ void makeTriangles(const MeshData& mesh, RenderMesh& render) {
     render.triangles.reserve(file.corners.size());
     render.triangleFaces.reserve(file.faces.size());
     for (const std::uint32_t t : order) {
+        mayGiveUp(render.triangleFaces.size());
         const std::uint32_t material = materialOf(mesh, file.faces[t]);
         if (render.draws.empty() || render.draws.back().material != material) {
             render.draws.push_back({static_cast<std::uint32_t>(render.triangles.size()), 0, material});
@@ -285,6 +297,7 @@ std::vector<std::uint32_t> edgesOf(const MeshData& mesh, const VertexCorners& ve
     std::vector<std::uint32_t> edges;
     std::vector<std::uint32_t> neighbours;
     for (auto r = static_cast<std::uint32_t>(begin); r < end; ++r) {
+        mayGiveUp(r);
         const std::uint32_t v = render.fileVertices[r];
         if (render.renderVerticesOf(v).front() != r) {
             continue;
@@ -314,6 +327,7 @@ std::vector<std::uint32_t> edgesOf(const MeshData& mesh, const VertexCorners& ve
 void makeEdges(const MeshData& mesh, const VertexCorners& vertexCorners, RenderMesh& render) {
     std::vector<std::uint32_t> faceOfCorner(mesh.cornerVertices.size());
     for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        mayGiveUp(f);
         std::fill(faceOfCorner.begin() + mesh.faceStarts[f], faceOfCorner.begin() + mesh.faceStarts[f + 1],
                   static_cast<std::uint32_t>(f));
     }

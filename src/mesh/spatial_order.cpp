@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/give_up.h"
 #include "core/parallel.h"
 
 namespace hitscope {
@@ -35,6 +36,9 @@ void split(std::span<Point> points, std::size_t threads) {
                   [](const Point& a, const Point& b) { return a.index < b.index; });
         return;
     }
+    if (points.size() > kStepsBetweenLooks) {
+        mayGiveUp();
+    }
     // The cut is at a multiple of the cluster size: each run of that size stays together.
     const std::size_t clusters = (points.size() + kClusterVertices - 1) / kClusterVertices;
     const std::size_t half = clusters / 2 * kClusterVertices;
@@ -59,6 +63,7 @@ std::vector<std::uint32_t> spatialOrder(std::span<const glm::vec3> points) {
     std::vector<Point> sorted;
     sorted.reserve(points.size());
     for (const glm::vec3& point : points) {
+        mayGiveUp(sorted.size());
         sorted.push_back({point, static_cast<std::uint32_t>(sorted.size())});
     }
     split(sorted, usefulThreads());

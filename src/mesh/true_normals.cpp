@@ -8,6 +8,7 @@
 #include <thread>
 #include <tuple>
 
+#include "core/give_up.h"
 #include "mesh/triangulate.h"
 
 namespace hitscope {
@@ -110,6 +111,7 @@ void TrueNormals::Groups::groupRenderVertices() {
     m_vertexStarts.reserve(vertices + 1);
     m_vertexStarts.push_back(0);
     for (std::uint32_t v = 0; v < vertices; ++v) {
+        mayGiveUp(v);
         const std::uint32_t first = render->fileVertexStarts[v];
         const std::uint32_t end = render->fileVertexStarts[v + 1];
         const auto around = std::span(m_renderVertices).subspan(first, end - first);
@@ -144,8 +146,9 @@ void TrueNormals::Groups::groupFaces() {
     const std::vector<std::uint32_t>& corners = render->cornerRenderVertices;
     std::vector<std::uint32_t>& starts = faceStarts;
     starts.assign(std::size_t{count()} + 2, 0);
-    for (const std::uint32_t renderVertex : corners) {
-        ++starts[groupOf[renderVertex] + 2];
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+        mayGiveUp(c);
+        ++starts[groupOf[corners[c]] + 2];
     }
     for (std::size_t group = 2; group < starts.size(); ++group) {
         starts[group] += starts[group - 1];
@@ -153,6 +156,7 @@ void TrueNormals::Groups::groupFaces() {
     // Each start moves to the end of its run, where the next one starts.
     faces.resize(corners.size());
     for (std::size_t f = 0; f < mesh->faceCount(); ++f) {
+        mayGiveUp(f);
         for (std::size_t c = mesh->faceStarts[f]; c < mesh->faceStarts[f + 1]; ++c) {
             faces[starts[groupOf[corners[c]] + 1]++] = static_cast<std::uint32_t>(f);
         }

@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "core/finite.h"
+#include "core/give_up.h"
 #include "core/parallel.h"
 #include "physics/triangle_tree.h"
 
@@ -13,6 +14,7 @@ namespace {
 
 constexpr std::size_t kTrianglesAThread = 16384;  // fewer are done sooner than a thread is started
 constexpr std::size_t kLeavesAThread = 512;
+constexpr std::size_t kBetween = 4096;  // triangles or leaves: looks whether to go on
 
 struct Item {
     glm::vec3 centre;
@@ -23,6 +25,7 @@ std::vector<Item> itemsOf(std::span<const glm::vec3> vertices, std::span<const s
     std::vector<Item> items;
     items.reserve(corners.size() / 3);
     for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+        mayGiveUp(i / 3);
         const std::uint32_t* c = &corners[i];
         if (std::max({c[0], c[1], c[2]}) >= vertices.size()) {
             continue;
@@ -80,6 +83,9 @@ struct TriangleTree::Builder {
             arrange(part);
             makeLeaf(node, start.item);
             return start.node + 1;
+        }
+        if (count > kBetween) {
+            mayGiveUp();
         }
         const std::size_t half = count / 2;
         split(part, half);
@@ -163,6 +169,7 @@ struct TriangleTree::Builder {
         forEachPart([&](std::size_t part) {
             Places places{};
             for (std::size_t leaf = endOf(part); leaf < endOf(part + 1); ++leaf) {
+                mayGiveUp(leaf, kBetween);
                 nameVertices(leaf, named[part], places);
             }
         });

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "core/give_up.h"
 #include "core/memory.h"
 #include "core/parallel.h"
 
@@ -48,6 +49,7 @@ std::string sha256Of(QFile& file) {
     bool good = hash && EVP_DigestInit_ex(hash.get(), EVP_sha256(), nullptr) == 1;
     std::vector<char> piece(std::size_t{1} << 20);
     while (good && !file.atEnd()) {
+        mayGiveUp();
         const qint64 count = file.read(piece.data(), static_cast<qint64>(piece.size()));
         good = count > 0 && EVP_DigestUpdate(hash.get(), piece.data(), static_cast<std::size_t>(count)) == 1;
     }

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/give_up.h"
 
+#include <QScopeGuard>
 #include <QTest>
+#include <atomic>
 #include <random>
+#include <thread>
 #include <vector>
 
+#include "core/parallel.h"
+#include "mesh/primitives.h"
+#include "session/target_plan.h"
 #include "support/test_program.h"
 
 namespace hitscope::give_up_test {
@@ -28,6 +34,60 @@ private Q_SLOTS:
             mayGiveUp();
         }
         QVERIFY_EXCEPTION_THROWN(mayGiveUp(), GivenUp);
+    }
+
+    void helpersAskWhereTheyMay() {
+        std::atomic<bool> stop = false;
+        const std::function<bool()> isWanted = [&stop] { return !stop; };
+        for (const GiveUpScope::Asked asked : {GiveUpScope::Asked::Here, GiveUpScope::Asked::Anywhere}) {
+            stop = false;
+            bool isThrown = false;
+            bool isHelperDone = false;
+            const GiveUpScope scope(isWanted, asked);
+            try {
+                bothAtOnce(
+                    [&] {
+                        while (!stop) {
+                            std::this_thread::yield();
+                        }
+                        mayGiveUp();
+                        isHelperDone = true;
+                    },
+                    [&stop] { stop = true; });
+            } catch (const GivenUp&) {
+                isThrown = true;
+            }
+            QCOMPARE(isThrown, asked == GiveUpScope::Asked::Anywhere);
+            QCOMPARE(isHelperDone, asked == GiveUpScope::Asked::Here);
+        }
+    }
+
+    /// Each stage of making a mesh ready looks: given up at any look, it ends there.
+    void aMeshIsGivenUpAtAnyLook() {
+        constexpr int kSegments = 120;  // 345,600 corners
+        pretendedProcessors() = 1;      // all looks are this thread's
+        const auto all = qScopeGuard([] { pretendedProcessors() = 0; });
+        int looks = 0;
+        const std::function<bool()> count = [&looks] {
+            ++looks;
+            return true;
+        };
+        {
+            const GiveUpScope scope(count);
+            QVERIFY(planMesh(makeCube(kSegments, 1.0f)).shape.render != nullptr);
+        }
+        QVERIFY2(looks >= 70, qPrintable(QString::number(looks)));
+        for (int part = 0; part < 20; ++part) {
+            std::atomic<int> left = looks * part / 20;
+            std::atomic<int> after = 0;
+            const std::function<bool()> isWanted = [&left, &after] {
+                after += left < 0 ? 1 : 0;
+                return --left >= 0;
+            };
+            const GiveUpScope scope(isWanted);
+            QVERIFY_EXCEPTION_THROWN(static_cast<void>(planMesh(makeCube(kSegments, 1.0f))), GivenUp);
+            QCOMPARE(after.load(), 0);
+        }
     }
 
     void partsAndSortingLookInBetween() {

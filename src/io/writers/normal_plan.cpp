@@ -10,6 +10,7 @@
 
 #include "core/finite.h"
 #include "core/give_up.h"
+#include "core/parallel.h"
 #include "io/welder.h"
 #include "mesh/same_bits.h"
 
