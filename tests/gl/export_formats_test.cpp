@@ -188,21 +188,21 @@ void ExportFormatsTest::whatIsNotAsMeantIsSaid() {
     QVERIFY(!written.ok());
 }
 
-// Between two questions whether to go on there is at most so much work: each format goes through a number of
-// corners that does not depend on the machine, and asks again and again meanwhile.
+// How soon an export ends cannot depend on the machine in a test. Each pass over a mesh asks every 65,536
+// vertices, faces or corners whether to go on: a pass that did not would be missing from the number of looks.
 void ExportFormatsTest::endsSoonWhereNobodyWantsIt_data() {
     QTest::addColumn<int>("format");
     QTest::addColumn<int>("least");
     const auto row = [](ExportFormat format, int least) {
         QTest::newRow(traitsOf(format).key) << static_cast<int>(format) << least;
     };
-    row(ExportFormat::Obj, 95);
-    row(ExportFormat::Ply, 90);
-    row(ExportFormat::PlyAscii, 92);
-    row(ExportFormat::Stl, 48);
-    row(ExportFormat::Glb, 450);
-    row(ExportFormat::Gltf, 450);
-    row(ExportFormat::Csv, 48);
+    row(ExportFormat::Obj, 39);
+    row(ExportFormat::Ply, 34);
+    row(ExportFormat::PlyAscii, 36);
+    row(ExportFormat::Stl, 19);
+    row(ExportFormat::Glb, 156);
+    row(ExportFormat::Gltf, 158);
+    row(ExportFormat::Csv, 20);
 }
 
 void ExportFormatsTest::endsSoonWhereNobodyWantsIt() {
@@ -226,14 +226,20 @@ void ExportFormatsTest::endsSoonWhereNobodyWantsIt() {
     const QString file = path(QStringLiteral("cube.") + QLatin1String(traitsOf(options.format).suffix));
     QFile::remove(file);
     int questions = 0;
-    int last = 0;  // while the file is not there yet
-    const auto count = [&](double) {
-        last = QFile::exists(file) ? last : questions;
+    int last = 0;   // while the file is not there yet
+    int looks = 0;  // of those that are not a writer's, which each time is further
+    double done = -1.0;
+    const auto count = [&](double share) {
+        if (!QFile::exists(file)) {
+            last = questions;
+            looks += share == done ? 1 : 0;
+        }
+        done = share;
         ++questions;
         return true;
     };
     QVERIFY(writeExport(what, file, count));
-    QVERIFY2(last >= least, qPrintable(QString::number(last)));
+    QVERIFY2(looks >= least, qPrintable(QString::number(looks)));
     for (int part = 0; part < 12; ++part) {
         QFile::remove(file);
         int left = last * part / 12;
