@@ -29,7 +29,7 @@ void MeshExporter::start(SceneExport what, const QString& name, const QString& p
                 it->isCancelled = true;
             }
         },
-        tr("Cancel the export; the file stays unchanged"));
+        tr("Cancel the export; an earlier file stays unless the new one is written already"));
     m_jobs.push_back(job);
     m_writer.start([this, job] { write(job); });
 }
