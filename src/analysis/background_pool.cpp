@@ -16,6 +16,8 @@ namespace {
 /// Threads have a share of a processor by this: next to one that does not give way, a tenth of it.
 [[maybe_unused]] constexpr int kNiceness = 10;
 
+}  // namespace
+
 void giveWay() {
 #ifdef Q_OS_LINUX
     // Of this thread, and of those that it starts. The whole program may give way by more already.
@@ -24,8 +26,6 @@ void giveWay() {
     Q_UNUSED(gives)
 #endif
 }
-
-}  // namespace
 
 QThreadPool& backgroundPool() {
     static QThreadPool pool;

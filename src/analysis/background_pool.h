@@ -16,4 +16,8 @@ namespace hitscope {
 /// a picture that shares the processors with it as an equal takes twice as long, and events wait for it.
 void startInBackground(std::function<void()> job);
 
+/// From now on this thread, with those and the programs that it starts, works when the window needs no
+/// processor.
+void giveWay();
+
 }  // namespace hitscope

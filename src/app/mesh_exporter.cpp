@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/background_pool.h"
 #include "session/task_list.h"
 
 namespace hitscope {
@@ -37,6 +38,7 @@ void MeshExporter::start(SceneExport what, const QString& name, const QString& p
 /// On the other thread.
 void MeshExporter::write(const std::shared_ptr<Job>& job) {
     constexpr double kStep = 1.0e-3;  // of the progress that is told
+    giveWay();
     const auto goOn = [this, &job, told = -1.0](double fraction) mutable {
         if (std::abs(fraction - told) < kStep) {
             return !job->isCancelled;

@@ -152,7 +152,15 @@ void StatusLine::makeRoom() {
     }
     m_renderer->setVisible(!m_rendererName.isEmpty() &&
                            (!m_progress->isVisible() || wanted <= m_bar.width()));
-    // Now: the next turn of the event loop may draw for long, and new words would be cut off meanwhile.
+    layOut();
+    if (m_progress->isVisible() && m_doing->width() < m_doing->sizeHint().width()) {
+        m_renderer->hide();  // the bar's edges take some, too
+        layOut();
+    }
+}
+
+/// Now: the next turn of the event loop may draw for long, and new words would be cut off meanwhile.
+void StatusLine::layOut() {
     for (QLayout* layout : {m_progress->layout(), m_bar.layout()}) {
         layout->activate();
     }

@@ -33,6 +33,7 @@ private:
     void makeProgress();
     void showTask();
     void makeRoom();
+    void layOut();
     void showScene();
     void showTarget();
     void showHits();
