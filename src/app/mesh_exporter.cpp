@@ -39,19 +39,21 @@ void MeshExporter::start(SceneExport what, const QString& name, const QString& p
 void MeshExporter::write(const std::shared_ptr<Job>& job) {
     constexpr double kStep = 1.0e-3;  // of the progress that is told
     giveWay();
-    const auto goOn = [this, &job, told = -1.0](double fraction) mutable {
-        if (std::abs(fraction - told) < kStep) {
-            return !job->isCancelled;
+    const auto goOn = [this, &job, told = -1.0, said = QString()](double fraction,
+                                                                  const QString& doing) mutable {
+        if (std::abs(fraction - told) >= kStep || doing != said) {
+            told = fraction;
+            said = doing;
+            QMetaObject::invokeMethod(
+                this,
+                [job, fraction, doing] {
+                    if (job->progress) {
+                        job->progress->say(doing);
+                        job->progress->report(fraction);
+                    }
+                },
+                Qt::QueuedConnection);
         }
-        told = fraction;
-        QMetaObject::invokeMethod(
-            this,
-            [job, fraction] {
-                if (job->progress) {
-                    job->progress->report(fraction);
-                }
-            },
-            Qt::QueuedConnection);
         return !job->isCancelled;
     };
     const Result<ExportReport> written = writeExport(job->what, job->path, goOn);

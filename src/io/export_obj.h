@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/result.h"
+#include "io/writers/export_step.h"
 #include "io/writers/normal_plan.h"
 #include "mesh/mesh_data.h"
 
@@ -23,10 +24,9 @@ struct ObjExport {
     CornerNormalView normals = {};         ///< of the deformed state; empty: those of the file, if it has any
     /// Whether corners that have no normal in the mesh's file are to get one.
     bool allNormals = false;
-    QString sourceFolder = {};  ///< where the textures' relative paths start; empty: none to copy
-    QString sourcePath = {};    ///< the OBJ file that the mesh was read from; empty: it was not
-    /// Called now and then with how much is done, [0, 1]; false gives the export up. May be empty.
-    std::function<bool(double)> goOn = {};
+    QString sourceFolder = {};              ///< where the textures' relative paths start; empty: none to copy
+    QString sourcePath = {};                ///< the OBJ file that the mesh was read from; empty: it was not
+    ExportGoOn goOn = {};                   ///< called now and then
     std::function<void()> beforeStep = {};  ///< StagedFiles' own; for tests
 };
 

@@ -91,7 +91,7 @@ bool ObjText::isGivenUp(std::size_t done) {
     constexpr std::size_t kBetween = 8192;
     if (!m_isGivenUp && m_what.goOn && done % kBetween == 0) {
         const std::size_t all = m_mesh.positions.size() + m_mesh.faceCount();
-        m_isGivenUp = !m_what.goOn(static_cast<double>(done) / static_cast<double>(all));
+        m_isGivenUp = !m_what.goOn(ExportStep::Writing, static_cast<double>(done) / static_cast<double>(all));
     }
     return m_isGivenUp;
 }
@@ -226,9 +226,12 @@ void ObjText::sayNew() {
 }
 
 std::string ObjText::format() {
-    constexpr std::size_t kVertexBytes = 36;  // typical lengths of lines
-    constexpr std::size_t kCornerBytes = 18;
-    m_text.reserve(kVertexBytes * m_mesh.positions.size() + kCornerBytes * m_mesh.cornerVertices.size());
+    // Long lines, with a normal for each vertex: a text that grows is copied, and nobody could end that.
+    constexpr std::size_t kVertexBytes = 64 + 40;
+    constexpr std::size_t kCornerBytes = 24;
+    constexpr std::size_t kTexcoordBytes = 28;
+    m_text.reserve(kVertexBytes * m_mesh.positions.size() + kCornerBytes * m_mesh.cornerVertices.size() +
+                   kTexcoordBytes * m_mesh.texcoords.size());
     m_text = "# Written by Hitscope " HITSCOPE_VERSION "\n";
     sayNew();
     for (const std::string& library : m_libraries) {
@@ -242,7 +245,7 @@ std::string ObjText::format() {
         faces();
         linesAndPoints();
     }
-    if (m_isGivenUp || (m_what.goOn && !m_what.goOn(1.0))) {
+    if (m_isGivenUp || (m_what.goOn && !m_what.goOn(ExportStep::Writing, 1.0))) {
         return {};
     }
     return std::move(m_text);

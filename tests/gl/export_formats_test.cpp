@@ -38,6 +38,9 @@ private Q_SLOTS:
     void stepsLeadToTheShapeShown();
     void hitsNotShownAreLeftOut();
     void whatIsNotAsMeantIsSaid();
+    void theProgressNamesEveryStep_data();
+    void theProgressNamesEveryStep();
+    void theSourceIsReadFirst();
     void endsSoonWhereNobodyWantsIt_data();
     void endsSoonWhereNobodyWantsIt();
 
@@ -45,6 +48,25 @@ private:
     [[nodiscard]] QString path(const QString& name) const { return m_folder.filePath(name); }
     [[nodiscard]] const Target& target(std::size_t index) const { return *m_session->targets()[index]; }
     [[nodiscard]] std::vector<const Target*> both() const { return {&target(0), &target(1)}; }
+    /// What progress says, each once in turn, of these targets; the share only grows, and goes on in each.
+    QStringList steps(const std::vector<const Target*>& targets, const QString& name,
+                      const ExportOptions& options) const {
+        QStringList steps;
+        double last = 0.0;
+        double first = 0.0;  // of the step
+        const auto told = [&](double share, const QString& doing) {
+            if (steps.isEmpty() || steps.back() != doing) {
+                steps << doing;
+                first = share;
+            }
+            steps += share < last || share > 1.0 ? QStringList(QStringLiteral("back")) : QStringList();
+            last = share;
+            return true;
+        };
+        const bool isWritten =
+            writeExport(copyForExport(*m_session, targets, options), path(name), told).ok();
+        return isWritten && first > 0.0 && last > first ? steps : QStringList();
+    }
     /// With several targets: all of them.
     Result<ExportReport> write(const std::vector<const Target*>& targets, const QString& name,
                                const ExportOptions& options) const {
@@ -188,6 +210,66 @@ void ExportFormatsTest::whatIsNotAsMeantIsSaid() {
     QVERIFY(!written.ok());
 }
 
+void ExportFormatsTest::theProgressNamesEveryStep_data() {
+    QTest::addColumn<QStringList>("before");
+    const QStringList counts{QStringLiteral("Counting hits for"), QStringLiteral("Preparing")};
+    const QStringList replays{QStringLiteral("Computing steps for"), QStringLiteral("Preparing")};
+    for (const char* const key : {"obj", "ply", "ply-ascii", "stl", "glb", "gltf", "csv"}) {
+        const QString name = QLatin1String(key);
+        QTest::newRow(key) << (name == QStringLiteral("obj")   ? QStringList()
+                               : name == QStringLiteral("stl") ? QStringList(QStringLiteral("Preparing"))
+                               : name.startsWith(QStringLiteral("gl")) ? replays
+                                                                       : counts);
+    }
+}
+
+void ExportFormatsTest::theProgressNamesEveryStep() {
+    QFETCH(QStringList, before);
+    const QByteArray key = QTest::currentDataTag();
+    const auto traits = std::find_if(exportFormats().begin(), exportFormats().end(),
+                                     [&key](const ExportFormatTraits& one) { return key == one.key; });
+    ExportOptions options;
+    options.format = traits->format;
+    options.steps = 3;
+    for (const bool isRead : {false, true}) {
+        options.readBack = isRead;
+        QStringList expected = before + QStringList(QStringLiteral("Writing"));
+        if (isRead && traits->format != ExportFormat::Csv) {
+            expected << QStringLiteral("Checking");
+        }
+        const QString name = QStringLiteral("told.") + QLatin1String(traits->suffix);
+        for (QString& step : expected) {
+            step += u' ' + name;
+        }
+        QCOMPARE(steps({&target(0)}, name, options), expected);
+        if (traits->format == ExportFormat::Obj) {
+            expected.prepend(QStringLiteral("Preparing ") + name);  // several are made one mesh
+        }
+        QCOMPARE(steps(both(), name, options), expected);
+    }
+}
+
+void ExportFormatsTest::theSourceIsReadFirst() {
+    for (const char* const suffix : {"obj", "ply"}) {
+        const QString name = QStringLiteral("source.") + QLatin1String(suffix);
+        ExportOptions options;
+        options.format = exportFormatOf(name).value();
+        QVERIFY(write({&target(0)}, name, options));
+        Session session;
+        loadMesh(session, read(name), path(name));
+        const Target* const copied = session.targets().front().get();
+        QStringList said;
+        QVERIFY(writeExport(copyForExport(session, {&copied, 1}, options),
+                            path(QStringLiteral("copy.") + QLatin1String(suffix)),
+                            [&said](double, const QString& doing) {
+                                said += doing;
+                                return true;
+                            }));
+        QVERIFY(said.contains(QStringLiteral("Reading ") + name));
+        QVERIFY(said.last().startsWith(QStringLiteral("Writing copy.")));
+    }
+}
+
 // How soon an export ends cannot depend on the machine in a test. Each pass over a mesh asks every 65,536
 // vertices, faces or corners whether to go on: a pass that did not would be missing from the number of looks.
 void ExportFormatsTest::endsSoonWhereNobodyWantsIt_data() {
@@ -200,8 +282,8 @@ void ExportFormatsTest::endsSoonWhereNobodyWantsIt_data() {
     row(ExportFormat::Ply, 34);
     row(ExportFormat::PlyAscii, 36);
     row(ExportFormat::Stl, 19);
-    row(ExportFormat::Glb, 156);
-    row(ExportFormat::Gltf, 158);
+    row(ExportFormat::Glb, 154);
+    row(ExportFormat::Gltf, 157);
     row(ExportFormat::Csv, 20);
 }
 
@@ -229,7 +311,7 @@ void ExportFormatsTest::endsSoonWhereNobodyWantsIt() {
     int last = 0;   // while the file is not there yet
     int looks = 0;  // of those that are not a writer's, which each time is further
     double done = -1.0;
-    const auto count = [&](double share) {
+    const auto count = [&](double share, const QString&) {
         if (!QFile::exists(file)) {
             last = questions;
             looks += share == done ? 1 : 0;
@@ -244,7 +326,7 @@ void ExportFormatsTest::endsSoonWhereNobodyWantsIt() {
         QFile::remove(file);
         int left = last * part / 12;
         int after = 0;
-        const Result<ExportReport> written = writeExport(what, file, [&left, &after](double) {
+        const Result<ExportReport> written = writeExport(what, file, [&left, &after](double, const QString&) {
             after += left < 0 ? 1 : 0;
             return --left >= 0;
         });

@@ -263,7 +263,7 @@ void SourceObjTest::noticesAChangeMeanwhile() {
     what.sourceFolder = folder;
     what.sourcePath = path;
     bool isChanged = false;
-    what.goOn = [&](double) {
+    what.goOn = [&](ExportStep, double) {
         if (!std::exchange(isChanged, true)) {
             writeFile(folder, QStringLiteral("mesh.obj"), std::string(kRich) + "# more\n");
         }
@@ -365,7 +365,7 @@ void SourceObjTest::canBeGivenUp() {
         ObjExport what = exportOf(mesh, mesh.positions);
         what.sourceFolder = folder;
         what.sourcePath = path;
-        what.goOn = [left = steps](double) mutable { return left-- > 0; };
+        what.goOn = [left = steps](ExportStep, double) mutable { return left-- > 0; };
         const Result<QStringList> written = exportObj(what, target);
         QVERIFY(!written.ok());
         QCOMPARE(written.error().what, std::string("The export was cancelled."));

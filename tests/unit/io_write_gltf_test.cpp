@@ -329,7 +329,7 @@ private Q_SLOTS:
             for (int looks = 0; looks < 3; ++looks) {
                 MeshExport what = scene.mesh.what();
                 int left = looks;
-                what.goOn = [&left](double) { return left-- > 0; };
+                what.goOn = [&left](ExportStep, double) { return left-- > 0; };
                 QVERIFY(
                     messageOf(exportGltf(what, scene.path(name), {})).contains(QStringLiteral("cancelled")));
             }

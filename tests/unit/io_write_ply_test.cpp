@@ -352,7 +352,9 @@ private Q_SLOTS:
         for (int looks = 0; looks < 6; ++looks) {
             MeshExport what = mesh.what();
             int left = looks;
-            what.goOn = [&left](double fraction) { return fraction >= 0.0 && fraction <= 1.0 && left-- > 0; };
+            what.goOn = [&left](ExportStep, double fraction) {
+                return fraction >= 0.0 && fraction <= 1.0 && left-- > 0;
+            };
             const Result<QStringList> written = exportPly(what, path, {});
             QVERIFY(!written);
             QVERIFY(messageOf(written).contains(QStringLiteral("cancelled")));

@@ -73,7 +73,7 @@ private Q_SLOTS:
         QTemporaryDir folder;
         DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.obj"), kPolygons));
         MeshExport what = mesh.what();
-        what.goOn = [](double fraction) { return fraction < 1.0; };
+        what.goOn = [](ExportStep, double fraction) { return fraction < 1.0; };
         const QString path = folder.filePath(QStringLiteral("b.stl"));
         QVERIFY(!exportStl(what, path, {}));
         QVERIFY(!QFileInfo::exists(path));

@@ -100,7 +100,8 @@ Status compareLoose(const MeshData& read, const MeshData& meant, bool hasPoints,
 
 /// The file's own vertices and faces, and what their surface has.
 Status compareMesh(const MeshData& read, const MeshExport& what, const WrittenNormals& normals,
-                   const QString& path) {
+                   const QString& path, const ExportGoOn& goOn) {
+    constexpr double kSurface = 0.4;  // is begun with so much behind it
     if (read.positions.size() != what.positions.size()) {
         return notAsMeant(path, counts("vertices", read.positions.size(), what.positions.size()));
     }
@@ -118,9 +119,11 @@ Status compareMesh(const MeshData& read, const MeshExport& what, const WrittenNo
         return same;
     }
     const bool isObj = suffix == QStringLiteral("obj");
-    std::optional<std::string> difference =
-        surfaceDifference(read, what, normals, isObj ? SurfaceFormat::Obj : SurfaceFormat::Ply,
-                          !isWhole(coordinateType(path, suffix, "nx")));
+    std::optional<std::string> difference = surfaceDifference(
+        read, what, normals, isObj ? SurfaceFormat::Obj : SurfaceFormat::Ply,
+        !isWhole(coordinateType(path, suffix, "nx")), [&goOn](ExportStep step, double share) {
+            return !goOn || goOn(step, kSurface + (1.0 - kSurface) * share);
+        });
     if (!difference) {
         difference = isObj ? materialDifference(read, what, path) : textureDifference(read, *what.mesh);
     }
@@ -154,11 +157,10 @@ Status verifyWritten(const QString& path, const MeshExport& what) {
 }
 
 Status verifyWritten(const QString& path, const MeshExport& what, const WrittenNormals& normals,
-                     const std::function<bool(double)>& goOn) {
-    constexpr double kReadShare = 0.8;
+                     const ExportGoOn& goOn) {
     const QString suffix = QFileInfo(path).suffix().toLower();
     if (suffix == QStringLiteral("glb") || suffix == QStringLiteral("gltf")) {
-        return verifyWrittenGltf(path, what);
+        return verifyWrittenGltf(path, what, goOn);
     }
     const bool isStl = suffix == QStringLiteral("stl");
     if (!isStl && suffix != QStringLiteral("obj") && suffix != QStringLiteral("ply")) {
@@ -166,14 +168,14 @@ Status verifyWritten(const QString& path, const MeshExport& what, const WrittenN
     }
     const Result<ImportedMesh> read = importMesh(path, {}, [&goOn](double share) {
         if (goOn) {
-            goOn(kReadShare * share);  // the scope of this thread ends it
+            goOn(ExportStep::Checking, share);  // the scope of this thread ends it
         }
     });
     if (!read) {
         return notAsMeant(path, "it cannot be read (" + read.error().what + ")");
     }
-    return isStl ? verifyWrittenStl(read.value().mesh, what, path)
-                 : compareMesh(read.value().mesh, what, normals, path);
+    return isStl ? verifyWrittenStl(read.value().mesh, what, path, goOn)
+                 : compareMesh(read.value().mesh, what, normals, path, goOn);
 }
 
 }  // namespace hitscope

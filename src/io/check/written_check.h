@@ -21,15 +21,16 @@ struct WrittenNormals {
 /// and materials, as far as the format holds them. OBJ, PLY and STL are read as any file that is opened
 /// (importMesh(), which needs a QCoreApplication); glTF with its morph targets: the original, "Deformed", and
 /// all steps together. The error names the first difference. `what` is in the file's frame as its writer got
-/// it; what a text of another suffix holds is not looked at. goOn: told how much is done, [0, 1]; throws
-/// GivenUp where the thread's GiveUpScope says so.
+/// it; what a text of another suffix holds is not looked at. goOn is told only: throws GivenUp where the
+/// thread's GiveUpScope says so.
 [[nodiscard]] Status verifyWritten(const QString& path, const MeshExport& what, const WrittenNormals& normals,
-                                   const std::function<bool(double)>& goOn = {});
+                                   const ExportGoOn& goOn = {});
 /// With what.normals.
 [[nodiscard]] Status verifyWritten(const QString& path, const MeshExport& what);
 
 /// The part of it for glTF and GLB.
-[[nodiscard]] Status verifyWrittenGltf(const QString& path, const MeshExport& what);
+[[nodiscard]] Status verifyWrittenGltf(const QString& path, const MeshExport& what,
+                                       const ExportGoOn& goOn = {});
 
 /// How an error about that file reads.
 [[nodiscard]] Error notAsMeant(const QString& path, const std::string& difference);

@@ -30,7 +30,7 @@ public:
         }
     }
 
-    void compare();
+    void compare(const ExportGoOn& goOn);
 
 private:
     void vertices(const ReadPrimitive& primitive);
@@ -40,7 +40,7 @@ private:
     ReadPrimitive& primitiveOf(std::size_t face);
     [[nodiscard]] std::uint32_t slotAt(const ReadPrimitive& primitive, std::size_t at, std::uint32_t vertex,
                                        const std::string& name) const;
-    void faces();
+    void faces(const ExportGoOn& goOn);
     void looseElements(std::size_t& next, std::size_t object, GltfPrimitive::Kind kind,
                        const std::vector<std::uint32_t>& meant) const;
     void allLoose() const;
@@ -173,11 +173,11 @@ std::uint32_t GltfComparison::slotAt(const ReadPrimitive& primitive, std::size_t
     return slot;
 }
 
-void GltfComparison::faces() {
+void GltfComparison::faces(const ExportGoOn& goOn) {
     Triangulator triangulator;
     std::vector<std::uint32_t> corners;
     for (std::size_t f = 0; f < m_mesh.faceCount(); ++f) {
-        mayGiveUp(f);
+        tellPart(goOn, ExportStep::Comparing, f, m_mesh.faceCount());
         ReadPrimitive& primitive = primitiveOf(f);
         corners.clear();
         triangulator.triangulate(m_mesh.positions, m_mesh.face(f), corners);
@@ -229,7 +229,7 @@ void GltfComparison::allLoose() const {
     }
 }
 
-void GltfComparison::compare() {
+void GltfComparison::compare(const ExportGoOn& goOn) {
     for (const std::vector<ReadPrimitive>* const list : {&m_read, &m_loose}) {
         for (const ReadPrimitive& primitive : *list) {
             vertices(primitive);
@@ -241,15 +241,20 @@ void GltfComparison::compare() {
             throw Difference{"vertex " + std::to_string(v + 1) + " is not there"};
         }
     }
-    faces();
+    faces(goOn);
     allLoose();
 }
 
 }  // namespace
 
-Status verifyWrittenGltf(const QString& path, const MeshExport& what) {
+Status verifyWrittenGltf(const QString& path, const MeshExport& what, const ExportGoOn& goOn) {
     try {
-        GltfComparison(what, readPrimitives(path)).compare();
+        const auto told = [&goOn](double share) {
+            if (goOn) {
+                goOn(ExportStep::Checking, share);
+            }
+        };
+        GltfComparison(what, readPrimitives(path, told)).compare(goOn);
     } catch (const Difference& difference) {
         return notAsMeant(path, difference.what);
     } catch (const std::bad_alloc&) {

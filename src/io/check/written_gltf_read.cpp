@@ -10,11 +10,131 @@
 #include <tiny_gltf.h>
 
 #include <QFile>
+#include <QFileInfo>
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <limits>
+
+#include "core/give_up.h"
 
 namespace hitscope {
 namespace {
+
+constexpr double kFileShare = 0.5;         // of reading; the rest is taking the numbers out of the buffer
+constexpr qint64 kPiece = 1 << 20;         // bytes read at once
+constexpr std::size_t kNumbers = 1 << 20;  // copied at once
+
+Difference cannotBeRead(const std::string& why) {
+    return {"it cannot be read (" + why + ")"};
+}
+
+/// A glTF or GLB file for tinygltf, which asks for its buffer as for a file of its own. It would read all at
+/// once otherwise, and nobody could end that.
+class GltfFile {
+public:
+    GltfFile(const QString& path, const std::function<void(double)>& told) : m_file(path), m_told(told) {
+        if (!m_file.open(QIODevice::ReadOnly)) {
+            throw cannotBeRead(m_file.errorString().toStdString());
+        }
+        m_isGlb = path.endsWith(QStringLiteral(".glb"), Qt::CaseInsensitive);
+    }
+
+    /// The JSON part; that of a GLB names its buffer.
+    [[nodiscard]] std::string json();
+    [[nodiscard]] tinygltf::FsCallbacks callbacks();
+
+private:
+    using Bytes = std::vector<unsigned char>;
+    struct Chunk {
+        std::uint32_t size = 0;
+        std::uint32_t type = 0;
+    };
+    static constexpr const char* kBuffer = "buffer of the GLB file";
+
+    [[nodiscard]] bool isBuffer(const std::string& name) const { return m_isGlb && name.ends_with(kBuffer); }
+    template <class Plain>
+    [[nodiscard]] Plain next() {
+        Plain value{};
+        if (m_file.read(reinterpret_cast<char*>(&value), sizeof value) != sizeof value) {
+            throw cannotBeRead("it ends too early");
+        }
+        return value;  // little endian
+    }
+    [[nodiscard]] std::string jsonOfGlb();
+    static bool read(QFile& file, qint64 size, Bytes& bytes, const std::function<void(double)>& told);
+
+    QFile m_file;
+    const std::function<void(double)>& m_told;
+    bool m_isGlb = false;
+    qint64 m_bufferSize = 0;  ///< of a GLB file, at the file's end
+};
+
+std::string GltfFile::json() {
+    return m_isGlb ? jsonOfGlb() : m_file.readAll().toStdString();
+}
+
+/// glTF 2.0, section 4.4.
+std::string GltfFile::jsonOfGlb() {
+    constexpr std::uint32_t kMagic = 0x46546C67;
+    constexpr std::uint32_t kJson = 0x4E4F534A;
+    constexpr std::uint32_t kBin = 0x004E4942;
+    const auto header = next<std::array<std::uint32_t, 3>>();
+    if (header[0] != kMagic || header[1] != 2 || header[2] != m_file.size()) {
+        throw cannotBeRead("its header is not that of a GLB file of its size");
+    }
+    const auto first = next<Chunk>();
+    std::string json = m_file.read(first.size).toStdString();
+    const auto second = next<Chunk>();
+    if (first.type != kJson || second.type != kBin || second.size != m_file.size() - m_file.pos()) {
+        throw cannotBeRead("its parts are not those of a GLB file");
+    }
+    m_bufferSize = second.size;
+    // As our writer puts it; no text can look like it, for the quotes.
+    const std::string_view buffers = R"("buffers":[{)";
+    const std::size_t at = json.find(buffers);
+    if (at == std::string::npos) {
+        throw cannotBeRead("it has no buffer");
+    }
+    return json.insert(at + buffers.size(), std::string(R"("uri":")") + kBuffer + R"(",)");
+}
+
+bool GltfFile::read(QFile& file, qint64 size, Bytes& bytes, const std::function<void(double)>& told) {
+    bytes.reserve(static_cast<std::size_t>(size));
+    for (qint64 left = size; left > 0;) {
+        mayGiveUp();
+        const qint64 piece = std::min(left, kPiece);
+        bytes.resize(bytes.size() + static_cast<std::size_t>(piece));
+        char* const to = reinterpret_cast<char*>(bytes.data() + bytes.size()) - piece;
+        if (file.read(to, piece) != piece) {
+            return false;
+        }
+        left -= piece;
+        told(kFileShare * static_cast<double>(size - left) / static_cast<double>(size));
+    }
+    return true;
+}
+
+tinygltf::FsCallbacks GltfFile::callbacks() {
+    tinygltf::FsCallbacks callbacks{};
+    callbacks.user_data = this;
+    callbacks.FileExists = [](const std::string& name, void* self) {
+        return static_cast<GltfFile*>(self)->isBuffer(name) ||
+               QFileInfo(QFile::decodeName(name.c_str())).isFile();
+    };
+    callbacks.ExpandFilePath = [](const std::string& name, void*) { return name; };
+    callbacks.ReadWholeFile = [](Bytes* bytes, std::string* error, const std::string& name, void* self) {
+        auto& glb = *static_cast<GltfFile*>(self);
+        QFile other(QFile::decodeName(name.c_str()));
+        const bool isBuffer = glb.isBuffer(name);
+        QFile& file = isBuffer ? glb.m_file : other;
+        const bool isRead = (isBuffer || file.open(QIODevice::ReadOnly)) &&
+                            read(file, isBuffer ? glb.m_bufferSize : file.size(), *bytes, glb.m_told);
+        *error += isRead ? std::string() : file.errorString().toStdString();
+        return isRead;
+    };
+    return callbacks;
+}
 
 /// Numbers of a glTF file's accessors. It is our own file, but the disk may have made anything of it.
 class Accessors {
@@ -29,6 +149,7 @@ public:
         const unsigned char* const from =
             bytes(accessor.bufferView, accessor.byteOffset, size * accessor.count);
         for (std::size_t i = 0; i < accessor.count; ++i) {
+            mayGiveUp(i);
             std::memcpy(&numbers[i], from + size * i, size);  // little endian
         }
         return numbers;
@@ -39,19 +160,28 @@ public:
         if (accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT) {
             throw Difference{"an accessor has no floats"};
         }
-        std::vector<float> numbers(accessor.count * components);
+        const std::size_t all = accessor.count * components;
+        std::vector<float> numbers;
+        numbers.reserve(all);
         const std::size_t size = sizeof(float) * components;
         if (accessor.bufferView >= 0) {
-            std::memcpy(numbers.data(),
-                        bytes(accessor.bufferView, accessor.byteOffset, size * accessor.count),
-                        size * accessor.count);
+            const unsigned char* const from =
+                bytes(accessor.bufferView, accessor.byteOffset, size * accessor.count);
+            for (std::size_t i = 0; i < all; i += kNumbers) {
+                mayGiveUp();
+                const std::size_t count = std::min(kNumbers, all - i);
+                numbers.resize(i + count);
+                std::memcpy(&numbers[i], from + sizeof(float) * i, sizeof(float) * count);
+            }
         }
+        numbers.resize(all);
         if (accessor.sparse.isSparse) {
             const auto count = static_cast<std::size_t>(std::max(accessor.sparse.count, 0));
             const unsigned char* const slots =
                 bytes(accessor.sparse.indices.bufferView, 0, sizeof(std::uint32_t) * count);
             const unsigned char* const values = bytes(accessor.sparse.values.bufferView, 0, size * count);
             for (std::size_t i = 0; i < count; ++i) {
+                mayGiveUp(i);
                 std::uint32_t slot = 0;
                 std::memcpy(&slot, slots + sizeof slot * i, sizeof slot);
                 if (slot >= accessor.count) {
@@ -117,6 +247,7 @@ ReadPrimitive readPrimitive(const tinygltf::Primitive& primitive, const Accessor
     read.material = primitive.material;
     read.mode = primitive.mode;
     for (const auto& target : primitive.targets) {
+        mayGiveUp();
         const auto moved = target.find("POSITION");
         if (moved == target.end()) {
             throw Difference{"a morph target moves nothing"};
@@ -142,10 +273,13 @@ void checkTargetNames(const tinygltf::Mesh& mesh) {
     }
 }
 
-std::vector<ReadPrimitive> primitivesOf(const tinygltf::Model& model) {
+std::vector<ReadPrimitive> primitivesOf(const tinygltf::Model& model,
+                                        const std::function<void(double)>& told) {
     const Accessors accessors(model);
     std::vector<ReadPrimitive> read;
     for (std::size_t object = 0; object < model.nodes.size(); ++object) {
+        told(kFileShare +
+             (1.0 - kFileShare) * static_cast<double>(object) / static_cast<double>(model.nodes.size()));
         const tinygltf::Node& node = model.nodes[object];
         if (node.mesh < 0 || static_cast<std::size_t>(node.mesh) >= model.meshes.size()) {
             throw Difference{"a node has no mesh"};
@@ -162,23 +296,25 @@ std::vector<ReadPrimitive> primitivesOf(const tinygltf::Model& model) {
 
 }  // namespace
 
-std::vector<ReadPrimitive> readPrimitives(const QString& path) {
+std::vector<ReadPrimitive> readPrimitives(const QString& path, const std::function<void(double)>& told) {
+    GltfFile file(path, told);
     tinygltf::TinyGLTF loader;
+    loader.SetFsCallbacks(file.callbacks());
     // Pictures are not looked at.
     loader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int,
                              const unsigned char*, int, void*) { return true; },
                           nullptr);
+    const std::string json = file.json();
+    const std::string folder = QFile::encodeName(QFileInfo(path).absolutePath()).toStdString();
     tinygltf::Model model;
     std::string error;
     std::string warning;
-    const std::string name = QFile::encodeName(path).toStdString();
-    const bool isRead = path.endsWith(QStringLiteral(".glb"), Qt::CaseInsensitive)
-                            ? loader.LoadBinaryFromFile(&model, &error, &warning, name)
-                            : loader.LoadASCIIFromFile(&model, &error, &warning, name);
-    if (!isRead) {
-        throw Difference{"it cannot be read (" + error + ")"};
+    if (json.size() > std::numeric_limits<unsigned int>::max() ||
+        !loader.LoadASCIIFromString(&model, &error, &warning, json.data(),
+                                    static_cast<unsigned int>(json.size()), folder)) {
+        throw cannotBeRead(error);
     }
-    return primitivesOf(model);
+    return primitivesOf(model, told);
 }
 
 }  // namespace hitscope

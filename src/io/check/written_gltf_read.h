@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,9 @@ struct ReadPrimitive {
     std::size_t next = 0;    ///< index to be held against the mesh
 };
 
-/// Those of all nodes of a glTF or GLB file, in their order.
-[[nodiscard]] std::vector<ReadPrimitive> readPrimitives(const QString& path);
+/// Those of all nodes of a glTF or GLB file, in their order. told: with how much is read, [0, 1]; may be
+/// empty. Throws GivenUp where the thread's GiveUpScope says so.
+[[nodiscard]] std::vector<ReadPrimitive> readPrimitives(const QString& path,
+                                                        const std::function<void(double)>& told);
 
 }  // namespace hitscope

@@ -108,7 +108,8 @@ Status FacetComparison::facet(const MeshData& mesh, std::size_t f, const std::ui
 
 }  // namespace
 
-Status verifyWrittenStl(const MeshData& read, const MeshExport& what, const QString& path) {
+Status verifyWrittenStl(const MeshData& read, const MeshExport& what, const QString& path,
+                        const ExportGoOn& goOn) {
     const MeshData& mesh = *what.mesh;
     const std::size_t facets = mesh.cornerVertices.size() - 2 * mesh.faceCount();
     if (read.faceCount() != facets || read.cornerVertices.size() != 3 * facets) {
@@ -119,7 +120,7 @@ Status verifyWrittenStl(const MeshData& read, const MeshExport& what, const QStr
     Triangulator triangulator;
     std::vector<std::uint32_t> corners;
     for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-        mayGiveUp(f);
+        tellPart(goOn, ExportStep::Comparing, f, mesh.faceCount());
         corners.clear();
         triangulator.triangulate(mesh.positions, mesh.face(f), corners);
         for (std::size_t t = 0; t + 3 <= corners.size(); t += 3) {

@@ -10,6 +10,7 @@ namespace hitscope {
 
 /// The part of verifyWritten() for STL: holds triangles that were read back, and the facets' normals, which
 /// opening the file leaves out, against what was meant.
-[[nodiscard]] Status verifyWrittenStl(const MeshData& read, const MeshExport& what, const QString& path);
+[[nodiscard]] Status verifyWrittenStl(const MeshData& read, const MeshExport& what, const QString& path,
+                                      const ExportGoOn& goOn);
 
 }  // namespace hitscope

@@ -22,7 +22,7 @@ public:
     SurfaceComparison(const MeshData& read, const MeshExport& what, const WrittenNormals& normals,
                       SurfaceFormat format, bool normalsAreExact);
 
-    std::optional<std::string> first();
+    std::optional<std::string> first(const ExportGoOn& goOn);
 
 private:
     void findTouched();
@@ -178,9 +178,9 @@ std::string SurfaceComparison::material(std::size_t f) const {
            '"';
 }
 
-std::optional<std::string> SurfaceComparison::first() {
+std::optional<std::string> SurfaceComparison::first(const ExportGoOn& goOn) {
     for (std::size_t f = 0; f < m_mesh.faceCount(); ++f) {
-        mayGiveUp(f);
+        tellPart(goOn, ExportStep::Comparing, f, m_mesh.faceCount());
         std::string difference = m_format == SurfaceFormat::Obj ? material(f) : std::string();
         for (std::size_t c = m_mesh.faceStarts[f]; difference.empty() && c < m_mesh.faceStarts[f + 1]; ++c) {
             difference = texcoord(f, c);
@@ -197,8 +197,8 @@ std::optional<std::string> SurfaceComparison::first() {
 
 std::optional<std::string> surfaceDifference(const MeshData& read, const MeshExport& what,
                                              const WrittenNormals& normals, SurfaceFormat format,
-                                             bool normalsAreExact) {
-    return SurfaceComparison(read, what, normals, format, normalsAreExact).first();
+                                             bool normalsAreExact, const ExportGoOn& goOn) {
+    return SurfaceComparison(read, what, normals, format, normalsAreExact).first(goOn);
 }
 
 std::string cornerName(std::size_t face, std::size_t corner) {

@@ -17,7 +17,8 @@ enum class SurfaceFormat : std::uint8_t { Obj, Ply };
 /// as written; empty: none were given to the writer. normalsAreExact: the file's type holds floats.
 [[nodiscard]] std::optional<std::string> surfaceDifference(const MeshData& read, const MeshExport& what,
                                                            const WrittenNormals& normals,
-                                                           SurfaceFormat format, bool normalsAreExact);
+                                                           SurfaceFormat format, bool normalsAreExact,
+                                                           const ExportGoOn& goOn);
 
 /// "corner 2 of face 7"
 [[nodiscard]] std::string cornerName(std::size_t face, std::size_t corner);

@@ -213,7 +213,8 @@ MorphTarget deformedTarget(const MeshExport& what, std::span<const glm::vec3> or
     return target;
 }
 
-std::vector<MorphTarget> stepTargets(const MeshExport& what, const MorphTarget& deformed) {
+std::vector<MorphTarget> stepTargets(const MeshExport& what, const MorphTarget& deformed,
+                                     const std::function<void(double)>& told) {
     std::vector<MorphTarget> targets;
     if (what.steps.empty() || deformed.deltas.empty()) {
         return targets;
@@ -234,6 +235,7 @@ std::vector<MorphTarget> stepTargets(const MeshExport& what, const MorphTarget& 
             mayGiveUp(moved.vertex);
             add(target, moved.vertex, moved.position);
         }
+        told(0.5 * static_cast<double>(targets.size()) / static_cast<double>(what.steps.size()));
     }
     // The steps are the reference's, the shape is the pipeline's: they may differ in last digits.
     std::vector<MorphDelta>& last = targets.back().deltas;
@@ -260,7 +262,19 @@ std::vector<MorphTarget> stepTargets(const MeshExport& what, const MorphTarget& 
 }
 
 bool isReached(const GltfPrimitive& primitive, const MorphTarget& target) {
-    return !entriesOf(primitive, target).empty();
+    if (primitive.fileVertices.size() < target.deltas.size()) {
+        std::uint32_t slot = 0;
+        return std::ranges::any_of(primitive.fileVertices, [&](std::uint32_t vertex) {
+            mayGiveUp(slot++);
+            return deltaOf(target, vertex) != kNoIndex;
+        });
+    }
+    std::vector<std::uint32_t> slots;
+    return std::ranges::any_of(target.deltas, [&](const MorphDelta& delta) {
+        mayGiveUp(delta.vertex);
+        primitive.findVertices(delta.vertex, slots);
+        return !slots.empty();
+    });
 }
 
 QJsonObject addMorph(GltfDocument& document, const GltfPrimitive& primitive, const MorphTarget& target,

@@ -26,8 +26,9 @@ struct MorphTarget {
 [[nodiscard]] MorphTarget deformedTarget(const MeshExport& what, std::span<const glm::vec3> originalNormals);
 
 /// One for each step, which together do what "Deformed" does. What the steps lack of the deformed shape is in
-/// the last of them.
-[[nodiscard]] std::vector<MorphTarget> stepTargets(const MeshExport& what, const MorphTarget& deformed);
+/// the last of them. told: with how much is done, [0, 1].
+[[nodiscard]] std::vector<MorphTarget> stepTargets(const MeshExport& what, const MorphTarget& deformed,
+                                                   const std::function<void(double)>& told);
 
 /// Adds a primitive's part of a target to the document: {"POSITION": accessor, "NORMAL": accessor}, without
 /// normals for lines and points; sparse where few vertices move. What it refers to outlives the document.

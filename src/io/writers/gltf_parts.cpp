@@ -13,6 +13,7 @@
 namespace hitscope {
 namespace {
 
+constexpr double kStepTargets = 0.6;               // of what is prepared, at their end
 constexpr std::uint32_t kMostNumbered = 1u << 24;  // whole numbers up to here are floats
 
 bool isFaces(const GltfPrimitive& primitive) {
@@ -21,7 +22,20 @@ bool isFaces(const GltfPrimitive& primitive) {
 
 }  // namespace
 
+/// Asking whether to go on is the writer's.
+void GltfParts::tell(double share) const {
+    if (m_what.goOn) {
+        m_what.goOn(ExportStep::Preparing, share);
+    }
+}
+
+/// Share of what is prepared: with steps, most of it is theirs.
+double GltfParts::laidOut() const {
+    return 2.0 / (3.0 + (m_options.steps ? static_cast<double>(m_what.steps.size()) : 0.0));
+}
+
 Status GltfParts::make() {
+    tell(laidOut());
     bool plain = false;
     for (const GltfPrimitive& primitive : m_layout.primitives) {
         plain = plain || (isFaces(primitive) && primitive.material == kNoIndex);
@@ -34,7 +48,8 @@ Status GltfParts::make() {
     }
     m_deformed = deformedTarget(m_what, m_originals);
     if (m_options.steps) {
-        m_steps = stepTargets(m_what, m_deformed);
+        m_steps = stepTargets(m_what, m_deformed,
+                              [this](double share) { tell(laidOut() + (kStepTargets - laidOut()) * share); });
     }
     for (std::uint32_t object = 0; object < m_layout.objects.size(); ++object) {
         addNode(object);
@@ -173,6 +188,9 @@ QJsonObject GltfParts::primitiveOf(const GltfPrimitive& primitive,
     QJsonArray morphs;
     for (const MorphTarget* const target : targets) {
         morphs.append(addMorph(m_document, primitive, *target, m_what, m_originals));
+        tell(std::max(kStepTargets, laidOut()) +
+             (1.0 - std::max(kStepTargets, laidOut())) * static_cast<double>(++m_made) /
+                 static_cast<double>((m_steps.size() + 1) * m_layout.primitives.size()));
     }
     if (!morphs.isEmpty()) {
         result[QStringLiteral("targets")] = morphs;

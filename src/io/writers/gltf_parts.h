@@ -21,13 +21,15 @@ public:
           m_layout(layOut(what, m_originals)),
           m_materials(what, m_document, place, staged, !isGlb) {}
 
-    Status make();
+    Status make();  ///< Preparing is told from here on
     /// The JSON, with this as the buffer's file; empty: the one behind it.
     [[nodiscard]] QByteArray json(const QString& bufferFile);
     [[nodiscard]] const GltfDocument& document() const { return m_document; }
     [[nodiscard]] QStringList notes() const;
 
 private:
+    void tell(double share) const;
+    [[nodiscard]] double laidOut() const;
     /// One node: an object of the mesh, and the targets that do anything to it.
     void addNode(std::uint32_t object);
     QJsonObject primitiveOf(const GltfPrimitive& primitive, const std::vector<const MorphTarget*>& targets);
@@ -55,6 +57,7 @@ private:
     int m_times = -1;
     bool m_hasLoose = false;  ///< lines or points
     std::size_t m_copies = 0;
+    std::size_t m_made = 0;  ///< morph targets of primitives
 };
 
 }  // namespace hitscope

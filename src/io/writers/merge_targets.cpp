@@ -58,6 +58,7 @@ public:
     MergedTargets merge();
 
 private:
+    void makeRoom();
     void addVertices(const PlacedTarget& target);
     void addFaces(const PlacedTarget& target);
     void addNormals(const PlacedTarget& target);
@@ -146,6 +147,7 @@ void Merger::addNormals(const PlacedTarget& target) {
         return isTurned && length > 0.0 ? glm::vec3(now / length) : normal;
     };
     for (const glm::vec3& normal : target.mesh->normals) {
+        mayGiveUp(m_mesh.normals.size());
         m_mesh.normals.push_back(turned(normal));
     }
     if (m_has.normals && target.normals.empty()) {
@@ -154,6 +156,7 @@ void Merger::addNormals(const PlacedTarget& target) {
         }
     }
     for (const glm::vec3& normal : target.normals) {
+        mayGiveUp(m_merged.normals.size());
         m_merged.normals.push_back(turned(normal));
     }
 }
@@ -218,15 +221,34 @@ void Merger::addSteps(const PlacedTarget& target) {
         if (s == m_merged.steps.size()) {
             m_merged.steps.push_back({target.steps[s].name, {}});
         }
+        std::vector<MovedVertex>& all = m_merged.steps[s].moved;
+        all.reserve(all.size() + target.steps[s].moved.size());
         for (const MovedVertex& moved : target.steps[s].moved) {
-            m_merged.steps[s].moved.push_back(
-                {shifted(moved.vertex, m_firstVertex), placed(target.transform, moved.position)});
+            mayGiveUp(all.size());
+            all.push_back({shifted(moved.vertex, m_firstVertex), placed(target.transform, moved.position)});
         }
     }
 }
 
+/// Large arrays are not to be copied while they grow.
+void Merger::makeRoom() {
+    std::size_t vertices = 0;
+    std::size_t corners = 0;
+    for (const PlacedTarget& target : m_targets) {
+        vertices += target.mesh->positions.size();
+        corners += target.mesh->cornerVertices.size();
+    }
+    m_mesh.positions.reserve(vertices);
+    m_merged.positions.reserve(vertices);
+    m_mesh.cornerVertices.reserve(corners);
+    m_mesh.cornerTexcoords.reserve(m_has.texcoords ? corners : 0);
+    m_mesh.cornerNormals.reserve(m_has.cornerNormals ? corners : 0);
+    m_merged.normals.reserve(m_has.normals ? corners : 0);
+}
+
 MergedTargets Merger::merge() {
     m_mesh.name = m_targets.size() == 1 ? m_targets.front().mesh->name : "targets";
+    makeRoom();
     m_mesh.faceStarts.push_back(0);
     for (const PlacedTarget& target : m_targets) {
         addVertices(target);

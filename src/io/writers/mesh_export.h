@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/result.h"
+#include "io/writers/export_step.h"
 #include "mesh/mesh_data.h"
 #include "mesh/moved_vertex.h"
 
@@ -32,9 +33,8 @@ struct MeshExport {
     std::vector<MorphStep> steps;         ///< in their order; glTF writes them where it is asked to
     QString sourcePath;                   ///< the mesh's file; empty: none
     QString sourceFolder;                 ///< where its pictures are; empty: sourcePath's
-    /// Called now and then with how much is done, [0, 1]; false gives the export up. May be empty.
-    std::function<bool(double)> goOn;
-    std::function<void()> beforeStep;  ///< StagedFiles' own; for tests
+    ExportGoOn goOn;                      ///< called now and then
+    std::function<void()> beforeStep;     ///< StagedFiles' own; for tests
 };
 
 // Writers of whole files. Coordinates are those of the mesh's file: local / placement.scale +

@@ -21,9 +21,18 @@ public:
         }
     }
 
-    std::vector<MovedVertex> apply(std::span<const Hit> hits) {
+    /// goesOn: told how many of the hits are applied; false: the rest is not wanted.
+    std::vector<MovedVertex> apply(std::span<const Hit> hits,
+                                   const std::function<bool(std::size_t)>& goesOn) {
+        constexpr std::size_t kAtOnce = 8;  // hits
+        std::vector<VertexRange> ranges;
+        for (std::size_t first = 0; first < hits.size() && goesOn(first); first += kAtOnce) {
+            const std::size_t count = std::min(kAtOnce, hits.size() - first);
+            const std::vector<VertexRange> reached = m_deformation.apply(hits.subspan(first, count));
+            ranges.insert(ranges.end(), reached.begin(), reached.end());
+        }
         std::vector<MovedVertex> moved;
-        for (const VertexRange& range : m_deformation.apply(hits)) {
+        for (const VertexRange& range : merged(std::move(ranges))) {
             for (std::uint32_t r = range.first; r < range.first + range.count; ++r) {
                 mayGiveUp(r);
                 take(r, moved);
@@ -76,6 +85,13 @@ std::optional<std::vector<std::vector<MorphStep>>> morphSteps(std::span<const Hi
         }
     }
     std::vector<std::vector<MorphStep>> steps(targets.size());
+    bool isWanted = true;
+    std::size_t applied = 0;
+    const auto goesOn = [&](std::size_t done) {
+        isWanted = isWanted &&
+                   (!goOn || goOn(static_cast<double>(applied + done) / static_cast<double>(rows.size())));
+        return isWanted;
+    };
     const std::size_t groups = std::min(rows.size(), most);
     for (std::size_t g = 0; g < groups; ++g) {
         const std::size_t first = g * rows.size() / groups;
@@ -89,8 +105,9 @@ std::optional<std::vector<std::vector<MorphStep>>> morphSteps(std::span<const Hi
                     own.push_back(hits[row]);
                 }
             }
-            step.moved = replays[t].apply(own);
-            if (goOn && !goOn(static_cast<double>(first) / static_cast<double>(rows.size()))) {
+            step.moved = replays[t].apply(own, goesOn);
+            applied += own.size();
+            if (!isWanted) {
                 return std::nullopt;
             }
         }

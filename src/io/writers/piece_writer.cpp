@@ -34,11 +34,21 @@ void PieceWriter::flush() {
 }
 
 bool PieceWriter::goesOn(std::uint64_t done, std::uint64_t all) {
+    if (done % kElementsBetween == 0) {
+        return asks(all == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(all));
+    }
     if (m_text.size() >= kPiece) {
         flush();
     }
-    if (m_goOn && done % kElementsBetween == 0 && !m_isGivenUp) {
-        m_isGivenUp = !m_goOn(all == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(all));
+    return m_isGood && !m_isGivenUp && !m_error;
+}
+
+bool PieceWriter::asks(double share) {
+    if (m_text.size() >= kPiece) {
+        flush();
+    }
+    if (m_goOn && !m_isGivenUp) {
+        m_isGivenUp = !m_goOn(share);
     }
     return m_isGood && !m_isGivenUp && !m_error;
 }
@@ -82,7 +92,8 @@ Status stageInPieces(const MeshExport& what, const QString& path, StagedFiles& s
     bool isGivenUp = false;
     std::optional<Error> error;
     const auto write = [&](int descriptor) {
-        PieceWriter writer(descriptor, what.goOn);
+        const std::function<bool(double)> goOn = within(what.goOn, ExportStep::Writing);
+        PieceWriter writer(descriptor, goOn);
         make(writer);
         const bool isWritten = writer.finish();
         isGivenUp = writer.isGivenUp();

@@ -29,6 +29,8 @@ public:
     }
     /// To be asked before each vertex or face, `done` of `all`; false: stop, nothing more is needed.
     [[nodiscard]] bool goesOn(std::uint64_t done, std::uint64_t all);
+    /// The same for who has no such number: asks each time.
+    [[nodiscard]] bool asks(double share);
     /// Gives the file up for that reason.
     void fail(Error error);
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/writers/ply_copy.h"
-#include "io/writers/normal_plan.h"
 
 #include <QFileInfo>
+#include <algorithm>
 
+#include "core/give_up.h"
 #include "io/readers/ply_values.h"
 #include "io/readers/text_cursor.h"
+#include "io/writers/normal_plan.h"
 
 namespace hitscope {
 namespace {
@@ -35,7 +37,7 @@ void PlyCopy::differs(const QString& how) {
 
 void PlyCopy::look(std::uint64_t done) {
     constexpr std::uint64_t kBetween = 8192;
-    if (m_what.goOn && done % kBetween == 0 && !m_what.goOn(0.0)) {
+    if (m_what.goOn && done % kBetween == 0 && !m_what.goOn(ExportStep::Reading, shareOf(done))) {
         m_isGivenUp = true;
         throw Differs{};
     }
@@ -54,6 +56,9 @@ bool PlyCopy::readHeader() {
         return false;
     }
     m_header = std::move(header.value());
+    for (const PlyElement& element : m_header.elements) {
+        m_all += element.count;
+    }
     m_headerText = bytes.substr(0, m_header.size);
     const PlyEncoding own = m_header.encoding;
     const PlyEncoding wanted = m_options.encoding == PlyOptions::Encoding::AsSource ? own
@@ -97,6 +102,7 @@ void PlyCopy::findTurned() {
         return;
     }
     for (std::size_t c = 0; c < m_mesh.cornerNormals.size(); ++c) {
+        mayGiveUp(c);
         const std::uint32_t index = m_mesh.cornerNormals[c];
         const glm::vec3& now = m_what.normals[c];
         const bool isFinite = std::isfinite(now.x) && std::isfinite(now.y) && std::isfinite(now.z);
@@ -124,6 +130,7 @@ bool PlyCopy::check() {
                 : ends                 ? walkEdges(pieces, element, *ends)
                                        : walkOthers(pieces, element, nullptr);
             }
+            m_before += element.count;
         }
         if (!m_hasStrips && m_face != m_mesh.faceCount()) {
             differs(QStringLiteral("it has other faces"));
@@ -141,6 +148,7 @@ bool PlyCopy::check() {
 
 void PlyCopy::write(PieceWriter& out) {
     m_face = 0;
+    m_before = 0;
     out.put(newHeader());
     try {
         PlyPieces pieces(m_file, m_header.encoding, static_cast<qint64>(m_header.size));
@@ -155,9 +163,10 @@ void PlyCopy::write(PieceWriter& out) {
             } else {
                 walkOthers(pieces, element, &out);
             }
+            m_before += element.count;
         }
-        for (std::string_view rest; !m_isOther && out.goesOn(1, 2) && !(rest = pieces.nextRest()).empty();) {
-            out.put(rest);
+        if (!m_isOther) {
+            putRest(pieces, out);
         }
     } catch (const PlyDataEnd&) {
         m_whyNot = QStringLiteral("it is no longer whole");
@@ -167,6 +176,17 @@ void PlyCopy::write(PieceWriter& out) {
         out.fail(
             {"The mesh's file changed while it was read.", m_what.sourcePath.toStdString(), "Export again."});
     }
+}
+
+/// The bytes behind the vertices.
+void PlyCopy::putRest(PlyPieces& pieces, PieceWriter& out) const {
+    const double from = shareOf(0);
+    const double all = std::max(1.0, static_cast<double>(pieces.bytesLeft()));
+    std::string_view rest;
+    do {
+        rest = pieces.nextRest();
+        out.put(rest);
+    } while (!rest.empty() && out.asks(1.0 - (1.0 - from) * static_cast<double>(pieces.bytesLeft()) / all));
 }
 
 /// Hands a value on, written anew in another encoding.
@@ -202,7 +222,7 @@ void PlyCopy::walkOthers(PlyPieces& pieces, const PlyElement& element, PieceWrit
             passList(pieces, property, out);
         }
         endRecord(out);
-        if (out && !out->goesOn(e, element.count)) {
+        if (out && !out->goesOn(m_before + e, m_all)) {
             throw Differs{};
         }
         look(out ? 1 : e);
@@ -318,7 +338,7 @@ void PlyCopy::walkVertices(PlyPieces& pieces, PieceWriter* out) {
             m_added->append(out->text(), m_values, v);
         }
         endRecord(out);
-        if (out && !out->goesOn(v, m_mesh.positions.size() + m_mesh.faceCount())) {
+        if (out && !out->goesOn(m_before + v, m_all)) {
             throw Differs{};
         }
         look(out ? 1 : v);

@@ -49,7 +49,12 @@ private:
     void replace(PlyType type, double value, std::string_view raw, PieceWriter& out) const;
     void vertexValue(std::size_t v, int slot, const PlyPiece& piece, PlyType type, PieceWriter* out);
     void endRecord(PieceWriter* out);
+    void putRest(PlyPieces& pieces, PieceWriter& out) const;
     void look(std::uint64_t done);
+    /// done: records of the element at hand.
+    [[nodiscard]] double shareOf(std::uint64_t done) const {
+        return static_cast<double>(m_before + done) / static_cast<double>(m_all > 0 ? m_all : 1);
+    }
     void differs(const QString& how);
 
     const MeshExport& m_what;
@@ -60,6 +65,8 @@ private:
     PlyHeader m_header;
     std::string m_headerText;
     const PlyElement* m_vertices = nullptr;
+    std::uint64_t m_before = 0;  ///< records of the elements before the one at hand
+    std::uint64_t m_all = 0;     ///< records of all elements
     Slots m_slots;
     std::unordered_map<std::uint32_t, glm::vec3> m_turned;  ///< normals that are no longer the file's
     PlyValues m_values{PlyEncoding::LittleEndian};

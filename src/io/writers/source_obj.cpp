@@ -15,8 +15,6 @@
 namespace hitscope {
 namespace {
 
-constexpr double kIndexShare = 0.4;  // of the progress
-
 Error givenUp(const QString& path) {
     return {"The export was cancelled.", path.toStdString(), "The file is as it was."};
 }
@@ -42,8 +40,8 @@ bool fits(const ObjIndex& index, const MeshData& mesh) {
 Result<SourceCopy> copyWithChanges(const ObjExport& what, const QString& path, MaterialFiles& materials,
                                    StagedFiles& staged) {
     bool isGivenUp = false;
-    const auto goOn = [&what, &isGivenUp](double share) {
-        isGivenUp = isGivenUp || (what.goOn && !what.goOn(share));
+    const ExportGoOn goOn = [&what, &isGivenUp](ExportStep step, double share) {
+        isGivenUp = isGivenUp || (what.goOn && !what.goOn(step, share));
         return !isGivenUp;
     };
     // Not blocking: a pipe that took the file's place must not hold us for ever.
@@ -53,12 +51,12 @@ Result<SourceCopy> copyWithChanges(const ObjExport& what, const QString& path, M
         return SourceCopy::NotThere;
     }
     const FileStamp before(source.get());
-    const auto within = [&goOn](double share) { return goOn(kIndexShare * share); };
+    const std::function<bool(double)> reading = within(goOn, ExportStep::Reading);
     ObjFaces faces = ObjFaces::AllLines;
-    std::shared_ptr<const ObjIndex> index = indexedObj(source.get(), faces, within);
+    std::shared_ptr<const ObjIndex> index = indexedObj(source.get(), faces, reading);
     if (index && index->hash == what.mesh->sourceHash && !fits(*index, *what.mesh)) {
         faces = ObjFaces::OfThreeCorners;  // the reader left some out
-        index = indexedObj(source.get(), faces, within);
+        index = indexedObj(source.get(), faces, reading);
     }
     if (isGivenUp) {
         return givenUp(path);
@@ -70,14 +68,13 @@ Result<SourceCopy> copyWithChanges(const ObjExport& what, const QString& path, M
     if (!libraries) {
         return libraries.error();
     }
+    goOn(ExportStep::Preparing, 0.0);
     const std::vector<std::uint8_t> moved = movedVertices(*what.mesh, what.positions);
     const NormalPlan normals = planNormals(*what.mesh, moved, what.normals, what.allNormals);
     const ObjChanges changes{*what.mesh, what.positions, moved, normals, libraries.value()};
     const ObjPatcher patcher(changes, *index, faces);
-    const std::function<bool(double)> written = [&goOn](double share) {
-        return goOn(kIndexShare + (1.0 - kIndexShare) * share);
-    };
-    SourceWriter writer(*index, patcher, source.get(), written);
+    const std::function<bool(double)> writing = within(goOn, ExportStep::Writing);
+    SourceWriter writer(*index, patcher, source.get(), writing);
     const Status added = staged.add(path, [&writer](int to) { return writer.write(to); });
     if (isGivenUp) {
         return givenUp(path);

@@ -74,10 +74,10 @@ Result<QStringList> exportGltf(const MeshExport& what, const QString& path, cons
         const bool hasOwnFolder = what.sourceFolder.isEmpty() && !what.sourcePath.isEmpty();
         const QString folder = hasOwnFolder ? QFileInfo(what.sourcePath).absolutePath() : what.sourceFolder;
         const ExportPlace place{folder, info.absolutePath(), info.completeBaseName()};
-        GltfParts parts(what, options, place, staged, isGlb(path));
-        if (what.goOn && !what.goOn(0.0)) {
+        if (what.goOn && !what.goOn(ExportStep::Preparing, 0.0)) {
             return cancelledAt(path);
         }
+        GltfParts parts(what, options, place, staged, isGlb(path));
         Status done = parts.make();
         if (done) {
             done = isGlb(path) ? stageGlb(what, parts, path, staged) : stageGltf(what, parts, path, staged);

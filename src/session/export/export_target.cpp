@@ -22,27 +22,27 @@ namespace hitscope {
 
 namespace {
 
-constexpr double kStepsShare = 0.2;     // of the progress
-constexpr double kReadBackShare = 0.3;  // likewise, where it is asked for
-
-using GoOn = std::function<bool(double)>;
-
-GoOn within(const GoOn& goOn, double from, double to) {
-    return goOn ? GoOn([&goOn, from, to](double share) { return goOn(from + (to - from) * share); }) : GoOn();
-}
-
 Error givenUp(const QString& path) {
     return {"The export was cancelled.", path.toStdString(), "The file is as it was."};
 }
 
-std::vector<std::uint32_t> hitsPerVertex(const TargetExport& target, std::span<const Hit> hits) {
-    TargetHitsEdit edit{.target = target.id, .first = 0, .before = {}, .after = {}};
-    std::copy_if(hits.begin(), hits.end(), std::back_inserter(edit.after),
+/// told: with the share of the hits that are counted.
+std::vector<std::uint32_t> hitsPerVertex(const TargetExport& target, std::span<const Hit> hits,
+                                         const std::function<void(double)>& told) {
+    constexpr std::size_t kParts = 50;
+    std::vector<Hit> own;
+    std::copy_if(hits.begin(), hits.end(), std::back_inserter(own),
                  [&target](const Hit& hit) { return hit.enabled && hit.target == target.id; });
-    const std::vector<Hit> all = edit.after;
     const std::atomic<bool> stop = false;
     TargetEffects effects(target.render);
-    effects.follow({&edit, 1}, all, stop);
+    const std::size_t part = own.size() / kParts + 1;
+    for (std::size_t first = 0; first < own.size(); first += part) {
+        const std::span<const Hit> now = std::span(own).first(std::min(first + part, own.size()));
+        const TargetHitsEdit edit{
+            .target = target.id, .first = first, .before = {}, .after = {now.begin() + first, now.end()}};
+        effects.follow({&edit, 1}, now, stop);
+        told(static_cast<double>(now.size()) / static_cast<double>(own.size()));
+    }
     return {effects.counts().begin(), effects.counts().end()};
 }
 
@@ -52,8 +52,8 @@ public:
     explicit Gathered(const SceneExport& what) : m_what(what) {}
 
     /// An error: given up, or too large for one mesh.
-    Status gather(const GoOn& goOn, const QString& path);
-    [[nodiscard]] const MeshExport& mesh() const { return m_mesh; }
+    Status gather(const ExportGoOn& goOn, const QString& path);
+    [[nodiscard]] const MeshExport& mesh() const { return m_mesh; }  ///< with the writer's goOn
     /// Without a copy for each corner where there is one target in its file's coordinates.
     [[nodiscard]] CornerNormalView normals() const;
     [[nodiscard]] const QStringList& notes() const { return m_notes; }
@@ -63,8 +63,8 @@ private:
         std::vector<glm::vec3> normals;  // one a corner
         std::vector<std::uint32_t> hits;
     };
-    [[nodiscard]] bool needsHits() const;
-    [[nodiscard]] bool isMerged() const { return m_what.targets.size() > 1 || m_what.options.inWorld; }
+    void countHits(const ExportGoOn& goOn);
+    void gatherNormals(const ExportGoOn& goOn);
     [[nodiscard]] bool hasNormals(const TargetExport& target) const;
     [[nodiscard]] bool stepsLeadToShown() const;
     void noteSteps(const TargetExport& target);
@@ -78,11 +78,6 @@ private:
     QStringList m_notes;
 };
 
-bool Gathered::needsHits() const {
-    const ExportFormat format = m_what.options.format;
-    return format == ExportFormat::Ply || format == ExportFormat::PlyAscii || format == ExportFormat::Csv;
-}
-
 /// A file that has no normals gets none; a mesh of our own has them.
 bool Gathered::hasNormals(const TargetExport& target) const {
     return target.sourcePath.isEmpty() || !target.original->normals.empty() || m_what.options.allNormals;
@@ -90,7 +85,7 @@ bool Gathered::hasNormals(const TargetExport& target) const {
 
 CornerNormalView Gathered::normals() const {
     const TargetExport& first = m_what.targets.front();
-    if (isMerged()) {
+    if (m_what.isMerged()) {
         return {m_mesh.normals, {}};
     }
     return hasNormals(first) ? CornerNormalView{first.normals, first.render->cornerRenderVertices}
@@ -114,27 +109,47 @@ bool Gathered::stepsLeadToShown() const {
     return true;
 }
 
-Status Gathered::gather(const GoOn& goOn, const QString& path) {
-    for (const TargetExport& target : m_what.targets) {
-        One& one = m_targets.emplace_back();
-        if (hasNormals(target) && (isMerged() || m_what.options.format != ExportFormat::Obj)) {
-            one.normals.reserve(target.render->cornerRenderVertices.size());
-            for (const std::uint32_t vertex : target.render->cornerRenderVertices) {
-                mayGiveUp(one.normals.size());
-                one.normals.push_back(target.normals[vertex]);
+void Gathered::countHits(const ExportGoOn& goOn) {
+    const auto count = static_cast<double>(m_what.targets.size());
+    for (std::size_t t = 0; t < m_what.targets.size(); ++t) {
+        m_targets[t].hits = hitsPerVertex(m_what.targets[t], m_what.hits, [&](double share) {
+            if (goOn && !goOn(ExportStep::Counting, (static_cast<double>(t) + share) / count)) {
+                throw GivenUp{};
             }
+        });
+    }
+}
+
+void Gathered::gatherNormals(const ExportGoOn& goOn) {
+    for (std::size_t t = 0; t < m_what.targets.size(); ++t) {
+        const TargetExport& target = m_what.targets[t];
+        if (!hasNormals(target) || !(m_what.isMerged() || m_what.options.format != ExportFormat::Obj)) {
+            continue;
         }
-        if (needsHits()) {
-            one.hits = hitsPerVertex(target, m_what.hits);
+        tellPart(goOn, ExportStep::Gathering, t * kStepsBetweenLooks,
+                 m_what.targets.size() * kStepsBetweenLooks);
+        std::vector<glm::vec3>& normals = m_targets[t].normals;
+        normals.reserve(target.render->cornerRenderVertices.size());
+        for (const std::uint32_t vertex : target.render->cornerRenderVertices) {
+            mayGiveUp(normals.size());
+            normals.push_back(target.normals[vertex]);
         }
     }
+}
+
+Status Gathered::gather(const ExportGoOn& goOn, const QString& path) {
+    m_targets.resize(m_what.targets.size());
+    if (m_what.needsHits()) {
+        countHits(goOn);
+    }
     m_steps.resize(m_what.targets.size());
-    if (traitsOf(m_what.options.format).hasSteps && m_what.options.steps > 0) {
+    if (m_what.hasSteps()) {
         std::vector<MorphedTarget> morphed;
         for (const TargetExport& target : m_what.targets) {
             morphed.push_back({target.id, target.render});
         }
-        auto steps = morphSteps(m_what.hits, morphed, m_what.options.steps, goOn);
+        auto steps =
+            morphSteps(m_what.hits, morphed, m_what.options.steps, within(goOn, ExportStep::Replaying));
         if (!steps) {
             return givenUp(path);
         }
@@ -145,9 +160,13 @@ Status Gathered::gather(const GoOn& goOn, const QString& path) {
                 "The animation ends at what the reference makes of the hits; what is shown differs.");
         }
     }
-    if (isMerged()) {
-        return merge();
+    gatherNormals(goOn);
+    if (m_what.isMerged()) {
+        Status merged = merge();
+        m_mesh.goOn = goOn;
+        return merged;
     }
+    m_mesh.goOn = goOn;
     const TargetExport& target = m_what.targets.front();
     m_mesh.mesh = target.original.get();
     m_mesh.positions = target.positions;
@@ -197,7 +216,9 @@ Status Gathered::merge() {
     }
     m_merged = std::move(merged.value());
     m_notes += m_merged->notes;
+    std::vector<MorphStep> steps = std::move(m_merged->steps);  // what() copies them
     m_mesh = m_merged->what();
+    m_mesh.steps = std::move(steps);
     return Done{};
 }
 
@@ -238,16 +259,12 @@ Result<QStringList> writeMesh(const MeshExport& mesh, const CornerNormalView& no
     return writeObj(mesh, normals, options.allNormals, path);
 }
 
-Result<ExportReport> write(const SceneExport& what, const QString& path, const GoOn& goOn) {
-    const bool hasSteps = traitsOf(what.options.format).hasSteps && what.options.steps > 0;
-    const double begin = hasSteps ? kStepsShare : 0.0;
-    const double end = what.options.readBack ? 1.0 - kReadBackShare : 1.0;
+Result<ExportReport> write(const SceneExport& what, const QString& path, const ExportGoOn& goOn) {
     Gathered gathered(what);
-    if (const Status status = gathered.gather(within(goOn, 0.0, begin), path); !status) {
+    if (const Status status = gathered.gather(goOn, path); !status) {
         return status.error();
     }
-    MeshExport mesh = gathered.mesh();
-    mesh.goOn = within(goOn, begin, end);
+    const MeshExport& mesh = gathered.mesh();
     const Result<QStringList> written = writeMesh(mesh, gathered.normals(), what.options, path);
     if (!written) {
         return written.error();
@@ -258,7 +275,7 @@ Result<ExportReport> write(const SceneExport& what, const QString& path, const G
         const WrittenNormals normals{isObj ? gathered.normals() : CornerNormalView{mesh.normals, {}},
                                      what.options.allNormals};
         try {
-            if (const Status same = verifyWritten(path, mesh, normals, within(goOn, end, 1.0)); !same) {
+            if (const Status same = verifyWritten(path, mesh, normals, goOn); !same) {
                 return same.error();
             }
             report.wasReadBack = true;
@@ -307,17 +324,18 @@ SceneExport copyForExport(const Session& session, std::span<const Target* const>
     return copy;
 }
 
-Result<ExportReport> writeExport(const SceneExport& what, const QString& path, const GoOn& goOn) {
-    double done = 0.0;
-    const GoOn told = goOn ? GoOn([&goOn, &done](double share) {
-        done = share;
-        return goOn(share);
-    })
-                           : GoOn();
-    const std::function<bool()> isWanted = [&goOn, &done] { return !goOn || goOn(done); };
+bool SceneExport::needsHits() const {
+    const ExportFormat format = options.format;
+    return format == ExportFormat::Ply || format == ExportFormat::PlyAscii || format == ExportFormat::Csv;
+}
+
+Result<ExportReport> writeExport(const SceneExport& what, const QString& path,
+                                 const ExportProgress::Told& told) {
+    ExportProgress progress(what, path, told);
+    const std::function<bool()> isWanted = [&progress] { return progress.isWanted(); };
     const GiveUpScope watched(isWanted);
     try {
-        return write(what, path, told);
+        return write(what, path, progress.goOn());
     } catch (const GivenUp&) {
         return givenUp(path);
     } catch (const std::bad_alloc&) {

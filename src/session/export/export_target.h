@@ -3,7 +3,6 @@
 
 #include <QString>
 #include <QStringList>
-#include <functional>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <span>
@@ -12,6 +11,7 @@
 #include "core/result.h"
 #include "deform/hit.h"
 #include "session/export/export_options.h"
+#include "session/export/export_progress.h"
 #include "session/target.h"
 
 namespace hitscope {
@@ -35,6 +35,10 @@ struct SceneExport {
     std::vector<TargetExport> targets;  ///< one at least; several, or one in the world, become one mesh
     std::vector<Hit> hits;              ///< those that made what is shown
     ExportOptions options;
+
+    [[nodiscard]] bool isMerged() const { return targets.size() > 1 || options.inWorld; }
+    [[nodiscard]] bool needsHits() const;  ///< how many hits moved each vertex
+    [[nodiscard]] bool hasSteps() const { return traitsOf(options.format).hasSteps && options.steps > 0; }
 };
 
 /// What came of it.
@@ -47,10 +51,10 @@ struct ExportReport {
 [[nodiscard]] SceneExport copyForExport(const Session& session, std::span<const Target* const> targets,
                                         const ExportOptions& options);
 
-/// Writes them to a file, in the files' own order. Of any thread. goOn as in ObjExport; what is not read back
-/// as it was meant is an error, and the file is there.
+/// Writes them to a file, in the files' own order. Of any thread. What is not read back as it was meant is an
+/// error, and the file is there.
 [[nodiscard]] Result<ExportReport> writeExport(const SceneExport& what, const QString& path,
-                                               const std::function<bool(double)>& goOn = {});
+                                               const ExportProgress::Told& told = {});
 
 /// Both at once, for one target as it is on the screen.
 [[nodiscard]] Result<ExportReport> exportTarget(const Session& session, const Target& target,
