@@ -61,6 +61,7 @@ DiscardGuard::DiscardGuard(Session& session, SessionFiles& files, QWidget& windo
     });
     connect(&files, &SessionFiles::saved, this, [this] { takeSaved(true); });
     connect(&files, &SessionFiles::failed, this, [this] { takeSaved(false); });
+    connect(&files, &SessionFiles::saveEnded, this, [this] { takeSaved(false); });  // the others
 }
 
 bool DiscardGuard::isAtRisk() const {

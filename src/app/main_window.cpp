@@ -179,6 +179,8 @@ void MainWindow::connectSession() {
     connect(m_sessions, &SessionFiles::changed, this, &MainWindow::showTitle);
     connect(m_sessions, &SessionFiles::cancelled, this,
             [this] { say(tr("Cancelled. The session is unchanged.")); });
+    connect(m_sessions, &SessionFiles::saveCancelled, this,
+            [this] { say(tr("Cancelled. The file is unchanged.")); });
     connect(m_sessions, &SessionFiles::differs, this, [this](const QStringList& targets) {
         m_notice->say(
             tr("Not as it was saved: %1. This renderer makes other positions of the same hits; Help > "

@@ -20,12 +20,28 @@ namespace hitscope {
 struct SessionFiles::Work {
     QString path;  ///< empty: of no file
     SessionDocument document;
-    bool isRead = false;      ///< document is what the file says
-    std::uint64_t state = 0;  ///< SessionUndo::state() that is written
+    bool isRead = false;  ///< document is what the file says
+    bool isSave = false;
+    std::uint64_t state = 0;                 ///< SessionUndo::state() that is written
+    std::vector<CopiedPositions> positions;  ///< that are written
+    bool isGivenUp = false;                  ///< what is saved; by the other thread, last
     MeshPlaces places;
     std::atomic<bool> cancelled = false;
     Status status = Done{};
     PreparedSession prepared;
+
+    /// On the other thread. Given up, the file is as it was: only what comes before its renaming asks.
+    void write() {
+        const std::function<bool()> isWanted = [this] { return !cancelled; };
+        const GiveUpScope watched(isWanted);
+        try {
+            document.positions = fingerprintsOf(positions);
+            positions = {};
+            status = writeSessionFile(std::move(document), path);
+        } catch (const GivenUp&) {
+            isGivenUp = true;
+        }
+    }
 
     /// On the other thread.
     void prepare(const std::function<void(double, const QString&)>& report) {
@@ -77,16 +93,28 @@ void SessionFiles::follow() {
     }
 }
 
-void SessionFiles::begin(const QString& doing, bool canCancel) {
+void SessionFiles::begin(const QString& doing, std::function<void()> cancel, const QString& cancelHelp) {
     m_work = std::make_shared<Work>();
-    m_progress = canCancel ? std::make_unique<TaskProgress>(
-                                 m_session.tasks(), doing,
-                                 [this] {
-                                     cancel();
-                                     Q_EMIT cancelled();
-                                 },
-                                 tr("Cancel opening; the session stays as it is"))
-                           : std::make_unique<TaskProgress>(m_session.tasks(), doing);
+    m_progress = std::make_unique<TaskProgress>(m_session.tasks(), doing, std::move(cancel), cancelHelp);
+}
+
+void SessionFiles::beginOpening(const QString& name) {
+    cancel();
+    leaveSaving();
+    begin(
+        tr("Opening %1").arg(name),
+        [this] {
+            cancel();
+            Q_EMIT cancelled();
+        },
+        tr("Cancel opening; the session stays as it is"));
+}
+
+/// What is being saved is written, but it is no longer the session that there is.
+void SessionFiles::leaveSaving() {
+    if (m_work && m_work->isSave) {
+        end();
+    }
 }
 
 void SessionFiles::end() {
@@ -108,47 +136,57 @@ void SessionFiles::save(const QString& path) {
                        "Wait until that has ended."});
         return;
     }
-    begin(tr("Saving %1").arg(QFileInfo(path).fileName()), false);
-    m_work->document = captureSession(m_session, m_view.capture());
+    begin(
+        tr("Saving %1").arg(QFileInfo(path).fileName()), [this] { m_work->cancelled = true; },
+        tr("Cancel saving; an earlier file stays unless the new one is written already"));
+    m_work->isSave = true;
+    m_work->document = captureHits(m_session, m_view.capture());
+    m_work->positions = copyPositions(m_session);
     m_work->path = QFileInfo(path).absoluteFilePath();
     m_work->state = m_session.steps().state();
     workBeside(
-        this, [work = m_work] { work->status = writeSessionFile(std::move(work->document), work->path); },
-        [work = m_work](SessionFiles& self, bool done) {
-            if (!done || !work->status) {
-                self.fail(done ? work->status.error() : noRoomFor(work->path));
-                return;
-            }
-            self.end();
-            self.m_path = work->path;
-            self.m_kept = work->state;
-            self.m_isRecovered = false;
-            self.m_wasModified = self.isModified();
-            Q_EMIT self.changed();
-            Q_EMIT self.saved(work->path);
-        });
+        this, [work = m_work] { work->write(); },
+        [work = m_work](SessionFiles& self, bool done) { self.takeWritten(work, done); });
+}
+
+void SessionFiles::takeWritten(const std::shared_ptr<Work>& work, bool done) {
+    const bool isOfThis = work == m_work;
+    if (isOfThis) {
+        end();
+    }
+    if (work->isGivenUp) {
+        Q_EMIT saveCancelled();
+    } else if (!done || !work->status) {
+        Q_EMIT failed(done ? work->status.error() : noRoomFor(work->path));
+    } else if (isOfThis) {
+        m_path = work->path;
+        m_kept = work->state;
+        m_isRecovered = false;
+        m_wasModified = isModified();
+        Q_EMIT changed();
+        Q_EMIT saved(work->path);
+    }
+    Q_EMIT saveEnded();
 }
 
 // Opening
 
 void SessionFiles::open(const QString& path) {
-    cancel();
-    begin(tr("Opening %1").arg(QFileInfo(path).fileName()), true);
+    beginOpening(QFileInfo(path).fileName());
     m_work->path = QFileInfo(path).absoluteFilePath();
     m_work->places.folder = QFileInfo(path).absolutePath();
     prepare();
 }
 
 void SessionFiles::openDocument(SessionDocument document) {
-    cancel();
-    begin(tr("Opening %1").arg(document.scene.name), true);
+    beginOpening(document.scene.name);
     m_work->document = std::move(document);
     m_work->isRead = true;
     prepare();
 }
 
 void SessionFiles::cancel() {
-    if (m_work) {
+    if (m_work && !m_work->isSave) {
         m_work->cancelled = true;
         end();
     }
@@ -258,6 +296,7 @@ void SessionFiles::checkPositions() {
 // Letting go
 
 void SessionFiles::leave() {
+    leaveSaving();
     m_path.clear();
     m_toCheck.reset();
     letGo();

@@ -35,14 +35,16 @@ public:
     [[nodiscard]] bool isModified() const;                        ///< since it was saved, opened or let go
     [[nodiscard]] bool isBusy() const { return m_work != nullptr; }
 
-    /// Writes it there, whole or not at all; ends with saved() or failed().
+    /// Writes it there, whole or not at all; ends with saved(), failed() or saveCancelled(). What is
+    /// changed meanwhile is not in it. If another scene takes the place of this one before, it is written all
+    /// the same, which nobody is told.
     void save(const QString& path);
     /// Replaces the session by the file's; ends with opened(), failed() or cancelled(), of which the last two
     /// leave the session as it is. Where meshes are missing or changed, troubled() asks on the way.
     void open(const QString& path);
     /// Likewise by a document that is in no file: what was recovered. Counts as modified.
     void openDocument(SessionDocument document);
-    /// Gives up what is being opened.
+    /// Gives up what is being opened; what is being saved stays wanted.
     void cancel();
 
     // Answers to troubled()
@@ -64,13 +66,18 @@ Q_SIGNALS:
     void opened(const QString& path, const QStringList& notes);
     void failed(const hitscope::Error& error);
     void cancelled();
+    void saveCancelled();  ///< the file is as it was
+    void saveEnded();      ///< whatever came of it; last
     /// What was opened has been drawn, and these targets are not what they were when it was saved.
     void differs(const QStringList& targets);
 
 private:
     struct Work;
 
-    void begin(const QString& doing, bool canCancel);
+    void begin(const QString& doing, std::function<void()> cancel, const QString& cancelHelp);
+    void beginOpening(const QString& name);
+    void leaveSaving();
+    void takeWritten(const std::shared_ptr<Work>& work, bool done);
     void say(const Work& work, double fraction, const QString& doing);
     void prepare();
     void take(const std::shared_ptr<Work>& work, bool done);

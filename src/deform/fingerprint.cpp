@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/give_up.h"
+
 namespace hitscope {
 
 namespace {
@@ -26,6 +28,14 @@ void addForm(Fingerprint& print, const DentForm& form) {
     print.add(unsignedZero(form.radius));
     for (const float ordinate : form.curve) {
         print.add(unsignedZero(ordinate));
+    }
+}
+
+void addPositions(Fingerprint& print, std::span<const glm::vec3> positions) {
+    print.add(std::uint64_t{positions.size()});
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+        mayGiveUp(v);
+        print.add(positions[v]);
     }
 }
 
@@ -91,12 +101,15 @@ std::uint64_t positionsFingerprint(std::span<const DeformedMesh* const> targets)
     Fingerprint print;
     print.add(std::uint64_t{targets.size()});
     for (const DeformedMesh* target : targets) {
-        const std::span<const glm::vec3> positions = target->positions();
-        print.add(std::uint64_t{positions.size()});
-        for (const glm::vec3& position : positions) {
-            print.add(position);
-        }
+        addPositions(print, target->positions());
     }
+    return print.value();
+}
+
+std::uint64_t positionsFingerprint(std::span<const glm::vec3> positions) {
+    Fingerprint print;
+    print.add(std::uint64_t{1});
+    addPositions(print, positions);
     return print.value();
 }
 

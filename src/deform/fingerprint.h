@@ -46,5 +46,7 @@ private:
 /// targets (64 bits), and of each target in order: the number of its file's vertices (64 bits) and, in the
 /// file's order, x, y and z of each (3 floats; metres, local frame).
 [[nodiscard]] std::uint64_t positionsFingerprint(std::span<const DeformedMesh* const> targets);
+/// Of one target, whose positions these are. Long work that may be given up.
+[[nodiscard]] std::uint64_t positionsFingerprint(std::span<const glm::vec3> positions);
 
 }  // namespace hitscope

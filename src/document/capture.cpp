@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "core/parallel.h"
 #include "deform/fingerprint.h"
 #include "session/session.h"
 
@@ -69,12 +70,42 @@ SessionDocument captureSettings(const Session& session, const CapturedView& view
     return document;
 }
 
-SessionDocument captureSession(const Session& session, const CapturedView& view) {
+SessionDocument captureHits(const Session& session, const CapturedView& view) {
     SessionDocument document = captureSettings(session, view);
     const std::span<const Hit> hits = session.hits().history().hits();
     document.hits.assign(hits.begin(), hits.end());
+    return document;
+}
+
+SessionDocument captureSession(const Session& session, const CapturedView& view) {
+    SessionDocument document = captureHits(session, view);
     document.positions = capturePositions(session);
     return document;
+}
+
+std::vector<CopiedPositions> copyPositions(const Session& session) {
+    constexpr std::size_t kLeastPart = std::size_t{1} << 18;  // vertices
+    std::vector<CopiedPositions> copies;
+    if (!session.readBack().isUpToDate()) {
+        return copies;
+    }
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        const std::span<const glm::vec3> from = target->deformed.positions();
+        std::vector<glm::vec3>& to = copies.emplace_back(CopiedPositions{target->id, {}}).positions;
+        to.resize(from.size());
+        inParts(from.size(), kLeastPart, [&](std::size_t first, std::size_t end) {
+            std::copy(from.data() + first, from.data() + end, to.data() + first);
+        });
+    }
+    return copies;
+}
+
+std::vector<SavedPositions> fingerprintsOf(std::span<const CopiedPositions> copies) {
+    std::vector<SavedPositions> positions;
+    for (const CopiedPositions& copy : copies) {
+        positions.push_back({copy.target, positionsFingerprint(copy.positions)});
+    }
+    return positions;
 }
 
 std::vector<SavedPositions> capturePositions(const Session& session) {

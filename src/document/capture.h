@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "document/session_document.h"
@@ -25,8 +27,21 @@ struct CapturedView {
 /// Everything of it but hits and fingerprints, for what is captured often.
 [[nodiscard]] SessionDocument captureSettings(const Session& session, const CapturedView& view);
 
+/// Everything of it but fingerprints: see copyPositions().
+[[nodiscard]] SessionDocument captureHits(const Session& session, const CapturedView& view);
+
 /// What the active pipeline made of the targets; nothing while that is on its way.
 [[nodiscard]] std::vector<SavedPositions> capturePositions(const Session& session);
+
+/// A target's positions, for another thread.
+struct CopiedPositions {
+    TargetId target;
+    std::vector<glm::vec3> positions;  ///< metres, local frame
+};
+/// For a large mesh a third of what capturePositions() takes; likewise nothing while they are on their way.
+[[nodiscard]] std::vector<CopiedPositions> copyPositions(const Session& session);
+/// The rest of it; of any thread, and may be given up.
+[[nodiscard]] std::vector<SavedPositions> fingerprintsOf(std::span<const CopiedPositions> copies);
 
 /// New ids for targets, by the old ones.
 using TargetNumbers = std::map<TargetId, TargetId>;

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/give_up.h"
 #include "document/fields.h"
 
 namespace hitscope {
@@ -117,6 +118,8 @@ public:
     void endRow();
 
 private:
+    static constexpr std::size_t kItemsBetween = 1024;  ///< looks whether to go on
+
     void quote(std::string_view text);
     [[nodiscard]] const char* comma() const { return m_layout == Layout::Lines ? ", " : ","; }
     void newLine();
@@ -125,7 +128,9 @@ private:
     void items(std::string_view key, const std::vector<Value>& values, bool inRows) {
         begin(key);
         open('[');
+        std::size_t written = 0;
         for (const Value& value : values) {
+            mayGiveUp(written++, kItemsBetween);
             begin({});
             if (inRows) {
                 beginRow();

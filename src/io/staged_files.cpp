@@ -289,7 +289,14 @@ Status StagedFiles::add(const QString& path, const std::function<bool(int descri
 }
 
 Status writeWhole(const QString& path, std::string_view content) {
-    return writeWhole(path, [content](const PutPiece& put) { put(content); });
+    return writeWhole(path, [content](const PutPiece& put) {
+        for (std::size_t at = 0; at < content.size(); at += kDiskPiece) {
+            mayGiveUp();
+            if (!put(content.substr(at, kDiskPiece))) {
+                return;
+            }
+        }
+    });
 }
 
 Status writeWhole(const QString& path, const std::function<void(const PutPiece&)>& make) {

@@ -164,9 +164,11 @@ Status Gathered::gather(const ExportGoOn& goOn, const QString& path) {
     if (m_what.isMerged()) {
         Status merged = merge();
         m_mesh.goOn = goOn;
+        m_mesh.beforeStep = m_what.beforeStep;
         return merged;
     }
     m_mesh.goOn = goOn;
+    m_mesh.beforeStep = m_what.beforeStep;
     const TargetExport& target = m_what.targets.front();
     m_mesh.mesh = target.original.get();
     m_mesh.positions = target.positions;
@@ -236,6 +238,7 @@ Result<QStringList> writeObj(const MeshExport& mesh, const CornerNormalView& nor
         file.sourcePath = isSource ? mesh.sourcePath : QString();
     }
     file.goOn = mesh.goOn;
+    file.beforeStep = mesh.beforeStep;
     return exportObj(file, path);
 }
 

@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <QStringList>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <span>
@@ -35,6 +36,7 @@ struct SceneExport {
     std::vector<TargetExport> targets;  ///< one at least; several, or one in the world, become one mesh
     std::vector<Hit> hits;              ///< those that made what is shown
     ExportOptions options;
+    std::function<void()> beforeStep = {};  ///< StagedFiles' own; for tests
 
     [[nodiscard]] bool isMerged() const { return targets.size() > 1 || options.inWorld; }
     [[nodiscard]] bool needsHits() const;  ///< how many hits moved each vertex
