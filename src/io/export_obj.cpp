@@ -7,6 +7,7 @@
 
 #include "io/export_files.h"
 #include "io/format_mtl.h"
+#include "io/writers/coordinate_check.h"
 #include "io/writers/source_obj.h"
 
 namespace hitscope {
@@ -106,6 +107,9 @@ Result<QStringList> write(const ObjExport& what, const QString& path) {
 
 Result<QStringList> exportObj(const ObjExport& what, const QString& path) {
     if (Status fits = checkLengths(what); !fits) {
+        return fits.error();
+    }
+    if (Status fits = checkCoordinates(*what.mesh, what.positions, path); !fits) {
         return fits.error();
     }
     try {

@@ -91,7 +91,9 @@ Status FacetComparison::facet(const MeshData& mesh, std::size_t f, const std::ui
     const std::string name = "triangle " + std::to_string(m_at / 3 + 1);
     StlFacet meant;
     for (std::size_t i = 0; i < 3; ++i, ++m_at) {
-        const glm::vec3 is = m_read.positions[m_read.cornerVertices[m_at]];
+        const std::uint32_t vertex = m_read.cornerVertices[m_at];
+        const glm::vec3 is =
+            m_read.filePositions.empty() ? m_read.positions[vertex] : glm::vec3(m_read.filePositions[vertex]);
         meant[i] = glm::vec3(m_positions.now(mesh.face(f)[corners[i]]));
         if (is != meant[i]) {
             return notAsMeant(m_path, elsewhere("a corner of " + name, is, meant[i]));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/writers/changes_csv.h"
 
+#include "io/writers/coordinate_check.h"
 #include "io/writers/file_positions.h"
 #include "io/writers/piece_writer.h"
 
@@ -51,6 +52,9 @@ void putChanges(const MeshExport& what, bool allVertices, PieceWriter& out) {
 Result<QStringList> exportChangesCsv(const MeshExport& what, const QString& path,
                                      const ChangesCsvOptions& options) {
     if (const Status fits = checkLengths(what); !fits) {
+        return fits.error();
+    }
+    if (const Status fits = checkDisplacements(what, path); !fits) {
         return fits.error();
     }
     const bool areFloats = FilePositions(what).fitFloats();

@@ -4,6 +4,7 @@
 #include <limits>
 #include <new>
 
+#include "io/writers/coordinate_check.h"
 #include "io/writers/gltf_parts.h"
 #include "io/writers/line_segments.h"
 
@@ -61,6 +62,9 @@ Status stageGltf(const MeshExport& what, GltfParts& parts, const QString& path, 
 
 Result<QStringList> exportGltf(const MeshExport& what, const QString& path, const GltfOptions& options) {
     if (const Status fits = checkLengths(what); !fits) {
+        return fits.error();
+    }
+    if (const Status fits = checkDisplacements(what, path); !fits) {
         return fits.error();
     }
     const bool hasLoose = !lineSegments(*what.mesh).empty() || !what.mesh->points.empty();

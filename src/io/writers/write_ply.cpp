@@ -5,6 +5,7 @@
 
 #include "core/give_up.h"
 #include "io/export_names.h"
+#include "io/writers/coordinate_check.h"
 #include "io/writers/line_segments.h"
 #include "io/writers/ply_copy.h"
 
@@ -217,6 +218,9 @@ QStringList WholePly::notes() const {
 
 Result<QStringList> exportPly(const MeshExport& what, const QString& path, const PlyOptions& options) {
     if (const Status fits = checkLengths(what); !fits) {
+        return fits.error();
+    }
+    if (const Status fits = checkDisplacements(what, path); !fits) {
         return fits.error();
     }
     try {

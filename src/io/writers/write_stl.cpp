@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/export_names.h"
 #include "io/number_text.h"
+#include "io/writers/coordinate_check.h"
 #include "io/writers/file_positions.h"
 #include "io/writers/piece_writer.h"
 #include "io/writers/stl_facet.h"
@@ -80,6 +81,9 @@ QStringList notesOf(const MeshExport& what) {
 
 Result<QStringList> exportStl(const MeshExport& what, const QString& path, const StlOptions& options) {
     if (const Status fits = checkLengths(what); !fits) {
+        return fits.error();
+    }
+    if (const Status fits = checkCoordinates(*what.mesh, what.positions, path); !fits) {
         return fits.error();
     }
     const MeshData& mesh = *what.mesh;
