@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene_files.h"
 
+#include <QElapsedTimer>
 #include <QFileInfo>
 #include <QTimer>
 #include <atomic>
 #include <iterator>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "analysis/beside.h"
+#include "app/opening_progress.h"
 #include "core/give_up.h"
 #include "session/task_list.h"
 
@@ -21,6 +24,9 @@ struct SceneFiles::Work {
     QString name;
     QStringList paths;   ///< empty: it is made by us
     qsizetype next = 0;  ///< of paths
+    OpeningProgress progress{{}};
+    QElapsedTimer clock;       ///< of the file that is being opened; then of its mesh's preparation
+    double readSeconds = 0.0;  ///< that it took
     std::unique_ptr<MeshImport> import;
     QStringList read;  ///< the paths that could be
     QStringList notes;
@@ -57,18 +63,36 @@ QString sceneNameOf(const ScenePlan& scene) {
 }  // namespace
 
 SceneFiles::SceneFiles(Session& session, QObject* parent) : QObject(parent), m_session(session) {
-    connect(this, &SceneFiles::started, this, [this](const QString& name) {
-        m_name = QFileInfo(name).fileName();
-        m_progress = std::make_unique<TaskProgress>(
-            m_session.tasks(), tr("Opening %1").arg(m_name),
-            [this] {
-                cancel();
-                Q_EMIT cancelled();
-            },
-            tr("Cancel opening; the scene stays unchanged"));
-    });
+    constexpr int kBetween = 100;  // milliseconds
+    m_preparing.setInterval(kBetween);
+    connect(&m_preparing, &QTimer::timeout, this, &SceneFiles::sayPreparing);
+    connect(this, &SceneFiles::started, this, &SceneFiles::beginTask);
     connect(this, &SceneFiles::progressed, this, &SceneFiles::say);
-    connect(this, &SceneFiles::ended, this, [this] { m_progress.reset(); });
+    connect(this, &SceneFiles::ended, this, [this] {
+        m_preparing.stop();
+        m_progress.reset();
+    });
+}
+
+/// Several files are one task, so that what is said to be left is left of all.
+void SceneFiles::beginTask(const QString& name) {
+    m_preparing.stop();
+    m_name = QFileInfo(name).fileName();
+    if (m_work && m_work->paths.size() > 1) {
+        m_name = tr("%1 (%2 of %3)").arg(m_name).arg(m_work->next).arg(m_work->paths.size());
+    }
+    const QString doing = tr("Opening %1").arg(m_name);
+    if (m_progress) {
+        m_progress->say(doing);
+        return;
+    }
+    m_progress = std::make_unique<TaskProgress>(
+        m_session.tasks(), doing,
+        [this] {
+            cancel();
+            Q_EMIT cancelled();
+        },
+        tr("Cancel opening; the scene stays unchanged"));
 }
 
 SceneFiles::~SceneFiles() {
@@ -78,9 +102,26 @@ SceneFiles::~SceneFiles() {
 }
 
 void SceneFiles::say(double fraction, const QString& doing) {
-    if (m_progress) {
+    if (!m_progress) {
+        return;
+    }
+    if (!doing.isEmpty()) {
         m_progress->say(tr("%1 %2", "Reading teapot.obj").arg(doing, m_name));
+    }
+    const bool isFile = m_work && m_work->next > 0;
+    if (!isFile) {
         m_progress->report(fraction);
+    } else if (fraction >= 0.0) {
+        m_progress->report(m_work->progress.reading(static_cast<std::size_t>(m_work->next - 1), fraction));
+    }
+}
+
+void SceneFiles::sayPreparing() {
+    constexpr double kMillisecond = 1.0e-3;
+    if (m_progress && m_work && m_work->next > 0) {
+        m_progress->report(
+            m_work->progress.preparing(static_cast<std::size_t>(m_work->next - 1), m_work->readSeconds,
+                                       kMillisecond * static_cast<double>(m_work->clock.elapsed())));
     }
 }
 
@@ -91,9 +132,13 @@ void SceneFiles::open(const QStringList& paths, Into into) {
     }
     auto work = std::make_shared<Work>();
     work->into = into;
+    std::vector<double> sizes;
     for (const QString& path : paths) {
-        work->paths << QFileInfo(path).absoluteFilePath();
+        const QFileInfo file(path);
+        work->paths << file.absoluteFilePath();
+        sizes.push_back(static_cast<double>(file.size()));
     }
+    work->progress = OpeningProgress(std::move(sizes));
     m_work = std::move(work);
     importNext();
 }
@@ -145,6 +190,7 @@ void SceneFiles::importNext() {
             }
         },
         Qt::QueuedConnection);
+    work->clock.start();
     Q_EMIT started(path);
     import->start();
 }
@@ -154,7 +200,10 @@ void SceneFiles::takeImported(const std::shared_ptr<ImportedMesh>& imported) {
     if (!work) {
         return;
     }
-    Q_EMIT progressed(-1.0, tr("Preparing"));
+    constexpr double kMillisecond = 1.0e-3;
+    work->readSeconds = kMillisecond * static_cast<double>(work->clock.restart());
+    Q_EMIT progressed(1.0, tr("Preparing"));
+    m_preparing.start();
     const QString path = work->paths[work->next - 1];
     const bool several = work->paths.size() > 1;
     for (const QString& note : imported->notes) {

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
+#include <QTimer>
 #include <functional>
 #include <memory>
 
@@ -48,7 +49,7 @@ public:
 
 Q_SIGNALS:
     void started(const QString& name);  ///< also with each further file
-    /// fraction in [0, 1]; negative: not known.
+    /// fraction of this file or scene, in [0, 1]; negative: not known.
     void progressed(double fraction, const QString& doing);
     void seen(const QImage& picture);  ///< what is coming, where a Drawing drew it
     /// The session has the files' meshes. `notes`: what was dropped or mended on the way, in words.
@@ -71,11 +72,14 @@ private:
     void deliver();
     void fail(const Error& error);
     void end();
+    void beginTask(const QString& name);
     void say(double fraction, const QString& doing);
+    void sayPreparing();
 
     Session& m_session;
     QString m_name;                            ///< of what is being opened or made
     std::unique_ptr<TaskProgress> m_progress;  ///< null: nothing is
+    QTimer m_preparing;                        ///< while a mesh that was read is prepared
     std::shared_ptr<Work> m_work;              ///< null: nothing is being opened
     std::function<Drawing()> m_makeDrawing;
     Readying m_ready;

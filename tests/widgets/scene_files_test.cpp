@@ -8,14 +8,20 @@
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <utility>
+#include <vector>
 
 #include "app/notice_bar.h"
+#include "app/opening_progress.h"
 #include "app/overlays/coming_picture.h"
 #include "app/scene_files.h"
 #include "mesh/primitives.h"
 #include "panels/scene/scene_panel.h"
 #include "session/sample_scenes.h"
+#include "session/task_list.h"
 #include "support/test_program.h"
 #include "window_support.h"
 
@@ -46,6 +52,8 @@ private Q_SLOTS:
         broken.write("v 0 0 0\nf 1 2 3\n");
     }
     void severalFilesAreOneScene();
+    void severalFilesAreOneTask();
+    void theShareOfAllFilesOnlyGrows();
     void whatCannotBeReadIsLeftOut();
     void filesAndTargetsAreAdded();
     void cancellingLeavesTheScene();
@@ -64,6 +72,52 @@ private:
     TestSettings m_settings;
     QTemporaryDir m_folder;
 };
+
+void SceneFilesTest::severalFilesAreOneTask() {
+    Session session;
+    SceneFiles files(session);
+    QSignalSpy ended(&files, &SceneFiles::ended);
+    QList<int> tasks;
+    QStringList said;
+    std::vector<double> shares;
+    connect(&session.tasks(), &TaskList::changed, this, [&] {
+        const TaskList::Task* const task = session.tasks().current();
+        if (task != nullptr) {
+            tasks += tasks.contains(task->id) ? QList<int>() : QList<int>{task->id};
+            said += task->what;
+            shares.push_back(task->fraction);
+        }
+    });
+    files.open({path("a.obj"), path("broken.obj"), path("b.obj")});
+    QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, kPatience);
+    QCOMPARE(session.targets().size(), std::size_t{2});
+    QCOMPARE(tasks.size(), 1);
+    for (const char* const text :
+         {"Opening a.obj (1 of 3)", "Preparing a.obj (1 of 3)", "Opening broken.obj (2 of 3)",
+          "Opening b.obj (3 of 3)", "Preparing b.obj (3 of 3)"}) {
+        QVERIFY2(said.contains(QString::fromLatin1(text)), text);
+    }
+    QVERIFY(std::is_sorted(shares.begin(), shares.end()));
+    QVERIFY(shares.back() > 0.25 && shares.back() <= 1.0);
+}
+
+void SceneFilesTest::theShareOfAllFilesOnlyGrows() {
+    const OpeningProgress progress({100.0, 300.0});
+    double last = progress.reading(0, 0.0);
+    QCOMPARE(last, 0.0);
+    const auto grows = [&last](double share) { return std::exchange(last, share) < share && share < 1.0; };
+    for (const std::size_t file : {0u, 1u}) {
+        QVERIFY(file == 0 || std::abs(progress.reading(file, 0.0) - 0.25) < 1e-12);
+        QVERIFY(grows(progress.reading(file, 0.5)));
+        QVERIFY(grows(progress.reading(file, 1.0)));
+        QCOMPARE(progress.preparing(file, 2.0, 0.0), last);
+        for (const double seconds : {1.0, 3.0, 4.6, 5.0, 7.0, 9.0}) {  // 5.1 are expected
+            QVERIFY2(grows(progress.preparing(file, 2.0, seconds)), qPrintable(QString::number(seconds)));
+        }
+        QVERIFY(last > 0.99 * (file == 0 ? 0.25 : 1.0));
+    }
+    QVERIFY(std::abs(progress.preparing(1, 2.0, 2.57) - (0.25 + 0.75 * 0.64)) < 0.001);  // half of it
+}
 
 void SceneFilesTest::severalFilesAreOneScene() {
     Session session;
