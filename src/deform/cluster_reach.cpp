@@ -233,6 +233,36 @@ void ClusterReach::everReached(const Hit& hit, std::vector<std::uint32_t>& reach
     std::set_union(before.begin(), before.end(), now.begin(), now.end(), std::back_inserter(reached));
 }
 
+std::vector<std::uint32_t> ClusterReach::everReached(std::span<const Hit> hits,
+                                                     std::span<const Hit> more) const {
+    std::vector<bool> isKnown(2 * m_leaves, false);  // by node: all clusters below are found
+    std::vector<std::uint32_t> reached;
+    for (const std::span<const Hit> some : {hits, more}) {
+        for (const Hit& hit : some) {
+            addEverReached(reachOf(hit), 1, isKnown, reached);
+        }
+    }
+    std::sort(reached.begin(), reached.end());
+    return reached;
+}
+
+/// Returns whether all clusters below the node are found.
+bool ClusterReach::addEverReached(const HitReach& hit, std::size_t node, std::vector<bool>& isKnown,
+                                  std::vector<std::uint32_t>& reached) const {
+    if (isKnown[node] || (!reaches(hit, m_ever[node]) && !reaches(hit, m_now[node]))) {
+        return isKnown[node];
+    }
+    if (node >= m_leaves) {
+        isKnown[node] = true;
+        reached.push_back(static_cast<std::uint32_t>(node - m_leaves));
+    } else {
+        const bool isLeft = addEverReached(hit, 2 * node, isKnown, reached);
+        const bool isRight = addEverReached(hit, 2 * node + 1, isKnown, reached);
+        isKnown[node] = isLeft && isRight;
+    }
+    return isKnown[node];
+}
+
 bool ClusterReach::mayEverReach(const Hit& hit) const {
     const HitReach sphere = reachOf(hit);
     return reaches(sphere, m_ever[1]) || reaches(sphere, m_now[1]);

@@ -12,6 +12,8 @@
 
 namespace hitscope {
 
+struct HitReach;
+
 /// Which clusters of a target a hit can reach, as its vertices move.
 ///
 /// Each cluster has two boxes. One holds its vertices as they are: a hit grows it by what it can do to the
@@ -47,6 +49,10 @@ public:
                     std::vector<std::uint32_t>& reached) const;
     /// Finds the clusters that a hit may reach at whatever time it strikes.
     void everReached(const Hit& hit, std::vector<std::uint32_t>& reached) const;
+    /// Likewise any of these, and of `more`: each cluster once. Thousands of hits cost little more than the
+    /// clusters that they reach.
+    [[nodiscard]] std::vector<std::uint32_t> everReached(std::span<const Hit> hits,
+                                                         std::span<const Hit> more = {}) const;
     /// Whether everReached() may find any.
     [[nodiscard]] bool mayEverReach(const Hit& hit) const;
 
@@ -76,6 +82,8 @@ private:
         return all;
     }
     void find(const Tree& tree, const Hit& hit, std::vector<std::uint32_t>& found) const;
+    bool addEverReached(const HitReach& hit, std::size_t node, std::vector<bool>& isKnown,
+                        std::vector<std::uint32_t>& reached) const;
     void grow(std::uint32_t cluster, const Hit& hit);
     void replace(std::uint32_t cluster, const Bounds& box);
     static void refit(Tree& tree, std::size_t leaf);

@@ -83,25 +83,12 @@ TargetEffects::Changes TargetEffects::follow(std::span<const TargetHitsEdit> edi
 /// The clusters where a hit put in or taken out may make a difference. Where the vertices have been so far is
 /// enough to tell, however many edits there are: those in other clusters go the same way after each of them.
 std::vector<std::uint32_t> TargetEffects::concernedBy(std::span<const TargetHitsEdit> edits) const {
-    std::vector<bool> marks(m_mesh->clusters.size(), false);
-    std::vector<std::uint32_t> concerned;
-    std::vector<std::uint32_t> reached;
+    std::vector<Hit> changed;
     for (const TargetHitsEdit& edit : edits) {
-        for (const std::vector<Hit>* hits : {&edit.before, &edit.after}) {
-            for (const Hit& hit : *hits) {
-                reached.clear();
-                m_reach.everReached(hit, reached);
-                for (const std::uint32_t cluster : reached) {
-                    if (!marks[cluster]) {
-                        marks[cluster] = true;
-                        concerned.push_back(cluster);
-                    }
-                }
-            }
-        }
+        changed.insert(changed.end(), edit.before.begin(), edit.before.end());
+        changed.insert(changed.end(), edit.after.begin(), edit.after.end());
     }
-    std::sort(concerned.begin(), concerned.end());
-    return concerned;
+    return m_reach.everReached(changed);
 }
 
 void TargetEffects::splice(const TargetHitsEdit& edit) {

@@ -71,10 +71,7 @@ void ReferenceDeformation::edit(const TargetHitsEdit& edit) {
 
 /// Adds the clusters that these may ever have reached.
 void ReferenceDeformation::concern(std::span<const Hit> hits) {
-    std::vector<std::uint32_t> reached;
-    for (const Hit& hit : hits) {
-        m_reach.everReached(hit, reached);
-    }
+    const std::vector<std::uint32_t> reached = m_reach.everReached(hits);
     m_concerned.insert(m_concerned.end(), reached.begin(), reached.end());
     std::sort(m_concerned.begin(), m_concerned.end());
     m_concerned.erase(std::unique(m_concerned.begin(), m_concerned.end()), m_concerned.end());

@@ -15,34 +15,6 @@ constexpr std::size_t kBulkHits = 256;
 /// Hits applied again at most after going back; beyond, going through the clusters concerned is cheaper.
 constexpr std::size_t kMostRepeated = 256;
 
-void keepEachOnce(std::vector<std::uint32_t>& clusters) {
-    std::sort(clusters.begin(), clusters.end());
-    clusters.erase(std::unique(clusters.begin(), clusters.end()), clusters.end());
-}
-
-/// The clusters that a hit taken out or put in may have reached, sorted. Of thousands of hits a few hundred
-/// may reach them all.
-std::vector<std::uint32_t> concernedBy(const ClusterReach& reach, const TargetHitsEdit& edit) {
-    const std::size_t all = reach.clusters().size();
-    std::vector<std::uint32_t> concerned;
-    std::size_t look = all;
-    for (const std::vector<Hit>* hits : {&edit.before, &edit.after}) {
-        for (const Hit& hit : *hits) {
-            reach.everReached(hit, concerned);
-            if (concerned.size() < look) {
-                continue;
-            }
-            keepEachOnce(concerned);
-            if (concerned.size() == all) {
-                return concerned;
-            }
-            look = concerned.size() + all;
-        }
-    }
-    keepEachOnce(concerned);
-    return concerned;
-}
-
 }  // namespace
 
 void KeptVerticesPipeline::addTarget(TargetId target, TargetBuffers& buffers) {
@@ -146,7 +118,7 @@ bool KeptVerticesPipeline::goBack(TargetState& target, const TargetHitsEdit& edi
 void KeptVerticesPipeline::redo(TargetState& target, const TargetHitsEdit& edit) {
     m_undo.forget(target.id);
     ++target.epoch;
-    const std::vector<std::uint32_t> concerned = concernedBy(target.reach, edit);
+    const std::vector<std::uint32_t> concerned = target.reach.everReached(edit.before, edit.after);
     if (concerned.empty()) {
         return;
     }

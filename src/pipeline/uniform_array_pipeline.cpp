@@ -248,12 +248,7 @@ void UniformArrayPipeline::keepWhatWindowsHold(const std::set<TargetId>& targets
 /// Only clusters that a hit taken out or put in may have reached can come out otherwise.
 void UniformArrayPipeline::reconsider(TargetState& target, std::span<const Hit> changed) {
     ++target.epoch;
-    std::vector<std::uint32_t> concerned;
-    for (const Hit& hit : changed) {
-        target.reach.everReached(hit, concerned);
-    }
-    std::sort(concerned.begin(), concerned.end());
-    concerned.erase(std::unique(concerned.begin(), concerned.end()), concerned.end());
+    const std::vector<std::uint32_t> concerned = target.reach.everReached(changed);
     target.unread.add(target.reach.rangesOf(concerned));
     target.reach.restart(concerned);
     std::vector<std::uint32_t> reached;

@@ -2,6 +2,8 @@
 #include <QTest>
 #include <algorithm>
 #include <cstring>
+#include <random>
+#include <set>
 
 #include "deform/cluster_reach.h"
 #include "deform/reference.h"
@@ -169,6 +171,39 @@ private Q_SLOTS:
                 QVERIFY(contains(reach.rangesOf(clusters), vertex));
             }
         }
+    }
+
+    void manyReachWhatEachReaches_data() {
+        QTest::addColumn<int>("hits");
+        for (const int hits : {0, 4, 400}) {
+            QTest::addRow("%d hits", hits) << hits;
+        }
+    }
+    void manyReachWhatEachReaches() {
+        QFETCH(int, hits);
+        const RenderMesh render = buildRenderMesh(makeLowPolySphere());
+        ClusterReach reach(render.clusters);
+        test::BruteForce bruteForce(render);
+        for (const Hit& hit : piledHits(render, 40)) {
+            static_cast<void>(advance(reach, hit));
+            bruteForce.apply(hit);
+            reach.place(0, bruteForce.vertices);
+        }
+        std::mt19937 random(31);
+        std::vector<Hit> many;
+        std::set<std::uint32_t> each;
+        for (int i = 0; i < hits; ++i) {
+            many.push_back(test::randomHit(random, 3.0f));
+            std::vector<std::uint32_t> one;
+            reach.everReached(many.back(), one);
+            each.insert(one.begin(), one.end());
+        }
+        const std::vector<std::uint32_t> expected(each.begin(), each.end());
+        const std::size_t half = many.size() / 2;
+        QCOMPARE(reach.everReached(many), expected);
+        QCOMPARE(reach.everReached(std::span(many).first(half), std::span(many).subspan(half)), expected);
+        QCOMPARE(expected.empty(), hits == 0);
+        QCOMPARE(expected.size() == render.clusters.size(), hits == 400);
     }
 
     void boxesFollowWhereVerticesAre() {
