@@ -21,12 +21,10 @@ gl::Buffer makeBuffer(std::span<const T> content, GLenum usage) {
     return buffer;
 }
 
-gl::Buffer makeEmptyBuffer(std::size_t bytes, GLenum usage) {
-    gl::Buffer buffer = gl::Buffer::make();
-    glBindBuffer(GL_COPY_WRITE_BUFFER, buffer.id());
+void makeRoom(GLuint buffer, std::size_t bytes, GLenum usage) {
+    glBindBuffer(GL_COPY_WRITE_BUFFER, buffer);
     glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, usage);
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
-    return buffer;
 }
 
 /// They come behind the triangles in that buffer.
@@ -152,22 +150,36 @@ void TargetBuffers::makeBuffers() {
     const auto triangles = std::as_bytes(std::span(m_mesh->triangles));
     const auto coarse = std::as_bytes(std::span(m_mesh->coarseTriangles));
     const std::size_t normals = m_vertexCount * sizeof(glm::vec3);
-    m_dynamic = makeEmptyBuffer(vertices.size(), GL_DYNAMIC_COPY);
-    m_original = makeEmptyBuffer(vertices.size(), GL_STATIC_DRAW);
-    m_texcoords = makeEmptyBuffer(texcoords.size(), GL_STATIC_DRAW);
-    m_shadingNormals = makeEmptyBuffer(normals, GL_DYNAMIC_DRAW);
-    m_triangles = makeEmptyBuffer(triangles.size() + coarse.size(), GL_STATIC_DRAW);
-    m_missing = {{m_dynamic.id(), 0, vertices.data(), vertices.size()},
-                 {m_original.id(), 0, vertices.data(), vertices.size()},
-                 {m_texcoords.id(), 0, texcoords.data(), texcoords.size()},
-                 {m_shadingNormals.id(), 0, nullptr, normals},
-                 {m_triangles.id(), 0, triangles.data(), triangles.size()},
-                 {m_triangles.id(), triangles.size(), coarse.data(), coarse.size()}};
+    for (gl::Buffer* buffer : {&m_dynamic, &m_original, &m_texcoords, &m_shadingNormals, &m_triangles}) {
+        *buffer = gl::Buffer::make();
+    }
+    const auto add = [this](const gl::Buffer& buffer, GLenum usage, std::size_t start, const std::byte* from,
+                            std::size_t size) {
+        m_missing.push_back({.buffer = buffer.id(), .start = start, .from = from, .bytes = size});
+        if (usage != 0) {
+            m_missing.push_back({.buffer = buffer.id(), .bytes = start + size, .usage = usage});
+        }
+    };
+    add(m_dynamic, GL_DYNAMIC_COPY, 0, vertices.data(), vertices.size());
+    add(m_original, GL_STATIC_DRAW, 0, vertices.data(), vertices.size());
+    add(m_texcoords, GL_STATIC_DRAW, 0, texcoords.data(), texcoords.size());
+    add(m_shadingNormals, GL_DYNAMIC_DRAW, 0, nullptr, normals);
+    add(m_triangles, 0, 0, triangles.data(), triangles.size());
+    add(m_triangles, GL_STATIC_DRAW, triangles.size(), coarse.data(), coarse.size());
 }
 
 bool TargetBuffers::fillMore(std::size_t bytes) {
     while (!m_missing.empty()) {
         const Part& part = m_missing.back();
+        if (part.usage != 0) {
+            makeRoom(part.buffer, part.bytes, part.usage);  // a software renderer clears it
+            bytes -= std::min(part.bytes, bytes);
+            m_missing.pop_back();
+            if (bytes == 0) {
+                break;
+            }
+            continue;
+        }
         // Whole normals.
         const std::size_t left = part.bytes - m_filled;
         const std::size_t some =

@@ -109,6 +109,7 @@ private:
         std::size_t start = 0;            ///< bytes, in the buffer
         const std::byte* from = nullptr;  ///< null: the mesh's normals
         std::size_t bytes = 0;
+        GLenum usage = 0;  ///< not 0: the buffer gets room for so many bytes, and nothing is filled in
     };
     void makeBuffers();
     void makeArrays();
