@@ -50,11 +50,12 @@ DrivenWindow::DrivenWindow(QSize size) : m_watch([this] { seeLoop(); }) {
     setRefines(false);
     QObject::connect(&viewport(), &Viewport::framePainted, &m_watch,
                      [this] { m_lastPainted = nowInNanoseconds(); });
-    QObject::connect(&viewport(), &QOpenGLWidget::frameSwapped, &m_watch, [this] {
+    QObject::connect(&viewport(), &Viewport::pictureDrawn, &m_watch, [this] { ++m_drawnFrames; });
+    QObject::connect(&viewport(), &Viewport::pictureShown, &m_watch, [this] {
         ++m_frames;
+        m_drawnWithShown = m_drawnFrames;
         m_lastFrame = nowInNanoseconds();
     });
-    viewport().installEventFilter(this);
     m_window->resize(size);
     m_window->show();
     m_window->activateWindow();
@@ -113,10 +114,11 @@ std::optional<DrivenWindow::Taken> DrivenWindow::untilShown(const QString& what,
     std::int64_t begin = 0;
     double spent = 0.0;
     QObject listener;
-    m_isPainted = false;
-    QObject::connect(&viewport(), &QOpenGLWidget::frameSwapped, &listener, [&] {
-        // What drawing brought along is in its picture. Frames are also shown where others have painted.
-        drawn = (std::exchange(m_isPainted, false) && isThere()) || drawn;
+    bool isComing = false;  // the picture to be shown next was drawn then
+    // What drawing brought along is in its picture.
+    QObject::connect(&viewport(), &Viewport::pictureDrawn, &listener, [&] { isComing = isThere(); });
+    QObject::connect(&viewport(), &Viewport::pictureShown, &listener, [&] {
+        drawn = drawn || isComing;
         if (!drawn) {
             return;
         }
@@ -145,11 +147,7 @@ std::optional<DrivenWindow::Moment> DrivenWindow::untilRefined(const std::functi
     std::int64_t begin = 0;
     double spent = 0.0;
     QObject listener;
-    m_isPainted = false;
-    QObject::connect(&viewport(), &QOpenGLWidget::frameSwapped, &listener, [&] {
-        if (!std::exchange(m_isPainted, false)) {
-            return;
-        }
+    QObject::connect(&viewport(), &Viewport::pictureShown, &listener, [&] {
         const PictureRefiner& refiner = viewport().refiner();
         if (!refiner.wasShown()) {  // the last of these: what follows the hit comes in another frame
             m_watch.restart();
@@ -170,11 +168,6 @@ void DrivenWindow::setRefines(bool on) {
     DisplayOptions options = viewport().options();
     options.refine = on;
     viewport().setOptions(options);
-}
-
-bool DrivenWindow::eventFilter(QObject* watched, QEvent* event) {
-    m_isPainted = m_isPainted || event->type() == QEvent::Paint;
-    return QObject::eventFilter(watched, event);
 }
 
 QPoint DrivenWindow::place(double x, double y) {

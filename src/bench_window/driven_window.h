@@ -69,9 +69,13 @@ public:
     std::optional<Moment> untilRefined(const std::function<void()>& act);
     /// Whether pictures are refined at rest.
     void setRefines(bool on);
-    /// Frames that have been swapped so far, and when the last one was, nanoseconds.
+    /// Frames that have been shown so far, and when the last one was, nanoseconds.
     [[nodiscard]] std::uint64_t frames() const { return m_frames; }
     [[nodiscard]] std::int64_t lastFrame() const { return m_lastFrame; }
+    /// Frames that have been drawn so far; the last one may not be shown yet.
+    [[nodiscard]] std::uint64_t drawnFrames() const { return m_drawnFrames; }
+    /// How many were when the one that is shown had been drawn.
+    [[nodiscard]] std::uint64_t drawnWithShown() const { return m_drawnWithShown; }
     [[nodiscard]] LoopWatch& watch() { return m_watch; }
 
     // By events, as from mouse and keyboard. Places are fractions of the viewport's size.
@@ -85,9 +89,6 @@ public:
     /// The entry of a menu whose text, without & and …, is `text`; false: there is none.
     bool choose(const QString& text);
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
     [[nodiscard]] QPoint place(double x, double y);
     [[nodiscard]] bool isQuiet();
@@ -99,8 +100,9 @@ private:
     QString m_error;
     QEventLoop* m_loop = nullptr;  ///< the one that wait() runs
     std::function<bool()> m_done;
-    bool m_isPainted = false;  ///< the viewport was, since a frame was shown
     std::uint64_t m_frames = 0;
+    std::uint64_t m_drawnFrames = 0;
+    std::uint64_t m_drawnWithShown = 0;
     std::int64_t m_lastFrame = 0;
     std::int64_t m_lastPainted = 0;  ///< when the viewport drew; panels around it swap frames too
     LoopWatch m_watch;

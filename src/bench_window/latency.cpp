@@ -258,12 +258,12 @@ Row LatencyRun::moving(const QString& what, std::optional<PictureDetail> detail,
     m_window.press(0.3, 0.5);
     m_window.moveTo(0.33, 0.5);  // now it is a drag
     for (int i = 0; i < kChoosing + frames && isGood(); ++i) {
-        const std::uint64_t before = m_window.frames();
+        const std::uint64_t before = m_window.drawnFrames();
         const std::int64_t begin = nowInNanoseconds();
         const double spent = processorTime();
         m_window.watch().restart();
         m_window.moveTo(0.33 + 0.01 * (i % 40 + 1), 0.5);
-        m_window.wait(QStringLiteral("a frame"), [&] { return m_window.frames() > before; });
+        m_window.wait(QStringLiteral("a frame"), [&] { return m_window.drawnWithShown() > before; });
         if (i >= kChoosing) {
             row.add(kNanosecond * static_cast<double>(m_window.lastFrame() - begin),
                     m_window.watch().longest(), processorTime() - spent);

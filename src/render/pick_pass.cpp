@@ -56,16 +56,7 @@ void prepareState() {
 
 }  // namespace
 
-PickPass::~PickPass() {
-    forgetReading();
-}
-
-void PickPass::forgetReading() {
-    if (m_fence != nullptr) {
-        glDeleteSync(m_fence);
-        m_fence = nullptr;
-    }
-}
+PickPass::~PickPass() = default;
 
 /// The framebuffer is bound.
 Status PickPass::makeRoom(const PixelArea& area) {
@@ -177,7 +168,7 @@ std::vector<PickedElement> PickPass::read() {
 
 void PickPass::startReading() {
     const render::KeepState keep;
-    forgetReading();
+    m_fence.reset();
     if (!m_copy) {
         m_copy = gl::Buffer::make();
     }
@@ -189,15 +180,14 @@ void PickPass::startReading() {
     glReadBuffer(GL_COLOR_ATTACHMENT0);
     glReadPixels(0, 0, m_drawn.width, m_drawn.height, GL_RG_INTEGER, GL_UNSIGNED_INT, nullptr);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-    m_fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-    glFlush();
+    m_fence.emplace();
 }
 
 std::optional<std::vector<PickedElement>> PickPass::takeArrived() {
-    if (m_fence == nullptr || glClientWaitSync(m_fence, 0, 0) == GL_TIMEOUT_EXPIRED) {
+    if (!m_fence || !m_fence->isPassed()) {
         return std::nullopt;
     }
-    forgetReading();
+    m_fence.reset();
     std::vector<Pixel> pixels(m_copied);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, m_copy.id());
     const auto bytes = static_cast<GLsizeiptr>(m_copied * sizeof(Pixel));

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "gl/fence.h"
 #include "gl/objects.h"
 #include "render/picked.h"
 #include "render/program_cache.h"
@@ -36,7 +37,7 @@ public:
 
     /// Has the area copied as soon as the GPU gets there. What was asked for before is forgotten.
     void startReading();
-    [[nodiscard]] bool isReading() const { return m_fence != nullptr; }
+    [[nodiscard]] bool isReading() const { return m_fence.has_value(); }
     /// As read(), of when startReading() was called; nothing: it has not arrived. Never waits.
     [[nodiscard]] std::optional<std::vector<PickedElement>> takeArrived();
 
@@ -45,7 +46,6 @@ private:
     [[nodiscard]] Result<const gl::Program*> programFor(const Frame& frame,
                                                         const DeformationPipeline& pipeline, bool points,
                                                         bool filled);
-    void forgetReading();
 
     render::ProgramCache m_programs;
     bool m_byGeometry = false;
@@ -58,7 +58,7 @@ private:
     PixelArea m_drawn;
     gl::Buffer m_copy;
     std::size_t m_copied = 0;  ///< pixels in m_copy
-    GLsync m_fence = nullptr;
+    std::optional<gl::Fence> m_fence;
 };
 
 }  // namespace hitscope

@@ -102,6 +102,8 @@ public:
     /// picture.samples() tells. The frame starts at the framebuffer's left. The error says what the driver
     /// lacks.
     [[nodiscard]] Status refine(const Frame& frame, DeformationPipeline& pipeline, RefinedPicture& picture);
+    /// Whether that would first wait for what it was called for before.
+    [[nodiscard]] bool isBehindRefining(const RefinedPicture& picture) const;
     /// As draw(), but of the scene what `picture` has; hasPicture() holds. What marks the scene is drawn
     /// anew: it may be other than it was.
     [[nodiscard]] Status drawRefined(const Frame& frame, DeformationPipeline& pipeline,

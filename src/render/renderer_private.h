@@ -2,9 +2,11 @@
 #pragma once
 
 // The inside of Renderer: for renderer.cpp, which draws frames, and renderer_refine.cpp, which draws samples.
+#include <deque>
 #include <optional>
 
 #include "gl/context.h"
+#include "gl/fence.h"
 #include "render/change_map.h"
 #include "render/dent_ghost_pass.h"
 #include "render/frame_context.h"
@@ -71,12 +73,11 @@ struct Renderer::Private {
     // Of the sample at hand; none: the picture is drawn as it is.
     glm::vec2 jitter{0.0f};
     const render::Occlusion* occlusion = nullptr;
-    GLsync partDrawn = nullptr;  ///< of the last part of a picture, where a software renderer draws in parts
+    std::deque<gl::Fence> refining;  ///< after the last calls of refine(), where the CPU draws
 
     Private() = default;
     Private(const Private&) = delete;
     Private& operator=(const Private&) = delete;
-    ~Private() { glDeleteSync(partDrawn); }
 
     [[nodiscard]] render::ShadowMap& sampleShadowsAt(int place);
     [[nodiscard]] render::FrameContext contextOf(const Frame& frame);
@@ -95,7 +96,6 @@ struct Renderer::Private {
                                    RefinedPicture& picture);
     [[nodiscard]] Status drawSample(render::FrameContext& context, DeformationPipeline& pipeline,
                                     RefinedPicture& picture);
-    void waitForPartBefore(const render::SurfacePart& part);
     [[nodiscard]] Status addSample(const Frame& frame, DeformationPipeline& pipeline,
                                    RefinedPicture& picture);
     [[nodiscard]] Status drawGhosts(const Frame& frame, DeformationPipeline& pipeline);

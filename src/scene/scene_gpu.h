@@ -65,15 +65,25 @@ public:
     /// drawn, and it says so; else it forgets what it has of another one. Null: the picture is drawn as it
     /// is.
     [[nodiscard]] Status draw(const View& view, unsigned framebuffer, RefinedView* refined = nullptr);
-    /// Whether that drew any target with fewer triangles; where one looks from close by it need not.
+    /// Begins to draw what draw() would, into a framebuffer of its own, and does not wait for it. False:
+    /// there is no room for that. A picture of before that is not shown yet is dropped; draw() drops it, too.
+    [[nodiscard]] Result<bool> drawAhead(const View& view, RefinedView* refined = nullptr);
+    /// Whether the GPU has finished it; false where there is none.
+    [[nodiscard]] bool isDrawnAhead() const;
+    /// Copies it into the framebuffer object of that name, of so many pixels.
+    void showAhead(unsigned framebuffer, int width, int height);
+    /// Whether the last picture drew any target with fewer triangles; where one looks from close by it need
+    /// not.
     [[nodiscard]] bool wasCoarse() const;
-    /// Draws the shadows that draw() would draw first, of new targets too, and waits for them: a picture then
-    /// takes less time.
+    /// Begins to draw the shadows that draw() would draw first, of new targets too: a picture then takes less
+    /// time.
     [[nodiscard]] Status prepare(const View& view);
     /// Adds a sample to `refined`, of what was drawn last, or draws a part of one: takes as long as a frame
     /// at most, follows nothing and shows nothing. Samples of another picture are forgotten first. Two
     /// pictures side by side are not refined: it has no samples then.
     [[nodiscard]] Status refine(const View& view, RefinedView& refined);
+    /// Whether that would first wait for the samples before.
+    [[nodiscard]] bool isBehindRefining(RefinedView& refined) const;
     /// Draws what `refined` has, which is a picture, and what marks the scene now over it.
     [[nodiscard]] Status drawRefined(const View& view, RefinedView& refined, unsigned framebuffer);
     /// What draw() last drew, into `pass`: what lies under the pixels of `area` of that view. Nothing before

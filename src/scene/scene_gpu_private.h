@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The inside of SceneGpu: for scene_gpu.cpp, which draws, and scene_gpu_follow.cpp, which brings the GPU to
-// the session's state.
+// The inside of SceneGpu: scene_gpu_draw.cpp draws, scene_gpu_follow.cpp brings the GPU to the session's
+// state.
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "deform/history_prefix.h"
+#include "gl/fence.h"
 #include "gl/render_target.h"
 #include "render/renderer.h"
 #include "scene/change_upload.h"
@@ -64,8 +65,9 @@ struct SceneGpu::Private {
     ChangeUpload changeUpload;
     SecondScene second;
     ChangeUpload secondUpload;
-    std::unique_ptr<gl::RenderTarget>
-        reduced;  // for pictures drawn smaller than they are shown; null: none lately
+    // For pictures that are drawn smaller than they are shown, or before they are shown; null: none lately.
+    std::unique_ptr<gl::RenderTarget> ownTarget;
+    std::optional<gl::Fence> ahead;                // after the picture in it that is not shown yet
     std::unique_ptr<TaskProgress> appending;       // null: no long row of new hits is applied in slices
     std::unique_ptr<Reapplication> reapplication;  // null: nothing is applied again in slices
 
@@ -107,8 +109,12 @@ struct SceneGpu::Private {
     [[nodiscard]] std::unique_ptr<FrameParts> frameOf(const View& view);
     /// The picture, or two of them side by side.
     Status drawAll(Frame& frame, const View& view, unsigned framebuffer);
-    /// The view as it is drawn, and a place for it in `reduced` where that is smaller than it is shown.
-    [[nodiscard]] View reducedView(const View& view);
+    /// The view as it is drawn, in the pixels that its detail asks for.
+    [[nodiscard]] static View drawnView(const View& shown);
+    /// Has `ownTarget` for that many pixels; false: the driver cannot give that much.
+    [[nodiscard]] bool makeOwn(const View& drawn);
+    /// What draw() says, with the pixels of that view.
+    [[nodiscard]] Status drawPicture(const View& view, unsigned framebuffer, RefinedView* refined);
 };
 
 }  // namespace hitscope

@@ -86,12 +86,14 @@ PictureDetail PictureMotion::beginFrame() {
     m_isCounted = !isFirstComing() && !isHurried();
     m_isFirst = false;
     m_isRefinedShown = false;
+    m_isDrawn = true;
     return m_detail;
 }
 
 void PictureMotion::frameShown(double seconds) {
     judgeFull(seconds);
-    if (!m_timer.isActive()) {
+    m_isDrawn = false;
+    if (!std::exchange(m_isRestDue, false) && !m_timer.isActive()) {
         drawInFullIfAtRest();
         return;
     }
@@ -121,6 +123,10 @@ void PictureMotion::refinedShown() {
 }
 
 void PictureMotion::rest() {
+    if (m_isDrawn) {
+        m_isRestDue = true;
+        return;
+    }
     m_isFirst = true;
     if (isReduced()) {
         Q_EMIT rested();

@@ -83,6 +83,8 @@ private:
     int m_fullFrames = 0;        ///< drawn since frames took another time
     bool m_isFirst = true;       ///< the next frame is a motion's first
     bool m_isCounted = false;    ///< the last one was not
+    bool m_isDrawn = false;      ///< the last one, but not shown yet
+    bool m_isRestDue = false;    ///< once it is
     bool m_drewCoarse = false;   ///< the last one did
     PictureDetail m_detail;      ///< of the last picture
     float m_distance = 0.0f;     ///< metres, where what is no help was forgotten last

@@ -11,6 +11,7 @@ namespace {
 // Milliseconds from the beginning to the first look at what there is, and from one to the next. The whole
 // window is composed for each, which takes a software renderer almost as long as a sample.
 constexpr int kBetweenLooks = 600;
+constexpr int kLookAgain = 1;         // milliseconds, whether the renderer has got far enough
 constexpr qint64 kRestForSample = 1;  // times as long as a sample takes, nothing must have happened before it
 constexpr qint64 kLongestRest = 1000;  // milliseconds
 
@@ -80,6 +81,10 @@ void PictureRefiner::inputCame() {
 void PictureRefiner::step() {
     if (isDone() || !m_hooks.mayRefine()) {
         return;  // the next frame that is painted goes on
+    }
+    if (m_hooks.isBehind(*m_view)) {
+        m_timer.start(kLookAgain);
+        return;
     }
     const int before = m_view->samples();
     const bool hadPicture = m_view->hasPicture();

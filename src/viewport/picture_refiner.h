@@ -20,7 +20,8 @@ class PictureRefiner : public QObject {
     Q_OBJECT
 public:
     struct Hooks {
-        std::function<bool()> mayRefine;  ///< nothing moves, and there is something to draw into
+        std::function<bool()> mayRefine;             ///< nothing moves, and there is something to draw into
+        std::function<bool(RefinedView&)> isBehind;  ///< with what was added before
         std::function<Status(RefinedView&)> addSample;  ///< with the context current
         std::function<bool()> isCoarse;                 ///< what is shown is: any picture is better
         std::function<void()> show;                     ///< asks for a frame

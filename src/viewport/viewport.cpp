@@ -75,11 +75,11 @@ Viewport::Viewport(Session& session, QWidget* parent)
     };
     followRateOfFire();
     connect(&m_repeatTimer, &QTimer::timeout, this, &Viewport::shootAtCrosshair);
-    connect(&m_crosshairTimer, &QTimer::timeout, this, qOverload<>(&QWidget::update));
-    connect(&m_navigation, &Navigation::cameraChanged, this, qOverload<>(&QWidget::update));
+    connect(&m_crosshairTimer, &QTimer::timeout, this, &Viewport::wantPicture);
+    connect(&m_navigation, &Navigation::cameraChanged, this, &Viewport::wantPicture);
     connect(&m_navigation, &Navigation::cameraChanged, &m_motion, &PictureMotion::moved);
     connect(&m_refiner, &PictureRefiner::failed, this, &Viewport::followQuality);
-    connect(&m_motion, &PictureMotion::rested, this, qOverload<>(&QWidget::update));
+    connect(&m_motion, &PictureMotion::rested, this, &Viewport::wantPicture);
     connect(this, &QOpenGLWidget::frameSwapped, this, [this] {
         endFrame();
         followRefresh();
@@ -95,9 +95,9 @@ Viewport::Viewport(Session& session, QWidget* parent)
     connect(&session, &Session::pictureChanged, this, &Viewport::followPicture);
     connect(&session, &Session::pictureChanged, this, &Viewport::startClock);
     const VertexSelection& selection = session.selection();
-    connect(&selection, &VertexSelection::hoveredChanged, this, qOverload<>(&QWidget::update));
-    connect(&selection, &VertexSelection::pickedChanged, this, qOverload<>(&QWidget::update));
-    connect(&selection, &VertexSelection::selectionChanged, this, qOverload<>(&QWidget::update));
+    connect(&selection, &VertexSelection::hoveredChanged, this, &Viewport::wantPicture);
+    connect(&selection, &VertexSelection::pickedChanged, this, &Viewport::wantPicture);
+    connect(&selection, &VertexSelection::selectionChanged, this, &Viewport::wantPicture);
     connect(&session, &Session::sceneReplaced, this, &Viewport::followScene);
     connect(&session.targets(), &SessionTargets::added, this, &Viewport::followSize);
     connect(&session.targets(), &SessionTargets::removed, this, &Viewport::followSize);
@@ -190,17 +190,18 @@ void Viewport::paintGL() {
         paintError();
         return;
     }
-    m_sinceBegin.start();
-    m_isDrawn = true;
-    const bool follows = std::exchange(m_frameFollows, false) && m_sinceFrame.isValid();
-    SceneGpu::View shown = view();
-    m_motion.seenFrom(camera().distance());
-    shown.detail = m_motion.beginFrame();
-    if (Status drawn = m_scene->draw(shown, defaultFramebufferObject(), m_refiner.view()); !drawn) {
-        report(drawn.error());
-        return;
+    if (m_ahead.takeFinished()) {
+        const SceneGpu::View shown = view();
+        m_scene->showAhead(defaultFramebufferObject(), shown.width, shown.height);
+    } else {
+        const SceneGpu::View shown = beginPicture();
+        if (Status drawn = m_scene->draw(shown, defaultFramebufferObject(), m_refiner.view()); !drawn) {
+            report(drawn.error());
+            return;
+        }
+        pictureBegun();
     }
-    m_motion.drawn(m_scene->wasCoarse());
+    m_isDrawn = true;
     paintOverlay();
     m_error.clear();
     if (m_refiner.wasShown()) {
@@ -208,7 +209,21 @@ void Viewport::paintGL() {
     }
     m_refiner.framePainted();
     // What was drawn before, in better quality, is no frame to measure.
-    m_painted = m_refiner.wasShown() ? Painted::Nothing : follows ? Painted::Following : Painted::Alone;
+    m_painted = m_refiner.wasShown() ? Painted::Nothing : m_follows ? Painted::Following : Painted::Alone;
+}
+
+SceneGpu::View Viewport::beginPicture() {
+    m_sinceBegin.start();
+    m_follows = std::exchange(m_frameFollows, false) && m_sinceFrame.isValid();
+    SceneGpu::View shown = view();
+    m_motion.seenFrom(camera().distance());
+    shown.detail = m_motion.beginFrame();
+    return shown;
+}
+
+void Viewport::pictureBegun() {
+    m_motion.drawn(m_scene->wasCoarse());
+    Q_EMIT pictureDrawn();
 }
 
 /// Only now is a frame there: a renderer may have put off all of the drawing until now. The window is also
@@ -220,6 +235,8 @@ void Viewport::endFrame() {
     const double drawing = static_cast<double>(m_sinceBegin.nsecsElapsed()) * kNanosecond;
     m_motion.frameShown(drawing);
     m_catchUp.pictureShown();
+    m_ahead.shown();
+    Q_EMIT pictureShown();
     const Painted painted = std::exchange(m_painted, Painted::Nothing);
     if (painted == Painted::Nothing) {
         return;
@@ -242,7 +259,7 @@ void Viewport::paintOverlay() {
 void Viewport::setChangeValues(ChangeValues* values, Comparison* comparison) {
     m_changeValues = values;
     m_comparison = comparison;
-    update();
+    wantPicture();
 }
 
 void Viewport::paintError() {
@@ -263,7 +280,7 @@ void Viewport::setOptions(const DisplayOptions& options) {
     m_motion.forget();
     followViewSize();
     followQuality();
-    update();
+    wantPicture();
     Q_EMIT optionsChanged();
 }
 
@@ -271,10 +288,11 @@ void Viewport::setDrawsContinuously(bool on) {
     m_continuous = on;
     followQuality();
     m_navigation.setGlides(!on);  // what is measured stands still
-    update();
+    wantPicture();
 }
 
 void Viewport::followScene() {
+    m_ahead.drop();
     followSize();
     frameAll(Navigation::Arrival::AtOnce);
     if (m_scene && m_isSoftware && isVisible()) {
@@ -327,13 +345,13 @@ void Viewport::shootAlong(const Ray& sight) {
 void Viewport::shootAtCrosshair() {
     m_crosshairTimer.start();
     shootAlong(camera().rayThrough({0.0f, 0.0f}, m_navigation.aspect()));
-    update();
+    wantPicture();
 }
 
 void Viewport::lookAt(const VertexRef& vertex) {
     if (const Target* target = m_session.targets().find(vertex.target)) {
         m_navigation.recentre(target->transform.toWorld(target->deformed.positions()[vertex.vertex]));
-        update();
+        wantPicture();
     }
 }
 

@@ -16,6 +16,7 @@
 #include "viewport/aiming.h"
 #include "viewport/catch_up.h"
 #include "viewport/navigation.h"
+#include "viewport/picture_ahead.h"
 #include "viewport/picture_motion.h"
 #include "viewport/picture_refiner.h"
 #include "viewport/scene_decorations.h"
@@ -72,6 +73,8 @@ public:
     [[nodiscard]] BrushTool& brushTool() { return *m_brush; }
     void lookAt(const hitscope::VertexRef& vertex);  ///< from now on
 
+    /// What is seen around the session has changed: a picture of what there is now comes.
+    void wantPicture() { m_ahead.want(); }
     /// What is seen has changed: a picture comes, with the next ones where many hits are being applied.
     void followPicture();
     /// Brings the GPU and the read-back to the session's state now: before an export. Fails when there is no
@@ -97,8 +100,12 @@ public:
     static constexpr int kLongestClick = 500;  ///< milliseconds from press to release
 
 Q_SIGNALS:
-    /// A frame is shown. Seconds: from the frame before while frames follow each other, else what it took to
-    /// draw.
+    /// A picture was drawn, of what there is now, and pictureShown() follows; not where another one comes
+    /// first.
+    void pictureDrawn();
+    void pictureShown();  ///< by the window
+    /// A frame is shown, which was not a refined picture. Seconds: from the frame before while frames follow
+    /// each other, else what it took to draw.
     void framePainted(double seconds);
     void rendererKnown();
     void shot(const hitscope::Ray& ray);  ///< by click or key, along this line of sight
@@ -127,6 +134,10 @@ private:
 
     void releaseGpu();
     void report(const Error& error);
+    [[nodiscard]] PictureAhead::Hooks aheadHooks();
+    [[nodiscard]] bool drawAhead();
+    [[nodiscard]] SceneGpu::View beginPicture();
+    void pictureBegun();
     void paintError();
     void paintOverlay();
     void endFrame();
@@ -162,7 +173,7 @@ private:
     std::string m_error;        ///< the reason there is no picture; empty: there is one
 
     DisplayOptions m_options;
-    SceneDecorations m_decorations{[this] { update(); }};
+    SceneDecorations m_decorations{[this] { wantPicture(); }};
     ChangeValues* m_changeValues = nullptr;
     Comparison* m_comparison = nullptr;
     ChangeOverlay m_changeOverlay;
@@ -171,6 +182,7 @@ private:
     ViewportPicking m_picking{*this};
     PictureRefiner m_refiner{refinerHooks()};
     PictureMotion m_motion;
+    PictureAhead m_ahead{*this, aheadHooks()};
     bool m_framed = false;  ///< the scene has been framed at a real size
 
     bool m_continuous = false;
@@ -179,6 +191,7 @@ private:
     QElapsedTimer m_sinceFrame;  ///< since the last frame was shown
     QElapsedTimer m_sinceBegin;  ///< since the last picture was begun
     bool m_isDrawn = false;      ///< since a frame was shown
+    bool m_follows = false;      ///< that picture follows the one before
     enum class Painted : std::uint8_t { Nothing, Alone, Following };
     Painted m_painted = Painted::Nothing;  ///< a frame that is not shown yet, perhaps right after another
     QTimer m_costsTimer;

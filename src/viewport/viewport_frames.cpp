@@ -49,7 +49,7 @@ void Viewport::followPicture() {
     } else if (isCatchingUp() || m_catchUp.isSliceComing()) {
         m_catchUp.wantPicture();
     } else {
-        update();
+        wantPicture();
     }
 }
 
@@ -101,7 +101,7 @@ void Viewport::moveOn() {
     if (isCatchingUp()) {
         updatePrepared();
     } else {
-        update();
+        wantPicture();
     }
 }
 
@@ -110,8 +110,40 @@ void Viewport::updatePrepared() {
     if (m_scene && m_isSoftware && !m_catchUp.isPrepared()) {
         m_catchUp.prepareLater();
     } else {
-        update();
+        wantPicture();
     }
+}
+
+PictureAhead::Hooks Viewport::aheadHooks() {
+    return {.begin = [this] { return drawAhead(); },
+            .isFinished =
+                [this] {
+                    bool isDrawn = false;
+                    static_cast<void>(withScene([&isDrawn](SceneGpu& scene) -> Status {
+                        isDrawn = scene.isDrawnAhead();
+                        return Done{};
+                    }));
+                    return isDrawn;
+                }};
+}
+
+bool Viewport::drawAhead() {
+    bool isBegun = false;
+    const Status drawn = withScene([&](SceneGpu& scene) -> Status {
+        const Result<bool> begun = scene.drawAhead(beginPicture(), m_refiner.view());
+        if (!begun) {
+            return begun.error();
+        }
+        isBegun = begun.value();
+        return Done{};
+    });
+    if (!drawn) {
+        return false;  // painting finds the same, and reports it
+    }
+    if (isBegun) {
+        pictureBegun();
+    }
+    return isBegun;
 }
 
 void Viewport::preparePicture() {
@@ -127,7 +159,7 @@ void Viewport::preparePicture() {
     if (isCatchingUp()) {
         m_motion.moved();
     }
-    update();
+    wantPicture();
 }
 
 void Viewport::collectCosts() {

@@ -55,7 +55,7 @@ void Viewport::dropUnusedMeshes() {
 
 Status Viewport::syncNow() {
     Status status = withScene([](SceneGpu& scene) { return scene.sync(); });
-    update();  // normals may have come with it
+    wantPicture();  // normals may have come with it
     return status;
 }
 
@@ -84,18 +84,31 @@ Result<Image> Viewport::drawPicture(const PictureRequest& request) {
     if (!status) {
         return status.error();
     }
-    update();
+    wantPicture();
     return image;
 }
 
 PictureRefiner::Hooks Viewport::refinerHooks() {
-    return {.mayRefine = [this] { return m_scene && !wantsFrames() && isVisible() && !m_motion.isReduced(); },
+    return {.mayRefine =
+                [this] {
+                    return m_scene && !wantsFrames() && isVisible() && !m_motion.isReduced() &&
+                           !m_ahead.isUnderWay();
+                },
+            .isBehind =
+                [this](RefinedView& refined) {
+                    bool isBehind = false;
+                    static_cast<void>(withScene([&](SceneGpu& scene) -> Status {
+                        isBehind = scene.isBehindRefining(refined);
+                        return Done{};
+                    }));
+                    return isBehind;
+                },
             .addSample =
                 [this](RefinedView& refined) {
                     return withScene([&](SceneGpu& scene) { return scene.refine(view(), refined); });
                 },
             .isCoarse = [this] { return m_motion.lastDetail().coarse; },
-            .show = [this] { update(); }};
+            .show = [this] { wantPicture(); }};
 }
 
 /// What is measured is drawn anew each time, in full.
@@ -113,6 +126,7 @@ void Viewport::followQuality() {
         follow();
     }
     m_motion.setOn(m_options.reduceInMotion && !m_continuous);
+    m_ahead.setOn(m_isSoftware && !m_continuous);
     // Only software renderers draw in parts, and only one picture.
     m_motion.setRefined(!m_continuous && m_isSoftware && !m_options.sideBySide &&
                         m_refiner.whyNot().isEmpty());

@@ -36,6 +36,7 @@ private Q_SLOTS:
     void whatIsOverItDoesNot();
     void offForgets();
     void slowPicturesAreCoarseFirst();
+    void eventsComeWhileAPictureIsDrawn();
     void measuringIsWithout();
     void savedAreTheSameToTheBit();
     void turntableIsOneClick();
@@ -191,6 +192,29 @@ void RefineTest::slowPicturesAreCoarseFirst() {
             QCOMPARE(test::differing(inParts, viewport().grabFramebuffer()), 0);
         }
     }
+}
+
+/// An event that is sent when the drawing has been handed over arrives before the picture is shown.
+void RefineTest::eventsComeWhileAPictureIsDrawn() {
+    viewport().makeCurrent();
+    const bool isSoftware = gl::rendererInfo().isSoftware();
+    viewport().doneCurrent();
+    if (!isSoftware) {
+        QSKIP("only software renderers draw pictures ahead");
+    }
+    QStringList order;
+    QObject listener;
+    connect(&viewport(), &Viewport::pictureDrawn, &listener, [&] {
+        order << QStringLiteral("drawn");
+        QMetaObject::invokeMethod(
+            &listener, [&order] { order << QStringLiteral("event"); }, Qt::QueuedConnection);
+    });
+    connect(&viewport(), &Viewport::pictureShown, &listener, [&order] { order << QStringLiteral("shown"); });
+    Camera camera = viewport().camera();
+    camera.orbit(0.3f, 0.1f);
+    viewport().navigation().setCamera(camera);
+    QTRY_VERIFY_WITH_TIMEOUT(order.contains(QStringLiteral("shown")), kPatience);
+    QCOMPARE(order.first(3).join(u' '), QStringLiteral("drawn event shown"));
 }
 
 void RefineTest::measuringIsWithout() {

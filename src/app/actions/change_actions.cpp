@@ -143,8 +143,8 @@ void ChangeActions::followComparison() {
                     m_values.touch(target, vertices);
                 }
             });
-    connect(&m_comparison, &Comparison::valuesChanged, &m_viewport, [this] { m_viewport.update(); });
-    connect(&m_comparison, &Comparison::reportChanged, &m_viewport, [this] { m_viewport.update(); });
+    connect(&m_comparison, &Comparison::valuesChanged, &m_viewport, [this] { m_viewport.wantPicture(); });
+    connect(&m_comparison, &Comparison::reportChanged, &m_viewport, [this] { m_viewport.wantPicture(); });
     connect(m_panel, &ChangePanel::otherChosen, this, &ChangeActions::chooseOther);
     connect(m_panel, &ChangePanel::sideBySideEdited, this, &ChangeActions::setSideBySide);
 }

@@ -77,7 +77,7 @@ void ComingPicture::hideAfterFrame() {
             m_picture = {};
         },
         static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
-    m_viewport.update();
+    m_viewport.wantPicture();
 }
 
 bool ComingPicture::eventFilter(QObject* watched, QEvent* event) {

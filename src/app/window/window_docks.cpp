@@ -234,7 +234,7 @@ QDockWidget* WindowDocks::makeAgreementDock() {
 
 void WindowDocks::lookAt(const Bounds& bounds) {
     m_parts.viewport.navigation().frame(bounds);
-    m_parts.viewport.update();
+    m_parts.viewport.wantPicture();
 }
 
 void WindowDocks::show(const QString& name) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/gtc/constants.hpp>
+#include <utility>
 #include <vector>
 
 #include "render/refined/varying_area.h"
@@ -113,6 +114,8 @@ void RefinedPicture::clear() {
     m_hasDepths = false;
     m_front.reset();
     m_unsettled.reset();
+    m_isFrontDue = false;
+    m_areMarksDue = false;
     m_nextPart = 0;
 }
 
@@ -120,8 +123,15 @@ void RefinedPicture::begin(const PixelArea& varying, bool maySettle) {
     m_settles = maySettle && m_extent == Extent::WhereItStillVaries;
     m_area = m_extent == Extent::Everywhere ? PixelArea{0, 0, m_width, m_height} : varying;
     m_hasDepths = true;
-    if (m_settles) {
+    m_isFrontDue = m_settles;
+}
+
+void RefinedPicture::readWhatIsDue() {
+    if (std::exchange(m_isFrontDue, false)) {
         readFront();
+    }
+    if (std::exchange(m_areMarksDue, false)) {
+        readMarks();
     }
 }
 
@@ -225,9 +235,18 @@ Status RefinedPicture::settle(render::ProgramCache& programs, GLuint emptyArray)
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindTexture(GL_TEXTURE_2D, 0);
     glDisable(GL_STENCIL_TEST);
-    std::vector<std::uint8_t> marks(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    m_areMarksDue = true;
+    return Done{};
+}
+
+void RefinedPicture::readMarks() {
+    std::vector<std::uint8_t> marks(static_cast<std::size_t>(m_area.width) *
+                                    static_cast<std::size_t>(m_area.height));
+    glBindFramebuffer(GL_FRAMEBUFFER, m_sample.id());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(first.x, first.y, size.x, size.y, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, marks.data());
+    glReadPixels(m_area.x, m_area.y, m_area.width, m_area.height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE,
+                 marks.data());
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     m_unsettled.emplace(m_area, marks);
     // From now on they are counted.
@@ -236,7 +255,6 @@ Status RefinedPicture::settle(render::ProgramCache& programs, GLuint emptyArray)
     glClearColor(0.0f, 0.0f, 0.0f, static_cast<float>(m_samples));
     glClear(GL_COLOR_BUFFER_BIT);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    return Done{};
 }
 
 gl::Defines RefinedPicture::drawDefines(bool isSum, bool withDepths) const {

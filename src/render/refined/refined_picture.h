@@ -61,6 +61,11 @@ public:
     /// The frame without jitter has been drawn into plainFramebuffer(); samples differ within `varying`.
     /// maySettle: the CPU draws, and the picture is opaque.
     void begin(const PixelArea& varying, bool maySettle);
+    /// Whether something has to be read back before the next sample: who does not want to wait for that gives
+    /// the GPU time first.
+    [[nodiscard]] bool isReadingDue() const { return m_isFrontDue || m_areMarksDue; }
+    /// Reads it. Leaves framebuffer and masks changed.
+    void readWhatIsDue();
     /// Samples are drawn within it.
     [[nodiscard]] const PixelArea& area() const { return m_area; }
     /// Where on the light a sample's shadows are cast from.
@@ -91,7 +96,8 @@ public:
     /// The part that is drawn next of what is drawn in parts.
     [[nodiscard]] std::uint32_t nextPart() const { return m_nextPart; }
     void setNextPart(std::uint32_t part) { m_nextPart = part; }
-    /// Adds what is in sampleFramebuffer() to the sum. Leaves framebuffer, viewport and blending changed.
+    /// readWhatIsDue() was called. Adds what is in sampleFramebuffer() to the sum. Leaves framebuffer,
+    /// viewport and blending changed.
     [[nodiscard]] Status add(render::ProgramCache& programs, GLuint emptyArray);
     /// Draws the mean, or without samples the plain picture, over the whole viewport of what is bound, and
     /// the depths where they are wanted. Leaves depth test and blending off.
@@ -99,6 +105,7 @@ public:
 
 private:
     void readFront();
+    void readMarks();
     /// Marks what is drawn from now on in the stencil buffer of samples.
     [[nodiscard]] Status settle(render::ProgramCache& programs, GLuint emptyArray);
     [[nodiscard]] gl::Defines drawDefines(bool isSum, bool withDepths) const;
@@ -111,6 +118,8 @@ private:
     PixelArea m_area;
     bool m_hasDepths = false;
     bool m_settles = false;                      ///< some pixels after the first samples
+    bool m_isFrontDue = false;                   ///< m_front is to be read
+    bool m_areMarksDue = false;                  ///< m_unsettled is
     std::optional<render::FrontDepths> m_front;  ///< where pixels settle
     std::optional<render::MarkedTiles> m_unsettled;
     std::uint32_t m_nextPart = 0;

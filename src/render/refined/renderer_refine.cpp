@@ -16,6 +16,11 @@ namespace {
 
 constexpr float kLightSize = 0.055f;  // radius of the directional light's disc, a metre away: 3 degrees
 
+/// A software renderer transforms vertices as far ahead of its pixels as it gets, and whoever shows the
+/// picture would wait for all of these at once. So many samples, or parts of them, are ahead at most: its
+/// pixels are shaded while the next one's vertices are transformed.
+constexpr std::size_t kMostAhead = 1;
+
 /// The way that the light travels from a place (unit disc) on it.
 glm::vec3 placeOnLight(const glm::vec3& given, const glm::vec2& place) {
     const float length = glm::length(given);
@@ -84,26 +89,7 @@ Status Renderer::Private::drawPart(FrameContext& context, DeformationPipeline& p
         return status;
     }
     picture.setNextPart(context.part.isLast() ? 0 : context.part.index + 1);
-    if (software && context.part.count > 1) {
-        waitForPartBefore(context.part);
-    }
     return Done{};
-}
-
-/// A software renderer transforms vertices as far ahead of its pixels as it gets, and whoever shows the
-/// picture would wait for all of these at once: no more than one part is ahead, and none after the last.
-void Renderer::Private::waitForPartBefore(const SurfacePart& part) {
-    constexpr GLuint64 kPatience = 1'000'000'000;  // nanoseconds
-    const GLsync drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-    glFlush();
-    if (const GLsync before = std::exchange(partDrawn, drawn)) {
-        glClientWaitSync(before, 0, kPatience);
-        glDeleteSync(before);
-    }
-    if (part.isLast()) {
-        glClientWaitSync(partDrawn, 0, kPatience);
-        glDeleteSync(std::exchange(partDrawn, nullptr));
-    }
 }
 
 ShadowMap& Renderer::Private::sampleShadowsAt(int place) {
@@ -182,19 +168,35 @@ Status Renderer::refine(const Frame& given, DeformationPipeline& pipeline, Refin
         return Done{};
     }
     const KeepState keep;
+    if (d->refining.size() > kMostAhead) {
+        d->refining.front().wait();
+    }
     if (!picture.prepare(given.width, given.height)) {
         return Error{"This graphics driver cannot sum up pictures of " + std::to_string(given.width) + " x " +
                          std::to_string(given.height) + " pixels.",
                      "", "Choose a smaller size, or a single sample."};
     }
+    picture.readWhatIsDue();
     const LitFrame lit(given);
     Status status = d->addSample(lit.frame(), pipeline, picture);
     d->jitter = glm::vec2(0.0f);
     d->occlusion = nullptr;
     if (d->software) {
-        glFlush();  // its pixels are shaded while the next one's vertices are transformed
+        d->refining.emplace_back();
+        if (d->refining.size() > kMostAhead + 1) {
+            d->refining.pop_front();
+        }
     }
     return status;
+}
+
+bool Renderer::isBehindRefining(const RefinedPicture& picture) const {
+    if (d->refining.empty()) {
+        return false;
+    }
+    const bool waitsForAll = picture.isReadingDue();
+    return (waitsForAll || d->refining.size() > kMostAhead) &&
+           !(waitsForAll ? d->refining.back() : d->refining.front()).isPassed();
 }
 
 Status Renderer::drawRefined(const Frame& given, DeformationPipeline& pipeline, const RefinedPicture& picture,

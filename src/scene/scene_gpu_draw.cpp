@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How SceneGpu draws: into the caller's framebuffer, ahead into its own, and refined.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "analysis/change_values.h"
+#include "analysis/comparison.h"
+#include "scene/refined_view.h"
+#include "scene/scene_gpu_private.h"
+
+namespace hitscope {
+
+void SceneGpu::Private::followComparison(const View& view) {
+    Comparison* comparison = view.comparison;
+    second.follow(comparison, deformDefines, SecondScene::Delivery::WhatHasArrived);
+    if (comparison != nullptr) {
+        comparison->setShownQuantity(isSideBySide(view) && view.options.change.on
+                                         ? std::optional(view.options.change.quantity)
+                                         : std::nullopt);
+    }
+    if (second.isReady() && !second.isReadBackPending() && !pipeline->isReadBackPending()) {
+        comparison->settle(second.pipeline().capacity().dropped.size());
+    }
+}
+
+Status SceneGpu::Private::drawAll(Frame& frame, const View& view, unsigned framebuffer) {
+    if (!isSideBySide(view)) {
+        return renderer->draw(frame, *pipeline, framebuffer);
+    }
+    frame.width = view.width / 2;
+    if (Status status = renderer->draw(frame, *pipeline, framebuffer); !status) {
+        return status;
+    }
+    const std::vector<DrawItem> items = second.itemsFor(frame.targets);
+    if (frame.change) {
+        const ChangeValues* own = view.comparison->values();
+        secondUpload.follow(own != nullptr ? own : view.changeValues);
+        for (const DrawItem& item : items) {
+            secondUpload.upload(item.target, second.buffersOf(item.target));
+        }
+    }
+    const std::vector<VertexMarks> secondMarks =
+        view.selectionMarks ? marks.on(items) : std::vector<VertexMarks>();
+    frame.targets = items;
+    frame.marks = secondMarks;
+    frame.section = view.otherSection;
+    frame.left = frame.width;
+    frame.width = view.width - frame.left;
+    return renderer->draw(frame, second.pipeline(), framebuffer);
+}
+
+SceneGpu::View SceneGpu::Private::drawnView(const View& shown) {
+    const auto smaller = [&shown](int side) {
+        return std::max(1, static_cast<int>(std::lround(static_cast<float>(side) * shown.detail.scale)));
+    };
+    View drawn = shown;
+    if (shown.detail.scale < 1.0f) {
+        drawn.width = smaller(shown.width);
+        drawn.height = smaller(shown.height);
+        drawn.pixelRatio *= shown.detail.scale;
+    }
+    return drawn;
+}
+
+bool SceneGpu::Private::makeOwn(const View& drawn) {
+    if (!ownTarget || ownTarget->width() != drawn.width || ownTarget->height() != drawn.height) {
+        ownTarget = std::make_unique<gl::RenderTarget>(drawn.width, drawn.height);
+    }
+    if (!ownTarget->isComplete()) {
+        ownTarget.reset();
+    }
+    return ownTarget != nullptr;
+}
+
+Status SceneGpu::prepare(const View& view) {
+    if (!d->pipeline) {
+        return Done{};
+    }
+    d->followTargets();
+    d->followCover();
+    const std::unique_ptr<FrameParts> parts = d->frameOf(view);
+    Status status = d->renderer->prepare(parts->frame, *d->pipeline);
+    glFlush();
+    return status;
+}
+
+bool SceneGpu::wasCoarse() const {
+    return d->renderer->wasCoarse();
+}
+
+Status SceneGpu::Private::drawPicture(const View& view, unsigned framebuffer, RefinedView* refined) {
+    meter.begin();
+    if (Status status = followForPicture(); !status) {
+        meter.end();
+        return status;
+    }
+    followComparison(view);
+    if (second.isReady()) {
+        meter.comparing();
+    }
+    const std::unique_ptr<FrameParts> parts = frameOf(view);
+    if (refined != nullptr && refined->show(*parts, isSideBySide(view), view.detail.coarse)) {
+        Status status = renderer->drawRefined(parts->frame, *pipeline, refined->picture(), framebuffer);
+        meter.end();
+        return status;
+    }
+    Status status = drawAll(parts->frame, view, framebuffer);
+    meter.endOf(FrameMeter::Part::Drawing);
+    meter.end();
+    return status;
+}
+
+Status SceneGpu::draw(const View& shown, unsigned framebuffer, RefinedView* refined) {
+    d->ahead.reset();
+    const View smaller = d->drawnView(shown);
+    if (shown.detail.scale < 1.0f && d->makeOwn(smaller)) {
+        Status status = d->drawPicture(smaller, d->ownTarget->framebuffer(), refined);
+        if (status) {
+            d->ownTarget->enlargeInto(framebuffer, shown.width, shown.height);
+        }
+        return status;
+    }
+    d->ownTarget.reset();
+    return d->drawPicture(shown, framebuffer, refined);
+}
+
+Result<bool> SceneGpu::drawAhead(const View& shown, RefinedView* refined) {
+    d->ahead.reset();
+    const View drawn = d->drawnView(shown);
+    if (!d->makeOwn(drawn)) {
+        return false;
+    }
+    if (const Status status = d->drawPicture(drawn, d->ownTarget->framebuffer(), refined); !status) {
+        return status.error();
+    }
+    d->ahead.emplace();
+    return true;
+}
+
+bool SceneGpu::isDrawnAhead() const {
+    return d->ahead && d->ahead->isPassed();
+}
+
+void SceneGpu::showAhead(unsigned framebuffer, int width, int height) {
+    d->ahead.reset();
+    if (d->ownTarget) {
+        d->ownTarget->enlargeInto(framebuffer, width, height);
+    }
+}
+
+Status SceneGpu::refine(const View& view, RefinedView& refined) {
+    if (!d->pipeline) {
+        return Done{};
+    }
+    const std::unique_ptr<FrameParts> parts = d->frameOf(view);
+    refined.follow(*parts, d->isSideBySide(view));
+    return refined.isPossible() ? d->renderer->refine(parts->frame, *d->pipeline, refined.picture())
+                                : Status(Done{});
+}
+
+bool SceneGpu::isBehindRefining(RefinedView& refined) const {
+    return d->renderer->isBehindRefining(refined.picture());
+}
+
+Status SceneGpu::drawRefined(const View& view, RefinedView& refined, unsigned framebuffer) {
+    const std::unique_ptr<FrameParts> parts = d->frameOf(view);
+    return d->renderer->drawRefined(parts->frame, *d->pipeline, refined.picture(), framebuffer);
+}
+
+}  // namespace hitscope

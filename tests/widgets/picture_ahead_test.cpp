@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A widget whose pictures are drawn ahead: events are seen to meanwhile, and no picture is lost or shown
+// late.
+#include <QApplication>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <memory>
+
+#include "support/test_program.h"
+#include "viewport/picture_ahead.h"
+
+namespace hitscope::picture_ahead_test {
+
+/// Counts what is asked of it; a picture is finished when the test says so.
+class Canvas : public QWidget {
+public:
+    PictureAhead ahead{*this,
+                       {.begin =
+                            [this] {
+                                ++begun;
+                                return mayBegin;
+                            },
+                        .isFinished = [this] { return isFinished; }}};
+    int begun = 0;
+    int shown = 0;  ///< pictures drawn ahead
+    int drawn = 0;  ///< by itself
+    bool mayBegin = true;
+    bool isFinished = false;
+
+protected:
+    void paintEvent(QPaintEvent* /*event*/) override {
+        const bool isAhead = ahead.takeFinished();
+        shown += isAhead ? 1 : 0;
+        drawn += isAhead ? 0 : 1;
+        // As after a frame was swapped.
+        QMetaObject::invokeMethod(
+            this, [this] { ahead.shown(); }, Qt::QueuedConnection);
+    }
+};
+
+class PictureAheadTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void init();
+    void cleanup() { m_window.reset(); }
+    void eventsComeWhileOneIsDrawn();
+    void whatIsWantedMeanwhileFollows();
+    void grabbedPicturesAreOfNow();
+    void droppedOnesAreNotShown();
+    void drawsItselfWhereItCannot();
+    void offDrawsItself();
+
+private:
+    std::unique_ptr<QWidget> m_window;
+    Canvas* m_canvas = nullptr;
+    QWidget* m_beside = nullptr;
+};
+
+void PictureAheadTest::init() {
+    m_window = std::make_unique<QWidget>();
+    auto* layout = new QVBoxLayout(m_window.get());
+    m_canvas = new Canvas;
+    m_beside = new QWidget;
+    layout->addWidget(m_canvas);
+    layout->addWidget(m_beside);
+    m_window->resize(200, 200);
+    m_window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    QTRY_VERIFY(m_canvas->drawn > 0);
+    QTest::qWait(50);  // no more frames of the window's own
+    m_canvas->drawn = 0;
+    m_canvas->ahead.setOn(true);
+}
+
+void PictureAheadTest::eventsComeWhileOneIsDrawn() {
+    m_canvas->ahead.want();
+    QTRY_COMPARE(m_canvas->begun, 1);
+    QVERIFY(m_canvas->ahead.isUnderWay());
+    int turns = 0;
+    QTimer timer;
+    connect(&timer, &QTimer::timeout, this, [&turns] { ++turns; });
+    timer.start(0);
+    m_beside->update();
+    QTRY_VERIFY(turns > 20);
+    QTest::qWait(20);
+    QCOMPARE(m_canvas->shown + m_canvas->drawn, 0);
+    m_canvas->isFinished = true;
+    QTRY_COMPARE(m_canvas->shown, 1);
+    QTest::qWait(50);
+    QVERIFY(!m_canvas->ahead.isUnderWay());
+    QCOMPARE(m_canvas->begun, 1);
+    QCOMPARE(m_canvas->shown, 1);
+    QCOMPARE(m_canvas->drawn, 0);
+}
+
+void PictureAheadTest::whatIsWantedMeanwhileFollows() {
+    m_canvas->ahead.want();
+    QTRY_COMPARE(m_canvas->begun, 1);
+    m_canvas->ahead.want();
+    m_canvas->ahead.want();
+    QTest::qWait(20);
+    QCOMPARE(m_canvas->begun, 1);
+    m_canvas->isFinished = true;
+    QTRY_COMPARE(m_canvas->shown, 2);
+    QTest::qWait(50);
+    QCOMPARE(m_canvas->begun, 2);
+    QCOMPARE(m_canvas->shown, 2);
+    QCOMPARE(m_canvas->drawn, 0);
+}
+
+/// And the window still paints afterwards, although its request to do so was held back.
+void PictureAheadTest::grabbedPicturesAreOfNow() {
+    m_canvas->ahead.want();
+    QTRY_COMPARE(m_canvas->begun, 1);
+    static_cast<void>(m_canvas->grab());
+    QCOMPARE(m_canvas->drawn, 1);
+    QVERIFY(!m_canvas->ahead.isUnderWay());
+    QTRY_VERIFY(m_canvas->drawn > 1);
+    QCOMPARE(m_canvas->shown, 0);
+    m_canvas->ahead.want();
+    QTRY_COMPARE(m_canvas->begun, 2);
+    m_canvas->isFinished = true;
+    QTRY_COMPARE(m_canvas->shown, 1);
+}
+
+void PictureAheadTest::droppedOnesAreNotShown() {
+    m_canvas->ahead.want();
+    QTRY_COMPARE(m_canvas->begun, 1);
+    m_canvas->ahead.drop();
+    QVERIFY(!m_canvas->ahead.isUnderWay());
+    QTRY_COMPARE(m_canvas->begun, 2);
+    QCOMPARE(m_canvas->shown, 0);
+    m_canvas->isFinished = true;
+    QTRY_COMPARE(m_canvas->shown, 1);
+}
+
+void PictureAheadTest::drawsItselfWhereItCannot() {
+    m_canvas->mayBegin = false;
+    m_canvas->ahead.want();
+    QTRY_COMPARE(m_canvas->drawn, 1);
+    QCOMPARE(m_canvas->begun, 1);
+}
+
+void PictureAheadTest::offDrawsItself() {
+    m_canvas->ahead.want();
+    QTRY_COMPARE(m_canvas->begun, 1);
+    m_canvas->ahead.setOn(false);
+    QTRY_COMPARE(m_canvas->drawn, 1);
+    m_canvas->ahead.want();
+    QTRY_COMPARE(m_canvas->drawn, 2);
+    QCOMPARE(m_canvas->begun, 1);
+    QCOMPARE(m_canvas->shown, 0);
+}
+
+}  // namespace hitscope::picture_ahead_test
+
+HITSCOPE_TEST(hitscope::picture_ahead_test::PictureAheadTest, QApplication)
+#include "picture_ahead_test.moc"
