@@ -14,6 +14,7 @@
 
 #include "app/dialogs/scatter_dialog.h"
 #include "app/scene_files.h"
+#include "bench_window/latency_exports.h"
 #include "bench_window/latency_row.h"
 #include "session/target.h"
 #include "viewport/aim_preview.h"
@@ -45,6 +46,7 @@ public:
     void aims();
     void clicks(FlightMode mode, const QString& what);
     void scatter();
+    void exports();
     [[nodiscard]] QJsonObject result() const;
 
 private:
@@ -347,6 +349,12 @@ void LatencyRun::scatter() {
     }
 }
 
+void LatencyRun::exports() {
+    for (Row& row : exportLatency(m_window)) {
+        take(std::move(row));
+    }
+}
+
 QJsonObject LatencyRun::result() const {
     QJsonArray rows;
     for (const Row& row : m_rows) {
@@ -372,6 +380,7 @@ QJsonObject measureLatency(DrivenWindow& window, const QString& mesh, const Repe
     run.clicks(FlightMode::Instant, QStringLiteral("click to dent, instant"));
     run.frames();
     run.aims();
+    run.exports();
     run.scatter();
     run.framesCloseUp();
     return run.result();

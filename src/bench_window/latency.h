@@ -16,10 +16,10 @@ struct Repeats {
     int scattered = 10'000;  ///< hits; 0: none are
 };
 
-/// Opens `mesh` in the window, shoots, undoes, orbits, aims and scatters, and measures what a person waits
-/// for. {"vertices", "moved": vertices that a click moves, "viewport": [width, height],
-/// "rows": [{"measured", "seconds": [...], "blocked": [...], "processor": [...]}]}. window.error() says what
-/// went wrong.
+/// Opens `mesh` in the window, shoots, undoes, orbits, aims, exports and scatters, and measures what a person
+/// waits for. {"vertices", "moved": vertices that a click moves, "viewport": [width, height], "rows":
+/// [{"measured", "seconds": [...], "blocked": [...], "processor": [...]}]}. window.error() says what went
+/// wrong.
 [[nodiscard]] QJsonObject measureLatency(DrivenWindow& window, const QString& mesh, const Repeats& repeats);
 
 }  // namespace hitscope::bench

@@ -70,7 +70,9 @@ public:
     [[nodiscard]] Result<bool> drawAhead(const View& view, RefinedView* refined = nullptr);
     /// Whether the GPU has finished it; false where there is none.
     [[nodiscard]] bool isDrawnAhead() const;
-    /// Copies it into the framebuffer object of that name, of so many pixels.
+    /// Whether there is one, finished or not, or the last one that was shown is still there.
+    [[nodiscard]] bool hasAhead() const;
+    /// Copies it into the framebuffer object of that name, of so many pixels. Waits until it is finished.
     void showAhead(unsigned framebuffer, int width, int height);
     /// Whether the last picture drew any target with fewer triangles; where one looks from close by it need
     /// not.

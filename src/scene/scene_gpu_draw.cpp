@@ -143,6 +143,10 @@ bool SceneGpu::isDrawnAhead() const {
     return d->ahead && d->ahead->isPassed();
 }
 
+bool SceneGpu::hasAhead() const {
+    return d->ownTarget != nullptr;
+}
+
 void SceneGpu::showAhead(unsigned framebuffer, int width, int height) {
     d->ahead.reset();
     if (d->ownTarget) {

@@ -38,17 +38,24 @@ void PictureAhead::want() {
     m_widget.update();
 }
 
-bool PictureAhead::takeFinished() {
-    if (m_state == State::Showing) {
-        m_state = State::Nothing;
-        return true;
+PictureAhead::Shown PictureAhead::take(bool byWindow, bool hasLast) {
+    const State state = std::exchange(m_state, State::Nothing);
+    m_timer.stop();
+    if (state == State::Showing) {
+        return Shown::Ahead;
+    }
+    if (state == State::Drawing) {
+        askToPaint();  // its request was held back, and this may be for a picture of the widget alone
+    }
+    if (m_isOn && byWindow && hasLast && !m_isUnable) {
+        m_isWanted = true;
+        if (state == State::Nothing) {
+            askToPaint();
+        }
+        return Shown::Last;
     }
     m_isWanted = false;
-    if (std::exchange(m_state, State::Nothing) == State::Drawing) {
-        m_timer.stop();
-        askToPaint();  // the window still has to: this may be for a picture of the widget alone
-    }
-    return false;
+    return Shown::Itself;
 }
 
 void PictureAhead::drop() {
@@ -99,8 +106,14 @@ bool PictureAhead::eventFilter(QObject* watched, QEvent* event) {
         }
         return true;
     }
-    if (!m_isOn || !m_widget.isVisible() || !std::exchange(m_isWanted, false) || !m_hooks.begin()) {
+    if (!m_isOn || !m_widget.isVisible() || !std::exchange(m_isWanted, false)) {
         return false;
+    }
+    if (!m_hooks.begin()) {
+        m_isUnable = true;
+        watched->event(event);
+        m_isUnable = false;
+        return true;
     }
     m_state = State::Drawing;
     m_timer.start();

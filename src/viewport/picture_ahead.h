@@ -15,7 +15,8 @@ namespace hitscope {
 /// threads, others see to events, and one in which the picture is finished paints the window. Until then the
 /// window paints nothing: composing it would wait for the picture.
 ///
-/// Qt asks a window to paint itself by an event (QEvent::UpdateRequest), which is held back for that.
+/// Qt asks a window to paint itself by an event (QEvent::UpdateRequest), which is held back for that. Where a
+/// window paints itself all the same, since it has another size, the last picture is shown again.
 class PictureAhead : public QObject {
     Q_OBJECT
 public:
@@ -30,9 +31,14 @@ public:
     void setOn(bool on);
     /// A picture of what is there now is wanted; another one that is being drawn comes before it.
     void want();
-    /// Whether the picture drawn ahead is to be shown now: asked while the widget paints itself. False: it
-    /// draws by itself, which includes what was wanted.
-    [[nodiscard]] bool takeFinished();
+    /// What the widget shows now, asked while it paints itself.
+    enum class Shown : std::uint8_t {
+        Ahead,  ///< the picture drawn ahead
+        Last,   ///< the one that was shown last, or is under way; one of what there is now follows
+        Itself  ///< it draws by itself, which includes what was wanted
+    };
+    /// byWindow: its window paints itself. hasLast: there is a picture that was drawn ahead.
+    [[nodiscard]] Shown take(bool byWindow, bool hasLast);
     /// Whether one has been handed over that is not shown yet.
     [[nodiscard]] bool isUnderWay() const { return m_state == State::Drawing; }
     /// What is under way shows nothing that is still wanted.
@@ -56,6 +62,7 @@ private:
     State m_state = State::Nothing;
     bool m_isOn = false;
     bool m_isWanted = false;
+    bool m_isUnable = false;  ///< to draw the one that is painted now
 };
 
 }  // namespace hitscope

@@ -185,14 +185,26 @@ SceneGpu::View Viewport::view() const {
     return view;
 }
 
+/// A picture that somebody grabs is painted without this event.
+void Viewport::paintEvent(QPaintEvent* event) {
+    m_isPainting = true;
+    QOpenGLWidget::paintEvent(event);
+    m_isPainting = false;
+}
+
 void Viewport::paintGL() {
     if (!m_scene) {
         paintError();
         return;
     }
-    if (m_ahead.takeFinished()) {
+    const PictureAhead::Shown how = m_ahead.take(m_isPainting, m_scene->hasAhead());
+    if (how != PictureAhead::Shown::Itself) {
         const SceneGpu::View shown = view();
         m_scene->showAhead(defaultFramebufferObject(), shown.width, shown.height);
+        if (how == PictureAhead::Shown::Last) {
+            paintOverlay();
+            return;
+        }
     } else {
         const SceneGpu::View shown = beginPicture();
         if (Status drawn = m_scene->draw(shown, defaultFramebufferObject(), m_refiner.view()); !drawn) {

@@ -120,6 +120,7 @@ protected:
     void initializeGL() override;
     void resizeGL(int width, int height) override;
     void paintGL() override;
+    void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -191,6 +192,7 @@ private:
     QElapsedTimer m_sinceFrame;  ///< since the last frame was shown
     QElapsedTimer m_sinceBegin;  ///< since the last picture was begun
     bool m_isDrawn = false;      ///< since a frame was shown
+    bool m_isPainting = false;   ///< its window paints itself
     bool m_follows = false;      ///< that picture follows the one before
     enum class Painted : std::uint8_t { Nothing, Alone, Following };
     Painted m_painted = Painted::Nothing;  ///< a frame that is not shown yet, perhaps right after another

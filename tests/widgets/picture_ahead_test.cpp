@@ -24,14 +24,19 @@ public:
     int begun = 0;
     int shown = 0;  ///< pictures drawn ahead
     int drawn = 0;  ///< by itself
+    int again = 0;  ///< the last picture
     bool mayBegin = true;
     bool isFinished = false;
+    bool hasLast = false;
+    bool isByWindow = true;
 
 protected:
     void paintEvent(QPaintEvent* /*event*/) override {
-        const bool isAhead = ahead.takeFinished();
-        shown += isAhead ? 1 : 0;
-        drawn += isAhead ? 0 : 1;
+        const PictureAhead::Shown how = ahead.take(isByWindow, hasLast);
+        shown += how == PictureAhead::Shown::Ahead ? 1 : 0;
+        drawn += how == PictureAhead::Shown::Itself ? 1 : 0;
+        again += how == PictureAhead::Shown::Last ? 1 : 0;
+        hasLast = hasLast || how == PictureAhead::Shown::Ahead;
         // As after a frame was swapped.
         QMetaObject::invokeMethod(
             this, [this] { ahead.shown(); }, Qt::QueuedConnection);
@@ -47,6 +52,7 @@ private Q_SLOTS:
     void whatIsWantedMeanwhileFollows();
     void grabbedPicturesAreOfNow();
     void droppedOnesAreNotShown();
+    void anotherSizeShowsTheLastFirst();
     void drawsItselfWhereItCannot();
     void offDrawsItself();
 
@@ -112,7 +118,9 @@ void PictureAheadTest::whatIsWantedMeanwhileFollows() {
 void PictureAheadTest::grabbedPicturesAreOfNow() {
     m_canvas->ahead.want();
     QTRY_COMPARE(m_canvas->begun, 1);
+    m_canvas->isByWindow = false;
     static_cast<void>(m_canvas->grab());
+    m_canvas->isByWindow = true;
     QCOMPARE(m_canvas->drawn, 1);
     QVERIFY(!m_canvas->ahead.isUnderWay());
     QTRY_VERIFY(m_canvas->drawn > 1);
@@ -134,7 +142,23 @@ void PictureAheadTest::droppedOnesAreNotShown() {
     QTRY_COMPARE(m_canvas->shown, 1);
 }
 
+void PictureAheadTest::anotherSizeShowsTheLastFirst() {
+    m_canvas->isFinished = true;
+    m_canvas->ahead.want();
+    QTRY_COMPARE(m_canvas->shown, 1);
+    QTest::qWait(50);
+    m_window->resize(240, 220);
+    QTRY_VERIFY(m_canvas->again > 0);
+    QTRY_VERIFY(m_canvas->shown > 1);
+    QTest::qWait(50);  // then it rests
+    const int begun = m_canvas->begun;
+    QTest::qWait(50);
+    QCOMPARE(m_canvas->begun, begun);
+    QCOMPARE(m_canvas->drawn, 0);
+}
+
 void PictureAheadTest::drawsItselfWhereItCannot() {
+    m_canvas->hasLast = true;
     m_canvas->mayBegin = false;
     m_canvas->ahead.want();
     QTRY_COMPARE(m_canvas->drawn, 1);
