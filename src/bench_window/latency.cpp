@@ -2,73 +2,31 @@
 #include "bench_window/latency.h"
 
 #include <QJsonArray>
-#include <QLabel>
-#include <QPushButton>
-#include <QSpinBox>
-#include <QTest>
 #include <algorithm>
 #include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "app/dialogs/scatter_dialog.h"
 #include "app/scene_files.h"
-#include "bench_window/latency_exports.h"
-#include "bench_window/latency_row.h"
+#include "bench_window/latency_run.h"
 #include "session/target.h"
-#include "viewport/aim_preview.h"
 #include "viewport/viewport.h"
 
 namespace hitscope::bench {
 
 namespace {
-constexpr int kTurnsClose = 24;          // of the wheel, to look at a dent from close by
-constexpr int kLeastFrames = 5;          // in one drag
-constexpr int kMostFrames = 20;          // likewise
-constexpr double kNanosecond = 1.0e-9;   // seconds
-constexpr double kMillisecond = 1.0e-3;  // seconds
+
+constexpr int kTurnsClose = 24;         // of the wheel, to look at a dent from close by
+constexpr int kLeastFrames = 5;         // in one drag
+constexpr int kMostFrames = 20;         // likewise
+constexpr double kNanosecond = 1.0e-9;  // seconds
 
 double secondsSince(std::int64_t begin) {
     return kNanosecond * static_cast<double>(nowInNanoseconds() - begin);
 }
 
-class LatencyRun {
-public:
-    LatencyRun(DrivenWindow& window, const Repeats& repeats) : m_window(window), m_repeats(repeats) {}
-
-    void refinements();
-    void refine(const QString& what, const std::function<void(bool isOdd)>& act);
-    void openings(const QString& mesh);
-    void frames();
-    void framesCloseUp();  ///< the camera stays there
-    [[nodiscard]] Row moving(const QString& what, std::optional<PictureDetail> detail, int frames);
-    void aims();
-    void clicks(FlightMode mode, const QString& what);
-    void scatter();
-    void exports();
-    [[nodiscard]] QJsonObject result() const;
-
-private:
-    /// Does `once` as often as asked for; false of it ends that.
-    void repeat(const std::function<bool()>& once);
-    bool openOnce(const QString& mesh, Row& coarse, Row& full);
-    bool clickOnce(Row& click, Row& undo, Row& redo);
-    bool stepBack(bool redo, Row& row);
-    bool isGood() const { return m_window.error().isEmpty(); }
-    [[nodiscard]] std::size_t hits() { return m_window.session().hits().history().size(); }
-    /// Of many hits, some of which are shown before.
-    [[nodiscard]] bool isAllApplied() {
-        return m_window.session().tasks().current() == nullptr && m_window.session().readBack().isUpToDate();
-    }
-    [[nodiscard]] std::size_t movedVertices();
-    void take(Row row);
-
-    DrivenWindow& m_window;
-    Repeats m_repeats;
-    std::vector<Row> m_rows;
-    std::size_t m_moved = 0;
-};
+}  // namespace
 
 /// With another row where fewer triangles came first.
 void LatencyRun::take(Row row) {
@@ -278,83 +236,6 @@ Row LatencyRun::moving(const QString& what, std::optional<PictureDetail> detail,
     return row;
 }
 
-void LatencyRun::aims() {
-    auto* preview = m_window.viewport().findChild<AimPreview*>();
-    // On a large mesh it says no more than that there are too many vertices in reach.
-    auto* label = m_window.viewport().findChild<QLabel*>(QStringLiteral("aimPreview"));
-    if (preview == nullptr || label == nullptr) {
-        return;
-    }
-    label->installEventFilter(&m_window);  // it may be drawn without the viewport
-    Row picture{QStringLiteral("aim preview, rest to picture")};
-    int round = 0;
-    m_window.moveTo(0.5, 0.5);
-    repeat([&] {
-        bool isShown = false;
-        QObject listener;
-        QObject::connect(preview, &AimPreview::shown, &listener, [&] { isShown = true; });
-        const auto shown = m_window.untilShown(
-            QStringLiteral("the aim preview"), [&] { m_window.moveTo(0.5 + 0.01 * (++round % 4), 0.48); },
-            [&] { return isShown || label->isVisible(); });
-        if (!shown) {
-            return false;
-        }
-        picture.add(shown->seen.seconds - kMillisecond * AimPreview::kRest, shown->seen.blocked,
-                    shown->seen.processor);
-        return true;
-    });
-    take(picture);
-}
-
-void LatencyRun::scatter() {
-    if (m_repeats.scattered == 0 || !m_window.settle() || !m_window.choose(QStringLiteral("Scatter Hits"))) {
-        return;
-    }
-    auto* dialog = m_window.window().findChild<ScatterDialog*>();
-    auto* count = dialog != nullptr ? dialog->findChild<QSpinBox*>(QStringLiteral("count")) : nullptr;
-    auto* apply = dialog != nullptr ? dialog->findChild<QPushButton*>(QStringLiteral("apply")) : nullptr;
-    if (count == nullptr || apply == nullptr) {
-        return;
-    }
-    const auto wanted = static_cast<std::size_t>(m_repeats.scattered);
-    const auto isPlanned = [&] {
-        const HitPlanner::Plan* plan = dialog->planner().current();
-        return plan != nullptr && plan->hits.size() == wanted;
-    };
-    Row preview{QStringLiteral("scatter, previewed")};
-    Row applied{QStringLiteral("scatter, applied")};
-    Row undone{QStringLiteral("scatter, undone")};
-    Row redone{QStringLiteral("scatter, redone")};
-    if (const auto shown = m_window.untilShown(
-            QStringLiteral("the preview of scattered hits"), [&] { count->setValue(m_repeats.scattered); },
-            isPlanned)) {
-        preview.add(*shown);
-    }
-    m_window.settle();
-    if (const auto shown = m_window.untilShown(
-            QStringLiteral("the picture of scattered hits"),
-            [&] { QTest::mouseClick(apply, Qt::LeftButton); },
-            [&] { return hits() == wanted && isAllApplied(); })) {
-        applied.add(*shown);
-    }
-    m_window.window().activateWindow();
-    m_window.wait(QStringLiteral("the window's turn after the dialog"),
-                  [&] { return m_window.window().isActiveWindow(); });
-    m_window.settle();
-    if (isGood() && stepBack(false, undone)) {
-        stepBack(true, redone);
-    }
-    for (Row* row : {&preview, &applied, &undone, &redone}) {
-        take(std::move(*row));
-    }
-}
-
-void LatencyRun::exports() {
-    for (Row& row : exportLatency(m_window)) {
-        take(std::move(row));
-    }
-}
-
 QJsonObject LatencyRun::result() const {
     QJsonArray rows;
     for (const Row& row : m_rows) {
@@ -369,8 +250,6 @@ QJsonObject LatencyRun::result() const {
             {QStringLiteral("viewport"), QJsonArray{viewport.width(), viewport.height()}},
             {QStringLiteral("rows"), rows}};
 }
-
-}  // namespace
 
 QJsonObject measureLatency(DrivenWindow& window, const QString& mesh, const Repeats& repeats) {
     LatencyRun run(window, repeats);

@@ -66,9 +66,9 @@ public:
     /// is.
     [[nodiscard]] Status draw(const View& view, unsigned framebuffer, RefinedView* refined = nullptr);
     /// Begins to draw what draw() would, into a framebuffer of its own, and does not wait for it. False:
-    /// there is no room for that. A picture of before that is not shown yet is dropped; draw() drops it, too.
+    /// there is no room for that. A picture of before that is not shown yet is dropped.
     [[nodiscard]] Result<bool> drawAhead(const View& view, RefinedView* refined = nullptr);
-    /// Whether the GPU has finished it; false where there is none.
+    /// Whether the GPU has finished it, or there is none.
     [[nodiscard]] bool isDrawnAhead() const;
     /// Whether there is one, finished or not, or the last one that was shown is still there.
     [[nodiscard]] bool hasAhead() const;

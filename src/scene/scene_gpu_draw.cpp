@@ -113,17 +113,16 @@ Status SceneGpu::Private::drawPicture(const View& view, unsigned framebuffer, Re
 }
 
 Status SceneGpu::draw(const View& shown, unsigned framebuffer, RefinedView* refined) {
-    d->ahead.reset();
     const View smaller = d->drawnView(shown);
-    if (shown.detail.scale < 1.0f && d->makeOwn(smaller)) {
-        Status status = d->drawPicture(smaller, d->ownTarget->framebuffer(), refined);
-        if (status) {
-            d->ownTarget->enlargeInto(framebuffer, shown.width, shown.height);
-        }
-        return status;
+    if (shown.detail.scale >= 1.0f || !d->makeOwn(smaller)) {
+        return d->drawPicture(shown, framebuffer, refined);
     }
-    d->ownTarget.reset();
-    return d->drawPicture(shown, framebuffer, refined);
+    d->ahead.reset();
+    Status status = d->drawPicture(smaller, d->ownTarget->framebuffer(), refined);
+    if (status) {
+        d->ownTarget->enlargeInto(framebuffer, shown.width, shown.height);
+    }
+    return status;
 }
 
 Result<bool> SceneGpu::drawAhead(const View& shown, RefinedView* refined) {
@@ -140,7 +139,7 @@ Result<bool> SceneGpu::drawAhead(const View& shown, RefinedView* refined) {
 }
 
 bool SceneGpu::isDrawnAhead() const {
-    return d->ahead && d->ahead->isPassed();
+    return !d->ahead || d->ahead->isPassed();
 }
 
 bool SceneGpu::hasAhead() const {

@@ -65,7 +65,7 @@ struct SceneGpu::Private {
     ChangeUpload changeUpload;
     SecondScene second;
     ChangeUpload secondUpload;
-    // For pictures that are drawn smaller than they are shown, or before they are shown; null: none lately.
+    // For pictures that are drawn smaller than they are shown, or before they are shown; null: none so far.
     std::unique_ptr<gl::RenderTarget> ownTarget;
     std::optional<gl::Fence> ahead;                // after the picture in it that is not shown yet
     std::unique_ptr<TaskProgress> appending;       // null: no long row of new hits is applied in slices

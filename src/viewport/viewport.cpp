@@ -138,6 +138,7 @@ void Viewport::releaseGpu() {
     if (context() != nullptr) {
         disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseGpu);
     }
+    m_ahead.drop();
     if (m_scene) {
         m_trialTimer.stop();
         makeCurrent();
@@ -198,7 +199,7 @@ void Viewport::paintGL() {
         return;
     }
     const PictureAhead::Shown how = m_ahead.take(m_isPainting, m_scene->hasAhead());
-    if (how != PictureAhead::Shown::Itself) {
+    if (how != PictureAhead::Shown::Itself && m_scene->hasAhead()) {
         const SceneGpu::View shown = view();
         m_scene->showAhead(defaultFramebufferObject(), shown.width, shown.height);
         if (how == PictureAhead::Shown::Last) {

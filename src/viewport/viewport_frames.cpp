@@ -118,7 +118,7 @@ PictureAhead::Hooks Viewport::aheadHooks() {
     return {.begin = [this] { return drawAhead(); },
             .isFinished =
                 [this] {
-                    bool isDrawn = false;
+                    bool isDrawn = true;  // where the scene is gone, nothing comes of waiting
                     static_cast<void>(withScene([&isDrawn](SceneGpu& scene) -> Status {
                         isDrawn = scene.isDrawnAhead();
                         return Done{};

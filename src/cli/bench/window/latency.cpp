@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person waits for in the window: clicks, undo, opening, frames, the aim preview, scattered hits.
+// What a person waits for in the window: clicks, undo, opening, exports, frames, the aim preview, scattered
+// hits.
 #include <QTextStream>
 
 #include "cli/bench/arguments.h"
@@ -117,7 +118,7 @@ int runLatencyVerb(Invocation& given) {
 cli::Verb latencyVerb() {
     return {{.name = QStringLiteral("bench latency"),
              .files = {},
-             .about = QStringLiteral("response times of the window: clicks, undo, opening, frames"),
+             .about = QStringLiteral("response times of the window: clicks, undo, opening, exports, frames"),
              .description =
                  QStringLiteral("Measures the response times of the window to events like those of mouse and "
                                 "keyboard, on the current display or, without one, on a virtual display "
