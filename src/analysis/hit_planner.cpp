@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "deform/dent_ghosts.h"
+#include "session/usual_dent.h"
 #include "session/vertex_selection.h"
 
 namespace hitscope {
@@ -136,6 +137,7 @@ Hit HitPlanner::modelOn(const Session& session, const Target& target) {
     Hit hit;
     hit.target = target.id;
     hit.constants = session.settings().constantsOn(target);
+    hit.form = usualForm(session, hit);
     hit.time = session.simulation().physics().clock().time();
     hit.pipeline = static_cast<std::uint8_t>(session.settings().pipeline());
     return hit;

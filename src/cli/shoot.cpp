@@ -49,11 +49,7 @@ Status setConstants(Session& session, const ShootOptions& options) {
         }
     }
     setting.relative = setting.relative && !options.absolute;
-    if (options.form) {
-        if (Status status = session.settings().setForm(*options.form); !status) {
-            return status;
-        }
-    }
+    setting.form = options.form.value_or(setting.form);
     return session.settings().setConstants(setting);
 }
 

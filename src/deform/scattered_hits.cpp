@@ -101,6 +101,13 @@ DeformationConstants resized(const DeformationConstants& constants, double facto
     return other;
 }
 
+void resize(Hit& hit, double factor) {
+    hit.constants = resized(hit.constants, factor);
+    if (hit.form.presses()) {
+        hit.form.radius *= static_cast<float>(factor);
+    }
+}
+
 Result<ScatteredHits> scatteredHits(const ScatterSurface& surface, const ScatterPlan& plan, const Hit& model,
                                     const GoOn& goOn) {
     const std::vector<std::uint32_t> triangles = fileTriangles(surface.mesh);
@@ -125,7 +132,7 @@ Result<ScatteredHits> scatteredHits(const ScatterSurface& surface, const Scatter
             plan.isInward ? inwardAt(surface.mesh, sample) : glm::normalize(glm::dvec3(plan.direction));
         hit.direction = glm::vec3(withinCone(middle, widest, random));
         const double size = 1.0 + plan.sizeSpread * (2.0 * random.next() - 1.0);
-        hit.constants = resized(model.constants, size);
+        resize(hit, size);
         scattered.hits.push_back(hit);
     }
     return scattered;

@@ -51,5 +51,7 @@ struct ScatteredHits {
 
 /// `constants` of a dent `factor` (> 0) times as large, within hitParameters().
 [[nodiscard]] DeformationConstants resized(const DeformationConstants& constants, double factor);
+/// Makes a hit's dent `factor` (> 0) times as large: its constants, and what presses it.
+void resize(Hit& hit, double factor);
 
 }  // namespace hitscope

@@ -103,6 +103,7 @@ void AimPreview::show() {
         m_rest.start();
         return;
     }
+    m_aim.reset();
     const ScheduledShot shot = m_viewport.aiming().shotAt(m_viewport.navigation().rayAt(m_at));
     const std::optional<Hit> hit = m_session.simulation().predictedHit(shot);
     const Target* target = hit ? m_session.targets().find(hit->target) : nullptr;
@@ -113,6 +114,7 @@ void AimPreview::show() {
     const RenderMesh& mesh = target->deformed.render();
     const std::vector<VertexRange> reach =
         clustersNear(mesh, clusterBoxes(*target), sphere.centre, sphere.radius);
+    m_aim = Aim{target->id, hit->point, sphere.radius};
     if (vertexCount(reach) > kMostVertices) {
         showText(tr("Too many vertices in reach to count"));
         return;
@@ -126,7 +128,6 @@ void AimPreview::show() {
         ghost->push_back(target->transform.toWorld(corner));
     }
     m_viewport.decorations().setGhost(std::move(ghost));
-    m_aim = Aim{target->id, hit->point, sphere.radius};
     Q_EMIT shown();
     const std::size_t count = preview.affectedVertices;
     const auto metres = static_cast<double>(preview.depth);

@@ -14,6 +14,7 @@
 #include "deform/scattered_hits.h"
 #include "session/paced_advance.h"
 #include "session/session.h"
+#include "session/usual_dent.h"
 #include "viewport/inspect_tool.h"
 #include "viewport/outline_overlay.h"
 #include "viewport/viewport.h"
@@ -198,16 +199,26 @@ void BrushTool::change(bool strength, double factor) {
 
 // Painting
 
-DeformationConstants BrushTool::constantsOn(TargetId target) const {
+/// As the brush makes hits on that target now, but for where and which way. A hit that presses has the radius
+/// of the projectiles that clicks send.
+Hit BrushTool::modelOn(TargetId target) const {
     const Target* on = m_session.targets().find(target);
     const SessionSettings& settings = m_session.settings();
-    DeformationConstants constants =
-        resized(on != nullptr ? settings.constantsOn(*on) : settings.constants(), m_settings.size);
+    Hit hit;
+    hit.target = target;
+    hit.constants = on != nullptr ? settings.constantsOn(*on) : settings.constants();
+    hit.form = usualForm(m_session, hit);
+    resize(hit, m_settings.size);
     for (const std::size_t strong : {kPower, kMaxMagnitude}) {
-        const double value = parameterValue(constants, strong) * m_settings.strength;
-        setParameterValue(constants, strong, std::min(value, hitParameters()[strong].maximum));
+        const double value = parameterValue(hit.constants, strong) * m_settings.strength;
+        setParameterValue(hit.constants, strong, std::min(value, hitParameters()[strong].maximum));
     }
-    return constants;
+    return hit;
+}
+
+/// Metres: how far from its place a hit reaches.
+float BrushTool::radiusOf(const Hit& hit) {
+    return hit.form.presses() ? hit.form.radius : hit.constants.maxDistance;
 }
 
 /// Against the mesh's own normals: those of dented triangles would turn from hit to hit.
@@ -250,7 +261,9 @@ std::optional<Hit> BrushTool::hitAt(const QPointF& position) const {
     if (m_settings.isInward && hit->normal != glm::vec3(0.0f)) {
         hit->direction = inwardAt(*hit);
     }
-    hit->constants = constantsOn(hit->target);
+    const Hit model = modelOn(hit->target);
+    hit->constants = model.constants;
+    hit->form = model.form;
     hit->speed = 0.0f;  // no projectile flew
     hit->impulse = 0.0f;
     return hit;
@@ -264,7 +277,7 @@ std::optional<glm::vec3> BrushTool::surfaceAt(const QPointF& position) const {
 double BrushTool::spacingOf(const Hit& hit) const {
     const double spacing = m_settings.spacingMetres > 0.0
                                ? m_settings.spacingMetres
-                               : m_settings.spacing * static_cast<double>(hit.constants.maxDistance);
+                               : m_settings.spacing * static_cast<double>(radiusOf(hit));
     return std::max(spacing, kFewestAStep);
 }
 
@@ -370,8 +383,7 @@ void BrushTool::showRing() {
     }
     const glm::vec3 other =
         std::abs(met->normal.y) > 0.9f ? glm::vec3(1.0f, 0.0f, 0.0f) : glm::vec3(0.0f, 1.0f, 0.0f);
-    const glm::vec3 right =
-        constantsOn(met->target).maxDistance * glm::normalize(glm::cross(other, met->normal));
+    const glm::vec3 right = radiusOf(modelOn(met->target)) * glm::normalize(glm::cross(other, met->normal));
     const glm::vec3 up = glm::cross(met->normal, right);
     const Camera& camera = m_viewport.camera();
     const glm::mat4 toClip = camera.projection(m_viewport.navigation().aspect()) * camera.view();

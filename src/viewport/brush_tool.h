@@ -52,7 +52,8 @@ public:
     /// A stroke is being painted, or what the mouse drew has not all been.
     [[nodiscard]] bool isPainting() const { return m_stroke.has_value(); }
     /// The constants that a hit of the brush has on a target; of a target that is not there: those in force.
-    [[nodiscard]] DeformationConstants constantsOn(TargetId target) const;
+    [[nodiscard]] Hit modelOn(TargetId target) const;
+    [[nodiscard]] static float radiusOf(const Hit& hit);
 
     static constexpr double kPixelsAStep = 2.0;  ///< how closely the surface is looked at along a drag
 

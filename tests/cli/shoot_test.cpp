@@ -188,6 +188,11 @@ private Q_SLOTS:
         QFile file(hits);
         QVERIFY(file.open(QIODevice::ReadOnly));
         QCOMPARE(file.readAll().count("scatter 1"), 50);
+        const QString craters = folder.filePath(QStringLiteral("craters.csv"));
+        QCOMPARE(shoot(scatter + QStringList{"--profile", "crater", "--hits-out", craters}).status, 0);
+        QFile formed(craters);
+        QVERIFY(formed.open(QIODevice::ReadOnly));
+        QCOMPARE(formed.readAll().count("crater"), 50);
         const CliRun both = shoot({"--hits", hits, "--mirror", "x"});
         QVERIFY2(both.out.startsWith(QStringLiteral("0 shots, 100 hits")), qPrintable(both.out + both.err));
     }

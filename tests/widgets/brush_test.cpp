@@ -8,6 +8,7 @@
 
 #include "app/dialogs/mirror_dialog.h"
 #include "app/dialogs/scatter_dialog.h"
+#include "session/usual_dent.h"
 #include "support/test_program.h"
 #include "viewport/brush_tool.h"
 #include "viewport/inspect_tool.h"
@@ -98,6 +99,27 @@ private Q_SLOTS:
         QVERIFY(glm::distance(viewport().camera().eye(), camera.eye()) == 0.0f);
     }
 
+    /// What presses is as large as what a click sends, times the brush's size.
+    void pressIsAsLargeAsTheBrush() {
+        DentForm press;
+        press.direction = DentDirection::Press;
+        QVERIFY(m_session->settings().setForm(press).ok());
+        QTest::mouseClick(&viewport(), Qt::LeftButton, {}, centre());
+        QTRY_COMPARE_WITH_TIMEOUT(hits().size(), std::size_t{1}, kPatience);
+        Hit shot;
+        shot.target = hits()[0].target;
+        const float usual = usualForm(*m_session, shot).radius;
+        QVERIFY(usual > 0.0f);
+        QCOMPARE(hits()[0].form.radius, usual);
+        BrushSettings settings = viewport().brushTool().settings();
+        settings.size = 2.0;
+        viewport().brushTool().setSettings(settings);
+        drag(centre(), centre());
+        QCOMPARE(hits().size(), std::size_t{2});
+        QCOMPARE(hits()[1].form.direction, DentDirection::Press);
+        QCOMPARE(hits()[1].form.radius, 2.0f * usual);
+    }
+
     void besideTargetsADragMovesTheCamera() {
         const glm::vec3 eye = viewport().camera().eye();
         drag(QPoint(8, 8), QPoint(80, 30));
@@ -106,6 +128,9 @@ private Q_SLOTS:
     }
 
     void scatterShowsGhostsAndMakesAGroup() {
+        DentForm crater;
+        crater.profile = DentProfile::Crater;
+        QVERIFY(m_session->settings().setForm(crater).ok());
         trigger(QStringLiteral("Scatter Hits"));
         auto* dialog = m_window->findChild<ScatterDialog*>();
         QVERIFY(dialog != nullptr && dialog->isVisible());
@@ -117,6 +142,7 @@ private Q_SLOTS:
         QVERIFY(plan != nullptr && !plan->ghosts->empty());
         const std::vector<Hit> planned(plan->hits.begin(), plan->hits.end());
         QCOMPARE(hits().size(), std::size_t{0});
+        QCOMPARE(planned.front().form.profile, DentProfile::Crater);
         dialog->findChild<QPushButton*>(QStringLiteral("apply"))->click();
         QCOMPARE(hits().size(), std::size_t{40});
         QVERIFY(!dialog->isVisible());

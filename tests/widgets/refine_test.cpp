@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QImageReader>
 #include <QMenu>
+#include <QSettings>
 #include <QSignalSpy>
 #include <algorithm>
 #include <array>
@@ -247,6 +248,18 @@ void RefineTest::savedAreTheSameToTheBit() {
 void RefineTest::turntableIsOneClick() {
     const QTemporaryDir folder;
     auto* pictures = m_window->findChild<PictureActions*>();
+    QSettings().setValue(QStringLiteral("picture/folder"), folder.path());
+    for (QAction* action : m_window->findChildren<QAction*>()) {
+        if (action->text().remove(u'&') == QStringLiteral("Save Turntable")) {
+            action->trigger();
+        }
+    }
+    QVERIFY(pictures->sequences().isRunning());
+    const QString made = pictures->sequences().plan().folder;
+    QVERIFY(made.startsWith(folder.path() + u'/') && QFileInfo(made).isDir());
+    pictures->sequences().cancel();
+    QTRY_VERIFY_WITH_TIMEOUT(!pictures->sequences().isRunning(), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!QFileInfo::exists(made), kPatience);  // nothing was written
     SequenceWriter::Plan plan = pictures->turntablePlan();
     QVERIFY(plan.turntable >= 60 && plan.picture.samples == kShownSamples);
     plan.picture.width = 96;

@@ -11,6 +11,7 @@
 #include <QStandardPaths>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/dialogs/picture_dialog.h"
 #include "io/save_image.h"
@@ -70,10 +71,15 @@ PictureActions::PictureActions(Viewport& viewport, QWidget& window)
     });
     connect(&m_sequences, &SequenceWriter::ended, this, [this](int written) {
         endProgress();
+        if (const QString made = std::exchange(m_newFolder, {}); written == 0 && !made.isEmpty()) {
+            QDir().rmdir(made);
+        }
         const QString& path = m_sequences.plan().path;
-        Q_EMIT said(path.isEmpty() ? tr("Pictures written: %1").arg(written)
-                    : written > 0  ? savedText(path)
-                                   : tr("Cancelled. Nothing was written."));
+        Q_EMIT said(path.isEmpty() ? tr("Pictures written: %1, in %2")
+                                         .arg(written)
+                                         .arg(QDir::toNativeSeparators(m_sequences.plan().folder))
+                    : written > 0 ? savedText(path)
+                                  : tr("Cancelled. Nothing was written."));
     });
     connect(&m_sequences, &SequenceWriter::failed, this, [this](const Error& error) {
         endProgress();
@@ -88,9 +94,11 @@ void PictureActions::fill(QMenu& menu) {
             &PictureActions::choosePicture);
     connect(addAction(menu, tr("Save Picture Se&quence…"), {}), &QAction::triggered, this,
             &PictureActions::chooseSequence);
-    QAction* turntable = addAction(menu, tr("Save T&urntable…"), {});
-    turntable->setToolTip(tr("Pictures once around the whole scene, refined, as it is shown now"));
-    connect(turntable, &QAction::triggered, this, &PictureActions::chooseTurntable);
+    QAction* turntable = addAction(menu, tr("Save T&urntable"), {});
+    turntable->setToolTip(
+        tr("Pictures once around the whole scene, refined, as it is shown now, into a new folder beside "
+           "other pictures"));
+    connect(turntable, &QAction::triggered, this, &PictureActions::saveTurntable);
 }
 
 QString PictureActions::baseName() const {
@@ -155,14 +163,21 @@ SequenceWriter::Plan PictureActions::turntablePlan() const {
     return {request, kTurntablePictures, {}, baseName() + QStringLiteral("-turntable")};
 }
 
-void PictureActions::chooseTurntable() {
+void PictureActions::saveTurntable() {
     SequenceWriter::Plan plan = turntablePlan();
-    plan.folder =
-        QFileDialog::getExistingDirectory(&m_window, tr("Folder for the turntable"), pictureFolder());
-    if (!plan.folder.isEmpty()) {
-        rememberFolder(plan.folder);
-        writeSequence(plan);
+    const QDir pictures(pictureFolder());
+    QString name = plan.base;
+    for (int number = 2; pictures.exists(name); ++number) {
+        name = QStringLiteral("%1-%2").arg(plan.base).arg(number);
     }
+    plan.folder = pictures.filePath(name);
+    if (!pictures.mkpath(plan.folder)) {
+        Q_EMIT failed({"The folder for the turntable cannot be made.", plan.folder.toStdString(),
+                       "File > Save Picture As writes elsewhere, and later turntables beside it."});
+        return;
+    }
+    writeSequence(plan);
+    m_newFolder = plan.folder;
 }
 
 PictureRequest PictureActions::requestOf(const PictureDialog& dialog) const {

@@ -28,9 +28,9 @@ public:
     [[nodiscard]] Status save(const PictureRequest& request, const QString& path);
     /// A name in the folder of pictures that no file has yet; saves there and says where.
     void saveAtOnce();
-    /// Once around the whole scene as it is, refined, in a folder of the person's choice.
-    void chooseTurntable();
-    /// What chooseTurntable() writes, apart from the folder.
+    /// Once around the whole scene as it is, refined, in a new folder in that of pictures.
+    void saveTurntable();
+    /// What it writes, apart from the folder.
     [[nodiscard]] SequenceWriter::Plan turntablePlan() const;
     /// Starts it and shows how far it is; over it, it can be cancelled.
     void writeSequence(const SequenceWriter::Plan& plan);
@@ -53,6 +53,7 @@ private:
     QWidget& m_window;
     SequenceWriter m_sequences;
     QPointer<QProgressDialog> m_progress;
+    QString m_newFolder;  ///< made for the pictures that are being written; empty: none was
 };
 
 }  // namespace hitscope
