@@ -100,7 +100,9 @@ Outcome write(Invocation& given, const Session& session, const std::vector<const
     report.endArray();
     return giveReport(
         given, report,
-        QStringLiteral("In %1: %2\n").arg(QDir::toNativeSeparators(path), names.join(QStringLiteral(", "))));
+        QStringLiteral("In %1: %2%3\n")
+            .arg(QDir::toNativeSeparators(path), names.join(QStringLiteral(", ")),
+                 written.value().wasReadBack ? QStringLiteral("; read back, it is the same") : QString()));
 }
 
 Outcome exportScene(Invocation& given, const SceneWish& wish, const ExportOptions& options) {

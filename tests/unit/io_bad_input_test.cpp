@@ -51,6 +51,9 @@ void BadInputTest::content_data() {
     row("index in OBJ", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 12\n",
         "a.obj, line 4: The face refers to vertex 12, but the file has only 3.");
     row("nan in OBJ", "a.obj", "v 0 0 nan\n", "a.obj, line 1: A coordinate is not a number");
+    row("weight 0 in OBJ", "a.obj", "v 0 0 0 0\n", "a.obj, line 1: The weight (w) of a vertex is 0");
+    row("weight nan in OBJ", "a.obj", "v 1 0 0\nv 0 0 0 nan 1 1 1\n", "a.obj, line 2: The weight (w)");
+    row("colour nan in OBJ", "a.obj", "v 0 0 0 1 nan 1\n", "a.obj, line 1: A colour is infinite or not");
     row("picture as PLY", "a.ply", png, "It does not begin with \"ply\"");
     row("cut PLY", "a.ply", "ply\nformat ascii 1.0\nelement vertex 1000\nproperty float x\n",
         "ends inside its header");

@@ -59,6 +59,7 @@ ExportDialog::ExportDialog(Choice choice, QWidget* parent) : QDialog(parent), m_
     }
     connect(m_allNormals, &QCheckBox::toggled, this, &ExportDialog::follow);
     connect(m_hasSteps, &QCheckBox::toggled, this, &ExportDialog::follow);
+    connect(m_steps, &QSpinBox::valueChanged, this, &ExportDialog::follow);
     connect(m_readBack, &QCheckBox::toggled, this,
             [this](bool on) { (isLarge() ? m_readsBackLarge : m_readsBackSmall) = on; });
     follow();

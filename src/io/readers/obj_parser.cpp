@@ -51,8 +51,15 @@ void ObjParser::parseVertex(TextCursor& line) {
     m_part.positions.push_back(position);
     std::array<double, 4> more{};
     const std::size_t count = optionalNumbers(line, more);
-    if (count >= 3) {  // x y z r g b, or x y z w r g b
+    const bool hasWeight = count == 1 || count == 4;  // x y z w, or x y z w r g b
+    if (hasWeight && (more[0] == 0.0 || !std::isfinite(more[0]))) {
+        throw BadLine{"The weight (w) of a vertex is 0, infinite or not a number: it lies nowhere."};
+    }
+    if (count >= 3) {
         const std::size_t red = count - 3;
+        if (!std::isfinite(more[red]) || !std::isfinite(more[red + 1]) || !std::isfinite(more[red + 2])) {
+            throw BadLine{"A colour is infinite or not a number."};
+        }
         m_part.colours.resize(m_part.positions.size() - 1, glm::vec3(1.0f));
         m_part.colours.emplace_back(more[red], more[red + 1], more[red + 2]);
     }

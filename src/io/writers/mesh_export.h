@@ -45,10 +45,11 @@ struct MeshExport {
 
 struct PlyOptions {
     enum class Encoding : std::uint8_t { AsSource, Binary, Ascii };
-    Encoding encoding = Encoding::AsSource;  ///< without a PLY source: binary. Binary is little endian.
-    bool displacement = true;                ///< dx, dy, dz: float, in the file's unit
-    bool length = true;                      ///< displacement: float, in the file's unit
-    bool hits = true;                        ///< hits: uint, where they are known
+    /// Binary: little endian, or as a binary source is. AsSource: without a PLY source, binary.
+    Encoding encoding = Encoding::AsSource;
+    bool displacement = true;  ///< dx, dy, dz: float, in the file's unit
+    bool length = true;        ///< displacement: float, in the file's unit
+    bool hits = true;          ///< hits: uint, where they are known
 };
 
 /// Where the mesh came from a PLY file that still has the same vertices and faces, that file is written again

@@ -61,7 +61,9 @@ bool PlyCopy::readHeader() {
     }
     m_headerText = bytes.substr(0, m_header.size);
     const PlyEncoding own = m_header.encoding;
-    const PlyEncoding wanted = m_options.encoding == PlyOptions::Encoding::AsSource ? own
+    const bool keepsOwn = m_options.encoding == PlyOptions::Encoding::AsSource ||
+                          (m_options.encoding == PlyOptions::Encoding::Binary && own != PlyEncoding::Ascii);
+    const PlyEncoding wanted = keepsOwn ? own
                                : m_options.encoding == PlyOptions::Encoding::Ascii
                                    ? PlyEncoding::Ascii
                                    : PlyEncoding::LittleEndian;

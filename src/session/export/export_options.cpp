@@ -19,6 +19,8 @@ constexpr std::uint64_t kPlyVertex = 44;    // position, normal, displacement, i
 constexpr std::uint64_t kGltfVertex = 44;   // position, normal, texture coordinate, number in the file
 constexpr std::uint64_t kLooseVertex = 28;  // position, its change, number in the file
 constexpr std::uint64_t kMorph = 24;        // change of position and normal
+constexpr std::uint64_t kMorphStep = 900;   // its accessors, in the JSON
+constexpr std::uint64_t kStepVertex = 28;   // that a step moves: its number, change of position and normal
 constexpr std::uint64_t kFacet = 50;        // of a binary STL
 constexpr std::uint64_t kPixel = 2;         // of a PNG
 
@@ -65,8 +67,8 @@ std::uint64_t bytesOf(const Target& target, const ExportOptions& options) {
     switch (options.format) {
         case ExportFormat::Obj: {
             const QFileInfo source(target.sourcePath);
-            const bool isCopy =
-                !options.inWorld && source.exists() && exportFormatOf(target.sourcePath) == ExportFormat::Obj;
+            const bool isCopy = !options.inWorld && mesh.isAsRead() && source.exists() &&
+                                exportFormatOf(target.sourcePath) == ExportFormat::Obj;
             return isCopy ? static_cast<std::uint64_t>(source.size())
                           : 3 * kNumber * (vertices + mesh.normals.size()) +
                                 2 * kNumber * mesh.texcoords.size() + 2 * kNumber * corners;
@@ -80,7 +82,9 @@ std::uint64_t bytesOf(const Target& target, const ExportOptions& options) {
         case ExportFormat::Glb:
         case ExportFormat::Gltf:
             return (kGltfVertex + kMorph) * drawn + 12 * (corners - 2 * faces) +
-                   (kLooseVertex + 4) * (2 * segmentsOf(mesh) + mesh.points.size()) + pictureBytes(target);
+                   (kLooseVertex + 4) * (2 * segmentsOf(mesh) + mesh.points.size()) + pictureBytes(target) +
+                   kMorphStep * static_cast<std::uint64_t>(options.steps) +
+                   (options.steps > 0 ? kStepVertex * target.deformed.onceChanged().size() : 0);
         case ExportFormat::Csv:
             break;
     }
@@ -92,7 +96,7 @@ std::uint64_t bytesOf(const Target& target, const ExportOptions& options) {
 const std::array<ExportFormatTraits, 7>& exportFormats() {
     static constexpr std::array<ExportFormatTraits, 7> kFormats{{
         {ExportFormat::Obj, "obj", "obj", "Wavefront OBJ", true, false},
-        {ExportFormat::Ply, "ply", "ply", "PLY", true, false},
+        {ExportFormat::Ply, "ply", "ply", "PLY, binary", true, false},
         {ExportFormat::PlyAscii, "ply-ascii", "ply", "PLY, as text", true, false},
         {ExportFormat::Stl, "stl", "stl", "STL", false, false},
         {ExportFormat::Glb, "glb", "glb", "glTF in one file (GLB)", true, true},

@@ -68,6 +68,7 @@ private:
     [[nodiscard]] bool hasNormals(const TargetExport& target) const;
     [[nodiscard]] bool stepsLeadToShown() const;
     void noteSteps(const TargetExport& target);
+    void noteSource(const TargetExport& target);
     Status merge();
 
     const SceneExport& m_what;
@@ -196,6 +197,23 @@ void Gathered::noteSteps(const TargetExport& target) {
             .arg(mesh.vertexCount());
 }
 
+/// What a copy of the source with changes would keep, and a mesh written anew has not.
+void Gathered::noteSource(const TargetExport& target) {
+    const ExportFormat source = exportFormatOf(target.sourcePath).value_or(ExportFormat::Csv);
+    const bool isPly =
+        m_what.options.format == ExportFormat::Ply || m_what.options.format == ExportFormat::PlyAscii;
+    if (target.original->isAsRead() &&
+        ((m_what.options.format == ExportFormat::Obj && source == ExportFormat::Obj) ||
+         (isPly && source == ExportFormat::Ply))) {
+        m_notes +=
+            QCoreApplication::translate(
+                "Export",
+                "%1 was written anew: comments, and what is not shown of its file or its materials, are "
+                "left out. One target in its file's own coordinates keeps them.")
+                .arg(QString::fromStdString(target.name));
+    }
+}
+
 Status Gathered::merge() {
     std::vector<PlacedTarget> placed;
     for (std::size_t t = 0; t < m_what.targets.size(); ++t) {
@@ -211,6 +229,7 @@ Status Gathered::merge() {
         one.name = target.name;
         one.sourcePath = target.sourcePath;
         noteSteps(target);
+        noteSource(target);
     }
     Result<MergedTargets> merged = mergeTargets(placed);
     if (!merged) {
@@ -248,7 +267,7 @@ Result<QStringList> writeMesh(const MeshExport& mesh, const CornerNormalView& no
         case ExportFormat::Obj:
             break;
         case ExportFormat::Ply:
-            return exportPly(mesh, path, {.encoding = PlyOptions::Encoding::AsSource});
+            return exportPly(mesh, path, {.encoding = PlyOptions::Encoding::Binary});
         case ExportFormat::PlyAscii:
             return exportPly(mesh, path, {.encoding = PlyOptions::Encoding::Ascii});
         case ExportFormat::Stl:
