@@ -8,6 +8,7 @@
 #include "cli/opened_scene.h"
 #include "cli/target_argument.h"
 #include "cli/verbs.h"
+#include "deform/dent_owners.h"
 #include "mesh/dent.h"
 #include "mesh/disjoint_sets.h"
 
@@ -59,7 +60,36 @@ std::vector<std::vector<std::uint32_t>> movedPieces(const DeformedMesh& mesh,
     return pieces;
 }
 
-std::vector<Dent> dentsOf(const Session& session, const Target& target) {
+/// The vertices of one connected piece by the dents that overlap in it, and the hits of each, as indices into
+/// `hits`; `made`: those that moved some of them.
+struct DentPart {
+    std::vector<std::uint32_t> vertices;
+    std::vector<std::size_t> hits;
+};
+std::vector<DentPart> toldApart(const RenderMesh& mesh, const std::vector<std::uint32_t>& vertices,
+                                std::span<const Hit> hits, const std::vector<std::size_t>& made) {
+    std::vector<Hit> own;
+    std::transform(made.begin(), made.end(), std::back_inserter(own),
+                   [hits](std::size_t hit) { return hits[hit]; });
+    const std::vector<std::uint32_t> dents = dentsOfHits(own);
+    const std::vector<std::uint32_t> owners = dentOwners(mesh, vertices, own, dents);
+    std::map<std::uint32_t, DentPart> parts;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        parts[owners[i]].vertices.push_back(vertices[i]);
+    }
+    for (std::size_t i = 0; i < dents.size(); ++i) {
+        if (const auto part = parts.find(dents[i]); part != parts.end()) {
+            part->second.hits.push_back(made[i]);
+        }
+    }
+    std::vector<DentPart> all;
+    for (auto& [owner, part] : parts) {
+        all.push_back(std::move(part));
+    }
+    return all;
+}
+
+std::vector<Dent> dentsOf(const Session& session, const Target& target, bool tellsApart) {
     const std::vector<std::uint32_t> triangles = fileTriangles(target.deformed.render());
     const std::span<const glm::vec3> before = target.deformed.original().positions;
     const std::span<const glm::vec3> after = target.deformed.positions();
@@ -75,21 +105,31 @@ std::vector<Dent> dentsOf(const Session& session, const Target& target) {
     DentHits who;
     who.follow(target.deformed.sharedRender(), hits);
     std::vector<Dent> dents;
-    for (std::vector<std::uint32_t>& vertices : movedPieces(target.deformed, triangles)) {
-        const std::optional<DentMeasures> measures = measureDent(vertices, triangles, before, after);
+    const auto add = [&](DentPart part) {
+        const std::optional<DentMeasures> measures = measureDent(part.vertices, triangles, before, after);
         if (!measures) {
-            continue;  // vertices of no triangle
+            return;  // vertices of no triangle
         }
+        Dent dent{std::move(part.vertices), *measures, {}};
+        for (const std::size_t hit : part.hits) {
+            dent.hits.push_back(rows[hit]);
+        }
+        dents.push_back(std::move(dent));
+    };
+    for (std::vector<std::uint32_t>& vertices : movedPieces(target.deformed, triangles)) {
         Bounds box;
         for (const std::uint32_t vertex : vertices) {
             box.add(before[vertex]);
             box.add(after[vertex]);
         }
-        Dent dent{std::move(vertices), *measures, {}};
-        for (const std::size_t hit : who.madeBy(dent.vertices, box)) {
-            dent.hits.push_back(rows[hit]);
+        std::vector<std::size_t> made = who.madeBy(vertices, box);
+        if (tellsApart && made.size() > 1) {
+            for (DentPart& part : toldApart(target.deformed.render(), vertices, hits, made)) {
+                add(std::move(part));
+            }
+        } else {
+            add({std::move(vertices), std::move(made)});
         }
-        dents.push_back(std::move(dent));
     }
     return dents;
 }
@@ -132,7 +172,7 @@ Outcome dents(Invocation& given) {
     QString text;
     report.beginArray("targets");
     for (const Target* target : targets.value()) {
-        const std::vector<Dent> found = dentsOf(scene.session(), *target);
+        const std::vector<Dent> found = dentsOf(scene.session(), *target, !given.isSet("merged"));
         text += found.empty() ? QString() : target->name + u'\n';
         report.beginObject().text("name", target->name).beginArray("dents");
         for (std::size_t i = 0; i < found.size(); ++i) {
@@ -158,11 +198,14 @@ Verb dentsVerb() {
     return {{.name = QStringLiteral("dents"),
              .files = QStringLiteral("SESSION"),
              .about = QStringLiteral("measure each dent: depth, rim, area, volume"),
-             .description =
-                 QStringLiteral("Measures each connected part of the surface that hits moved: depth along "
-                                "its axis, diameter of the rim, original area, volume between original and "
-                                "deformed surface, and its hits. Overlapping dents count as one."),
+             .description = QStringLiteral(
+                 "Measures each connected part of the surface that hits moved: depth along "
+                 "its axis, diameter of the rim, original area, volume between original and "
+                 "deformed surface, and its hits. Where dents overlap, each is the part that its hit "
+                 "moved most."),
              .options = QList<UsageOption>{targetOption(QStringLiteral("all")),
+                                           flagOption("merged", QStringLiteral("Measure overlapping dents as "
+                                                                               "one.")),
                                            pipelineOption(QStringLiteral("the session's"))} +
                         reportOptions(),
              .examples = {{QStringLiteral("Measure every dent of a session."),

@@ -22,8 +22,8 @@ namespace document_words {
 /// By the index of TargetSource's alternatives.
 enum class SourceKind : std::uint8_t { Unknown, Primitive, BuiltIn, File };
 inline constexpr std::array<std::string_view, 4> kSourceKinds{"unknown", "primitive", "built-in", "file"};
-inline constexpr std::array<std::string_view, 6> kPrimitives{"cube",  "uv-sphere", "geodesic-sphere",
-                                                             "torus", "cylinder",  "sheet"};
+inline constexpr std::array<std::string_view, 7> kPrimitives{
+    "cube", "uv-sphere", "geodesic-sphere", "torus", "cylinder", "sheet", "turntable"};
 inline constexpr std::array<std::string_view, 7> kBuiltInMeshes{
     "teapot",           "low-poly-cube",   "high-poly-cube", "low-poly-sphere",
     "high-poly-sphere", "turntable-stand", "fine-torus"};

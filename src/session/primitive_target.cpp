@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "mesh/geodesic_sphere.h"
 #include "mesh/grid_primitives.h"
 #include "mesh/primitives.h"
 #include "mesh/teapot.h"
+#include "session/session.h"
 
 namespace hitscope {
 
@@ -28,6 +31,10 @@ int rowsOfCylinder(int around) {
 }
 int ringsOfCylinder(int around) {
     return std::max(1, around / 6);
+}
+/// Likewise for a turntable, which is flat.
+int rowsOfTurntable(int around) {
+    return std::max(1, around / 40);
 }
 /// Likewise for the tube of a torus.
 int tubeOfTorus(int around) {
@@ -49,6 +56,8 @@ MeshData makeMesh(PrimitiveKind kind, int n, float size) {
             return makeCylinder(n, rowsOfCylinder(n), ringsOfCylinder(n), half, size);
         case PrimitiveKind::Sheet:
             return makeSheet(n, n, size, size);
+        case PrimitiveKind::Turntable:
+            return makeCylinder(n, rowsOfTurntable(n), ringsOfCylinder(n), half, kTurntableFlatness * size);
     }
     return {};
 }
@@ -83,15 +92,16 @@ MeshData makeMesh(BuiltInMesh mesh) {
 }  // namespace
 
 std::span<const PrimitiveTraits> allPrimitives() {
-    static constexpr std::array<PrimitiveTraits, 6> kTraits = {
+    static constexpr std::array<PrimitiveTraits, 7> kTraits = {
         {{PrimitiveKind::Cube, QT_TRANSLATE_NOOP("hitscope::Primitive", "Quads along an edge"), 1, 32, 408},
          {PrimitiveKind::UvSphere, QT_TRANSLATE_NOOP("hitscope::Primitive", "Segments around"), 4, 96, 1416},
          {PrimitiveKind::GeodesicSphere, QT_TRANSLATE_NOOP("hitscope::Primitive", "Triangles along an edge"),
           1, 24, 316},
          {PrimitiveKind::Torus, QT_TRANSLATE_NOOP("hitscope::Primitive", "Segments around"), 9, 120, 1732},
          {PrimitiveKind::Cylinder, QT_TRANSLATE_NOOP("hitscope::Primitive", "Segments around"), 6, 96, 1224},
-         {PrimitiveKind::Sheet, QT_TRANSLATE_NOOP("hitscope::Primitive", "Quads along an edge"), 1, 64,
-          1000}}};
+         {PrimitiveKind::Sheet, QT_TRANSLATE_NOOP("hitscope::Primitive", "Quads along an edge"), 1, 64, 1000},
+         {PrimitiveKind::Turntable, QT_TRANSLATE_NOOP("hitscope::Primitive", "Segments around"), 6, 120,
+          1670}}};
     return kTraits;
 }
 
@@ -100,13 +110,14 @@ const PrimitiveTraits& traitsOf(PrimitiveKind kind) {
 }
 
 QString primitiveName(PrimitiveKind kind) {
-    constexpr std::array<const char*, 6> kNames = {
+    constexpr std::array<const char*, 7> kNames = {
         QT_TRANSLATE_NOOP("hitscope::Primitive", "Cube"),
         QT_TRANSLATE_NOOP("hitscope::Primitive", "UV sphere"),
         QT_TRANSLATE_NOOP("hitscope::Primitive", "Geodesic sphere"),
         QT_TRANSLATE_NOOP("hitscope::Primitive", "Torus"),
         QT_TRANSLATE_NOOP("hitscope::Primitive", "Cylinder"),
-        QT_TRANSLATE_NOOP("hitscope::Primitive", "Sheet")};
+        QT_TRANSLATE_NOOP("hitscope::Primitive", "Sheet"),
+        QT_TRANSLATE_NOOP("hitscope::Primitive", "Turntable")};
     return QCoreApplication::translate("hitscope::Primitive", kNames[static_cast<std::size_t>(kind)]);
 }
 
@@ -128,6 +139,10 @@ std::size_t vertexCount(const Primitive& primitive) {
                    2;
         case PrimitiveKind::Sheet:
             return (n + 1) * (n + 1);
+        case PrimitiveKind::Turntable:
+            return n * static_cast<std::size_t>(rowsOfTurntable(around) + 1 +
+                                                2 * (ringsOfCylinder(around) - 1)) +
+                   2;
     }
     return 0;
 }
@@ -147,6 +162,35 @@ TargetPlan planPrimitive(const Primitive& primitive) {
         plan.collider = SphereCollider{0.5f * primitive.size};
     }
     return plan;
+}
+
+Status putOnTurntable(Session& session, TargetId id) {
+    constexpr float kRim = 1.15f;      // of the width of what stands on it
+    constexpr float kApart = 1.0e-4f;  // of its height, so that nothing is moved aside
+    SessionTargets& targets = session.targets();
+    const Target* target = targets.find(id);
+    if (target == nullptr) {
+        return Error{"The target is gone.", "", "Select another one."};
+    }
+    const Bounds box = target->worldBounds();
+    const float size = kRim * std::max(box.size().x, box.size().z);
+    if (!(size > 0.0f)) {
+        return Error{"The target has no width.", "", "Select another one."};
+    }
+    const float height = kTurntableFlatness * size;
+    TargetPlan table =
+        planPrimitive({PrimitiveKind::Turntable, traitsOf(PrimitiveKind::Turntable).usual, size});
+    table.transform.position = {box.centre().x, box.min.y + 0.5f * height, box.centre().z};
+    RigidTransform raised = target->transform;
+    raised.position.y += height * (1.0f + kApart);
+    if (Status moved = targets.setTransform(id, raised); !moved) {
+        return moved;
+    }
+    std::vector<TargetPlan> plans;
+    plans.push_back(std::move(table));
+    targets.add(std::move(plans));
+    targets.select(id);
+    return Done{};
 }
 
 TargetPlan planBuiltIn(BuiltInMesh mesh) {

@@ -8,7 +8,7 @@
 
 namespace hitscope {
 
-enum class PrimitiveKind : std::uint8_t { Cube, UvSphere, GeodesicSphere, Torus, Cylinder, Sheet };
+enum class PrimitiveKind : std::uint8_t { Cube, UvSphere, GeodesicSphere, Torus, Cylinder, Sheet, Turntable };
 
 /// A shape that can be made in any fineness.
 struct Primitive {

@@ -5,8 +5,11 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
+#include <QSet>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
+#include <numeric>
 
 #include "cli/run_cli.h"
 #include "cli/scene_files.h"
@@ -316,6 +319,26 @@ void VerbsTest::dentsAreMeasured() {
     // max_magnitude of a target 2 m across: 0.3 m for one of 5 m.
     QVERIFY(std::abs(dent["depth_m"].toDouble() - 0.12) < 1.0e-4);
     QVERIFY(dent["displaced_volume_m3"].toDouble() > 0.0);
+    // Overlapping ones are told apart, each vertex belongs to one, and each hit to one at most.
+    const auto dentsOf = [this](const QString& command) {
+        return jsonOf(run(command))["targets"].toArray()[0].toObject()["dents"].toArray();
+    };
+    const QJsonArray apart = dentsOf("dents --json @many.hitscope");
+    const QJsonArray merged = dentsOf("dents --json --merged @many.hitscope");
+    QVERIFY2(apart.size() > merged.size(), qPrintable(QString::number(merged.size())));
+    const auto vertices = [](const QJsonArray& all) {
+        return std::accumulate(all.begin(), all.end(), 0, [](int sum, const QJsonValue& one) {
+            return sum + one.toObject()["vertices"].toInt();
+        });
+    };
+    QCOMPARE(vertices(apart), vertices(merged));
+    QSet<int> seen;
+    for (const QJsonValue& one : apart) {
+        for (const QJsonValue& hit : one.toObject()["hits"].toArray()) {
+            QVERIFY(!seen.contains(hit.toInt()));
+            seen.insert(hit.toInt());
+        }
+    }
 }
 
 void VerbsTest::comparisonsHoldTolerances() {

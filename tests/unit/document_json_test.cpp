@@ -185,7 +185,7 @@ void DocumentJsonTest::sources() {
     TRY_CHANGE(targets[0].source.mesh, MeshFile{file.path, file.size, std::string(64, '0')});
     TRY_CHANGE(targets[0].source.mesh, MeshFile{file.path, file.size, {}});
     TRY_CHANGE(targets[2].source.mesh, TargetSource());
-    for (int kind = 0; kind < 6; ++kind) {
+    for (int kind = 0; kind < 7; ++kind) {
         TRY_CHANGE(targets[2].source.mesh, Primitive{static_cast<PrimitiveKind>(kind), 24, 0.1f});
     }
     TRY_CHANGE(targets[1].source.mesh, Primitive{PrimitiveKind::Torus, 61, 2.5f});

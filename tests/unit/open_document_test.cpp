@@ -176,7 +176,7 @@ void OpenDocumentTest::ownMeshes_data() {
     }
     QTest::newRow("turntable") << 100;
     QTest::newRow("wall") << 101;
-    for (int kind = 0; kind < 6; ++kind) {
+    for (int kind = 0; kind < 7; ++kind) {
         QTest::addRow("primitive %d", kind) << 200 + kind;
     }
 }

@@ -4,12 +4,15 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <numbers>
 
 #include "mesh/geodesic_sphere.h"
 #include "mesh/grid_primitives.h"
 #include "mesh/surface_measurer.h"
 #include "session/primitive_target.h"
+#include "session/session.h"
+#include "session/target.h"
 #include "support/test_program.h"
 
 namespace hitscope::scene_primitives_test {
@@ -137,6 +140,35 @@ private Q_SLOTS:
         // The finest has about 2,000,000 triangles, or the vertices that go with them.
         const double most = static_cast<double>(vertexCount({traits.kind, traits.most, 3.0f}));
         QVERIFY2(most > 0.85e6 && most < 1.15e6, qPrintable(QString::number(most)));
+    }
+
+    /// Of any mesh at any size: it stands in the middle, nothing overlaps, and undo takes both steps back.
+    void turntablesFitUnderTargets() {
+        for (const float size : {1.0e-3f, 5.0f, 3.0e4f}) {
+            Session session;
+            TargetPlan torus = planPrimitive({PrimitiveKind::Torus, 24, size});
+            torus.transform.position += size * glm::vec3(3, 0, -2);
+            std::vector<TargetPlan> plans(1, torus);
+            session.loadScene({QStringLiteral("one"), std::move(plans)});
+            const TargetId id = session.targets().front()->id;
+            const Bounds before = session.targets().front()->worldBounds();
+            QVERIFY(putOnTurntable(session, id).ok());
+            QCOMPARE(session.targets().size(), std::size_t{2});
+            QCOMPARE(session.targets().selected(), id);
+            const Bounds on = session.targets()[0]->worldBounds();
+            const Bounds table = session.targets()[1]->worldBounds();
+            QVERIFY(glm::distance(glm::vec2(table.centre().x, table.centre().z),
+                                  glm::vec2(on.centre().x, on.centre().z)) < 1e-4f * size);
+            QVERIFY(std::abs(table.min.y - before.min.y) < 1e-4f * size);
+            QVERIFY(on.min.y >= table.max.y && on.min.y - table.max.y < 1e-3f * size);
+            QVERIFY(table.size().x > on.size().x && table.size().z > on.size().z);
+            session.undo();
+            session.undo();
+            QCOMPARE(session.targets().size(), std::size_t{1});
+            QCOMPARE(session.targets()[0]->worldBounds().min.y, before.min.y);
+        }
+        Session empty;
+        QVERIFY(!putOnTurntable(empty, TargetId()).ok());
     }
 
     void roomIsMadeOnlyWhereNeeded() {

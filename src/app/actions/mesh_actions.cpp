@@ -8,6 +8,7 @@
 #include "mesh/mesh_objects.h"
 #include "models/focus_target.h"
 #include "panels/help/help_text.h"
+#include "session/primitive_target.h"
 #include "session/session.h"
 #include "viewport/aim_preview.h"
 
@@ -40,6 +41,8 @@ void MeshActions::fill(QMenu& menu) {
     m_apply->setToolTip(tr("The dented shape becomes the original, and its hits leave the history"));
     m_separate = addAction(menu, tr("S&eparate Objects"), {}, this, [this] { separateObjects(); });
     m_separate->setToolTip(tr("Each object of the file becomes a target of its own, with the hits on it"));
+    m_turntable = addAction(menu, tr("Put on a &Turntable"), {}, this, [this] { standOnTurntable(); });
+    m_turntable->setToolTip(tr("Adds a turntable that fits under the target, and raises the target onto it"));
     follow();
 }
 
@@ -52,6 +55,7 @@ void MeshActions::follow() {
     for (QAction* action : {m_refine, m_simplify, m_smooth}) {
         enableIf(*action, target != nullptr && !m_editor.isBusy(), why);
     }
+    enableIf(*m_turntable, target != nullptr, tr("Select a target first."));
     const bool hasHits = target != nullptr && !m_session.hits().history().hitsOn(target->id).empty();
     enableIf(*m_apply, hasHits && !m_editor.isBusy(),
              target == nullptr ? why : tr("The target has no hits."));
@@ -84,6 +88,14 @@ void MeshActions::applyHits() {
 void MeshActions::separateObjects() {
     if (const Target* target = focusTarget(m_session)) {
         m_editor.startSeparation(target->id);
+    }
+}
+
+void MeshActions::standOnTurntable() {
+    if (const Target* target = focusTarget(m_session)) {
+        if (const Status put = putOnTurntable(m_session, target->id); !put) {
+            Q_EMIT failed(put.error());
+        }
     }
 }
 

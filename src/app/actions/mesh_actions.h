@@ -15,7 +15,7 @@ namespace hitscope {
 class AimPreview;
 
 /// What the Mesh menu does to the target in focus: refine, simplify, smooth, apply its
-/// hits, separate its objects.
+/// hits, separate its objects, put it on a turntable.
 class MeshActions : public QObject {
     Q_OBJECT
 public:
@@ -33,6 +33,7 @@ private:
     void applyHits();
     void separateObjects();
     void refineAtAim();
+    void standOnTurntable();
     void follow();
 
     Session& m_session;
@@ -45,6 +46,7 @@ private:
     QAction* m_smooth = nullptr;
     QAction* m_apply = nullptr;
     QAction* m_separate = nullptr;
+    QAction* m_turntable = nullptr;
 };
 
 }  // namespace hitscope
