@@ -117,8 +117,10 @@ std::optional<DrivenWindow::Taken> DrivenWindow::untilShown(const QString& what,
     bool isComing = false;  // the picture to be shown next was drawn then
     // What drawing brought along is in its picture.
     QObject::connect(&viewport(), &Viewport::pictureDrawn, &listener, [&] { isComing = isThere(); });
-    QObject::connect(&viewport(), &Viewport::pictureShown, &listener, [&] {
-        drawn = drawn || isComing;
+    m_isBesidePainted = false;
+    QObject::connect(&viewport(), &Viewport::pictureShown, &listener, [&] { drawn = drawn || isComing; });
+    QObject::connect(&viewport(), &QOpenGLWidget::frameSwapped, &listener, [&] {
+        drawn = drawn || (std::exchange(m_isBesidePainted, false) && isThere());
         if (!drawn) {
             return;
         }
@@ -168,6 +170,11 @@ void DrivenWindow::setRefines(bool on) {
     DisplayOptions options = viewport().options();
     options.refine = on;
     viewport().setOptions(options);
+}
+
+bool DrivenWindow::eventFilter(QObject* watched, QEvent* event) {
+    m_isBesidePainted = m_isBesidePainted || event->type() == QEvent::Paint;
+    return QObject::eventFilter(watched, event);
 }
 
 QPoint DrivenWindow::place(double x, double y) {

@@ -89,6 +89,9 @@ public:
     /// The entry of a menu whose text, without & and …, is `text`; false: there is none.
     bool choose(const QString& text);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     [[nodiscard]] QPoint place(double x, double y);
     [[nodiscard]] bool isQuiet();
@@ -100,6 +103,7 @@ private:
     QString m_error;
     QEventLoop* m_loop = nullptr;  ///< the one that wait() runs
     std::function<bool()> m_done;
+    bool m_isBesidePainted = false;  ///< what lies over the viewport, and has this as its event filter
     std::uint64_t m_frames = 0;
     std::uint64_t m_drawnFrames = 0;
     std::uint64_t m_drawnWithShown = 0;
