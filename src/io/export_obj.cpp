@@ -85,7 +85,7 @@ Result<SourceCopy> writeFromSource(const ObjExport& what, const QString& path) {
 
 Result<QStringList> write(const ObjExport& what, const QString& path) {
     QStringList notes;
-    if (!what.sourcePath.isEmpty() && what.mesh->sourceHash != 0) {
+    if (!what.sourcePath.isEmpty() && what.inFile().sourceHash != 0) {
         const Result<SourceCopy> copied = writeFromSource(what, path);
         if (!copied || copied.value() == SourceCopy::Written) {
             return copied ? Result<QStringList>(notes) : Result<QStringList>(copied.error());

@@ -26,8 +26,11 @@ struct ObjExport {
     bool allNormals = false;
     QString sourceFolder = {};              ///< where the textures' relative paths start; empty: none to copy
     QString sourcePath = {};                ///< the OBJ file that the mesh was read from; empty: it was not
+    const MeshData* asRead = nullptr;       ///< as in MeshExport
     ExportGoOn goOn = {};                   ///< called now and then
     std::function<void()> beforeStep = {};  ///< StagedFiles' own; for tests
+
+    [[nodiscard]] const MeshData& inFile() const { return asRead ? *asRead : *mesh; }
 };
 
 /// Writes FILE.obj, and gives notes for the person.

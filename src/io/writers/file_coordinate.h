@@ -26,6 +26,11 @@ inline double fileCoordinate(const MeshData& mesh, std::size_t vertex, const glm
     return static_cast<double>(now[axis]) / mesh.placement.scale + mesh.placement.centre[axis];
 }
 
+/// Whether a coordinate that is no longer in the mesh's frame is what a reader makes of the file's number.
+inline bool isInFile(const MeshData& mesh, std::size_t vertex, const glm::vec3& now, int axis) {
+    return static_cast<float>(fileCoordinate(mesh, vertex, mesh.positions[vertex], axis)) == now[axis];
+}
+
 inline constexpr std::size_t kNumberText = kFloatText;  ///< bytes that a coordinate's text takes at most
 
 /// Writes its shortest text that reads as the same number, as the same float where a float is what it is;

@@ -3,12 +3,10 @@
 
 #include <QFileInfo>
 #include <algorithm>
-#include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
 #include <unordered_set>
 
 #include "core/give_up.h"
+#include "io/writers/world_frame.h"
 #include "mesh/corner_normals.h"
 #include "mesh/same_bits.h"
 
@@ -77,19 +75,16 @@ private:
     std::size_t m_firstFace = 0;
 };
 
-glm::vec3 placed(const glm::dmat4& transform, const glm::vec3& position) {
-    return glm::vec3(transform * glm::dvec4(glm::dvec3(position), 1.0));
-}
-
 void Merger::addVertices(const PlacedTarget& target) {
     const MeshData& mesh = *target.mesh;
+    const WorldFrame frame(target.transform);
     m_firstVertex = m_mesh.positions.size();
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         mayGiveUp(v);
-        const glm::vec3 original = placed(target.transform, mesh.positions[v]);
+        const glm::vec3 original = frame.position(mesh.positions[v]);
         const bool isMoved = !sameBits(mesh.positions[v], target.positions[v]);
         m_mesh.positions.push_back(original);
-        m_merged.positions.push_back(isMoved ? placed(target.transform, target.positions[v]) : original);
+        m_merged.positions.push_back(isMoved ? frame.position(target.positions[v]) : original);
     }
     if (std::ranges::any_of(m_targets, [](const PlacedTarget& one) { return !one.mesh->isAsRead(); })) {
         for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
@@ -139,25 +134,19 @@ void Merger::addFaces(const PlacedTarget& target) {
 }
 
 void Merger::addNormals(const PlacedTarget& target) {
-    const glm::dmat3 turn = glm::transpose(glm::inverse(glm::dmat3(target.transform)));
-    const bool isTurned = glm::dmat3(target.transform) != glm::dmat3(1.0);
-    const auto turned = [&](const glm::vec3& normal) {
-        const glm::dvec3 now = turn * glm::dvec3(normal);
-        const double length = glm::length(now);
-        return isTurned && length > 0.0 ? glm::vec3(now / length) : normal;
-    };
+    const WorldFrame frame(target.transform);
     for (const glm::vec3& normal : target.mesh->normals) {
         mayGiveUp(m_mesh.normals.size());
-        m_mesh.normals.push_back(turned(normal));
+        m_mesh.normals.push_back(frame.normal(normal));
     }
     if (m_has.normals && target.normals.empty()) {
         for (const glm::vec3& normal : cornerNormals(*target.mesh, kCreaseAngle)) {
-            m_merged.normals.push_back(turned(normal));
+            m_merged.normals.push_back(frame.normal(normal));
         }
     }
     for (const glm::vec3& normal : target.normals) {
         mayGiveUp(m_merged.normals.size());
-        m_merged.normals.push_back(turned(normal));
+        m_merged.normals.push_back(frame.normal(normal));
     }
 }
 
@@ -217,6 +206,7 @@ void Merger::addLines(const MeshData& mesh) {
 }
 
 void Merger::addSteps(const PlacedTarget& target) {
+    const WorldFrame frame(target.transform);
     for (std::size_t s = 0; s < target.steps.size(); ++s) {
         if (s == m_merged.steps.size()) {
             m_merged.steps.push_back({target.steps[s].name, {}});
@@ -225,7 +215,7 @@ void Merger::addSteps(const PlacedTarget& target) {
         all.reserve(all.size() + target.steps[s].moved.size());
         for (const MovedVertex& moved : target.steps[s].moved) {
             mayGiveUp(all.size());
-            all.push_back({shifted(moved.vertex, m_firstVertex), placed(target.transform, moved.position)});
+            all.push_back({shifted(moved.vertex, m_firstVertex), frame.position(moved.position)});
         }
     }
 }
@@ -276,6 +266,39 @@ MeshExport MergedTargets::what() const {
     what.steps = steps;
     what.sourceFolder = sourceFolder;
     return what;
+}
+
+MergedTargets placeTarget(const PlacedTarget& target) {
+    const WorldFrame frame(target.transform);
+    MergedTargets one;
+    one.mesh = *target.mesh;
+    one.mesh.placement = Placement();
+    one.mesh.filePositions = {};
+    one.positions.resize(target.positions.size());
+    for (std::size_t v = 0; v < target.positions.size(); ++v) {
+        mayGiveUp(v);
+        const glm::vec3& original = target.mesh->positions[v];
+        one.mesh.positions[v] = frame.position(original);
+        one.positions[v] = sameBits(original, target.positions[v]) ? one.mesh.positions[v]
+                                                                   : frame.position(target.positions[v]);
+    }
+    for (glm::vec3& normal : one.mesh.normals) {
+        normal = frame.normal(normal);
+    }
+    one.normals.assign(target.normals.begin(), target.normals.end());
+    for (glm::vec3& normal : one.normals) {
+        mayGiveUp(static_cast<std::size_t>(&normal - one.normals.data()));
+        normal = frame.normal(normal);
+    }
+    one.hits.assign(target.hits.begin(), target.hits.end());
+    one.steps.assign(target.steps.begin(), target.steps.end());
+    for (MorphStep& step : one.steps) {
+        for (MovedVertex& moved : step.moved) {
+            moved.position = frame.position(moved.position);
+        }
+    }
+    one.sourceFolder = folderOf(target);
+    return one;
 }
 
 Result<MergedTargets> mergeTargets(std::span<const PlacedTarget> targets) {

@@ -34,6 +34,9 @@ struct MergedTargets {
     [[nodiscard]] MeshExport what() const;
 };
 
+/// One target: its mesh, elsewhere. All else is as it was read, but for the file's own coordinates.
+[[nodiscard]] MergedTargets placeTarget(const PlacedTarget& target);
+
 /// Makes one object of each target (names unique; groups and objects in it become groups of it), one after
 /// the other: vertices, faces, texture coordinates and normals keep their order. Materials keep their order
 /// too, and pictures that were read are among the images. Placement and the files' own coordinates are gone.

@@ -32,9 +32,13 @@ struct MeshExport {
     std::span<const std::uint32_t> hits;  ///< how many hits moved a vertex; empty (not known) or one a vertex
     std::vector<MorphStep> steps;         ///< in their order; glTF writes them where it is asked to
     QString sourcePath;                   ///< the mesh's file; empty: none
-    QString sourceFolder;                 ///< where its pictures are; empty: sourcePath's
-    ExportGoOn goOn;                      ///< called now and then
-    std::function<void()> beforeStep;     ///< StagedFiles' own; for tests
+    /// What that file holds, where `mesh` is the same one elsewhere (placeTarget()); else null.
+    const MeshData* asRead = nullptr;
+    QString sourceFolder;              ///< where its pictures are; empty: sourcePath's
+    ExportGoOn goOn;                   ///< called now and then
+    std::function<void()> beforeStep;  ///< StagedFiles' own; for tests
+
+    [[nodiscard]] const MeshData& inFile() const { return asRead ? *asRead : *mesh; }
 };
 
 // Writers of whole files. Coordinates are those of the mesh's file: local / placement.scale +

@@ -235,9 +235,12 @@ void ObjPatcher::vertex(std::string_view line, std::size_t vertex, TextBuffer& o
     std::size_t copied = 0;
     for (int axis = 0; axis < 3; ++axis) {
         const TextRange word = words.next();
-        if (!isStill(m_changes.mesh, vertex, now, axis)) {
+        const bool stays = m_changes.isElsewhere ? isInFile(m_changes.mesh, vertex, now, axis)
+                                                 : isStill(m_changes.mesh, vertex, now, axis);
+        if (!stays) {
             to = copyText(to, line.substr(copied, word.start - copied));
-            to = writeFileCoordinate(to, m_changes.mesh, vertex, now, axis);
+            to = m_changes.isElsewhere ? writeFloat(to, now[axis])
+                                       : writeFileCoordinate(to, m_changes.mesh, vertex, now, axis);
             copied = word.end;
         }
     }

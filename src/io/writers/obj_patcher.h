@@ -20,10 +20,11 @@ namespace hitscope {
 struct ObjChanges {
     const MeshData& mesh;                  ///< as it was read from the file
     std::span<const glm::vec3> positions;  ///< one for each of mesh.positions
-    std::span<const std::uint8_t> moved;   ///< movedVertices()
+    std::span<const std::uint8_t> moved;   ///< 1: the vertex has a coordinate that changes; else 0
     const NormalPlan& normals;
     /// What mtllib lines name instead, by their number from 0.
     const std::map<std::size_t, std::string>& libraries;
+    bool isElsewhere = false;  ///< the positions are what is written, no longer in the mesh's frame
 };
 
 /// Rewrites parts of an OBJ file: the words that change, and nothing else.

@@ -23,6 +23,8 @@ public:
     /// what; or the export was given up.
     [[nodiscard]] bool check();
     [[nodiscard]] const QString& whyNot() const { return m_whyNot; }
+    /// check() failed since its coordinates are whole numbers, and the mesh is elsewhere now, in metres.
+    [[nodiscard]] bool isTooCoarse() const { return m_isTooCoarse; }
     [[nodiscard]] bool isGivenUp() const { return m_isGivenUp; }
     /// After check().
     void write(PieceWriter& out);
@@ -58,7 +60,7 @@ private:
     void differs(const QString& how);
 
     const MeshExport& m_what;
-    const MeshData& m_mesh;
+    const MeshData& m_mesh;  ///< as it was read
     const PlyOptions& m_options;
     FilePositions m_positions;
     QFile m_file;
@@ -77,6 +79,7 @@ private:
     std::size_t m_line = 0;  ///< likewise
     bool m_hasStrips = false;
     bool m_isRounded = false;
+    bool m_isTooCoarse = false;
     QString m_whyNot;
     bool m_isGivenUp = false;
 };

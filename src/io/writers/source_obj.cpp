@@ -4,10 +4,13 @@
 #include <fcntl.h>
 
 #include <QFile>
+#include <algorithm>
 #include <memory>
 #include <vector>
 
+#include "core/give_up.h"
 #include "io/descriptor.h"
+#include "io/writers/file_coordinate.h"
 #include "io/writers/obj_index_cache.h"
 #include "io/writers/obj_patcher.h"
 #include "io/writers/source_writer.h"
@@ -35,6 +38,34 @@ bool fits(const ObjIndex& index, const MeshData& mesh) {
            libraries == mesh.materialLibraries.size();
 }
 
+/// Vertices with a coordinate that is another number than the file's, as movedVertices() says.
+std::vector<std::uint8_t> changedVertices(const ObjExport& what) {
+    if (!what.asRead) {
+        return movedVertices(*what.mesh, what.positions);
+    }
+    std::vector<std::uint8_t> changed(what.positions.size());
+    for (std::size_t v = 0; v < changed.size(); ++v) {
+        mayGiveUp(v);
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!isInFile(*what.asRead, v, what.positions[v], axis)) {
+                changed[v] = 1;
+            }
+        }
+    }
+    return changed;
+}
+
+/// Where all turned, each corner may have another normal.
+NormalPlan changedNormals(const ObjExport& what, const std::vector<std::uint8_t>& changed) {
+    if (!what.asRead) {
+        return planNormals(*what.mesh, changed, what.normals, what.allNormals);
+    }
+    const bool isTurned = !std::ranges::equal(what.asRead->normals, what.mesh->normals);
+    const std::vector<std::uint8_t> moved =
+        isTurned ? std::vector<std::uint8_t>(changed.size(), 1) : movedVertices(*what.mesh, what.positions);
+    return planNormals(*what.asRead, moved, what.normals, what.allNormals);
+}
+
 }  // namespace
 
 Result<SourceCopy> copyWithChanges(const ObjExport& what, const QString& path, MaterialFiles& materials,
@@ -54,14 +85,14 @@ Result<SourceCopy> copyWithChanges(const ObjExport& what, const QString& path, M
     const std::function<bool(double)> reading = within(goOn, ExportStep::Reading);
     ObjFaces faces = ObjFaces::AllLines;
     std::shared_ptr<const ObjIndex> index = indexedObj(source.get(), faces, reading);
-    if (index && index->hash == what.mesh->sourceHash && !fits(*index, *what.mesh)) {
+    if (index && index->hash == what.inFile().sourceHash && !fits(*index, what.inFile())) {
         faces = ObjFaces::OfThreeCorners;  // the reader left some out
         index = indexedObj(source.get(), faces, reading);
     }
     if (isGivenUp) {
         return givenUp(path);
     }
-    if (!index || !fits(*index, *what.mesh)) {
+    if (!index || !fits(*index, what.inFile())) {
         return index ? SourceCopy::Changed : SourceCopy::NotThere;
     }
     const Result<std::map<std::size_t, std::string>> libraries = materials.placeLibraryLines();
@@ -69,9 +100,10 @@ Result<SourceCopy> copyWithChanges(const ObjExport& what, const QString& path, M
         return libraries.error();
     }
     goOn(ExportStep::Preparing, 0.0);
-    const std::vector<std::uint8_t> moved = movedVertices(*what.mesh, what.positions);
-    const NormalPlan normals = planNormals(*what.mesh, moved, what.normals, what.allNormals);
-    const ObjChanges changes{*what.mesh, what.positions, moved, normals, libraries.value()};
+    const std::vector<std::uint8_t> changed = changedVertices(what);
+    const NormalPlan normals = changedNormals(what, changed);
+    const ObjChanges changes{what.inFile(), what.positions,    changed,
+                             normals,       libraries.value(), what.asRead != nullptr};
     const ObjPatcher patcher(changes, *index, faces);
     const std::function<bool(double)> writing = within(goOn, ExportStep::Writing);
     SourceWriter writer(*index, patcher, source.get(), writing);

@@ -237,10 +237,16 @@ Result<QStringList> exportPly(const MeshExport& what, const QString& path, const
             if (copy.isGivenUp()) {
                 return cancelledAt(path);
             }
-            notes += QStringLiteral(
-                         "The file %1 is not as it was when it was opened (%2): the mesh is written in "
-                         "full, without what else is in that file.")
-                         .arg(QFileInfo(what.sourcePath).fileName(), copy.whyNot());
+            const QString name = QFileInfo(what.sourcePath).fileName();
+            notes += copy.isTooCoarse()
+                         ? QStringLiteral(
+                               "The file %1 has whole numbers for coordinates, too coarse for metres: the "
+                               "mesh is written in full, without what else is in that file.")
+                               .arg(name)
+                         : QStringLiteral(
+                               "The file %1 is not as it was when it was opened (%2): the mesh is written in "
+                               "full, without what else is in that file.")
+                               .arg(name, copy.whyNot());
         }
         const WholePly whole(what, options);
         const Status written = writeInPieces(what, path, [&whole](PieceWriter& out) { whole.write(out); });

@@ -58,7 +58,8 @@ std::uint64_t pictureBytes(const Target& target) {
     return bytes;
 }
 
-std::uint64_t bytesOf(const Target& target, const ExportOptions& options) {
+/// isAlone: in the file.
+std::uint64_t bytesOf(const Target& target, const ExportOptions& options, bool isAlone) {
     const MeshData& mesh = target.deformed.original();
     const std::uint64_t vertices = mesh.positions.size();
     const std::uint64_t corners = mesh.cornerVertices.size();
@@ -67,7 +68,7 @@ std::uint64_t bytesOf(const Target& target, const ExportOptions& options) {
     switch (options.format) {
         case ExportFormat::Obj: {
             const QFileInfo source(target.sourcePath);
-            const bool isCopy = !options.inWorld && mesh.isAsRead() && source.exists() &&
+            const bool isCopy = isAlone && mesh.isAsRead() && source.exists() &&
                                 exportFormatOf(target.sourcePath) == ExportFormat::Obj;
             return isCopy ? static_cast<std::uint64_t>(source.size())
                           : 3 * kNumber * (vertices + mesh.normals.size()) +
@@ -125,7 +126,7 @@ ExportEstimate estimateExport(std::span<const Target* const> targets, const Expo
         const MeshData& mesh = target->deformed.original();
         estimate.vertices += mesh.positions.size();
         estimate.faces += mesh.faceCount();
-        estimate.bytes += bytesOf(*target, options);
+        estimate.bytes += bytesOf(*target, options, targets.size() == 1);
     }
     return estimate;
 }

@@ -118,7 +118,7 @@ std::array<double, kExportSteps> costsOf(const SceneExport& what) {
     const ExportSizes sizes = sizesOf(what);
     const FormatCosts each = costsOf(what.options.format, sizes.source > 0.0);
     const double gathered = (what.options.format == ExportFormat::Obj ? 0.0 : kGather) +
-                            (what.isMerged() ? kGather + kMerge : 0.0);
+                            (what.isPlaced() ? kGather + kMerge : 0.0);
     const double read = what.options.readBack ? 1.0 : 0.0;
     std::array<double, kExportSteps> costs{};
     const auto set = [&costs](ExportStep step, double cost) { costs[static_cast<std::size_t>(step)] = cost; };

@@ -69,6 +69,9 @@ private:
     [[nodiscard]] bool stepsLeadToShown() const;
     void noteSteps(const TargetExport& target);
     void noteSource(const TargetExport& target);
+    [[nodiscard]] PlacedTarget placed(std::size_t t) const;
+    void take(MergedTargets merged);
+    Status gatherOne();
     Status merge();
 
     const SceneExport& m_what;
@@ -86,7 +89,7 @@ bool Gathered::hasNormals(const TargetExport& target) const {
 
 CornerNormalView Gathered::normals() const {
     const TargetExport& first = m_what.targets.front();
-    if (m_what.isMerged()) {
+    if (m_merged) {
         return {m_mesh.normals, {}};
     }
     return hasNormals(first) ? CornerNormalView{first.normals, first.render->cornerRenderVertices}
@@ -124,7 +127,7 @@ void Gathered::countHits(const ExportGoOn& goOn) {
 void Gathered::gatherNormals(const ExportGoOn& goOn) {
     for (std::size_t t = 0; t < m_what.targets.size(); ++t) {
         const TargetExport& target = m_what.targets[t];
-        if (!hasNormals(target) || !(m_what.isMerged() || m_what.options.format != ExportFormat::Obj)) {
+        if (!hasNormals(target) || !(m_what.isPlaced() || m_what.options.format != ExportFormat::Obj)) {
             continue;
         }
         tellPart(goOn, ExportStep::Gathering, t * kStepsBetweenLooks,
@@ -162,20 +165,24 @@ Status Gathered::gather(const ExportGoOn& goOn, const QString& path) {
         }
     }
     gatherNormals(goOn);
-    if (m_what.isMerged()) {
-        Status merged = merge();
-        m_mesh.goOn = goOn;
-        m_mesh.beforeStep = m_what.beforeStep;
-        return merged;
-    }
+    Status gathered = m_what.isMerged() ? merge() : gatherOne();
     m_mesh.goOn = goOn;
     m_mesh.beforeStep = m_what.beforeStep;
+    return gathered;
+}
+
+Status Gathered::gatherOne() {
     const TargetExport& target = m_what.targets.front();
-    m_mesh.mesh = target.original.get();
-    m_mesh.positions = target.positions;
-    m_mesh.normals = m_targets.front().normals;
-    m_mesh.hits = m_targets.front().hits;
-    m_mesh.steps = std::move(m_steps.front());
+    if (m_what.options.inWorld) {
+        take(placeTarget(placed(0)));
+        m_mesh.asRead = target.original.get();
+    } else {
+        m_mesh.mesh = target.original.get();
+        m_mesh.positions = target.positions;
+        m_mesh.normals = m_targets.front().normals;
+        m_mesh.hits = m_targets.front().hits;
+        m_mesh.steps = std::move(m_steps.front());
+    }
     m_mesh.sourcePath = target.sourcePath;
     noteSteps(target);
     return Done{};
@@ -209,37 +216,46 @@ void Gathered::noteSource(const TargetExport& target) {
             QCoreApplication::translate(
                 "Export",
                 "%1 was written anew: comments, and what is not shown of its file or its materials, are "
-                "left out. One target in its file's own coordinates keeps them.")
+                "left out. One target in a file of its own keeps them.")
                 .arg(QString::fromStdString(target.name));
     }
 }
 
-Status Gathered::merge() {
-    std::vector<PlacedTarget> placed;
-    for (std::size_t t = 0; t < m_what.targets.size(); ++t) {
-        const TargetExport& target = m_what.targets[t];
-        PlacedTarget& one = placed.emplace_back();
-        one.mesh = target.original.get();
-        one.positions = target.positions;
-        one.normals = m_targets[t].normals;
-        one.hits = m_targets[t].hits;
-        one.steps = m_steps[t];
-        one.transform = glm::dmat4(glm::dquat(target.transform.rotation));
-        one.transform[3] = glm::dvec4(glm::dvec3(target.transform.position), 1.0);
-        one.name = target.name;
-        one.sourcePath = target.sourcePath;
-        noteSteps(target);
-        noteSource(target);
-    }
-    Result<MergedTargets> merged = mergeTargets(placed);
-    if (!merged) {
-        return merged.error();
-    }
-    m_merged = std::move(merged.value());
+PlacedTarget Gathered::placed(std::size_t t) const {
+    const TargetExport& target = m_what.targets[t];
+    PlacedTarget one;
+    one.mesh = target.original.get();
+    one.positions = target.positions;
+    one.normals = m_targets[t].normals;
+    one.hits = m_targets[t].hits;
+    one.steps = m_steps[t];
+    one.transform = glm::dmat4(glm::dquat(target.transform.rotation));
+    one.transform[3] = glm::dvec4(glm::dvec3(target.transform.position), 1.0);
+    one.name = target.name;
+    one.sourcePath = target.sourcePath;
+    return one;
+}
+
+void Gathered::take(MergedTargets merged) {
+    m_merged = std::move(merged);
     m_notes += m_merged->notes;
     std::vector<MorphStep> steps = std::move(m_merged->steps);  // what() copies them
     m_mesh = m_merged->what();
     m_mesh.steps = std::move(steps);
+}
+
+Status Gathered::merge() {
+    std::vector<PlacedTarget> targets;
+    for (std::size_t t = 0; t < m_what.targets.size(); ++t) {
+        targets.push_back(placed(t));
+        noteSteps(m_what.targets[t]);
+        noteSource(m_what.targets[t]);
+    }
+    Result<MergedTargets> merged = mergeTargets(targets);
+    if (!merged) {
+        return merged.error();
+    }
+    take(std::move(merged.value()));
     return Done{};
 }
 
@@ -257,6 +273,7 @@ Result<QStringList> writeObj(const MeshExport& mesh, const CornerNormalView& nor
         file.sourcePath = isSource ? mesh.sourcePath : QString();
     }
     file.goOn = mesh.goOn;
+    file.asRead = mesh.asRead;
     file.beforeStep = mesh.beforeStep;
     return exportObj(file, path);
 }

@@ -33,12 +33,14 @@ struct TargetExport {
 
 /// Targets that are written into one file.
 struct SceneExport {
-    std::vector<TargetExport> targets;  ///< one at least; several, or one in the world, become one mesh
+    std::vector<TargetExport> targets;  ///< one at least; several become one mesh
     std::vector<Hit> hits;              ///< those that made what is shown
     ExportOptions options;
     std::function<void()> beforeStep = {};  ///< StagedFiles' own; for tests
 
-    [[nodiscard]] bool isMerged() const { return targets.size() > 1 || options.inWorld; }
+    [[nodiscard]] bool isMerged() const { return targets.size() > 1; }
+    /// In the coordinates of the scene, with a copy of all that it takes.
+    [[nodiscard]] bool isPlaced() const { return isMerged() || options.inWorld; }
     [[nodiscard]] bool needsHits() const;  ///< how many hits moved each vertex
     [[nodiscard]] bool hasSteps() const { return traitsOf(options.format).hasSteps && options.steps > 0; }
 };
