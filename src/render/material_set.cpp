@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "gl/context.h"
+
 namespace hitscope {
 namespace {
 
@@ -50,7 +52,12 @@ bool isUsable(const Image& image) {
            image.pixels.size() == std::size_t{4} * image.width * image.height;
 }
 
+/// Not where the CPU draws: there it takes as long as all else, and llvmpipe (Mesa 22.3) goes through as many
+/// texels as the derivatives say, which are without bounds where the edge of a triangle is seen from aside.
 void setAnisotropy() {
+    if (gl::rendererInfo().isSoftware()) {
+        return;
+    }
     if (!epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") &&
         !epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic")) {
         return;
