@@ -18,6 +18,7 @@ public:
     /// empty.
     DraggedFile(QString name, Write write, std::function<QString()> text = {});
 
+    [[nodiscard]] const QString& name() const { return m_name; }
     [[nodiscard]] QStringList formats() const override;
     [[nodiscard]] bool hasFormat(const QString& type) const override;
 

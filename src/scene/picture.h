@@ -39,6 +39,9 @@ inline constexpr int kScreenHeight = 1080;
 /// pixels. The scene's context is current.
 [[nodiscard]] Result<Image> drawPicture(SceneGpu& scene, const PictureRequest& request);
 
+/// Key of a picture's note with its camera, as parseCamera() takes it.
+inline constexpr const char* kCameraNote = "Camera";
+
 /// Key and text of what is saved with a picture of the session: program, renderer, and the active pipeline
 /// with what came of trying it there. The scene's context is current.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> pictureNotes(const Session& session);

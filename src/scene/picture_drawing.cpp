@@ -11,6 +11,7 @@
 #include "analysis/scene_section.h"
 #include "render/refined/refined_picture.h"
 #include "scene/change_overlay.h"
+#include "view/camera_text.h"
 
 namespace hitscope {
 
@@ -147,6 +148,7 @@ Result<Image> PictureDrawing::take() {
         writeLabels(image, m_view);
     }
     image.notes = pictureNotes(m_scene.session());
+    image.notes.emplace_back(kCameraNote, cameraText(m_request.camera));
     if (isRefined) {
         image.notes.emplace_back("Samples", std::to_string(m_refined.samples()));
     }

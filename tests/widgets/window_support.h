@@ -30,7 +30,8 @@ public:
         QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
         // Pictures that are compared are drawn once: how far a refined one has come depends on the time.
         QSettings().setValue(QStringLiteral("display/refine"), false);
-        QSettings().setValue(QStringLiteral("display/reduceInMotion"), false);                // likewise
+        QSettings().setValue(QStringLiteral("display/reduceInMotion"), false);              // likewise
+        qputenv("XDG_DATA_HOME", m_folder.filePath(QStringLiteral("data")).toLocal8Bit());  // what is pasted
         qputenv("XDG_STATE_HOME", m_folder.filePath(QStringLiteral("state")).toLocal8Bit());  // journals
     }
 

@@ -2,6 +2,8 @@
 #include "app/actions/export_actions.h"
 
 #include <QAction>
+#include <QCoreApplication>
+#include <QEventLoop>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
@@ -203,17 +205,31 @@ void ExportActions::begin(const QString& path, std::optional<NormalMode> normals
     }
 }
 
+/// What asks for the file waits for it, but the window goes on meanwhile.
 bool ExportActions::writeTarget(TargetId target, const QString& path) {
     const Target* const found = m_session.targets().find(target);
-    Status written = found == nullptr ? Status(Error{"The target is gone.", {}, {}}) : m_viewport.syncNow();
-    if (written) {
-        const Result<ExportReport> report = exportTarget(m_session, *found, path, shownAs(path, {}));
-        written = report ? Status(Done{}) : Status(report.error());
+    if (found == nullptr) {
+        Q_EMIT failed({"The target is gone.", {}, {}});
+        return false;
     }
-    if (!written) {
-        Q_EMIT failed(written.error());
+    if (Status current = m_viewport.syncNow(); !current) {
+        Q_EMIT failed(current.error());
+        return false;
     }
-    return written.ok();
+    bool isDone = false;
+    QEventLoop waiting;
+    connect(m_exporter, &MeshExporter::ended, &waiting, [&](const QString& of, bool isWritten) {
+        if (of == path) {
+            isDone = isWritten;
+            waiting.quit();
+        }
+    });
+    connect(m_exporter, &QObject::destroyed, &waiting, &QEventLoop::quit);
+    connect(QCoreApplication::instance(), &QCoreApplication::aboutToQuit, &waiting, &QEventLoop::quit);
+    m_exporter->start(copyForExport(m_session, {&found, 1}, shownAs(path, {})), tr("“%1”").arg(found->name),
+                      path);
+    waiting.exec(QEventLoop::ExcludeUserInputEvents);
+    return isDone;
 }
 
 Status ExportActions::write(const QString& path, std::optional<NormalMode> normals) {

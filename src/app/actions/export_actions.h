@@ -40,7 +40,8 @@ public:
     /// Begins to write the target in focus as it is on the screen, its normals too unless others are asked
     /// for. The suffix says the format.
     void begin(const QString& path, std::optional<NormalMode> normals);
-    /// Writes a target as it is on the screen; what is wrong is said.
+    /// Writes a target as it is on the screen, on another thread while this one sees to all but the person's
+    /// keys and clicks; what is wrong is said.
     [[nodiscard]] bool writeTarget(TargetId target, const QString& path);
     /// As begin(), to its end. Errors are exportTarget()'s.
     [[nodiscard]] Status write(const QString& path, std::optional<NormalMode> normals);

@@ -12,6 +12,7 @@
 #include <QPushButton>
 #include <QUrl>
 #include <algorithm>
+#include <memory>
 
 #include "app/actions/menu_building.h"
 #include "app/dialogs/dialogs.h"
@@ -104,8 +105,10 @@ void FileActions::fill(QMenu& menu) {
     m_scenes = menu.addMenu(tr("&Scenes"));
     fillScenes(*m_scenes);
     menu.addSeparator();
-    QAction* save = addAction(menu, tr("&Save Session"), QKeySequence::Save, this, [this] { this->save(); });
-    save->setStatusTip(tr("Save targets, hits and settings in one file"));
+    m_save = addAction(
+        menu, tr("&Save Session"), QKeySequence::Save, this, [this] { this->save(); },
+        QStringLiteral("save"));
+    m_save->setStatusTip(tr("Save targets, hits and settings in one file"));
     addAction(menu, tr("Save Session &As…"), QKeySequence::SaveAs, this, [this] { saveAs(); });
     m_revert = addAction(menu, tr("Re&vert to Saved…"), {}, this, [this] { askAndRevert(); });
     connect(&m_parts.sessions, &SessionFiles::changed, this, &FileActions::followFile);
@@ -247,6 +250,14 @@ void FileActions::askAndOpen(const QStringList& paths) {
     if (!paths.isEmpty()) {
         m_parts.guard.ask([this, paths] { open(paths); });
     }
+}
+
+void FileActions::askAndOpenDocument(SessionDocument document) {
+    const auto shared = std::make_shared<SessionDocument>(std::move(document));
+    m_parts.guard.ask([this, shared] {
+        m_parts.files.cancel();
+        m_parts.sessions.openDocument(*shared);
+    });
 }
 
 void FileActions::open(const QStringList& paths) {

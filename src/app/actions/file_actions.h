@@ -19,6 +19,7 @@ struct AppSettings;
 class DiscardGuard;
 class NoticeBar;
 class Session;
+struct SessionDocument;
 class SessionFiles;
 class TextureLocator;
 
@@ -43,6 +44,7 @@ public:
     void fill(QMenu& menu);      ///< up to the scenes; once
     void fillMesh(QMenu& menu);  ///< placing; once
     [[nodiscard]] QAction* open() const { return m_open; }
+    [[nodiscard]] QAction* saveSession() const { return m_save; }
     [[nodiscard]] QMenu* scenes() const { return m_scenes; }
 
     /// Files that can be opened among what is dropped.
@@ -51,6 +53,7 @@ public:
     void open(const QStringList& paths);
     /// Likewise after a question where work would be lost.
     void askAndOpen(const QStringList& paths);
+    void askAndOpenDocument(SessionDocument document);  ///< likewise one that is in no file
     /// To the session's file, or to one that is asked for. False: the person decided otherwise.
     bool save();
     bool saveAs();  ///< likewise
@@ -83,6 +86,7 @@ private:
     QMenu* m_recent = nullptr;
     QMenu* m_scenes = nullptr;
     QAction* m_open = nullptr;
+    QAction* m_save = nullptr;
     QAction* m_revert = nullptr;
     QAction* m_placeMesh = nullptr;
     QAction* m_fileCoordinates = nullptr;

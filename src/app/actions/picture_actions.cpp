@@ -15,6 +15,7 @@
 
 #include "app/dialogs/picture_dialog.h"
 #include "io/save_image.h"
+#include "panels/icons/themed_icon.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -88,8 +89,9 @@ PictureActions::PictureActions(Viewport& viewport, QWidget& window)
 }
 
 void PictureActions::fill(QMenu& menu) {
-    connect(addAction(menu, tr("Save &Picture"), Qt::Key_F12), &QAction::triggered, this,
-            &PictureActions::saveAtOnce);
+    m_save = addAction(menu, tr("Save &Picture"), Qt::Key_F12);
+    m_save->setIcon(themedIcon(QStringLiteral("picture")));
+    connect(m_save, &QAction::triggered, this, &PictureActions::saveAtOnce);
     connect(addAction(menu, tr("Save Pic&ture As…"), tr("Shift+F12")), &QAction::triggered, this,
             &PictureActions::choosePicture);
     connect(addAction(menu, tr("Save Picture Se&quence…"), {}), &QAction::triggered, this,

@@ -7,6 +7,7 @@
 
 #include "app/sequence_writer.h"
 
+class QAction;
 class QMenu;
 class QProgressDialog;
 
@@ -21,7 +22,8 @@ public:
     /// `viewport` outlives this; dialogs open over `window`.
     PictureActions(Viewport& viewport, QWidget& window);
 
-    void fill(QMenu& menu);
+    void fill(QMenu& menu);  ///< once
+    [[nodiscard]] QAction* saveAction() const { return m_save; }
 
     /// As the viewport is, at its size.
     [[nodiscard]] Status save(const QString& path);
@@ -51,6 +53,7 @@ private:
 
     Viewport& m_viewport;
     QWidget& m_window;
+    QAction* m_save = nullptr;
     SequenceWriter m_sequences;
     QPointer<QProgressDialog> m_progress;
     QString m_newFolder;  ///< made for the pictures that are being written; empty: none was

@@ -90,7 +90,11 @@ Status TextureLocator::use(const QString& path) {
         return Done{};
     }
     m_folder = QFileInfo(path).absolutePath();
-    if (Status used = use(all.front(), path); !used) {
+    const QString name = QFileInfo(path).fileName();
+    const auto same = std::find_if(all.begin(), all.end(), [&name](const Missing& what) {
+        return fileNameOf(what.name).compare(name, Qt::CaseInsensitive) == 0;
+    });
+    if (Status used = use(same == all.end() ? all.front() : *same, path); !used) {
         return used;
     }
     // Where one is the others often are.

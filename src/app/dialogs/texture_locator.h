@@ -30,8 +30,8 @@ public:
     [[nodiscard]] bool isAnyMissing() const { return !missing().empty(); }
     /// Asks for the first that is missing.
     void locate();
-    /// Uses the picture at `path` for the first that is missing, and its neighbours for the others. One step
-    /// to undo for each. Fails when it is no picture.
+    /// Uses the picture at `path` for the missing one of its name, or the first, and its neighbours for the
+    /// others. One step to undo for each. Fails when it is no picture.
     [[nodiscard]] Status use(const QString& path);
     /// Uses those located earlier, for a file that was opened again. Returns their names in the file.
     QStringList useRemembered();

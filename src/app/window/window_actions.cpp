@@ -58,7 +58,8 @@ void WindowActions::make(const Parts& parts) {
     cameras = new CameraActions(viewport, &window);
     pictures = new PictureActions(viewport, window);
     const auto capture = [&session, &view = parts.view] { return captureSession(session, view.capture()); };
-    exchange = new ExchangeActions({viewport, *file, *hits, *shots, *cameras, *exports, capture}, window);
+    exchange = new ExchangeActions(
+        {viewport, *file, *hits, *shots, *cameras, *exports, *textureLocator, capture}, window);
     inspect = new InspectActions(session, viewport, &window);
     repeat = new RepeatActions(session, viewport, hits->editing(), window);
     help = new HelpActions(session, viewport, window);

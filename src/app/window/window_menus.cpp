@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QMainWindow>
 #include <QMenuBar>
+#include <QMimeData>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -22,6 +23,7 @@
 #include "app/actions/light_actions.h"
 #include "app/actions/menu_building.h"
 #include "app/actions/mesh_actions.h"
+#include "app/actions/outgoing_files.h"
 #include "app/actions/picture_actions.h"
 #include "app/actions/projectile_actions.h"
 #include "app/actions/repeat_actions.h"
@@ -34,6 +36,7 @@
 #include "app/pipeline_chooser.h"
 #include "app/session_collector.h"
 #include "app/window/window_actions.h"
+#include "panels/fields/drag_out.h"
 #include "panels/icons/themed_icon.h"
 #include "viewport/viewport.h"
 
@@ -114,12 +117,25 @@ void WindowMenus::makeLightsMenu() {
     follow();
 }
 
+/// A button that can be dragged out as a file, too.
+void WindowMenus::addDragged(QToolBar& bar, QAction& action, const std::function<QMimeData*()>& make) {
+    bar.addAction(&action);
+    if (auto* button = qobject_cast<QToolButton*>(bar.widgetForAction(&action))) {
+        new DragOut(*button, make);
+    }
+    action.setToolTip(
+        tr("%1; drag it out of the window for a file").arg(action.toolTip().remove(QStringLiteral("…"))));
+}
+
 void WindowMenus::makeToolBar() {
     QToolBar& bar = *m_window.addToolBar(tr("Tools"));
     bar.setObjectName(QStringLiteral("tools"));
     bar.setIconSize({20, 20});
     bar.addAction(m_actions.file->open());
-    bar.addAction(m_actions.exports->exportMesh());
+    OutgoingFiles& out = m_actions.exchange->outgoing();
+    addDragged(bar, *m_actions.file->saveSession(), [&out] { return out.session(); });
+    addDragged(bar, *m_actions.exports->exportMesh(), [&out] { return out.mesh(); });
+    addDragged(bar, *m_actions.pictures->saveAction(), [&out] { return out.picture(); });
     bar.addSeparator();
     bar.addAction(m_actions.edit->undo());
     bar.addAction(m_actions.edit->redo());

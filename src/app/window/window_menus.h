@@ -2,9 +2,13 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 
 class QMainWindow;
+class QAction;
 class QMenu;
+class QMimeData;
+class QToolBar;
 
 namespace hitscope {
 
@@ -29,6 +33,7 @@ Q_SIGNALS:
     void resetLayoutWanted();
 
 private:
+    void addDragged(QToolBar& bar, QAction& action, const std::function<QMimeData*()>& make);
     void makeFileMenu();
     void makeViewMenu();
     void makeMeshMenu();

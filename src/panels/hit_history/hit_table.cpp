@@ -14,13 +14,13 @@ namespace hitscope {
 namespace {
 
 constexpr int kLine = 2;            // pixels
-constexpr int kPadding = 6;         // around the label's text
+constexpr int kLabelPadding = 6;    // around the label's text
 constexpr QPoint kBeside(-14, -8);  // from the cursor to the label, so that neither it nor the line is hidden
 
 }  // namespace
 
 QPixmap HitTable::label(const QString& text) const {
-    const QSize size = fontMetrics().size(Qt::TextSingleLine, text) + QSize(2 * kPadding, kPadding);
+    const QSize size = fontMetrics().size(Qt::TextSingleLine, text) + QSize(2 * kLabelPadding, kLabelPadding);
     QPixmap pixmap(size * devicePixelRatioF());
     pixmap.setDevicePixelRatio(devicePixelRatioF());
     pixmap.fill(palette().color(QPalette::Highlight));

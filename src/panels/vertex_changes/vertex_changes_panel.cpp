@@ -6,10 +6,13 @@
 #include <QFileDialog>
 #include <QGuiApplication>
 #include <QHeaderView>
+#include <QPointer>
 #include <algorithm>
 #include <span>
 
+#include "models/dragged_file.h"
 #include "models/quantity_text.h"
+#include "panels/fields/drag_out.h"
 #include "panels/help/help_text.h"
 #include "panels/icons/themed_icon.h"
 #include "ui_vertex_changes.h"
@@ -96,10 +99,13 @@ void VertexChangesPanel::makeActions() {
         tr("Copy the selected rows, or all, as comma-separated text; up to %1 of them (Ctrl+C)")
             .arg(countText(kMostCopied)));
     m_save = new QAction(themedIcon(QStringLiteral("export")), tr("Save as CSV…"), this);
-    m_save->setToolTip(tr("Save all rows, in this order, as a file of comma-separated text"));
+    m_save->setToolTip(
+        tr("Save all rows, in this order, as a file of comma-separated text; drag the button out "
+           "of the window for one of the selected rows, or all"));
     m_ui->table->addActions({m_copy, m_save});
     m_ui->copy->setDefaultAction(m_copy);
     m_ui->save->setDefaultAction(m_save);
+    new DragOut(*m_ui->save, [this] { return dragged(); });
     connect(m_copy, &QAction::triggered, this, &VertexChangesPanel::copy);
     connect(m_save, &QAction::triggered, this, &VertexChangesPanel::save);
 }
@@ -233,6 +239,15 @@ void VertexChangesPanel::copy() {
         return;
     }
     QGuiApplication::clipboard()->setText(QString::fromLatin1(csv(m_changes.table(std::move(vertices)))));
+}
+
+/// Written when it is dropped, as the rows are then.
+QMimeData* VertexChangesPanel::dragged() const {
+    const auto write = [panel = QPointer(this)](const QString& path) {
+        const VertexChangesPanel* const alive = panel.data();
+        return alive != nullptr && saveCsv(alive->m_changes.table(alive->copied()), path).ok();
+    };
+    return new DraggedFile(QStringLiteral("vertex_changes.csv"), write);
 }
 
 void VertexChangesPanel::save() {

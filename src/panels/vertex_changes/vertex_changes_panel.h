@@ -9,6 +9,7 @@
 #include "models/vertex_changes_model.h"
 
 class QAction;
+class QMimeData;
 class QTableView;
 
 namespace Ui {
@@ -50,6 +51,7 @@ private:
     void updateAttribution();
     void copy();
     void save();
+    [[nodiscard]] QMimeData* dragged() const;
     /// The selected ones that have a row, in the order of the rows; all rows if none has.
     [[nodiscard]] std::vector<std::uint32_t> copied() const;
 

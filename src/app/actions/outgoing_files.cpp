@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/outgoing_files.h"
+
+#include <QClipboard>
+#include <QFile>
+#include <QGuiApplication>
+#include <QLocale>
+#include <QMenu>
+#include <QPointer>
+#include <QTemporaryDir>
+#include <memory>
+#include <utility>
+
+#include "app/actions/export_actions.h"
+#include "app/actions/menu_building.h"
+#include "document/document_json.h"
+#include "document/session_file.h"
+#include "io/save_image.h"
+#include "models/focus_target.h"
+#include "panels/help/help_text.h"
+#include "session/session.h"
+#include "viewport/viewport.h"
+
+namespace hitscope {
+
+namespace {
+
+constexpr qint64 kLongestText = 64 << 20;  // bytes; other programs take the whole clipboard into memory
+
+}  // namespace
+
+OutgoingFiles::OutgoingFiles(Parts parts, QObject* parent) : QObject(parent), m_parts(std::move(parts)) {}
+
+void OutgoingFiles::fill(QMenu& menu) {
+    fillFiles(*menu.addMenu(tr("Copy as &File")));
+    fillTexts(*menu.addMenu(tr("Copy as &Text")));
+}
+
+void OutgoingFiles::fillFiles(QMenu& menu) {
+    menu.setToolTipsVisible(true);
+    addAction(menu, tr("&Picture"), {}, this, [this] {
+        copy(picture());
+    })->setToolTip(tr("A PNG file of what the viewport shows"));
+    addAction(menu, tr("&Session"), {}, this, [this] {
+        copy(session());
+    })->setToolTip(tr("A session file, which names its meshes by their full paths"));
+    QAction* mesh = addAction(menu, tr("Deformed &Mesh"), {}, this, [this] { copy(this->mesh()); });
+    QAction* changes = addAction(menu, tr("&Vertex Changes"), {}, this, [this] { copy(this->changes()); });
+    connect(&menu, &QMenu::aboutToShow, this, [this, mesh, changes] {
+        const bool isAny = focusTarget(m_parts.viewport.session()) != nullptr;
+        const QString why = tr("There is no target.");
+        mesh->setToolTip(tr("An OBJ file of the selected target, as it is when it is pasted"));
+        changes->setToolTip(
+            tr("A CSV file of the selected target's vertices, as they are when it is pasted"));
+        enableIf(*mesh, isAny, why);
+        enableIf(*changes, isAny, why);
+    });
+}
+
+void OutgoingFiles::fillTexts(QMenu& menu) {
+    menu.setToolTipsVisible(true);
+    addAction(menu, tr("&Session"), {}, this, [this] {
+        copySessionText();
+    })->setToolTip(tr("What a session file says; Paste opens it"));
+    QAction* mesh =
+        addAction(menu, tr("Deformed &Mesh"), {}, this, [this] { copyTargetText(QStringLiteral(".obj")); });
+    QAction* changes =
+        addAction(menu, tr("&Vertex Changes"), {}, this, [this] { copyTargetText(QStringLiteral(".csv")); });
+    connect(&menu, &QMenu::aboutToShow, this, [this, mesh, changes] {
+        const bool isAny = focusTarget(m_parts.viewport.session()) != nullptr;
+        const QString why = tr("There is no target.");
+        mesh->setToolTip(tr("The selected target as OBJ; Paste opens it"));
+        changes->setToolTip(tr("The selected target's vertices as CSV"));
+        enableIf(*mesh, isAny, why);
+        enableIf(*changes, isAny, why);
+    });
+}
+
+void OutgoingFiles::copy(DraggedFile* file) {
+    if (file != nullptr) {
+        const QString name = file->name();
+        QGuiApplication::clipboard()->setMimeData(file);
+        Q_EMIT said(tr("%1 copied as a file.").arg(name));
+    }
+}
+
+QString OutgoingFiles::sessionName() const {
+    QString name = m_parts.viewport.session().sceneName();
+    name.replace(u'/', u'_');
+    return name.isEmpty() ? QStringLiteral("session") : name;
+}
+
+DraggedFile* OutgoingFiles::picture() {
+    Result<Image> drawn = m_parts.viewport.drawPicture(m_parts.viewport.pictureRequest());
+    if (!drawn) {
+        Q_EMIT failed(drawn.error());
+        return nullptr;
+    }
+    const auto image = std::make_shared<Image>(std::move(drawn).value());
+    return new DraggedFile(sessionName() + QStringLiteral(".png"),
+                           [image](const QString& path) { return savePicture(*image, path).ok(); });
+}
+
+DraggedFile* OutgoingFiles::session() {
+    const auto document = std::make_shared<SessionDocument>(m_parts.capture());
+    return new DraggedFile(sessionName() + QLatin1String(kSessionSuffix), [document](const QString& path) {
+        return writeSessionFile(*document, path).ok();
+    });
+}
+
+DraggedFile* OutgoingFiles::target(const QString& ending) {
+    const Target* const target = focusTarget(m_parts.viewport.session());
+    if (target == nullptr) {
+        return nullptr;
+    }
+    QString name = target->name;
+    name.replace(u'/', u'_');
+    return new DraggedFile(
+        name + QStringLiteral("_deformed") + ending,
+        [exports = QPointer<ExportActions>(&m_parts.exports), id = target->id](const QString& path) {
+            return !exports.isNull() && exports->writeTarget(id, path);
+        });
+}
+
+void OutgoingFiles::copySessionText() {
+    takeText(writeDocument(m_parts.capture()), tr("The session"));
+}
+
+void OutgoingFiles::copyTargetText(const QString& ending) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("mesh") + ending);
+    const Target* const target = focusTarget(m_parts.viewport.session());
+    if (target == nullptr) {
+        return;
+    }
+    const QString name = tr("“%1”").arg(target->name);
+    if (QFile file(path); m_parts.exports.writeTarget(target->id, path) && file.open(QIODevice::ReadOnly)) {
+        takeText(file.read(kLongestText + 1), name);
+    }
+}
+
+void OutgoingFiles::takeText(const QByteArray& text, const QString& what) {
+    if (text.size() > kLongestText) {
+        Q_EMIT failed({"This is more text than the clipboard is for.",
+                       {},
+                       "Up to " + QLocale().formattedDataSize(kLongestText).toStdString() +
+                           " can be copied. Export it to a file, or copy it as one."});
+        return;
+    }
+    QGuiApplication::clipboard()->setText(QString::fromUtf8(text));
+    Q_EMIT said(tr("%1 copied as text, %2.").arg(what, QLocale().formattedDataSize(text.size())));
+}
+
+}  // namespace hitscope
