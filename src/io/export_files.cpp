@@ -81,7 +81,7 @@ QString MaterialFiles::freePath(const QString& name, const QByteArray& content) 
 Result<std::string> MaterialFiles::placePicture(const std::string& name, bool inItsFolder) {
     const bool isPicture =
         std::find(m_mesh.pictureFiles.begin(), m_mesh.pictureFiles.end(), name) != m_mesh.pictureFiles.end();
-    const QString given = QString::fromStdString(name);
+    const QString given = fileNameText(name);
     const QString source = isPicture && !m_place.sourceFolder.isEmpty()
                                ? resolveTexture(m_place.sourceFolder, given)
                                : QString();
@@ -122,7 +122,7 @@ Result<std::string> MaterialFiles::placeImage(int image) {
 
 Result<std::string> MaterialFiles::placeTexture(const std::string& name, int image) {
     const bool isThere = !name.empty() && !m_place.sourceFolder.isEmpty() &&
-                         !resolveTexture(m_place.sourceFolder, QString::fromStdString(name)).isEmpty();
+                         !resolveTexture(m_place.sourceFolder, fileNameText(name)).isEmpty();
     return image >= 0 && !isThere ? placeImage(image) : placePicture(name, false);
 }
 
@@ -198,7 +198,7 @@ Result<std::string> MaterialFiles::placeLibrary(const QString& name) {
 Status MaterialFiles::placeLocated() {
     const auto place = [this](const std::string& name, int image) -> Status {
         const bool isThere = m_place.sourceFolder.isEmpty() ||
-                             !resolveTexture(m_place.sourceFolder, QString::fromStdString(name)).isEmpty();
+                             !resolveTexture(m_place.sourceFolder, fileNameText(name)).isEmpty();
         if (name.empty() || image < 0 || isThere || m_renamed.contains(name)) {
             return Done{};
         }
@@ -256,7 +256,7 @@ Result<std::vector<std::string>> MaterialFiles::placeLibraries() {
         return names;
     }
     for (const std::string& line : m_mesh.materialLibraries) {
-        for (const QString& name : librariesOnLine(m_place.sourceFolder, QString::fromStdString(line))) {
+        for (const QString& name : librariesOnLine(m_place.sourceFolder, fileNameText(line))) {
             const Result<std::string> placed = placeLibrary(name);
             if (!placed) {
                 return placed.error();
@@ -279,7 +279,7 @@ Result<std::map<std::size_t, std::string>> MaterialFiles::placeLibraryLines() {
         return lines;
     }
     for (std::size_t i = 0; i < m_mesh.materialLibraries.size(); ++i) {
-        const QString line = QString::fromStdString(m_mesh.materialLibraries[i]);
+        const QString line = fileNameText(m_mesh.materialLibraries[i]);
         std::string now;
         bool isNew = false;
         for (const QString& name : librariesOnLine(m_place.sourceFolder, line)) {

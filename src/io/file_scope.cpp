@@ -3,9 +3,17 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QStringDecoder>
 #include <QStringList>
 
 namespace hitscope {
+
+QString fileNameText(const std::string& bytes) {
+    const QByteArrayView view(bytes.data(), static_cast<qsizetype>(bytes.size()));
+    QStringDecoder utf8(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
+    const QString text = utf8.decode(view);
+    return utf8.hasError() ? QString::fromLatin1(view) : text;
+}
 
 QString resolveInside(const QString& folder, const QString& name) {
     const QString root = QFileInfo(folder).canonicalFilePath();

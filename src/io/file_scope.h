@@ -3,11 +3,16 @@
 
 #include <QString>
 #include <QStringList>
+#include <string>
 
 namespace hitscope {
 
 inline constexpr qint64 kMaxTextureBytes = 512ll << 20;  ///< of one picture's file
 inline constexpr qint64 kMaxLibraryBytes = 64 << 20;     ///< of one MTL file
+
+/// A file's name as a mesh or MTL file has it, of any bytes: read as UTF-8, or, where it is none, as Latin-1,
+/// which older programs wrote.
+[[nodiscard]] QString fileNameText(const std::string& bytes);
 
 /// The canonical path of `name` (relative to `folder`, or absolute) if it is a regular, readable file inside
 /// `folder` once every link and ".." is followed; empty otherwise. Backslashes count as separators. A mesh

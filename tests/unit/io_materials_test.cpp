@@ -31,6 +31,8 @@ private Q_SLOTS:
     void fillsInTheMaterialsOfAnObj();
     void findsLibraries_data();
     void findsLibraries();
+    void takesNamesOfAnyBytes_data();
+    void takesNamesOfAnyBytes();
     void notesMissingLibraryAndMaterials();
     void decodesTextures();
     void readsNormalMaps();
@@ -119,6 +121,34 @@ void MaterialsTest::findsLibraries() {
     QCOMPARE(imported.notes, QStringList());
     QCOMPARE(imported.mesh.materials.at(0).diffuse, glm::vec3(1, 0, 0));
     QCOMPARE(imported.mesh.materials.at(1).diffuse, glm::vec3(0, 1, 0));
+}
+
+void MaterialsTest::takesNamesOfAnyBytes_data() {
+    QTest::addColumn<QByteArray>("name");
+    QTest::newRow("UTF-8") << QByteArray(
+        "M\xc3\xb6"
+        "bel");
+    QTest::newRow("Latin-1") << QByteArray(
+        "M\xf6"
+        "bel");
+}
+
+/// Of files, from programs that wrote them as their system did; those of materials may be no text at all.
+void MaterialsTest::takesNamesOfAnyBytes() {
+    QFETCH(QByteArray, name);
+    const std::string file = name.toStdString();
+    writeFile(m_folder, QStringLiteral("Möbel.mtl"), "newmtl w\x80\xff\nKd 1 0 0\nmap_Kd " + file + ".png\n");
+    writeFile(m_folder, QStringLiteral("Möbel.png"), smallPng().toStdString());
+    ImportedMesh imported = parseObj("mtllib " + file +
+                                     ".mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl w\x80\xff\nf 1/1 2/1 "
+                                     "3/1\n")
+                                .value();
+    readMaterialLibraries(imported, m_folder);
+    readTextures(imported, m_folder);
+    QCOMPARE(imported.notes, QStringList());
+    QCOMPARE(imported.mesh.materials.size(), std::size_t{1});
+    QCOMPARE(imported.mesh.materials[0].diffuse, glm::vec3(1, 0, 0));
+    QVERIFY(imported.mesh.materials[0].diffuseImage >= 0);
 }
 
 void MaterialsTest::notesMissingLibraryAndMaterials() {

@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <algorithm>
 
+#include "io/file_scope.h"
 #include "io/read_picture.h"
 #include "mesh/missing_textures.h"
 #include "panels/help/help_text.h"
@@ -19,7 +20,7 @@ namespace {
 
 /// "wood.png" of "C:\textures\wood.png".
 QString fileNameOf(const std::string& name) {
-    QString path = QString::fromStdString(name);
+    QString path = fileNameText(name);
     return QFileInfo(path.replace(QLatin1Char('\\'), QLatin1Char('/'))).fileName();
 }
 

@@ -26,7 +26,7 @@ QString sourceFolderOf(const MeshExport& what) {
 std::vector<QString> librariesOf(const MeshData& mesh, const QString& folder) {
     std::vector<QString> paths;
     for (const std::string& line : mesh.materialLibraries) {
-        for (const QString& name : librariesOnLine(folder, QString::fromStdString(line))) {
+        for (const QString& name : librariesOnLine(folder, fileNameText(line))) {
             QString path = resolveInside(folder, name);
             if (!path.isEmpty() && QFileInfo(path).size() <= kMaxLibraryBytes) {
                 paths.push_back(std::move(path));
@@ -150,10 +150,9 @@ private:
         if (now.width == then.width && now.height == then.height && now.pixels == then.pixels) {
             return true;
         }
-        const QString copy = resolveTexture(m_folder, QString::fromStdString(is.name));
-        const QString source = m_sourceFolder.isEmpty()
-                                   ? QString()
-                                   : resolveTexture(m_sourceFolder, QString::fromStdString(meant.name));
+        const QString copy = resolveTexture(m_folder, fileNameText(is.name));
+        const QString source =
+            m_sourceFolder.isEmpty() ? QString() : resolveTexture(m_sourceFolder, fileNameText(meant.name));
         return !copy.isEmpty() && !source.isEmpty() && haveSameContent(copy, source);
     }
 

@@ -114,7 +114,7 @@ QStringList otherMaps(const tinyobj::material_t& from) {
           &from.displacement_texname, &from.alpha_texname, &from.reflection_texname, &from.roughness_texname,
           &from.metallic_texname, &from.sheen_texname, &from.emissive_texname}) {
         if (!name->empty()) {
-            maps << QString::fromStdString(*name);
+            maps << fileNameText(*name);
         }
     }
     return maps;
@@ -184,7 +184,7 @@ QStringList readMaterialLibraries(ImportedMesh& imported, const QString& folder)
     QStringList names;
     QStringList others;
     for (const std::string& line : imported.mesh.materialLibraries) {
-        names += librariesOnLine(folder, QString::fromStdString(line));
+        names += librariesOnLine(folder, fileNameText(line));
     }
     names.removeDuplicates();
     for (const QString& name : names) {

@@ -108,7 +108,7 @@ public:
     int read(const std::string& texture, const QString& what) {
         const auto [at, isNew] = m_known.try_emplace(texture, -1);
         if (isNew) {
-            const QString name = QString::fromStdString(texture);
+            const QString name = fileNameText(texture);
             const QString path = resolveTexture(m_folder, name);
             QString why = QStringLiteral("it is not in the mesh's folder");
             std::optional<Image> image = path.isEmpty() ? std::nullopt : readPicture(path, why);
@@ -197,7 +197,7 @@ void readTextures(ImportedMesh& imported, const QString& folder, const QStringLi
             map.image = -1;
             imported.notes +=
                 QStringLiteral("The bump map \"%1\" is not shown: it holds heights, not normals.")
-                    .arg(QString::fromStdString(map.texture));
+                    .arg(fileNameText(map.texture));
         }
     }
     makeOpaque(imported);

@@ -51,7 +51,7 @@ GltfMaterials::Picture GltfMaterials::find(const std::string& name, int image) c
     const bool isPicture =
         std::find(m_mesh.pictureFiles.begin(), m_mesh.pictureFiles.end(), name) != m_mesh.pictureFiles.end();
     const QString source = isPicture && !m_place.sourceFolder.isEmpty()
-                               ? resolveTexture(m_place.sourceFolder, QString::fromStdString(name))
+                               ? resolveTexture(m_place.sourceFolder, fileNameText(name))
                                : QString();
     QFile file(source);
     if (!source.isEmpty() && QFileInfo(source).size() <= kMaxTextureBytes && file.open(QIODevice::ReadOnly)) {
@@ -64,7 +64,7 @@ GltfMaterials::Picture GltfMaterials::find(const std::string& name, int image) c
         return {};
     }
     const QString base = name.empty() ? QStringLiteral("%1_texture%2").arg(m_place.baseName).arg(image + 1)
-                                      : QFileInfo(QString::fromStdString(name)).completeBaseName();
+                                      : QFileInfo(fileNameText(name)).completeBaseName();
     return {encodePng(m_mesh.images[static_cast<std::size_t>(image)]), false, base + QStringLiteral(".png")};
 }
 
@@ -107,8 +107,8 @@ Result<int> GltfMaterials::texture(const std::string& name, int image) {
     const Picture picture = find(name, image);
     int index = -1;
     if (picture.bytes.isEmpty()) {
-        m_notes += QStringLiteral("The picture \"%1\" cannot be read; it is left out.")
-                       .arg(QString::fromStdString(name));
+        m_notes +=
+            QStringLiteral("The picture \"%1\" cannot be read; it is left out.").arg(fileNameText(name));
     } else {
         const Result<int> source = addPicture(picture);
         if (!source) {

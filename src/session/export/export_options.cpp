@@ -49,7 +49,7 @@ std::uint64_t pictureBytes(const Target& target) {
         const QString file =
             name.empty() || target.sourcePath.isEmpty()
                 ? QString()
-                : resolveTexture(QFileInfo(target.sourcePath).absolutePath(), QString::fromStdString(name));
+                : resolveTexture(QFileInfo(target.sourcePath).absolutePath(), fileNameText(name));
         const Image& image = mesh.images[static_cast<std::size_t>(index)];
         bytes += file.isEmpty() ? kPixel * static_cast<std::uint64_t>(image.width) *
                                       static_cast<std::uint64_t>(image.height)
