@@ -34,6 +34,7 @@ private Q_SLOTS:
     void everyFormatIsReadBackAsMeant_data();
     void everyFormatIsReadBackAsMeant();
     void theWorldIsWhereTargetsStand();
+    void stepsAreInTheEstimate();
     void hitsAreCounted();
     void stepsLeadToTheShapeShown();
     void hitsNotShownAreLeftOut();
@@ -154,6 +155,29 @@ void ExportFormatsTest::theWorldIsWhereTargetsStand() {
     }
     QVERIFY2(farthest < 1e-5f, qPrintable(QString::number(farthest)));
     QVERIFY(glm::distance(world.positions[0], file.positions[0]) > 1.0f);
+}
+
+/// Before it is written, the dialog says how large a file will be; with steps, as many vertices again as the
+/// hits move.
+void ExportFormatsTest::stepsAreInTheEstimate() {
+    ExportOptions options;
+    options.format = ExportFormat::Glb;
+    double without = 0.0;
+    double withoutSaid = 0.0;
+    for (const std::size_t steps : {0, 5, 60}) {
+        options.steps = steps;
+        QVERIFY(write(both(), QStringLiteral("sized.glb"), options));
+        const auto written = static_cast<double>(QFileInfo(path(QStringLiteral("sized.glb"))).size());
+        const auto said =
+            static_cast<double>(estimateExport(both(), options, m_session->hits().shown()).bytes);
+        if (steps == 0) {
+            without = written;
+            withoutSaid = said;
+            continue;
+        }
+        const double share = (said - withoutSaid) / (written - without);
+        QVERIFY2(share > 0.7 && share < 1.5, qPrintable(QString::number(share)));
+    }
 }
 
 void ExportFormatsTest::hitsAreCounted() {

@@ -118,7 +118,7 @@ void ExportActions::choose() {
     choice.hits = m_session.hits().shown().size();
     choice.shown = m_settings.exportNormals.value_or(m_viewport.options().normals);
     choice.estimate = [this](bool all, const ExportOptions& options) {
-        return estimateExport(targets(all), options);
+        return estimateExport(targets(all), options, m_session.hits().shown());
     };
     ExportDialog dialog(std::move(choice), &m_window);
     QSettings settings;

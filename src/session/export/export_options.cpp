@@ -3,9 +3,13 @@
 
 #include <QFileInfo>
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <map>
 #include <string>
 
+#include "deform/cluster_reach.h"
+#include "deform/dent_shape.h"
 #include "io/file_scope.h"
 #include "session/target.h"
 
@@ -19,8 +23,8 @@ constexpr std::uint64_t kPlyVertex = 44;    // position, normal, displacement, i
 constexpr std::uint64_t kGltfVertex = 44;   // position, normal, texture coordinate, number in the file
 constexpr std::uint64_t kLooseVertex = 28;  // position, its change, number in the file
 constexpr std::uint64_t kMorph = 24;        // change of position and normal
-constexpr std::uint64_t kMorphStep = 900;   // its accessors, in the JSON
-constexpr std::uint64_t kStepVertex = 28;   // that a step moves: its number, change of position and normal
+constexpr double kMorphStep = 900.0;        // its accessors, in the JSON
+constexpr double kStepVertex = 28.0;        // that a step moves: its number, change of position and normal
 constexpr std::uint64_t kFacet = 50;        // of a binary STL
 constexpr std::uint64_t kPixel = 2;         // of a PNG
 
@@ -58,8 +62,55 @@ std::uint64_t pictureBytes(const Target& target) {
     return bytes;
 }
 
+/// How many vertices a hit moves that reaches what is drawn as it is now.
+std::size_t reachedBy(const Hit& hit, const Target& target, const ClusterReach& reach) {
+    const std::span<const DynamicVertex> vertices = target.deformed.vertices();
+    const std::vector<Cluster>& clusters = target.deformed.render().clusters;
+    const HitReach sphere = reachOf(hit);
+    std::vector<std::uint32_t> found;
+    reach.find(hit, found);
+    std::size_t reached = 0;
+    for (const std::uint32_t cluster : found) {
+        for (const DynamicVertex& vertex :
+             vertices.subspan(clusters[cluster].first, clusters[cluster].count)) {
+            reached += glm::distance(vertex.position, sphere.centre) <= sphere.radius ? 1 : 0;
+        }
+    }
+    return reached;
+}
+
+/// What the steps of an animation take: as many vertices as some of the hits move, as if each struck any
+/// vertex that ever moved.
+std::uint64_t stepBytes(const Target& target, std::size_t steps, std::span<const Hit> hits) {
+    constexpr std::size_t kSamples = 32;
+    // Vertices around a round dent, whose normals turn, for each root of those in it.
+    constexpr double kRim = 4.0;
+    std::vector<const Hit*> own;
+    for (const Hit& hit : hits) {
+        if (hit.enabled && hit.target == target.id) {
+            own.push_back(&hit);
+        }
+    }
+    const auto moved = static_cast<double>(target.deformed.onceChanged().size());
+    if (own.empty() || moved < 1.0 || steps == 0) {
+        return 0;
+    }
+    const ClusterReach reach(target.deformed.render().clusters);
+    const std::size_t samples = std::min(own.size(), kSamples);
+    double reached = 0.0;
+    for (std::size_t s = 0; s < samples; ++s) {
+        const auto inside = static_cast<double>(reachedBy(*own[s * own.size() / samples], target, reach));
+        reached += inside + kRim * std::sqrt(inside);
+    }
+    const double share = std::min(1.0, reached / static_cast<double>(samples) / moved);
+    const auto count = static_cast<double>(std::min(steps, own.size()));
+    const double ofOne = moved * (1.0 - std::pow(1.0 - share, static_cast<double>(own.size()) / count));
+    return static_cast<std::uint64_t>(count * (kMorphStep + kStepVertex * ofOne));
+}
+
 /// isAlone: in the file.
-std::uint64_t bytesOf(const Target& target, const ExportOptions& options, bool isAlone) {
+std::uint64_t bytesOf(const Target& target, const ExportOptions& options, bool isAlone,
+                      std::span<const Hit> hits) {
     const MeshData& mesh = target.deformed.original();
     const std::uint64_t vertices = mesh.positions.size();
     const std::uint64_t corners = mesh.cornerVertices.size();
@@ -84,8 +135,7 @@ std::uint64_t bytesOf(const Target& target, const ExportOptions& options, bool i
         case ExportFormat::Gltf:
             return (kGltfVertex + kMorph) * drawn + 12 * (corners - 2 * faces) +
                    (kLooseVertex + 4) * (2 * segmentsOf(mesh) + mesh.points.size()) + pictureBytes(target) +
-                   kMorphStep * static_cast<std::uint64_t>(options.steps) +
-                   (options.steps > 0 ? kStepVertex * target.deformed.onceChanged().size() : 0);
+                   stepBytes(target, options.steps, hits);
         case ExportFormat::Csv:
             break;
     }
@@ -120,13 +170,14 @@ std::optional<ExportFormat> exportFormatOf(const QString& path) {
     return found == formats.end() ? std::nullopt : std::optional(found->format);
 }
 
-ExportEstimate estimateExport(std::span<const Target* const> targets, const ExportOptions& options) {
+ExportEstimate estimateExport(std::span<const Target* const> targets, const ExportOptions& options,
+                              std::span<const Hit> hits) {
     ExportEstimate estimate;
     for (const Target* target : targets) {
         const MeshData& mesh = target->deformed.original();
         estimate.vertices += mesh.positions.size();
         estimate.faces += mesh.faceCount();
-        estimate.bytes += bytesOf(*target, options, targets.size() == 1);
+        estimate.bytes += bytesOf(*target, options, targets.size() == 1, hits);
     }
     return estimate;
 }

@@ -12,6 +12,7 @@
 
 namespace hitscope {
 
+struct Hit;
 struct Target;
 
 enum class ExportFormat : std::uint8_t { Obj, Ply, PlyAscii, Stl, Glb, Gltf, Csv };
@@ -43,13 +44,14 @@ struct ExportOptions {
     bool readBack = false;  ///< read the file afterwards and hold it against what was meant
 };
 
-/// What an export will amount to.
+/// What an export will amount to. `hits`: that made what is shown; the size of the steps between follows from
+/// some of them.
 struct ExportEstimate {
     std::size_t vertices = 0;
     std::size_t faces = 0;
     std::uint64_t bytes = 0;  ///< about
 };
 [[nodiscard]] ExportEstimate estimateExport(std::span<const Target* const> targets,
-                                            const ExportOptions& options);
+                                            const ExportOptions& options, std::span<const Hit> hits);
 
 }  // namespace hitscope

@@ -328,12 +328,15 @@ Result<ExportReport> write(const SceneExport& what, const QString& path, const E
 
 /// One a render vertex.
 std::vector<glm::vec3> shownNormals(const Target& target, NormalMode mode) {
+    constexpr std::size_t kLeastPart = std::size_t{1} << 16;  // vertices
     const std::span<const DynamicVertex> vertices = target.deformed.vertices();
-    std::vector<glm::vec3> normals;
-    normals.reserve(vertices.size());
-    for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-        normals.push_back(mode == NormalMode::True ? target.trueNormals.normal(v) : vertices[v].normal);
-    }
+    std::vector<glm::vec3> normals(vertices.size());
+    inParts(vertices.size(), kLeastPart, [&](std::size_t first, std::size_t end) {
+        for (std::size_t v = first; v < end; ++v) {
+            normals[v] = mode == NormalMode::True ? target.trueNormals.normal(static_cast<std::uint32_t>(v))
+                                                  : vertices[v].normal;
+        }
+    });
     return normals;
 }
 
@@ -352,8 +355,8 @@ SceneExport copyForExport(const Session& session, std::span<const Target* const>
         one.render = mesh.sharedRender();
         one.transform = target->transform;
         one.sourcePath = target->sourcePath;
-        bothAtOnce([&] { one.positions.assign(mesh.positions().begin(), mesh.positions().end()); },
-                   [&] { one.normals = shownNormals(*target, options.normals); });
+        one.positions.assign(mesh.positions().begin(), mesh.positions().end());
+        one.normals = shownNormals(*target, options.normals);
     }
     const AppliedHits applied = session.hits().applied();
     for (const Hit& hit : session.hits().history().hits()) {
