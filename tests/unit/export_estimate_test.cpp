@@ -78,7 +78,8 @@ private:
         const QString path =
             folder.filePath(QStringLiteral("mesh.") + QLatin1String(traitsOf(format).suffix));
         Sizes sizes;
-        sizes.estimated = static_cast<double>(estimateExport({&target, 1}, options, session.hits().shown()).bytes);
+        sizes.estimated =
+            static_cast<double>(estimateExport({&target, 1}, options, session.hits().shown()).bytes);
         if (writeExport(copyForExport(session, {&target, 1}, options), path)) {
             for (const QFileInfo& file : QDir(folder.path()).entryInfoList(QDir::Files)) {
                 sizes.written += static_cast<double>(file.size());
