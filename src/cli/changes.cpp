@@ -40,7 +40,7 @@ public:
     ChangesTable() {
         m_csv.row({"target", "vertex", "original_x", "original_y", "original_z", "current_x", "current_y",
                    "current_z", "displacement_x", "displacement_y", "displacement_z", "length",
-                   "normal_turned_deg", "hits"});
+                   "normal_turned_deg", "hits", "new"});
         m_report.beginArray("targets");
     }
 
@@ -65,7 +65,8 @@ private:
         for (const glm::vec3& vector : {facts.original, facts.current, facts.displacement}) {
             m_csv.exact(vector.x).exact(vector.y).exact(vector.z);
         }
-        m_csv.exact(facts.length).exact(turned).count(hits);
+        const bool isNew = target.deformed.original().isNew(vertex);
+        m_csv.exact(facts.length).exact(turned).count(hits).count(isNew ? 1 : 0);
         m_csv.endRow();
         m_report.beginObject()
             .count("vertex", std::uint64_t{vertex} + 1)
@@ -74,6 +75,7 @@ private:
         m_report.number("length_m", facts.length)
             .number("normal_turned_deg", turned)
             .count("hits", hits)
+            .truth("new", isNew)
             .endObject();
     }
 
@@ -206,7 +208,8 @@ Verb changesVerb() {
              .about = QStringLiteral("print the table of changed vertices"),
              .description = QStringLiteral(
                  "Prints a line for each changed vertex as CSV, or with --json as JSON. Counts vertices from "
-                 "1, as in the file. Numbers read back to the same bits."),
+                 "1, as in the file; \"new\" says which ones refining added. Numbers read back to the same "
+                 "bits."),
              .options = QList<UsageOption>{targetOption(QStringLiteral("all")),
                                            pipelineOption(QStringLiteral("the session's"))} +
                         reportOptions(),

@@ -107,7 +107,7 @@ void VerbsTest::good_data() {
     row("convert --format ply-ascii @ball.obj -", "element vertex 362");
     row("compare @ball.obj @ball.obj", "0 of 362 vertices differ");
     row("compare --with reference --tolerance 100 @many.hitscope", "of 362 vertices differ");
-    row("changes @one.hitscope", "normal_turned_deg");
+    row("changes @one.hitscope", "normal_turned_deg,hits,new");
     row("explain --vertex 1 @one.hitscope", "hit 1");
     row("explain --vertex 2 @one.hitscope", "original");
     row("dents @one.hitscope", "dent 1, hit 1");

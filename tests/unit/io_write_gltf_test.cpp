@@ -222,7 +222,29 @@ private Q_SLOTS:
         }
     }
 
-    /// Behind the triangles of their object, with the displacement and without normals.
+    void refinedMeshesTellTheirOwnVertices() {
+        QTemporaryDir folder;
+        DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.obj"), seamedStrip()));
+        std::vector<std::uint32_t>& sources = mesh.original.mesh.sourceVertices;
+        for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+            sources.push_back(v % 3 == 1 ? kNoIndex : v / 3);
+        }
+        const QString path = folder.filePath(QStringLiteral("a.glb"));
+        QVERIFY(exportGltf(mesh.what(), path, {}));
+        const Glb glb(path);
+        const QJsonObject attributes = glb.item("meshes", 0)[QStringLiteral("primitives")]
+                                           .toArray()[0]
+                                           .toObject()[QStringLiteral("attributes")]
+                                           .toObject();
+        const std::vector<float> vertices = floatsOf(glb, attributes[QStringLiteral("_FILE_VERTEX")].toInt());
+        const std::vector<float> own = floatsOf(glb, attributes[QStringLiteral("_SOURCE_VERTEX")].toInt());
+        QCOMPARE(own.size(), vertices.size());
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            const std::uint32_t source = sources[static_cast<std::size_t>(vertices[i])];
+            QCOMPARE(own[i], source == kNoIndex ? -1.0f : static_cast<float>(source));
+        }
+    }
+
     void normalsOfTheStepsAddUp() {
         Scene scene;
         scene.dent();

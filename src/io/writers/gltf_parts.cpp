@@ -150,16 +150,30 @@ void GltfParts::addVectors(QJsonObject& attributes, const GltfPrimitive& primiti
     }
 }
 
+/// Which vertex of the mesh each is, and, where the mesh is not as its file has it, which of the file's: -1
+/// is a new one.
+void GltfParts::addNumbers(QJsonObject& attributes, const GltfPrimitive& primitive) {
+    const std::vector<std::uint32_t>& vertices = primitive.fileVertices;
+    const auto add = [&](const char* key, const GltfDocument::PutElement& put) {
+        const int view = m_document.addView(vertices.size(), sizeof(float), gltf::kVertices, put);
+        attributes[QLatin1String(key)] =
+            m_document.addAccessor(view, gltf::kFloat, "SCALAR", vertices.size());
+    };
+    add("_FILE_VERTEX",
+        [&vertices](PieceWriter& out, std::size_t i) { out.plain(static_cast<float>(vertices[i])); });
+    if (!m_mesh.isAsRead()) {
+        add("_SOURCE_VERTEX", [this, &vertices](PieceWriter& out, std::size_t i) {
+            const std::uint32_t source = m_mesh.sourceVertices[vertices[i]];
+            out.plain(source == kNoIndex ? -1.0f : static_cast<float>(source));
+        });
+    }
+}
+
 QJsonObject GltfParts::attributesOf(const GltfPrimitive& primitive) {
     QJsonObject attributes{{QStringLiteral("POSITION"), addPositions(primitive)}};
     addVectors(attributes, primitive);
     if (m_mesh.positions.size() <= kMostNumbered) {
-        const std::vector<std::uint32_t>& vertices = primitive.fileVertices;
-        const int view = m_document.addView(
-            vertices.size(), sizeof(float), gltf::kVertices,
-            [&vertices](PieceWriter& out, std::size_t i) { out.plain(static_cast<float>(vertices[i])); });
-        attributes[QStringLiteral("_FILE_VERTEX")] =
-            m_document.addAccessor(view, gltf::kFloat, "SCALAR", vertices.size());
+        addNumbers(attributes, primitive);
     }
     return attributes;
 }

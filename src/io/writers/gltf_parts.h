@@ -33,6 +33,7 @@ private:
     /// One node: an object of the mesh, and the targets that do anything to it.
     void addNode(std::uint32_t object);
     QJsonObject primitiveOf(const GltfPrimitive& primitive, const std::vector<const MorphTarget*>& targets);
+    void addNumbers(QJsonObject& attributes, const GltfPrimitive& primitive);
     QJsonObject attributesOf(const GltfPrimitive& primitive);
     int addPositions(const GltfPrimitive& primitive);
     int addIndices(const GltfPrimitive& primitive);

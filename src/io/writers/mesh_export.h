@@ -79,7 +79,8 @@ struct GltfOptions {
 /// nothing. The original is the base, and the deformed shape a morph target "Deformed" of weight 1. Each
 /// object of the mesh is a node. Vertices are in the file's order in each primitive, those that have several
 /// normals or texture coordinates once more at its end; the attribute _FILE_VERTEX has their numbers in the
-/// file, from 0.
+/// mesh that is written, from 0. Of a mesh that was refined or simplified, _SOURCE_VERTEX has those in its
+/// own file; -1: a new vertex.
 [[nodiscard]] Result<QStringList> exportGltf(const MeshExport& what, const QString& path,
                                              const GltfOptions& options = {});
 
