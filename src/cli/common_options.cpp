@@ -6,6 +6,7 @@
 
 #include "cli/pipeline_argument.h"
 #include "cli/standard_streams.h"
+#include "session/export/export_options.h"
 
 namespace hitscope::cli {
 
@@ -33,6 +34,20 @@ std::optional<PipelineKind> givenPipeline(Invocation& given) {
 
 UsageOption targetOption(const QString& standard) {
     return valueOption("target", "NAME", QStringLiteral("Name of the target; default: %1.").arg(standard));
+}
+
+QString givenMeshFile(Invocation& given) {
+    QString path = given.text("out");
+    if (!path.isEmpty() && !exportFormatOf(path)) {
+        QStringList suffixes;
+        for (const ExportFormatTraits& format : exportFormats()) {
+            suffixes << QLatin1Char('.') + QLatin1String(format.suffix);
+        }
+        suffixes.removeDuplicates();
+        given.complain(QStringLiteral("--out writes a mesh, and \"%1\" has none of the suffixes %2.")
+                           .arg(path, suffixes.join(QStringLiteral(", "))));
+    }
+    return path;
 }
 
 Status giveReport(const Invocation& given, JsonReport& report, const QString& text) {

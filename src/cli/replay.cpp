@@ -35,7 +35,7 @@ Outcome othersThanSaved(const Session& session, const std::vector<TargetId>& dif
                         : "The meshes have changed, or another renderer made the saved positions."});
 }
 
-Outcome replay(Invocation& given, const SceneWish& wish) {
+Outcome replay(Invocation& given, const SceneWish& wish, const QString& out) {
     OpenedScene scene;
     if (Outcome opened = scene.open(wish); !opened) {
         return opened;
@@ -53,12 +53,12 @@ Outcome replay(Invocation& given, const SceneWish& wish) {
     report.text("pipeline", QString::fromUtf8(pipelineTraits(session.settings().pipeline()).key));
     addFingerprints(report, session);
     addTargets(report, session);
-    if (given.isSet("out") && !session.targets().empty()) {
+    if (!out.isEmpty() && !session.targets().empty()) {
         const Target& exported = mostChangedTarget(session);
-        if (Status status = exportNamed(session, exported, given.text("out"), NormalMode::True); !status) {
+        if (Status status = exportNamed(session, exported, out, NormalMode::True); !status) {
             return status;
         }
-        text += QStringLiteral("In %1: %2\n").arg(QDir::toNativeSeparators(given.text("out")), exported.name);
+        text += QStringLiteral("In %1: %2\n").arg(QDir::toNativeSeparators(out), exported.name);
     }
     const bool isKnown = canCompare(session, document, shown);
     const std::vector<TargetId> differing =
@@ -85,7 +85,8 @@ int runReplay(Invocation& given) {
     if (!namesSession(wish.path)) {
         given.complain(QStringLiteral("replay takes a session (.hitscope, or - for the standard input)."));
     }
-    return given.error().isEmpty() ? finish(replay(given, wish)) : kWrongUsage;
+    const QString out = givenMeshFile(given);
+    return given.error().isEmpty() ? finish(replay(given, wish, out)) : kWrongUsage;
 }
 
 }  // namespace

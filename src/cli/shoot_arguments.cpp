@@ -200,7 +200,7 @@ ShootOptions readShootOptions(Invocation& given) {
     options.hitsPath = given.text("hits");
     options.scriptPath = given.text("script");
     options.savePath = given.text("save");
-    options.meshOutPath = given.text("out");
+    options.meshOutPath = givenMeshFile(given);
     options.hitsOutPath = given.text("hits-out");
     options.sessionPath = given.text("session");
     options.picturePath = given.text("picture");

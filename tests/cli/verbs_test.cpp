@@ -155,6 +155,8 @@ void VerbsTest::bad_data() {
     row("shoot --hits @bad.json @ball.obj", 3, "bad.json");
     row("shoot --picture @a.xyz @ball.obj", 3, ".png");
     row("shoot --session @no/such/folder.hitscope @ball.obj", 3, "folder.hitscope");
+    row("shoot --random 1 --out @a.hitscope @ball.obj", 2, "--out writes a mesh");
+    row("replay --out @a.xyz @one.hitscope", 2, ".glb");
     row("replay @ball.obj", 2, "session");
     row("replay --until 9 @one.hitscope", 3, "--until");
     row("replay @none.hitscope", 3, "none.hitscope");
