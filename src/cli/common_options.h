@@ -24,7 +24,8 @@ namespace hitscope::cli {
 /// --target
 [[nodiscard]] UsageOption targetOption(const QString& standard);
 
-/// --out as the file for a mesh, whose suffix says the format; complains about others. Empty: it is not there.
+/// --out as the file for a mesh, whose suffix says the format; complains about others. Empty: it is not
+/// there.
 [[nodiscard]] QString givenMeshFile(Invocation& given);
 
 /// The text to the standard output, or, with --json, the report; and the report into --report's file.
