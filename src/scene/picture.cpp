@@ -23,6 +23,10 @@ Result<Image> drawPicture(SceneGpu& scene, const PictureRequest& request) {
     }
 }
 
+Result<Image> drawPicture(SceneGpu& scene, const PictureRequest& request, RefinedView& shown) {
+    return PictureDrawing(scene, request).takeOf(shown);
+}
+
 std::vector<std::pair<std::string, std::string>> pictureNotes(const Session& session) {
     const gl::RendererInfo info = gl::rendererInfo();
     return {{"Software", "Hitscope " HITSCOPE_VERSION},

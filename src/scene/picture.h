@@ -39,6 +39,10 @@ inline constexpr int kScreenHeight = 1080;
 /// pixels. The scene's context is current.
 [[nodiscard]] Result<Image> drawPicture(SceneGpu& scene, const PictureRequest& request);
 
+/// The same made of the samples that a window shows, which are of the same view and size
+/// (SceneGpu::isRefined()).
+[[nodiscard]] Result<Image> drawPicture(SceneGpu& scene, const PictureRequest& request, RefinedView& shown);
+
 /// Key of a picture's note with its camera, as parseCamera() takes it.
 inline constexpr const char* kCameraNote = "Camera";
 

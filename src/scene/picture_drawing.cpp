@@ -127,7 +127,16 @@ Result<bool> PictureDrawing::step() {
 }
 
 Result<Image> PictureDrawing::take() {
-    const bool isRefined = m_refined.samples() > 0;
+    return draw(m_refined);
+}
+
+Result<Image> PictureDrawing::takeOf(RefinedView& shown) {
+    const Status begun = begin();
+    return begun ? draw(shown) : Result<Image>(begun.error());
+}
+
+Result<Image> PictureDrawing::draw(RefinedView& refined) {
+    const bool isRefined = refined.samples() > 0;
     const bool smooth = !isRefined && pixelsOf(m_request) <= kMostSmoothPixels;
     const gl::RenderTarget target(m_request.width, m_request.height, smooth ? kEdgeSamples : 1);
     if (!target.isComplete()) {
@@ -135,7 +144,7 @@ Result<Image> PictureDrawing::take() {
                          sizeText(m_request.width, m_request.height) + " pixels.",
                      "", "Choose a smaller size."};
     }
-    if (Status drawn = isRefined ? m_scene.drawRefined(m_view, m_refined, target.framebuffer())
+    if (Status drawn = isRefined ? m_scene.drawRefined(m_view, refined, target.framebuffer())
                                  : m_scene.draw(m_view, target.framebuffer());
         !drawn) {
         return drawn.error();
@@ -150,7 +159,7 @@ Result<Image> PictureDrawing::take() {
     image.notes = pictureNotes(m_scene.session());
     image.notes.emplace_back(kCameraNote, cameraText(m_request.camera));
     if (isRefined) {
-        image.notes.emplace_back("Samples", std::to_string(m_refined.samples()));
+        image.notes.emplace_back("Samples", std::to_string(refined.samples()));
     }
     return image;
 }

@@ -19,9 +19,12 @@ public:
     [[nodiscard]] Result<bool> step();
     /// After step() has said that all is there, once.
     [[nodiscard]] Result<Image> take();
+    /// Instead of steps: with the samples that a window shows, of the same view and size.
+    [[nodiscard]] Result<Image> takeOf(RefinedView& shown);
 
 private:
     [[nodiscard]] Status begin();
+    [[nodiscard]] Result<Image> draw(RefinedView& refined);
     [[nodiscard]] Status refine();
 
     SceneGpu& m_scene;

@@ -88,6 +88,9 @@ public:
     [[nodiscard]] bool isBehindRefining(RefinedView& refined) const;
     /// Draws what `refined` has, which is a picture, and what marks the scene now over it.
     [[nodiscard]] Status drawRefined(const View& view, RefinedView& refined, unsigned framebuffer);
+    /// Whether it has samples enough of this view, as the scene is now, to be shown; forgets those of
+    /// another.
+    [[nodiscard]] bool isRefined(const View& view, RefinedView& refined) const;
     /// What draw() last drew, into `pass`: what lies under the pixels of `area` of that view. Nothing before
     /// the first draw() or sync(). An error too where picking was tried and found wrong.
     [[nodiscard]] Status drawElements(const View& view, PickPass& pass, const PixelArea& area,

@@ -167,6 +167,14 @@ bool SceneGpu::isBehindRefining(RefinedView& refined) const {
     return d->renderer->isBehindRefining(refined.picture());
 }
 
+bool SceneGpu::isRefined(const View& view, RefinedView& refined) const {
+    if (!d->pipeline) {
+        return false;
+    }
+    refined.follow(*d->frameOf(view), d->isSideBySide(view));
+    return refined.isPossible() && refined.samples() >= RefinedView::kFewestShown;
+}
+
 Status SceneGpu::drawRefined(const View& view, RefinedView& refined, unsigned framebuffer) {
     const std::unique_ptr<FrameParts> parts = d->frameOf(view);
     return d->renderer->drawRefined(parts->frame, *d->pipeline, refined.picture(), framebuffer);

@@ -85,6 +85,8 @@ public:
     [[nodiscard]] PictureRequest pictureRequest() const;
     /// Errors are hitscope::drawPicture()'s, or that there is no GL.
     [[nodiscard]] Result<Image> drawPicture(const PictureRequest& request);
+    /// The same of what is shown, with the samples that it has been refined by so far.
+    [[nodiscard]] Result<Image> drawShown();
     /// Does something with the scene on the GPU while its context is current; fails when there is none.
     [[nodiscard]] Status withScene(const std::function<Status(SceneGpu&)>& work);
     /// Has some of the large meshes of a scene brought to the GPU before the session gets it: called in turns
@@ -131,6 +133,7 @@ protected:
     void focusOutEvent(QFocusEvent* event) override;
 
 private:
+    [[nodiscard]] Result<Image> takePicture(const std::function<Result<Image>(SceneGpu&)>& draw);
     friend class ViewportPicking;
 
     void releaseGpu();

@@ -72,9 +72,25 @@ PictureRequest Viewport::pictureRequest() const {
 }
 
 Result<Image> Viewport::drawPicture(const PictureRequest& request) {
+    return takePicture([&request](SceneGpu& scene) { return hitscope::drawPicture(scene, request); });
+}
+
+Result<Image> Viewport::drawShown() {
+    return takePicture([this](SceneGpu& scene) -> Result<Image> {
+        if (const Status current = scene.sync(); !current) {
+            return current.error();
+        }
+        RefinedView* const refined = m_refiner.view();
+        return refined != nullptr && scene.isRefined(view(), *refined)
+                   ? hitscope::drawPicture(scene, pictureRequest(), *refined)
+                   : hitscope::drawPicture(scene, pictureRequest());
+    });
+}
+
+Result<Image> Viewport::takePicture(const std::function<Result<Image>(SceneGpu&)>& draw) {
     Image image;
     Status status = withScene([&](SceneGpu& scene) -> Status {
-        Result<Image> drawn = hitscope::drawPicture(scene, request);
+        Result<Image> drawn = draw(scene);
         if (!drawn) {
             return drawn.error();
         }

@@ -40,6 +40,7 @@ private Q_SLOTS:
     void eventsComeWhileAPictureIsDrawn();
     void measuringIsWithout();
     void savedAreTheSameToTheBit();
+    void copiedAreAsShown();
     void turntableIsOneClick();
     void environmentTurnsLightsOff();
 
@@ -248,6 +249,33 @@ void RefineTest::savedAreTheSameToTheBit() {
     request.samples = 1;
     const Result<Image> once = viewport().drawPicture(request);
     QVERIFY(once.ok() && once.value().pixels != first.value().pixels);
+}
+
+/// What is copied has the samples that the window shows, and none of what was shown before a hit.
+void RefineTest::copiedAreAsShown() {
+    waitUntilRefined();
+    const auto samplesOf = [](const Image& image) {
+        for (const auto& [key, text] : image.notes) {
+            if (key == "Samples") {
+                return QString::fromStdString(text).toInt();
+            }
+        }
+        return 1;
+    };
+    const Result<Image> copied = viewport().drawShown();
+    const Result<Image> once = viewport().drawPicture(viewport().pictureRequest());
+    QVERIFY(copied.ok() && once.ok());
+    QCOMPARE(samplesOf(copied.value()), 16);
+    QVERIFY(copied.value().pixels != once.value().pixels);
+    Hit hit;
+    hit.target = m_session->targets().front()->id;
+    hit.point = m_session->targets().front()->deformed.positions().front();
+    hit.direction = {0.0f, -1.0f, 0.0f};
+    QVERIFY(m_session->hits().add(hit).ok());
+    const Result<Image> dented = viewport().drawShown();
+    QVERIFY(dented.ok());
+    QCOMPARE(samplesOf(dented.value()), 1);
+    m_session->undo();
 }
 
 void RefineTest::turntableIsOneClick() {

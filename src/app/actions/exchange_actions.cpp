@@ -209,7 +209,7 @@ void ExchangeActions::pastePicture(const QImage& picture) {
 }
 
 void ExchangeActions::copyPicture() {
-    const Result<Image> drawn = m_parts.viewport.drawPicture(m_parts.viewport.pictureRequest());
+    const Result<Image> drawn = m_parts.viewport.drawShown();
     if (!drawn) {
         Q_EMIT failed(drawn.error());
         return;

@@ -91,7 +91,7 @@ QString OutgoingFiles::sessionName() const {
 }
 
 DraggedFile* OutgoingFiles::picture() {
-    Result<Image> drawn = m_parts.viewport.drawPicture(m_parts.viewport.pictureRequest());
+    Result<Image> drawn = m_parts.viewport.drawShown();
     if (!drawn) {
         Q_EMIT failed(drawn.error());
         return nullptr;
