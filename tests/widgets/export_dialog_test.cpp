@@ -118,6 +118,21 @@ void ExportDialogTest::remembersTheLastChoice() {
     QCOMPARE(dialog.options().steps, std::size_t{9});
     QVERIFY(dialog.options().inWorld);
     QVERIFY(!dialog.options().readBack);
+    // Of several targets it is remembered which, and the coordinates of one are those that one had.
+    for (const bool inWorld : {true, false}) {
+        ExportDialog several({.target = QStringLiteral("one"), .targets = 3, .hits = 2});
+        several.load(settings);
+        part<QComboBox>(several, "what").setCurrentIndex(0);
+        part<QComboBox>(several, "frame").setCurrentIndex(inWorld ? 1 : 0);
+        part<QComboBox>(several, "what").setCurrentIndex(1);
+        QVERIFY(several.options().inWorld);
+        several.save(settings);
+        ExportDialog again({.target = QStringLiteral("one"), .targets = 3, .hits = 2});
+        again.load(settings);
+        QVERIFY(again.isOfAll());
+        part<QComboBox>(again, "what").setCurrentIndex(0);
+        QCOMPARE(again.options().inWorld, inWorld);
+    }
 }
 
 void ExportDialogTest::exportsAgainWithoutAsking() {

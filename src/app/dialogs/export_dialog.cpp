@@ -11,6 +11,7 @@
 #include <QSettings>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <utility>
 
 #include "panels/help/help_text.h"
 
@@ -119,9 +120,12 @@ bool ExportDialog::isLarge() const {
 
 void ExportDialog::follow() {
     const ExportFormatTraits& format = traitsOf(options().format);
-    if (isOfAll()) {
-        const QSignalBlocker still(m_frame);
+    const QSignalBlocker stillFrame(m_frame);
+    if (isOfAll() && !m_frameOfOne) {
+        m_frameOfOne = m_frame->currentIndex();
         m_frame->setCurrentIndex(1);
+    } else if (!isOfAll() && m_frameOfOne) {
+        m_frame->setCurrentIndex(*std::exchange(m_frameOfOne, std::nullopt));
     }
     enableIf(*m_frame, !isOfAll(), tr("Several targets are written as they stand in the scene."));
     const QString noNormals = tr("%1 has no normals of vertices.").arg(tr(format.name));
@@ -169,6 +173,9 @@ void ExportDialog::load(const QSettings& settings) {
         }
     }
     m_frame->setCurrentIndex(settings.value(QStringLiteral("export/inWorld"), false).toBool() ? 1 : 0);
+    if (m_choice.targets > 1) {
+        m_what->setCurrentIndex(settings.value(QStringLiteral("export/all"), false).toBool() ? 1 : 0);
+    }
     m_allNormals->setChecked(settings.value(QStringLiteral("export/allNormals"), false).toBool());
     m_hasSteps->setChecked(settings.value(QStringLiteral("export/hasSteps"), false).toBool());
     m_steps->setValue(settings.value(QStringLiteral("export/steps"), kUsualSteps).toInt());
@@ -179,8 +186,9 @@ void ExportDialog::load(const QSettings& settings) {
 
 void ExportDialog::save(QSettings& settings) const {
     settings.setValue(QStringLiteral("export/format"), QLatin1String(traitsOf(options().format).key));
-    if (!isOfAll()) {
-        settings.setValue(QStringLiteral("export/inWorld"), options().inWorld);
+    settings.setValue(QStringLiteral("export/inWorld"), m_frameOfOne.value_or(m_frame->currentIndex()) == 1);
+    if (m_choice.targets > 1) {
+        settings.setValue(QStringLiteral("export/all"), isOfAll());
     }
     settings.setValue(QStringLiteral("export/allNormals"), m_allNormals->isChecked());
     settings.setValue(QStringLiteral("export/hasSteps"), m_hasSteps->isChecked());

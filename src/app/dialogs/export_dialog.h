@@ -3,6 +3,7 @@
 
 #include <QDialog>
 #include <functional>
+#include <optional>
 
 #include "session/export/export_options.h"
 
@@ -47,6 +48,7 @@ private:
     QComboBox* m_what = nullptr;
     QComboBox* m_format = nullptr;
     QComboBox* m_frame = nullptr;
+    std::optional<int> m_frameOfOne;  ///< m_frame where one is written; nothing: it is shown
     QComboBox* m_normals = nullptr;
     QCheckBox* m_allNormals = nullptr;
     QCheckBox* m_hasSteps = nullptr;
