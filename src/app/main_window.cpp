@@ -238,6 +238,7 @@ void MainWindow::placeMesh(double extent) {
 
 void MainWindow::say(const QString& text) {
     statusBar()->showMessage(text, kMessageStays);
+    statusBar()->setToolTip(text);  // a narrow window has no room for all of it
 }
 
 void MainWindow::fail(const Error& error) {

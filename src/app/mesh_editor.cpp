@@ -46,7 +46,7 @@ struct MeshEditor::Edit : Work {
     Status take(Session& session) override { return takeEdited(session, after, edit); }
     [[nodiscard]] QString said() const override {
         const MeshData& mesh = *after.shape.mesh;
-        return tr("%1 has %2 vertices and %3 faces now. Undo (Ctrl+Z) brings back how it was.")
+        return tr("%1: %2 vertices, %3 faces now (Ctrl+Z undoes)")
             .arg(before.name, countText(mesh.vertexCount()), countText(mesh.faceCount()));
     }
 };

@@ -122,7 +122,7 @@ void SequenceWriter::took(int run, const Status& saved) {
 void SequenceWriter::cancel() {
     if (isRunning()) {
         stop();
-        Q_EMIT ended(m_written);
+        Q_EMIT ended(m_drawn);  // the last ones are being written
     }
 }
 

@@ -34,13 +34,16 @@ public:
     /// Ends what was under way. Fails where the viewport cannot draw.
     [[nodiscard]] Status start(const Plan& plan);
     [[nodiscard]] const Plan& plan() const { return m_plan; }  ///< the last one
+    [[nodiscard]] int count() const { return m_count; }        ///< of its pictures
     [[nodiscard]] bool isRunning() const { return m_sequence.has_value(); }
     void cancel();  ///< pictures already written stay
 
 Q_SIGNALS:
     void progressed(int written, int count);
     void sampled(int drawn, int count);  ///< samples of pictures that have more than one
-    void ended(int written);             ///< all of them, or as many as there were when it was cancelled
+    /// All of them, or as many as were drawn when it was cancelled, of which the last are still being
+    /// written.
+    void ended(int written);
     void failed(const hitscope::Error& error);
 
 private:

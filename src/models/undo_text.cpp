@@ -46,6 +46,7 @@ constexpr Words kWords[] = {
     {SessionUndo::Kind::SeparateObjects, TEXT("Separate Objects"), nullptr},
     {SessionUndo::Kind::AddTarget, TEXT("Add Target"), TEXT("Add %Ln Targets")},
     {SessionUndo::Kind::DuplicateTarget, TEXT("Duplicate Target"), TEXT("Duplicate %Ln Targets")},
+    {SessionUndo::Kind::PutOnTurntable, TEXT("Put on a Turntable"), nullptr},
     {SessionUndo::Kind::RemoveTarget, TEXT("Remove Target"), TEXT("Remove %Ln Targets")},
     {SessionUndo::Kind::MoveTarget, TEXT("Move Target"), TEXT("Move %Ln Targets")},
     {SessionUndo::Kind::RotateTarget, TEXT("Rotate Target"), TEXT("Rotate %Ln Targets")},

@@ -183,12 +183,7 @@ Status putOnTurntable(Session& session, TargetId id) {
     table.transform.position = {box.centre().x, box.min.y + 0.5f * height, box.centre().z};
     RigidTransform raised = target->transform;
     raised.position.y += height * (1.0f + kApart);
-    if (Status moved = targets.setTransform(id, raised); !moved) {
-        return moved;
-    }
-    std::vector<TargetPlan> plans;
-    plans.push_back(std::move(table));
-    targets.add(std::move(plans));
+    targets.putUnder(id, raised, std::move(table));
     targets.select(id);
     return Done{};
 }

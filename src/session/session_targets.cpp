@@ -217,6 +217,22 @@ void SessionTargets::add(std::vector<TargetPlan> plans) {
     change(std::move(edits), {SessionUndo::Kind::AddTarget, count});
 }
 
+void SessionTargets::putUnder(TargetId above, const RigidTransform& raised, TargetPlan plan) {
+    const std::vector<std::size_t> at = indicesOf({&above, 1});
+    if (at.empty()) {
+        return;
+    }
+    std::set<QString> takenNames = names();
+    plan.name = freeName(plan.name, takenNames);
+    const TargetState before = *m_targets[at.front()];
+    TargetState after = before;
+    after.transform = raised;
+    std::vector<TargetEdit> edits;
+    edits.push_back({at.front(), before, std::move(after)});
+    edits.push_back({m_targets.size(), std::nullopt, newTarget(std::move(plan))});
+    change(std::move(edits), {SessionUndo::Kind::PutOnTurntable, 1});
+}
+
 void SessionTargets::duplicate(std::span<const TargetId> ids) {
     std::vector<Bounds> taken = boundsOf(m_targets);
     std::set<QString> takenNames = names();

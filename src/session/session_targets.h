@@ -53,6 +53,8 @@ public:
     /// Adds them where they are clear of the others and of the floor (makeRoom()), under names of their own.
     /// The last one is selected.
     void add(std::vector<TargetPlan> plans);
+    /// Adds one where its plan says, and moves a target onto it, in one step. `raised`: checked, and unit.
+    void putUnder(TargetId above, const RigidTransform& raised, TargetPlan plan);
     /// Adds copies as they are now, hits included, beside the others.
     void duplicate(std::span<const TargetId> ids);
     void remove(std::span<const TargetId> ids);  ///< and their hits

@@ -85,6 +85,7 @@ public:
         Lights,
         AddTarget,
         DuplicateTarget,
+        PutOnTurntable,
         RemoveTarget,
         MoveTarget,
         RotateTarget,

@@ -79,9 +79,9 @@ void Viewport::moveOn() {
         }
         return;
     }
-    const double passed = m_clock.isValid()
-                              ? std::min(static_cast<double>(m_clock.nsecsElapsed()) / kSecond, kLongestStep)
-                              : 0.0;
+    const bool wasMoving = m_clock.isValid();
+    const double passed =
+        wasMoving ? std::min(static_cast<double>(m_clock.nsecsElapsed()) / kSecond, kLongestStep) : 0.0;
     m_clock.start();
     const bool isMoving = m_navigation.isMoving();
     if (isMoving || isCatchingUp() || m_session.simulation().isMoving()) {
@@ -96,7 +96,7 @@ void Viewport::moveOn() {
         m_catchUp.sliceLater();
         return;
     }
-    m_frameFollows = true;
+    m_frameFollows = wasMoving;  // the time since the last frame is no frame's where nothing moved
     m_motion.setCatchingUp(isCatchingUp());
     if (isCatchingUp()) {
         updatePrepared();

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hits painted, scattered and mirrored in the window, by real mouse and keys.
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QWheelEvent>
 #include <glm/geometric.hpp>
 
+#include "app/dialogs/brush_dialog.h"
 #include "app/dialogs/mirror_dialog.h"
 #include "app/dialogs/scatter_dialog.h"
 #include "session/usual_dent.h"
@@ -75,6 +77,18 @@ private Q_SLOTS:
         QVERIFY(!viewport().brushTool().isPainting());
         QCOMPARE(hits().size(), std::size_t{0});
         QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, centre());
+    }
+
+    void theDialogShowsWhatIsInForce() {
+        QTest::keyClick(&viewport(), Qt::Key_BracketLeft);
+        const BrushSettings before = viewport().brushTool().settings();
+        const BrushDialog dialog(viewport().brushTool(), m_window.get());
+        const BrushSettings after = viewport().brushTool().settings();
+        QVERIFY(after.size == before.size && after.strength == before.strength &&
+                after.spacing == before.spacing && after.spacingMetres == before.spacingMetres &&
+                after.isInward == before.isInward);
+        QCOMPARE(dialog.findChild<QDoubleSpinBox*>(QStringLiteral("size"))->value(),
+                 std::round(before.size * 100.0));
     }
 
     void keysAndWheelChangeSizeAndStrength() {

@@ -59,11 +59,8 @@ ExportActions::ExportActions(Session& session, Viewport& viewport, AppSettings& 
 
 void ExportActions::tellWritten(const QString& name, const QString& path, const QStringList& notes,
                                 bool wasReadBack) {
-    QString text = tr("Exported %1 to %2").arg(name, path);
-    if (wasReadBack) {
-        text += tr("; read back, it is the same");
-    }
-    Q_EMIT said(text);
+    Q_EMIT said(wasReadBack ? tr("Exported %1; read back, it is the same: %2").arg(name, path)
+                            : tr("Exported %1 to %2").arg(name, path));
     if (!notes.isEmpty()) {  // the status bar has no room for them
         Q_EMIT noticeWanted(tr("In %1:").arg(QFileInfo(path).fileName()) + u' ' + notes.join(u' '));
     }

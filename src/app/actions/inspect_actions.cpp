@@ -53,7 +53,10 @@ InspectActions::InspectActions(Session& session, Viewport& viewport, QObject* pa
 
     connect(m_shoot, &QAction::triggered, this, [this] { m_tool.setTool(Tool::Shoot); });
     connect(m_inspect, &QAction::triggered, this, [this] { m_tool.setTool(Tool::Inspect); });
-    connect(m_brush, &QAction::triggered, this, [this] { m_tool.setTool(Tool::Brush); });
+    connect(m_brush, &QAction::triggered, this, [this] {
+        m_tool.setTool(Tool::Brush);
+        m_viewport.setFocus();  // which its further keys are for
+    });
     connect(m_toggle, &QAction::triggered, this,
             [this] { m_tool.setTool(m_tool.tool() == Tool::Shoot ? Tool::Inspect : Tool::Shoot); });
     connect(m_outlines, &QActionGroup::triggered, this, [this](const QAction* chosen) {

@@ -75,17 +75,28 @@ PictureActions::PictureActions(Viewport& viewport, QWidget& window)
         if (const QString made = std::exchange(m_newFolder, {}); written == 0 && !made.isEmpty()) {
             QDir().rmdir(made);
         }
-        const QString& path = m_sequences.plan().path;
-        Q_EMIT said(path.isEmpty() ? tr("Pictures written: %1, in %2")
-                                         .arg(written)
-                                         .arg(QDir::toNativeSeparators(m_sequences.plan().folder))
-                    : written > 0 ? savedText(path)
-                                  : tr("Cancelled. Nothing was written."));
+        Q_EMIT said(endedText(written));
     });
     connect(&m_sequences, &SequenceWriter::failed, this, [this](const Error& error) {
         endProgress();
         Q_EMIT failed(error);
     });
+}
+
+QString PictureActions::endedText(int written) const {
+    const SequenceWriter::Plan& plan = m_sequences.plan();
+    if (written == 0) {
+        return tr("Cancelled. Nothing was written.");
+    }
+    if (!plan.path.isEmpty()) {
+        return savedText(plan.path);
+    }
+    const QString folder = QDir::toNativeSeparators(plan.folder);
+    return written < m_sequences.count() ? tr("Cancelled after %1 of %2 pictures, in %3")
+                                               .arg(written)
+                                               .arg(m_sequences.count())
+                                               .arg(folder)
+                                         : tr("Pictures written: %1, in %2").arg(written).arg(folder);
 }
 
 void PictureActions::fill(QMenu& menu) {

@@ -46,6 +46,7 @@ private:
     void choosePicture();
     void chooseSequence();
     void endProgress();
+    [[nodiscard]] QString endedText(int written) const;
     /// At once, or, with more samples than one, beside what else the window does; then says where.
     void write(const PictureRequest& request, const QString& path);
     [[nodiscard]] PictureRequest requestOf(const PictureDialog& dialog) const;

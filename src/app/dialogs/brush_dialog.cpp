@@ -47,6 +47,7 @@ BrushDialog::BrushDialog(BrushTool& brush, QWidget* parent)
     m_spacing->setToolTip(tr("Between two hits of a stroke, of the reach of one"));
     m_millimetres->setDecimals(3);
     m_millimetres->setRange(0.001, 1.0e9);
+    m_millimetres->setValue(10.0);
     m_millimetres->setSuffix(tr(" mm"));
     m_millimetres->setKeyboardTracking(false);
     m_direction->addItems({tr("Into the surface"), tr("Along the view")});
@@ -66,7 +67,6 @@ BrushDialog::BrushDialog(BrushTool& brush, QWidget* parent)
     connect(m_unit, &QComboBox::currentIndexChanged, this, &BrushDialog::apply);
     connect(m_direction, &QComboBox::currentIndexChanged, this, &BrushDialog::apply);
     connect(&brush, &BrushTool::settingsChanged, this, &BrushDialog::showSettings);
-    m_millimetres->setValue(10.0);
     showSettings();
 }
 

@@ -117,7 +117,7 @@ void MirrorDialog::replan() {
 }
 
 QString MirrorDialog::summary(const HitPlanner::Plan& plan) const {
-    QString text = tr("%1 new hits.").arg(countText(plan.hits.size()));
+    QString text = tr("New hits: %1.").arg(countText(plan.hits.size()));
     if (m_own > 0) {
         text += u' ' + tr("%1 lie in the plane and are left as they are.").arg(countText(m_own));
     }

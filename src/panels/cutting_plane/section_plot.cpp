@@ -123,7 +123,7 @@ void SectionPlot::setShown(bool original, bool deformed) {
 
 void SectionPlot::drawCurves() {
     const bool isAny = m_section && !m_section->targets.empty();
-    m_note->setVisible(!isAny);
+    m_note->setVisible(m_section && !isAny);
     for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis}) {
         axis->setTickLabels(isAny);
     }

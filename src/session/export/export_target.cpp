@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QLocale>
 #include <algorithm>
 #include <atomic>
 #include <glm/gtc/quaternion.hpp>
@@ -200,8 +201,8 @@ void Gathered::noteSteps(const TargetExport& target) {
         QCoreApplication::translate(
             "Export", "%1 is no longer the mesh of its file: it was written in full. New vertices: %2 of %3.")
             .arg(QString::fromStdString(target.name))
-            .arg(added)
-            .arg(mesh.vertexCount());
+            .arg(QLocale().toString(static_cast<qulonglong>(added)),
+                 QLocale().toString(static_cast<qulonglong>(mesh.vertexCount())));
 }
 
 /// What a copy of the source with changes would keep, and a mesh written anew has not.
