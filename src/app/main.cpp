@@ -94,10 +94,13 @@ int main(int argc, char** argv) {
     }
 
     hitscope::Session session;
-    hitscope::loadWelcomeScene(session);
+    const bool isBare = parser.positionalArguments().isEmpty();
+    if (isBare) {  // else undo would lead to a scene that nobody asked for
+        hitscope::loadWelcomeScene(session);
+    }
     hitscope::MainWindow window(session);
     window.show();
-    if (parser.positionalArguments().isEmpty()) {
+    if (isBare) {
         window.showFirstSteps();
     }
     window.offerRecovery();

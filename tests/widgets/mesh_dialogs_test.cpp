@@ -100,7 +100,9 @@ QString MeshDialogsTest::result(MeshStepDialog& dialog) {
 
 void MeshDialogsTest::accept(MeshStepDialog& dialog) {
     const TargetId before = target().id;
-    QTest::mouseClick(&part<QPushButton>(dialog, "accept"), Qt::LeftButton);
+    auto& button = part<QPushButton>(dialog, "accept");
+    QTRY_VERIFY_WITH_TIMEOUT(button.isEnabled(), kPatience);  // what comes of it is known
+    QTest::mouseClick(&button, Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(target().id != before, kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(m_session->tasks().current() == nullptr, kPatience);
 }
@@ -163,8 +165,11 @@ void MeshDialogsTest::saysWhatIsWrong() {
     type(*dialog, "edgeLength", "0.000001");
     QVERIFY2(result(*dialog).contains(QStringLiteral("edge length"), Qt::CaseInsensitive),
              qPrintable(result(*dialog)));
+    QVERIFY(!part<QPushButton>(*dialog, "accept").isEnabled());
     type(*dialog, "edgeLength", "1");
+    QVERIFY(!part<QPushButton>(*dialog, "accept").isEnabled());
     QVERIFY(result(*dialog).startsWith(QStringLiteral("Vertices: ")));
+    QVERIFY(part<QPushButton>(*dialog, "accept").isEnabled());
     part<QComboBox>(*dialog, "method").setCurrentIndex(2);
     QVERIFY(!part<QCheckBox>(*dialog, "keepQuads").isEnabled());
     dialog->reject();

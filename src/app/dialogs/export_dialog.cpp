@@ -142,11 +142,13 @@ void ExportDialog::follow() {
         m_readBack->setChecked(size.bytes >= kLarge ? m_readsBackLarge : m_readsBackSmall);
     }
     const QLocale locale;
-    m_preview->setText(
-        tr("About %1; vertices: %2, faces: %3")
-            .arg(locale.formattedDataSize(static_cast<qint64>(size.bytes), 1, QLocale::DataSizeSIFormat),
-                 locale.toString(static_cast<qulonglong>(size.vertices)),
-                 locale.toString(static_cast<qulonglong>(size.faces))));
+    const QString bytes =
+        locale.formattedDataSize(static_cast<qint64>(size.bytes), 1, QLocale::DataSizeSIFormat);
+    const QString vertices = locale.toString(static_cast<qulonglong>(size.vertices));
+    m_preview->setText(format.format == ExportFormat::Csv
+                           ? tr("About %1; vertices that moved: %2").arg(bytes, vertices)
+                           : tr("About %1; vertices: %2, faces: %3")
+                                 .arg(bytes, vertices, locale.toString(static_cast<qulonglong>(size.faces))));
 }
 
 bool ExportDialog::isOfAll() const {

@@ -25,6 +25,9 @@ namespace hitscope {
 
 namespace {
 
+constexpr std::size_t kManyVertices =
+    500'000;  // of which the meshes before and after may be too much to undo
+
 constexpr int kPreviewAfter = 250;     // milliseconds after the last change
 constexpr float kUsualParts = 100.0f;  // edges along a mesh's largest extent
 constexpr float kPartsOfReach = 5.0f;  // edges from a hit to the end of its reach
@@ -68,8 +71,8 @@ MeshStepDialog::MeshStepDialog(Kind kind, std::shared_ptr<const MeshData> mesh, 
     m_result->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     form->addRow(tr("Result:"), m_result);
     auto* box = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    box->addButton(buttons[static_cast<int>(kind)], QDialogButtonBox::AcceptRole)
-        ->setObjectName(QStringLiteral("accept"));
+    m_accept = box->addButton(buttons[static_cast<int>(kind)], QDialogButtonBox::AcceptRole);
+    m_accept->setObjectName(QStringLiteral("accept"));
     connect(box, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(box, &QDialogButtonBox::rejected, this, &QDialog::reject);
     form->addRow(box);
@@ -199,6 +202,7 @@ void MeshStepDialog::follow() {
     }
     stopPreview();
     m_result->setText(tr("Computing…"));
+    enableIf(*m_accept, false, tr("What comes of it is being computed."));
     m_soon.start();
 }
 
@@ -239,10 +243,16 @@ void MeshStepDialog::showPreview(const Preview& preview, bool done) {
     } else if (!preview.status) {
         m_result->setText(QString::fromStdString(preview.status.error().message()));
     } else {
-        m_result->setText(tr("Vertices: %1, now %2. Faces: %3, now %4.")
-                              .arg(countText(preview.vertices), countText(m_mesh->vertexCount()),
-                                   countText(preview.faces), countText(m_mesh->faceCount())));
+        QString text = tr("Vertices: %1, now %2. Faces: %3, now %4.")
+                           .arg(countText(preview.vertices), countText(m_mesh->vertexCount()),
+                                countText(preview.faces), countText(m_mesh->faceCount()));
+        if (preview.vertices > kManyVertices) {
+            text +=
+                u' ' + tr("Steps before it may be forgotten: what is kept to undo takes 512 MiB at most.");
+        }
+        m_result->setText(text);
     }
+    enableIf(*m_accept, done && preview.status.ok(), tr("Nothing comes of it."));
     m_preview.reset();
     // What is wrong may take more lines than what comes of it.
     resize(width(), std::max(height(), layout()->heightForWidth(width())));

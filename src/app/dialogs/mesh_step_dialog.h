@@ -11,6 +11,7 @@ class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QLabel;
+class QPushButton;
 class QSpinBox;
 
 namespace hitscope {
@@ -54,6 +55,7 @@ private:
     QComboBox* m_region = nullptr;
     QCheckBox* m_apply = nullptr;
     QLabel* m_result = nullptr;
+    QPushButton* m_accept = nullptr;  ///< once it is known what comes of it
     QTimer m_soon;
     std::shared_ptr<Preview> m_preview;  ///< null: none is worked out
 };

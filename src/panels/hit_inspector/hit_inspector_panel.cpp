@@ -215,6 +215,7 @@ void HitInspectorPanel::show() {
     const Hit* hit = m_editing.current();
     m_ui->problem->clear();
     enableIf(*m_ui->fields, hit != nullptr, tr("Select a hit first."));
+    m_ui->fields->setVisible(hit != nullptr);  // else they had numbers of no hit
     showTitle();
     if (hit != nullptr) {
         showConstants(*hit);

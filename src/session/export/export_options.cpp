@@ -19,6 +19,8 @@ namespace {
 
 // Typical bytes, from files that other programs write.
 constexpr std::uint64_t kNumber = 9;        // of a text, with its blank
+constexpr std::uint64_t kCsvNumber = 14;    // likewise, of all digits
+constexpr std::uint64_t kPlySource = 5;     // of a vertex: whether it is new, its number in the file
 constexpr std::uint64_t kPlyVertex = 44;    // position, normal, displacement, its length, hits
 constexpr std::uint64_t kGltfVertex = 44;   // position, normal, texture coordinate, number in the file
 constexpr std::uint64_t kLooseVertex = 28;  // position, its change, number in the file
@@ -116,6 +118,7 @@ std::uint64_t bytesOf(const Target& target, const ExportOptions& options, bool i
     const std::uint64_t corners = mesh.cornerVertices.size();
     const std::uint64_t faces = mesh.faceCount();
     const std::uint64_t drawn = target.deformed.vertices().size();
+    const bool hasTexcoords = !mesh.cornerTexcoords.empty();
     switch (options.format) {
         case ExportFormat::Obj: {
             const QFileInfo source(target.sourcePath);
@@ -126,9 +129,11 @@ std::uint64_t bytesOf(const Target& target, const ExportOptions& options, bool i
                                 2 * kNumber * mesh.texcoords.size() + 2 * kNumber * corners;
         }
         case ExportFormat::Ply:
-            return kPlyVertex * vertices + 4 * corners + faces + 8 * segmentsOf(mesh);
+            return (kPlyVertex + (mesh.isAsRead() ? 0 : kPlySource)) * vertices + 4 * corners + faces +
+                   (hasTexcoords ? 8 * corners + faces : 0) + 8 * segmentsOf(mesh);
         case ExportFormat::PlyAscii:
-            return 11 * kNumber * vertices + kNumber * corners + 2 * kNumber * segmentsOf(mesh);
+            return 11 * kNumber * vertices + (hasTexcoords ? 3 : 1) * kNumber * corners +
+                   2 * kNumber * segmentsOf(mesh);
         case ExportFormat::Stl:
             return kFacet * (corners - 2 * faces);
         case ExportFormat::Glb:
@@ -139,7 +144,7 @@ std::uint64_t bytesOf(const Target& target, const ExportOptions& options, bool i
         case ExportFormat::Csv:
             break;
     }
-    return 12 * kNumber * target.deformed.onceChanged().size();
+    return 12 * kCsvNumber * target.deformed.statistics().changedVertices;
 }
 
 }  // namespace
@@ -175,8 +180,9 @@ ExportEstimate estimateExport(std::span<const Target* const> targets, const Expo
     ExportEstimate estimate;
     for (const Target* target : targets) {
         const MeshData& mesh = target->deformed.original();
-        estimate.vertices += mesh.positions.size();
-        estimate.faces += mesh.faceCount();
+        const bool isTable = options.format == ExportFormat::Csv;
+        estimate.vertices += isTable ? target->deformed.statistics().changedVertices : mesh.positions.size();
+        estimate.faces += isTable ? 0 : mesh.faceCount();
         estimate.bytes += bytesOf(*target, options, targets.size() == 1, hits);
     }
     return estimate;

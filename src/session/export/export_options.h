@@ -47,8 +47,8 @@ struct ExportOptions {
 /// What an export will amount to. `hits`: that made what is shown; the size of the steps between follows from
 /// some of them.
 struct ExportEstimate {
-    std::size_t vertices = 0;
-    std::size_t faces = 0;
+    std::size_t vertices = 0;  ///< CSV: that moved
+    std::size_t faces = 0;     ///< CSV has none
     std::uint64_t bytes = 0;  ///< about
 };
 [[nodiscard]] ExportEstimate estimateExport(std::span<const Target* const> targets,
