@@ -49,7 +49,7 @@ struct ExportOptions {
 struct ExportEstimate {
     std::size_t vertices = 0;  ///< CSV: that moved
     std::size_t faces = 0;     ///< CSV has none
-    std::uint64_t bytes = 0;  ///< about
+    std::uint64_t bytes = 0;   ///< about
 };
 [[nodiscard]] ExportEstimate estimateExport(std::span<const Target* const> targets,
                                             const ExportOptions& options, std::span<const Hit> hits);
