@@ -73,7 +73,8 @@ Error noRoomFor(const QString& path) {
 }  // namespace
 
 SessionFiles::SessionFiles(Session& session, View view, QObject* parent)
-    : QObject(parent), m_session(session), m_view(std::move(view)), m_kept(session.steps().state()) {
+    : QObject(parent), m_session(session), m_view(std::move(view)), m_state(session.steps().state()) {
+    m_file.kept = m_state;
     connect(&session, &Session::undoChanged, this, &SessionFiles::follow);
     connect(&session.frameCosts(), &FrameCosts::frameEnded, this, &SessionFiles::checkPositions);
 }
@@ -83,10 +84,28 @@ SessionFiles::~SessionFiles() {
 }
 
 bool SessionFiles::isModified() const {
-    return m_isRecovered || m_session.steps().state() != m_kept;
+    return m_file.isRecovered || m_session.steps().state() != m_file.kept;
+}
+
+/// Another scene's file, once its own undo or redo has brought it back.
+void SessionFiles::followScene() {
+    const std::uint64_t before = std::exchange(m_state, m_session.steps().state());
+    if (const auto other = m_others.find(m_state); before != m_state && other != m_others.end()) {
+        const File left = std::exchange(m_file, other->second);
+        m_others.erase(other);
+        m_others[before] = left;
+        m_wasModified = isModified();
+        Q_EMIT changed();
+        return;
+    }
+    const std::optional<SessionUndo::Name> last = m_session.steps().toUndo();
+    if (before != m_state && last && last->kind == SessionUndo::Kind::LoadScene) {
+        m_beforeScene = before;
+    }
 }
 
 void SessionFiles::follow() {
+    followScene();
     const bool isNow = isModified();
     if (std::exchange(m_wasModified, isNow) != isNow) {
         Q_EMIT changed();
@@ -159,9 +178,9 @@ void SessionFiles::takeWritten(const std::shared_ptr<Work>& work, bool done) {
     } else if (!done || !work->status) {
         Q_EMIT failed(done ? work->status.error() : noRoomFor(work->path));
     } else if (isOfThis) {
-        m_path = work->path;
-        m_kept = work->state;
-        m_isRecovered = false;
+        m_file.path = work->path;
+        m_file.kept = work->state;
+        m_file.isRecovered = false;
         m_wasModified = isModified();
         Q_EMIT changed();
         Q_EMIT saved(work->path);
@@ -256,13 +275,15 @@ void SessionFiles::goOn() {
     if (!work) {
         return;
     }
+    m_others.clear();  // there is no undo beyond what is opened
+    m_beforeScene = 0;
     restoreSession(m_session, work->prepared);
     m_view.restore(work->prepared.document);
     // Saved to its own file, what is left out would be lost.
     const bool isWhole = work->prepared.isWhole();
-    m_path = isWhole ? work->path : QString();
-    m_kept = m_session.steps().state();
-    m_isRecovered = m_path.isEmpty();
+    m_file.path = isWhole ? work->path : QString();
+    m_file.kept = m_session.steps().state();
+    m_file.isRecovered = m_file.path.isEmpty();
     m_wasModified = isModified();
     QStringList notes = work->prepared.notes;
     for (const MeshTrouble& trouble : work->prepared.troubles) {
@@ -271,7 +292,7 @@ void SessionFiles::goOn() {
     m_toCheck = std::make_unique<SessionDocument>(std::move(work->prepared.document));
     end();
     Q_EMIT changed();
-    Q_EMIT opened(m_path, notes);
+    Q_EMIT opened(m_file.path, notes);
 }
 
 void SessionFiles::checkPositions() {
@@ -297,15 +318,18 @@ void SessionFiles::checkPositions() {
 
 void SessionFiles::leave() {
     leaveSaving();
-    m_path.clear();
+    if (m_beforeScene != 0) {
+        m_others[std::exchange(m_beforeScene, 0)] = m_file;
+    }
+    m_file.path.clear();
     m_toCheck.reset();
     letGo();
     Q_EMIT left();
 }
 
 void SessionFiles::letGo() {
-    m_kept = m_session.steps().state();
-    m_isRecovered = false;
+    m_file.kept = m_session.steps().state();
+    m_file.isRecovered = false;
     m_wasModified = false;
     Q_EMIT changed();
 }

@@ -6,6 +6,7 @@
 #include <QStringList>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 
 #include "core/result.h"
@@ -31,8 +32,8 @@ public:
     SessionFiles(Session& session, View view, QObject* parent = nullptr);
     ~SessionFiles() override;
 
-    [[nodiscard]] const QString& path() const { return m_path; }  ///< empty: it was never saved
-    [[nodiscard]] bool isModified() const;                        ///< since it was saved, opened or let go
+    [[nodiscard]] const QString& path() const { return m_file.path; }  ///< empty: it was never saved
+    [[nodiscard]] bool isModified() const;  ///< since it was saved, opened or let go
     [[nodiscard]] bool isBusy() const { return m_work != nullptr; }
 
     /// Writes it there, whole or not at all; ends with saved(), failed() or saveCancelled(). What is
@@ -52,7 +53,7 @@ public:
     void lookAgain(const QString& missing, const QString& found);    ///< a file in the place of another
     void goOn();  ///< without what is missing, and with what has changed
 
-    /// Another scene has taken the place of this one: it is in no file.
+    /// Another scene has taken the place of this one: it is in no file. Undone, the file is this one's again.
     void leave();
     /// What there is now needs no saving.
     void letGo();
@@ -83,15 +84,24 @@ private:
     void take(const std::shared_ptr<Work>& work, bool done);
     void checkPositions();
     void follow();
+    void followScene();
     void end();
     void fail(const Error& error);
 
     Session& m_session;
     View m_view;
-    QString m_path;
-    std::uint64_t m_kept = 0;  ///< SessionUndo::state() that is saved
+    /// What the session is in.
+    struct File {
+        QString path;
+        std::uint64_t kept = 0;    ///< SessionUndo::state() that is saved
+        bool isRecovered = false;  ///< and was not saved since
+    };
+    File m_file;
+    std::map<std::uint64_t, File>
+        m_others;                     ///< of scenes that undo and redo lead to, by the first state there
+    std::uint64_t m_state = 0;        ///< SessionUndo::state() that was seen last
+    std::uint64_t m_beforeScene = 0;  ///< that was there before the scene
     bool m_wasModified = false;
-    bool m_isRecovered = false;  ///< and was not saved since
     std::unique_ptr<TaskProgress> m_progress;
     std::shared_ptr<Work> m_work;                ///< null: nothing goes on
     std::unique_ptr<SessionDocument> m_toCheck;  ///< its positions, once they are known here; null: none

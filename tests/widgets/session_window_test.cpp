@@ -59,6 +59,7 @@ private Q_SLOTS:
 
     void comesBackAsItWasSaved();
     void revertGoesBack();
+    void undoneOpeningBringsTheFileBack();
     void aBrokenFileChangesNothing();
     void aFileThatIsGoneIsNamed();
     void isRecoveredAfterACrash();
@@ -165,6 +166,45 @@ void SessionWindowTest::revertGoesBack() {
     }
     QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), hits, kPatience);
     QVERIFY(!m_window->isWindowModified());
+}
+
+/// Opening a mesh leaves the session's file; undone, the scene is that file's again, and saved if it was.
+void SessionWindowTest::undoneOpeningBringsTheFileBack() {
+    writeObj(makeHighPolyCube(2.5f), path("cube.obj"));
+    const auto openCube = [this] {
+        m_window->openFiles({path("cube.obj")});
+        QTRY_COMPARE_WITH_TIMEOUT(m_session->targets().size(), std::size_t{1}, kPatience);
+    };
+    for (const bool isChanged : {false, true}) {
+        shoot(5, 4);
+        save(path("one.hitscope"));
+        if (isChanged) {
+            m_session->hits().clear();
+        }
+        openCube();
+        QCOMPARE(files().path(), QString());
+        QVERIFY(!files().isModified());
+        shoot(2, 5);
+        while (m_session->hits().history().size() > 0) {
+            m_session->undo();
+            QCOMPARE(files().path(), QString());
+        }
+        m_session->undo();
+        QVERIFY(m_session->targets().size() > 1);
+        QCOMPARE(files().path(), path("one.hitscope"));
+        QCOMPARE(files().isModified(), isChanged);
+        m_session->redo();
+        QCOMPARE(m_session->targets().size(), std::size_t{1});
+        QCOMPARE(files().path(), QString());
+        QVERIFY(!files().isModified());
+        m_session->undo();
+        QCOMPARE(files().path(), path("one.hitscope"));
+        save(path("two.hitscope"));
+        m_session->redo();
+        m_session->undo();
+        QCOMPARE(files().path(), path("two.hitscope"));
+        QVERIFY(!files().isModified());
+    }
 }
 
 void SessionWindowTest::aBrokenFileChangesNothing() {
