@@ -44,17 +44,12 @@ void OutgoingFiles::fillFiles(QMenu& menu) {
     addAction(menu, tr("&Session"), {}, this, [this] {
         copy(session());
     })->setToolTip(tr("A session file, which names its meshes by their full paths"));
-    QAction* mesh = addAction(menu, tr("Deformed &Mesh"), {}, this, [this] { copy(this->mesh()); });
-    QAction* changes = addAction(menu, tr("&Vertex Changes"), {}, this, [this] { copy(this->changes()); });
-    connect(&menu, &QMenu::aboutToShow, this, [this, mesh, changes] {
-        const bool isAny = focusTarget(m_parts.viewport.session()) != nullptr;
-        const QString why = tr("There is no target.");
-        mesh->setToolTip(tr("An OBJ file of the selected target, as it is when it is pasted"));
-        changes->setToolTip(
-            tr("A CSV file of the selected target's vertices, as they are when it is pasted"));
-        enableIf(*mesh, isAny, why);
-        enableIf(*changes, isAny, why);
-    });
+    addOfTarget(menu, tr("Deformed &Mesh"),
+                tr("An OBJ file of the selected target, as it is when it is pasted"),
+                [this] { copy(mesh()); });
+    addOfTarget(menu, tr("&Vertex Changes"),
+                tr("A CSV file of the selected target's vertices, as they are when it is pasted"),
+                [this] { copy(changes()); });
 }
 
 void OutgoingFiles::fillTexts(QMenu& menu) {
@@ -62,17 +57,19 @@ void OutgoingFiles::fillTexts(QMenu& menu) {
     addAction(menu, tr("&Session"), {}, this, [this] {
         copySessionText();
     })->setToolTip(tr("What a session file says; Paste opens it"));
-    QAction* mesh =
-        addAction(menu, tr("Deformed &Mesh"), {}, this, [this] { copyTargetText(QStringLiteral(".obj")); });
-    QAction* changes =
-        addAction(menu, tr("&Vertex Changes"), {}, this, [this] { copyTargetText(QStringLiteral(".csv")); });
-    connect(&menu, &QMenu::aboutToShow, this, [this, mesh, changes] {
-        const bool isAny = focusTarget(m_parts.viewport.session()) != nullptr;
-        const QString why = tr("There is no target.");
-        mesh->setToolTip(tr("The selected target as OBJ; Paste opens it"));
-        changes->setToolTip(tr("The selected target's vertices as CSV"));
-        enableIf(*mesh, isAny, why);
-        enableIf(*changes, isAny, why);
+    addOfTarget(menu, tr("Deformed &Mesh"), tr("The selected target as OBJ; Paste opens it"),
+                [this] { copyTargetText(QStringLiteral(".obj")); });
+    addOfTarget(menu, tr("&Vertex Changes"), tr("The selected target's vertices as CSV"),
+                [this] { copyTargetText(QStringLiteral(".csv")); });
+}
+
+/// An entry that needs a target.
+void OutgoingFiles::addOfTarget(QMenu& menu, const QString& text, const QString& tip,
+                                const std::function<void()>& act) {
+    QAction* action = addAction(menu, text, {}, this, act);
+    connect(&menu, &QMenu::aboutToShow, action, [this, action, tip] {
+        action->setToolTip(tip);
+        enableIf(*action, focusTarget(m_parts.viewport.session()) != nullptr, tr("There is no target."));
     });
 }
 

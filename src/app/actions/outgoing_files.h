@@ -44,6 +44,7 @@ Q_SIGNALS:
 private:
     void fillFiles(QMenu& menu);
     void fillTexts(QMenu& menu);
+    void addOfTarget(QMenu& menu, const QString& text, const QString& tip, const std::function<void()>& act);
     void copy(DraggedFile* file);
     void copySessionText();
     void copyTargetText(const QString& ending);
