@@ -140,6 +140,10 @@ int runExport(Invocation& given) {
     ExportOptions options = readWriting(given, given.text("out"));
     options.inWorld = given.isSet("world");
     options.steps = static_cast<std::size_t>(given.wholeNumber("steps", 0, 100000));
+    options.stepOf = static_cast<MorphUnit>(given.word("step-of"));
+    if (given.isSet("step-of") && options.steps == 0) {
+        given.complain(QStringLiteral("--step-of needs --steps."));
+    }
     return given.error().isEmpty() ? finish(exportScene(given, wish, options)) : kWrongUsage;
 }
 
@@ -177,9 +181,13 @@ Verb exportVerb() {
                      "world",
                      QStringLiteral("Use the coordinates of the scene instead of those of the mesh's file.")),
                  valueOption("steps", "N",
-                             QStringLiteral("glTF: number of intermediate shapes, evenly spaced over the "
-                                            "hits, as an animation."),
+                             QStringLiteral("glTF: most intermediate shapes, evenly spaced over the hits, as "
+                                            "an animation."),
                              QStringLiteral("0")),
+                 wordOption("step-of", "UNIT", {QStringLiteral("hit"), QStringLiteral("group")},
+                            QStringLiteral("glTF: make an intermediate shape for each hit, or for each run "
+                                           "of hits of one group."),
+                            QStringLiteral("hit")),
                  valueOption("until", "N", QStringLiteral("Apply only the first N hits.")),
                  pipelineOption(QStringLiteral("the session's"))} +
              writingOptions() + reportOptions(),

@@ -101,6 +101,7 @@ void VerbsTest::good_data() {
     row("replay --until 2 @many.hitscope", "2 of 6 hits");
     row("verify @many.hitscope", "6 hits");
     row("export --out @out.glb @many.hitscope", "out.glb: ball");
+    row("export --steps 5 --step-of group --check --out @groups.glb @many.hitscope", "groups.glb: ball");
     row("export --all --world --check --out @all.ply @many.hitscope", "all.ply");
     row("export --format csv --out - @one.hitscope", "displacement");
     row("convert @ball.obj @ball.stl", "ball.stl");
@@ -164,6 +165,7 @@ void VerbsTest::bad_data() {
     row("export @one.hitscope", 2, "--out");
     row("export --out @a.xyz @one.hitscope", 2, "--format");
     row("export --out - --format gltf @one.hitscope", 2, "glb");
+    row("export --step-of group --out @a.glb @one.hitscope", 2, "--steps");
     row("export --target Moon --out @a.obj @one.hitscope", 3, "There are: ball.");
     row("export --all --target ball --out @a.obj @one.hitscope", 2, "exclude");
     row("convert @ball.obj", 2, "2 files");

@@ -164,7 +164,7 @@ private Q_SLOTS:
         hits.push_back(hits[0]);
         hits.back().enabled = false;
         const std::vector<MorphedTarget> targets{{a, render}, {b, render}};
-        const auto steps = morphSteps(hits, targets, 3);
+        const auto steps = morphSteps(hits, targets, {MorphUnit::Hit, 3});
         QVERIFY(steps);
         QCOMPARE(steps->size(), std::size_t{2});
         const std::vector<MorphStep>& own = steps->front();
@@ -203,15 +203,48 @@ private Q_SLOTS:
         QVERIFY2(same, qPrintable(messageOf(same)));
     }
 
+    void stepsFollowGroups() {
+        const MeshData mesh = makeLowPolySphere();
+        const auto render = std::make_shared<const RenderMesh>(buildRenderMesh(mesh));
+        const HitGroup scatter{2, HitGroupKind::Scatter};
+        const HitGroup stroke{3, HitGroupKind::Stroke};
+        std::vector<Hit> hits;
+        for (const HitGroup group :
+             {HitGroup{}, HitGroup{}, scatter, scatter, scatter, stroke, stroke, scatter}) {
+            hits.push_back(hitAt(TargetId{1}, mesh.positions[hits.size()]));
+            hits.back().group = group;
+        }
+        hits.insert(hits.begin() + 3,
+                    hitAt(TargetId{2}, {0, 0, 1}));  // of another target: it divides nothing
+        const std::vector<MorphedTarget> targets{{TargetId{1}, render}};
+        const auto names = [&](const MorphGrouping& grouping) {
+            std::vector<std::string> result;
+            const auto steps = morphSteps(hits, targets, grouping);
+            for (const MorphStep& step : steps->front()) {
+                result.push_back(step.name);
+            }
+            return result;
+        };
+        using Names = std::vector<std::string>;
+        QCOMPARE(names({MorphUnit::Group, 20}), (Names{"Hit 1", "Hit 2", "Hits 3-6 (scatter 2)",
+                                                       "Hits 7-8 (stroke 3)", "Hit 9 (scatter 2)"}));
+        QCOMPARE(names({MorphUnit::Group, 2}), (Names{"Hits 1-2", "Hits 3-9"}));
+        QCOMPARE(names({MorphUnit::Hit, 20}).size(), std::size_t{8});
+        const std::vector<std::size_t> rows{0, 1, 2, 4, 5, 6, 7, 8};
+        QCOMPARE(morphUnitCount(hits, rows, MorphUnit::Group), std::size_t{5});
+        QCOMPARE(morphUnitCount(hits, rows, MorphUnit::Hit), std::size_t{8});
+    }
+
     void stepsCanBeGivenUp() {
         const MeshData mesh = makeLowPolySphere();
         const auto render = std::make_shared<const RenderMesh>(buildRenderMesh(mesh));
         const std::vector<Hit> hits{hitAt(TargetId{1}, mesh.positions[0]),
                                     hitAt(TargetId{1}, mesh.positions[1])};
         const std::vector<MorphedTarget> targets{{TargetId{1}, render}};
-        QVERIFY(!morphSteps(hits, targets, 2, [](double fraction) { return fraction < 0.5; }));
-        QVERIFY(morphSteps(hits, targets, 2, [](double) { return true; }));
-        QCOMPARE(morphSteps({}, targets, 2)->front().size(), std::size_t{0});
+        QVERIFY(
+            !morphSteps(hits, targets, {MorphUnit::Hit, 2}, [](double fraction) { return fraction < 0.5; }));
+        QVERIFY(morphSteps(hits, targets, {MorphUnit::Hit, 2}, [](double) { return true; }));
+        QCOMPARE(morphSteps({}, targets, {MorphUnit::Hit, 2})->front().size(), std::size_t{0});
     }
 };
 

@@ -66,6 +66,7 @@ void ExportDialogTest::offersWhatTheFormatHolds() {
     part<QCheckBox>(dialog, "hasSteps").setChecked(true);
     part<QSpinBox>(dialog, "steps").setValue(5);
     QCOMPARE(dialog.options().steps, std::size_t{5});
+    QCOMPARE(dialog.options().stepOf, MorphUnit::Hit);
     choose(dialog, ExportFormat::Stl);
     QCOMPARE(dialog.options().steps, std::size_t{0});
     ExportDialog noHits({.target = QStringLiteral("one"), .targets = 1, .hits = 0});
@@ -108,6 +109,7 @@ void ExportDialogTest::remembersTheLastChoice() {
         choose(dialog, ExportFormat::Gltf);
         part<QCheckBox>(dialog, "hasSteps").setChecked(true);
         part<QSpinBox>(dialog, "steps").setValue(9);
+        part<QComboBox>(dialog, "stepOf").setCurrentIndex(1);
         part<QComboBox>(dialog, "frame").setCurrentIndex(1);
         part<QCheckBox>(dialog, "readBack").setChecked(false);
         dialog.save(settings);
@@ -116,6 +118,7 @@ void ExportDialogTest::remembersTheLastChoice() {
     dialog.load(settings);
     QCOMPARE(dialog.options().format, ExportFormat::Gltf);
     QCOMPARE(dialog.options().steps, std::size_t{9});
+    QCOMPARE(dialog.options().stepOf, MorphUnit::Group);
     QVERIFY(dialog.options().inWorld);
     QVERIFY(!dialog.options().readBack);
     // Of several targets it is remembered which, and the coordinates of one are those that one had.

@@ -55,7 +55,7 @@ ExportDialog::ExportDialog(Choice choice, QWidget* parent) : QDialog(parent), m_
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     form->addRow(buttons);
     form->setSizeConstraint(QLayout::SetFixedSize);
-    for (QComboBox* box : {m_what, m_format, m_frame, m_normals}) {
+    for (QComboBox* box : {m_what, m_format, m_frame, m_normals, m_stepOf}) {
         connect(box, &QComboBox::currentIndexChanged, this, &ExportDialog::follow);
     }
     connect(m_allNormals, &QCheckBox::toggled, this, &ExportDialog::follow);
@@ -94,17 +94,24 @@ QWidget* ExportDialog::makeSteps() {
     auto* row = new QWidget(this);
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
-    m_hasSteps = new QCheckBox(tr("&Animate the hits, in at most"), row);
+    m_hasSteps = new QCheckBox(tr("&Animate"), row);
     m_hasSteps->setObjectName(QStringLiteral("hasSteps"));
     m_hasSteps->setToolTip(
-        tr("A morph target for each hit, or for groups of hits where there are more than this, and an "
-           "animation that goes through them"));
+        tr("A morph target for each hit or group of hits, and an animation that goes through them. Where "
+           "there are more than the most steps, a step has several"));
+    m_stepOf = new QComboBox(row);  // by MorphUnit
+    m_stepOf->setObjectName(QStringLiteral("stepOf"));
+    m_stepOf->addItems({tr("each hit"), tr("each group of hits")});
+    m_stepOf->setToolTip(
+        tr("Hits of one scatter, mirror, stroke or group that follow one another make one step"));
     m_steps = new QSpinBox(row);
     m_steps->setObjectName(QStringLiteral("steps"));
     m_steps->setRange(1, kMostSteps);
     m_steps->setValue(kUsualSteps);
+    m_steps->setPrefix(tr("at most "));
     m_steps->setSuffix(tr(" steps"));
     layout->addWidget(m_hasSteps);
+    layout->addWidget(m_stepOf);
     layout->addWidget(m_steps);
     layout->addStretch();
     return row;
@@ -133,7 +140,9 @@ void ExportDialog::follow() {
     enableIf(*m_allNormals, format.hasNormals, noNormals);
     enableIf(*m_hasSteps, format.hasSteps && m_choice.hits > 0,
              format.hasSteps ? tr("There are no hits yet.") : tr("Only glTF holds animations."));
-    enableIf(*m_steps, m_hasSteps->isEnabled() && m_hasSteps->isChecked(), tr("The hits are not animated."));
+    for (QWidget* part : {static_cast<QWidget*>(m_stepOf), static_cast<QWidget*>(m_steps)}) {
+        enableIf(*part, m_hasSteps->isEnabled() && m_hasSteps->isChecked(), tr("The hits are not animated."));
+    }
     enableIf(*m_readBack, format.format != ExportFormat::Csv,
              tr("A table is not a mesh that could be opened."));
     const ExportEstimate size = estimate();
@@ -163,6 +172,7 @@ ExportOptions ExportDialog::options() const {
     options.inWorld = m_frame->currentIndex() == 1;
     const bool hasSteps = traitsOf(options.format).hasSteps && m_choice.hits > 0 && m_hasSteps->isChecked();
     options.steps = hasSteps ? static_cast<std::size_t>(m_steps->value()) : 0;
+    options.stepOf = static_cast<MorphUnit>(m_stepOf->currentIndex());
     options.readBack = options.format != ExportFormat::Csv && m_readBack->isChecked();
     return options;
 }
@@ -181,6 +191,8 @@ void ExportDialog::load(const QSettings& settings) {
     m_allNormals->setChecked(settings.value(QStringLiteral("export/allNormals"), false).toBool());
     m_hasSteps->setChecked(settings.value(QStringLiteral("export/hasSteps"), false).toBool());
     m_steps->setValue(settings.value(QStringLiteral("export/steps"), kUsualSteps).toInt());
+    const bool byGroup = settings.value(QStringLiteral("export/stepOfGroup"), false).toBool();
+    m_stepOf->setCurrentIndex(static_cast<int>(byGroup ? MorphUnit::Group : MorphUnit::Hit));
     m_readsBackSmall = settings.value(QStringLiteral("export/readBack"), true).toBool();
     m_readsBackLarge = settings.value(QStringLiteral("export/readBackLarge"), false).toBool();
     follow();
@@ -195,6 +207,7 @@ void ExportDialog::save(QSettings& settings) const {
     settings.setValue(QStringLiteral("export/allNormals"), m_allNormals->isChecked());
     settings.setValue(QStringLiteral("export/hasSteps"), m_hasSteps->isChecked());
     settings.setValue(QStringLiteral("export/steps"), m_steps->value());
+    settings.setValue(QStringLiteral("export/stepOfGroup"), options().stepOf == MorphUnit::Group);
     settings.setValue(QStringLiteral("export/readBack"), m_readsBackSmall);
     settings.setValue(QStringLiteral("export/readBackLarge"), m_readsBackLarge);
 }

@@ -52,6 +52,7 @@ private:
     QComboBox* m_normals = nullptr;
     QCheckBox* m_allNormals = nullptr;
     QCheckBox* m_hasSteps = nullptr;
+    QComboBox* m_stepOf = nullptr;
     QSpinBox* m_steps = nullptr;
     QCheckBox* m_readBack = nullptr;
     QLabel* m_preview = nullptr;

@@ -58,17 +58,40 @@ private:
     std::vector<glm::vec3> m_known;  ///< positions of render vertices
 };
 
-/// "Hit 5", "Hits 5-8": by their rows in the history, from 1.
-std::string nameOfGroup(std::span<const std::size_t> rows) {
+/// "Hit 5", "Hits 5-8", "Hits 5-8 (scatter 2)" where all are of one group: by their rows in the history,
+/// from 1.
+std::string nameOfStep(std::span<const Hit> hits, std::span<const std::size_t> rows) {
     const std::string first = std::to_string(rows.front() + 1);
-    return rows.size() == 1 ? "Hit " + first : "Hits " + first + "-" + std::to_string(rows.back() + 1);
+    const std::string name =
+        rows.size() == 1 ? "Hit " + first : "Hits " + first + "-" + std::to_string(rows.back() + 1);
+    const HitGroup& group = hits[rows.front()].group;
+    const bool isOne =
+        group && std::ranges::all_of(rows, [&](std::size_t row) { return hits[row].group == group; });
+    return isOne ? name + " (" + groupText(group) + ")" : name;
+}
+
+/// Where each unit begins in `rows`.
+std::vector<std::size_t> unitStarts(std::span<const Hit> hits, std::span<const std::size_t> rows,
+                                    MorphUnit unit) {
+    std::vector<std::size_t> starts;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const HitGroup& group = hits[rows[i]].group;
+        if (unit == MorphUnit::Hit || i == 0 || !group || hits[rows[i - 1]].group != group) {
+            starts.push_back(i);
+        }
+    }
+    return starts;
 }
 
 }  // namespace
 
+std::size_t morphUnitCount(std::span<const Hit> hits, std::span<const std::size_t> rows, MorphUnit unit) {
+    return unitStarts(hits, rows, unit).size();
+}
+
 std::optional<std::vector<std::vector<MorphStep>>> morphSteps(std::span<const Hit> hits,
                                                               std::span<const MorphedTarget> targets,
-                                                              std::size_t most,
+                                                              const MorphGrouping& grouping,
                                                               const std::function<bool(double)>& goOn) {
     std::vector<MorphReplay> replays;
     replays.reserve(targets.size());
@@ -92,15 +115,18 @@ std::optional<std::vector<std::vector<MorphStep>>> morphSteps(std::span<const Hi
                    (!goOn || goOn(static_cast<double>(applied + done) / static_cast<double>(rows.size())));
         return isWanted;
     };
-    const std::size_t groups = std::min(rows.size(), most);
-    for (std::size_t g = 0; g < groups; ++g) {
-        const std::size_t first = g * rows.size() / groups;
-        const std::size_t end = (g + 1) * rows.size() / groups;
-        const auto group = std::span<const std::size_t>(rows).subspan(first, end - first);
+    std::vector<std::size_t> starts = unitStarts(hits, rows, grouping.unit);
+    const std::size_t units = starts.size();
+    starts.push_back(rows.size());
+    const std::size_t parts = std::min(units, grouping.most);
+    for (std::size_t p = 0; p < parts; ++p) {
+        const std::size_t first = starts[p * units / parts];
+        const std::size_t end = starts[(p + 1) * units / parts];
+        const auto part = std::span<const std::size_t>(rows).subspan(first, end - first);
         for (std::size_t t = 0; t < targets.size(); ++t) {
-            MorphStep& step = steps[t].emplace_back(MorphStep{nameOfGroup(group), {}});
+            MorphStep& step = steps[t].emplace_back(MorphStep{nameOfStep(hits, part), {}});
             std::vector<Hit> own;
-            for (const std::size_t row : group) {
+            for (const std::size_t row : part) {
                 if (hits[row].target == targets[t].id) {
                     own.push_back(hits[row]);
                 }

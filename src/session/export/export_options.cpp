@@ -83,29 +83,31 @@ std::size_t reachedBy(const Hit& hit, const Target& target, const ClusterReach& 
 
 /// What the steps of an animation take: as many vertices as some of the hits move, as if each struck any
 /// vertex that ever moved.
-std::uint64_t stepBytes(const Target& target, std::size_t steps, std::span<const Hit> hits) {
+std::uint64_t stepBytes(const Target& target, const ExportOptions& options, std::span<const Hit> hits) {
     constexpr std::size_t kSamples = 32;
     // Vertices around a round dent, whose normals turn, for each root of those in it.
     constexpr double kRim = 4.0;
-    std::vector<const Hit*> own;
-    for (const Hit& hit : hits) {
-        if (hit.enabled && hit.target == target.id) {
-            own.push_back(&hit);
+    std::vector<std::size_t> own;
+    for (std::size_t h = 0; h < hits.size(); ++h) {
+        if (hits[h].enabled && hits[h].target == target.id) {
+            own.push_back(h);
         }
     }
     const auto moved = static_cast<double>(target.deformed.onceChanged().size());
-    if (own.empty() || moved < 1.0 || steps == 0) {
+    if (own.empty() || moved < 1.0 || options.steps == 0) {
         return 0;
     }
     const ClusterReach reach(target.deformed.render().clusters);
     const std::size_t samples = std::min(own.size(), kSamples);
     double reached = 0.0;
     for (std::size_t s = 0; s < samples; ++s) {
-        const auto inside = static_cast<double>(reachedBy(*own[s * own.size() / samples], target, reach));
+        const auto inside =
+            static_cast<double>(reachedBy(hits[own[s * own.size() / samples]], target, reach));
         reached += inside + kRim * std::sqrt(inside);
     }
     const double share = std::min(1.0, reached / static_cast<double>(samples) / moved);
-    const auto count = static_cast<double>(std::min(steps, own.size()));
+    const auto count =
+        static_cast<double>(std::min(options.steps, morphUnitCount(hits, own, options.stepOf)));
     const double ofOne = moved * (1.0 - std::pow(1.0 - share, static_cast<double>(own.size()) / count));
     return static_cast<std::uint64_t>(count * (kMorphStep + kStepVertex * ofOne));
 }
@@ -140,7 +142,7 @@ std::uint64_t bytesOf(const Target& target, const ExportOptions& options, bool i
         case ExportFormat::Gltf:
             return (kGltfVertex + kMorph) * drawn + 12 * (corners - 2 * faces) +
                    (kLooseVertex + 4) * (2 * segmentsOf(mesh) + mesh.points.size()) + pictureBytes(target) +
-                   stepBytes(target, options.steps, hits);
+                   stepBytes(target, options, hits);
         case ExportFormat::Csv:
             break;
     }

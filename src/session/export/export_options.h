@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "io/writers/morph_steps.h"
 #include "view/display_options.h"
 
 namespace hitscope {
@@ -40,8 +41,9 @@ struct ExportOptions {
     /// are kept where they hold.
     bool allNormals = false;
     bool inWorld = false;   ///< coordinates as in the scene, metres; otherwise those of the mesh's file
-    std::size_t steps = 0;  ///< glTF: shapes on the way, each after as many hits as any other; 0: none
-    bool readBack = false;  ///< read the file afterwards and hold it against what was meant
+    std::size_t steps = 0;  ///< glTF: shapes on the way, at most so many; 0: none
+    MorphUnit stepOf = MorphUnit::Hit;  ///< what a step holds at least
+    bool readBack = false;              ///< read the file afterwards and hold it against what was meant
 };
 
 /// What an export will amount to. `hits`: that made what is shown; the size of the steps between follows from

@@ -153,8 +153,8 @@ Status Gathered::gather(const ExportGoOn& goOn, const QString& path) {
         for (const TargetExport& target : m_what.targets) {
             morphed.push_back({target.id, target.render});
         }
-        auto steps =
-            morphSteps(m_what.hits, morphed, m_what.options.steps, within(goOn, ExportStep::Replaying));
+        auto steps = morphSteps(m_what.hits, morphed, {m_what.options.stepOf, m_what.options.steps},
+                                within(goOn, ExportStep::Replaying));
         if (!steps) {
             return givenUp(path);
         }
