@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/float_text.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -124,31 +125,46 @@ char* writeFloat(char* to, float value) {
         return writeSlowly(to, value);
     }
     char* at = to;
-    if (value < 0.0f) {
-        *at++ = '-';
-    }
-    std::array<char, 2 * kLongest> digits{};
-    storeDigits(digits.data(), eightDigits(decimal.digits));
+    *at = '-';
+    at += value < 0.0f ? 1 : 0;  // not by a branch, which nothing foretells
+    const std::uint64_t digits = eightDigits(decimal.digits);
     if (decimal.exponent <= 0) {  // 0.00ddd
         if (decimal.exponent == -3 && decimal.count == 1) {
             return writeSlowly(to, value);  // 1e-04 is shorter
         }
         std::memcpy(at, "0.000000", 8);
         at += 2 - decimal.exponent;
-        std::memcpy(at, digits.data(), kLongest);
+        storeDigits(at, digits);
         return at + decimal.count;
     }
     const auto whole = static_cast<std::size_t>(decimal.exponent);
-    std::memcpy(at, digits.data(), kLongest);
+    storeDigits(at, digits);
     if (decimal.count > decimal.exponent) {
         at[whole] = '.';
-        std::memcpy(at + whole + 1, &digits[whole], kLongest);
+        storeDigits(at + whole + 1, digits >> 8 * whole);
         return at + decimal.count + 1;
     }
     // An exponent is shorter behind many zeros: 1e+05.
     constexpr int kExponent = 4;
     const int point = decimal.count > 1 ? 1 : 0;
     return decimal.exponent > decimal.count + point + kExponent ? writeSlowly(to, value) : at + whole;
+}
+
+char* writeSixDecimals(char* to, float value) {
+    constexpr int kDecimals = 6;
+    const double millionths = std::abs(static_cast<double>(value)) * 1e6 + 0.5;
+    if (!(millionths < 1e7)) {
+        return writeFloat(to, value);
+    }
+    const auto number = static_cast<std::uint32_t>(millionths);
+    *to = '-';
+    to += value < 0.0f && number != 0 ? 1 : 0;
+    const std::uint64_t digits = eightDigits(number);  // a zero, one digit, the decimals
+    const int zeros = std::min(std::countl_zero(digits) / 8, kDecimals);
+    storeDigits(to, digits);
+    to[0] = to[1];
+    to[1] = '.';
+    return zeros == kDecimals ? to + 1 : to + kLongest - zeros;
 }
 
 }  // namespace hitscope

@@ -5,6 +5,7 @@
 #include "core/give_up.h"
 #include "io/export_names.h"
 #include "io/export_obj.h"
+#include "io/float_text.h"
 #include "io/number_text.h"
 #include "io/welder.h"
 #include "io/writers/file_coordinate.h"
@@ -16,6 +17,7 @@ namespace {
 /// order, and each other one once.
 struct NormalTable {
     std::vector<glm::vec3> values;
+    std::size_t inFile = 0;  ///< the first ones, which are the file's own
     std::vector<std::uint32_t> corners;
 };
 
@@ -42,6 +44,7 @@ NormalTable tabulateNormals(const MeshData& mesh, const CornerNormalView& normal
             table.values.push_back(mesh.normals[n]);
         }
     }
+    table.inFile = table.values.size();
     Welder others(table.values);
     others.startAnew();
     for (std::size_t c = 0; c < normals.size(); ++c) {
@@ -133,7 +136,10 @@ void ObjText::normals() {
         m_text += "vn";
         for (int i = 0; i < 3; ++i) {
             m_text += ' ';
-            appendTwiceRoundedFloat(m_text, m_normals.values[n][i]);
+            char number[kFloatText];
+            const float value = m_normals.values[n][i];
+            m_text.append(number,
+                          n < m_normals.inFile ? writeFloat(number, value) : writeSixDecimals(number, value));
         }
         m_text += '\n';
     }

@@ -5,6 +5,7 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <string>
 #include <string_view>
@@ -58,6 +59,34 @@ private Q_SLOTS:
         QFETCH(float, value);
         QFETCH(QByteArray, text);
         QCOMPARE(QByteArray::fromStdString(written(value)), text);
+    }
+
+    void writesSixDecimals() {
+        const auto text = [](float value) {
+            char number[kFloatText];
+            return QByteArray::fromStdString({number, writeSixDecimals(number, value)});
+        };
+        QCOMPARE(text(0.0f), QByteArray("0"));
+        QCOMPARE(text(-0.0f), QByteArray("0"));
+        QCOMPARE(text(-4e-7f), QByteArray("0"));
+        QCOMPARE(text(-6e-7f), QByteArray("-0.000001"));
+        QCOMPARE(text(1.0f), QByteArray("1"));
+        QCOMPARE(text(-0.25f), QByteArray("-0.25"));
+        QCOMPARE(text(0.99999994f), QByteArray("1"));
+        QCOMPARE(text(0.70710678f), QByteArray("0.707107"));
+        QCOMPARE(text(9.5f), QByteArray("9.5"));
+        QCOMPARE(text(10.5f), QByteArray("10.5"));
+        QCOMPARE(text(std::numeric_limits<float>::infinity()), QByteArray("inf"));
+        std::mt19937 random(5);
+        std::uniform_real_distribution<float> number(-9.99f, 9.99f);
+        for (int i = 0; i < 100'000; ++i) {
+            const float value = number(random);
+            const QByteArray written = text(value);
+            const QByteArray full = QByteArray::number(static_cast<double>(value), 'f', 6);
+            QVERIFY2(std::abs(written.toDouble() - static_cast<double>(value)) <= 0.5000001e-6 &&
+                         full.startsWith(written) && (written == full || full.endsWith('0')),
+                     written.constData());
+        }
     }
 
     void writesShortNumbers() {

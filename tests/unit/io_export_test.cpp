@@ -10,6 +10,7 @@
 #include "export_support.h"
 #include "io/export_obj.h"
 #include "io/readers/obj_reader.h"
+#include "io/writers/normal_plan.h"
 #include "io_support.h"
 #include "support/test_program.h"
 
@@ -165,7 +166,9 @@ void ExportTest::keepsFileNormalsButForTheirLength() {
     ObjExport what = exportOf(mesh, mesh.positions);
     what.normals = {normals, {}};
     const MeshData again = parseObj(formatObj(what, {})).value().mesh;
-    QCOMPARE(again.normals, (std::vector<glm::vec3>{{1, 2, 3}, normals[2]}));
+    QCOMPARE(again.normals.size(), std::size_t{2});
+    QCOMPARE(again.normals[0], glm::vec3(1, 2, 3));
+    QVERIFY(isSameDirection(again.normals[1], normals[2]));  // with six decimals
     QCOMPARE(again.cornerNormals, (std::vector<std::uint32_t>{0, 0, 1}));
 }
 

@@ -78,8 +78,8 @@ private:
     [[nodiscard]] bool isTouched(std::size_t corner) const {
         return !m_touched.empty() && m_touched[m_mesh.cornerVertices[corner]] != 0;
     }
-    [[nodiscard]] bool isOther(std::uint32_t normal, std::size_t corner) const {
-        return !isSameDirection(m_mesh.normals[normal], m_normals[corner]);
+    [[nodiscard]] bool isOther(std::uint32_t normal, std::size_t slot) const {
+        return !isSameDirection(m_mesh.normals[normal], m_normals.values[slot]);
     }
     void findWanted();
     void findDisagreement();
@@ -91,11 +91,11 @@ private:
 
     const MeshData& m_mesh;
     const CornerNormalView& m_normals;
-    std::vector<std::uint8_t> m_touched;    // of vertices
-    std::vector<std::uint32_t> m_wantedBy;  // for each of the file's normals, the first corner to change it
-    std::vector<std::uint8_t> m_isShared;   // its corners want different ones
-    std::vector<glm::vec3> m_directions;    // of those, made unit length
-    std::vector<std::uint8_t> m_isUsed;     // slots of m_normals that corners are to have instead
+    std::vector<std::uint8_t> m_touched;   // of vertices
+    std::vector<std::uint32_t> m_wanted;   // for each of the file's normals, the first slot that differs
+    std::vector<std::uint8_t> m_isShared;  // its corners want different ones
+    std::vector<glm::vec3> m_directions;   // of those, made unit length
+    std::vector<std::uint8_t> m_isUsed;    // slots of m_normals that corners are to have instead
     std::atomic<bool> m_any = false;
     NormalPlan m_plan;
 };
@@ -104,16 +104,16 @@ void Planner::findWanted() {
     inWatchedParts(m_mesh.cornerNormals.size(), kLeastPart, [this](std::size_t first, std::size_t end) {
         for (std::size_t c = first; c < end; ++c) {
             const std::uint32_t normal = inFile(c);
-            const auto corner = static_cast<std::uint32_t>(c);
             if (normal == kNoIndex || !isTouched(c)) {
                 continue;
             }
-            const std::atomic_ref wantedBy(m_wantedBy[normal]);
-            std::uint32_t earliest = wantedBy.load(std::memory_order_relaxed);
-            if (earliest > corner && isOther(normal, c)) {
+            const auto slot = static_cast<std::uint32_t>(m_normals.slot(c));
+            const std::atomic_ref wanted(m_wanted[normal]);
+            std::uint32_t lowest = wanted.load(std::memory_order_relaxed);
+            if (lowest > slot && isOther(normal, slot)) {
                 m_any.store(true, std::memory_order_relaxed);
-                while (earliest > corner &&
-                       !wantedBy.compare_exchange_weak(earliest, corner, std::memory_order_relaxed)) {
+                while (lowest > slot &&
+                       !wanted.compare_exchange_weak(lowest, slot, std::memory_order_relaxed)) {
                 }
             }
         }
@@ -124,8 +124,13 @@ void Planner::findDisagreement() {
     inWatchedParts(m_mesh.cornerNormals.size(), kLeastPart, [this](std::size_t first, std::size_t end) {
         for (std::size_t c = first; c < end; ++c) {
             const std::uint32_t normal = inFile(c);
-            if (normal != kNoIndex && m_wantedBy[normal] != kNoIndex && readShared(m_isShared[normal]) == 0 &&
-                !sameBits(m_normals[c], m_normals[m_wantedBy[normal]])) {
+            if (normal == kNoIndex || m_wanted[normal] == kNoIndex) {
+                continue;
+            }
+            const std::uint32_t wanted = m_wanted[normal];
+            const std::size_t slot = m_normals.slot(c);
+            if (slot != wanted && readShared(m_isShared[normal]) == 0 &&
+                !sameBits(m_normals.values[slot], m_normals.values[wanted])) {
                 setShared<std::uint8_t>(m_isShared[normal], 1);
             }
         }
@@ -133,16 +138,16 @@ void Planner::findDisagreement() {
 }
 
 void Planner::replace() {
-    for (std::size_t n = 0; n < m_wantedBy.size(); ++n) {
+    for (std::size_t n = 0; n < m_wanted.size(); ++n) {
         mayGiveUp(n);
-        if (m_wantedBy[n] != kNoIndex && m_isShared[n] == 0) {
+        if (m_wanted[n] != kNoIndex && m_isShared[n] == 0) {
             m_plan.replaced.push_back(static_cast<std::uint32_t>(n));
         }
     }
     m_plan.values.resize(m_plan.replaced.size());
     inWatchedParts(m_plan.values.size(), kLeastPart, [this](std::size_t first, std::size_t end) {
         for (std::size_t i = first; i < end; ++i) {
-            const glm::vec3& value = m_normals[m_wantedBy[m_plan.replaced[i]]];
+            const glm::vec3& value = m_normals.values[m_wanted[m_plan.replaced[i]]];
             m_plan.values[i] = isFinite(value) ? value : glm::vec3(0.0f);
         }
     });
@@ -205,7 +210,7 @@ void Planner::number() {
 NormalPlan Planner::plan(std::vector<std::uint8_t> touched, bool all) {
     m_plan.normals = m_normals;
     m_touched = std::move(touched);
-    m_wantedBy.assign(m_mesh.normals.size(), kNoIndex);
+    m_wanted.assign(m_mesh.normals.size(), kNoIndex);
     m_isShared.assign(m_mesh.normals.size(), 0);
     if (!m_touched.empty()) {
         findWanted();

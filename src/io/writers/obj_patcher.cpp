@@ -123,7 +123,7 @@ void ObjPatcher::appendAdded(std::size_t piece, TextBuffer& out) const {
         char* to = copyText(out.room(2 + 3 * (1 + kFloatText) + m_index.newLine.size()), "vn");
         for (int i = 0; i < 3; ++i) {
             *to++ = ' ';
-            to = writeFloat(to, normal[i]);
+            to = writeSixDecimals(to, normal[i]);
         }
         out.endAt(copyText(to, m_index.newLine));
     }
@@ -255,7 +255,7 @@ void ObjPatcher::normal(std::string_view line, const glm::vec3& value, TextBuffe
     for (int axis = 0; axis < 3; ++axis) {
         const TextRange word = words.next();
         to = copyText(to, line.substr(copied, word.start - copied));
-        to = writeFloat(to, value[axis]);
+        to = writeSixDecimals(to, value[axis]);
         copied = word.end;
     }
     out.endAt(copyText(to, line.substr(copied)));
