@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/mesh_step_options.h"
 
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "document/mesh_step_fields.h"
 #include "mesh/mesh_objects.h"
 #include "session/mesh_steps/mesh_edit.h"
 #include "session/mesh_steps/separate_objects.h"
@@ -22,24 +24,44 @@ std::vector<TargetId> idsOf(const Session& session) {
     return ids;
 }
 
+/// By RefineMethod.
+QStringList refineWords() {
+    QStringList words;
+    for (const std::string_view word : document_words::kRefineMethods) {
+        words += QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size()));
+    }
+    return words;
+}
+
 }  // namespace
 
 QList<UsageOption> meshStepOptions() {
     return {flagOption("separate",
                        QStringLiteral("Before shooting, split each mesh into one target for each object.")),
             valueOption("refine", "METRES",
-                        QStringLiteral("Before shooting, refine the meshes until no edge is longer."))};
+                        QStringLiteral("Before shooting, refine the meshes until no edge is longer.")),
+            wordOption("refine-by", "METHOD", refineWords(),
+                       QStringLiteral("How --refine adds vertices: midpoint and longest-edge keep the shape, "
+                                      "butterfly rounds it."),
+                       refineWords().front())};
 }
 
-std::optional<float> givenRefinement(Invocation& given) {
+std::optional<RefineOptions> givenRefinement(Invocation& given) {
     const std::optional<double> length = given.numberIfSet("refine", 0.0, kMostLength);
     if (!length) {
+        if (given.isSet("refine-by")) {
+            given.complain(QStringLiteral("--refine-by needs --refine."));
+        }
         return std::nullopt;
     }
     if (!(static_cast<float>(*length) > 0.0f)) {
         given.complain(QStringLiteral("--refine takes a length in metres, more than 0."));
     }
-    return static_cast<float>(*length);
+    const auto method = static_cast<RefineMethod>(given.word("refine-by"));
+    return RefineOptions{.method = method,
+                         .edgeLength = static_cast<float>(*length),
+                         .keepQuads = method == RefineMethod::Midpoint,
+                         .region = {}};
 }
 
 Status separateAll(Session& session) {
@@ -59,13 +81,10 @@ Status separateAll(Session& session) {
     return Done{};
 }
 
-Status refineAll(Session& session, float edgeLength) {
+Status refineAll(Session& session, const RefineOptions& options) {
     for (const TargetId id : idsOf(session)) {
         const Target& target = *session.targets().find(id);
-        const MeshEdit edit = meshEdit(
-            session, id,
-            RefineOptions{
-                .method = RefineMethod::Midpoint, .edgeLength = edgeLength, .keepQuads = true, .region = {}});
+        const MeshEdit edit = meshEdit(session, id, options);
         Result<EditedMesh> made = edited(*target.shape.mesh, edit);
         if (!made) {
             return made.error();

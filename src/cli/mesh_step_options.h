@@ -4,18 +4,19 @@
 #include <optional>
 
 #include "core/result.h"
+#include "mesh/refine/refine.h"
 #include "session/session.h"
 #include "usage/invocation.h"
 
 namespace hitscope::cli {
 
-/// --separate, --refine: what is done to meshes before they are shot at.
+/// --separate, --refine, --refine-by: what is done to meshes before they are shot at.
 [[nodiscard]] QList<UsageOption> meshStepOptions();
-/// Metres; nothing: it is not there.
-[[nodiscard]] std::optional<float> givenRefinement(Invocation& given);
+/// Nothing: it is not asked for.
+[[nodiscard]] std::optional<RefineOptions> givenRefinement(Invocation& given);
 /// The objects of each target that has several become targets.
 [[nodiscard]] Status separateAll(Session& session);
-/// All targets of the session, by the middles of edges; quads stay quads.
-[[nodiscard]] Status refineAll(Session& session, float edgeLength);
+/// All targets of the session, whole.
+[[nodiscard]] Status refineAll(Session& session, const RefineOptions& options);
 
 }  // namespace hitscope::cli

@@ -49,7 +49,7 @@ Status setConstants(Session& session, const ShootOptions& options) {
         }
     }
     setting.relative = setting.relative && !options.absolute;
-    setting.form = options.form.value_or(setting.form);
+    setting.form = options.form.over(setting.form);
     return session.settings().setConstants(setting);
 }
 
@@ -60,8 +60,8 @@ Status prepare(Session& session, const ShootOptions& options) {
             return separated;
         }
     }
-    if (options.refineTo) {
-        if (Status refined = refineAll(session, *options.refineTo); !refined) {
+    if (options.refinement) {
+        if (Status refined = refineAll(session, *options.refinement); !refined) {
             return refined;
         }
     }

@@ -6,10 +6,11 @@
 #include <optional>
 #include <vector>
 
+#include "cli/form_options.h"
 #include "cli/repeat_options.h"
 #include "core/result.h"
-#include "deform/dent_form.h"
 #include "deform/pipeline_kind.h"
+#include "mesh/refine/refine.h"
 #include "session/flight_mode.h"
 #include "session/session.h"
 #include "session/shots/shot_script.h"
@@ -21,10 +22,10 @@ namespace hitscope::cli {
 struct ShootOptions {
     enum class Shots : std::uint8_t { None, Burst, Random, At, Script };
 
-    QString scenePath;              ///< as SceneWish has it
-    bool separates = false;         ///< objects become targets
-    std::optional<float> refineTo;  ///< metres: edges of all targets are no longer; nothing: they stay
-    QString hitsPath;               ///< hits that come before the shots; empty: none
+    QString scenePath;                        ///< as SceneWish has it
+    bool separates = false;                   ///< objects become targets
+    std::optional<RefineOptions> refinement;  ///< of all targets; nothing: they stay
+    QString hitsPath;                         ///< hits that come before the shots; empty: none
     Shots shots = Shots::Burst;
     QString scriptPath;
     int count = 20;      ///< of a burst, of random shots
@@ -38,7 +39,7 @@ struct ShootOptions {
     std::optional<FlightMode> flight;
     std::optional<PipelineKind> pipeline;
     std::vector<std::optional<double>> constants;   ///< by deformationParameters(); nothing: as they are
-    std::optional<DentForm> form;                   ///< of the dents; nothing: as it is
+    GivenForm form;                                 ///< of the dents; what is not given is as it is
     RepeatWish repeat;                              ///< hits that come after the shots
     bool absolute = false;                          ///< they hold on targets of any size
     std::vector<std::optional<double>> projectile;  ///< by projectileParameters(); likewise

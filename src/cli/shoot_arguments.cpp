@@ -192,7 +192,7 @@ ShootOptions readShootOptions(Invocation& given) {
     options.constants = parametersOf(given, deformationParameters(), true);
     options.form = givenForm(given);
     options.separates = given.isSet("separate");
-    options.refineTo = givenRefinement(given);
+    options.refinement = givenRefinement(given);
     options.repeat = givenRepeat(given);
     options.absolute = given.isSet("absolute");
     options.projectile = parametersOf(given, projectileParameters(), false);

@@ -140,8 +140,8 @@ ProjectileSettings projectileFor(const Session& session, const ShootOptions& opt
         }
     }
     projectile.mostAlive = std::max(projectile.mostAlive, options.count);
-    if (options.form) {
-        projectile.form = options.form;  // kept in a script, too
+    if (options.form.isAny()) {
+        projectile.form = session.settings().constantsSetting().form;  // kept in a script, too
     }
     return projectile;
 }

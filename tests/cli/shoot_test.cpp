@@ -2,6 +2,7 @@
 // `hitscope-cli shoot` as a person runs it, with no display.
 #include <QTemporaryDir>
 #include <QTest>
+#include <set>
 
 #include "cli/run_cli.h"
 #include "support/test_program.h"
@@ -65,6 +66,34 @@ private Q_SLOTS:
         QCOMPARE(fingerprintOf(shoot({"--script", script})), fingerprintOf(run));
     }
 
+    /// What of the dents' form is not given is the session's.
+    void keepsTheFormOfTheSession() {
+        const QTemporaryDir folder;
+        const QString first = folder.filePath(QStringLiteral("first.hitscope"));
+        const QStringList few{"--burst", "3", "--seed", "4", "--instant"};
+        QCOMPARE(
+            shoot(QStringList{"--profile", "smooth", "--dent-direction", "surface", "--session", first} + few)
+                .status,
+            0);
+        const auto formOfLast = [&](const QStringList& options) {
+            const QString hits = folder.filePath(QStringLiteral("hits.csv"));
+            const CliRun run = shoot(options + few + QStringList{"--hits-out", hits, first});
+            QFile file(hits);
+            if (run.status != 0 || !file.open(QIODevice::ReadOnly)) {
+                return QByteArray("did not run: ") + run.err.toUtf8();
+            }
+            return file.readAll().trimmed().split('\n').last();
+        };
+        const QByteArray kept = formOfLast({});
+        QVERIFY2(kept.contains("smooth") && kept.contains("surface"), kept.constData());
+        const QByteArray other = formOfLast({"--profile", "crater"});
+        QVERIFY2(other.contains("crater") && other.contains("surface"), other.constData());
+        const QByteArray along = formOfLast({"--dent-direction", "projectile"});
+        QVERIFY2(along.contains("smooth") && !along.contains("surface"), along.constData());
+        const QByteArray pressed = formOfLast({"--dent-direction", "press"});
+        QVERIFY2(pressed.contains("press") && !pressed.contains("smooth"), pressed.constData());
+    }
+
     void refinesBeforeItShoots() {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("box.obj"));
@@ -85,6 +114,15 @@ private Q_SLOTS:
         QVERIFY(bytes.contains("property int source_vertex\n"));
         QCOMPARE(shoot(QStringList{"--refine", "0.1"} + few).status, 0);
         QVERIFY(fingerprintOf(run) != fingerprintOf(shoot(few)));
+        std::set<QString> fingerprints{fingerprintOf(run)};
+        for (const char* method : {"midpoint", "longest-edge", "butterfly"}) {
+            const CliRun by =
+                shoot(QStringList{"--refine", "0.1", "--refine-by", QLatin1String(method)} + few);
+            QVERIFY2(by.status == 0, qPrintable(by.err));
+            fingerprints.insert(fingerprintOf(by));
+        }
+        QCOMPARE(fingerprints.size(), std::size_t{3});  // midpoint is what is done unless asked otherwise
+        QCOMPARE(shoot(QStringList{"--refine-by", "butterfly"} + few).status, 2);
         for (const char* wrong : {"0", "-1", "x"}) {
             QVERIFY(shoot(QStringList{"--refine", QLatin1String(wrong)} + few).status != 0);
         }
