@@ -103,18 +103,18 @@ void AimPreview::show() {
         m_rest.start();
         return;
     }
-    m_aim.reset();
     const ScheduledShot shot = m_viewport.aiming().shotAt(m_viewport.navigation().rayAt(m_at));
     const std::optional<Hit> hit = m_session.simulation().predictedHit(shot);
     const Target* target = hit ? m_session.targets().find(hit->target) : nullptr;
+    const HitReach sphere = hit ? reachOf(*hit) : HitReach{};
+    m_aim = target != nullptr ? std::optional(Aim{target->id, hit->point, sphere.radius}) : std::nullopt;
+    Q_EMIT shown();
     if (target == nullptr) {
         return;
     }
-    const HitReach sphere = reachOf(*hit);
     const RenderMesh& mesh = target->deformed.render();
     const std::vector<VertexRange> reach =
         clustersNear(mesh, clusterBoxes(*target), sphere.centre, sphere.radius);
-    m_aim = Aim{target->id, hit->point, sphere.radius};
     if (vertexCount(reach) > kMostVertices) {
         showText(tr("Too many vertices in reach to count"));
         return;
@@ -128,7 +128,6 @@ void AimPreview::show() {
         ghost->push_back(target->transform.toWorld(corner));
     }
     m_viewport.decorations().setGhost(std::move(ghost));
-    Q_EMIT shown();
     const std::size_t count = preview.affectedVertices;
     const auto metres = static_cast<double>(preview.depth);
     const QString depth = metres >= kMillimetre ? shownNumber(metres, 'f', 3) : shownNumber(metres, 'g', 3);

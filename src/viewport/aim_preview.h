@@ -35,7 +35,7 @@ public:
         glm::vec3 point{0.0f};  ///< metres, local frame
         float reach = 0.0f;     ///< metres
     };
-    [[nodiscard]] const std::optional<Aim>& aim() const { return m_aim; }  ///< nothing: none was shown yet
+    [[nodiscard]] const std::optional<Aim>& aim() const { return m_aim; }  ///< nothing: it rested on none
     /// A dent of fewer vertices is hardly one: the preview offers to refine the mesh there.
     static constexpr std::size_t kFewVertices = 10;
 
@@ -44,7 +44,7 @@ public:
     static constexpr std::size_t kMostVertices = 30'000;
 
 Q_SIGNALS:
-    void shown();  ///< aim() is another
+    void shown();  ///< the cursor rested, and aim() is another
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

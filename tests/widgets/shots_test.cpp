@@ -3,13 +3,16 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QDoubleSpinBox>
+#include <QKeySequence>
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
+#include <algorithm>
 #include <cmath>
 
 #include "app/dialogs/shot_series_dialog.h"
 #include "mesh/primitives.h"
+#include "session/task_list.h"
 #include "support/test_program.h"
 #include "viewport/aim_preview.h"
 #include "window_support.h"
@@ -27,6 +30,7 @@ private Q_SLOTS:
     void cleanup() { dropWindow(); }
     void restingCursorForetells();
     void previewCanBeTurnedOff();
+    void fewVerticesAreRefinedAtTheAim();
     void burstFromTheDialog();
     void sequenceAlongALine();
     void targetIsMadeDynamicAndBack();
@@ -93,6 +97,40 @@ void ShotsTest::previewCanBeTurnedOff() {
     QVERIFY(!label().isVisible());
     preview->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(label().isVisible(), kPatience);
+}
+
+void ShotsTest::fewVerticesAreRefinedAtTheAim() {
+    dropWindow();
+    makeWindow([](Session& session) { loadMesh(session, makeLowPolyCube(2.5f)); });
+    const QPoint centre = m_window->viewport().rect().center();
+    const auto target = [this]() -> const Target& { return *m_session->targets().front(); };
+    const std::vector<glm::vec3> before = target().shape.mesh->positions;
+    QAction* refine = nullptr;
+    for (QAction* action : m_window->findChildren<QAction*>()) {
+        refine = action->shortcut() == QKeySequence(QStringLiteral("Ctrl+R")) ? action : refine;
+    }
+    QVERIFY(refine != nullptr && !refine->isEnabled());  // the cursor rested nowhere yet
+    moveTo(centre);
+    QTRY_VERIFY_WITH_TIMEOUT(label().isVisible(), kPatience);
+    QVERIFY2(label().text().contains(QStringLiteral("Ctrl+R")), qPrintable(label().text()));
+    QVERIFY(refine->isEnabled());
+    moveTo({2, 2});
+    QTRY_VERIFY_WITH_TIMEOUT(!refine->isEnabled(), kPatience);  // beside the target
+    moveTo(centre);
+    QTRY_VERIFY_WITH_TIMEOUT(refine->isEnabled(), kPatience);
+    makeActive(*m_window);
+    QTest::keyClick(m_window.get(), Qt::Key_R, Qt::ControlModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(target().shape.mesh->positions.size() > before.size(), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(m_session->tasks().current() == nullptr, kPatience);
+    const std::vector<glm::vec3>& after = target().shape.mesh->positions;
+    QVERIFY(std::equal(before.begin(), before.end(), after.begin()));
+    // The same shot has enough of them now, and the offer goes.
+    moveTo(centre + QPoint(1, 0));
+    moveTo(centre);
+    QTRY_VERIFY_WITH_TIMEOUT(label().isVisible() && !label().text().contains(QStringLiteral("Ctrl+R")),
+                             kPatience);
+    QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(target().shape.mesh->positions.size(), before.size(), kPatience);
 }
 
 void ShotsTest::burstFromTheDialog() {
