@@ -180,6 +180,8 @@ void ExchangeTest::targetsAreDraggedOutAsAFile() {
     const std::unique_ptr<QMimeData> data(model->mimeData({model->index(0, 0)}));
     const QString path = data->urls().value(0).toLocalFile();
     QVERIFY2(path.endsWith(QStringLiteral("_deformed.obj")), qPrintable(path));
+    const QString said = m_window->statusBar()->currentMessage();
+    QVERIFY2(said.contains(QFileInfo(path).fileName()) && !said.contains(path), qPrintable(said));
     const Result<ImportedMesh> read = importMesh(path);
     QVERIFY(read.ok());
     const std::span<const glm::vec3> shown = m_session->targets().front()->deformed.positions();

@@ -59,8 +59,12 @@ ExportActions::ExportActions(Session& session, Viewport& viewport, AppSettings& 
 
 void ExportActions::tellWritten(const QString& name, const QString& path, const QStringList& notes,
                                 bool wasReadBack) {
-    Q_EMIT said(wasReadBack ? tr("Exported %1; read back, it is the same: %2").arg(name, path)
-                            : tr("Exported %1 to %2").arg(name, path));
+    if (m_handedOver == path) {  // a temporary file, whose place says nothing
+        Q_EMIT said(tr("Passed %1 to the other program as %2").arg(name, QFileInfo(path).fileName()));
+    } else {
+        Q_EMIT said(wasReadBack ? tr("Exported %1; read back, it is the same: %2").arg(name, path)
+                                : tr("Exported %1 to %2").arg(name, path));
+    }
     if (!notes.isEmpty()) {  // the status bar has no room for them
         Q_EMIT noticeWanted(tr("In %1:").arg(QFileInfo(path).fileName()) + u' ' + notes.join(u' '));
     }
@@ -214,6 +218,7 @@ bool ExportActions::writeTarget(TargetId target, const QString& path) {
         return false;
     }
     bool isDone = false;
+    m_handedOver = path;
     QEventLoop waiting;
     connect(m_exporter, &MeshExporter::ended, &waiting, [&](const QString& of, bool isWritten) {
         if (of == path) {

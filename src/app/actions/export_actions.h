@@ -78,6 +78,7 @@ private:
     QAction* m_export = nullptr;
     QAction* m_again = nullptr;
     std::optional<Last> m_last;
+    QString m_handedOver;  ///< the file of the last writeTarget()
 };
 
 }  // namespace hitscope
