@@ -17,6 +17,7 @@
 #include "analysis/freed_memory.h"
 #include "app/actions/camera_actions.h"
 #include "app/actions/display_actions.h"
+#include "app/actions/edit_actions.h"
 #include "app/actions/exchange_actions.h"
 #include "app/actions/export_actions.h"
 #include "app/actions/file_actions.h"
@@ -248,6 +249,7 @@ void MainWindow::fail(const Error& error) {
 /// What a part has to say goes to the status bar, to the notice bar or into a message box.
 template <class Part>
 void MainWindow::listenTo(const Part* part) {
+    static_assert(sizeof(Part) > 0, "of a class that is only declared, no signal would be found");
     if constexpr (requires { &Part::said; }) {
         connect(part, &Part::said, this, &MainWindow::say);
     }
@@ -262,8 +264,8 @@ void MainWindow::listenTo(const Part* part) {
 void MainWindow::connectMessages() {
     const auto listenToAll = [this](const auto*... parts) { (listenTo(parts), ...); };
     const WindowActions& a = m_actions;
-    listenToAll(a.cameras, a.collector, a.exchange, a.exports, a.file, a.help, a.mesh, a.pictures, a.repeat,
-                a.shots, a.textureLocator);
+    listenToAll(a.cameras, a.collector, a.edit, a.exchange, a.exports, a.file, a.help, a.mesh, a.pictures,
+                a.repeat, a.shots, a.textureLocator);
     listenToAll(m_docks, m_files, m_journal, m_recovery, m_reloader, m_sessions, m_viewport);
     connect(a.hits, &HitActions::failed, this, &MainWindow::fail);
     connect(a.hits, &HitActions::said, this,

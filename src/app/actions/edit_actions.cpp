@@ -15,9 +15,9 @@ EditActions::EditActions(Session& session, QObject* parent) : QObject(parent), m
 
 void EditActions::fill(QMenu& menu) {
     m_undo = addAction(
-        menu, tr("&Undo"), QKeySequence::Undo, this, [this] { m_session.undo(); }, QStringLiteral("undo"));
+        menu, tr("&Undo"), QKeySequence::Undo, this, [this] { undoLast(); }, QStringLiteral("undo"));
     m_redo = addAction(
-        menu, tr("&Redo"), tr("Ctrl+Shift+Z"), this, [this] { m_session.redo(); }, QStringLiteral("redo"));
+        menu, tr("&Redo"), tr("Ctrl+Shift+Z"), this, [this] { redoNext(); }, QStringLiteral("redo"));
     menu.addSeparator();
     m_enableAll = addAction(menu, tr("&Enable All Hits"), {}, this, [this] { m_session.hits().enableAll(); });
     m_clear = addAction(
@@ -28,6 +28,22 @@ void EditActions::fill(QMenu& menu) {
     connect(&m_session.hits(), &SessionHits::appended, this, &EditActions::follow);
     connect(&m_session.hits(), &SessionHits::reset, this, &EditActions::follow);
     follow();
+}
+
+// What was said of the step before would be untrue now.
+
+void EditActions::undoLast() {
+    if (const auto step = m_session.steps().toUndo()) {
+        m_session.undo();
+        Q_EMIT said(tr("Undone: %1").arg(undoText(*step)));
+    }
+}
+
+void EditActions::redoNext() {
+    if (const auto step = m_session.steps().toRedo()) {
+        m_session.redo();
+        Q_EMIT said(tr("Redone: %1").arg(undoText(*step)));
+    }
 }
 
 void EditActions::follow() {

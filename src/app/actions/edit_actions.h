@@ -21,7 +21,12 @@ public:
     [[nodiscard]] QAction* undo() const { return m_undo; }
     [[nodiscard]] QAction* redo() const { return m_redo; }
 
+Q_SIGNALS:
+    void said(const QString& text);
+
 private:
+    void undoLast();
+    void redoNext();
     void follow();
 
     Session& m_session;
