@@ -2,6 +2,7 @@
 #include "app/recovery_bar.h"
 
 #include <QBuffer>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QImageReader>
 #include <QLabel>
@@ -54,6 +55,14 @@ struct RecoveryBar::Found {
     QDateTime changed;
     std::optional<RecoveredJournal> read;
 };
+
+/// The session's file, but not one that was written after the journal: what is recovered is older, and is not
+/// saved over it without a question.
+QString RecoveryBar::fileOf(const Found& found) {
+    const QFileInfo file(found.read->file);
+    const bool isNewer = file.exists() && file.lastModified() > found.changed;
+    return found.read->file.isEmpty() || isNewer ? QString() : file.absoluteFilePath();
+}
 
 RecoveryBar::RecoveryBar(SessionFiles& files, DiscardGuard& guard, const QString& folder, QWidget* parent)
     : QFrame(parent),
@@ -127,8 +136,10 @@ void RecoveryBar::take(const std::shared_ptr<Found>& found) {
     const SessionDocument& document = found->read->document;
     const QString when = QLocale().toString(found->changed, QLocale::ShortFormat);
     const QString hits = tr("%Ln {hit|hits}", nullptr, trCount(document.hits.size()));
+    const QString name =
+        found->read->file.isEmpty() ? document.scene.name : QFileInfo(found->read->file).fileName();
     m_text->setText(tr("Hitscope ended unexpectedly. The session “%1” of %2, with %3, can be recovered.")
-                        .arg(document.scene.name, when, hits));
+                        .arg(name, when, hits));
     const QPixmap picture = pictureOf(found->read->picture, devicePixelRatioF());
     m_picture->setPixmap(picture);
     m_picture->setVisible(!picture.isNull());
@@ -155,7 +166,7 @@ void RecoveryBar::recover() {
     };
     connect(&m_files, &SessionFiles::failed, once, offerAgain);
     connect(&m_files, &SessionFiles::cancelled, once, offerAgain);
-    m_files.openDocument(found->read->document);
+    m_files.openDocument(found->read->document, fileOf(*found));
 }
 
 void RecoveryBar::askToDiscard() {

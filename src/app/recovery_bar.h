@@ -32,6 +32,7 @@ private:
     struct Found;
 
     void take(const std::shared_ptr<Found>& found);
+    [[nodiscard]] static QString fileOf(const Found& found);
     void recover();
     void askToDiscard();
     void discard();

@@ -21,6 +21,7 @@ struct SessionFiles::Work {
     QString path;  ///< empty: of no file
     SessionDocument document;
     bool isRead = false;  ///< document is what the file says
+    bool isRecovered = false;
     bool isSave = false;
     std::uint64_t state = 0;                 ///< SessionUndo::state() that is written
     std::vector<CopiedPositions> positions;  ///< that are written
@@ -197,10 +198,12 @@ void SessionFiles::open(const QString& path) {
     prepare();
 }
 
-void SessionFiles::openDocument(SessionDocument document) {
+void SessionFiles::openDocument(SessionDocument document, const QString& file) {
     beginOpening(document.scene.name);
+    m_work->path = file;
     m_work->document = std::move(document);
     m_work->isRead = true;
+    m_work->isRecovered = true;
     prepare();
 }
 
@@ -283,7 +286,7 @@ void SessionFiles::goOn() {
     const bool isWhole = work->prepared.isWhole();
     m_file.path = isWhole ? work->path : QString();
     m_file.kept = m_session.steps().state();
-    m_file.isRecovered = m_file.path.isEmpty();
+    m_file.isRecovered = work->isRecovered || m_file.path.isEmpty();
     m_wasModified = isModified();
     QStringList notes = work->prepared.notes;
     for (const MeshTrouble& trouble : work->prepared.troubles) {
@@ -292,7 +295,7 @@ void SessionFiles::goOn() {
     m_toCheck = std::make_unique<SessionDocument>(std::move(work->prepared.document));
     end();
     Q_EMIT changed();
-    Q_EMIT opened(m_file.path, notes);
+    Q_EMIT opened(work->isRecovered ? QString() : m_file.path, notes);
 }
 
 void SessionFiles::checkPositions() {

@@ -43,8 +43,9 @@ public:
     /// Replaces the session by the file's; ends with opened(), failed() or cancelled(), of which the last two
     /// leave the session as it is. Where meshes are missing or changed, troubled() asks on the way.
     void open(const QString& path);
-    /// Likewise by a document that is in no file: what was recovered. Counts as modified.
-    void openDocument(SessionDocument document);
+    /// Likewise by a document that is in no file: what was recovered. Counts as modified. `file`: that it was
+    /// in before, and is saved to; empty: none.
+    void openDocument(SessionDocument document, const QString& file);
     /// Gives up what is being opened; what is being saved stays wanted.
     void cancel();
 
@@ -63,7 +64,7 @@ Q_SIGNALS:
     void saved(const QString& path);
     void left();  ///< leave()
     void troubled();
-    /// `path`: empty for a document without a file. `notes`: of the import, and what was left out.
+    /// `path`: empty for what was recovered. `notes`: of the import, and what was left out.
     void opened(const QString& path, const QStringList& notes);
     void failed(const hitscope::Error& error);
     void cancelled();

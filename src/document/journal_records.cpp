@@ -49,6 +49,9 @@ struct SetObject {
 struct PictureLine {
     std::string base64;
 };
+struct FileLine {
+    QString path;
+};
 struct JournalHead {};
 struct ReadSections {
     SessionDocument document;
@@ -113,6 +116,11 @@ struct Fields<PictureLine> {
     static void visit(FieldWriter& writer, const PictureLine& line) { writer.text("picture", line.base64); }
 };
 
+template <>
+struct Fields<FileLine> {
+    static void visit(FieldWriter& writer, const FileLine& line) { writer.text("file", line.path); }
+};
+
 /// The sections that a line sets.
 template <>
 struct Fields<ReadSections> {
@@ -163,6 +171,12 @@ std::string JournalLines::set(std::span<const Section> sections, const SessionDo
 std::string JournalLines::picture(const QByteArray& jpeg) {
     std::string json;
     FieldWriter(json, FieldWriter::Layout::Compact).whole({}, PictureLine{jpeg.toBase64().toStdString()});
+    return line(json);
+}
+
+std::string JournalLines::file(const QString& path) {
+    std::string json;
+    FieldWriter(json, FieldWriter::Layout::Compact).whole({}, FileLine{path});
     return line(json);
 }
 
@@ -254,6 +268,10 @@ struct Replay {
         }
         if (reader.has("picture")) {
             return picture(reader);
+        }
+        if (reader.has("file")) {
+            reader.text("file", recovered.file);
+            return reader.status();
         }
         return reader.ok() ? Status(Error{"A line changes nothing that is known.", "", ""}) : reader.status();
     }

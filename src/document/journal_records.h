@@ -22,9 +22,10 @@ namespace hitscope {
 //   2… {"hits":{"at":5,"remove":1,"insert":[…]}}: an edit of the history
 //      {"set":{"lights":{…}}}: one or several sections of a session file, each as a whole
 //      {"picture":"…"}: what the window showed, small: a JPEG as Base64
+//      {"file":"…"}: the session file that it was saved to; empty: none
 
 inline constexpr std::string_view kJournalFormat = "hitscope journal";
-inline constexpr int kJournalVersion = 2;           ///< 1 knew no pictures
+inline constexpr int kJournalVersion = 3;           ///< 1 knew no pictures, 2 no file
 inline constexpr std::size_t kMostPicture = 7'000;  ///< bytes of a JPEG
 
 /// Makes the lines of one journal, in their order; each ends with its line end.
@@ -38,6 +39,7 @@ public:
     [[nodiscard]] std::string set(std::span<const Section> sections, const SessionDocument& document);
     /// `jpeg`: at most kMostPicture.
     [[nodiscard]] std::string picture(const QByteArray& jpeg);
+    [[nodiscard]] std::string file(const QString& path);
 
 private:
     std::string line(std::string_view json);
@@ -53,6 +55,7 @@ struct RecoveredJournal {
     std::size_t goodBytes = 0;    ///< from its begin
     std::size_t droppedHits = 0;  ///< on targets that a later line took away without them
     QByteArray picture = {};      ///< the last: bytes of a JPEG, not looked into; empty: none
+    QString file = {};            ///< the session file that it was saved to; empty: none
     std::string problem = {};     ///< why the line behind the good ones does not count; empty: there is none
 };
 

@@ -34,9 +34,12 @@ struct Set {
 struct Picture {
     QByteArray jpeg;
 };
+struct File {
+    QString path;
+};
 struct Finish {};
 struct Lost {};  ///< changes that found no room
-using Change = std::variant<Begin, Edit, Set, Picture, Finish, Lost>;
+using Change = std::variant<Begin, Edit, Set, Picture, File, Finish, Lost>;
 
 }  // namespace
 
@@ -171,6 +174,11 @@ private:
             append(m_file.lines().picture(picture.jpeg));
         }
     }
+    void apply(const File& file) {
+        if (m_follows) {
+            append(m_file.lines().file(file.path));
+        }
+    }
     void apply(const Finish& /*finish*/) {
         m_file.remove();
         m_follows = false;
@@ -269,6 +277,10 @@ void JournalWriter::set(std::vector<Section> sections, SessionDocument part) {
     }
     part.hits.clear();
     m_thread->hand(Set{std::move(sections), std::make_unique<SessionDocument>(std::move(part))}, bytes);
+}
+
+void JournalWriter::setFile(const QString& path) {
+    m_thread->hand(File{path}, sizeof(Change) + 2 * static_cast<std::size_t>(path.size()));
 }
 
 void JournalWriter::setPicture(const QByteArray& jpeg) {

@@ -43,6 +43,8 @@ public:
     void set(std::vector<Section> sections, SessionDocument part);
     /// What the window shows: a JPEG of at most kMostPicture bytes, for who decides whether to recover it.
     void setPicture(const QByteArray& jpeg);
+    /// The session file that the session was saved to; empty: none.
+    void setFile(const QString& path);
     /// The session was saved, or given up: there is nothing to recover, and the file goes.
     void finish();
 

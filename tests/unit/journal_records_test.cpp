@@ -87,6 +87,7 @@ private Q_SLOTS:
     void allOfItComesBack();
     void everySection();
     void pictures();
+    void files();
     void cutAnywhere();
     void damagedAnywhere();
     void linesOutOfPlace();
@@ -162,6 +163,23 @@ void JournalRecordsTest::pictures() {
     QVERIFY(!readJournal(tooLarge).value().problem.empty());
     const QByteArray noBase64 = bytes + lineOf(5, R"({"picture":"a*b"})");
     QVERIFY(!readJournal(noBase64).value().problem.empty());
+}
+
+/// The last counts.
+void JournalRecordsTest::files() {
+    JournalLines lines;
+    QByteArray bytes = QByteArray::fromStdString(lines.begin(exampleDocument()));
+    QCOMPARE(readJournal(bytes).value().file, QString());
+    const QString first = QStringLiteral("/tmp/a “b”.hitscope");
+    bytes += QByteArray::fromStdString(lines.file(first));
+    QCOMPARE(readJournal(bytes).value().file, first);
+    const QString second = QStringLiteral("/tmp/b.hitscope");
+    bytes += QByteArray::fromStdString(lines.edit(0, 1, {}));
+    bytes += QByteArray::fromStdString(lines.file(second));
+    const Result<RecoveredJournal> read = readJournal(bytes);
+    QCOMPARE(read.value().file, second);
+    QVERIFY2(read.value().problem.empty(), read.value().problem.c_str());
+    QVERIFY(!readJournal(bytes + lineOf(5, R"({"file":7})")).value().problem.empty());
 }
 
 void JournalRecordsTest::cutAnywhere() {
@@ -267,7 +285,7 @@ void JournalRecordsTest::badBegins_data() {
     QTest::newRow("lines") << QByteArray(5000, '\n') << "A line has no checksum.";
     QTest::newRow("other") << lineOf(0, "{\"format\":\"x\",\"version\":1}")
                            << "This is no journal of Hitscope.";
-    QTest::newRow("newer") << lineOf(0, "{\"format\":\"hitscope journal\",\"version\":3}")
+    QTest::newRow("newer") << lineOf(0, "{\"format\":\"hitscope journal\",\"version\":4}")
                            << "This journal was written by a newer Hitscope. Recover it with that Hitscope";
     QTest::newRow("head alone") << head << "It ends in the middle of a line.";
     QTest::newRow("no session") << head + lineOf(1, "{}") << "This is no session of Hitscope.";

@@ -63,6 +63,8 @@ private Q_SLOTS:
     void aBrokenFileChangesNothing();
     void aFileThatIsGoneIsNamed();
     void isRecoveredAfterACrash();
+    void recoveredIsInItsFile_data();
+    void recoveredIsInItsFile();
     void nothingIsLeftAfterAnOrderlyEnd();
 
 private:
@@ -281,6 +283,48 @@ void SessionWindowTest::isRecoveredAfterACrash() {
     }
     QVERIFY(!isOffered());
     QVERIFY(QDir(journalFolder()).entryList(QDir::Files).isEmpty());
+}
+
+void SessionWindowTest::recoveredIsInItsFile_data() {
+    QTest::addColumn<bool>("isNewer");
+    QTest::newRow("as it was saved") << false;
+    QTest::newRow("written since") << true;
+}
+
+/// It is saved to the file that it was in, unless somebody wrote that since.
+void SessionWindowTest::recoveredIsInItsFile() {
+    QFETCH(bool, isNewer);
+    const QString file = path("kept.hitscope");
+    shoot(4, 6);
+    save(file);
+    shoot(3, 7);
+    const std::size_t hits = m_session->hits().history().size();
+    QVERIFY(m_window->isWindowModified());
+    QTest::qWait(300);  // until the journal has begun
+    QVERIFY(m_window->findChild<SessionJournal*>()->writer().wait(kPatience));
+    if (isNewer) {
+        QFile touched(file);
+        QVERIFY(touched.open(QIODevice::ReadWrite));
+        QVERIFY(touched.setFileTime(QDateTime::currentDateTime().addSecs(60), QFile::FileModificationTime));
+    }
+    makeWindow([](Session& session) { loadTeapot(session); });
+    m_window->offerRecovery();
+    QTRY_VERIFY_WITH_TIMEOUT(isOffered(), kPatience);
+    bool isNamed = false;
+    for (const QLabel* label : m_window->findChild<RecoveryBar*>()->findChildren<QLabel*>()) {
+        isNamed = isNamed || label->text().contains(QStringLiteral("kept.hitscope"));
+    }
+    QVERIFY(isNamed);
+    m_window->findChild<QPushButton*>(QStringLiteral("recover"))->click();
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->hits().history().size(), hits, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!files().isBusy(), kPatience);
+    QCOMPARE(files().path(), isNewer ? QString() : file);
+    QVERIFY(m_window->isWindowModified());
+    if (!isNewer) {
+        m_session->hits().remove(0);
+        save(file);
+        QVERIFY(!m_window->isWindowModified());
+    }
 }
 
 void SessionWindowTest::nothingIsLeftAfterAnOrderlyEnd() {

@@ -256,7 +256,7 @@ void FileActions::askAndOpenDocument(SessionDocument document) {
     const auto shared = std::make_shared<SessionDocument>(std::move(document));
     m_parts.guard.ask([this, shared] {
         m_parts.files.cancel();
-        m_parts.sessions.openDocument(*shared);
+        m_parts.sessions.openDocument(*shared, {});
     });
 }
 

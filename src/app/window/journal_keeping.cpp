@@ -24,6 +24,11 @@ JournalKeeping::JournalKeeping(Session& session, SessionFiles& files, WindowView
     new JournalPicture(viewport, *m_journal, this);
     connect(&files, &SessionFiles::saved, this, &JournalKeeping::takeSaved);
     connect(&files, &SessionFiles::opened, this, &JournalKeeping::takeOpened);
+    connect(&files, &SessionFiles::changed, this, &JournalKeeping::noteFile);
+    connect(m_journal, &SessionJournal::begun, this, [this] {
+        m_file.clear();  // a new journal says nothing of it yet
+        noteFile();
+    });
     connect(&files, &SessionFiles::left, m_journal, &SessionJournal::finish);
     connect(&viewport, &Viewport::optionsChanged, m_journal, &SessionJournal::viewChanged);
     connect(&m_journal->writer(), &JournalWriter::failed, this, [this](const Error& error) {
@@ -38,6 +43,13 @@ void JournalKeeping::flush() {
 
 void JournalKeeping::finish() {
     m_journal->finish();
+}
+
+void JournalKeeping::noteFile() {
+    if (m_journal->isBegun() && m_files.path() != m_file) {
+        m_file = m_files.path();
+        m_journal->writer().setFile(m_file);
+    }
 }
 
 void JournalKeeping::takeSaved() {

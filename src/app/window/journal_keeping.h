@@ -28,11 +28,13 @@ Q_SIGNALS:
     void noticeWanted(const QString& text);  ///< why there can be no journal
 
 private:
+    void noteFile();
     void takeSaved();
     void takeOpened(const QString& path);
 
     SessionFiles& m_files;
     SessionJournal* m_journal;
+    QString m_file;  ///< that the journal names
 };
 
 }  // namespace hitscope
