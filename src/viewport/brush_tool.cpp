@@ -265,25 +265,32 @@ bool BrushTool::step() {
     return m_stroke && !m_stroke->ahead.empty();
 }
 
-void BrushTool::endStroke() {
-    if (!m_stroke) {
-        return;
-    }
+/// Returns the hits of the stroke.
+std::size_t BrushTool::leaveStroke() {
     const std::size_t hits = m_stroke->hits;
     m_stroke.reset();
     m_paintTimer.stop();
     m_session.finishUndoStep();
-    Q_EMIT strokeEnded(hits);
+    return hits;
+}
+
+void BrushTool::endStroke() {
+    if (m_stroke) {
+        const std::size_t hits = leaveStroke();
+        if (hits > 0) {
+            Q_EMIT strokeEnded(hits);
+        }
+    }
 }
 
 void BrushTool::cancelStroke() {
     const HitGroup group = m_stroke->group;
-    const std::size_t hits = m_stroke->hits;
-    endStroke();
+    const std::size_t hits = leaveStroke();
     const std::span<const Hit> all = m_session.hits().history().hits();
     if (hits > 0 && !all.empty() && all.back().group == group) {
         m_session.undo();
     }
+    Q_EMIT strokeEnded(0);
 }
 
 // The ring

@@ -59,7 +59,7 @@ public:
 
 Q_SIGNALS:
     void settingsChanged();
-    void strokeEnded(std::size_t hits);
+    void strokeEnded(std::size_t hits);  ///< 0: it was cancelled
     void refused(const hitscope::Error& error);
 
 protected:
@@ -85,6 +85,7 @@ private:
     void change(bool strength, double factor);
     void paint();
     bool step();
+    std::size_t leaveStroke();
     void endStroke();
     void cancelStroke();
     [[nodiscard]] std::optional<Hit> hitAt(const QPointF& position) const;

@@ -254,7 +254,7 @@ void Viewport::endFrame() {
     if (painted == Painted::Nothing) {
         return;
     }
-    const bool follows = painted == Painted::Following;
+    const bool follows = painted == Painted::Following && m_sinceFrame.isValid();
     const double seconds = follows ? static_cast<double>(m_sinceFrame.nsecsElapsed()) * kNanosecond : drawing;
     m_sinceFrame.start();
     m_session.frameCosts().endFrame(seconds, follows);

@@ -72,6 +72,7 @@ void Viewport::moveOn() {
     if (!wantsFrames()) {
         m_costsTimer.start();
         m_clock.invalidate();
+        m_sinceFrame.invalidate();  // a pause begins, whatever draws the next frame
         m_catchUp.end();
         m_motion.setCatchingUp(false);
         if (m_catchUp.isPictureWanted()) {

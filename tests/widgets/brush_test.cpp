@@ -168,6 +168,26 @@ private Q_SLOTS:
         QCOMPARE(hits().size(), std::size_t{0});
     }
 
+    /// In a field Return takes the number, and then what is planned.
+    void returnScatters() {
+        trigger(QStringLiteral("Scatter Hits"));
+        auto* dialog = m_window->findChild<ScatterDialog*>();
+        QVERIFY(dialog != nullptr);
+        makeActive(*dialog);
+        auto* count = dialog->findChild<QSpinBox*>(QStringLiteral("count"));
+        count->setFocus();
+        count->selectAll();
+        QTest::keyClicks(count, QStringLiteral("7"));
+        QTest::keyClick(count, Qt::Key_Return);
+        QVERIFY(dialog->isVisible() || hits().size() == 7);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            dialog->planner().current() != nullptr && dialog->planner().current()->hits.size() == 7,
+            kPatience);
+        QTest::keyClick(count, Qt::Key_Return);
+        QCOMPARE(hits().size(), std::size_t{7});
+        QVERIFY(!dialog->isVisible());
+    }
+
     void mirrorRepeatsHitsOnTheOtherSide() {
         Hit hit;
         hit.target = m_session->targets().front()->id;

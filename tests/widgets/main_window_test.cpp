@@ -15,6 +15,7 @@
 #include "io/import.h"
 #include "mesh/primitives.h"
 #include "models/mesh_statistics_model.h"
+#include "session/frame_costs.h"
 #include "session/task_list.h"
 #include "support/test_program.h"
 #include "widgets/window_support.h"
@@ -32,6 +33,7 @@ private Q_SLOTS:
     void opensOnTheDefaultScene();
     void openClickInspectExport();
     void undoAndRedoByKey();
+    void aPauseIsNoFrame();
     void pipelinesGiveTheSameMesh();
     void badFilesSayOneThing_data();
     void badFilesSayOneThing();
@@ -146,6 +148,32 @@ void MainWindowTest::undoAndRedoByKey() {
     QCOMPARE(session.hits().history().size(), std::size_t{1});
     QCOMPARE(window.statusBar()->currentMessage(), QStringLiteral("Redone: Hit"));
     QTRY_COMPARE_WITH_TIMEOUT(cube.deformed.statistics().changedVertices, dented, kPatience);
+}
+
+/// Whatever is drawn when a pause begins, the first frame behind it is not counted as long as the pause.
+void MainWindowTest::aPauseIsNoFrame() {
+    constexpr int kPause = 1500;  // milliseconds
+    Session session;
+    loadMesh(session, makeHighPolyCube(2.5f));
+    MainWindow window(session);
+    showReady(window);
+    clickCentre(window);
+    QTRY_COMPARE_WITH_TIMEOUT(session.hits().history().size(), std::size_t{1}, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!session.simulation().isMoving(), kPatience);
+    // A bar opens, and another scene comes: frames that nothing moves in.
+    window.resize(window.size() - QSize(0, 30));
+    QTest::qWait(kPause);
+    loadMesh(session, makeHighPolyCube(2.5f));
+    QTest::qWait(kPause);
+    const std::uint64_t before = session.frameCosts().frames().back().number;
+    clickCentre(window);
+    QTRY_COMPARE_WITH_TIMEOUT(session.hits().history().size(), std::size_t{1}, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(session.frameCosts().frames().back().number > before, kPatience);
+    const Ring<FrameCost>& frames = session.frameCosts().frames();
+    for (std::size_t i = 1; i < frames.size(); ++i) {
+        QVERIFY2(frames[i].total < 0.9e-3 * kPause,
+                 qPrintable(QStringLiteral("frame %1 took %2 s").arg(i).arg(frames[i].total)));
+    }
 }
 
 void MainWindowTest::pipelinesGiveTheSameMesh() {

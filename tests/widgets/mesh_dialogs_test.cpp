@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -190,6 +191,9 @@ void MeshDialogsTest::simplifyAndSmoothApplyHits() {
         const bool isFirst = name[1] == 'm';
         QCOMPARE(apply.isEnabled(), isFirst);  // the second time there are no hits any more
         QCOMPARE(apply.isChecked(), isFirst);
+        const auto& number = part<QSpinBox>(*dialog, isFirst ? "passes" : "share");
+        QCOMPARE(number.findChild<QLineEdit*>()->selectedText(), number.cleanText());  // typing replaces it
+        QVERIFY(part<QPushButton>(*dialog, "accept").isDefault());
         if (!isFirst) {
             type(*dialog, "share", "25");
         }

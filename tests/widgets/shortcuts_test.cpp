@@ -3,6 +3,8 @@
 #include <QAction>
 #include <QApplication>
 #include <QMap>
+#include <QMenu>
+#include <QMenuBar>
 #include <QTest>
 
 #include "app/main_window.h"
@@ -38,6 +40,36 @@ private Q_SLOTS:
             QVERIFY2(it.value().size() == 1,
                      qPrintable(it.key() + QStringLiteral(": ") + it.value().join(u'|')));
         }
+    }
+
+    /// Of two entries with one letter, pressing it only selects one after the other.
+    void everyLetterOfAMenuHasOneMeaning() {
+        const TestSettings settings;
+        Session session;
+        loadPaperRow(session, kDefaultPaperRow);
+        MainWindow window(session);
+        QStringList doubles;
+        const auto check = [&doubles](const QString& menu, const QList<QAction*>& actions) {
+            QMap<QString, QStringList> meanings;
+            for (const QAction* action : actions) {
+                const QKeySequence letter = QKeySequence::mnemonic(action->text());
+                if (!letter.isEmpty()) {
+                    meanings[letter.toString()] << action->text();
+                }
+            }
+            for (auto it = meanings.cbegin(); it != meanings.cend(); ++it) {
+                if (it.value().size() > 1) {
+                    doubles << menu + u' ' + it.key() + QStringLiteral(": ") + it.value().join(u'|');
+                }
+            }
+        };
+        check(QStringLiteral("menu bar"), window.menuBar()->actions());
+        const QList<QMenu*> menus = window.menuBar()->findChildren<QMenu*>();
+        QVERIFY(menus.size() > 8);
+        for (const QMenu* menu : menus) {
+            check(menu->title(), menu->actions());
+        }
+        QVERIFY2(doubles.isEmpty(), qPrintable(doubles.join(u'\n')));
     }
 };
 

@@ -129,7 +129,7 @@ void CameraActions::fill(QMenu& menu) {
         m_presets[preset]->setCheckable(true);
         presets->addAction(m_presets[preset]);
     }
-    fillBookmarks(*menu.addMenu(tr("&Bookmarks")));
+    fillBookmarks(*menu.addMenu(tr("Boo&kmarks")));
     follow();
 }
 

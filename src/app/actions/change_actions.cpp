@@ -127,7 +127,7 @@ void ChangeActions::fill(QMenu& menu) {
         display.beforeAfter.exaggeration = on ? kUsualExaggeration : 1.0f;
     });
     menu.addSeparator();
-    fillPipelines(*menu.addMenu(tr("&Compare with Pipeline")));
+    fillPipelines(*menu.addMenu(tr("Com&pare with Pipeline")));
     m_sideBySide = menu.addAction(tr("&Side by Side"));
     m_sideBySide->setShortcut(tr("Shift+B"));
     m_sideBySide->setCheckable(true);

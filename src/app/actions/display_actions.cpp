@@ -36,7 +36,7 @@ void DisplayActions::fill(QMenu& menu, const std::function<void(QMenu&)>& fillMi
     fillMiddle(menu);
     m_floor = addToggle(menu, tr("F&loor"), {}, true, this,
                         [this](bool on) { change([on](DisplayOptions& display) { display.floor = on; }); });
-    m_crosshair = addToggle(menu, tr("&Crosshair"), Qt::Key_C, false, this, [this](bool on) {
+    m_crosshair = addToggle(menu, tr("Cro&sshair"), Qt::Key_C, false, this, [this](bool on) {
         change([on](DisplayOptions& display) { display.crosshair = on; });
     });
     follow();

@@ -69,7 +69,7 @@ void ExchangeActions::takeDrop(QDropEvent& event) {
 }
 
 void ExchangeActions::fill(QMenu& menu) {
-    addAction(menu, tr("Copy Pictu&re"), tr("Ctrl+F12"), this, [this] { copyPicture(); });
+    addAction(menu, tr("Copy P&icture"), tr("Ctrl+F12"), this, [this] { copyPicture(); });
     m_outgoing->fill(menu);
     addAction(menu, tr("&Paste"), QKeySequence::Paste, this, [this] { paste(); })
         ->setToolTip(

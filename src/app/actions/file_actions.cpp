@@ -100,9 +100,9 @@ void FileActions::fill(QMenu& menu) {
     m_recent = menu.addMenu(tr("Open &Recent"));
     m_recent->setToolTipsVisible(true);
     connect(m_recent, &QMenu::aboutToShow, this, &FileActions::showRecent);
-    addAction(menu, tr("&Add to Scene…"), tr("Ctrl+Shift+O"), this, [this] { chooseAddition(); });
+    addAction(menu, tr("A&dd to Scene…"), tr("Ctrl+Shift+O"), this, [this] { chooseAddition(); });
     menu.addSeparator();
-    m_scenes = menu.addMenu(tr("&Scenes"));
+    m_scenes = menu.addMenu(tr("S&cenes"));
     fillScenes(*m_scenes);
     menu.addSeparator();
     m_save = addAction(

@@ -32,7 +32,7 @@ MeshActions::MeshActions(Session& session, AimPreview& aim, QWidget& window)
 
 void MeshActions::fill(QMenu& menu) {
     m_refine = addAction(menu, tr("&Refine…"), {}, this, [this] { show(MeshStepDialog::Kind::Refine); });
-    m_refineAtAim = addAction(menu, tr("Refine at the &Aim"), tr("Ctrl+R"), this, [this] { refineAtAim(); });
+    m_refineAtAim = addAction(menu, tr("Refi&ne at the Aim"), tr("Ctrl+R"), this, [this] { refineAtAim(); });
     m_refineAtAim->setToolTip(tr("Makes the mesh finer where the shot under the cursor would make its dent"));
     m_simplify =
         addAction(menu, tr("S&implify…"), {}, this, [this] { show(MeshStepDialog::Kind::Simplify); });

@@ -105,9 +105,9 @@ void PictureActions::fill(QMenu& menu) {
     connect(m_save, &QAction::triggered, this, &PictureActions::saveAtOnce);
     connect(addAction(menu, tr("Save Pic&ture As…"), tr("Shift+F12")), &QAction::triggered, this,
             &PictureActions::choosePicture);
-    connect(addAction(menu, tr("Save Picture Se&quence…"), {}), &QAction::triggered, this,
+    connect(addAction(menu, tr("Save Picture Seq&uence…"), {}), &QAction::triggered, this,
             &PictureActions::chooseSequence);
-    QAction* turntable = addAction(menu, tr("Save T&urntable"), {});
+    QAction* turntable = addAction(menu, tr("Save Turnta&ble"), {});
     turntable->setToolTip(
         tr("Pictures once around the whole scene, refined, as it is shown now, into a new folder beside "
            "other pictures"));

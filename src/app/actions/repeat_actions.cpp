@@ -40,7 +40,9 @@ RepeatActions::RepeatActions(Session& session, Viewport& viewport, HitEditing& e
                         .arg(percent(brush.settings().size), percent(brush.settings().strength)));
     });
     connect(&brush, &BrushTool::strokeEnded, this, [this](std::size_t hits) {
-        if (hits > 0) {
+        if (hits == 0) {
+            Q_EMIT said(tr("Brush stroke cancelled"));
+        } else {
             Q_EMIT said(tr("Hits in the brush stroke: %1").arg(countText(hits)));
         }
     });

@@ -20,7 +20,7 @@ ThemeActions::ThemeActions(AppSettings& settings, Viewport& viewport, QObject* p
 void ThemeActions::fill(QMenu& menu) {
     QMenu& window = *menu.addMenu(tr("&Theme"));
     auto* themes = new QActionGroup(this);
-    const std::pair<QString, ThemeChoice> choices[] = {{tr("Follow &Desktop"), ThemeChoice::System},
+    const std::pair<QString, ThemeChoice> choices[] = {{tr("&Follow Desktop"), ThemeChoice::System},
                                                        {tr("&Light"), ThemeChoice::Light},
                                                        {tr("&Dark"), ThemeChoice::Dark}};
     for (const auto& [name, choice] : choices) {

@@ -33,8 +33,8 @@ TimeActions::TimeActions(Session& session, QObject* parent)
     : QObject(parent),
       m_session(session),
       m_pause(makeAction(tr("P&ause"), Qt::Key_P, QStringLiteral("pause"))),
-      m_step(makeAction(tr("Single S&tep"), Qt::Key_Period, QStringLiteral("step"))),
-      m_slow(makeAction(tr("Slow &Motion (%1×)").arg(shownNumber(kSlowMotion)), Qt::Key_Comma,
+      m_step(makeAction(tr("Si&ngle Step"), Qt::Key_Period, QStringLiteral("step"))),
+      m_slow(makeAction(tr("Slo&w Motion (%1×)").arg(shownNumber(kSlowMotion)), Qt::Key_Comma,
                         QStringLiteral("slow"))),
       m_steps(new QActionGroup(this)) {
     m_pause->setCheckable(true);
@@ -61,7 +61,7 @@ void TimeActions::fill(QMenu& menu) {
     menu.addAction(m_pause);
     menu.addAction(m_step);
     menu.addAction(m_slow);
-    fillStepMenu(*menu.addMenu(tr("Physics Ste&p")));
+    fillStepMenu(*menu.addMenu(tr("Ph&ysics Step")));
     follow();
 }
 

@@ -76,6 +76,8 @@ MeshStepDialog::MeshStepDialog(Kind kind, std::shared_ptr<const MeshData> mesh, 
     connect(box, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(box, &QDialogButtonBox::rejected, this, &QDialog::reject);
     form->addRow(box);
+    box->button(QDialogButtonBox::Cancel)->setAutoDefault(false);
+    m_accept->setDefault(true);
     m_soon.setSingleShot(true);
     m_soon.setInterval(kPreviewAfter);
     connect(&m_soon, &QTimer::timeout, this, &MeshStepDialog::beginPreview);
@@ -106,6 +108,8 @@ void MeshStepDialog::makeRefineRows(QFormLayout& form) {
     m_length->setSuffix(tr(" m"));
     m_length->setToolTip(tr("No edge in the region is longer afterwards"));
     m_length->showNumber(static_cast<double>(usualLength()));
+    m_length->setFocus();
+    m_length->selectAll();
     form.addRow(tr("&Edge length:"), m_length);
     m_method = new QComboBox(this);
     m_method->setObjectName(QStringLiteral("method"));
@@ -148,6 +152,8 @@ void MeshStepDialog::makeOtherRows(QFormLayout& form) {
         form.addRow({}, m_keepBorders);
         connect(m_keepBorders, &QCheckBox::toggled, this, &MeshStepDialog::follow);
     }
+    number->setFocus();
+    number->selectAll();
     connect(number, &QSpinBox::valueChanged, this, &MeshStepDialog::follow);
 }
 

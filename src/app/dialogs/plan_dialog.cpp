@@ -26,7 +26,6 @@ PlanDialog::PlanDialog(Session& session, Viewport& viewport, const QString& titl
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     m_apply = buttons->addButton(apply, QDialogButtonBox::ActionRole);
     m_apply->setObjectName(QStringLiteral("apply"));
-    m_apply->setDefault(true);
     m_summary->setObjectName(QStringLiteral("summary"));
     m_summary->setTextFormat(Qt::PlainText);
     m_summary->setWordWrap(true);
@@ -38,6 +37,9 @@ PlanDialog::PlanDialog(Session& session, Viewport& viewport, const QString& titl
     column->addLayout(m_fields);
     column->addWidget(m_summary);
     column->addWidget(buttons);
+    // In the dialog by now, which would take another button for Return otherwise: Close.
+    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);
+    m_apply->setDefault(true);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     connect(m_apply, &QPushButton::clicked, this, &PlanDialog::apply);
     connect(&m_planner, &HitPlanner::planned, this, &PlanDialog::showPlan);

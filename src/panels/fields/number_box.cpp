@@ -66,7 +66,11 @@ void NumberBox::showDiffering() {
 }
 
 QString NumberBox::textFromValue(double value) const {
-    return m_differs ? tr("differ") : shownFloat(static_cast<float>(value));
+    if (m_differs) {
+        const bool touches = !suffix().isEmpty() && !suffix().front().isSpace();  // as "°" does
+        return touches ? tr("differ") + u' ' : tr("differ");
+    }
+    return shownFloat(static_cast<float>(value));
 }
 
 QString NumberBox::number(const QString& text) const {
@@ -86,7 +90,7 @@ double NumberBox::valueFromText(const QString& text) const {
 QValidator::State NumberBox::validate(QString& text, int& /*position*/) const {
     bool isNumber = false;
     const double read = locale().toDouble(number(text), &isNumber);
-    if (isNumber || (m_differs && number(text) == textFromValue(value()))) {
+    if (isNumber || (m_differs && number(text) == textFromValue(value()).trimmed())) {
         return !isNumber || (read >= minimum() && read <= maximum()) ? QValidator::Acceptable
                                                                      : QValidator::Intermediate;
     }
