@@ -173,6 +173,8 @@ void ExportFormatsTest::stepsAreInTheEstimate() {
         if (steps == 0) {
             without = written;
             withoutSaid = said;
+            QVERIFY2(said > 0.8 * written && said < 1.3 * written,
+                     qPrintable(QStringLiteral("%1 of %2").arg(said).arg(written)));
             continue;
         }
         const double share = (said - withoutSaid) / (written - without);

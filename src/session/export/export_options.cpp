@@ -18,13 +18,16 @@ namespace hitscope {
 namespace {
 
 // Typical bytes, from files that other programs write.
-constexpr std::uint64_t kNumber = 9;        // of a text, with its blank
-constexpr std::uint64_t kCsvNumber = 14;    // likewise, of all digits
-constexpr std::uint64_t kPlySource = 5;     // of a vertex: whether it is new, its number in the file
-constexpr std::uint64_t kPlyVertex = 44;    // position, normal, displacement, its length, hits
-constexpr std::uint64_t kGltfVertex = 44;   // position, normal, texture coordinate, number in the file
+constexpr std::uint64_t kNumber = 9;       // of a text, with its blank
+constexpr std::uint64_t kCsvNumber = 14;   // likewise, of all digits
+constexpr std::uint64_t kPlySource = 5;    // of a vertex: whether it is new, its number in the file
+constexpr std::uint64_t kPlyVertex = 44;   // position, normal, displacement, its length, hits
+constexpr std::uint64_t kGltfVertex = 16;  // position, number in the file
+constexpr std::uint64_t kGltfNormal = 12;
+constexpr std::uint64_t kGltfTexcoord = 8;
+constexpr std::uint64_t kGltfText = 2500;   // its JSON
 constexpr std::uint64_t kLooseVertex = 28;  // position, its change, number in the file
-constexpr std::uint64_t kMorph = 24;        // change of position and normal
+constexpr std::uint64_t kMorph = 12;        // change of a position, or of a normal
 constexpr double kMorphStep = 900.0;        // its accessors, in the JSON
 constexpr double kStepVertex = 28.0;        // that a step moves: its number, change of position and normal
 constexpr std::uint64_t kFacet = 50;        // of a binary STL
@@ -112,6 +115,25 @@ std::uint64_t stepBytes(const Target& target, const ExportOptions& options, std:
     return static_cast<std::uint64_t>(count * (kMorphStep + kStepVertex * ofOne));
 }
 
+/// Without the steps of an animation.
+std::uint64_t gltfBytes(const Target& target, const ExportOptions& options) {
+    const MeshData& mesh = target.deformed.original();
+    const bool hasNormals = target.sourcePath.isEmpty() || !mesh.normals.empty() || options.allNormals;
+    const bool hasTexcoords = !mesh.cornerTexcoords.empty();
+    // Corners of one vertex are drawn apart for their normals and texture coordinates alone.
+    const std::uint64_t drawn =
+        hasNormals || hasTexcoords ? target.deformed.vertices().size() : mesh.positions.size();
+    const std::uint64_t ofVertex = kGltfVertex + (hasNormals ? kGltfNormal : 0) +
+                                   (hasTexcoords ? kGltfTexcoord : 0) + (mesh.colours.empty() ? 0 : kMorph);
+    const std::uint64_t ofMorph = kMorph * (hasNormals ? 2 : 1);
+    const std::uint64_t changed = target.deformed.statistics().changedVertices * drawn /
+                                  std::max<std::uint64_t>(1, mesh.positions.size());
+    const std::uint64_t index = drawn < 0xffff ? 2 : 4;
+    return kGltfText + ofVertex * drawn + std::min(ofMorph * drawn, (ofMorph + 4) * changed) +
+           3 * index * (mesh.cornerVertices.size() - 2 * mesh.faceCount()) +
+           (kLooseVertex + 4) * (2 * segmentsOf(mesh) + mesh.points.size()) + pictureBytes(target);
+}
+
 /// isAlone: in the file.
 std::uint64_t bytesOf(const Target& target, const ExportOptions& options, bool isAlone,
                       std::span<const Hit> hits) {
@@ -119,7 +141,6 @@ std::uint64_t bytesOf(const Target& target, const ExportOptions& options, bool i
     const std::uint64_t vertices = mesh.positions.size();
     const std::uint64_t corners = mesh.cornerVertices.size();
     const std::uint64_t faces = mesh.faceCount();
-    const std::uint64_t drawn = target.deformed.vertices().size();
     const bool hasTexcoords = !mesh.cornerTexcoords.empty();
     switch (options.format) {
         case ExportFormat::Obj: {
@@ -140,9 +161,7 @@ std::uint64_t bytesOf(const Target& target, const ExportOptions& options, bool i
             return kFacet * (corners - 2 * faces);
         case ExportFormat::Glb:
         case ExportFormat::Gltf:
-            return (kGltfVertex + kMorph) * drawn + 12 * (corners - 2 * faces) +
-                   (kLooseVertex + 4) * (2 * segmentsOf(mesh) + mesh.points.size()) + pictureBytes(target) +
-                   stepBytes(target, options, hits);
+            return gltfBytes(target, options) + stepBytes(target, options, hits);
         case ExportFormat::Csv:
             break;
     }
