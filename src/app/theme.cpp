@@ -33,10 +33,15 @@ public:
         painter->setPen(window.darker(kEdge));
         painter->drawLine(option->rect.bottomLeft(), option->rect.bottomRight());
     }
-    /// Fusion's outlines are darker than the window, and so not to be seen in a dark one.
+    /// Fusion's outlines are darker than the window, and so not to be seen in a dark one; nor is what is
+    /// pressed.
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override {
         QProxyStyle::drawPrimitive(element, option, painter, widget);
+        if (element == PE_PanelButtonTool && (option->state & State_On) != 0 && isDark(option->palette)) {
+            markPressed(*option, *painter);
+            return;
+        }
         const bool isBox = element == PE_IndicatorCheckBox;
         if ((!isBox && element != PE_IndicatorRadioButton) || !isDark(option->palette)) {
             return;
@@ -53,7 +58,20 @@ public:
     }
 
 private:
-    static constexpr double kCorner = 1.5;  // pixels
+    /// Fusion's pressed buttons are somewhat darker, which in a dark window looks like a disabled one.
+    static void markPressed(const QStyleOption& option, QPainter& painter) {
+        QColor fill = option.palette.color(QPalette::Highlight);
+        fill.setAlphaF(kPressed);
+        painter.save();
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(option.palette.color(QPalette::Highlight));
+        painter.setBrush(fill);
+        painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), 2 * kCorner, 2 * kCorner);
+        painter.restore();
+    }
+
+    static constexpr float kPressed = 0.3f;  // opacity
+    static constexpr double kCorner = 1.5;   // pixels
     static constexpr float kFaint = 0.6f;
     static constexpr int kEdge = 125;  // per cent
 };

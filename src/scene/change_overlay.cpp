@@ -232,6 +232,9 @@ void ChangeOverlay::paint(QPainter& painter, const SceneGpu::View& view) {
     const Ink ink = inkOf(view.options.theme);
     const BeforeAfterOptions& beforeAfter = view.options.beforeAfter;
     painter.setRenderHint(QPainter::Antialiasing);
+    if (isComparing(view)) {
+        paintComparison(painter, view, size, ink);  // its line, which the colour bar stands on
+    }
     if (view.options.change.on) {
         const ShownChange change =
             shownChange(view.options.change, view.changeValues ? view.changeValues->summary() : Summary());
@@ -251,9 +254,6 @@ void ChangeOverlay::paint(QPainter& painter, const SceneGpu::View& view) {
         if (two) {
             paintWipe(painter, beforeAfter, {width, size.width()}, size.height(), ink);
         }
-    }
-    if (isComparing(view)) {
-        paintComparison(painter, view, size, ink);
     }
     if (beforeAfter.exaggeration != 1.0f) {
         const QString note = words(QT_TRANSLATE_NOOP("hitscope::ChangeOverlay", "Displacement drawn x%1"))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/aim_preview.h"
 
+#include <QChildEvent>
 #include <QEvent>
 #include <QLabel>
 #include <QMouseEvent>
@@ -35,6 +36,9 @@ AimPreview::AimPreview(Session& session, Viewport& viewport)
     m_rest.setInterval(kRest);
     viewport.setMouseTracking(true);
     viewport.installEventFilter(this);
+    for (QWidget* child : viewport.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        child->installEventFilter(this);
+    }
     connect(&m_rest, &QTimer::timeout, this, &AimPreview::show);
     connect(&viewport.navigation(), &Navigation::cameraChanged, this, &AimPreview::wait);
     connect(&viewport, &Viewport::optionsChanged, this, &AimPreview::wait);
@@ -59,6 +63,13 @@ void AimPreview::setClicksShoot(bool on) {
 }
 
 bool AimPreview::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != &m_viewport) {
+        if (event->type() == QEvent::Enter) {  // onto a handle or a button, whose moves do not come here
+            m_isOver = false;
+            clear();
+        }
+        return QObject::eventFilter(watched, event);
+    }
     switch (event->type()) {
         case QEvent::MouseMove: {
             const auto* move = static_cast<const QMouseEvent*>(event);
@@ -79,6 +90,11 @@ bool AimPreview::eventFilter(QObject* watched, QEvent* event) {
             wait();
             break;
         }
+        case QEvent::ChildAdded:
+            if (QObject* child = static_cast<const QChildEvent*>(event)->child(); child->isWidgetType()) {
+                child->installEventFilter(this);
+            }
+            break;
         default:
             break;
     }

@@ -30,6 +30,7 @@ private Q_SLOTS:
     void cleanup() { dropWindow(); }
     void restingCursorForetells();
     void previewCanBeTurnedOff();
+    void previewGoesWhereAHandleIs();
     void fewVerticesAreRefinedAtTheAim();
     void burstFromTheDialog();
     void sequenceAlongALine();
@@ -96,6 +97,25 @@ void ShotsTest::previewCanBeTurnedOff() {
     QTest::qWait(3 * AimPreview::kRest);
     QVERIFY(!label().isVisible());
     preview->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(label().isVisible(), kPatience);
+}
+
+/// Moves over a handle do not reach the viewport: it would go on about where the cursor was before.
+void ShotsTest::previewGoesWhereAHandleIs() {
+    moveTo(m_window->viewport().rect().center());
+    QTRY_VERIFY_WITH_TIMEOUT(label().isVisible(), kPatience);
+    QWidget handle(&m_window->viewport());
+    handle.show();
+    QEnterEvent enter({1, 1}, {1, 1}, {1, 1});
+    QCoreApplication::sendEvent(&handle, &enter);
+    QVERIFY(!label().isVisible());
+    Hit hit;
+    hit.target = m_session->targets().front()->id;
+    QVERIFY(m_session->hits().add(hit).ok());  // what changes the mesh shows it again, but not now
+    QVERIFY(m_window->viewport().syncNow().ok());
+    QTest::qWait(3 * AimPreview::kRest);
+    QVERIFY(!label().isVisible());
+    moveTo(m_window->viewport().rect().center());
     QTRY_VERIFY_WITH_TIMEOUT(label().isVisible(), kPatience);
 }
 

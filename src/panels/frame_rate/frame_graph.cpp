@@ -245,6 +245,9 @@ void FrameGraph::fill() {
             for (int graph = 0; graph < m_plot.graphCount(); ++graph) {
                 m_plot.graph(graph)->addData(before - now, kNothing);
             }
+            FrameCost begin = cost;  // so that a frame that stands alone is a line, too
+            begin.hits = 0;
+            fillFrame(begin, cost.end - cost.total - now, highest);
         }
         before = cost.end;
         fillFrame(cost, cost.end - now, highest);
