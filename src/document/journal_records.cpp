@@ -288,6 +288,7 @@ private:
             return Error{"A line edits hits that are not there.", "", ""};
         }
         hits.splice(edit.at, edit.remove, edit.insert);
+        recovered.document.positions.clear();  // they are those of the hits before
         ++recovered.edits;
         return Done{};
     }
@@ -302,6 +303,9 @@ private:
             return ids;
         }
         for (const Section section : read.sections) {
+            if (section == Section::Targets) {
+                recovered.document.positions.clear();
+            }
             moveSection(section, read.document, recovered.document);
         }
         ++recovered.settings;

@@ -34,6 +34,7 @@ public:
         const auto from = hits.begin() + static_cast<std::ptrdiff_t>(at);
         hits.insert(hits.erase(from, from + static_cast<std::ptrdiff_t>(remove)), insert.begin(),
                     insert.end());
+        m_document.positions.clear();  // of the hits before
         add(m_lines.edit(at, remove, insert));
     }
     void set(const std::vector<Section>& sections) { add(m_lines.set(sections, m_document)); }
@@ -87,7 +88,6 @@ private Q_SLOTS:
     void allOfItComesBack();
     void everySection();
     void pictures();
-    void files();
     void cutAnywhere();
     void damagedAnywhere();
     void linesOutOfPlace();
@@ -163,23 +163,6 @@ void JournalRecordsTest::pictures() {
     QVERIFY(!readJournal(tooLarge).value().problem.empty());
     const QByteArray noBase64 = bytes + lineOf(5, R"({"picture":"a*b"})");
     QVERIFY(!readJournal(noBase64).value().problem.empty());
-}
-
-/// The last counts.
-void JournalRecordsTest::files() {
-    JournalLines lines;
-    QByteArray bytes = QByteArray::fromStdString(lines.begin(exampleDocument()));
-    QCOMPARE(readJournal(bytes).value().file, QString());
-    const QString first = QStringLiteral("/tmp/a “b”.hitscope");
-    bytes += QByteArray::fromStdString(lines.file(first));
-    QCOMPARE(readJournal(bytes).value().file, first);
-    const QString second = QStringLiteral("/tmp/b.hitscope");
-    bytes += QByteArray::fromStdString(lines.edit(0, 1, {}));
-    bytes += QByteArray::fromStdString(lines.file(second));
-    const Result<RecoveredJournal> read = readJournal(bytes);
-    QCOMPARE(read.value().file, second);
-    QVERIFY2(read.value().problem.empty(), read.value().problem.c_str());
-    QVERIFY(!readJournal(bytes + lineOf(5, R"({"file":7})")).value().problem.empty());
 }
 
 void JournalRecordsTest::cutAnywhere() {
