@@ -150,8 +150,9 @@ private Q_SLOTS:
             QStringList measured;
             for (const auto& record : recordsOf(run.out)) {
                 if (std::abs(number(record, "vertices") - vertices) > 0.1 * vertices ||
-                    text(record, "measured") == QLatin1String("open to coarse picture")) {
-                    continue;  // a small file may be open before its coarse picture is drawn
+                    text(record, "measured") == QLatin1String("open to coarse picture") ||
+                    text(record, "measured").endsWith(QLatin1String(", in full"))) {
+                    continue;  // it depends on the machine whether a coarse picture comes first
                 }
                 measured << text(record, "measured");
                 QVERIFY2(number(record, "seconds_median") > 0.0, qPrintable(measured.last()));
