@@ -278,23 +278,37 @@ void TargetBuffers::attachColours() {
     }
 }
 
-void TargetBuffers::needClusterNumbers() {
+void TargetBuffers::bringClusterNumbers() {
     if (m_clusterNumbers) {
         return;
     }
-    // Two bytes a vertex are enough for four million vertices.
-    const bool isShort = m_clusters.size() <= std::numeric_limits<std::uint16_t>::max();
-    m_clusterNumbers =
-        isShort ? makeBuffer(std::span<const std::uint16_t>(clusterNumbers<std::uint16_t>(m_clusters)),
-                             GL_STATIC_DRAW)
-                : makeBuffer(std::span<const std::uint32_t>(clusterNumbers<std::uint32_t>(m_clusters)),
-                             GL_STATIC_DRAW);
+    if (areClusterNumbersShort()) {
+        m_clusterNumbers = makeBuffer(
+            std::span<const std::uint16_t>(clusterNumbers<std::uint16_t>(m_clusters)), GL_STATIC_DRAW);
+    } else {
+        m_clusterNumbers = makeBuffer(
+            std::span<const std::uint32_t>(clusterNumbers<std::uint32_t>(m_clusters)), GL_STATIC_DRAW);
+    }
+}
+
+/// Two bytes a vertex are enough for four million vertices.
+bool TargetBuffers::areClusterNumbersShort() const {
+    return m_clusters.size() <= std::numeric_limits<std::uint16_t>::max();
+}
+
+void TargetBuffers::needClusterNumbers() {
+    if (m_hasClusterNumbers) {
+        return;
+    }
+    m_hasClusterNumbers = true;
+    bringClusterNumbers();
     const KeepBindings keep;
     glBindVertexArray(m_captureArray.id());
     glBindBuffer(GL_ARRAY_BUFFER, m_clusterNumbers.id());
     const auto index = static_cast<GLuint>(Attribute::Cluster);
     glEnableVertexAttribArray(index);
-    glVertexAttribIPointer(index, 1, isShort ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT, 0, nullptr);
+    glVertexAttribIPointer(index, 1, areClusterNumbersShort() ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT, 0,
+                           nullptr);
 }
 
 void TargetBuffers::read(const VertexRange& range, std::span<DynamicVertex> vertices) const {

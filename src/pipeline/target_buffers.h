@@ -38,7 +38,8 @@ public:
     struct Later {};
     /// Likewise, but empty until fillMore() has brought everything; nothing else is to be called before.
     TargetBuffers(const RenderMesh& mesh, std::span<const glm::vec3> colours, Later later);
-    /// Brings so many bytes at most; returns whether everything is there.
+    /// Brings so many bytes at most; returns whether everything is there. Touches no vertex array: a context
+    /// that shares the buffers may be current instead.
     bool fillMore(std::size_t bytes);
 
     /// All attributes and the triangles' index buffer: for glDrawElements(GL_TRIANGLES) over mesh.draws.
@@ -61,6 +62,8 @@ public:
     /// Has the capture array tell each vertex the number of its cluster as well (Attribute::Cluster). Not by
     /// gl_VertexID: Mesa's softpipe counts it from the draw's first vertex again after each 4,096.
     void needClusterNumbers();
+    /// Brings these numbers before they are needed; like fillMore(), touches no vertex array.
+    void bringClusterNumbers();
     /// One vec3 a vertex: the true normals.
     [[nodiscard]] GLuint shadingNormalBuffer() const { return m_shadingNormals.id(); }
     [[nodiscard]] GLuint dynamicBuffer() const { return m_dynamic.id(); }
@@ -116,6 +119,7 @@ private:
     void fill(const Part& part, std::size_t start, std::size_t bytes) const;
     void attachColours();
     void needEdges() const;
+    [[nodiscard]] bool areClusterNumbersShort() const;
 
     const RenderMesh* m_mesh;
     std::uint32_t m_vertexCount = 0;
@@ -133,8 +137,9 @@ private:
     gl::Buffer m_texcoords;
     gl::Buffer m_colours;  ///< without name where the mesh has none
     gl::Buffer m_shadingNormals;
-    gl::Buffer m_changeValues;    ///< made when first written
-    gl::Buffer m_clusterNumbers;  ///< made when first needed
+    gl::Buffer m_changeValues;         ///< made when first written
+    gl::Buffer m_clusterNumbers;       ///< made when first needed
+    bool m_hasClusterNumbers = false;  ///< the capture array
     gl::Buffer m_triangles;
     mutable gl::Buffer m_edges;  ///< made when first needed
     gl::VertexArray m_surfaceArray;

@@ -18,6 +18,9 @@ class ChangeValues;
 class Comparison;
 class PickPass;
 class RefinedView;
+namespace gl {
+class SideContext;
+}
 struct MeshData;
 struct RenderMesh;
 
@@ -36,6 +39,8 @@ public:
     /// read back into the session.
     [[nodiscard]] Status sync();
 
+    /// From now on bring() leaves the work to that context, beside the current one.
+    void bringBeside(std::unique_ptr<gl::SideContext> side);
     /// Brings some of a mesh to the GPU that is about to be a target's, for some milliseconds: the frame that
     /// first shows it then does not have to. Returns whether all of it is there.
     bool bring(const std::shared_ptr<const MeshData>& mesh, const std::shared_ptr<const RenderMesh>& render);

@@ -13,6 +13,7 @@
 #include "gl/fence.h"
 #include "gl/render_target.h"
 #include "render/renderer.h"
+#include "scene/bringing.h"
 #include "scene/change_upload.h"
 #include "scene/frame_meter.h"
 #include "scene/frame_parts.h"
@@ -38,18 +39,13 @@ struct SceneGpu::Private {
         std::shared_ptr<const MeshData> dressed = nullptr;  ///< whose materials these are
     };
 
-    /// A mesh that is on its way to the GPU, or there, before a target of it.
-    struct Coming {
-        std::shared_ptr<const RenderMesh> mesh;
-        std::unique_ptr<TargetBuffers> buffers;
-    };
-
     Session& session;
     ReadBack& readBack;  ///< the session's
     FrameMeter meter;
     std::unique_ptr<Renderer> renderer;
     std::unordered_map<TargetId, GpuTarget> targets;
-    std::vector<Coming> coming;
+    std::unique_ptr<gl::SideContext> side;  // null: none; above what it works on
+    std::vector<std::unique_ptr<Bringing>> coming;
     std::unique_ptr<DeformationPipeline> pipeline;  // below the buffers it is given, so that it goes first
     std::unordered_map<const MeshData*, std::weak_ptr<const MaterialSet>> materials;
     std::shared_ptr<const Image> coverImage;  // what `cover` was made of

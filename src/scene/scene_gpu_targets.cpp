@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The session's targets on the GPU, and meshes that are about to be theirs.
-#include <QElapsedTimer>
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "scene/scene_gpu_private.h"
 
 namespace hitscope {
-
-namespace {
-
-constexpr std::size_t kBroughtAtOnce = std::size_t{1} << 20;  // bytes between two looks at the clock
-constexpr qint64 kBringing = 8;                               // milliseconds
-
-}  // namespace
 
 std::shared_ptr<const MaterialSet> SceneGpu::Private::materialsOf(const DeformedMesh& mesh) {
     std::weak_ptr<const MaterialSet>& known = materials[&mesh.original()];
@@ -34,45 +25,40 @@ void SceneGpu::Private::followMaterials(const Target& target, GpuTarget& gpu) {
     }
 }
 
+void SceneGpu::bringBeside(std::unique_ptr<gl::SideContext> side) {
+    d->side = std::move(side);
+}
+
 bool SceneGpu::bring(const std::shared_ptr<const MeshData>& mesh,
                      const std::shared_ptr<const RenderMesh>& render) {
     const auto known = std::find_if(d->coming.begin(), d->coming.end(),
-                                    [&render](const auto& coming) { return coming.mesh == render; });
+                                    [&render](const auto& one) { return one->mesh() == render; });
     if (known == d->coming.end()) {
-        d->coming.push_back(
-            {render, std::make_unique<TargetBuffers>(*render, mesh->colours, TargetBuffers::Later{})});
+        d->coming.push_back(std::make_unique<Bringing>(*mesh, render, d->side.get()));
         return false;
     }
-    QElapsedTimer clock;
-    clock.start();
-    while (!known->buffers->fillMore(kBroughtAtOnce)) {
-        if (clock.elapsed() >= kBringing) {
-            return false;
-        }
-    }
-    return true;
+    return (*known)->more();
 }
 
 void SceneGpu::dropUnusedMeshes() {
-    std::erase_if(d->coming, [this](const Private::Coming& coming) {
+    std::erase_if(d->coming, [this](const std::unique_ptr<Bringing>& coming) {
         return std::none_of(d->session.targets().begin(), d->session.targets().end(),
                             [&coming](const std::unique_ptr<Target>& target) {
-                                return target->deformed.sharedRender() == coming.mesh;
+                                return target->deformed.sharedRender() == coming->mesh();
                             });
     });
 }
 
 /// What has been brought, or new ones.
 std::unique_ptr<TargetBuffers> SceneGpu::Private::buffersFor(const Target& target) {
-    const auto known = std::find_if(coming.begin(), coming.end(), [&target](const Coming& one) {
-        return one.mesh == target.deformed.sharedRender();
+    const auto known = std::find_if(coming.begin(), coming.end(), [&target](const auto& one) {
+        return one->mesh() == target.deformed.sharedRender();
     });
     if (known == coming.end()) {
         return std::make_unique<TargetBuffers>(target.deformed.render(), target.deformed.original().colours);
     }
-    std::unique_ptr<TargetBuffers> buffers = std::move(known->buffers);
+    std::unique_ptr<TargetBuffers> buffers = (*known)->take();
     coming.erase(known);
-    buffers->fillMore(std::numeric_limits<std::size_t>::max());
     return buffers;
 }
 

@@ -11,6 +11,7 @@
 #include "session/frame_costs.h"
 #include "viewport/brush_tool.h"
 #include "viewport/inspect_tool.h"
+#include "viewport/side_thread.h"
 #include "viewport/surface_format.h"
 #include "viewport/view_label.h"
 
@@ -124,6 +125,9 @@ void Viewport::initializeGL() {
     if (scene) {
         m_scene = std::move(scene).value();
         m_scene->setAppliesBetweenPictures(m_isSoftware);
+        if (m_isSoftware) {  // it clears whole buffers at once; not every GPU's driver bears two threads
+            m_scene->bringBeside(SideThread::create(*context()));
+        }
         m_picking.setPicker(std::make_unique<ScenePicker>(m_session, *m_scene));
         m_error.clear();
         followQuality();

@@ -9,7 +9,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "deform/reference.h"
 #include "mesh/primitives.h"
+#include "mesh/render_mesh.h"
+#include "session/prepared_mesh.h"
+#include "session/target_plan.h"
 #include "session/task_list.h"
 #include "support/test_program.h"
 #include "viewport/aim.h"
@@ -47,6 +51,8 @@ private Q_SLOTS:
     void flyKeysMoveWhileHeld();
     void smallerWhileItMoves();
     void framing();
+    void aMeshBroughtBeforehandDents();
+    void meshesOnTheirWayAreGivenUp();
     void manyHitsAreAppliedBetweenFrames();
     void progressIsNotPaintedInTheMiddleOfAFrame();
     void idleDrawsNothing();
@@ -282,6 +288,49 @@ void ViewportTest::framing() {
     QTRY_VERIFY_WITH_TIMEOUT(!viewport.navigation().isMoving(), kPatience);
     QVERIFY(near(viewport.camera().pivot(), before.pivot()));
     QVERIFY(std::abs(viewport.camera().distance() - before.distance()) < 0.05f);
+}
+
+/// Another thread with a context of its own may have filled its buffers.
+void ViewportTest::aMeshBroughtBeforehandDents() {
+    const PreparedMesh mesh = prepareMesh(makeUvSphere(400, 300, 2.0f));
+    const ScenePlan plan{.name = {}, .targets = {planMesh(mesh)}};
+    QVERIFY(!m_window->viewport().bringMeshes(plan));  // begun
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->viewport().bringMeshes(plan), kPatience);
+    loadMesh(*m_session, mesh);
+    std::vector<Hit> hits(5);
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        hits[i].target = m_session->targets().front()->id;
+        hits[i].point = {0.3f * static_cast<float>(i), 0.0f, 2.0f};
+        hits[i].direction = {0.0f, 0.0f, -1.0f};
+    }
+    QVERIFY(m_session->hits().add(hits).ok());
+    QVERIFY(m_window->viewport().syncNow().ok());
+    const DeformedMesh& deformed = m_session->targets().front()->deformed;
+    ReferenceDeformation reference(deformed.render());
+    reference.apply(m_session->hits().history().hits());
+    std::size_t moved = 0;
+    for (std::size_t i = 0; i < reference.vertices().size(); ++i) {
+        const glm::vec3& position = deformed.vertices()[i].position;
+        QVERIFY(glm::distance(position, reference.vertices()[i].position) < 1.0e-5f);
+        moved += position != deformed.render().vertices[i].position ? 1 : 0;
+    }
+    QVERIFY(moved > 100);
+}
+
+void ViewportTest::meshesOnTheirWayAreGivenUp() {
+    for (int time = 0; time < 8; ++time) {
+        const ScenePlan plan{.name = {}, .targets = {planMesh(makeUvSphere(500, 300, 2.0f))}};
+        const std::shared_ptr<const RenderMesh>& mesh = plan.targets.front().shape.render;
+        const long holders = mesh.use_count();
+        QVERIFY(!m_window->viewport().bringMeshes(plan));
+        QVERIFY(mesh.use_count() > holders);
+        QTest::qWait(time);
+        m_window->viewport().dropUnusedMeshes();
+        QCOMPARE(mesh.use_count(), holders);
+    }
+    const ScenePlan plan{.name = {}, .targets = {planMesh(makeUvSphere(500, 300, 2.0f))}};
+    QVERIFY(!m_window->viewport().bringMeshes(plan));
+    m_window.reset();  // meanwhile
 }
 
 /// The CPU that draws also applies them: a frame for each few hits would take most of its time.
