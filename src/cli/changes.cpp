@@ -196,6 +196,9 @@ int runChanges(Invocation& given) {
 }
 
 int runExplain(Invocation& given) {
+    if (!given.isSet("vertex")) {
+        given.complain(QStringLiteral("explain needs --vertex, the number of a vertex, from 1."));
+    }
     const int vertex = given.wholeNumber("vertex", 1, 2147483647);
     return isOfSession(given) ? finish(explain(given, static_cast<std::uint32_t>(vertex))) : kWrongUsage;
 }

@@ -4,6 +4,7 @@
 #include <QTextStream>
 #include <cmath>
 
+#include "cli/outputs.h"
 #include "cli/pipeline_argument.h"
 #include "cli/standard_streams.h"
 #include "session/export/export_options.h"
@@ -16,10 +17,10 @@ UsageOption quietOption() {
 }
 
 QList<UsageOption> reportOptions() {
-    return {
-        flagOption("json", QStringLiteral("Print the report as JSON instead of text.")),
-        fileOption("report", QStringLiteral("Write the report as JSON to a file, completely or not at all.")),
-        quietOption()};
+    return {flagOption("json", QStringLiteral("Print the report as JSON instead of text.")),
+            outputOption("report",
+                         QStringLiteral("Write the report as JSON to a file, completely or not at all.")),
+            quietOption()};
 }
 
 UsageOption pipelineOption(const QString& standard) {
@@ -53,7 +54,8 @@ QString givenMeshFile(Invocation& given) {
 Status giveReport(const Invocation& given, JsonReport& report, const QString& text) {
     const std::string json = report.take();
     const bool isData = given.isSet("json") || isStandardStream(given.text("report"));
-    if (isData || !isQuiet() || !given.isSet("report")) {
+    const bool isWanted = !isOutputTaken(given) && (!isQuiet() || !given.isSet("report"));
+    if (isData || isWanted) {
         QTextStream(stdout) << (isData ? QString::fromStdString(json) : text);
     }
     return given.isSet("report") && !isStandardStream(given.text("report"))

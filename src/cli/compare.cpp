@@ -170,7 +170,7 @@ int runCompare(Invocation& given) {
     }
     if (given.isSet("map")) {
         if (Status known = checkPictureName(given.text("map")); !known) {
-            return finish(known);  // before the work
+            given.complain(QString::fromStdString(known.error().message()));  // before the work
         }
     }
     return given.error().isEmpty() ? finish(compare(given, tolerance)) : kWrongUsage;
@@ -195,8 +195,8 @@ Verb compareVerb() {
                  wordOption("with", "NAME", pipelineWords(),
                             QStringLiteral("Compare with the result of this pipeline for A.")),
                  pipelineOption(QStringLiteral("the session's")),
-                 fileOption("map", QStringLiteral("Write a picture of A, coloured by the "
-                                                  "distance."))} +
+                 outputOption("map", QStringLiteral("Write a picture of A, coloured by the "
+                                                    "distance."))} +
              reportOptions(),
          .examples = {{QStringLiteral("Check that a mesh is unchanged to within a micrometre."),
                        QStringLiteral("hitscope-cli compare --tolerance 1e-6 bunny.obj bunny.ply")},

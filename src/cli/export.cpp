@@ -174,7 +174,7 @@ Verb exportVerb() {
                                        "PLY, STL, GLB or glTF, or the table of changed vertices as CSV."),
          .options =
              QList<UsageOption>{
-                 fileOption("out", QStringLiteral("File to write; - for the standard output.")),
+                 outputOption("out", QStringLiteral("File to write; - for the standard output.")),
                  targetOption(QStringLiteral("the one with the most changed vertices")),
                  flagOption("all", QStringLiteral("Write all targets, as one mesh.")),
                  flagOption(
@@ -211,7 +211,8 @@ Verb convertVerb() {
          .examples = {{QStringLiteral("Convert OBJ to GLB."),
                        QStringLiteral("hitscope-cli convert bunny.obj bunny.glb")}},
          .leastFiles = 2,
-         .mostFiles = 2},
+         .mostFiles = 2,
+         .outputFile = 1},
         runConvert};
 }
 

@@ -10,6 +10,7 @@
 
 #include "cli/command_line.h"
 #include "cli/interruption.h"
+#include "cli/outputs.h"
 #include "cli/verbs.h"
 #include "core/memory.h"
 #include "usage/help_text.h"
@@ -57,6 +58,10 @@ int runVerb(const Verb& verb, const QStringList& arguments) {
     int status = kWrongUsage;
     if (given.error().isEmpty()) {
         setQuiet(verb.usage.find(QStringLiteral("quiet")) != nullptr && given.isSet("quiet"));
+        given.complain(wrongOutputs(given));
+    }
+    if (given.error().isEmpty()) {
+        keepOutputs(given);
         status = verb.run(given);
     }
     return given.error().isEmpty() ? status : wrongUsage(given.error(), verb.usage.name);

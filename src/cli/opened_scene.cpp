@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cli/agreement.h"
+#include "cli/outputs.h"
 #include "cli/standard_streams.h"
 #include "document/document_json.h"
 #include "document/session_file.h"
@@ -23,7 +24,17 @@ Result<PreparedSession> prepareFrom(const QString& path) {
             return readSessionFile(path);
         }
         const Result<QByteArray> bytes = readAllOf(path, qint64{1} << 31);
-        return bytes ? readDocument(bytes.value()) : Result<SessionDocument>(bytes.error());
+        if (!bytes) {
+            return bytes.error();
+        }
+        Result<SessionDocument> parsed = readDocument(bytes.value());
+        if (!parsed) {
+            Error error = parsed.error();
+            error.where = "standard input" + (error.where.empty() ? "" : ", " + error.where);
+            error.advice = "The standard input takes a session; name the file of a mesh.";
+            return error;
+        }
+        return parsed;
     };
     Result<SessionDocument> document = read();
     if (!document) {
@@ -55,7 +66,7 @@ Outcome OpenedScene::load(const SceneWish& wish) {
     }
     if (namesSession(wish.path)) {
         restoreSession(*m_session, *m_prepared);
-        return Done{};
+        return checkSources(*m_session);
     }
     Result<ImportedMesh> imported = importMesh(wish.path);
     if (!imported) {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDir>
+#include <QFileInfo>
 #include <QFontDatabase>
+#include <QSet>
 #include <QTextStream>
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -14,6 +17,7 @@
 #include "cli/progress_line.h"
 #include "cli/standard_streams.h"
 #include "cli/verbs.h"
+#include "io/import.h"
 #include "io/save_image.h"
 #include "scene/picture_sequence.h"
 #include "session/shots/demo_shots.h"
@@ -144,6 +148,10 @@ Outcome drawOne(Invocation& given, const PictureArguments& arguments, const QStr
     return printFingerprints(studio, arguments);
 }
 
+QString baseName(int turntable) {
+    return turntable > 0 ? QStringLiteral("turntable") : QStringLiteral("replay");
+}
+
 /// Numbered PNG files in the folder. turntable: how many pictures; 0: a replay. Gives how many there are.
 Result<int> drawPictures(Studio& studio, int turntable, const QString& folder) {
     Result<PictureSequence> sequence =
@@ -159,13 +167,25 @@ Result<int> drawPictures(Studio& studio, int turntable, const QString& folder) {
         if (!image) {
             return image.error();
         }
-        const QString base = turntable > 0 ? QStringLiteral("turntable") : QStringLiteral("replay");
-        if (Status saved = savePicture(image.value(), sequencePath(folder, base, number, count)); !saved) {
+        if (Status saved =
+                savePicture(image.value(), sequencePath(folder, baseName(turntable), number, count));
+            !saved) {
             return saved.error();
         }
         progress.show(number);
     }
     return count;
+}
+
+/// Pictures there of the same name that belong to no picture of this sequence.
+qsizetype leftBehind(const QString& folder, int turntable, int count) {
+    QSet<QString> own;
+    for (int number = 1; number <= count; ++number) {
+        own << QFileInfo(sequencePath(folder, baseName(turntable), number, count)).fileName();
+    }
+    const QStringList all =
+        QDir(folder).entryList({baseName(turntable) + QStringLiteral("-*.png")}, QDir::Files);
+    return std::count_if(all.begin(), all.end(), [&own](const QString& name) { return !own.contains(name); });
 }
 
 Outcome drawMany(Invocation& given, const PictureArguments& arguments, int turntable, const QString& place) {
@@ -187,13 +207,18 @@ Outcome drawMany(Invocation& given, const PictureArguments& arguments, int turnt
         return count.error();
     }
     if (isFilm) {
-        const QString pattern = sequencePath(
-            folder, turntable > 0 ? QStringLiteral("turntable") : QStringLiteral("replay"), 1, count.value());
+        const QString pattern = sequencePath(folder, baseName(turntable), 1, count.value());
         if (Outcome filmed = writeFilm(pattern, given.number("rate", 0.1, 240.0), place); !filmed) {
             return filmed;
         }
     }
-    QTextStream(stdout) << count.value() << " pictures in " << QDir::toNativeSeparators(place) << "\n";
+    if (const qsizetype left = leftBehind(folder, turntable, count.value()); !isFilm && left > 0) {
+        note(QStringLiteral("note: the folder has %1 more %2 of an earlier sequence.")
+                 .arg(left)
+                 .arg(left == 1 ? "picture" : "pictures"));
+    }
+    QTextStream(stdout) << count.value() << (count.value() == 1 ? " picture in " : " pictures in ")
+                        << QDir::toNativeSeparators(place) << "\n";
     if (Outcome printed = printFingerprints(studio, arguments); !printed) {
         return printed;
     }
@@ -206,7 +231,13 @@ int picture(Invocation& given) {
         return kWrongUsage;
     }
     if (Status known = checkPictureName(given.file(0)); !known) {
-        return finish(known);  // before the work
+        Error error = known.error();
+        if (namesSession(given.file(0)) ||
+            importSuffixes().contains(QFileInfo(given.file(0)).suffix().toLower())) {
+            error.advice += " The picture comes first, what it shows after it.";
+        }
+        given.complain(QString::fromStdString(error.message()));  // before the work
+        return kWrongUsage;
     }
     return finish(drawOne(given, arguments, given.file(0)));
 }
@@ -220,6 +251,15 @@ int sequence(Invocation& given) {
     static_cast<void>(given.number("rate", 0.1, 240.0));
     const PictureArguments arguments = readPictureArguments(given, given.file(1));
     if (!given.error().isEmpty()) {
+        return kWrongUsage;
+    }
+    static const QStringList otherFilms{QStringLiteral("avi"),  QStringLiteral("mov"), QStringLiteral("mkv"),
+                                        QStringLiteral("m4v"),  QStringLiteral("mpg"), QStringLiteral("wmv"),
+                                        QStringLiteral("mpeg"), QStringLiteral("ogv")};
+    const QFileInfo place(given.file(0));
+    if (otherFilms.contains(place.suffix().toLower()) && !place.isDir()) {
+        given.complain(QStringLiteral("sequence writes films as .%1, not .%2.")
+                           .arg(filmSuffixes().join(QStringLiteral(", .")), place.suffix()));
         return kWrongUsage;
     }
     if (namesFilm(given.file(0))) {
@@ -249,7 +289,8 @@ Verb pictureVerb() {
                            "hitscope-cli picture --wireframe over --transparent --no-floor bunny.png "
                            "bunny.obj")}},
          .leastFiles = 1,
-         .mostFiles = 2},
+         .mostFiles = 2,
+         .outputFile = 0},
         picture,
         true};
 }
@@ -277,7 +318,8 @@ Verb sequenceVerb() {
                   {QStringLiteral("Draw the hits of a session one by one, as PNG files."),
                    QStringLiteral("hitscope-cli sequence --replay --size 320x180 frames dents.hitscope")}},
              .leastFiles = 1,
-             .mostFiles = 2},
+             .mostFiles = 2,
+             .outputFile = 0},
             sequence,
             true};
 }

@@ -43,10 +43,12 @@ Outcome replay(Invocation& given, const SceneWish& wish, const QString& out) {
     const Session& session = scene.session();
     const SessionDocument& document = *scene.document();
     const std::size_t shown = session.hits().shown().size();
-    QString text = QStringLiteral("%1 of %2 hits on %3 targets\n%4")
+    QString text = QStringLiteral("%1 of %2 %3 on %4 %5\n%6")
                        .arg(shown)
                        .arg(document.hits.size())
+                       .arg(document.hits.size() == 1 ? "hit" : "hits")
                        .arg(session.targets().size())
+                       .arg(session.targets().size() == 1 ? "target" : "targets")
                        .arg(fingerprintLines(session));
     JsonReport report("replay");
     report.text("session", wish.path).count("hits", document.hits.size()).count("shown", shown);
@@ -104,8 +106,9 @@ Verb replayVerb() {
              QList<UsageOption>{
                  pipelineOption(QStringLiteral("the session's")),
                  valueOption("until", "N", QStringLiteral("Apply only the first N hits.")),
-                 fileOption("out", QStringLiteral(
-                                       "Write the target that changed most, in the format of the suffix."))} +
+                 outputOption(
+                     "out",
+                     QStringLiteral("Write the target that changed most, in the format of the suffix."))} +
              reportOptions(),
          .examples = {{QStringLiteral("Check with the reference that the hits still have the same result."),
                        QStringLiteral("hitscope-cli replay --pipeline reference dents.hitscope")}},

@@ -82,9 +82,8 @@ Outcome section(Invocation& given, const CuttingPlane& cut) {
             return written;
         }
     }
-    const bool isOutputTaken = isStandardStream(given.text("csv")) || isStandardStream(given.text("svg"));
     JsonReport report = reportOf(made);
-    return giveReport(given, report, isOutputTaken ? QString() : sectionText(made, {}) + u'\n');
+    return giveReport(given, report, sectionText(made, {}) + u'\n');
 }
 
 int runSection(Invocation& given) {
@@ -116,9 +115,9 @@ Verb sectionVerb() {
                  valueOption("plane", "PLANE",
                              QStringLiteral("Plane: x=0.1 is perpendicular to x at 0.1 m; 1,1,0=0.5 is "
                                             "perpendicular to that direction, 0.5 m along it.")),
-                 fileOption("csv", QStringLiteral("Write a line for each corner; - for the "
-                                                  "standard output.")),
-                 fileOption(
+                 outputOption("csv", QStringLiteral("Write a line for each corner; - for the "
+                                                    "standard output.")),
+                 outputOption(
                      "svg",
                      QStringLiteral(
                          "Write a drawing to scale, in millimetres on paper; - for the standard output.")),

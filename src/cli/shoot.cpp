@@ -13,6 +13,7 @@
 #include "cli/standard_streams.h"
 #include "cli/verbs.h"
 #include "document/capture.h"
+#include "document/document_json.h"
 #include "document/session_file.h"
 #include "io/save_image.h"
 #include "scene/picture.h"
@@ -138,6 +139,14 @@ Status writeHits(Session& session, const QString& path) {
     return isStandardStream(path) ? writeAllTo(path, toCsv(table)) : writeHitFile(table, path);
 }
 
+Status writeSession(SessionDocument document, const QString& path) {
+    if (!isStandardStream(path)) {
+        return writeSessionFile(std::move(document), path);
+    }
+    const QByteArray bytes = writeDocument(document);
+    return writeAllTo(path, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+}
+
 /// All files that are asked for, but for the mesh.
 Outcome writeFiles(OpenedScene& scene, const ShootOptions& options, const ShotScript& script) {
     Session& session = scene.session();
@@ -152,7 +161,7 @@ Outcome writeFiles(OpenedScene& scene, const ShootOptions& options, const ShotSc
         }
     }
     if (!options.sessionPath.isEmpty()) {
-        if (Status saved = writeSessionFile(captureSession(session, viewOf(scene)), options.sessionPath);
+        if (Status saved = writeSession(captureSession(session, viewOf(scene)), options.sessionPath);
             !saved) {
             return saved;
         }
@@ -165,10 +174,27 @@ QString targetLines(const Session& session) {
     for (const std::unique_ptr<Target>& target : session.targets()) {
         const std::size_t hits = session.hits().history().hitsOn(target->id).size();
         if (hits > 0) {
-            text += QStringLiteral("%1: %2 hits, %3 vertices changed\n")
+            const std::size_t changed = target->deformed.statistics().changedVertices;
+            text += QStringLiteral("%1: %2 %3, %4 %5 changed\n")
                         .arg(target->name)
                         .arg(hits)
-                        .arg(target->deformed.statistics().changedVertices);
+                        .arg(hits == 1 ? "hit" : "hits")
+                        .arg(changed)
+                        .arg(changed == 1 ? "vertex" : "vertices");
+        }
+    }
+    return text;
+}
+
+/// "In dents.hitscope: the session", for each file that was written.
+QString writtenLines(const ShootOptions& options) {
+    QString text;
+    for (const auto& [path, what] : {std::pair(options.savePath, QStringLiteral("the shots")),
+                                     {options.hitsOutPath, QStringLiteral("the hits")},
+                                     {options.sessionPath, QStringLiteral("the session")},
+                                     {options.picturePath, QStringLiteral("the picture")}}) {
+        if (!path.isEmpty() && !isStandardStream(path)) {
+            text += QStringLiteral("In %1: %2\n").arg(QDir::toNativeSeparators(path), what);
         }
     }
     return text;
@@ -186,6 +212,7 @@ Outcome reportShots(Invocation& given, OpenedScene& scene, const ShootOptions& o
     addTargets(report, session);
     QString text = shotsAndHits(shots, session) + u'\n' + targetLines(session) +
                    agreementLine(session, agreement) + u'\n' + fingerprintLines(session);
+    text += writtenLines(options);
     Outcome result = Done{};
     if (!options.meshOutPath.isEmpty() && !session.targets().empty()) {
         const Target& exported = mostChangedTarget(session);
@@ -220,6 +247,9 @@ Outcome shoot(Invocation& given, const ShootOptions& options) {
     if (Outcome written = writeFiles(scene, options, script.value()); !written) {
         return written;
     }
+    if (!script.value().shots.empty() && scene.session().hits().history().size() == 0) {
+        note(QStringLiteral("No shot hit a target."));
+    }
     return reportShots(given, scene, options, script.value().shots.size());
 }
 
@@ -228,9 +258,10 @@ int runShoot(Invocation& given) {
     if (!given.error().isEmpty()) {
         return kWrongUsage;
     }
-    for (const QString& path : {options.picturePath}) {
-        if (const Status known = path.isEmpty() ? Status(Done{}) : checkPictureName(path); !known) {
-            return finish(known);  // before the work
+    if (!options.picturePath.isEmpty()) {
+        if (const Status known = checkPictureName(options.picturePath); !known) {
+            given.complain(QString::fromStdString(known.error().message()));  // before the work
+            return kWrongUsage;
         }
     }
     return finish(shoot(given, options));

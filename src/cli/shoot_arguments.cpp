@@ -154,17 +154,17 @@ QList<UsageOption> shootOptions() {
         }
     }
     options << pipelineOption(QStringLiteral("the session's, or transform-feedback"))
-            << fileOption("out",
-                          QStringLiteral("Write the deformed mesh as OBJ, PLY, STL, GLB, glTF or CSV, by the "
+            << outputOption(
+                   "out", QStringLiteral("Write the deformed mesh as OBJ, PLY, STL, GLB, glTF or CSV, by the "
                                          "suffix; of several targets, the one with the most changed "
                                          "vertices. Exits with 1 if the mesh differs from the reference's."))
-            << fileOption("session",
-                          QStringLiteral("Write a session (.hitscope), which the window can open."))
-            << fileOption(
+            << outputOption("session",
+                            QStringLiteral("Write a session (.hitscope), which the window can open."))
+            << outputOption(
                    "hits-out",
                    QStringLiteral("Write all hits, as JSON if the name ends in .json, otherwise as CSV."))
-            << fileOption("picture", QStringLiteral("Write a picture of the scene, 1280 by 720 pixels."))
-            << fileOption("save", QStringLiteral("Save the shots as a script."));
+            << outputOption("picture", QStringLiteral("Write a picture of the scene, 1280 by 720 pixels."))
+            << outputOption("save", QStringLiteral("Save the shots as a script."));
     return options + reportOptions();
 }
 

@@ -56,9 +56,10 @@ Status checkImportable(const QString& path) {
     const std::string where = path.toStdString();
     const QFileInfo info(path);
     if (!info.exists()) {
-        return info.isSymLink()
-                   ? Error{"The link leads to a file that does not exist.", where,
-                           "Open the file itself, or mend the link."}
+        return info.isSymLink() ? Error{"The link leads to a file that does not exist.", where,
+                                        "Open the file itself, or mend the link."}
+               : path.contains(QChar::ReplacementCharacter)
+                   ? Error{"The file's name is not UTF-8, and cannot be opened.", where, "Rename the file."}
                    : Error{"There is no such file.", where, "Check the path for a mistyped name."};
     }
     if (info.isDir()) {

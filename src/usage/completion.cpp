@@ -51,6 +51,7 @@ QString bashValue(const UsageOption& option) {
                         .arg(option.words.join(u' '));
             break;
         case Takes::File:
+        case Takes::Output:
             reply = QStringLiteral("COMPREPLY=($(compgen -f -- \"$current\"))");
             break;
         case Takes::Folder:
@@ -173,6 +174,7 @@ QString zshOption(const UsageOption& option) {
                 QStringLiteral(":%1:_values -s , %1 %2").arg(option.value.toLower(), option.words.join(u' '));
             break;
         case Takes::File:
+        case Takes::Output:
             spec += QStringLiteral(":file:_files");
             break;
         case Takes::Folder:
@@ -256,6 +258,7 @@ QString fishOptions(const ProgramUsage& program, const Usage& usage, const QStri
                 text += QStringLiteral(" -x -a '(__fish_complete_directories)'");
                 break;
             case Takes::File:
+            case Takes::Output:
                 text += QStringLiteral(" -r -F");
                 break;
             case Takes::Text:

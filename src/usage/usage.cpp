@@ -43,6 +43,12 @@ UsageOption fileOption(const char* name, const QString& help, const QString& sta
     return option;
 }
 
+UsageOption outputOption(const char* name, const QString& help) {
+    UsageOption option = fileOption(name, help, {});
+    option.takes = UsageOption::Takes::Output;
+    return option;
+}
+
 UsageOption folderOption(const char* name, const QString& help, const QString& standard) {
     UsageOption option = valueOption(name, "FOLDER", help, standard);
     option.takes = UsageOption::Takes::Folder;

@@ -12,7 +12,15 @@ namespace hitscope {
 /// An option of a command line, described once: parsing, help, manual page and completion go by it.
 struct UsageOption {
     /// What a shell proposes for its value.
-    enum class Takes : std::uint8_t { Nothing, Text, File, Folder, Word, Words };
+    enum class Takes : std::uint8_t {
+        Nothing,
+        Text,
+        File,
+        Output,  ///< a file that is written
+        Folder,
+        Word,
+        Words
+    };
 
     QString name;       ///< without the two dashes: "seed"
     QString help;       ///< a sentence or more; says nothing of `standard` and `words`
@@ -32,8 +40,9 @@ struct UsageOption {
 /// One that takes a text, most often a number.
 [[nodiscard]] UsageOption valueOption(const char* name, const char* value, const QString& help,
                                       const QString& standard = {});
-/// One that takes a file's name, or a folder's.
+/// One that takes the name of a file to read, of a file to write, or of a folder.
 [[nodiscard]] UsageOption fileOption(const char* name, const QString& help, const QString& standard = {});
+[[nodiscard]] UsageOption outputOption(const char* name, const QString& help);
 [[nodiscard]] UsageOption folderOption(const char* name, const QString& help, const QString& standard = {});
 /// One that takes one of some words.
 [[nodiscard]] UsageOption wordOption(const char* name, const char* value, const QStringList& words,
@@ -58,6 +67,7 @@ struct Usage {
     QList<UsageExample> examples;
     int leastFiles = 0;
     int mostFiles = 0;           ///< -1: any number
+    int outputFile = -1;         ///< which of them is written; -1: none
     std::vector<Usage> verbs{};  ///< within this verb; where there are some, one of them follows
 
     [[nodiscard]] const UsageOption* find(const QString& option) const;  ///< null: there is none

@@ -295,7 +295,9 @@ private Q_SLOTS:
         QTest::addRow("check") << QStringLiteral("check --only luck") << QStringLiteral("\"luck\"");
         QTest::addRow("file") << QStringLiteral("io out.json") << QStringLiteral("bench io takes no files");
         QTest::addRow("two outputs") << QStringLiteral("hit --json --csv -")
-                                     << QStringLiteral("only one of --json");
+                                     << QStringLiteral("--json and --csv both write");
+        QTest::addRow("the report twice")
+            << QStringLiteral("hit --json --report -") << QStringLiteral("only one of --json");
         QTest::addRow("window") << QStringLiteral("latency --size 5x5") << QStringLiteral("--size");
         QTest::addRow("sheet") << QStringLiteral("latency --vertices 3") << QStringLiteral("--vertices");
         QTest::addRow("scattered") << QStringLiteral("latency --scattered x")

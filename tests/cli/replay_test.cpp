@@ -66,7 +66,7 @@ private Q_SLOTS:
     void samePositionsByEveryPipeline() {
         const CliRun first = replay({session({}), "--pipeline", "reference"});
         QVERIFY2(first.status == 0, qPrintable(first.err));
-        QVERIFY(first.out.contains("25 of 25 hits on 1 targets"));
+        QVERIFY(first.out.contains("25 of 25 hits on 1 target\n"));
         QVERIFY(first.out.contains("no positions of these hits to compare with"));
         const QString positions = printOf(first, "positions");
         QCOMPARE(positions.size(), 16);

@@ -154,7 +154,7 @@ void VerbsTest::bad_data() {
     row("shoot --max-distance -1 @ball.obj", 2, "--max-distance takes");
     row("shoot @ball.obj @other.obj", 2, "one file at most");
     row("shoot --hits @bad.json @ball.obj", 3, "bad.json");
-    row("shoot --picture @a.xyz @ball.obj", 3, ".png");
+    row("shoot --picture @a.xyz @ball.obj", 2, ".png");
     row("shoot --session @no/such/folder.hitscope @ball.obj", 3, "folder.hitscope");
     row("shoot --random 1 --out @a.hitscope @ball.obj", 2, "--out writes a mesh");
     row("replay --out @a.xyz @one.hitscope", 2, ".glb");
@@ -176,10 +176,10 @@ void VerbsTest::bad_data() {
     row("compare @ball.obj @other.obj", 3, "same topology");
     row("compare @ball.obj @many.ply", 1, "differ");
     row("compare @one.hitscope @many.hitscope", 1, "differ");
-    row("compare --map @a.xyz @ball.obj @ball.obj", 3, ".png");
+    row("compare --map @a.xyz @ball.obj @ball.obj", 2, ".png");
     row("changes @ball.obj", 2, "session");
     row("changes --target Moon @one.hitscope", 3, "Moon");
-    row("explain @one.hitscope", 2, "--vertex takes");
+    row("explain @one.hitscope", 2, "explain needs --vertex");
     row("explain --vertex 9999 @one.hitscope", 3, "362 vertices");
     row("dents @ball.obj", 2, "session");
     row("section @one.hitscope", 2, "--plane");

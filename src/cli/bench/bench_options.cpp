@@ -31,9 +31,10 @@ Plan takePlan(Invocation& given) {
 QList<UsageOption> destinationOptions() {
     return {
         flagOption("json", QStringLiteral("Print the report as JSON instead of tables.")),
-        fileOption("report", QStringLiteral("Write the report as JSON to a file, completely or not at all.")),
-        fileOption("csv", QStringLiteral("Write the records of the report as CSV to a file.")),
-        fileOption("html", QStringLiteral("Write the report with diagrams as a self-contained HTML page.")),
+        outputOption("report",
+                     QStringLiteral("Write the report as JSON to a file, completely or not at all.")),
+        outputOption("csv", QStringLiteral("Write the records of the report as CSV to a file.")),
+        outputOption("html", QStringLiteral("Write the report with diagrams as a self-contained HTML page.")),
         flagOption(
             "quiet",
             QStringLiteral("Print errors only: no progress, and with a file for the report no tables."))};

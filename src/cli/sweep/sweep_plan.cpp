@@ -51,18 +51,16 @@ struct SweptOption {
     bool isFlag = false;
 };
 
-bool isSwept(const QString& name) {
-    static const QStringList unfit{QStringLiteral("out"),      QStringLiteral("session"),
-                                   QStringLiteral("hits-out"), QStringLiteral("picture"),
-                                   QStringLiteral("save"),     QStringLiteral("report"),
-                                   QStringLiteral("json"),     QStringLiteral("quiet")};
-    return !unfit.contains(name);
+/// Whether it says something about the shots, not about what becomes of them.
+bool isSwept(const UsageOption& option) {
+    return option.takes != UsageOption::Takes::Output && option.name != QLatin1String("json") &&
+           option.name != QLatin1String("quiet");
 }
 
 Result<SweptOption> sweptOption(const QString& name, const QJsonValue& value, const Usage& shoot) {
     const QString member = QStringLiteral("options, ") + name;
     const UsageOption* option = shoot.find(name);
-    if (option == nullptr || !isSwept(name)) {
+    if (option == nullptr || !isSwept(*option)) {
         return wrong(member, QStringLiteral("shoot has no such option that a sweep could take."));
     }
     SweptOption swept{
@@ -137,13 +135,13 @@ public:
             identity += option.name.toUtf8() + '=' +
                         (option.isFile ? m_keys.contentOf(given) : value.toUtf8()) + '\n';
             if (option.isFile && m_keys.contentOf(given).isEmpty()) {
-                return wrong(given, QStringLiteral("The file cannot be read."));
+                return wrong(given, QStringLiteral("There is no such file, or it cannot be read."));
             }
         }
         if (!scene.isEmpty()) {
             const QByteArray content = m_keys.contentOf(place(scene));
             if (content.isEmpty()) {
-                return wrong(place(scene), QStringLiteral("The file cannot be read."));
+                return wrong(place(scene), QStringLiteral("There is no such file, or it cannot be read."));
             }
             identity += content;
             job.arguments << place(scene);

@@ -374,6 +374,9 @@ bool SceneExport::needsHits() const {
 
 Result<ExportReport> writeExport(const SceneExport& what, const QString& path,
                                  const ExportProgress::Told& told) {
+    if (const QString folder = QFileInfo(path).absolutePath(); !QFileInfo(folder).isDir()) {
+        return Error{"There is no such folder.", folder.toStdString(), "Make it, or choose another one."};
+    }
     ExportProgress progress(what, path, told);
     const std::function<bool()> isWanted = [&progress] { return progress.isWanted(); };
     const GiveUpScope watched(isWanted);

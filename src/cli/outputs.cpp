@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/outputs.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <filesystem>
+#include <variant>
+#include <vector>
+
+#include "cli/standard_streams.h"
+#include "io/import.h"
+#include "io/save_image.h"
+#include "session/session.h"
+
+namespace hitscope::cli {
+
+namespace {
+
+struct NamedFile {
+    QString as;  ///< in messages: "--out", "MESH"
+    QString path;
+};
+
+bool isSameFile(const QString& a, const QString& b) {
+    const QFileInfo one(a);
+    const QFileInfo other(b);
+    if (one.exists() != other.exists()) {
+        return false;
+    }
+    if (!one.exists()) {
+        return QDir::cleanPath(one.absoluteFilePath()) == QDir::cleanPath(other.absoluteFilePath());
+    }
+    std::error_code failed;
+    return one.isFile() && std::filesystem::equivalent(one.filesystemAbsoluteFilePath(),
+                                                       other.filesystemAbsoluteFilePath(), failed);
+}
+
+std::vector<NamedFile> filesOf(const Invocation& given, bool written) {
+    using Takes = UsageOption::Takes;
+    std::vector<NamedFile> files;
+    for (const UsageOption& option : given.usage().options) {
+        const QString path = given.text(option.name.toLatin1().constData());
+        if (option.takes == (written ? Takes::Output : Takes::File) && !path.isEmpty()) {
+            files.push_back({QStringLiteral("--") + option.name, path});
+        }
+    }
+    const QStringList places = given.usage().files.split(u' ');
+    for (qsizetype i = 0; i < given.files().size(); ++i) {
+        if ((i == given.usage().outputFile) == written) {
+            files.push_back({places.value(i, places.constLast()).remove(u'[').remove(u']'), given.file(i)});
+        }
+    }
+    return files;
+}
+
+QString suffixOf(const QString& path) {
+    return QFileInfo(path).suffix().toLower();
+}
+
+/// Files that somebody opens as what their suffix says, and what else may be in them; an option that is not
+/// listed writes any of them.
+QString wrongSuffix(const NamedFile& output) {
+    const QString suffix = suffixOf(output.path);
+    const QString session = QStringLiteral("hitscope");
+    if (output.as == QLatin1String("--session")) {
+        return suffix == session || isStandardStream(output.path) || suffix.isEmpty()
+                   ? QString()
+                   : QStringLiteral("--session writes a session; take the suffix .hitscope, not .%1.")
+                         .arg(suffix);
+    }
+    if (suffix == session) {
+        return QStringLiteral("%1 writes %2, so its suffix cannot be .hitscope.")
+            .arg(output.as, output.as == QLatin1String("--out") ? QStringLiteral("a mesh")
+                                                                : QStringLiteral("no session"));
+    }
+    const bool isData = output.as == QLatin1String("--report") || output.as == QLatin1String("--csv") ||
+                        output.as == QLatin1String("--svg") || output.as == QLatin1String("--hits-out") ||
+                        output.as == QLatin1String("--save") || output.as == QLatin1String("--html");
+    return isData && (importSuffixes().contains(suffix) || pictureSuffixes().contains(suffix))
+               ? QStringLiteral("%1 writes neither a mesh nor a picture, so its suffix cannot be .%2.")
+                     .arg(output.as, suffix)
+               : QString();
+}
+
+QStringList& keptOutputs() {
+    static QStringList outputs;
+    return outputs;
+}
+
+}  // namespace
+
+QString wrongOutputs(const Invocation& given) {
+    const std::vector<NamedFile> inputs = filesOf(given, false);
+    std::vector<NamedFile> before;
+    if (given.usage().find(QStringLiteral("json")) != nullptr && given.isSet("json")) {
+        before.push_back({QStringLiteral("--json"), QStringLiteral("-")});
+    }
+    for (const NamedFile& output : filesOf(given, true)) {
+        const bool isReport = output.as == QLatin1String("--report");
+        for (const NamedFile& other : before) {
+            const bool isJsonTwice = isReport && other.as == QLatin1String("--json");
+            if (isStandardStream(output.path) && isStandardStream(other.path) && !isJsonTwice) {
+                return QStringLiteral("%1 and %2 both write to the standard output.")
+                    .arg(other.as, output.as);
+            }
+            if (!isStandardStream(output.path) && isSameFile(output.path, other.path)) {
+                return QStringLiteral("%1 and %2 both name %3.").arg(other.as, output.as, output.path);
+            }
+        }
+        for (const NamedFile& input : inputs) {
+            const bool isUpdate =
+                output.as == QLatin1String("--session") && suffixOf(input.path) == QLatin1String("hitscope");
+            if (!isStandardStream(output.path) && !isUpdate && isSameFile(output.path, input.path)) {
+                return QStringLiteral("%1 names %2, which is read as well; take another name for the output.")
+                    .arg(output.as, output.path);
+            }
+        }
+        if (const QString wrong = wrongSuffix(output); !wrong.isEmpty()) {
+            return wrong;
+        }
+        before.push_back(output);
+    }
+    return {};
+}
+
+void keepOutputs(const Invocation& given) {
+    for (const NamedFile& output : filesOf(given, true)) {
+        keptOutputs() << output.path;
+    }
+}
+
+Status checkSources(const Session& session) {
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        for (const QString& output : keptOutputs()) {
+            const auto* source = std::get_if<MeshFile>(&target->source);
+            if (source != nullptr && !isStandardStream(output) && isSameFile(output, source->path)) {
+                return Error{"The session's target \"" + target->name.toStdString() +
+                                 "\" is read from that file, and its hits would apply to it again.",
+                             output.toStdString(), "Choose another name for the output."};
+            }
+        }
+    }
+    return Done{};
+}
+
+bool isOutputTaken(const Invocation& given) {
+    for (const NamedFile& output : filesOf(given, true)) {
+        if (isStandardStream(output.path) && output.as != QLatin1String("--report")) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace hitscope::cli

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+#include "core/result.h"
+#include "usage/invocation.h"
+
+namespace hitscope {
+class Session;
+}
+
+namespace hitscope::cli {
+
+/// What is wrong with the files that a command line writes, before anything is done: two of them are one, one
+/// is read by it as well, two go to the standard output, or a suffix belongs to files of another kind. A
+/// session may be written to the file that it was read from. Empty: nothing.
+[[nodiscard]] QString wrongOutputs(const Invocation& given);
+
+/// Keeps what the command line writes, for checkSources().
+void keepOutputs(const Invocation& given);
+/// An error where one of these is a file that a target of the session was read from: the session would refer
+/// to a mesh with dents, and apply its hits to it again.
+[[nodiscard]] Status checkSources(const Session& session);
+
+/// Whether some file is written to the standard output, the report apart: nothing else is printed there then.
+[[nodiscard]] bool isOutputTaken(const Invocation& given);
+
+}  // namespace hitscope::cli

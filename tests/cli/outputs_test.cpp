@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What hitscope-cli writes replaces nothing that it reads.
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "cli/run_cli.h"
+#include "support/test_program.h"
+
+namespace hitscope::outputs_test {
+
+using namespace test;
+
+namespace {
+
+QByteArray contentOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+}  // namespace
+
+class OutputsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void init() {
+        m_folder = std::make_unique<QTemporaryDir>();
+        QFile mesh(at("mesh.obj"));
+        QVERIFY(mesh.open(QIODevice::WriteOnly));
+        for (int y = 0; y <= 8; ++y) {
+            for (int x = 0; x <= 8; ++x) {
+                mesh.write(QStringLiteral("v %1 %2 0\n").arg(0.25 * x).arg(0.25 * y).toLatin1());
+            }
+        }
+        for (int y = 0; y < 8; ++y) {
+            for (int x = 0; x < 8; ++x) {
+                const int a = y * 9 + x + 1;
+                mesh.write(
+                    QStringLiteral("f %1 %2 %3 %4\n").arg(a).arg(a + 1).arg(a + 10).arg(a + 9).toLatin1());
+            }
+        }
+        mesh.close();
+        const CliRun shot = runCli({"shoot", "--random", "2", "--session", at("s.hitscope"), at("mesh.obj")});
+        QVERIFY2(shot.status == 0, qPrintable(shot.err));
+        QVERIFY2(shot.out.contains(QStringLiteral("s.hitscope: the session")), qPrintable(shot.out));
+    }
+
+    void inputsAreNotReplaced_data() {
+        QTest::addColumn<QStringList>("command");
+        QTest::addColumn<int>("status");
+        QTest::addColumn<QString>("says");
+        const auto row = [](const char* name, const QString& command, int status, const QString& says) {
+            QTest::newRow(name) << command.split(u' ') << status << says;
+        };
+        const QString read = QStringLiteral("which is read as well");
+        row("the mesh", "shoot --random 1 --out mesh.obj mesh.obj", 2, read);
+        row("by another way", "shoot --random 1 --out ./mesh.obj mesh.obj", 2, read);
+        row("as a session", "shoot --random 1 --session mesh.obj mesh.obj", 2, read);
+        row("as hits", "shoot --random 1 --hits-out mesh.obj mesh.obj", 2, read);
+        row("a session's mesh", "export --out mesh.obj s.hitscope", 3,
+            QStringLiteral("is read from that file"));
+        row("a session", "export --format obj --out s.hitscope s.hitscope", 2, read);
+        row("convert", "convert mesh.obj mesh.obj", 2, read);
+        row("two in one", "shoot --session x.obj --out x.obj mesh.obj", 2, QStringLiteral("both name"));
+        row("no session", "shoot --session x.json mesh.obj", 2, QStringLiteral(".hitscope"));
+        row("no report", "changes --report other.obj s.hitscope", 2, QStringLiteral("neither a mesh"));
+        row("two streams", "section --plane x=0.3 --csv - --svg - mesh.obj", 2, QStringLiteral("both write"));
+        row("JSON and more", "shoot --json --hits-out - mesh.obj", 2, QStringLiteral("both write"));
+        row("swapped", "picture mesh.obj a.png", 2, QStringLiteral("comes first"));
+        row("a film", "sequence --turntable 2 a.avi mesh.obj", 2, QStringLiteral(".mp4"));
+        row("no folder", "shoot --random 1 --out none/x.obj mesh.obj", 3, QStringLiteral("no such folder"));
+    }
+    void inputsAreNotReplaced() {
+        QFETCH(const QStringList, command);
+        QFETCH(const int, status);
+        QFETCH(const QString, says);
+        const QByteArray mesh = contentOf(at("mesh.obj"));
+        const QByteArray session = contentOf(at("s.hitscope"));
+        const QStringList before = QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot);
+        QStringList arguments = command;
+        for (QString& word : arguments) {
+            word = word.contains(u'.') ? m_folder->path() + u'/' + word : word;
+        }
+        arguments.replaceInStrings(m_folder->path() + QStringLiteral("/x=0.3"), QStringLiteral("x=0.3"));
+        const CliRun run = runCli(arguments);
+        QVERIFY2(run.status == status, qPrintable(run.out + run.err));
+        QVERIFY2(run.err.contains(says), qPrintable(run.err));
+        QCOMPARE(contentOf(at("mesh.obj")), mesh);
+        QCOMPARE(contentOf(at("s.hitscope")), session);
+        QCOMPARE(QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot), before);
+    }
+
+    void aSessionMayBeGoneOnWith() {
+        const QString session = at("s.hitscope");
+        const CliRun more = runCli({"shoot", "--random", "1", "--session", session, session});
+        QVERIFY2(more.status == 0, qPrintable(more.err));
+        const CliRun replayed = runCli({"replay", session});
+        QVERIFY2(replayed.out.startsWith(QStringLiteral("3 of 3 hits on 1 target\n")),
+                 qPrintable(replayed.out));
+    }
+
+    void aSessionGoesToTheStandardOutput() {
+        const CliRun shot = runCli({"shoot", "--random", "1", "--session", "-", at("mesh.obj")});
+        QVERIFY2(shot.status == 0, qPrintable(shot.err));
+        QVERIFY2(shot.out.startsWith(u'{') && shot.out.trimmed().endsWith(u'}'), qPrintable(shot.out));
+    }
+
+    void picturesThatAreLeftAreNoted() {
+        const QStringList sequence{"sequence", "--size", "64x36", "--turntable"};
+        QVERIFY(runCli(sequence + QStringList{"3", at("frames"), at("mesh.obj")}).status == 0);
+        const CliRun fewer = runCli(sequence + QStringList{"2", at("frames"), at("mesh.obj")});
+        QVERIFY2(fewer.err.contains(QStringLiteral("1 more picture of an earlier")), qPrintable(fewer.err));
+    }
+
+private:
+    [[nodiscard]] QString at(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+HITSCOPE_TEST(OutputsTest, QCoreApplication)
+
+}  // namespace hitscope::outputs_test
+
+#include "outputs_test.moc"
