@@ -22,6 +22,7 @@ struct MeshEditor::Work {
     /// After it, on the window's.
     [[nodiscard]] virtual Status take(Session& session) = 0;
     [[nodiscard]] virtual QString said() const = 0;  ///< what came of it
+    [[nodiscard]] virtual SessionUndo::Kind kind() const = 0;
 
     std::atomic<bool> cancelled = false;
     Status status = Done{};
@@ -49,6 +50,7 @@ struct MeshEditor::Edit : Work {
         return tr("%1: %2 vertices, %3 faces now (Ctrl+Z undoes)")
             .arg(before.name, countText(mesh.vertexCount()), countText(mesh.faceCount()));
     }
+    [[nodiscard]] SessionUndo::Kind kind() const override { return edit.kind(); }
 };
 
 /// A target's objects become targets.
@@ -70,6 +72,7 @@ struct MeshEditor::Separation : Work {
         return tr("%1 is %2 targets now. Undo (Ctrl+Z) joins them again.")
             .arg(before.name, countText(objects.parts.size()));
     }
+    [[nodiscard]] SessionUndo::Kind kind() const override { return SessionUndo::Kind::SeparateObjects; }
 };
 
 MeshEditor::MeshEditor(Session& session, QObject* parent) : QObject(parent), m_session(session) {
@@ -104,15 +107,24 @@ void MeshEditor::startSeparation(TargetId target) {
     start(tr("Separating %1").arg(found->name), work);
 }
 
+std::optional<SessionUndo::Name> MeshEditor::running() const {
+    return m_work ? std::optional(SessionUndo::Name{m_work->kind(), 1}) : std::nullopt;
+}
+
+void MeshEditor::cancel() {
+    giveUp();
+    Q_EMIT cancelled();
+}
+
+std::size_t MeshEditor::redoable() const {
+    return m_session.steps().size() - m_session.steps().done();
+}
+
 void MeshEditor::start(const QString& doing, std::shared_ptr<Work> work) {
     m_work = work;
+    m_redoable = redoable();
     m_progress = std::make_unique<TaskProgress>(
-        m_session.tasks(), doing,
-        [this] {
-            giveUp();
-            Q_EMIT cancelled();
-        },
-        tr("Cancel; the mesh stays as it is"));
+        m_session.tasks(), doing, [this] { cancel(); }, tr("Cancel; the mesh stays as it is"));
     Q_EMIT busyChanged();
     const auto goOn = [self = QPointer(this), work](double share) {
         QMetaObject::invokeMethod(
@@ -155,6 +167,9 @@ void MeshEditor::finish(const std::shared_ptr<Work>& work, bool done) {
     Status status = done ? work->status
                          : Status(Error{"There is not enough memory for the mesh.", "",
                                         "Choose a greater edge length, or close other programs."});
+    if (status && redoable() > m_redoable) {  // it would be forgotten
+        status = Error{"The mesh stays as it is: steps were undone meanwhile.", "", "Do it again."};
+    }
     if (status) {
         status = work->take(m_session);
     }

@@ -4,9 +4,11 @@
 #include <QObject>
 #include <QString>
 #include <memory>
+#include <optional>
 
 #include "core/result.h"
 #include "session/mesh_steps/mesh_edit.h"
+#include "session/session_undo.h"
 
 namespace hitscope {
 
@@ -23,6 +25,9 @@ public:
     ~MeshEditor() override;
 
     [[nodiscard]] bool isBusy() const { return m_work != nullptr; }
+    /// What the step will be called that is being made; nothing: none is.
+    [[nodiscard]] std::optional<SessionUndo::Name> running() const;
+    void cancel();  ///< isBusy()
     /// Ends with edited(), failed() or cancelled(). Not while busy, nor of a target that is not there.
     void start(TargetId target, MeshEdit edit);
     /// Likewise: its objects become targets of their own.
@@ -42,10 +47,12 @@ private:
     void report(const std::shared_ptr<Work>& work, double share);
     void finish(const std::shared_ptr<Work>& work, bool done);
     void giveUp();
+    [[nodiscard]] std::size_t redoable() const;
 
     Session& m_session;
     std::unique_ptr<TaskProgress> m_progress;
     std::shared_ptr<Work> m_work;  ///< null: nothing is done
+    std::size_t m_redoable = 0;    ///< steps, when it began
 };
 
 }  // namespace hitscope

@@ -37,6 +37,10 @@ private Q_SLOTS:
     void saysWhatIsWrong();
     void simplifyAndSmoothApplyHits();
     void cancelChangesNothing();
+    void returnAccepts_data();
+    void returnAccepts();
+    void undoCancelsWhatIsBeingDone();
+    void whatWasUndoneMeanwhileStays();
     void objectsBecomeTargets();
 
 private:
@@ -220,6 +224,70 @@ void MeshDialogsTest::cancelChangesNothing() {
     QCOMPARE(target().id, before);
     QVERIFY(!m_session->steps().canUndo() ||
             m_session->steps().toUndo()->kind == SessionUndo::Kind::LoadScene);
+}
+
+void MeshDialogsTest::returnAccepts_data() {
+    QTest::addColumn<QString>("action");
+    QTest::addColumn<QByteArray>("box");
+    QTest::addColumn<QString>("text");
+    QTest::newRow("simplify") << QStringLiteral("Simplify…") << QByteArray("share") << QString();
+    QTest::newRow("smooth") << QStringLiteral("Smooth…") << QByteArray("passes") << QString();
+    QTest::newRow("refine") << QStringLiteral("Refine…") << QByteArray("edgeLength") << QStringLiteral("0.4");
+}
+
+/// Once, whether it is known what comes of it or not yet.
+void MeshDialogsTest::returnAccepts() {
+    QFETCH(const QString, action);
+    QFETCH(const QByteArray, box);
+    QFETCH(const QString, text);
+    for (const bool waits : {false, true}) {
+        hit();
+        const TargetId before = target().id;
+        MeshStepDialog* dialog = open(action);
+        QVERIFY(dialog != nullptr);
+        makeActive(*dialog);
+        auto& field = part<QWidget>(*dialog, box.constData());
+        QTRY_VERIFY_WITH_TIMEOUT(field.hasFocus(), kPatience);
+        if (waits) {
+            QVERIFY(!result(*dialog).isEmpty());
+        }
+        QTest::keyClicks(&field, text);
+        QTest::keyClick(&field, Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(target().id != before, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<MeshStepDialog*>() == nullptr, kPatience);
+    }
+}
+
+void MeshDialogsTest::undoCancelsWhatIsBeingDone() {
+    hit();
+    const TargetId before = target().id;
+    MeshStepDialog* dialog = open(QStringLiteral("Refine…"));
+    QVERIFY(dialog != nullptr);
+    type(*dialog, "edgeLength", "0.01");
+    QVERIFY(!result(*dialog).isEmpty());
+    QTest::mouseClick(&part<QPushButton>(*dialog, "accept"), Qt::LeftButton);
+    QVERIFY(m_session->tasks().current() != nullptr);
+    key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(m_session->hits().history().size(), std::size_t(1));
+    QTRY_VERIFY_WITH_TIMEOUT(m_session->tasks().current() == nullptr, kPatience);
+    QTest::qWait(300);
+    QCOMPARE(target().id, before);
+}
+
+/// By other ways than the key.
+void MeshDialogsTest::whatWasUndoneMeanwhileStays() {
+    hit();
+    const TargetId before = target().id;
+    MeshStepDialog* dialog = open(QStringLiteral("Refine…"));
+    QVERIFY(dialog != nullptr);
+    part<QComboBox>(*dialog, "region").setCurrentIndex(0);
+    type(*dialog, "edgeLength", "0.1");
+    QVERIFY(!result(*dialog).isEmpty());
+    QTest::mouseClick(&part<QPushButton>(*dialog, "accept"), Qt::LeftButton);
+    m_session->undo();
+    QTRY_VERIFY_WITH_TIMEOUT(m_session->tasks().current() == nullptr, kPatience);
+    QCOMPARE(target().id, before);
+    QVERIFY(m_session->steps().canRedo());
 }
 
 void MeshDialogsTest::objectsBecomeTargets() {

@@ -5,6 +5,7 @@
 #include <QMenu>
 
 #include "app/actions/menu_building.h"
+#include "app/mesh_editor.h"
 #include "models/undo_text.h"
 #include "panels/help/help_text.h"
 #include "session/session.h"
@@ -30,9 +31,18 @@ void EditActions::fill(QMenu& menu) {
     follow();
 }
 
+void EditActions::setEditor(MeshEditor& editor) {
+    m_editor = &editor;
+    connect(&editor, &MeshEditor::busyChanged, this, &EditActions::follow);
+}
+
 // What was said of the step before would be untrue now.
 
 void EditActions::undoLast() {
+    if (m_editor != nullptr && m_editor->isBusy()) {
+        m_editor->cancel();
+        return;
+    }
     if (const auto step = m_session.steps().toUndo()) {
         m_session.undo();
         Q_EMIT said(tr("Undone: %1").arg(undoText(*step)));
@@ -51,7 +61,9 @@ void EditActions::follow() {
         enableIf(action, step.has_value(), why);
         action.setText(step ? text + u' ' + undoText(*step) : text);
     };
-    name(*m_undo, tr("&Undo"), m_session.steps().toUndo(), tr("There is nothing to undo."));
+    const std::optional<SessionUndo::Name> running = m_editor != nullptr ? m_editor->running() : std::nullopt;
+    name(*m_undo, tr("&Undo"), running ? running : m_session.steps().toUndo(),
+         tr("There is nothing to undo."));
     name(*m_redo, tr("&Redo"), m_session.steps().toRedo(), tr("There is nothing to redo."));
     enableIf(*m_enableAll, m_session.hits().disabled() > 0, tr("No hit is disabled."));
     enableIf(*m_clear, m_session.hits().history().size() > 0, tr("There are no hits yet."));

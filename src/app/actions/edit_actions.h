@@ -8,6 +8,7 @@ class QMenu;
 
 namespace hitscope {
 
+class MeshEditor;
 class Session;
 
 /// Undo and redo, which say what they would be about, and what concerns all hits.
@@ -18,6 +19,8 @@ public:
     explicit EditActions(Session& session, QObject* parent = nullptr);
 
     void fill(QMenu& menu);  ///< once
+    /// While it changes a mesh, Undo cancels that. Once; it outlives this.
+    void setEditor(MeshEditor& editor);
     [[nodiscard]] QAction* undo() const { return m_undo; }
     [[nodiscard]] QAction* redo() const { return m_redo; }
 
@@ -30,6 +33,7 @@ private:
     void follow();
 
     Session& m_session;
+    MeshEditor* m_editor = nullptr;
     QAction* m_undo = nullptr;
     QAction* m_redo = nullptr;
     QAction* m_enableAll = nullptr;

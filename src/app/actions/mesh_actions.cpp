@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QMenu>
+#include <algorithm>
 
 #include "app/actions/menu_building.h"
 #include "mesh/mesh_objects.h"
@@ -13,6 +14,15 @@
 #include "viewport/aim_preview.h"
 
 namespace hitscope {
+
+namespace {
+
+bool hasHitsOn(const Session& session, TargetId target) {
+    const auto hits = session.hits().history().hits();
+    return std::any_of(hits.rbegin(), hits.rend(), [target](const Hit& hit) { return hit.target == target; });
+}
+
+}  // namespace
 
 MeshActions::MeshActions(Session& session, AimPreview& aim, QWidget& window)
     : QObject(&window), m_session(session), m_aim(aim), m_window(window), m_editor(session) {
@@ -25,7 +35,12 @@ MeshActions::MeshActions(Session& session, AimPreview& aim, QWidget& window)
          {&SessionTargets::added, &SessionTargets::removed, &SessionTargets::selectedChanged}) {
         connect(&session.targets(), signal, this, &MeshActions::follow);
     }
-    connect(&session.hits(), &SessionHits::reset, this, &MeshActions::follow);
+    connect(&session.hits(), &SessionHits::reset, this, &MeshActions::followHits);
+    connect(&session.hits(), &SessionHits::appended, this, [this] {
+        if (m_apply != nullptr && !m_apply->isEnabled()) {  // else nothing changes with more of them
+            followHits();
+        }
+    });
     connect(&session, &Session::sceneReplaced, this, &MeshActions::follow);
     connect(&aim, &AimPreview::shown, this, &MeshActions::follow);
 }
@@ -56,14 +71,24 @@ void MeshActions::follow() {
         enableIf(*action, target != nullptr && !m_editor.isBusy(), why);
     }
     enableIf(*m_turntable, target != nullptr, tr("Select a target first."));
-    const bool hasHits = target != nullptr && !m_session.hits().history().hitsOn(target->id).empty();
-    enableIf(*m_apply, hasHits && !m_editor.isBusy(),
-             target == nullptr ? why : tr("The target has no hits."));
+    followHits();
     const bool hasObjects = target != nullptr && objectCount(*target->shape.mesh) > 1;
     enableIf(*m_separate, hasObjects && !m_editor.isBusy(),
              target == nullptr || m_editor.isBusy() ? why : tr("The target's mesh is one object."));
     enableIf(*m_refineAtAim, m_aim.aim().has_value() && !m_editor.isBusy(),
              m_editor.isBusy() ? why : tr("Rest the cursor on a target first."));
+}
+
+void MeshActions::followHits() {
+    if (m_apply == nullptr) {
+        return;
+    }
+    const Target* target = focusTarget(m_session);
+    const bool hasHits = target != nullptr && hasHitsOn(m_session, target->id);
+    enableIf(*m_apply, hasHits && !m_editor.isBusy(),
+             m_editor.isBusy()   ? tr("A mesh is being changed.")
+             : target == nullptr ? tr("Select a target first.")
+                                 : tr("The target has no hits."));
 }
 
 void MeshActions::show(MeshStepDialog::Kind kind) {

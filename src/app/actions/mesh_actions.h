@@ -23,6 +23,7 @@ public:
     MeshActions(Session& session, AimPreview& aim, QWidget& window);
 
     void fill(QMenu& menu);  ///< once
+    [[nodiscard]] MeshEditor& editor() { return m_editor; }
 
 Q_SIGNALS:
     void said(const QString& text);
@@ -35,6 +36,7 @@ private:
     void refineAtAim();
     void standOnTurntable();
     void follow();
+    void followHits();
 
     Session& m_session;
     AimPreview& m_aim;

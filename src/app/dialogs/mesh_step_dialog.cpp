@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
@@ -202,7 +203,31 @@ MeshEdit MeshStepDialog::edit() const {
     return edit;
 }
 
+MeshStepDialog::Choice MeshStepDialog::choice() const {
+    const auto isOn = [](const QCheckBox* box) { return box != nullptr && box->isChecked() ? 1.0 : 0.0; };
+    return {m_length != nullptr   ? m_length->value()
+            : m_share != nullptr  ? m_share->value()
+            : m_passes != nullptr ? m_passes->value()
+                                  : 0.0,
+            m_method != nullptr ? m_method->currentIndex() : 0.0,
+            isOn(m_keepQuads),
+            isOn(m_keepBorders),
+            static_cast<double>(m_region->currentIndex()),
+            isOn(m_apply)};
+}
+
+void MeshStepDialog::keyPressEvent(QKeyEvent* event) {
+    const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    m_acceptsWhenReady = isReturn && !m_accept->isEnabled() && (m_preview || m_soon.isActive());
+    QDialog::keyPressEvent(event);
+}
+
 void MeshStepDialog::follow() {
+    // Boxes tell their number again with each press of Return.
+    if (std::exchange(m_choice, choice()) == m_choice) {
+        return;
+    }
+    m_acceptsWhenReady = false;
     if (m_keepQuads != nullptr) {
         enableIf(*m_keepQuads, m_method->currentIndex() == 0, tr("Only midpoint keeps quads."));
     }
@@ -260,6 +285,10 @@ void MeshStepDialog::showPreview(const Preview& preview, bool done) {
     }
     enableIf(*m_accept, done && preview.status.ok(), tr("Nothing comes of it."));
     m_preview.reset();
+    if (m_acceptsWhenReady && m_accept->isEnabled()) {
+        accept();
+        return;
+    }
     // What is wrong may take more lines than what comes of it.
     resize(width(), std::max(height(), layout()->heightForWidth(width())));
 }

@@ -3,7 +3,9 @@
 
 #include <QDialog>
 #include <QTimer>
+#include <array>
 #include <memory>
+#include <optional>
 
 #include "session/mesh_steps/mesh_edit.h"
 
@@ -31,8 +33,13 @@ public:
 
     [[nodiscard]] MeshEdit edit() const;
 
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
 private:
     struct Preview;
+    using Choice = std::array<double, 6>;  ///< all fields as numbers
+    [[nodiscard]] Choice choice() const;
     void makeRefineRows(QFormLayout& form);
     void makeOtherRows(QFormLayout& form);
     void makeRegionRow(QFormLayout& form);
@@ -58,6 +65,8 @@ private:
     QPushButton* m_accept = nullptr;  ///< once it is known what comes of it
     QTimer m_soon;
     std::shared_ptr<Preview> m_preview;  ///< null: none is worked out
+    std::optional<Choice> m_choice;      ///< that the preview is of
+    bool m_acceptsWhenReady = false;     ///< Return was pressed before it was known what comes of it
 };
 
 }  // namespace hitscope

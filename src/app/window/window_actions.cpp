@@ -55,6 +55,7 @@ void WindowActions::make(const Parts& parts) {
     shots = new ShotActions(session, viewport, window);
     projectile = new ProjectileActions(session, window);
     mesh = new MeshActions(session, shots->aimPreview(), window);
+    edit->setEditor(mesh->editor());
     cameras = new CameraActions(viewport, &window);
     pictures = new PictureActions(viewport, window);
     const auto capture = [&session, &view = parts.view] { return captureSession(session, view.capture()); };

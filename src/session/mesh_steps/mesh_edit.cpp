@@ -171,8 +171,10 @@ Status takeEdited(Session& session, const TargetState& state, const MeshEdit& ed
     const std::vector<Hit> now = meshEdit(session, state.id, edit.step).hits;
     const bool isPrefix = now.size() >= edit.hits.size() &&
                           std::equal(edit.hits.begin(), edit.hits.end(), now.begin(), isSameHit);
-    if (applies && !isPrefix) {
-        return Error{"The hits were changed while they were applied.", "", "Do it again."};
+    if ((applies || edit.where == MeshEdit::Where::Hits) && !isPrefix) {
+        return Error{applies ? "The hits were changed while they were applied."
+                             : "The hits were changed while the mesh was.",
+                     "", "Do it again."};
     }
     std::size_t row = 0;
     const auto carried = [&](const Hit& hit) -> std::optional<Hit> {
