@@ -50,6 +50,16 @@ void FileWatch::follow(const std::vector<MeshFile>& files) {
     }
 }
 
+void FileWatch::expect(const QString& path) {
+    const QString written = QFileInfo(path).canonicalFilePath();
+    for (auto& [watchedPath, watched] : m_files) {
+        if (QFileInfo(watchedPath).canonicalFilePath() == written) {
+            watched.isExpected = true;
+            note(watchedPath);
+        }
+    }
+}
+
 std::string FileWatch::contentOf(const QString& path) const {
     const auto known = m_files.find(path);
     return known != m_files.end() ? known->second.content : std::string();
@@ -114,7 +124,8 @@ void FileWatch::take(const QString& path, const std::string& content, const Stam
         note(path);  // it was still being written
     } else if (!content.empty()) {
         const std::string before = std::exchange(watched.content, content);
-        if (!before.empty() && before != content) {
+        const bool isNews = !std::exchange(watched.isExpected, false);
+        if (isNews && !before.empty() && before != content) {
             Q_EMIT changed(path);
         }
     }

@@ -26,6 +26,8 @@ public:
     /// The files from now on. One whose hash is not known counts as it is now; those that were among them
     /// before stay as they are known.
     void follow(const std::vector<MeshFile>& files);
+    /// This program has just written it: what it holds now is no news.
+    void expect(const QString& path);
     /// As it was read last; empty: it is not known.
     [[nodiscard]] std::string contentOf(const QString& path) const;
 
@@ -43,6 +45,7 @@ private:
         std::string content;  // sha256; empty: not known yet
         Stamp stamp;
         bool isToRead = false;
+        bool isExpected = false;  // what is read next
         bool isReading = false;
     };
     static Stamp stampOf(const QString& path);

@@ -173,6 +173,12 @@ void MainWindow::connectSession() {
     m_guard->letGo();  // of what was there before the window
     connect(m_actions.exports, &ExportActions::began, m_guard, &DiscardGuard::exportBegins);
     connect(m_actions.exports, &ExportActions::ended, m_guard, &DiscardGuard::exportEnds);
+    connect(m_actions.exports, &ExportActions::ended, m_reloader,
+            [this](const QString& path, bool isWritten) {
+                if (isWritten) {
+                    m_reloader->expect(path);
+                }
+            });
     connect(m_actions.hits, &HitActions::exportBegan, m_guard, &DiscardGuard::hitsExportBegins);
     connect(m_actions.hits, &HitActions::exported, m_guard, &DiscardGuard::hitsExported);
     m_journal = new JournalKeeping(m_session, *m_sessions, m_view, *m_viewport, this);
@@ -191,6 +197,13 @@ void MainWindow::connectSession() {
     connect(m_reloader, &MeshReloader::reloaded, this, [this](const QStringList& said) {
         m_journal->flush();  // the hits are on other targets: both together
         m_notice->say(said.join(u'\n'));
+        m_reloads = m_session.steps().done();
+    });
+    connect(&m_session, &Session::undoChanged, this, [this] {
+        if (m_reloads && m_session.steps().done() < *m_reloads) {  // what was said of it is untrue now
+            m_reloads.reset();
+            m_notice->clear();
+        }
     });
     connect(m_reloader, &MeshReloader::cancelled, this,
             [this] { say(tr("Cancelled. The meshes are unchanged.")); });

@@ -93,6 +93,7 @@ private:
     DiscardGuard* m_guard = nullptr;
     RecoveryBar* m_recovery = nullptr;
     MeshReloader* m_reloader = nullptr;
+    std::optional<std::size_t> m_reloads;  ///< steps done after the last one, while it is spoken of
     WindowMenus* m_menus = nullptr;
     WindowDocks* m_docks = nullptr;
     JournalKeeping* m_journal = nullptr;

@@ -34,6 +34,8 @@ public:
     void reload();
     /// They stay as they were read, until they change again.
     void ignore();
+    /// An export has replaced it, which needs no reading again: the dents would double.
+    void expect(const QString& path) { m_watch.expect(path); }
 
 Q_SIGNALS:
     void changedFilesChanged();

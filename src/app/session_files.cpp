@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session_files.h"
 
+#include <QDateTime>
 #include <QFileInfo>
 #include <QPointer>
 #include <atomic>
@@ -18,7 +19,8 @@ namespace hitscope {
 /// What is being written or read. The other thread holds on to it too; whoever finds that it is no longer
 /// SessionFiles' current work drops it.
 struct SessionFiles::Work {
-    QString path;  ///< empty: of no file
+    QString path;     ///< empty: of no file
+    FileStamp stamp;  ///< of the file before it was read, or after it was written
     SessionDocument document;
     bool isRead = false;  ///< document is what the file says
     bool isRecovered = false;
@@ -39,6 +41,7 @@ struct SessionFiles::Work {
             document.positions = fingerprintsOf(positions);
             positions = {};
             status = writeSessionFile(std::move(document), path);
+            stamp = stampOf(path);
         } catch (const GivenUp&) {
             isGivenUp = true;
         }
@@ -47,6 +50,7 @@ struct SessionFiles::Work {
     /// On the other thread.
     void prepare(const std::function<void(double, const QString&)>& report) {
         if (!isRead) {
+            stamp = stampOf(path);
             Result<SessionDocument> read = readSessionFile(path);
             if (!read) {
                 status = read.error();
@@ -82,6 +86,16 @@ SessionFiles::SessionFiles(Session& session, View view, QObject* parent)
 
 SessionFiles::~SessionFiles() {
     cancel();
+}
+
+SessionFiles::FileStamp SessionFiles::stampOf(const QString& path) {
+    const QFileInfo info(path);
+    return info.isFile() ? FileStamp{info.size(), info.lastModified().toMSecsSinceEpoch()} : FileStamp{};
+}
+
+bool SessionFiles::isChangedByOthers() const {
+    const FileStamp now = stampOf(m_file.path);
+    return now.size >= 0 && now != m_file.stamp;
 }
 
 bool SessionFiles::isModified() const {
@@ -182,6 +196,7 @@ void SessionFiles::takeWritten(const std::shared_ptr<Work>& work, bool done) {
         m_file.path = work->path;
         m_file.kept = work->state;
         m_file.isRecovered = false;
+        m_file.stamp = work->stamp;
         m_wasModified = isModified();
         Q_EMIT changed();
         Q_EMIT saved(work->path);
@@ -201,6 +216,7 @@ void SessionFiles::open(const QString& path) {
 void SessionFiles::openDocument(SessionDocument document, const QString& file) {
     beginOpening(document.scene.name);
     m_work->path = file;
+    m_work->stamp = stampOf(file);
     m_work->document = std::move(document);
     m_work->isRead = true;
     m_work->isRecovered = true;
@@ -287,10 +303,12 @@ void SessionFiles::goOn() {
     m_file.path = isWhole ? work->path : QString();
     m_file.kept = m_session.steps().state();
     m_file.isRecovered = work->isRecovered || m_file.path.isEmpty();
+    m_file.stamp = work->stamp;
     m_wasModified = isModified();
     QStringList notes = work->prepared.notes;
     for (const MeshTrouble& trouble : work->prepared.troubles) {
-        notes << QString::fromStdString(trouble.error.message());
+        // Without its advice: the person has chosen.
+        notes << QString::fromStdString(Error{trouble.error.what, trouble.error.where, {}}.message());
     }
     m_toCheck = std::make_unique<SessionDocument>(std::move(work->prepared.document));
     end();

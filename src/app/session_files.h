@@ -33,6 +33,9 @@ public:
     ~SessionFiles() override;
 
     [[nodiscard]] const QString& path() const { return m_file.path; }  ///< empty: it was never saved
+    /// Whether its file is another one now than was opened or saved here, by size or time; not where it is
+    /// gone.
+    [[nodiscard]] bool isChangedByOthers() const;
     [[nodiscard]] bool isModified() const;  ///< since it was saved, opened or let go
     [[nodiscard]] bool isBusy() const { return m_work != nullptr; }
 
@@ -75,6 +78,12 @@ Q_SIGNALS:
 
 private:
     struct Work;
+    struct FileStamp {
+        qint64 size = -1;  ///< bytes; -1: there is no file
+        qint64 time = 0;   ///< milliseconds
+        bool operator==(const FileStamp&) const = default;
+    };
+    [[nodiscard]] static FileStamp stampOf(const QString& path);
 
     void begin(const QString& doing, std::function<void()> cancel, const QString& cancelHelp);
     void beginOpening(const QString& name);
@@ -96,6 +105,7 @@ private:
         QString path;
         std::uint64_t kept = 0;    ///< SessionUndo::state() that is saved
         bool isRecovered = false;  ///< and was not saved since
+        FileStamp stamp = {};      ///< of the file as it was opened or saved
     };
     File m_file;
     std::map<std::uint64_t, File>

@@ -4,7 +4,6 @@
 #include <QAction>
 #include <QCoreApplication>
 #include <QEventLoop>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 #include <QSettings>
@@ -15,6 +14,7 @@
 #include "app/mesh_exporter.h"
 #include "app/settings/app_settings.h"
 #include "models/focus_target.h"
+#include "panels/fields/save_name.h"
 #include "panels/help/help_text.h"
 #include "session/export/export_target.h"
 #include "viewport/viewport.h"
@@ -35,10 +35,6 @@ QString suggestedPath(const QString& folder, QString name, const QString& ending
 
 QString exportName(const Target& target) {
     return target.sourcePath.isEmpty() ? target.name : QFileInfo(target.sourcePath).completeBaseName();
-}
-
-QString withSuffix(const QString& path, const QString& suffix) {
-    return QFileInfo(path).suffix().compare(suffix, Qt::CaseInsensitive) == 0 ? path : path + u'.' + suffix;
 }
 
 }  // namespace
@@ -155,20 +151,36 @@ void ExportActions::again() {
     }
 }
 
+/// Of a target's own file; empty: it is none.
+QString ExportActions::whatReplacingDoes(const QString& path) const {
+    const QString replaced = QFileInfo(path).canonicalFilePath();
+    for (const std::unique_ptr<Target>& target : m_session.targets()) {
+        const auto* source = std::get_if<MeshFile>(&target->source);
+        if (source != nullptr && QFileInfo(source->path).canonicalFilePath() == replaced) {
+            return tr("The target “%1” was read from it. Whoever opens the session later, gets the dented "
+                      "mesh "
+                      "and applies the hits to it again. The original is lost.")
+                .arg(target->name);
+        }
+    }
+    return {};
+}
+
 /// Empty: none was chosen.
 QString ExportActions::choosePath(const Target& target, bool ofAll, ExportFormat format) {
     const QString suffix = QLatin1String(traitsOf(format).suffix);
     const QString name = ofAll ? QStringLiteral("scene") : exportName(target);
-    const QString path = QFileDialog::getSaveFileName(
-        &m_window, tr("Export deformed mesh"),
-        suggestedPath(existingFolder(m_settings.folder), name, QStringLiteral("_deformed.") + suffix),
-        tr("%1 (*.%2)").arg(tr(traitsOf(format).name), suffix));
-    if (path.isEmpty()) {
-        return {};
+    const QString path = askSaveName(
+        &m_window, {.title = tr("Export deformed mesh"),
+                    .suggested = suggestedPath(existingFolder(m_settings.folder), name,
+                                               QStringLiteral("_deformed.") + suffix),
+                    .filters = {tr("%1 (*.%2)").arg(tr(traitsOf(format).name), suffix)},
+                    .suffixes = {suffix},
+                    .consequence = [this](const QString& chosen) { return whatReplacingDoes(chosen); }});
+    if (!path.isEmpty()) {
+        m_settings.folder = QFileInfo(path).absolutePath();
     }
-    const QString full = withSuffix(path, suffix);
-    m_settings.folder = QFileInfo(full).absolutePath();
-    return full;
+    return path;
 }
 
 void ExportActions::tellBegin(const std::vector<const Target*>& targets, const QString& path,

@@ -62,6 +62,7 @@ private:
         ExportOptions options;
     };
     [[nodiscard]] std::vector<const Target*> targets(bool all) const;
+    [[nodiscard]] QString whatReplacingDoes(const QString& path) const;
     [[nodiscard]] QString choosePath(const Target& target, bool ofAll, ExportFormat format);
     [[nodiscard]] ExportOptions shownAs(const QString& path, std::optional<NormalMode> normals) const;
     void beginOf(const std::vector<const Target*>& targets, const QString& path,

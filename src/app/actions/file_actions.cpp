@@ -46,10 +46,6 @@ QString allMeshesFilter() {
     return FileActions::tr("Meshes (%1)").arg(meshPatterns());
 }
 
-QString sessionsFilter() {
-    return FileActions::tr("Sessions (*.%1)").arg(kSessionSuffix);
-}
-
 QString everythingFilter() {
     return FileActions::tr("Sessions and meshes (*.%1 %2)").arg(kSessionSuffix, meshPatterns());
 }
@@ -73,6 +69,10 @@ QStringList firstOf(const QStringList& notes) {
 }
 
 }  // namespace
+
+QString FileActions::sessionsFilter() {
+    return tr("Sessions (*.%1)").arg(kSessionSuffix);
+}
 
 FileActions::FileActions(const Parts& parts) : QObject(&parts.window), m_parts(parts) {
     connect(&m_parts.files, &SceneFiles::opened, this, &FileActions::takeOpened);
@@ -109,7 +109,7 @@ void FileActions::fill(QMenu& menu) {
         menu, tr("&Save Session"), QKeySequence::Save, this, [this] { this->save(); },
         QStringLiteral("save"));
     m_save->setStatusTip(tr("Save targets, hits and settings in one file"));
-    addAction(menu, tr("Save Session &As…"), QKeySequence::SaveAs, this, [this] { saveAs(); });
+    addAction(menu, tr("Save Session &As…"), tr("Ctrl+Shift+S"), this, [this] { saveAs(); });
     m_revert = addAction(menu, tr("Re&vert to Saved…"), {}, this, [this] { askAndRevert(); });
     connect(&m_parts.sessions, &SessionFiles::changed, this, &FileActions::followFile);
     followFile();
@@ -126,46 +126,6 @@ void FileActions::followFile() {
 void FileActions::startNew() {
     loadTeapot(m_parts.session);
     m_parts.sessions.leave();
-}
-
-bool FileActions::save() {
-    if (m_parts.sessions.path().isEmpty()) {
-        return saveAs();
-    }
-    m_parts.sessions.save(m_parts.sessions.path());
-    return true;
-}
-
-bool FileActions::saveAs() {
-    QString name = m_parts.sessions.path();
-    if (name.isEmpty()) {
-        const QString scene = m_parts.session.sceneName().replace(u'/', u'_');
-        name = QDir(existingFolder(m_parts.settings.folder))
-                   .filePath((scene.isEmpty() ? tr("session") : scene) + u'.' + kSessionSuffix);
-    }
-    QFileDialog dialog(&m_parts.window, tr("Save session"), {}, sessionsFilter());
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(kSessionSuffix);
-    dialog.selectFile(name);
-    if (dialog.exec() != QDialog::Accepted) {
-        return false;
-    }
-    m_parts.sessions.save(dialog.selectedFiles().constFirst());
-    return true;
-}
-
-void FileActions::askAndRevert() {
-    auto* box = new QMessageBox(QMessageBox::Question, tr("Revert to saved"),
-                                tr("Go back to %1 as it was saved? All changes since are lost.")
-                                    .arg(QFileInfo(m_parts.sessions.path()).fileName()),
-                                QMessageBox::Cancel, &m_parts.window);
-    box->setObjectName(QStringLiteral("revert"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setTextFormat(Qt::PlainText);
-    const QPushButton* revert = box->addButton(tr("&Revert"), QMessageBox::DestructiveRole);
-    box->setDefaultButton(QMessageBox::Cancel);
-    connect(revert, &QPushButton::clicked, this, [this] { m_parts.sessions.open(m_parts.sessions.path()); });
-    box->open();
 }
 
 void FileActions::takeSession(const QString& path, const QStringList& notes) {

@@ -67,6 +67,8 @@ Q_SIGNALS:
     void opened();  ///< the settings know of it
 
 private:
+    [[nodiscard]] static QString sessionsFilter();
+    bool askAndReplace();
     void choose();
     void startNew();
     void askAndRevert();

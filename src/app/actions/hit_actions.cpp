@@ -12,6 +12,7 @@
 #include "analysis/hit_files.h"
 #include "app/dialogs/dialogs.h"
 #include "models/quantity_text.h"
+#include "panels/fields/save_name.h"
 #include "panels/help/help_text.h"
 #include "panels/hit_history/hit_history_panel.h"
 
@@ -148,15 +149,13 @@ void HitActions::takeRecords(const Result<HitRecords>& table, const QString& fro
 void HitActions::chooseExport() {
     const QString csv = tr("Comma-separated values (*.csv)");
     const QString json = tr("JSON (*.json)");
-    QString filter = csv;
-    QString path = QFileDialog::getSaveFileName(m_window, tr("Export all hits"),
-                                                existingFolder(m_folder) + QStringLiteral("/hits.csv"),
-                                                csv + QStringLiteral(";;") + json, &filter);
+    const QString path =
+        askSaveName(m_window, {.title = tr("Export all hits"),
+                               .suggested = existingFolder(m_folder) + QStringLiteral("/hits.csv"),
+                               .filters = {csv, json},
+                               .suffixes = {QStringLiteral("csv"), QStringLiteral("json")}});
     if (path.isEmpty()) {
         return;
-    }
-    if (QFileInfo(path).suffix().isEmpty()) {
-        path += filter == json ? QStringLiteral(".json") : QStringLiteral(".csv");
     }
     m_folder = QFileInfo(path).absolutePath();
     exportTo(path);

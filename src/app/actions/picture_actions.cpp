@@ -15,6 +15,7 @@
 
 #include "app/dialogs/picture_dialog.h"
 #include "io/save_image.h"
+#include "panels/fields/save_name.h"
 #include "panels/icons/themed_icon.h"
 #include "viewport/viewport.h"
 
@@ -219,15 +220,13 @@ void PictureActions::choosePicture() {
     for (const QString& suffix : suffixes) {
         filters << tr("%1 (*.%2)", "PNG (*.png)").arg(suffix.toUpper(), suffix);
     }
-    QString filter = filters.constFirst();
-    QString path = QFileDialog::getSaveFileName(
-        &m_window, tr("Save picture"), QDir(pictureFolder()).filePath(baseName() + QStringLiteral(".png")),
-        filters.join(QStringLiteral(";;")), &filter);
+    const QString path = askSaveName(
+        &m_window, {.title = tr("Save picture"),
+                    .suggested = QDir(pictureFolder()).filePath(baseName() + QStringLiteral(".png")),
+                    .filters = filters,
+                    .suffixes = suffixes});
     if (path.isEmpty()) {
         return;
-    }
-    if (QFileInfo(path).suffix().isEmpty()) {
-        path += u'.' + suffixes.value(filters.indexOf(filter), suffixes.constFirst());
     }
     rememberFolder(QFileInfo(path).absolutePath());
     write(requestOf(dialog), path);

@@ -16,6 +16,7 @@
 #include "app/dialogs/shot_series_dialog.h"
 #include "app/flight_chooser.h"
 #include "app/shot_text.h"
+#include "panels/fields/save_name.h"
 #include "panels/help/help_text.h"
 #include "session/shots/shot_script_file.h"
 #include "viewport/aim_preview.h"
@@ -113,8 +114,10 @@ void ShotActions::shoot(const ShotSeries& series) {
 }
 
 void ShotActions::save(const ShotSeries& series) {
-    const QString path = QFileDialog::getSaveFileName(
-        &m_window, tr("Save shot script"), QStringLiteral("shots.json"), tr("Shot scripts (*.json)"));
+    const QString path = askSaveName(&m_window, {.title = tr("Save shot script"),
+                                                 .suggested = QStringLiteral("shots.json"),
+                                                 .filters = {tr("Shot scripts (*.json)")},
+                                                 .suffixes = {QStringLiteral("json")}});
     if (path.isEmpty()) {
         return;
     }

@@ -4,7 +4,6 @@
 #include <QClipboard>
 #include <QDialogButtonBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QFontDatabase>
 #include <QGuiApplication>
 #include <QPlainTextEdit>
@@ -15,6 +14,7 @@
 
 #include "app/dialogs/dialogs.h"
 #include "io/staged_files.h"
+#include "panels/fields/save_name.h"
 
 namespace hitscope {
 
@@ -68,8 +68,10 @@ void TextWindow::offerSaving(const QString& name) {
     QPushButton* save = buttons->addButton(tr("&Save As…"), QDialogButtonBox::ActionRole);
     save->setObjectName(QStringLiteral("save"));
     connect(save, &QPushButton::clicked, this, [this, name] {
-        const QString path = QFileDialog::getSaveFileName(this, windowTitle(), QDir::home().filePath(name),
-                                                          tr("Text files (*.txt);;All files (*)"));
+        const QString path = askSaveName(this, {.title = windowTitle(),
+                                                .suggested = QDir::home().filePath(name),
+                                                .filters = {tr("Text files (*.txt)")},
+                                                .suffixes = {QStringLiteral("txt")}});
         if (!path.isEmpty()) {
             saveTo(path);
         }

@@ -2,7 +2,6 @@
 #include "panels/cutting_plane/cutting_plane_panel.h"
 
 #include <QClipboard>
-#include <QFileDialog>
 #include <QGuiApplication>
 #include <QMessageBox>
 #include <QScopedValueRollback>
@@ -13,6 +12,7 @@
 
 #include "io/staged_files.h"
 #include "models/quantity_text.h"
+#include "panels/fields/save_name.h"
 #include "panels/help/help_text.h"
 #include "panels/icons/themed_icon.h"
 #include "session/target.h"
@@ -241,8 +241,10 @@ Status CuttingPlanePanel::saveCsv(const QString& path) const {
 }
 
 void CuttingPlanePanel::chooseCsv() {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save the section as CSV"),
-                                                      QStringLiteral("section.csv"), tr("CSV (*.csv)"));
+    const QString path = askSaveName(this, {.title = tr("Save the section as CSV"),
+                                            .suggested = QStringLiteral("section.csv"),
+                                            .filters = {tr("CSV (*.csv)")},
+                                            .suffixes = {QStringLiteral("csv")}});
     if (path.isEmpty()) {
         return;
     }

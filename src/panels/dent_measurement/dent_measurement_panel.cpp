@@ -3,7 +3,6 @@
 
 #include <QClipboard>
 #include <QEvent>
-#include <QFileDialog>
 #include <QGuiApplication>
 #include <QMessageBox>
 #include <QToolTip>
@@ -13,6 +12,7 @@
 #include "io/staged_files.h"
 #include "models/quantity_text.h"
 #include "models/vertex_facts.h"
+#include "panels/fields/save_name.h"
 #include "panels/help/help_text.h"
 #include "panels/icons/themed_icon.h"
 #include "panels/plot/plot_theme.h"
@@ -176,8 +176,10 @@ Status DentMeasurementPanel::saveCsv(const QString& path) const {
 }
 
 void DentMeasurementPanel::chooseCsv() {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save the profile as CSV"),
-                                                      QStringLiteral("profile.csv"), tr("CSV (*.csv)"));
+    const QString path = askSaveName(this, {.title = tr("Save the profile as CSV"),
+                                            .suggested = QStringLiteral("profile.csv"),
+                                            .filters = {tr("CSV (*.csv)")},
+                                            .suffixes = {QStringLiteral("csv")}});
     if (path.isEmpty()) {
         return;
     }

@@ -3,7 +3,6 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPainter>
@@ -16,6 +15,7 @@
 #include "models/costs_csv.h"
 #include "models/frame_rate_text.h"
 #include "models/quantity_text.h"
+#include "panels/fields/save_name.h"
 #include "panels/frame_rate/cost_view.h"
 #include "panels/frame_rate/flow_layout.h"
 #include "panels/help/help_text.h"
@@ -253,8 +253,10 @@ Status FrameRatePanel::saveCsv(const QString& path) const {
 }
 
 void FrameRatePanel::chooseCsv() {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save as CSV"), QStringLiteral("frames.csv"),
-                                                      tr("CSV (*.csv)"));
+    const QString path = askSaveName(this, {.title = tr("Save as CSV"),
+                                            .suggested = QStringLiteral("frames.csv"),
+                                            .filters = {tr("CSV (*.csv)")},
+                                            .suffixes = {QStringLiteral("csv")}});
     if (path.isEmpty()) {
         return;
     }

@@ -3,7 +3,6 @@
 
 #include <QAction>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QPointer>
@@ -13,6 +12,7 @@
 #include "models/dragged_file.h"
 #include "models/quantity_text.h"
 #include "panels/fields/drag_out.h"
+#include "panels/fields/save_name.h"
 #include "panels/help/help_text.h"
 #include "panels/icons/themed_icon.h"
 #include "ui_vertex_changes.h"
@@ -251,9 +251,10 @@ QMimeData* VertexChangesPanel::dragged() const {
 }
 
 void VertexChangesPanel::save() {
-    const QString path =
-        QFileDialog::getSaveFileName(this, tr("Save Vertex Changes"), QStringLiteral("vertex_changes.csv"),
-                                     tr("Comma-separated text (*.csv)"));
+    const QString path = askSaveName(this, {.title = tr("Save Vertex Changes"),
+                                            .suggested = QStringLiteral("vertex_changes.csv"),
+                                            .filters = {tr("Comma-separated text (*.csv)")},
+                                            .suffixes = {QStringLiteral("csv")}});
     if (!path.isEmpty()) {
         m_changes.saveCsv(path);
     }

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a session is saved to, and what is asked before a file is replaced or changes are lost.
+#include <QDir>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include "app/actions/file_actions.h"
+#include "app/dialogs/dialogs.h"
+#include "app/session_files.h"
+#include "app/settings/app_settings.h"
+#include "panels/fields/save_name.h"
+
+namespace hitscope {
+
+bool FileActions::save() {
+    if (m_parts.sessions.path().isEmpty()) {
+        return saveAs();
+    }
+    if (m_parts.sessions.isChangedByOthers()) {
+        return askAndReplace();
+    }
+    m_parts.sessions.save(m_parts.sessions.path());
+    return true;
+}
+
+/// Somebody else has saved to the session's file.
+bool FileActions::askAndReplace() {
+    QMessageBox box(
+        QMessageBox::Warning, tr("Save session"),
+        tr("%1 was changed by another program or window since it was opened or saved here. Saving "
+           "replaces those changes.")
+            .arg(QFileInfo(m_parts.sessions.path()).fileName()),
+        QMessageBox::Cancel, &m_parts.window);
+    box.setObjectName(QStringLiteral("replaceSession"));
+    box.setTextFormat(Qt::PlainText);
+    const QPushButton* replace = box.addButton(tr("&Replace"), QMessageBox::DestructiveRole);
+    const QPushButton* elsewhere = box.addButton(tr("Save &As…"), QMessageBox::AcceptRole);
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    if (box.clickedButton() == replace) {
+        m_parts.sessions.save(m_parts.sessions.path());
+        return true;
+    }
+    return box.clickedButton() == elsewhere && saveAs();
+}
+
+bool FileActions::saveAs() {
+    const QString suffix = QStringLiteral("hitscope");
+    QString name = m_parts.sessions.path();
+    if (name.isEmpty()) {
+        const QString scene = m_parts.session.sceneName().replace(u'/', u'_');
+        name = QDir(existingFolder(m_parts.settings.folder))
+                   .filePath((scene.isEmpty() ? tr("session") : scene) + u'.' + suffix);
+    }
+    const QString path = askSaveName(&m_parts.window, {.title = tr("Save session"),
+                                                       .suggested = name,
+                                                       .filters = {sessionsFilter()},
+                                                       .suffixes = {suffix}});
+    if (path.isEmpty()) {
+        return false;
+    }
+    m_parts.sessions.save(path);
+    return true;
+}
+
+void FileActions::askAndRevert() {
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Revert to saved"),
+                                tr("Go back to %1 as it was saved? All changes since are lost.")
+                                    .arg(QFileInfo(m_parts.sessions.path()).fileName()),
+                                QMessageBox::Cancel, &m_parts.window);
+    box->setObjectName(QStringLiteral("revert"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextFormat(Qt::PlainText);
+    const QPushButton* revert = box->addButton(tr("&Revert"), QMessageBox::DestructiveRole);
+    box->setDefaultButton(QMessageBox::Cancel);
+    connect(revert, &QPushButton::clicked, this, [this] { m_parts.sessions.open(m_parts.sessions.path()); });
+    box->open();
+}
+
+}  // namespace hitscope

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is saved from the window replaces nothing that the person did not mean.
+#include <QApplication>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include "app/actions/export_actions.h"
+#include "app/dialogs/export_dialog.h"
+#include "app/mesh_reloader.h"
+#include "app/session_files.h"
+#include "session/task_list.h"
+#include "support/test_program.h"
+#include "widgets/window_support.h"
+
+namespace hitscope::save_name_test {
+
+namespace {
+
+QByteArray contentOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+}  // namespace
+
+class SaveNameTest : public QObject, protected WindowFixture {
+    Q_OBJECT
+public:
+    static void initMain() { MainWindow::setSurfaceFormat(); }
+
+private Q_SLOTS:
+    void init() {
+        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+        m_folder = std::make_unique<QTemporaryDir>();
+        writeObj(makeHighPolySphere(2.5f), at("ball.obj"));
+        makeWindow([this](Session& session) { loadMesh(session, makeHighPolySphere(2.5f), at("ball.obj")); });
+        Hit hit;
+        hit.target = m_session->targets().front()->id;
+        hit.point = {0.0f, 0.0f, 2.5f};
+        hit.direction = {0.0f, 0.0f, -1.0f};
+        QVERIFY(m_session->hits().add(hit).ok());
+        m_asked.clear();
+    }
+    void cleanup() { dropWindow(); }
+
+    void aSessionHasItsSuffix();
+    void whatExistsIsNamed();
+    void aSessionThatOthersChangedIsNotReplacedUnasked();
+    void anExportOverItsMeshSaysWhatComesOfIt();
+
+private:
+    [[nodiscard]] QString at(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
+    /// Chooses that name in file dialogs, and clicks that button in questions; dialogs after the first
+    /// question that is answered by Cancel are closed.
+    void answer(const QString& name, const QString& button) {
+        auto* timer = new QTimer(m_window.get());
+        connect(timer, &QTimer::timeout, m_window.get(), [this, name, button] {
+            QWidget* modal = QApplication::activeModalWidget();
+            if (auto* box = qobject_cast<QMessageBox*>(modal)) {
+                m_asked << box->text() + u' ' + box->informativeText();
+                for (QAbstractButton* choice : box->buttons()) {
+                    if (choice->text().remove(u'&') == button) {
+                        choice->click();
+                        return;
+                    }
+                }
+                box->reject();
+            } else if (auto* options = qobject_cast<ExportDialog*>(modal)) {
+                options->accept();
+            } else if (auto* dialog = qobject_cast<QFileDialog*>(modal)) {
+                if (!m_asked.isEmpty() && button == QLatin1String("Cancel")) {
+                    dialog->reject();
+                    return;
+                }
+                dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(name);
+                QMetaObject::invokeMethod(dialog, "accept");
+            }
+        });
+        timer->start(30);
+    }
+    void key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
+        makeActive(*m_window);
+        QTest::keyClick(m_window.get(), key, modifiers);
+        QTRY_VERIFY_WITH_TIMEOUT(!files().isBusy() && m_session->tasks().size() == 0, kPatience);
+    }
+    [[nodiscard]] SessionFiles& files() const { return *m_window->findChild<SessionFiles*>(); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    QStringList m_asked;
+};
+
+/// The name of the mesh would make the mesh a session.
+void SaveNameTest::aSessionHasItsSuffix() {
+    const QByteArray mesh = contentOf(at("ball.obj"));
+    answer(at("ball.obj"), QStringLiteral("Replace"));
+    key(Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(files().path(), at("ball.obj.hitscope"), kPatience);
+    QVERIFY(m_asked.isEmpty());
+    QCOMPARE(contentOf(at("ball.obj")), mesh);
+}
+
+/// With the suffix that is added.
+void SaveNameTest::whatExistsIsNamed() {
+    QFile other(at("other.hitscope"));
+    QVERIFY(other.open(QIODevice::WriteOnly));
+    other.write("kept");
+    other.close();
+    answer(at("other"), QStringLiteral("Cancel"));
+    key(Qt::Key_S, Qt::ControlModifier);
+    QCOMPARE(m_asked.size(), 1);
+    QVERIFY2(m_asked.front().startsWith(QStringLiteral("other.hitscope already exists")),
+             qPrintable(m_asked.front()));
+    QCOMPARE(contentOf(at("other.hitscope")), QByteArray("kept"));
+}
+
+void SaveNameTest::aSessionThatOthersChangedIsNotReplacedUnasked() {
+    const QString path = at("s.hitscope");
+    files().save(path);
+    QTRY_COMPARE_WITH_TIMEOUT(files().path(), path, kPatience);
+    key(Qt::Key_S, Qt::ControlModifier);  // as it was left: no question
+    QVERIFY(!files().isChangedByOthers());
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Append));
+    file.write("\n");
+    file.close();
+    QVERIFY(files().isChangedByOthers());
+    const QByteArray theirs = contentOf(path);
+    answer({}, QStringLiteral("Cancel"));
+    key(Qt::Key_S, Qt::ControlModifier);
+    QCOMPARE(m_asked.size(), 1);
+    QVERIFY2(m_asked.front().contains(QStringLiteral("another program")), qPrintable(m_asked.front()));
+    QCOMPARE(contentOf(path), theirs);
+    delete m_window->findChild<QTimer*>(QString(), Qt::FindDirectChildrenOnly);
+}
+
+void SaveNameTest::anExportOverItsMeshSaysWhatComesOfIt() {
+    auto& exports = *m_window->findChild<ExportActions*>();
+    const auto& reloader = *m_window->findChild<MeshReloader*>();
+    const QByteArray mesh = contentOf(at("ball.obj"));
+    answer(at("ball.obj"), QStringLiteral("Replace"));
+    QSignalSpy ended(&exports, &ExportActions::ended);
+    key(Qt::Key_E, Qt::ControlModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, kPatience);
+    QCOMPARE(m_asked.size(), 1);
+    QVERIFY2(m_asked.front().contains(QStringLiteral("applies the hits to it again")),
+             qPrintable(m_asked.front()));
+    QVERIFY(contentOf(at("ball.obj")) != mesh);
+    QTest::qWait(1500);  // it would be noticed by then
+    QVERIFY(reloader.changedFiles().isEmpty());
+}
+
+HITSCOPE_TEST(SaveNameTest, QApplication)
+
+}  // namespace hitscope::save_name_test
+
+#include "save_name_test.moc"
