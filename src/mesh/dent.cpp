@@ -118,6 +118,29 @@ void findDeepest(DentMeasures& dent, std::span<const std::uint32_t> vertices,
     }
 }
 
+glm::dvec3 meanMotion(std::span<const std::uint32_t> vertices, std::span<const glm::vec3> before,
+                      std::span<const glm::vec3> after) {
+    glm::dvec3 sum(0.0);
+    for (const std::uint32_t vertex : vertices) {
+        sum += glm::dvec3(after[vertex]) - glm::dvec3(before[vertex]);
+    }
+    return sum / static_cast<double>(vertices.size());
+}
+
+/// normal: the sum of area vectors that are `area` long together. Where they point all over, as on both
+/// sides of a thin limb, what is left of them says nothing of the way into the surface; how it moved does.
+glm::vec3 axisOf(const glm::dvec3& normal, double area, const glm::dvec3& motion) {
+    constexpr double kAgree = 0.5;
+    const double length = glm::length(normal);
+    if (length >= kAgree * area) {
+        return -normal / length;
+    }
+    if (const double moved = glm::length(motion); moved > 1.0e-9 * std::sqrt(area)) {
+        return motion / moved;
+    }
+    return length > 1.0e-9 * area ? glm::vec3(-normal / length) : glm::vec3(0.0f, -1.0f, 0.0f);
+}
+
 /// Of a set of vertices, root of each: neighbours that moved come to have the same.
 class Sets {
 public:
@@ -181,6 +204,7 @@ std::optional<DentMeasures> measureDent(std::span<const std::uint32_t> vertices,
     dent.vertices = vertices.size();
     glm::dvec3 normal(0.0);
     double area = 0.0;
+    double corneredArea = 0.0;
     for (std::size_t first = 0; first + 2 < triangles.size(); first += 3) {
         const std::span<const std::uint32_t> triangle = triangles.subspan(first, 3);
         const double corners = cornersIn(vertices, triangle);
@@ -191,6 +215,7 @@ std::optional<DentMeasures> measureDent(std::span<const std::uint32_t> vertices,
         const glm::dvec3 itsArea = areaVector(was);
         normal += itsArea * corners;
         area += glm::length(itsArea);
+        corneredArea += glm::length(itsArea) * corners;
         dent.affectedArea += glm::length(itsArea) * corners / 3.0;
         const double share = whole.empty() ? 1.0 : corners / cornersIn(whole, triangle);
         dent.displacedVolume -= share * sweptVolume(was, cornersOf(triangle, after));
@@ -198,9 +223,7 @@ std::optional<DentMeasures> measureDent(std::span<const std::uint32_t> vertices,
     if (area == 0.0) {
         return std::nullopt;
     }
-    // A closed surface that moved as a whole has no mean normal.
-    const double length = glm::length(normal);
-    dent.axis = length > 1.0e-9 * area ? glm::vec3(-normal / length) : glm::vec3(0.0f, -1.0f, 0.0f);
+    dent.axis = axisOf(normal, corneredArea, meanMotion(vertices, before, after));
     findDeepest(dent, vertices, before, after);
     dent.rimDiameter = widthAcross(vertices, before, dent.axis);
     return dent;

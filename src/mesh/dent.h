@@ -15,9 +15,11 @@ namespace hitscope {
 struct DentMeasures {
     std::size_t vertices = 0;  ///< that it moved
     std::uint32_t deepest =
-        0;                 ///< of them, the one furthest below where it was, in the midst of a flat bottom
-    glm::vec3 axis{0.0f};  ///< unit, into the surface: against its mean normal before
-    double depth = 0.0;    ///< of the deepest, along `axis`
+        0;  ///< of them, the one furthest below where it was, in the midst of a flat bottom
+    /// Unit, into the surface: against its mean normal before, or, where its normals point all over, as on
+    /// both sides of a thin limb, the way that its vertices moved on average.
+    glm::vec3 axis{0.0f};
+    double depth = 0.0;            ///< of the deepest, along `axis`
     double rimDiameter = 0.0;      ///< greatest distance across, at right angles to `axis`, before
     double affectedArea = 0.0;     ///< a third of each triangle for each of its corners that moved, before
     double displacedVolume = 0.0;  ///< between the surface before and after, inwards positive

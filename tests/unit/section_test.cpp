@@ -77,6 +77,7 @@ private Q_SLOTS:
     void aCutLooksAtWhatIsNear();
     void movedVerticesAreCutWhereTheyAre();
     void aDentOfKnownShape();
+    void aThinLimbIsAsDeepAsItMoved();
     void dentsApartAreMeasuredApart();
     void theProfileOfADent();
     void theProfileIsOfTheDentedWall();
@@ -185,6 +186,42 @@ void SectionTest::aDentOfKnownShape() {
     QVERIFY(std::abs(dent->affectedArea / (kPi * radius * radius) - 1.0) < 0.02);
     QVERIFY(std::abs(dent->displacedVolume / (kPi * radius * radius * PressedSheet::kDepth / 3.0) - 1.0) <
             1.0e-3);
+}
+
+/// Both sides of a thin plate are pushed along it and a little across: its normals say nothing of a depth.
+void SectionTest::aThinLimbIsAsDeepAsItMoved() {
+    constexpr std::uint32_t kSide = 21;
+    std::vector<glm::vec3> before;
+    std::vector<std::uint32_t> triangles;
+    for (const float height : {0.0f, -0.01f}) {
+        const auto first = static_cast<std::uint32_t>(before.size());
+        for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
+            before.emplace_back(0.05f * static_cast<float>(i % kSide), height,
+                                0.05f * static_cast<float>(i / kSide));
+        }
+        for (std::uint32_t i = 0; i + kSide < kSide * kSide; ++i) {
+            if (i % kSide + 1 < kSide) {
+                const std::uint32_t a = first + i;
+                const std::uint32_t b = height == 0.0f ? a + kSide : a + 1;
+                const std::uint32_t c = height == 0.0f ? a + 1 : a + kSide;
+                triangles.insert(triangles.end(), {a, b, c, b, a + kSide + 1, c});
+            }
+        }
+    }
+    std::vector<glm::vec3> after = before;
+    std::vector<std::uint32_t> vertices;
+    const glm::vec3 push(0.1f, 0.02f, 0.0f);
+    for (std::uint32_t vertex = 0; vertex < before.size(); ++vertex) {
+        if (glm::distance(before[vertex], glm::vec3(0.5f, 0.0f, 0.5f)) < 0.2f) {
+            after[vertex] += push;
+            vertices.push_back(vertex);
+        }
+    }
+    const std::optional<DentMeasures> dent = measureDent(vertices, triangles, before, after);
+    QVERIFY(dent);
+    QVERIFY(glm::distance(dent->axis, glm::normalize(push)) < 1.0e-4f);
+    QVERIFY(std::abs(dent->depth - static_cast<double>(glm::length(push))) < 1.0e-5);
+    QVERIFY(std::abs(dent->rimDiameter - 0.4) < 0.06);
 }
 
 void SectionTest::dentsApartAreMeasuredApart() {
