@@ -24,6 +24,7 @@ constexpr int kProgressDelay = 500;     // milliseconds
 constexpr int kBetweenFractions = 200;  // milliseconds: each has the whole window composed again
 constexpr int kDone = 100;              // per cent
 constexpr int kBetweenCells = 6;        // logical pixels, as QStatusBar has them
+constexpr int kAroundMessage = 24;      // likewise, and the size grip
 
 QString withRemaining(const QString& what, double fraction, double seconds) {
     constexpr double kMinute = 60.0;
@@ -61,6 +62,7 @@ StatusLine::StatusLine(const Session& session, QStatusBar& bar, QObject* parent)
     connect(&session.settings(), &SessionSettings::pipelineChanged, this, &StatusLine::showPipeline);
     connect(&session.readBack(), &ReadBack::verdictChanged, this, &StatusLine::showRenderer);
     connect(&session.settings(), &SessionSettings::pipelineChanged, this, &StatusLine::showRenderer);
+    connect(&bar, &QStatusBar::messageChanged, this, &StatusLine::makeRoom);
     showScene();
     showPipeline();
     showRenderer();
@@ -142,16 +144,22 @@ void StatusLine::showTask() {
     makeRoom();
 }
 
-/// In a narrow window the renderer is not shown while something takes a while: what it is does not change.
+/// In a narrow window neither the renderer nor, if need be, the pipeline is shown while something takes a
+/// while or is said: what they are does not change.
 void StatusLine::makeRoom() {
-    int wanted = m_progress->sizeHint().width();
+    const QString said = m_bar.currentMessage();
+    const bool isWanted = m_progress->isVisible() || !said.isEmpty();
+    int wanted = said.isEmpty() ? m_progress->sizeHint().width()
+                                : m_bar.fontMetrics().horizontalAdvance(said) + kAroundMessage;
     for (const QLabel* cell : {m_pipeline, m_renderer, m_target, m_vertices, m_hits, m_frameRate}) {
-        if (cell == m_renderer || cell->isVisible()) {
+        if (cell == m_renderer || cell == m_pipeline || cell->isVisible()) {
             wanted += cell->sizeHint().width() + kBetweenCells;
         }
     }
-    m_renderer->setVisible(!m_rendererName.isEmpty() &&
-                           (!m_progress->isVisible() || wanted <= m_bar.width()));
+    const bool fits = !isWanted || wanted <= m_bar.width();
+    const int withoutRenderer = wanted - m_renderer->sizeHint().width() - kBetweenCells;
+    m_renderer->setVisible(!m_rendererName.isEmpty() && fits);
+    m_pipeline->setVisible(fits || withoutRenderer <= m_bar.width());
     layOut();
     if (m_progress->isVisible() && m_doing->width() < m_doing->sizeHint().width()) {
         m_renderer->hide();  // the bar's edges take some, too

@@ -34,6 +34,7 @@ private Q_SLOTS:
     void undoNamesTheStep();
     void enablesAll();
     void statusBarCountsHits();
+    void messagesHaveRoomInANarrowWindow();
     void unavailablePipelinesAreGrey();
     void rememberedPipelineFallsBack();
     void exportOffersEitherNormals();
@@ -139,6 +140,27 @@ void HitMenusTest::statusBarCountsHits() {
     QVERIFY(says(QStringLiteral("3 hits, 1 disabled")));
     test::readBackOf(*m_session).setCapacity({1, false, 1, {0}});
     QVERIFY(says(QStringLiteral("3 hits of 1, 1 disabled, 1 dropped")));
+}
+
+void HitMenusTest::messagesHaveRoomInANarrowWindow() {
+    MainWindow window(*m_session);
+    showReady(window);
+    window.resize(1024, 640);
+    QStatusBar& bar = *window.statusBar();
+    const QString said = QStringLiteral("WusonOBJ: 3,009 vertices, 3,562 faces now (Ctrl+Z undoes)");
+    const auto leftmost = [&bar] {
+        int x = bar.width();
+        for (const QLabel* label : bar.findChildren<QLabel*>(QString(), Qt::FindDirectChildrenOnly)) {
+            x = label->isVisible() ? std::min(x, label->x()) : x;
+        }
+        return x;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(leftmost() < bar.width() / 2, kPatience);
+    const int before = leftmost();
+    bar.showMessage(said);
+    QTRY_VERIFY_WITH_TIMEOUT(leftmost() > bar.fontMetrics().horizontalAdvance(said), kPatience);
+    bar.clearMessage();
+    QTRY_COMPARE_WITH_TIMEOUT(leftmost(), before, kPatience);
 }
 
 void HitMenusTest::unavailablePipelinesAreGrey() {

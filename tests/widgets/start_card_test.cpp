@@ -3,11 +3,13 @@
 #include <QAction>
 #include <QApplication>
 #include <QMenu>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 
 #include "app/notice_bar.h"
 #include "app/overlays/start_card.h"
+#include "app/session_files.h"
 #include "session/welcome.h"
 #include "support/test_program.h"
 #include "viewport/inspect_tool.h"
@@ -42,6 +44,16 @@ private Q_SLOTS:
         QVERIFY(!card()->isVisible());
         card()->toggle()->trigger();
         QVERIFY(card()->isVisible());
+    }
+
+    void goesAwayWithASessionThatHasHits() {
+        QTemporaryDir folder;
+        auto& files = *m_window->findChild<SessionFiles*>();
+        files.save(folder.filePath(QStringLiteral("s.hitscope")));
+        QTRY_VERIFY_WITH_TIMEOUT(!files.path().isEmpty(), kPatience);
+        QVERIFY(card()->isVisible());
+        files.open(files.path());
+        QTRY_VERIFY_WITH_TIMEOUT(!card()->isVisible(), kPatience);
     }
 
     void closesByItsButton() {

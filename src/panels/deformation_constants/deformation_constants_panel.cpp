@@ -229,7 +229,7 @@ QString DeformationConstantsPanel::inForceText() const {
     }
     QString size = lengthText(target->extent());
     if (const QString counted = lengthText(sizeFactor(target->extent()) * kUsualExtent); counted != size) {
-        size = tr("%1, counted as %2").arg(size, counted);
+        size = tr("%1, rounded to %2").arg(size, counted);
     }
     const DeformationConstants constants = m_session.settings().constantsOn(*target);
     const bool isOnly = selected != nullptr || m_session.targets().size() == 1;
