@@ -13,6 +13,7 @@
 #include "app/actions/export_actions.h"
 #include "app/dialogs/export_dialog.h"
 #include "app/mesh_reloader.h"
+#include "app/notice_bar.h"
 #include "app/session_files.h"
 #include "session/task_list.h"
 #include "support/test_program.h"
@@ -125,11 +126,16 @@ void SaveNameTest::aSessionThatOthersChangedIsNotReplacedUnasked() {
     QTRY_COMPARE_WITH_TIMEOUT(files().path(), path, kPatience);
     key(Qt::Key_S, Qt::ControlModifier);  // as it was left: no question
     QVERIFY(!files().isChangedByOthers());
+    QTest::qWait(1000);  // what is saved here is no news
+    QVERIFY(m_window->findChild<NoticeBar*>()->text().isEmpty());
     QFile file(path);
     QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Append));
     file.write("\n");
     file.close();
     QVERIFY(files().isChangedByOthers());
+    const auto& notice = *m_window->findChild<NoticeBar*>();
+    QTRY_VERIFY2_WITH_TIMEOUT(notice.text().startsWith(QStringLiteral("s.hitscope was changed by another")),
+                              qPrintable(notice.text()), kPatience);
     const QByteArray theirs = contentOf(path);
     answer({}, QStringLiteral("Cancel"));
     key(Qt::Key_S, Qt::ControlModifier);

@@ -88,6 +88,7 @@ FileActions::FileActions(const Parts& parts) : QObject(&parts.window), m_parts(p
         Q_EMIT opened();
         Q_EMIT said(tr("Saved %1").arg(QFileInfo(path).fileName()));
     });
+    watchFile();
     connect(&m_parts.files, &SceneFiles::cancelled, this,
             [this] { Q_EMIT said(tr("Cancelled. The scene is unchanged.")); });
 }

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include "app/file_watch.h"
 #include "app/scene_files.h"
 #include "core/result.h"
 #include "session/sample_scenes.h"
@@ -84,7 +85,11 @@ private:
     void follow();
     void followFile();
 
+    void watchFile();
+    void tellChanged();
+
     Parts m_parts;
+    FileWatch m_watch;  ///< of the session's file
     QMenu* m_recent = nullptr;
     QMenu* m_scenes = nullptr;
     QAction* m_open = nullptr;

@@ -4,9 +4,11 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <vector>
 
 #include "app/actions/file_actions.h"
 #include "app/dialogs/dialogs.h"
+#include "app/notice_bar.h"
 #include "app/session_files.h"
 #include "app/settings/app_settings.h"
 #include "panels/fields/save_name.h"
@@ -22,6 +24,28 @@ bool FileActions::save() {
     }
     m_parts.sessions.save(m_parts.sessions.path());
     return true;
+}
+
+/// For when somebody else saves to it.
+void FileActions::watchFile() {
+    connect(&m_parts.sessions, &SessionFiles::changed, this, [this] {
+        const QString& path = m_parts.sessions.path();
+        m_watch.follow(path.isEmpty() ? std::vector<MeshFile>() : std::vector<MeshFile>{{.path = path}});
+    });
+    connect(&m_parts.sessions, &SessionFiles::saved, &m_watch, &FileWatch::expect);
+    connect(&m_watch, &FileWatch::changed, this, &FileActions::tellChanged);
+}
+
+void FileActions::tellChanged() {
+    m_parts.notice.say(
+        tr("%1 was changed by another program or window.").arg(QFileInfo(m_parts.sessions.path()).fileName()),
+        tr("Open It Again"), [this] {
+            if (m_parts.sessions.isModified()) {
+                askAndRevert();
+            } else {
+                m_parts.sessions.open(m_parts.sessions.path());
+            }
+        });
 }
 
 /// Somebody else has saved to the session's file.
