@@ -27,9 +27,11 @@ QList<UsageOption> formOptions() {
                    QStringLiteral("Direction in which vertices move: along the projectile's flight, into the "
                                   "surface (against its normal), or out of the projectile's sphere (press). "
                                   "Default: the session's, or projectile.")),
-        valueOption("curve", "NUMBERS",
-                    QStringLiteral("Curve of --profile curve: eight numbers from -1 to 1, separated by "
-                                   "commas, from the hit to max_distance, as fractions of max_magnitude."))};
+        valueOption(
+            "curve", "NUMBERS",
+            QStringLiteral(
+                "Curve of --profile curve, which it implies: eight numbers from -1 to 1, separated by "
+                "commas, from the hit to max_distance, as fractions of max_magnitude."))};
 }
 
 DentForm GivenForm::over(DentForm form) const {

@@ -16,17 +16,19 @@ const std::vector<Verb>& verbs() {
 const ProgramUsage& programUsage() {
     static const ProgramUsage program = [] {
         ProgramUsage made{
-            .all = {.name = QStringLiteral("hitscope-cli"),
-                    .files = QStringLiteral("VERB"),
-                    .about = QStringLiteral("shoot meshes and inspect sessions without a display"),
-                    .description = QStringLiteral(
-                        "Provides the functions of the hitscope window without a display: shoots at meshes, "
-                        "opens, compares and measures sessions, draws pictures. Writes data to the standard "
-                        "output and messages to the standard error. A file named - is the standard input or "
-                        "output. Lengths are in metres, angles in degrees."),
-                    .options = {flagOption("version", QStringLiteral("Print the version."))},
-                    .examples = {},
-                    .mostFiles = 0},
+            .all =
+                {.name = QStringLiteral("hitscope-cli"),
+                 .files = QStringLiteral("VERB"),
+                 .about = QStringLiteral("shoot meshes and inspect sessions without a display"),
+                 .description = QStringLiteral(
+                     "Provides the functions of the hitscope window without a display: shoots at meshes, "
+                     "opens, compares and measures sessions, draws pictures. Writes data to the standard "
+                     "output and messages to the standard error. A file named - is the standard input, for "
+                     "sessions and hits, or the standard output, for data, sessions and exported meshes. "
+                     "Lengths are in metres, angles in degrees."),
+                 .options = {flagOption("version", QStringLiteral("Print the version."))},
+                 .examples = {},
+                 .mostFiles = 0},
             .verbs = {},
             .statuses =
                 {{kGood, QStringLiteral("Good.")},
