@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <vector>
@@ -39,8 +40,9 @@ public:
     /// read back into the session.
     [[nodiscard]] Status sync();
 
-    /// From now on bring() leaves the work to that context, beside the current one.
-    void bringBeside(std::unique_ptr<gl::SideContext> side);
+    /// From now on bring() leaves the work to a context beside the current one, which `make` gives when it is
+    /// first needed; null: there is none.
+    void bringBeside(std::function<std::unique_ptr<gl::SideContext>()> make);
     /// Brings some of a mesh to the GPU that is about to be a target's, for some milliseconds: the frame that
     /// first shows it then does not have to. Returns whether all of it is there.
     bool bring(const std::shared_ptr<const MeshData>& mesh, const std::shared_ptr<const RenderMesh>& render);

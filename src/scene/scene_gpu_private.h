@@ -4,6 +4,7 @@
 // The inside of SceneGpu: scene_gpu_draw.cpp draws, scene_gpu_follow.cpp brings the GPU to the session's
 // state.
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <unordered_map>
@@ -44,7 +45,8 @@ struct SceneGpu::Private {
     FrameMeter meter;
     std::unique_ptr<Renderer> renderer;
     std::unordered_map<TargetId, GpuTarget> targets;
-    std::unique_ptr<gl::SideContext> side;  // null: none; above what it works on
+    std::function<std::unique_ptr<gl::SideContext>()> makeSide;  // empty: done, or nobody can
+    std::unique_ptr<gl::SideContext> side;                       // null: none; above what it works on
     std::vector<std::unique_ptr<Bringing>> coming;
     std::unique_ptr<DeformationPipeline> pipeline;  // below the buffers it is given, so that it goes first
     std::unordered_map<const MeshData*, std::weak_ptr<const MaterialSet>> materials;

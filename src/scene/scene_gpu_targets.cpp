@@ -25,8 +25,8 @@ void SceneGpu::Private::followMaterials(const Target& target, GpuTarget& gpu) {
     }
 }
 
-void SceneGpu::bringBeside(std::unique_ptr<gl::SideContext> side) {
-    d->side = std::move(side);
+void SceneGpu::bringBeside(std::function<std::unique_ptr<gl::SideContext>()> make) {
+    d->makeSide = std::move(make);
 }
 
 bool SceneGpu::bring(const std::shared_ptr<const MeshData>& mesh,
@@ -34,6 +34,9 @@ bool SceneGpu::bring(const std::shared_ptr<const MeshData>& mesh,
     const auto known = std::find_if(d->coming.begin(), d->coming.end(),
                                     [&render](const auto& one) { return one->mesh() == render; });
     if (known == d->coming.end()) {
+        if (const auto make = std::exchange(d->makeSide, nullptr)) {
+            d->side = make();
+        }
         d->coming.push_back(std::make_unique<Bringing>(*mesh, render, d->side.get()));
         return false;
     }

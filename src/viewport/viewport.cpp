@@ -126,7 +126,7 @@ void Viewport::initializeGL() {
         m_scene = std::move(scene).value();
         m_scene->setAppliesBetweenPictures(m_isSoftware);
         if (m_isSoftware) {  // it clears whole buffers at once; not every GPU's driver bears two threads
-            m_scene->bringBeside(SideThread::create(*context()));
+            m_scene->bringBeside([this] { return SideThread::create(*context()); });
         }
         m_picking.setPicker(std::make_unique<ScenePicker>(m_session, *m_scene));
         m_error.clear();
