@@ -114,8 +114,8 @@ std::size_t DiscardGuard::hitsAtRisk() const {
 QMessageBox* DiscardGuard::makeBox() {
     const std::size_t hits = hitsAtRisk();
     const QString what = !m_files.path().isEmpty()
-                             ? tr("Changes of %1 will be lost.").arg(QFileInfo(m_files.path()).fileName())
-                             : tr("%Ln {hit|hits} on this scene will be lost.", nullptr, trCount(hits));
+                             ? tr("Changes of %1 are not saved.").arg(QFileInfo(m_files.path()).fileName())
+                             : tr("%Ln {hit|hits} on this scene {is|are} not saved.", nullptr, trCount(hits));
     auto* box =
         new QMessageBox(QMessageBox::Question, tr("Save session"), what, QMessageBox::NoButton, &m_window);
     box->setObjectName(QStringLiteral("discardHits"));

@@ -51,6 +51,7 @@ public:
     void setSettings(const BrushSettings& settings);
     /// A stroke is being painted, or what the mouse drew has not all been.
     [[nodiscard]] bool isPainting() const { return m_stroke.has_value(); }
+    void cancelStroke();  ///< isPainting(): takes it back
     /// The constants that a hit of the brush has on a target; of a target that is not there: those in force.
     [[nodiscard]] Hit modelOn(TargetId target) const;
     [[nodiscard]] static float radiusOf(const Hit& hit);
@@ -87,7 +88,6 @@ private:
     bool step();
     std::size_t leaveStroke();
     void endStroke();
-    void cancelStroke();
     [[nodiscard]] std::optional<Hit> hitAt(const QPointF& position) const;
     [[nodiscard]] std::optional<glm::vec3> surfaceAt(const QPointF& position) const;
     [[nodiscard]] glm::vec3 inwardAt(const Hit& hit) const;

@@ -79,6 +79,19 @@ private Q_SLOTS:
         QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, centre());
     }
 
+    /// The stroke, not the hits that it has so far.
+    void undoTakesTheStrokeBack() {
+        QTest::mousePress(&viewport(), Qt::LeftButton, {}, centre());
+        QTest::mouseMove(&viewport(), centre() + QPoint(60, 0));
+        QTRY_VERIFY_WITH_TIMEOUT(hits().size() > 1, kPatience);
+        QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(!viewport().brushTool().isPainting());
+        QTest::mouseMove(&viewport(), centre() + QPoint(90, 0));
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, centre() + QPoint(90, 0));
+        QTest::qWait(100);
+        QCOMPARE(hits().size(), std::size_t{0});
+    }
+
     void theDialogShowsWhatIsInForce() {
         QTest::keyClick(&viewport(), Qt::Key_BracketLeft);
         const BrushSettings before = viewport().brushTool().settings();
@@ -197,7 +210,8 @@ private Q_SLOTS:
         trigger(QStringLiteral("Mirror Hits"));
         auto* dialog = m_window->findChild<MirrorDialog*>();
         QVERIFY(dialog != nullptr && dialog->isVisible());
-        dialog->findChild<QComboBox*>(QStringLiteral("hits"))->setCurrentIndex(1);
+        QCOMPARE(dialog->findChild<QComboBox*>(QStringLiteral("hits"))->currentIndex(),
+                 1);  // none is selected
         dialog->findChild<QComboBox*>(QStringLiteral("through"))->setCurrentIndex(1);
         QTRY_VERIFY_WITH_TIMEOUT(dialog->planner().current() != nullptr, kPatience);
         dialog->apply();

@@ -118,6 +118,15 @@ void DentFormBoxesTest::curveIsDragged() {
     }
     // A drag is one step to undo, where it is one at all.
     QVERIFY(m_session->steps().size() <= steps + 1);
+    const CurveOrdinates dragged = form().curve;
+    QTest::mousePress(m_drawn, Qt::LeftButton, {}, to);
+    QTest::mouseMove(m_drawn, from);
+    QVERIFY(form().curve != dragged);
+    QTest::keyClick(m_plot, Qt::Key_Escape);
+    QCOMPARE(form().curve, dragged);
+    QTest::mouseMove(m_drawn, (from + to) / 2);
+    QTest::mouseRelease(m_drawn, Qt::LeftButton, {}, from);
+    QCOMPARE(form().curve, dragged);
 }
 
 void DentFormBoxesTest::curveMovesByKeys() {

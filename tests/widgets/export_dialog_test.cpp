@@ -178,6 +178,11 @@ void ExportDialogTest::exportsAgainWithoutAsking() {
     QVERIFY2(again->text().contains(QStringLiteral("again.glb")), qPrintable(again->text()));
     QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
     QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(path).size() > before, kPatience);
+    session.hits().show(0);  // of a part of the history it says so
+    QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        window.statusBar()->currentMessage().contains(QStringLiteral("after hit 0 of 1")), kPatience);
+    session.hits().show(std::nullopt);
     const TargetId first = session.targets().front()->id;
     session.targets().add({planMesh(makeLowPolyCube())});
     session.targets().remove({&first, 1});

@@ -48,6 +48,7 @@ private Q_SLOTS:
     void constantsApplyToThePastOnRequest();
     void constantsShowWhatIsTrue();
     void constantsForTheNextHitCanBeUndone();
+    void escapeTakesASlidersDragBack();
     void constantsSliderCoversTheRange();
     void lightsSwitchAndTint();
     void lightsCanBeUndone();
@@ -180,6 +181,24 @@ void PanelsTest::constantsForTheNextHitCanBeUndone() {
     QVERIFY(!session.settings().constantsSetting().relative);
     session.undo();
     QVERIFY(session.settings().constantsSetting().relative);
+}
+
+void PanelsTest::escapeTakesASlidersDragBack() {
+    Session session;
+    loadPaperRow(session, kDefaultPaperRow);
+    HitEditing editing(session);
+    DeformationConstantsPanel panel(session, editing);
+    panel.show();
+    auto* slider = panel.findChildren<QSlider*>().at(0);
+    const int before = slider->value();
+    slider->setSliderDown(true);
+    slider->setValue(700);
+    QVERIFY(session.settings().constants().maxDistance > 0.5f);
+    QTest::keyClick(slider, Qt::Key_Escape);
+    QCOMPARE(session.settings().constants().maxDistance, 0.5f);
+    QCOMPARE(slider->value(), before);
+    QVERIFY(!slider->isSliderDown());
+    QVERIFY(!session.steps().canUndo());
 }
 
 void PanelsTest::constantsSliderCoversTheRange() {

@@ -9,6 +9,7 @@
 #include "models/undo_text.h"
 #include "panels/help/help_text.h"
 #include "session/session.h"
+#include "viewport/brush_tool.h"
 
 namespace hitscope {
 
@@ -43,6 +44,10 @@ void EditActions::undoLast() {
         m_editor->cancel();
         return;
     }
+    if (m_brush != nullptr && m_brush->isPainting()) {
+        m_brush->cancelStroke();
+        return;
+    }
     if (const auto step = m_session.steps().toUndo()) {
         m_session.undo();
         Q_EMIT said(tr("Undone: %1").arg(undoText(*step)));
@@ -50,6 +55,9 @@ void EditActions::undoLast() {
 }
 
 void EditActions::redoNext() {
+    if (m_brush != nullptr && m_brush->isPainting()) {
+        return;
+    }
     if (const auto step = m_session.steps().toRedo()) {
         m_session.redo();
         Q_EMIT said(tr("Redone: %1").arg(undoText(*step)));

@@ -8,6 +8,7 @@ class QMenu;
 
 namespace hitscope {
 
+class BrushTool;
 class MeshEditor;
 class Session;
 
@@ -21,6 +22,8 @@ public:
     void fill(QMenu& menu);  ///< once
     /// While it changes a mesh, Undo cancels that. Once; it outlives this.
     void setEditor(MeshEditor& editor);
+    /// While it paints, Undo takes the stroke back, and Redo does nothing. Likewise.
+    void setBrush(BrushTool& brush) { m_brush = &brush; }
     [[nodiscard]] QAction* undo() const { return m_undo; }
     [[nodiscard]] QAction* redo() const { return m_redo; }
 
@@ -34,6 +37,7 @@ private:
 
     Session& m_session;
     MeshEditor* m_editor = nullptr;
+    BrushTool* m_brush = nullptr;
     QAction* m_undo = nullptr;
     QAction* m_redo = nullptr;
     QAction* m_enableAll = nullptr;

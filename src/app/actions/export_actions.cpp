@@ -14,6 +14,7 @@
 #include "app/mesh_exporter.h"
 #include "app/settings/app_settings.h"
 #include "models/focus_target.h"
+#include "models/quantity_text.h"
 #include "panels/fields/save_name.h"
 #include "panels/help/help_text.h"
 #include "session/export/export_target.h"
@@ -118,6 +119,11 @@ void ExportActions::choose() {
         return estimateExport(targets(all), options, m_session.hits().shown());
     };
     ExportDialog dialog(std::move(choice), &m_window);
+    if (!m_session.hits().showsAll()) {  // the history was moved back
+        dialog.setWindowTitle(tr("Export after hit %1 of %2")
+                                  .arg(countText(m_session.hits().shown().size()),
+                                       countText(m_session.hits().history().size())));
+    }
     QSettings settings;
     dialog.load(settings);
     if (dialog.exec() != QDialog::Accepted) {
@@ -200,8 +206,13 @@ void ExportActions::beginOf(const std::vector<const Target*>& targets, const QSt
         return;
     }
     tellBegin(targets, path, options.format);
-    const QString name = targets.size() == 1 ? tr("“%1”").arg(targets.front()->name)
-                                             : tr("%n targets", nullptr, static_cast<int>(targets.size()));
+    QString name = targets.size() == 1 ? tr("“%1”").arg(targets.front()->name)
+                                       : tr("%n targets", nullptr, static_cast<int>(targets.size()));
+    if (!m_session.hits().showsAll()) {
+        name = tr("%1 after hit %2 of %3")
+                   .arg(name, countText(m_session.hits().shown().size()),
+                        countText(m_session.hits().history().size()));
+    }
     m_exporter->start(copyForExport(m_session, targets, options), name, path);
 }
 

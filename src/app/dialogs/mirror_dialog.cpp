@@ -55,6 +55,13 @@ MirrorDialog::MirrorDialog(Session& session, Viewport& viewport, HitEditing& edi
     });
 }
 
+void MirrorDialog::showEvent(QShowEvent* event) {
+    if (m_editing.rows().empty()) {
+        m_hits->setCurrentIndex(kAllHits);
+    }
+    PlanDialog::showEvent(event);
+}
+
 /// The cutting plane is among them while there is one.
 void MirrorDialog::showPlanes() {
     const bool isCut = session().settings().cut().on;

@@ -18,6 +18,7 @@ public:
     MirrorDialog(Session& session, Viewport& viewport, HitEditing& editing, QWidget* parent);
 
 protected:
+    void showEvent(QShowEvent* event) override;
     void replan() override;
     [[nodiscard]] HitGroupKind kind() const override { return HitGroupKind::Mirror; }
     [[nodiscard]] QString summary(const HitPlanner::Plan& plan) const override;

@@ -29,7 +29,7 @@ PlanDialog::PlanDialog(Session& session, Viewport& viewport, const QString& titl
     m_summary->setObjectName(QStringLiteral("summary"));
     m_summary->setTextFormat(Qt::PlainText);
     m_summary->setWordWrap(true);
-    m_summary->setMinimumWidth(24 * fontMetrics().averageCharWidth());
+    m_summary->setMinimumWidth(36 * fontMetrics().averageCharWidth());
     // Two lines from the beginning: the dialog does not grow under the cursor.
     m_summary->setMinimumHeight(2 * fontMetrics().lineSpacing());
     m_summary->setAlignment(Qt::AlignLeft | Qt::AlignTop);

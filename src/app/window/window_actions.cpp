@@ -56,6 +56,7 @@ void WindowActions::make(const Parts& parts) {
     projectile = new ProjectileActions(session, window);
     mesh = new MeshActions(session, shots->aimPreview(), window);
     edit->setEditor(mesh->editor());
+    edit->setBrush(viewport.brushTool());
     cameras = new CameraActions(viewport, &window);
     pictures = new PictureActions(viewport, window);
     const auto capture = [&session, &view = parts.view] { return captureSession(session, view.capture()); };

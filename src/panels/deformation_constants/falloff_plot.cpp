@@ -248,6 +248,7 @@ void FalloffPlot::takeMouse() {
 /// The nearest point is taken, from anywhere near its distance.
 void FalloffPlot::press(const QPointF& at) {
     setFocus(Qt::MouseFocusReason);
+    m_before = m_form.curve;
     const double share = m_plot->xAxis->pixelToCoord(at.x()) / rim();
     m_point = static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * (kCurvePoints - 1)));
     m_isDragging = true;
@@ -265,6 +266,10 @@ void FalloffPlot::setOrdinate(double ordinate) {
     CurveOrdinates curve = m_form.curve;
     const double rounded = std::round(std::clamp(ordinate, -1.0, 1.0) * kOrdinateSteps) / kOrdinateSteps;
     curve[static_cast<std::size_t>(m_point)] = static_cast<float>(rounded);
+    setCurve(curve);
+}
+
+void FalloffPlot::setCurve(const CurveOrdinates& curve) {
     if (curve != m_form.curve) {
         m_form.curve = curve;
         show(m_constants, m_form, m_unitShown);
@@ -277,6 +282,14 @@ void FalloffPlot::keyPressEvent(QKeyEvent* event) {
     const double step = (event->modifiers() & Qt::ShiftModifier) != 0 ? kFineStep : kStep;
     const double now = static_cast<double>(m_form.curve[static_cast<std::size_t>(m_point)]);
     switch (isEditable() ? event->key() : Qt::Key_unknown) {
+        case Qt::Key_Escape:
+            if (!std::exchange(m_isDragging, false)) {
+                QWidget::keyPressEvent(event);
+                return;
+            }
+            setCurve(m_before);
+            Q_EMIT curveFinished();
+            break;
         case Qt::Key_Left:
             m_point = std::max(m_point - 1, 0);
             break;

@@ -39,6 +39,7 @@ private:
     void press(const QPointF& at);
     void dragTo(const QPointF& at);
     void setOrdinate(double ordinate);
+    void setCurve(const CurveOrdinates& curve);
     void drawPaper();
     void drawForm();
     void drawPoints();
@@ -58,6 +59,7 @@ private:
     DentForm m_form;
     Unit m_unitShown = Unit::Metres;
     int m_point = 0;            ///< of the curve: chosen
+    CurveOrdinates m_before{};  ///< the drag
     bool m_isDragging = false;  ///< m_point
     QCPItemLine* m_step = nullptr;
     QCPItemText* m_cornerText = nullptr;

@@ -2,6 +2,7 @@
 #include "panels/deformation_constants/parameter_editor.h"
 
 #include <QGridLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -69,6 +70,9 @@ ParameterEditor::ParameterEditor(const ParameterDescriptor& parameter, const Par
         m_box->showNumber(shown);
         Q_EMIT edited(decimalOf(shown / m_scale));
     });
+    m_slider->installEventFilter(this);
+    connect(m_slider, &QSlider::sliderPressed, this,
+            [this] { m_before = m_box->differs() ? std::nullopt : std::optional(m_box->value()); });
     connect(m_slider, &QSlider::sliderReleased, this, &ParameterEditor::finished);
     connect(m_box, &NumberBox::edited, this, &ParameterEditor::edit);
     connect(m_box, &NumberBox::editingFinished, this, &ParameterEditor::finished);
@@ -77,6 +81,32 @@ ParameterEditor::ParameterEditor(const ParameterDescriptor& parameter, const Par
         Q_EMIT edited(m_resetTo);
         Q_EMIT finished();
     });
+}
+
+bool ParameterEditor::eventFilter(QObject* watched, QEvent* event) {
+    const QEvent::Type type = event->type();
+    if (watched == m_slider && m_slider->isSliderDown() &&
+        (type == QEvent::ShortcutOverride || type == QEvent::KeyPress) &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+        event->accept();
+        if (type == QEvent::KeyPress) {
+            cancelDrag();
+        }
+        return true;
+    }
+    if (watched == m_slider && type == QEvent::MouseButtonRelease) {
+        m_isCancelled = false;
+    }
+    return m_isCancelled && watched == m_slider && type == QEvent::MouseMove;
+}
+
+void ParameterEditor::cancelDrag() {
+    if (m_before) {
+        m_isCancelled = true;
+        m_box->showNumber(*m_before);
+        edit(*m_before);
+        m_slider->setSliderDown(false);
+    }
 }
 
 void ParameterEditor::edit(double shown) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
 
 #include "core/parameter.h"
 
@@ -37,7 +38,12 @@ Q_SIGNALS:
     void edited(double value);
     void finished();  ///< a drag of the slider or a run of edits has ended
 
+protected:
+    /// Escape takes back what a drag of the slider did.
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
+    void cancelDrag();
     void edit(double shown);
     void showRange();
     [[nodiscard]] double shownOf(double value) const;
@@ -53,6 +59,8 @@ private:
     QSlider* m_slider = nullptr;
     NumberBox* m_box = nullptr;
     QToolButton* m_reset = nullptr;
+    std::optional<double> m_before;  ///< the drag; nothing: several values
+    bool m_isCancelled = false;      ///< the drag, whose button is still held
 };
 
 }  // namespace hitscope

@@ -16,6 +16,7 @@ public:
     /// Emits nothing. Keeps what is being typed.
     void showNumber(double value);
     void showDiffering();
+    [[nodiscard]] bool differs() const { return m_differs; }  ///< it stands for several numbers
 
     [[nodiscard]] QString textFromValue(double value) const override;
     [[nodiscard]] double valueFromText(const QString& text) const override;
