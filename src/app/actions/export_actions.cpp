@@ -163,9 +163,8 @@ QString ExportActions::whatReplacingDoes(const QString& path) const {
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
         const auto* source = std::get_if<MeshFile>(&target->source);
         if (source != nullptr && QFileInfo(source->path).canonicalFilePath() == replaced) {
-            return tr("The target “%1” was read from it. Whoever opens the session later, gets the dented "
-                      "mesh "
-                      "and applies the hits to it again. The original is lost.")
+            return tr("The target “%1” was read from it. A session that refers to it then starts from the "
+                      "dented mesh and applies the hits to it again. The original is lost.")
                 .arg(target->name);
         }
     }

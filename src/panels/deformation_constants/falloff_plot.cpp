@@ -117,7 +117,7 @@ void FalloffPlot::nameUnit(Unit unit) {
     m_unit = unit == Unit::Metres ? tr("m") : tr("%");
     const QString of = unit == Unit::Metres ? m_unit : tr("% of target");
     m_plot->xAxis->setLabel(tr("distance from the hit point (%1)").arg(of));
-    m_plot->yAxis->setLabel(tr("displacement (%1)").arg(m_unit));
+    m_plot->yAxis->setLabel(tr("moved by (%1)").arg(m_unit));
 }
 
 bool FalloffPlot::isEditable() const {
