@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is saved from the window replaces nothing that the person did not mean.
+#include <QAction>
 #include <QApplication>
 #include <QFileDialog>
 #include <QLineEdit>
@@ -15,6 +16,7 @@
 #include "app/mesh_reloader.h"
 #include "app/notice_bar.h"
 #include "app/session_files.h"
+#include "session/mesh_steps/mesh_edit.h"
 #include "session/task_list.h"
 #include "support/test_program.h"
 #include "widgets/window_support.h"
@@ -54,6 +56,7 @@ private Q_SLOTS:
     void whatExistsIsNamed();
     void aSessionThatOthersChangedIsNotReplacedUnasked();
     void anExportOverItsMeshSaysWhatComesOfIt();
+    void aRefinedMeshIsExportedAgain();
 
 private:
     [[nodiscard]] QString at(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
@@ -95,6 +98,26 @@ private:
     std::unique_ptr<QTemporaryDir> m_folder;
     QStringList m_asked;
 };
+
+/// A refined mesh is another target.
+void SaveNameTest::aRefinedMeshIsExportedAgain() {
+    auto& exports = *m_window->findChild<ExportActions*>();
+    const auto* again = m_window->findChild<QAction*>(QStringLiteral("exportAgain"));
+    QSignalSpy ended(&exports, &ExportActions::ended);
+    answer(at("dented.obj"), QStringLiteral("Replace"));
+    key(Qt::Key_E, Qt::ControlModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, kPatience);
+    const TargetId before = m_session->targets().front()->id;
+    const MeshEdit edit = meshEdit(*m_session, before, SmoothOptions{});
+    const Target& target = *m_session->targets().front();
+    Result<EditedMesh> smooth = edited(*target.shape.mesh, edit);
+    QVERIFY(smooth.ok());
+    QVERIFY(takeEdited(*m_session, stateWith(target, std::move(smooth).value()), edit).ok());
+    QVERIFY(m_session->targets().front()->id != before);
+    QVERIFY(again->isEnabled());
+    key(Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 2, kPatience);
+}
 
 /// The name of the mesh would make the mesh a session.
 void SaveNameTest::aSessionHasItsSuffix() {

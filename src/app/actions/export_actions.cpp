@@ -34,6 +34,14 @@ QString suggestedPath(const QString& folder, QString name, const QString& ending
     return folder + u'/' + (name.isEmpty() ? QStringLiteral("mesh") : name) + ending;
 }
 
+/// Of files, whatever they held.
+bool isSameSource(const TargetSource& a, const TargetSource& b) {
+    const auto* file = std::get_if<MeshFile>(&a);
+    const auto* other = std::get_if<MeshFile>(&b);
+    return file != nullptr && other != nullptr ? file->path == other->path
+                                               : a == b && !std::holds_alternative<std::monostate>(a);
+}
+
 QString exportName(const Target& target) {
     return target.sourcePath.isEmpty() ? target.name : QFileInfo(target.sourcePath).completeBaseName();
 }
@@ -82,14 +90,26 @@ void ExportActions::fill(QMenu& menu) {
 void ExportActions::follow() {
     const bool isAny = !m_session.targets().empty();
     // Another target under the same name would be written over the file of the first.
-    const bool isThere =
-        m_last && isAny && (m_last->ofAll || m_session.targets().find(m_last->target) != nullptr);
+    const bool isThere = m_last && isAny && (m_last->ofAll || lastTarget() != nullptr);
     enableIf(*m_export, isAny, tr("There is no target to export."));
     enableIf(*m_again, isThere,
              m_last ? tr("What was exported last is not in the scene.") : tr("Nothing was exported yet."));
     m_again->setText(isThere ? tr("Export A&gain to %1")
                                    .arg(QFileInfo(m_last->path).fileName().replace(u'&', QLatin1String("&&")))
                              : tr("Export A&gain"));
+}
+
+/// What was exported last, or what a refined or reloaded mesh has made of it; null: it is not in the scene.
+const Target* ExportActions::lastTarget() const {
+    if (const Target* target = m_session.targets().find(m_last->target)) {
+        return target;
+    }
+    for (const std::unique_ptr<Target>& target : m_session.targets()) {
+        if (isSameSource(target->source, m_last->source) && target->name == m_last->name) {
+            return target.get();
+        }
+    }
+    return nullptr;
 }
 
 /// All, or the one in focus; none in an empty scene.
@@ -139,7 +159,7 @@ void ExportActions::choose() {
     }
     const QString path = choosePath(*target, dialog.isOfAll(), options.format);
     if (!path.isEmpty()) {
-        m_last = Last{path, dialog.isOfAll(), target->id, options};
+        m_last = Last{path, dialog.isOfAll(), target->id, target->name, target->source, options};
         beginOf(targets(dialog.isOfAll()), path, options);
         follow();
     }
@@ -149,7 +169,7 @@ void ExportActions::again() {
     if (!m_last) {
         return;
     }
-    const Target* one = m_session.targets().find(m_last->target);
+    const Target* one = lastTarget();
     if (m_last->ofAll) {
         beginOf(targets(true), m_last->path, m_last->options);
     } else if (one != nullptr) {

@@ -10,6 +10,7 @@
 #include "core/ids.h"
 #include "core/result.h"
 #include "session/export/export_options.h"
+#include "session/target_source.h"
 
 class QAction;
 class QMenu;
@@ -58,10 +59,13 @@ private:
     struct Last {
         QString path;
         bool ofAll = false;
-        TargetId target;  // where it is not of all
+        TargetId target;  // where it is not of all; the next two know it when its mesh was replaced
+        QString name;
+        TargetSource source;
         ExportOptions options;
     };
     [[nodiscard]] std::vector<const Target*> targets(bool all) const;
+    [[nodiscard]] const Target* lastTarget() const;
     [[nodiscard]] QString whatReplacingDoes(const QString& path) const;
     [[nodiscard]] QString choosePath(const Target& target, bool ofAll, ExportFormat format);
     [[nodiscard]] ExportOptions shownAs(const QString& path, std::optional<NormalMode> normals) const;
