@@ -92,6 +92,14 @@ private Q_SLOTS:
         QCOMPARE(hits().size(), std::size_t{0});
     }
 
+    void theInspectKeyLeadsToInspectAndBack() {
+        QCOMPARE(viewport().inspectTool().tool(), Tool::Brush);
+        QTest::keyClick(m_window.get(), Qt::Key_I);
+        QCOMPARE(viewport().inspectTool().tool(), Tool::Inspect);
+        QTest::keyClick(m_window.get(), Qt::Key_I);
+        QCOMPARE(viewport().inspectTool().tool(), Tool::Shoot);
+    }
+
     void theDialogShowsWhatIsInForce() {
         QTest::keyClick(&viewport(), Qt::Key_BracketLeft);
         const BrushSettings before = viewport().brushTool().settings();

@@ -58,7 +58,7 @@ InspectActions::InspectActions(Session& session, Viewport& viewport, QObject* pa
         m_viewport.setFocus();  // which its further keys are for
     });
     connect(m_toggle, &QAction::triggered, this,
-            [this] { m_tool.setTool(m_tool.tool() == Tool::Shoot ? Tool::Inspect : Tool::Shoot); });
+            [this] { m_tool.setTool(m_tool.tool() == Tool::Inspect ? Tool::Shoot : Tool::Inspect); });
     connect(m_outlines, &QActionGroup::triggered, this, [this](const QAction* chosen) {
         m_tool.setOutline(chosen == m_lasso ? Outline::Lasso : Outline::Rectangle);
         m_tool.setTool(Tool::Inspect);  // where it is of use
