@@ -4,7 +4,9 @@
 #include <QElapsedTimer>
 #include <chrono>
 #include <cstddef>
+#include <exception>
 #include <limits>
+#include <new>
 #include <utility>
 
 #include "gl/context.h"
@@ -28,13 +30,17 @@ Bringing::Bringing(const MeshData& mesh, std::shared_ptr<const RenderMesh> rende
     auto done = std::make_shared<std::promise<void>>();  // a std::function can be copied
     m_beside = done->get_future();
     side->start([this, done] {
-        while (!m_stop && !m_buffers->fillMore(kBroughtAtOnce)) {
+        try {
+            while (!m_stop && !m_buffers->fillMore(kBroughtAtOnce)) {
+            }
+            if (!m_stop) {
+                m_buffers->bringClusterNumbers();
+            }
+            gl::finish();
+            done->set_value();
+        } catch (const std::bad_alloc&) {
+            done->set_exception(std::current_exception());  // who asks for the buffers gets it
         }
-        if (!m_stop) {
-            m_buffers->bringClusterNumbers();
-        }
-        gl::finish();
-        done->set_value();
     });
 }
 
