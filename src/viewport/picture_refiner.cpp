@@ -113,6 +113,7 @@ void PictureRefiner::step() {
     const bool isFirst = !hadPicture && m_view->hasPicture() && m_hooks.isCoarse();
     if (isDone() || isFirst || (samples >= RefinedView::kFewestShown && isNew)) {
         m_sinceShown.start();
+        Q_EMIT aboutToShow();
         m_hooks.show();
     }
     if (!isDone()) {

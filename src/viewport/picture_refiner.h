@@ -38,6 +38,10 @@ public:
     /// Whether the last frame was the refined picture: nothing new was drawn.
     [[nodiscard]] bool wasShown() const { return m_view && m_view->wasShown(); }
     [[nodiscard]] int samples() const { return m_view ? m_view->samples() : 0; }
+    /// Samples are being added, or will be if nothing happens. What does not matter to the user's work had
+    /// better not be painted meanwhile: a software renderer takes as long to compose the window as for a
+    /// sample.
+    [[nodiscard]] bool isUnderWay() const { return m_timer.isActive(); }
     /// Why nothing is refined here; empty: nothing is in the way.
     [[nodiscard]] const QString& whyNot() const { return m_whyNot; }
 
@@ -50,6 +54,7 @@ public:
 
 Q_SIGNALS:
     void refined(int samples);  ///< one sample more
+    void aboutToShow();         ///< the window will be composed anew for what there is so far
     void failed();              ///< whyNot() says more
 
 private:

@@ -14,6 +14,7 @@
 #include "gl/context.h"
 #include "mesh/geodesic_sphere.h"
 #include "mesh/primitives.h"
+#include "panels/frame_rate/frame_graph.h"
 #include "panels/help/help_text.h"
 #include "scene/picture.h"
 #include "support/baseline.h"
@@ -38,6 +39,7 @@ private Q_SLOTS:
     void offForgets();
     void slowPicturesAreCoarseFirst();
     void eventsComeWhileAPictureIsDrawn();
+    void frameRateWaitsForIt();
     void measuringIsWithout();
     void savedAreTheSameToTheBit();
     void copiedAreAsShown();
@@ -222,6 +224,22 @@ void RefineTest::eventsComeWhileAPictureIsDrawn() {
     };
     QTRY_VERIFY_WITH_TIMEOUT(sinceDrawn().contains(QStringLiteral("shown")), kPatience);
     QCOMPARE(sinceDrawn().first(3).join(u' '), QStringLiteral("drawn event shown"));
+}
+
+void RefineTest::frameRateWaitsForIt() {
+    refiner().setWanted(400);  // takes longer than the graph's timer
+    int drawn = 0;
+    int looks = 0;
+    QObject listener;
+    connect(m_window->findChild<FrameGraph*>(), &FrameGraph::drawn, &listener,
+            [&] { drawn += refiner().isUnderWay() ? 1 : 0; });
+    connect(&refiner(), &PictureRefiner::aboutToShow, &listener,
+            [&] { looks += refiner().isUnderWay() ? 1 : 0; });
+    Camera camera = viewport().camera();
+    camera.orbit(0.3f, 0.1f);
+    viewport().navigation().setCamera(camera);
+    QTRY_COMPARE_WITH_TIMEOUT(refiner().samples(), 400, kPatience);
+    QVERIFY2(drawn <= looks, qPrintable(QStringLiteral("%1 of %2").arg(drawn).arg(looks)));
 }
 
 void RefineTest::measuringIsWithout() {

@@ -18,7 +18,12 @@ FrameRateReadOut::FrameRateReadOut(FrameRatePanel& frames, Viewport& viewport, S
                                    QObject* parent)
     : QObject(parent), m_frames(frames), m_viewport(viewport), m_status(status) {
     m_timer.setInterval(kInterval);
-    connect(&m_timer, &QTimer::timeout, this, &FrameRateReadOut::follow);
+    connect(&m_timer, &QTimer::timeout, this, [this] {
+        if (!m_viewport.refiner().isUnderWay()) {
+            follow();
+        }
+    });
+    connect(&viewport.refiner(), &PictureRefiner::aboutToShow, this, &FrameRateReadOut::follow);
     connect(&viewport.session().frameCosts(), &FrameCosts::frameEnded, this, [this] {
         if (!m_timer.isActive()) {
             m_timer.start();

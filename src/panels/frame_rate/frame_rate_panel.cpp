@@ -74,7 +74,11 @@ FrameRatePanel::FrameRatePanel(Session& session, QAction& continuous, const Cost
     makeLegend();
     makeButtons(continuous);
     m_timer.setInterval(kRefreshInterval);
-    connect(&m_timer, &QTimer::timeout, this, &FrameRatePanel::refresh);
+    connect(&m_timer, &QTimer::timeout, this, [this] {
+        if (!m_isHeld()) {
+            refresh();
+        }
+    });
     connect(m_ui->tabs, &QTabWidget::currentChanged, this, &FrameRatePanel::refresh);
     connect(&session.frameCosts(), &FrameCosts::frameEnded, this, [this] {
         const FrameCost& frame = m_session.frameCosts().frames().back();

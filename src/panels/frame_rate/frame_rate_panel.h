@@ -5,7 +5,9 @@
 #include <QWidget>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/frame_times.h"
@@ -37,6 +39,9 @@ public:
     ~FrameRatePanel() override;
 
     void clear();
+    /// While `isHeld`, the panel shows nothing new by itself: the window has better to do.
+    void setHeld(std::function<bool()> isHeld) { m_isHeld = std::move(isHeld); }
+    void refresh();  ///< shows what is new
     [[nodiscard]] FrameTimes::Summary summary();
     [[nodiscard]] FrameGraph& graph() { return *m_graph; }
     [[nodiscard]] CostView& costs() { return *m_costView; }
@@ -57,7 +62,6 @@ private:
     QComboBox* makeQuantity();
     void makeButtons(QAction& continuous);
     void chooseCsv();
-    void refresh();
     void showReadOuts();
     void takeFramesAlone();
     void colourLegend();
@@ -70,6 +74,7 @@ private:
     FrameGraph* m_graph = nullptr;
     CostView* m_costView = nullptr;
     QTimer m_timer;
+    std::function<bool()> m_isHeld = [] { return false; };
     bool m_isNew = false;  ///< a frame came since the last refresh
     struct ReadOuts {
         QLabel* framesPerSecond = nullptr;
