@@ -47,9 +47,6 @@ Status SequenceWriter::start(const Plan& plan) {
     });
     if (made) {
         m_count = m_sequence->count();
-        m_task = std::make_unique<TaskProgress>(
-            m_viewport.session().tasks(), tr("Drawing pictures"), [this] { cancel(); },
-            tr("Cancel; pictures already written are kept"));
         QTimer::singleShot(0, this, &SequenceWriter::step);
     }
     return made;
@@ -79,7 +76,6 @@ void SequenceWriter::step() {
     if (const int each = m_plan.picture.samples; each > 1) {
         // A picture may begin anew.
         m_samples = std::min(std::max(m_samples + 1, m_drawn * each), (m_drawn + 1) * each);
-        m_task->report(std::min(1.0, static_cast<double>(m_samples) / (each * m_count)));
         Q_EMIT sampled(m_samples, each * m_count);
     }
 }
@@ -104,9 +100,6 @@ void SequenceWriter::took(int run, const Status& saved) {
         return;
     }
     ++m_written;
-    if (m_plan.picture.samples <= 1) {
-        m_task->report(static_cast<double>(m_written) / m_count);
-    }
     Q_EMIT progressed(m_written, m_count);
     if (!isRunning()) {
         return;  // who shows it handled events, among them the last picture or a click on Cancel
@@ -127,7 +120,6 @@ void SequenceWriter::cancel() {
 }
 
 void SequenceWriter::stop() {
-    m_task.reset();
     if (m_sequence) {
         // Its buffers are given back where they came from.
         static_cast<void>(m_viewport.withScene([this](SceneGpu&) -> Status {

@@ -4,11 +4,9 @@
 #include <QObject>
 #include <QString>
 #include <QThreadPool>
-#include <memory>
 #include <optional>
 
 #include "scene/picture_sequence.h"
-#include "session/task_list.h"
 
 namespace hitscope {
 
@@ -55,7 +53,6 @@ private:
     Viewport& m_viewport;
     Plan m_plan;
     std::optional<PictureSequence> m_sequence;
-    std::unique_ptr<TaskProgress> m_task;  ///< null: nothing is drawn
     QThreadPool m_writers;
     int m_run = 0;  ///< tells late answers of a run before from this one's
     int m_count = 0;

@@ -6,11 +6,9 @@
 #include <QProgressBar>
 #include <QStatusBar>
 #include <QToolButton>
-#include <algorithm>
-#include <cmath>
 
-#include "core/remaining_time.h"
 #include "models/frame_rate_text.h"
+#include "models/progress_text.h"
 #include "models/quantity_text.h"
 #include "models/verdict_text.h"
 #include "session/shown_number.h"
@@ -25,19 +23,6 @@ constexpr int kBetweenFractions = 200;  // milliseconds: each has the whole wind
 constexpr int kDone = 100;              // per cent
 constexpr int kBetweenCells = 6;        // logical pixels, as QStatusBar has them
 constexpr int kAroundMessage = 24;      // likewise, and the size grip
-
-QString withRemaining(const QString& what, double fraction, double seconds) {
-    constexpr double kMinute = 60.0;
-    constexpr double kInMinutes = 90.0;
-    const std::optional<double> left = remainingSeconds(fraction, seconds);
-    if (!left) {
-        return what;
-    }
-    if (*left > kInMinutes) {
-        return StatusLine::tr("%1, about %2 min left").arg(what).arg(std::lround(*left / kMinute));
-    }
-    return StatusLine::tr("%1, about %2 s left").arg(what).arg(std::max(1L, std::lround(*left)));
-}
 
 }  // namespace
 

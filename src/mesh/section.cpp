@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 #include <unordered_map>
+#include <utility>
 
 namespace hitscope {
 
@@ -57,14 +58,19 @@ public:
     std::vector<SectionCurve> chain() {
         m_isUsed.assign(m_segments.size(), false);
         std::vector<SectionCurve> curves;
+        const auto take = [&curves](SectionCurve&& curve) {
+            if (curve.points.size() > 1) {
+                curves.push_back(std::move(curve));
+            }
+        };
         for (std::uint32_t cut = 0; cut < m_points.size(); ++cut) {
             while (m_joins[cut].size() != 2 && unusedAt(cut)) {
-                curves.push_back(walk(cut));
+                take(walk(cut));
             }
         }
         for (std::uint32_t cut = 0; cut < m_points.size(); ++cut) {
             if (unusedAt(cut)) {
-                curves.push_back(walk(cut));
+                take(walk(cut));
             }
         }
         return curves;
@@ -77,7 +83,8 @@ private:
         return found != m_joins[cut].end() ? &*found : nullptr;
     }
 
-    /// To the next cut where the way is not clear, or round to the first.
+    /// To the next cut where the way is not clear, or round to the first. Cuts of several edges at one place,
+    /// of a vertex in the plane, are one point; if that is all, the curve has no length.
     SectionCurve walk(std::uint32_t first) {
         SectionCurve curve;
         curve.points.push_back(m_points[first]);
@@ -90,10 +97,15 @@ private:
                 curve.closed = true;
                 break;
             }
-            curve.points.push_back(m_points[here]);
+            if (m_points[here] != curve.points.back()) {
+                curve.points.push_back(m_points[here]);
+            }
             if (m_joins[here].size() != 2) {
                 break;
             }
+        }
+        if (curve.closed && curve.points.size() > 1 && curve.points.front() == curve.points.back()) {
+            curve.points.pop_back();
         }
         return curve;
     }

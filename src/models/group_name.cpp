@@ -19,7 +19,7 @@ QString groupName(const HitGroup& group) {
         case HitGroupKind::Scatter:
             return name(QT_TRANSLATE_NOOP("hitscope::GroupName", "Scatter %1"));
         case HitGroupKind::Stroke:
-            return name(QT_TRANSLATE_NOOP("hitscope::GroupName", "Stroke %1"));
+            return name(QT_TRANSLATE_NOOP("hitscope::GroupName", "Brush stroke %1"));
         case HitGroupKind::None:
             break;
     }

@@ -281,16 +281,16 @@ bool mayBeMissing(const Row& row) {
 /// which is what the column holds.
 QString changeText(double value) {
     constexpr int kDigits = 3;
-    constexpr int kMostDecimals = 5;
-    constexpr int kLeastMagnitude = -4;
-    constexpr int kMostMagnitude = 6;
+    constexpr int kDecimals = 5;
+    constexpr int kLeast = -4;
+    constexpr int kMost = 6;
     const double size = std::abs(value);
     const int magnitude =
         size > 0.0 && std::isfinite(size) ? static_cast<int>(std::floor(std::log10(size))) : 0;
-    if (magnitude < kLeastMagnitude || magnitude > kMostMagnitude) {
+    if (magnitude < kLeast || magnitude > kMost) {
         return shownNumber(value, 'e', 1);
     }
-    return size > 0.0 ? shownNumber(value, 'f', std::clamp(kDigits - 1 - magnitude, 0, kMostDecimals))
+    return size > 0.0 ? shownNumber(value, 'f', std::clamp(kDigits - 1 - magnitude, 0, kDecimals))
                       : QStringLiteral("0");
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "models/quantity_text.h"
 #include "session/shown_number.h"
 
 namespace hitscope {
@@ -71,8 +72,11 @@ constexpr Words kWords[] = {
 QString undoText(const SessionUndo::Name& name) {
     const auto* words = std::find_if(std::begin(kWords), std::end(kWords),
                                      [&name](const Words& row) { return row.kind == name.kind; });
-    return words->many == nullptr || name.count == 1 ? translated(words->one)
-                                                     : translated(words->many, trCount(name.count));
+    if (words->many != nullptr && name.count != 1) {
+        return translated(words->many, trCount(name.count));
+    }
+    const QString one = translated(words->one);
+    return name.hit == 0 ? one : QStringLiteral("%1 %2").arg(one, countText(name.hit));
 }
 
 }  // namespace hitscope

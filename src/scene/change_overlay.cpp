@@ -98,6 +98,16 @@ QString titleOf(const ShownChange& change) {
     return unit.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, unit);
 }
 
+QString unchangedText() {
+    return words(QT_TRANSLATE_NOOP("hitscope::ChangeOverlay", "No change"));
+}
+
+/// By the values of all vertices; a range that somebody gave holds whether anything changed or not.
+bool isUnchanged(const SceneGpu::View& view) {
+    return view.options.change.style().automatic && view.changeValues != nullptr &&
+           view.changeValues->isComplete() && view.changeValues->summary().count == 0;
+}
+
 void paintBar(QPainter& painter, const QRectF& bar, ColourMap map) {
     const ColourTable& table = colourTable(map);
     QImage colours(1, static_cast<int>(table.size()), QImage::Format_RGB32);
@@ -113,7 +123,8 @@ void paintBar(QPainter& painter, const QRectF& bar, ColourMap map) {
 bool ChangeOverlay::Legend::operator==(const Legend& other) const {
     return title == other.title && change.range == other.change.range && change.map == other.change.map &&
            change.quantity == other.change.quantity && change.isolineStep == other.change.isolineStep &&
-           theme == other.theme && pixelRatio == other.pixelRatio && barHeight == other.barHeight;
+           theme == other.theme && pixelRatio == other.pixelRatio && barHeight == other.barHeight &&
+           unchanged == other.unchanged;
 }
 
 void ChangeOverlay::paintLegend(QPainter& painter, const QSizeF& size, const Legend& legend) {
@@ -122,7 +133,9 @@ void ChangeOverlay::paintLegend(QPainter& painter, const QSizeF& size, const Leg
         const Ink ink = inkOf(legend.theme);
         const QFontMetricsF metrics(painter.font());
         const double high = metrics.height();
-        const std::vector<Label> labels = labelsOf(legend.change, legend.barHeight, 1.15 * high);
+        const std::vector<Label> labels = legend.unchanged
+                                              ? std::vector{Label{0.0, unchangedText()}}
+                                              : labelsOf(legend.change, legend.barHeight, 1.15 * high);
         double widest = 0.0;
         for (const Label& label : labels) {
             widest = std::max(widest, metrics.horizontalAdvance(label.text));
@@ -244,7 +257,7 @@ void ChangeOverlay::paint(QPainter& painter, const SceneGpu::View& view) {
         if (room >= kLeastBarHeight) {
             paintLegend(painter, size,
                         {titleOf(change), change, view.options.theme, view.pixelRatio, between,
-                         std::min(room, kMostBarHeight)});
+                         isUnchanged(view), std::min(room, kMostBarHeight)});
         }
     }
     if (beforeAfter.wipe) {

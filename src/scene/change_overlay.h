@@ -27,6 +27,7 @@ private:
         Theme theme = Theme::Dark;
         float pixelRatio = 1.0f;
         bool between = false;    ///< two pictures
+        bool unchanged = false;  ///< there is nothing to have a scale for
         double barHeight = 0.0;  ///< logical pixels
         bool operator==(const Legend& other) const;
     };

@@ -2,6 +2,7 @@
 #include "session/session_hits.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -16,6 +17,10 @@ namespace {
 std::size_t countDisabled(std::span<const Hit> hits) {
     return static_cast<std::size_t>(
         std::count_if(hits.begin(), hits.end(), [](const Hit& hit) { return !hit.enabled; }));
+}
+
+SessionUndo::Name nameOf(SessionUndo::Kind kind, std::span<const std::size_t> rows) {
+    return {kind, rows.size(), rows.size() == 1 ? rows.front() + 1 : 0};
 }
 
 }  // namespace
@@ -157,12 +162,11 @@ void SessionHits::announceRows(const HitRows& rows) {
 
 void SessionHits::setEnabled(std::span<const std::size_t> indices, bool enabled) {
     const std::vector<std::size_t> rows = m_history.rows(indices);
-    const auto changed =
-        static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [this, enabled](std::size_t row) {
-            return m_history.hits()[row].enabled != enabled;
-        }));
+    std::vector<std::size_t> changed;
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(changed),
+                 [this, enabled](std::size_t row) { return m_history.hits()[row].enabled != enabled; });
     record(m_history.setEnabled(rows, enabled),
-           {enabled ? SessionUndo::Kind::Enable : SessionUndo::Kind::Disable, changed});
+           nameOf(enabled ? SessionUndo::Kind::Enable : SessionUndo::Kind::Disable, changed));
 }
 
 void SessionHits::enableAll() {
@@ -177,14 +181,14 @@ void SessionHits::move(std::span<const std::size_t> indices, std::size_t to) {
         return;
     }
     if (std::vector<HistoryEdit> edits = m_history.move(rows, to); !edits.empty()) {
-        record(std::move(edits), {SessionUndo::Kind::Move, rows.size()});
+        record(std::move(edits), nameOf(SessionUndo::Kind::Move, rows));
     }
 }
 
 void SessionHits::remove(std::span<const std::size_t> indices) {
     const std::vector<std::size_t> rows = m_history.rows(indices);
     if (!rows.empty()) {
-        record(m_history.remove(rows), {SessionUndo::Kind::Remove, rows.size()});
+        record(m_history.remove(rows), nameOf(SessionUndo::Kind::Remove, rows));
     }
 }
 
@@ -239,7 +243,7 @@ Status SessionHits::replace(std::span<const std::size_t> indices, std::span<cons
     }
     std::vector<HistoryEdit> edits = m_history.replace(indices, checkedHits);
     if (!edits.empty()) {
-        record(std::move(edits), {kind, hits.size()}, merge);
+        record(std::move(edits), nameOf(kind, indices), merge);
     }
     return Done{};
 }

@@ -177,6 +177,7 @@ void SessionUndo::record(Change change) {
     const std::size_t before = canUndo() ? m_undo.back().bytes() : 0;
     if (absorb(change)) {
         Step& last = m_undo.back();
+        last.name.hit = last.name.hit == change.name.hit ? last.name.hit : 0;
         m_bytes -= before;
         if (last.change && comesToNothing(*last.change)) {
             m_undo.pop_back();

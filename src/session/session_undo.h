@@ -112,6 +112,7 @@ public:
     struct Name {
         Kind kind = Kind::Hit;
         std::size_t count = 1;  ///< hits or targets that it is about
+        std::size_t hit = 0;    ///< where it was about one hit: its number at that time, from 1; otherwise 0
 
         bool operator==(const Name&) const = default;
     };

@@ -12,9 +12,10 @@ private Q_SLOTS:
     void namesTheStep_data() {
         QTest::addColumn<int>("kind");
         QTest::addColumn<int>("hits");
+        QTest::addColumn<int>("hit");
         QTest::addColumn<QString>("text");
-        const auto row = [](SessionUndo::Kind kind, int hits, const char* text) {
-            QTest::newRow(text) << static_cast<int>(kind) << hits << QString::fromLatin1(text);
+        const auto row = [](SessionUndo::Kind kind, int hits, const char* text, int hit = 0) {
+            QTest::newRow(text) << static_cast<int>(kind) << hits << hit << QString::fromLatin1(text);
         };
         row(SessionUndo::Kind::Hit, 1, "Hit");
         row(SessionUndo::Kind::Hit, 2, "2 Hits");
@@ -24,6 +25,8 @@ private Q_SLOTS:
         row(SessionUndo::Kind::Move, 1, "Move Hit");
         row(SessionUndo::Kind::Enable, 2, "Enable 2 Hits");
         row(SessionUndo::Kind::Disable, 1, "Disable Hit");
+        row(SessionUndo::Kind::EditHit, 1, "Edit Hit 1,204", 1204);
+        row(SessionUndo::Kind::HitConstants, 1, "Constants of Hit 3", 3);
         row(SessionUndo::Kind::HitConstants, 12, "Constants of 12 Hits");
         row(SessionUndo::Kind::Constants, 1, "Constants for Next Hit");
         row(SessionUndo::Kind::Lights, 1, "Lights");
@@ -36,8 +39,11 @@ private Q_SLOTS:
     void namesTheStep() {
         QFETCH(int, kind);
         QFETCH(int, hits);
+        QFETCH(int, hit);
         QFETCH(QString, text);
-        QCOMPARE(undoText({static_cast<SessionUndo::Kind>(kind), static_cast<std::size_t>(hits)}), text);
+        QCOMPARE(undoText({static_cast<SessionUndo::Kind>(kind), static_cast<std::size_t>(hits),
+                           static_cast<std::size_t>(hit)}),
+                 text);
     }
 };
 

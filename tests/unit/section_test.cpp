@@ -73,6 +73,7 @@ private Q_SLOTS:
     void aTorusIsCutInTwo();
     void anOpenSheetIsCutInALine();
     void aPlaneThroughVerticesCutsOnce();
+    void aPlaneThroughOneVertexCutsNothing();
     void missingTheMeshCutsNothing();
     void aCutLooksAtWhatIsNear();
     void movedVerticesAreCutWhereTheyAre();
@@ -139,7 +140,19 @@ void SectionTest::aPlaneThroughVerticesCutsOnce() {
         QCOMPARE(curves.size(), std::size_t{1});
         QVERIFY(curves[0].closed);
         QVERIFY(std::abs(lengthOf(curves[0]) - 8.0) < 1.0e-4);
+        const std::vector<glm::vec3>& points = curves[0].points;
+        QVERIFY(std::adjacent_find(points.begin(), points.end()) == points.end());
+        QVERIFY(points.front() != points.back());
     }
+}
+
+void SectionTest::aPlaneThroughOneVertexCutsNothing() {
+    const RenderMesh sphere = buildRenderMesh(makeUvSphere(128, 64, 2.5f));
+    float top = 0.0f;
+    for (const DynamicVertex& vertex : sphere.vertices) {
+        top = std::max(top, vertex.position.y);
+    }
+    QVERIFY(MeshSections(sphere).cut({{0.0f, 1.0f, 0.0f}, top}).empty());
 }
 
 void SectionTest::missingTheMeshCutsNothing() {

@@ -112,7 +112,8 @@ private Q_SLOTS:
         session.hits().move(rows, to);
         QCOMPARE(state(session), after);
         if (after != upTo(6)) {
-            QCOMPARE(session.steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::Move, rows.size()}));
+            QCOMPARE(session.steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::Move, rows.size(),
+                                                                  rows.size() == 1 ? rows[0] + 1 : 0}));
             session.undo();
             QCOMPARE(state(session), upTo(6));
             session.redo();

@@ -204,6 +204,25 @@ private Q_SLOTS:
         QVERIFY(undo.toUndo()->kind == SessionUndo::Kind::Hit);
     }
 
+    void editsOfDifferentHitsNameNone() {
+        HitHistory history;
+        SessionUndo undo;
+        undo.record({.edits = {history.append(hitAt(1)), history.append(hitAt(2))}});
+        const auto edit = [&](std::size_t index, float distance) {
+            Hit hit = history.hits()[index];
+            hit.constants.maxDistance = distance;
+            undo.record({{SessionUndo::Kind::EditHit, 1, index + 1},
+                         SessionUndo::Merge::WithSameKind,
+                         {history.splice(index, 1, {&hit, 1})}});
+        };
+        edit(1, 0.7f);
+        edit(1, 0.8f);
+        QCOMPARE(undo.toUndo()->hit, std::size_t{2});
+        edit(0, 0.7f);
+        QCOMPARE(undo.size(), std::size_t{2});
+        QCOMPARE(undo.toUndo()->hit, std::size_t{0});
+    }
+
     void aTargetsEditIsUndoneByItsInverse() {
         SessionUndo undo;
         undo.record({{SessionUndo::Kind::RemoveTarget, 2},

@@ -80,7 +80,7 @@ private Q_SLOTS:
         QVERIFY(viewport().syncNow().ok());
         QVERIFY(changed() > before);
         slider->setSliderDown(false);
-        QCOMPARE(m_session->steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::EditHit, 1}));
+        QCOMPARE(m_session->steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::EditHit, 1, 2}));
         m_session->undo();
         QCOMPARE(hit(1).constants.maxDistance, 0.5f);
         QCOMPARE(hit(0).constants.maxDistance, 0.5f);

@@ -2,6 +2,7 @@
 // What the first start shows, and how it goes away.
 #include <QAction>
 #include <QApplication>
+#include <QLabel>
 #include <QMenu>
 #include <QTemporaryDir>
 #include <QTest>
@@ -66,6 +67,12 @@ private Q_SLOTS:
         auto* inspect = card()->findChild<QToolButton*>(QStringLiteral("startInspect"));
         QTest::mouseClick(inspect, Qt::LeftButton);
         QCOMPARE(m_window->viewport().inspectTool().tool(), Tool::Inspect);
+        const auto* words = card()->findChild<QLabel*>(QStringLiteral("startWords"));
+        QVERIFY(words->text().contains(QStringLiteral("Click a vertex")));
+        m_window->viewport().inspectTool().setTool(Tool::Brush);
+        QVERIFY(words->text().contains(QStringLiteral("paint")));
+        m_window->viewport().inspectTool().setTool(Tool::Shoot);
+        QVERIFY(words->text().contains(QStringLiteral("shoot")));
         auto* samples = card()->findChild<QToolButton*>(QStringLiteral("startSamples"));
         QVERIFY(!samples->menu()->actions().isEmpty());
     }

@@ -15,6 +15,7 @@
 
 #include "app/dialogs/picture_dialog.h"
 #include "io/save_image.h"
+#include "models/progress_text.h"
 #include "panels/fields/save_name.h"
 #include "panels/icons/themed_icon.h"
 #include "viewport/viewport.h"
@@ -60,17 +61,11 @@ QAction* addAction(QMenu& menu, const QString& text, const QKeySequence& key) {
 PictureActions::PictureActions(Viewport& viewport, QWidget& window)
     : QObject(&window), m_viewport(viewport), m_window(window), m_sequences(viewport) {
     connect(&m_sequences, &SequenceWriter::progressed, this, [this](int written, int count) {
-        if (m_progress && m_sequences.plan().picture.samples <= 1) {
-            m_progress->setMaximum(count);
-            m_progress->setValue(written);
+        if (m_sequences.plan().picture.samples <= 1) {
+            showProgress(written, count);
         }
     });
-    connect(&m_sequences, &SequenceWriter::sampled, this, [this](int drawn, int count) {
-        if (m_progress) {
-            m_progress->setMaximum(count);
-            m_progress->setValue(drawn);
-        }
-    });
+    connect(&m_sequences, &SequenceWriter::sampled, this, &PictureActions::showProgress);
     connect(&m_sequences, &SequenceWriter::ended, this, [this](int written) {
         endProgress();
         if (const QString made = std::exchange(m_newFolder, {}); written == 0 && !made.isEmpty()) {
@@ -260,13 +255,30 @@ void PictureActions::endProgress() {
     }
 }
 
+void PictureActions::showProgress(int done, int count) {
+    if (!m_progress) {
+        return;
+    }
+    const double fraction = static_cast<double>(done) / count;
+    const int pictures = m_sequences.count();
+    const int current = std::min(pictures, 1 + static_cast<int>(fraction * pictures));
+    const QString what =
+        pictures == 1 ? tr("Drawing the picture") : tr("Drawing picture %1 of %2").arg(current).arg(pictures);
+    m_progress->setLabelText(
+        withRemaining(what, fraction, 1.0e-3 * static_cast<double>(m_progressTime.elapsed())));
+    m_progress->setMaximum(count);
+    m_progress->setValue(done);  // last: it handles events, and the dialog may go with them
+}
+
 void PictureActions::writeSequence(const SequenceWriter::Plan& plan) {
     if (Status started = m_sequences.start(plan); !started) {
         Q_EMIT failed(started.error());
         return;
     }
     endProgress();
+    m_progressTime.start();
     m_progress = new QProgressDialog(tr("Drawing pictures"), tr("Cancel"), 0, 0, &m_window);
+    m_progress->setWindowTitle(tr("Save Pictures"));
     m_progress->setObjectName(QStringLiteral("sequenceProgress"));
     m_progress->setWindowModality(Qt::WindowModal);
     m_progress->setAutoReset(false);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QPointer>
 #include <QString>
@@ -45,6 +46,7 @@ Q_SIGNALS:
 private:
     void choosePicture();
     void chooseSequence();
+    void showProgress(int done, int count);
     void endProgress();
     [[nodiscard]] QString endedText(int written) const;
     /// At once, or, with more samples than one, beside what else the window does; then says where.
@@ -57,6 +59,7 @@ private:
     QAction* m_save = nullptr;
     SequenceWriter m_sequences;
     QPointer<QProgressDialog> m_progress;
+    QElapsedTimer m_progressTime;
     QString m_newFolder;  ///< made for the pictures that are being written; empty: none was
 };
 

@@ -27,16 +27,17 @@ QString captionWithKey(const QString& text, const QAction& action) {
 
 }  // namespace
 
-StartCard::StartCard(const Offers& offers, QWidget* parent) : QFrame(parent), m_toggle(new QAction(this)) {
+StartCard::StartCard(const Offers& offers, QWidget* parent)
+    : QFrame(parent), m_toggle(new QAction(this)), m_words(new QLabel(this)) {
     setObjectName(QStringLiteral("startCard"));
     setFrameShape(QFrame::StyledPanel);
     m_toggle->setText(tr("Getting &Started"));
     m_toggle->setCheckable(true);
     connect(m_toggle, &QAction::triggered, this, &StartCard::set);
 
-    auto* words =
-        new QLabel(tr("<b>Click the mesh to shoot at it.</b> Drag to look around it, wheel to zoom."), this);
-    words->setWordWrap(true);
+    m_words->setObjectName(QStringLiteral("startWords"));
+    m_words->setWordWrap(true);
+    setTool(Tool::Shoot);
     auto* close = new QToolButton(this);
     close->setObjectName(QStringLiteral("closeStartCard"));
     close->setIcon(themedIcon(QStringLiteral("close")));
@@ -60,13 +61,31 @@ StartCard::StartCard(const Offers& offers, QWidget* parent) : QFrame(parent), m_
     buttons->addWidget(samples);
 
     auto* column = new QVBoxLayout;
-    column->addWidget(words);
+    column->addWidget(m_words);
     column->addLayout(buttons);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(10, 6, 6, 6);
     row->addLayout(column, 1);
     row->addWidget(close, 0, Qt::AlignTop);
     hide();
+}
+
+void StartCard::setTool(Tool tool) {
+    switch (tool) {
+        case Tool::Shoot:
+            m_words->setText(
+                tr("<b>Click the mesh to shoot at it.</b> Drag to look around it, wheel to zoom."));
+            break;
+        case Tool::Inspect:
+            m_words->setText(
+                tr("<b>Click a vertex to see which hits moved it.</b> Drag around vertices to select those "
+                   "that moved, Alt+drag to look around, wheel to zoom."));
+            break;
+        case Tool::Brush:
+            m_words->setText(tr(
+                "<b>Drag over the mesh to paint dents.</b> Drag beside it to look around, wheel to zoom."));
+            break;
+    }
 }
 
 void StartCard::addOffer(QLayout& layout, QAction* action, const QString& text, const char* name) {

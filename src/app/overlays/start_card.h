@@ -3,7 +3,10 @@
 
 #include <QFrame>
 
+#include "viewport/inspect_tool.h"
+
 class QAction;
+class QLabel;
 class QMenu;
 class QSettings;
 
@@ -23,6 +26,9 @@ public:
     };
     explicit StartCard(const Offers& offers, QWidget* parent = nullptr);
 
+    /// Says what a click and a drag do with this tool.
+    void setTool(Tool tool);
+
     /// Shows it unless it was dismissed before.
     void restore(const QSettings& settings);
     /// Shows or hides the card; checkable.
@@ -35,6 +41,7 @@ private:
     void addOffer(QLayout& layout, QAction* action, const QString& text, const char* name);
 
     QAction* m_toggle;
+    QLabel* m_words;
 };
 
 }  // namespace hitscope

@@ -163,7 +163,7 @@ void HistogramPlot::applyPalette() {
     applyPlotTheme(*m_plot, *this);
     const QColor ink = palette().color(QPalette::WindowText);
     m_plot->xAxis->grid()->setVisible(false);
-    QColor outline = palette().color(QPalette::Base);
+    QColor outline = ink;  // the darkest colours of a map would vanish in a dark panel
     outline.setAlphaF(0.35f);
     m_bars->setPen(QPen(outline, 0));
     for (QCPItemStraightLine* handle : m_handles) {

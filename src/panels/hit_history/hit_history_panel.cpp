@@ -11,6 +11,7 @@
 
 #include "deform/dent_shape.h"
 #include "models/quantity_text.h"
+#include "panels/fields/context_menu.h"
 #include "panels/help/help_text.h"
 #include "panels/hit_history/hit_columns.h"
 #include "panels/hit_history/hit_delegate.h"
@@ -58,6 +59,7 @@ void HitHistoryPanel::setUpTable() {
     table.setModel(&m_list);
     table.setItemDelegate(new HitDelegate(&table));
     setUpHitColumns(table);
+    showActionsAsMenu(table);
     table.horizontalHeader()->setSortIndicator(HitHistoryModel::NumberColumn, Qt::AscendingOrder);
     table.horizontalHeader()->setSortIndicatorClearable(true);
     table.setSortingEnabled(true);
@@ -363,6 +365,8 @@ void HitHistoryPanel::updateSummary() {
         text += tr(", %1 dropped").arg(countText(m_session.readBack().droppedHits()));
     }
     m_ui->summary->setText(text);
+    m_ui->table->setEmptyText(hits == 0 || m_list.filter().isAll() ? QString()
+                                                                   : tr("No hit matches the filter."));
     enableIf(*m_copy, hits > 0, tr("There are no hits yet."));
 }
 

@@ -14,6 +14,7 @@ namespace hitscope {
 namespace {
 
 constexpr int kLine = 2;            // pixels
+constexpr int kAround = 12;         // pixels, around the text of an empty list
 constexpr int kLabelPadding = 6;    // around the label's text
 constexpr QPoint kBeside(-14, -8);  // from the cursor to the label, so that neither it nor the line is hidden
 
@@ -73,8 +74,21 @@ void HitTable::showPlace(std::optional<int> y) {
     viewport()->update();
 }
 
+void HitTable::setEmptyText(const QString& text) {
+    if (text != m_emptyText) {
+        m_emptyText = text;
+        viewport()->update();
+    }
+}
+
 void HitTable::paintEvent(QPaintEvent* event) {
     QTableView::paintEvent(event);
+    if (!m_emptyText.isEmpty() && model()->rowCount() == 0) {
+        QPainter painter(viewport());
+        painter.setPen(palette().color(QPalette::Disabled, QPalette::Text));
+        painter.drawText(viewport()->rect().adjusted(kAround, kAround, -kAround, -kAround),
+                         Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, m_emptyText);
+    }
     if (m_place) {
         QPainter painter(viewport());
         painter.fillRect(0, *m_place - kLine / 2, viewport()->width(), kLine,

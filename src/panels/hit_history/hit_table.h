@@ -12,6 +12,8 @@ class HitTable : public QTableView {
     Q_OBJECT
 public:
     using QTableView::QTableView;
+    /// Shown in place of rows where there are none; empty: nothing is.
+    void setEmptyText(const QString& text);
 
 protected:
     void startDrag(Qt::DropActions actions) override;
@@ -24,6 +26,7 @@ private:
     void showPlace(std::optional<int> y);
     [[nodiscard]] QPixmap label(const QString& text) const;
 
+    QString m_emptyText;
     std::optional<int> m_place;  ///< y of the line, in the viewport; nothing: no drag is over it
 };
 

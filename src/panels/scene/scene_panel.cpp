@@ -9,6 +9,7 @@
 
 #include "mesh/teapot.h"
 #include "models/quantity_text.h"
+#include "panels/fields/context_menu.h"
 #include "panels/help/help_text.h"
 #include "panels/icons/themed_icon.h"
 #include "panels/scene/add_primitive_dialog.h"
@@ -60,6 +61,7 @@ ScenePanel::~ScenePanel() {
 
 void ScenePanel::setUpTable() {
     QTableView& table = *m_ui->table;
+    showActionsAsMenu(table);
     table.setModel(&m_model);
     table.setItemDelegate(new SceneDelegate(&table));
     table.setDragDropMode(QAbstractItemView::DragOnly);  // to other programs, as a file

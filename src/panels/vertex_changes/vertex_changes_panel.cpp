@@ -11,6 +11,7 @@
 
 #include "models/dragged_file.h"
 #include "models/quantity_text.h"
+#include "panels/fields/context_menu.h"
 #include "panels/fields/drag_out.h"
 #include "panels/fields/save_name.h"
 #include "panels/help/help_text.h"
@@ -21,20 +22,20 @@ namespace hitscope {
 
 namespace {
 
-constexpr int kCellPadding = 14;  // pixels
+constexpr int kColumnPadding = 14;  // pixels
 
 /// Sizes by hand: measuring the contents of a million rows would take seconds.
 void sizeColumns(QTableView& table, std::span<const QString> widest) {
     table.verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     table.verticalHeader()->setDefaultSectionSize(table.fontMetrics().height() + 5);
     const QFontMetrics metrics = table.horizontalHeader()->fontMetrics();
-    const int arrow = table.isSortingEnabled() ? kCellPadding : 0;  // of the column sorted by
+    const int arrow = table.isSortingEnabled() ? kColumnPadding : 0;  // of the column sorted by
     for (int column = 0; column < static_cast<int>(widest.size()); ++column) {
         const QString title = table.model()->headerData(column, Qt::Horizontal).toString();
         table.setColumnWidth(
             column,
-            kCellPadding + std::max(metrics.horizontalAdvance(widest[static_cast<std::size_t>(column)]),
-                                    metrics.horizontalAdvance(title) + arrow));
+            kColumnPadding + std::max(metrics.horizontalAdvance(widest[static_cast<std::size_t>(column)]),
+                                      metrics.horizontalAdvance(title) + arrow));
     }
 }
 
@@ -60,6 +61,7 @@ VertexChangesPanel::~VertexChangesPanel() = default;
 
 void VertexChangesPanel::setUpTables() {
     QTableView& table = *m_ui->table;
+    showActionsAsMenu(table);
     table.setModel(&m_changes);
     table.setSortingEnabled(true);
     table.sortByColumn(VertexChangesModel::LengthColumn, Qt::DescendingOrder);
