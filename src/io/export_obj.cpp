@@ -52,8 +52,8 @@ Result<std::vector<std::string>> stageMaterials(const ObjExport& what, const QFi
     return std::vector<std::string>{QFileInfo(path).fileName().toStdString()};
 }
 
-/// Status: as commit()'s, or why nothing could be staged.
-Status writeAnew(const ObjExport& what, const QString& path) {
+/// Notes, or why nothing could be staged, or what commit() says.
+Result<QStringList> writeAnew(const ObjExport& what, const QString& path) {
     StagedFiles staged(what.beforeStep);
     const Result<std::vector<std::string>> libraries = stageMaterials(what, QFileInfo(path), staged);
     if (!libraries) {
@@ -64,13 +64,14 @@ Status writeAnew(const ObjExport& what, const QString& path) {
         return Error{"The export was cancelled.", path.toStdString(), "The file is as it was."};
     }
     // Last, so that an OBJ never refers to files that are not there.
-    if (const Status added = staged.add(path, text, StagedFiles::Existing::Replace); !added) {
-        return added;
+    Status written = staged.add(path, text, StagedFiles::Existing::Replace);
+    if (written) {
+        written = staged.commit();
     }
-    return staged.commit();
+    return written ? Result<QStringList>(staged.noteOfOthers(path)) : Result<QStringList>(written.error());
 }
 
-Result<SourceCopy> writeFromSource(const ObjExport& what, const QString& path) {
+Result<SourceCopy> writeFromSource(const ObjExport& what, const QString& path, QStringList& notes) {
     StagedFiles staged(what.beforeStep);
     const ExportPlace place = placeOf(what, QFileInfo(path));
     MaterialFiles materials(*what.mesh, place, staged);
@@ -79,6 +80,7 @@ Result<SourceCopy> writeFromSource(const ObjExport& what, const QString& path) {
         if (const Status named = staged.commit(); !named) {
             return named.error();
         }
+        notes += staged.noteOfOthers(path);
     }
     return copied;
 }
@@ -86,7 +88,7 @@ Result<SourceCopy> writeFromSource(const ObjExport& what, const QString& path) {
 Result<QStringList> write(const ObjExport& what, const QString& path) {
     QStringList notes;
     if (!what.sourcePath.isEmpty() && what.inFile().sourceHash != 0) {
-        const Result<SourceCopy> copied = writeFromSource(what, path);
+        const Result<SourceCopy> copied = writeFromSource(what, path, notes);
         if (!copied || copied.value() == SourceCopy::Written) {
             return copied ? Result<QStringList>(notes) : Result<QStringList>(copied.error());
         }
@@ -99,8 +101,8 @@ Result<QStringList> write(const ObjExport& what, const QString& path) {
             QCoreApplication::translate(
                 "ExportObj", ": the mesh was written anew, without the comments and layout of its file.");
     }
-    const Status written = writeAnew(what, path);
-    return written ? Result<QStringList>(notes) : Result<QStringList>(written.error());
+    const Result<QStringList> written = writeAnew(what, path);
+    return written ? Result<QStringList>(notes + written.value()) : written;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -164,6 +165,27 @@ void StagedFiles::step() const {
 bool StagedFiles::holds(const QString& path) const {
     return std::any_of(m_files.begin(), m_files.end(),
                        [&path](const File& file) { return file.path == path; });
+}
+
+QStringList StagedFiles::noteOfOthers(const QString& path) const {
+    constexpr qsizetype kMostNamed = 6;
+    const QDir folder(QFileInfo(path).absolutePath());
+    const QString itself = QFileInfo(path).canonicalFilePath();
+    QStringList names;
+    for (const File& file : m_files) {
+        if (QFileInfo(file.path).canonicalFilePath() != itself) {
+            names += folder.relativeFilePath(file.path);
+        }
+    }
+    if (names.isEmpty()) {
+        return {};
+    }
+    const qsizetype more = names.size() - kMostNamed;
+    const QString named = names.first(std::min(names.size(), kMostNamed)).join(QStringLiteral(", "));
+    return {more > 0 ? QCoreApplication::translate("StagedFiles", "Also written beside it: %1, and %2 more.")
+                           .arg(named)
+                           .arg(more)
+                     : QCoreApplication::translate("StagedFiles", "Also written beside it: %1.").arg(named)};
 }
 
 bool StagedFiles::makeFolder(const QString& path) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <functional>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,9 @@ public:
     [[nodiscard]] Status addCopy(const QString& source, const QString& path, qint64 most);
     /// Whether commit() will bring a file there.
     [[nodiscard]] bool holds(const QString& path) const;
+    /// A line for people that names all files but `path`, from its folder; none where that is all. After
+    /// commit().
+    [[nodiscard]] QStringList noteOfOthers(const QString& path) const;
 
     [[nodiscard]] Status commit();
 

@@ -173,10 +173,12 @@ void ChangeOverlay::paintLegend(QPainter& painter, const QSizeF& size, const Leg
     }
     // Beside the picture's side; of two pictures, between them, so that it covers as little of one as of the
     // other.
-    const double notes = notesBelow(QFontMetricsF(painter.font()).height());
-    const QPointF at = legend.between ? QPointF(size.width() / 2 - plate.width() / 2,
-                                                size.height() - plate.height() - kEdge - notes)
-                                      : QPointF(kEdge, size.height() - plate.height() - kEdge);
+    const double left = legend.between ? size.width() / 2 - plate.width() / 2 : kEdge;
+    const bool isOverNotes =
+        legend.between || left + plate.width() + kPadding > size.width() / 2 - legend.notes / 2;
+    const double below =
+        isOverNotes && legend.notes > 0.0 ? notesBelow(QFontMetricsF(painter.font()).height()) : 0.0;
+    const QPointF at(left, size.height() - plate.height() - kEdge - below);
     painter.drawImage(QPointF(std::round(at.x()), std::round(at.y())), m_bar);
 }
 
@@ -210,6 +212,23 @@ void paintComparison(QPainter& painter, const SceneGpu::View& view, const QSizeF
     const double above = beforeAfter.exaggeration != 1.0f ? high + kPadding / 2 : 0.0;
     paintNote(painter, comparisonText(comparison), size.width() / 2, size.height() - kEdge - high - above,
               ink);
+}
+
+QString exaggerationNote(float factor) {
+    return words(QT_TRANSLATE_NOOP("hitscope::ChangeOverlay", "Displacement drawn x%1"))
+        .arg(shownNumber(static_cast<double>(factor), 'g', 3));
+}
+
+/// Of what is written below in the middle.
+double notesWidth(const QFontMetricsF& metrics, const SceneGpu::View& view) {
+    double widest = 0.0;
+    if (isComparing(view)) {
+        widest = metrics.horizontalAdvance(comparisonText(*view.comparison));
+    }
+    if (const float factor = view.options.beforeAfter.exaggeration; factor != 1.0f) {
+        widest = std::max(widest, metrics.horizontalAdvance(exaggerationNote(factor)));
+    }
+    return widest > 0.0 ? widest + 2 * kPadding : 0.0;
 }
 
 struct Columns {
@@ -252,12 +271,15 @@ void ChangeOverlay::paint(QPainter& painter, const SceneGpu::View& view) {
         const ShownChange change =
             shownChange(view.options.change, view.changeValues ? view.changeValues->summary() : Summary());
         const bool between = isComparing(view) && view.options.sideBySide;
-        const double high = QFontMetricsF(painter.font()).height();
-        const double room = size.height() - 2 * kEdge - aroundBar(high) - (between ? notesBelow(high) : 0.0);
+        const QFontMetricsF metrics(painter.font());
+        const double high = metrics.height();
+        const double notes = notesWidth(metrics, view);
+        const double room =
+            size.height() - 2 * kEdge - aroundBar(high) - (notes > 0.0 ? notesBelow(high) : 0.0);
         if (room >= kLeastBarHeight) {
             paintLegend(painter, size,
                         {titleOf(change), change, view.options.theme, view.pixelRatio, between,
-                         isUnchanged(view), std::min(room, kMostBarHeight)});
+                         isUnchanged(view), std::min(room, kMostBarHeight), notes});
         }
     }
     if (beforeAfter.wipe) {
@@ -269,8 +291,7 @@ void ChangeOverlay::paint(QPainter& painter, const SceneGpu::View& view) {
         }
     }
     if (beforeAfter.exaggeration != 1.0f) {
-        const QString note = words(QT_TRANSLATE_NOOP("hitscope::ChangeOverlay", "Displacement drawn x%1"))
-                                 .arg(shownNumber(static_cast<double>(beforeAfter.exaggeration), 'g', 3));
+        const QString note = exaggerationNote(beforeAfter.exaggeration);
         const QFontMetricsF metrics(painter.font());
         paintNote(painter, note, size.width() / 2, size.height() - kEdge - metrics.height() - kPadding, ink);
     }

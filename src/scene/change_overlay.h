@@ -29,6 +29,7 @@ private:
         bool between = false;    ///< two pictures
         bool unchanged = false;  ///< there is nothing to have a scale for
         double barHeight = 0.0;  ///< logical pixels
+        double notes = 0.0;      ///< width of what is written below in the middle; 0: nothing is
         bool operator==(const Legend& other) const;
     };
     void paintLegend(QPainter& painter, const QSizeF& size, const Legend& legend);

@@ -89,7 +89,8 @@ Result<QStringList> exportGltf(const MeshExport& what, const QString& path, cons
         if (done) {
             done = staged.commit();
         }
-        return done ? Result<QStringList>(parts.notes()) : Result<QStringList>(done.error());
+        return done ? Result<QStringList>(parts.notes() + staged.noteOfOthers(path))
+                    : Result<QStringList>(done.error());
     } catch (const std::bad_alloc&) {
         return noMemoryFor(path);
     }
