@@ -2,6 +2,7 @@
 #version 330 core
 // HITSCOPE_SHADOWS   defined: of the directional light
 // HITSCOPE_SHADED    defined: the directional light does not arrive anywhere
+// HITSCOPE_OPEN      defined: what is close by keeps light away
 
 #include "light_terms.glsl"
 #include "tone.glsl"
@@ -32,6 +33,10 @@ uniform float u_reach;
 uniform vec4 u_lineColour;  // sRGB, opacity
 uniform float u_cell;       // metres between the finest lines
 uniform float u_cellFade;   // [0, 1]: how far these have faded, on the way to ten times the size
+#ifdef HITSCOPE_OPEN
+uniform sampler2D u_floorOpen;  // floor_open.frag's
+uniform vec2 u_perPixel;        // one over the picture's size
+#endif
 
 out vec4 o_colour;
 
@@ -90,6 +95,9 @@ void main()
 #endif
     vec3 light = display(floorLight(sunlit));
     vec3 colour = mix(light, u_lineColour.rgb, line);
+#ifdef HITSCOPE_OPEN
+    colour *= texture(u_floorOpen, gl_FragCoord.xy * u_perPixel).r;
+#endif
     float away = distance(plane, u_centre.xz) / u_reach;
     float opacity = 1.0 - smoothstep(0.15, 1.0, away);
     // From below one looks through the floor.

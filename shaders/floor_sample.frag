@@ -3,16 +3,12 @@
 // The floor in a sample of a refined picture: its colours have been drawn once, as lit and as shaded by targets, and
 // only how much light arrives differs from one sample to the next.
 //
-// HITSCOPE_SHADOWS     defined: of the directional light
-// HITSCOPE_OCCLUSION   defined: what is close by keeps light away
+// HITSCOPE_SHADOWS   defined: of the directional light
 
 #ifdef HITSCOPE_SHADOWS
 #include "shadow.glsl"
 uniform mat3 u_floorShadow;  // from (x, z, 1) of the floor to the shadow map's texture coordinates and depth
 uniform sampler2D u_floorShaded;
-#endif
-#ifdef HITSCOPE_OCCLUSION
-#include "occlusion.glsl"
 #endif
 
 in vec3 v_position;  // from the eye
@@ -29,8 +25,5 @@ void main()
 #ifdef HITSCOPE_SHADOWS
     float sunlit = sunlitShare(u_floorShadow * vec3(v_position.xz + u_eye.xz, 1.0));
     o_colour.rgb = mix(texelFetch(u_floorShaded, pixel, 0).rgb, o_colour.rgb, sunlit);
-#endif
-#ifdef HITSCOPE_OCCLUSION
-    o_colour.rgb *= openShare(vec3(0.0, 1.0, 0.0));
 #endif
 }

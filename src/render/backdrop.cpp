@@ -10,6 +10,8 @@ namespace {
 
 constexpr float kFinestCells = 14.0f;  // of the floor's finest squares fit between eye and pivot
 
+constexpr int kOpenSamples = 24;
+constexpr int kOpenUnit = 5;
 constexpr int kLitUnit = 5;
 constexpr int kShadedUnit = 6;
 
@@ -34,10 +36,22 @@ void placeFloor(const gl::Program& floor, const FrameContext& context) {
     }
 }
 
-/// As it looks with no targets around but for these shadows.
-Status drawFloorItself(const FrameContext& context, const gl::Defines& shadows) {
+void bindTexture(const gl::Program& program, const char* name, int unit, GLuint texture) {
+    program.set(name, unit);
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindSampler(static_cast<GLuint>(unit), 0);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glActiveTexture(GL_TEXTURE0);
+}
+
+/// As it looks with no targets around but for these shadows, and what keeps light away. open: a texture, or
+/// 0.
+Status drawFloorItself(const FrameContext& context, const gl::Defines& shadows, GLuint open = 0) {
     gl::Defines defines = lightDefines(context.frame.lights);
     append(defines, shadows);
+    if (open != 0) {
+        defines.emplace_back("HITSCOPE_OPEN", "1");
+    }
     const auto program = context.programs.get("floor.vert", "floor.frag", defines);
     if (!program) {
         return program.error();
@@ -55,14 +69,18 @@ Status drawFloorItself(const FrameContext& context, const gl::Defines& shadows) 
     floor.set("u_lineColour", context.colours.floorLines);
     floor.set("u_cell", std::pow(10.0f, std::floor(scale)));
     floor.set("u_cellFade", scale - std::floor(scale));
+    if (open != 0) {
+        bindTexture(floor, "u_floorOpen", kOpenUnit, open);
+        floor.set("u_perPixel",
+                  1.0f / glm::vec2(static_cast<float>(frame.width), static_cast<float>(frame.height)));
+    }
     glBindVertexArray(context.emptyArray);
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     return Done{};
 }
 
 Status drawFloorSample(const FrameContext& context) {
-    gl::Defines defines = context.shadows != nullptr ? context.shadows->defines() : gl::Defines{};
-    append(defines, occlusionDefines(context));
+    const gl::Defines defines = context.shadows != nullptr ? context.shadows->defines() : gl::Defines{};
     const auto program = context.programs.get("floor.vert", "floor_sample.frag", defines);
     if (!program) {
         return program.error();
@@ -70,16 +88,8 @@ Status drawFloorSample(const FrameContext& context) {
     const gl::Program& floor = *program.value();
     floor.use();
     placeFloor(floor, context);
-    setOcclusion(floor, context, glm::vec2(0.0f));
-    const auto bind = [&floor](const char* name, int unit, GLuint texture) {
-        floor.set(name, unit);
-        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        glBindSampler(static_cast<GLuint>(unit), 0);
-        glBindTexture(GL_TEXTURE_2D, texture);
-        glActiveTexture(GL_TEXTURE0);
-    };
-    bind("u_floorLit", kLitUnit, context.floorLayers->lit);
-    bind("u_floorShaded", kShadedUnit, context.floorLayers->shaded);
+    bindTexture(floor, "u_floorLit", kLitUnit, context.floorLayers->lit);
+    bindTexture(floor, "u_floorShaded", kShadedUnit, context.floorLayers->shaded);
     glBindVertexArray(context.emptyArray);
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     return Done{};
@@ -112,10 +122,28 @@ Status drawFloor(const FrameContext& context) {
     return drawFloorItself(context, context.shadows != nullptr ? context.shadows->defines() : gl::Defines{});
 }
 
-Status drawFloorLayer(const FrameContext& given, bool isShaded) {
+Status drawFloorOpen(const FrameContext& given, const glm::ivec2& size) {
     FrameContext context = given;
     context.shadows = nullptr;
-    return drawFloorItself(context, isShaded ? gl::Defines{{"HITSCOPE_SHADED", "1"}} : gl::Defines{});
+    const auto program = context.programs.get("floor.vert", "floor_open.frag", occlusionDefines(context));
+    if (!program) {
+        return program.error();
+    }
+    const gl::Program& open = *program.value();
+    open.use();
+    placeFloor(open, context);
+    setOcclusion(open, context, glm::vec2(0.0f));
+    open.set("u_samples", kOpenSamples);
+    open.set("u_pixels", glm::vec2(context.frame.width, context.frame.height) / glm::vec2(size));
+    glBindVertexArray(context.emptyArray);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    return Done{};
+}
+
+Status drawFloorLayer(const FrameContext& given, bool isShaded, GLuint open) {
+    FrameContext context = given;
+    context.shadows = nullptr;
+    return drawFloorItself(context, isShaded ? gl::Defines{{"HITSCOPE_SHADED", "1"}} : gl::Defines{}, open);
 }
 
 }  // namespace hitscope::render

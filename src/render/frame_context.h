@@ -110,8 +110,11 @@ void setOcclusion(const gl::Program& program, const FrameContext& context, const
 // Each draws one thing with blending, and expects depth test on and depth writes off.
 [[nodiscard]] Status drawBackground(const FrameContext& context);
 [[nodiscard]] Status drawFloor(const FrameContext& context);
-/// The floor's colours and opacity, with neither blending nor depths.
-[[nodiscard]] Status drawFloorLayer(const FrameContext& context, bool isShaded);
+/// How much of the light around arrives at the floor, into a picture of `size` pixels of the same view; there
+/// is context.occlusion. With neither blending nor depths, like the next.
+[[nodiscard]] Status drawFloorOpen(const FrameContext& context, const glm::ivec2& size);
+/// The floor's colours and opacity. open: a texture, what drawFloorOpen() drew; 0: nothing keeps light away.
+[[nodiscard]] Status drawFloorLayer(const FrameContext& context, bool isShaded, GLuint open);
 [[nodiscard]] Status drawContactShades(const FrameContext& context);
 enum class MarkPlaces { Drawn, Original };
 /// Dots on vertices, where they are drawn or where they were; dimmed where a surface hides them.

@@ -57,6 +57,7 @@ private Q_SLOTS:
     void sameBitsAgain();
     void coloursOfChangeStay();
     void dentsGetDarker();
+    void theFloorIsSmoothlyOccluded();
     void shadowsGetSoft();
     void environmentIsRefined();
     void orthographicHasOcclusion();
@@ -190,6 +191,56 @@ void RefinedTest::dentsGetDarker() {
     // The dent, and nothing of the convex rest but its outline.
     QVERIFY2(darker > 150 && darker < 3000 && brighter < darker / 3,
              qPrintable(QStringLiteral("%1, %2").arg(darker).arg(brighter)));
+}
+
+/// Of many samples from the start: between few of them, pixels would be spotted.
+void RefinedTest::theFloorIsSmoothlyOccluded() {
+    TestScene scene;
+    scene.add(*m_refined.renderer, makeCube(8, 2.0f), glm::vec3(0.0f, 1.0f, 0.0f));
+    scene.showTrueNormals({});
+    const auto pipeline = scene.pipeline(PipelineKind::TransformFeedback, {});
+    const auto drawn = [&](const DisplayOptions& options, int samples) {
+        Frame view = frameOf(scene, kWidth, kHeight);
+        view.options = options;
+        if (samples == 0) {
+            return picture(*m_refined.renderer, view, *pipeline, 1);
+        }
+        RefinedPicture refined;
+        while (refined.samples() < samples) {
+            if (!m_refined.renderer->refine(view, *pipeline, refined).ok()) {
+                return QImage();
+            }
+        }
+        const ::hitscope::gl::RenderTarget target(kWidth, kHeight, 1);
+        if (!m_refined.renderer->drawRefined(view, *pipeline, refined, target.framebuffer()).ok()) {
+            return QImage();
+        }
+        const Image image = target.read();
+        return QImage(image.pixels.data(), image.width, image.height, QImage::Format_RGBA8888).copy();
+    };
+    const QImage target = drawn({.floor = false, .transparent = true}, 0);
+    const QImage before = drawn({}, 0);
+    const QImage few = drawn({}, 4);
+    const QImage many = drawn({}, 64);
+    const auto isBeside = [&target](int x, int y) {
+        for (int i = 0; i < 9; ++i) {
+            if (qAlpha(target.pixel(x - 1 + i % 3, y - 1 + i / 3)) != 0) {
+                return false;
+            }
+        }
+        return true;
+    };
+    int darker = 0;
+    for (int y = 1; y < kHeight - 1; ++y) {
+        for (int x = 1; x < kWidth - 1; ++x) {
+            if (isBeside(x, y)) {
+                QVERIFY2(std::abs(green(few, x, y) - green(many, x, y)) <= 2,
+                         qPrintable(QStringLiteral("%1, %2").arg(x).arg(y)));
+                darker += green(many, x, y) + 4 < green(before, x, y) ? 1 : 0;
+            }
+        }
+    }
+    QVERIFY2(darker > 20, qPrintable(QString::number(darker)));
 }
 
 void RefinedTest::shadowsGetSoft() {

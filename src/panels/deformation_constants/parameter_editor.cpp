@@ -85,9 +85,9 @@ ParameterEditor::ParameterEditor(const ParameterDescriptor& parameter, const Par
 
 bool ParameterEditor::eventFilter(QObject* watched, QEvent* event) {
     const QEvent::Type type = event->type();
-    if (watched == m_slider && m_slider->isSliderDown() &&
-        (type == QEvent::ShortcutOverride || type == QEvent::KeyPress) &&
-        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+    // The type first: events also come while the slider is destroyed, and is none any more.
+    if (watched == m_slider && (type == QEvent::ShortcutOverride || type == QEvent::KeyPress) &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && m_slider->isSliderDown()) {
         event->accept();
         if (type == QEvent::KeyPress) {
             cancelDrag();

@@ -40,12 +40,13 @@ float fraction(double value) {
     return static_cast<float>(value - std::floor(value));
 }
 
-gl::Texture makeTexture(GLint format, GLenum pixels, GLenum type, int width, int height) {
+gl::Texture makeTexture(GLint format, GLenum pixels, GLenum type, int width, int height,
+                        GLint filter = GL_NEAREST) {
     gl::Texture texture = gl::Texture::make();
     glBindTexture(GL_TEXTURE_2D, texture.id());
     glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, pixels, type, nullptr);
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
-        glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+    for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
+        glTexParameteri(GL_TEXTURE_2D, name, filter);
     }
     for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
         glTexParameteri(GL_TEXTURE_2D, side, GL_CLAMP_TO_EDGE);
@@ -153,6 +154,8 @@ bool RefinedPicture::prepare(int width, int height) {
     for (gl::Texture& floor : m_floor) {
         floor = makeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height);
     }
+    const glm::ivec2 open = floorOpenSize(width, height);
+    m_floorOpen = makeTexture(GL_R8, GL_RED, GL_UNSIGNED_BYTE, open.x, open.y, GL_LINEAR);
     glBindTexture(GL_TEXTURE_2D, 0);
     m_sampleDepth = gl::Renderbuffer::make();
     glBindRenderbuffer(GL_RENDERBUFFER, m_sampleDepth.id());
@@ -168,8 +171,10 @@ bool RefinedPicture::prepare(int width, int height) {
     for (std::size_t i = 0; i < m_floor.size(); ++i) {
         m_drawnFloor[i] = makeFramebuffer(m_floor[i].id(), 0);
     }
+    m_drawnFloorOpen = makeFramebuffer(m_floorOpen.id(), 0);
     const bool made = isComplete(m_plain) && isComplete(m_sample) && isComplete(m_adding) &&
-                      isComplete(m_drawnFloor[0]) && isComplete(m_drawnFloor[1]);
+                      isComplete(m_drawnFloor[0]) && isComplete(m_drawnFloor[1]) &&
+                      isComplete(m_drawnFloorOpen);
     m_width = made ? width : 0;
     m_height = made ? height : 0;
     return made;

@@ -91,6 +91,12 @@ public:
     [[nodiscard]] render::FloorLayers floorLayers() const { return {m_floor[0].id(), m_floor[1].id()}; }
     /// Of these, what is drawn into.
     [[nodiscard]] GLuint floorFramebuffer(bool isShaded) const { return m_drawnFloor[isShaded ? 1 : 0].id(); }
+    /// How much light arrives at the floor, of half as many pixels each way: a texture, and what is drawn
+    /// into.
+    static constexpr int kFloorOpenStep = 3;  ///< pixels of the picture
+    [[nodiscard]] GLuint floorOpen() const { return m_floorOpen.id(); }
+    [[nodiscard]] GLuint floorOpenFramebuffer() const { return m_drawnFloorOpen.id(); }
+    [[nodiscard]] glm::ivec2 floorOpenSize() const { return floorOpenSize(m_width, m_height); }
     [[nodiscard]] GLuint sampleFramebuffer() const { return m_sample.id(); }
     [[nodiscard]] std::size_t trianglesAPart() const { return m_trianglesAPart; }
     /// The part that is drawn next of what is drawn in parts.
@@ -104,6 +110,9 @@ public:
     [[nodiscard]] Status draw(render::ProgramCache& programs, GLuint emptyArray, bool withDepths) const;
 
 private:
+    [[nodiscard]] static glm::ivec2 floorOpenSize(int width, int height) {
+        return (glm::ivec2(width, height) + kFloorOpenStep - 1) / kFloorOpenStep;
+    }
     void readFront();
     void readMarks();
     /// Marks what is drawn from now on in the stencil buffer of samples.
@@ -126,6 +135,7 @@ private:
     gl::Texture m_colour;  ///< of the sample at hand; outside of the area, of the plain picture
     gl::Texture m_depths;
     std::array<gl::Texture, 2> m_floor;  ///< lit, shaded
+    gl::Texture m_floorOpen;
     /// Of floats, within the area. In place of opacity, if pixels settle: of the first samples the squares of
     /// their brightness, afterwards how many samples there are of each pixel.
     gl::Texture m_sum;
@@ -133,6 +143,7 @@ private:
     gl::Framebuffer m_plain;
     gl::Framebuffer m_sample;
     std::array<gl::Framebuffer, 2> m_drawnFloor;
+    gl::Framebuffer m_drawnFloorOpen;
     gl::Framebuffer m_adding;
 };
 

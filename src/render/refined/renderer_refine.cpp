@@ -50,10 +50,37 @@ bool hasOverlays(const Frame& frame) {
     return !frame.marks.empty() || frame.highlightedHit || frame.showsCutPlane || frame.ghost;
 }
 
-/// The floor differs from sample to sample only in how much light arrives.
+Status drawFloorOpen(const FrameContext& given, const RefinedPicture& picture) {
+    const Occlusion near{picture.depths(), glm::vec2(0.0f), glm::vec2(0.0f)};
+    FrameContext context = given;
+    context.occlusion = &near;
+    const glm::ivec2 size = picture.floorOpenSize();
+    // And one pixel around it, as those between are a mean of four.
+    constexpr int kStep = RefinedPicture::kFloorOpenStep;
+    const PixelArea& area = picture.area();
+    const PixelArea around{area.x / kStep - 1, area.y / kStep - 1, area.width / kStep + 4,
+                           area.height / kStep + 4};
+    glBindFramebuffer(GL_FRAMEBUFFER, picture.floorOpenFramebuffer());
+    glViewport(0, 0, size.x, size.y);
+    limitDrawing(around);
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    const Status drawn = render::drawFloorOpen(context, size);
+    glViewport(context.frame.left, 0, context.frame.width, context.frame.height);
+    return drawn;
+}
+
+/// The floor differs from sample to sample only in how much of the directional light arrives.
 Status drawFloorLayers(const FrameContext& context, const RefinedPicture& picture) {
     if (!context.frame.options.floor) {
         return Done{};
+    }
+    const bool isOccluded = hasOcclusion(context.frame);
+    if (isOccluded) {
+        if (Status drawn = drawFloorOpen(context, picture); !drawn) {
+            return drawn;
+        }
     }
     for (const bool isShaded : {false, true}) {
         glBindFramebuffer(GL_FRAMEBUFFER, picture.floorFramebuffer(isShaded));
@@ -61,7 +88,8 @@ Status drawFloorLayers(const FrameContext& context, const RefinedPicture& pictur
         glDisable(GL_BLEND);
         glDisable(GL_DEPTH_TEST);
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-        if (Status status = drawFloorLayer(context, isShaded); !status) {
+        if (Status status = drawFloorLayer(context, isShaded, isOccluded ? picture.floorOpen() : 0);
+            !status) {
             return status;
         }
     }
