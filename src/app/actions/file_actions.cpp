@@ -21,6 +21,7 @@
 #include "app/notice_bar.h"
 #include "app/session_files.h"
 #include "app/settings/app_settings.h"
+#include "document/session_file.h"
 #include "io/import.h"
 #include "panels/help/help_text.h"
 #include "session/shown_number.h"
@@ -31,8 +32,6 @@ namespace {
 
 constexpr float kSmallestExtent = 0.5f;  // metres; projectiles are 0.2 m across
 constexpr float kLargestExtent = 200.0f;
-
-const QString kSessionSuffix = QStringLiteral("hitscope");
 
 QString meshPatterns() {
     QStringList patterns;
@@ -47,11 +46,11 @@ QString allMeshesFilter() {
 }
 
 QString everythingFilter() {
-    return FileActions::tr("Sessions and meshes (*.%1 %2)").arg(kSessionSuffix, meshPatterns());
+    return FileActions::tr("Sessions and meshes (*%1 %2)").arg(QLatin1String(kSessionSuffix), meshPatterns());
 }
 
 bool isSession(const QString& path) {
-    return QFileInfo(path).suffix().toLower() == kSessionSuffix;
+    return path.endsWith(QLatin1String(kSessionSuffix), Qt::CaseInsensitive);
 }
 
 bool canOpen(const QString& path) {
@@ -71,7 +70,7 @@ QStringList firstOf(const QStringList& notes) {
 }  // namespace
 
 QString FileActions::sessionsFilter() {
-    return tr("Sessions (*.%1)").arg(kSessionSuffix);
+    return tr("Sessions (*%1)").arg(QLatin1String(kSessionSuffix));
 }
 
 FileActions::FileActions(const Parts& parts) : QObject(&parts.window), m_parts(parts) {

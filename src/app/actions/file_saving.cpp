@@ -11,6 +11,7 @@
 #include "app/notice_bar.h"
 #include "app/session_files.h"
 #include "app/settings/app_settings.h"
+#include "document/session_file.h"
 #include "panels/fields/save_name.h"
 
 namespace hitscope {
@@ -70,17 +71,17 @@ bool FileActions::askAndReplace() {
 }
 
 bool FileActions::saveAs() {
-    const QString suffix = QStringLiteral("hitscope");
+    const QString suffix = QString::fromLatin1(kSessionSuffix);
     QString name = m_parts.sessions.path();
     if (name.isEmpty()) {
         const QString scene = m_parts.session.sceneName().replace(u'/', u'_');
         name = QDir(existingFolder(m_parts.settings.folder))
-                   .filePath((scene.isEmpty() ? tr("session") : scene) + u'.' + suffix);
+                   .filePath((scene.isEmpty() ? tr("session") : scene) + suffix);
     }
     const QString path = askSaveName(&m_parts.window, {.title = tr("Save session"),
                                                        .suggested = name,
                                                        .filters = {sessionsFilter()},
-                                                       .suffixes = {suffix}});
+                                                       .suffixes = {suffix.mid(1)}});
     if (path.isEmpty()) {
         return false;
     }
