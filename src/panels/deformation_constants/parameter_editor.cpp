@@ -85,7 +85,7 @@ ParameterEditor::ParameterEditor(const ParameterDescriptor& parameter, const Par
 
 bool ParameterEditor::eventFilter(QObject* watched, QEvent* event) {
     const QEvent::Type type = event->type();
-    // The type first: events also come while the slider is destroyed, and is none any more.
+    // The type first: events also arrive while the slider is being destroyed, when it is a plain QWidget.
     if (watched == m_slider && (type == QEvent::ShortcutOverride || type == QEvent::KeyPress) &&
         static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && m_slider->isSliderDown()) {
         event->accept();
