@@ -91,9 +91,8 @@ public:
     [[nodiscard]] render::FloorLayers floorLayers() const { return {m_floor[0].id(), m_floor[1].id()}; }
     /// Of these, what is drawn into.
     [[nodiscard]] GLuint floorFramebuffer(bool isShaded) const { return m_drawnFloor[isShaded ? 1 : 0].id(); }
-    /// How much light arrives at the floor, of half as many pixels each way: a texture, and what is drawn
-    /// into.
-    static constexpr int kFloorOpenStep = 3;  ///< pixels of the picture
+    /// How much light arrives at the floor: a texture of fewer pixels, and what is drawn into.
+    static constexpr int kFloorOpenStep = 3;  ///< the picture's pixels in each of its own, each way
     [[nodiscard]] GLuint floorOpen() const { return m_floorOpen.id(); }
     [[nodiscard]] GLuint floorOpenFramebuffer() const { return m_drawnFloorOpen.id(); }
     [[nodiscard]] glm::ivec2 floorOpenSize() const { return floorOpenSize(m_width, m_height); }
