@@ -34,6 +34,9 @@ std::vector<std::uint8_t> touchedVertices(const MeshData& mesh, std::span<const 
     if (std::find(moved.begin(), moved.end(), 1) == moved.end()) {
         return {};
     }
+    if (std::find(moved.begin(), moved.end(), 0) == moved.end()) {
+        return {moved.begin(), moved.end()};
+    }
     std::vector<std::uint8_t> touched(moved.size());
     inWatchedParts(mesh.faceCount(), kLeastPart, [&](std::size_t first, std::size_t end) {
         for (std::size_t f = first; f < end; ++f) {
@@ -82,7 +85,6 @@ private:
         return !isSameDirection(m_mesh.normals[normal], m_normals.values[slot]);
     }
     void findWanted();
-    void findDisagreement();
     void replace();
     void findDirections();
     void findCorners(bool all);
@@ -92,49 +94,42 @@ private:
     const MeshData& m_mesh;
     const CornerNormalView& m_normals;
     std::vector<std::uint8_t> m_touched;   // of vertices
-    std::vector<std::uint32_t> m_wanted;   // for each of the file's normals, the first slot that differs
+    std::vector<std::uint32_t> m_wanted;   // for each of the file's normals, a slot that differs
+    std::vector<std::uint8_t> m_isKept;    // by one of its corners
     std::vector<std::uint8_t> m_isShared;  // its corners want different ones
     std::vector<glm::vec3> m_directions;   // of those, made unit length
     std::vector<std::uint8_t> m_isUsed;    // slots of m_normals that corners are to have instead
-    std::atomic<bool> m_any = false;
     NormalPlan m_plan;
 };
 
+/// Which of the file's normals no corner keeps, and which their corners want to become different ones.
 void Planner::findWanted() {
     inWatchedParts(m_mesh.cornerNormals.size(), kLeastPart, [this](std::size_t first, std::size_t end) {
         for (std::size_t c = first; c < end; ++c) {
             const std::uint32_t normal = inFile(c);
-            if (normal == kNoIndex || !isTouched(c)) {
+            if (normal == kNoIndex || readShared(m_isShared[normal]) != 0) {
                 continue;
             }
             const auto slot = static_cast<std::uint32_t>(m_normals.slot(c));
-            const std::atomic_ref wanted(m_wanted[normal]);
-            std::uint32_t lowest = wanted.load(std::memory_order_relaxed);
-            if (lowest > slot && isOther(normal, slot)) {
-                m_any.store(true, std::memory_order_relaxed);
-                while (lowest > slot &&
-                       !wanted.compare_exchange_weak(lowest, slot, std::memory_order_relaxed)) {
+            if (!isTouched(c) || !isOther(normal, slot)) {
+                if (readShared(m_isKept[normal]) == 0) {  // writing needlessly would slow the other threads
+                    setShared<std::uint8_t>(m_isKept[normal], 1);
                 }
-            }
-        }
-    });
-}
-
-void Planner::findDisagreement() {
-    inWatchedParts(m_mesh.cornerNormals.size(), kLeastPart, [this](std::size_t first, std::size_t end) {
-        for (std::size_t c = first; c < end; ++c) {
-            const std::uint32_t normal = inFile(c);
-            if (normal == kNoIndex || m_wanted[normal] == kNoIndex) {
                 continue;
             }
-            const std::uint32_t wanted = m_wanted[normal];
-            const std::size_t slot = m_normals.slot(c);
-            if (slot != wanted && readShared(m_isShared[normal]) == 0 &&
-                !sameBits(m_normals.values[slot], m_normals.values[wanted])) {
+            const std::atomic_ref wanted(m_wanted[normal]);
+            std::uint32_t other = kNoIndex;
+            if (!wanted.compare_exchange_strong(other, slot, std::memory_order_relaxed) && other != slot &&
+                !sameBits(m_normals.values[slot], m_normals.values[other])) {
                 setShared<std::uint8_t>(m_isShared[normal], 1);
             }
         }
     });
+    for (std::size_t n = 0; n < m_wanted.size(); ++n) {
+        if (m_wanted[n] != kNoIndex && m_isKept[n] != 0) {
+            m_isShared[n] = 1;
+        }
+    }
 }
 
 void Planner::replace() {
@@ -211,12 +206,10 @@ NormalPlan Planner::plan(std::vector<std::uint8_t> touched, bool all) {
     m_plan.normals = m_normals;
     m_touched = std::move(touched);
     m_wanted.assign(m_mesh.normals.size(), kNoIndex);
+    m_isKept.assign(m_mesh.normals.size(), 0);
     m_isShared.assign(m_mesh.normals.size(), 0);
     if (!m_touched.empty()) {
         findWanted();
-    }
-    if (m_any) {
-        findDisagreement();
         replace();
     }
     if (all || std::find(m_isShared.begin(), m_isShared.end(), 1) != m_isShared.end()) {
