@@ -79,17 +79,26 @@ void inParts(std::size_t count, std::size_t least, const Work& work) {
     forEachAtOnce(parts, [&](std::size_t part) { work(count * part / parts, count * (part + 1) / parts); });
 }
 
-/// As inParts(), with looks in between. Threads that help may ask nobody, so each has little
-/// to do at once.
+/// As inParts(), with a look by this thread before each of its parts, each of `least` at most. Whoever is
+/// ready takes the next part: threads start late where a processor sleeps.
 template <class Work>
 void inWatchedParts(std::size_t count, std::size_t least, const Work& work) {
-    constexpr std::size_t kPartsAtOnce = 8;
-    const std::size_t most = kPartsAtOnce * std::max<std::size_t>(least, 1);
-    for (std::size_t first = 0; first < count; first += most) {
-        mayGiveUp();
-        inParts(std::min(most, count - first), least,
-                [&work, first](std::size_t begin, std::size_t end) { work(first + begin, first + end); });
-    }
+    const std::size_t size = std::max<std::size_t>(least, 1);
+    const std::size_t parts = (count + size - 1) / size;
+    std::atomic<std::size_t> next = 0;
+    const auto takeParts = [&] {
+        try {
+            mayGiveUp();
+            for (std::size_t part = next++; part < parts; part = next++) {
+                work(size * part, std::min(size * (part + 1), count));
+                mayGiveUp();
+            }
+        } catch (...) {
+            next = parts;  // the others end, too
+            throw;
+        }
+    };
+    forEachAtOnce(std::min(parts, usefulThreads()), [&](std::size_t) { takeParts(); });
 }
 
 }  // namespace hitscope

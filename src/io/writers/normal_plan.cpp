@@ -216,6 +216,9 @@ NormalPlan Planner::plan(std::vector<std::uint8_t> touched, bool all) {
         findDirections();
         findCorners(all);
         number();
+        const std::vector<std::uint32_t>& corners = m_mesh.cornerNormals;
+        m_plan.hasDangling =
+            !m_plan.added.empty() && std::find(corners.begin(), corners.end(), kNoIndex) != corners.end();
     }
     return std::move(m_plan);
 }

@@ -53,6 +53,8 @@ struct NormalPlan {
     CornerSet corners;                    ///< that refer to another normal
     CornerNormalView normals;             ///< those that were given
     std::vector<std::uint32_t> numbers;   ///< of added normals, where a slot of `normals` has one
+    /// Corners may refer to normals that the file lacks; the added ones must not become these.
+    bool hasDangling = false;
 
     /// Which one of `corners` refers to.
     [[nodiscard]] std::uint32_t numberOf(std::size_t corner) const { return numbers[normals.slot(corner)]; }

@@ -82,30 +82,46 @@ ObjPatcher::ObjPatcher(const ObjChanges& changes, const ObjIndex& index, ObjFace
     m_addAt = index.hasRelativeNormals ? index.size
               : index.afterNormals > 0 ? index.afterNormals
                                        : index.firstFace;
-    const std::vector<std::uint32_t>& corners = changes.mesh.cornerNormals;
-    m_hasDangling = !changes.normals.added.empty() &&
-                    std::find(corners.begin(), corners.end(), kNoIndex) != corners.end();
+}
+
+/// Whether added normals would come in the part.
+bool ObjPatcher::canAddIn(std::size_t p) const {
+    const SourcePart& part = m_index.parts[p];
+    const std::uint64_t end = part.start + part.size;
+    return m_addAt >= part.start && (m_addAt < end || (m_addAt == end && p + 1 == m_index.parts.size()));
+}
+
+bool ObjPatcher::needsNormals(std::size_t p) const {
+    return m_index.parts[p].normals > 0 || m_index.parts[p].faces > 0 || canAddIn(p);
+}
+
+const NormalPlan& ObjPatcher::normalsOf(std::size_t p) const {
+    static const NormalPlan kNone;
+    return needsNormals(p) ? m_normals : kNone;
 }
 
 bool ObjPatcher::addsIn(std::size_t p) const {
-    const SourcePart& part = m_index.parts[p];
-    const std::uint64_t end = part.start + part.size;
-    return !m_changes.normals.added.empty() && m_addAt >= part.start &&
-           (m_addAt < end || (m_addAt == end && p + 1 == m_index.parts.size()));
+    return canAddIn(p) && !m_normals.added.empty();
+}
+
+bool ObjPatcher::changesNormals(std::size_t p) const {
+    const NormalPlan& normals = normalsOf(p);
+    const std::size_t first = m_before[p].normals;
+    const auto replaced = std::lower_bound(normals.replaced.begin(), normals.replaced.end(), first);
+    if (addsIn(p) || (replaced != normals.replaced.end() && *replaced < m_before[p + 1].normals)) {
+        return true;
+    }
+    const std::vector<std::uint32_t>& starts = m_changes.mesh.faceStarts;
+    return m_index.parts[p].faces > 0 &&
+           (normals.hasDangling ||
+            normals.corners.hasBetween(starts[m_before[p].faces], starts[m_before[p + 1].faces]));
 }
 
 bool ObjPatcher::changes(std::size_t p) const {
-    const SourcePart& part = m_index.parts[p];
     const Counts& first = m_before[p];
     const Counts& end = m_before[p + 1];
     const auto library = m_changes.libraries.lower_bound(first.libraries);
-    const std::vector<std::uint32_t>& replaced = m_changes.normals.replaced;
-    const auto normal = std::lower_bound(replaced.begin(), replaced.end(), first.normals);
-    if (addsIn(p) || (m_hasDangling && part.faces > 0) ||
-        (normal != replaced.end() && *normal < end.normals) ||
-        (part.faces > 0 && m_changes.normals.corners.hasBetween(m_changes.mesh.faceStarts[first.faces],
-                                                                m_changes.mesh.faceStarts[end.faces])) ||
-        (library != m_changes.libraries.end() && library->first < end.libraries)) {
+    if ((library != m_changes.libraries.end() && library->first < end.libraries) || changesNormals(p)) {
         return true;
     }
     const std::span<const std::uint8_t> moved =
@@ -117,7 +133,7 @@ void ObjPatcher::appendAdded(std::size_t piece, TextBuffer& out) const {
     if (piece == 0 && m_addAt == m_index.size && m_index.endsInLine) {
         out.append(m_index.newLine);
     }
-    const std::span<const glm::vec3> all = m_changes.normals.added;
+    const std::span<const glm::vec3> all = m_normals.added;
     const std::size_t first = piece * kAddedAtOnce;
     for (const glm::vec3& normal : all.subspan(first, std::min(kAddedAtOnce, all.size() - first))) {
         char* to = copyText(out.room(2 + 3 * (1 + kFloatText) + m_index.newLine.size()), "vn");
@@ -132,7 +148,9 @@ void ObjPatcher::appendAdded(std::size_t piece, TextBuffer& out) const {
 /// A part's text, of which lines that stay are copied, many at once.
 class ObjPatcher::Part {
 public:
-    Part(std::string_view text, TextBuffer& out) : m_text(text), m_out(out) {}
+    Part(std::string_view text, const NormalPlan& normals, TextBuffer& out)
+        : m_text(text), m_normals(normals), m_out(out) {}
+    [[nodiscard]] const NormalPlan& normals() const { return m_normals; }
     [[nodiscard]] std::string_view line(const TextRange& range) const {
         return m_text.substr(range.start, range.end - range.start);
     }
@@ -145,12 +163,13 @@ public:
 
 private:
     std::string_view m_text;
+    const NormalPlan& m_normals;
     TextBuffer& m_out;
     std::size_t m_copied = 0;
 };
 
 std::size_t ObjPatcher::pieces(std::size_t p) const {
-    return addsIn(p) ? 2 + (m_changes.normals.added.size() + kAddedAtOnce - 1) / kAddedAtOnce : 1;
+    return addsIn(p) ? 2 + (m_normals.added.size() + kAddedAtOnce - 1) / kAddedAtOnce : 1;
 }
 
 void ObjPatcher::rewrite(std::size_t p, std::size_t piece, std::string_view text, TextBuffer& out) const {
@@ -170,11 +189,11 @@ void ObjPatcher::rewrite(std::size_t p, std::size_t piece, std::string_view text
 /// Appends the new text of the lines in [from, to) of the part.
 void ObjPatcher::rewriteLines(std::size_t p, std::string_view text, std::size_t from, std::size_t to,
                               TextBuffer& out) const {
-    const std::vector<std::uint32_t>& replaced = m_changes.normals.replaced;
+    Part part(text, normalsOf(p), out);
+    const std::vector<std::uint32_t>& replaced = part.normals().replaced;
     Counts at = m_before[p];
     at.replaced = static_cast<std::size_t>(std::lower_bound(replaced.begin(), replaced.end(), at.normals) -
                                            replaced.begin());
-    Part part(text, out);
     ObjLines lines(text, m_index.lineEnd);
     TextRange line;
     while (lines.next(line) && line.start < to) {
@@ -191,7 +210,7 @@ void ObjPatcher::rewriteLines(std::size_t p, std::string_view text, std::size_t 
 }
 
 void ObjPatcher::rewriteLine(const TextRange& range, Counts& at, Part& part) const {
-    const NormalPlan& normals = m_changes.normals;
+    const NormalPlan& normals = part.normals();
     const std::vector<std::uint32_t>& starts = m_changes.mesh.faceStarts;
     const std::string_view line = part.line(range);
     switch (keywordOf(line, m_index.lineEnd)) {
@@ -212,7 +231,7 @@ void ObjPatcher::rewriteLine(const TextRange& range, Counts& at, Part& part) con
                 break;
             }
             ++at.faces;
-            if (m_hasDangling || normals.corners.hasBetween(starts[at.faces - 1], starts[at.faces])) {
+            if (normals.hasDangling || normals.corners.hasBetween(starts[at.faces - 1], starts[at.faces])) {
                 face(line, at.faces - 1, part.instead(range));
             }
             break;
@@ -265,9 +284,9 @@ void ObjPatcher::normal(std::string_view line, const glm::vec3& value, TextBuffe
 bool ObjPatcher::plainFace(std::string_view line, std::size_t face, TextBuffer& out) const {
     const std::size_t first = m_changes.mesh.faceStarts[face];
     const std::size_t end = m_changes.mesh.faceStarts[face + 1];
-    const NormalPlan& normals = m_changes.normals;
+    const NormalPlan& normals = m_normals;
     // What ends the line ends its last number too.
-    if (m_hasDangling || line.size() < 2 || line[0] != 'f' || line[1] != ' ' || !isSpace(line.back())) {
+    if (normals.hasDangling || line.size() < 2 || line[0] != 'f' || line[1] != ' ' || !isSpace(line.back())) {
         return false;
     }
     const char* at = line.data() + 1;
@@ -320,12 +339,12 @@ void ObjPatcher::face(std::string_view line, std::size_t face, TextBuffer& out) 
     std::size_t copied = 0;
     for (std::size_t c = first; c < end; ++c) {
         const TextRange word = words.next();
-        const bool isOther = m_changes.normals.corners.has(c);
-        if (!isOther && !(m_hasDangling && m_changes.mesh.cornerNormals[c] == kNoIndex)) {
+        const bool isOther = m_normals.corners.has(c);
+        if (!isOther && !(m_normals.hasDangling && m_changes.mesh.cornerNormals[c] == kNoIndex)) {
             continue;
         }
         to = copyText(to, line.substr(copied, word.start - copied));
-        to = isOther ? writeCorner(to, words.text(word), m_changes.normals.numberOf(c))
+        to = isOther ? writeCorner(to, words.text(word), m_normals.numberOf(c))
                      : copyText(to, withoutNormal(words.text(word)));
         copied = word.end;
     }

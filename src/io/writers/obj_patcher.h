@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/text_buffer.h"
@@ -21,7 +22,6 @@ struct ObjChanges {
     const MeshData& mesh;                  ///< as it was read from the file
     std::span<const glm::vec3> positions;  ///< one for each of mesh.positions
     std::span<const std::uint8_t> moved;   ///< 1: the vertex has a coordinate that changes; else 0
-    const NormalPlan& normals;
     /// What mtllib lines name instead, by their number from 0.
     const std::map<std::size_t, std::string>& libraries;
     bool isElsewhere = false;  ///< the positions are what is written, no longer in the mesh's frame
@@ -31,6 +31,10 @@ struct ObjChanges {
 class ObjPatcher {
 public:
     ObjPatcher(const ObjChanges& changes, const ObjIndex& index, ObjFaces faces);
+
+    /// What becomes of the normals. Until then only parts that do not need it may be asked about.
+    void setNormals(NormalPlan normals) { m_normals = std::move(normals); }
+    [[nodiscard]] bool needsNormals(std::size_t p) const;
 
     /// Whether part `p` of the index has something that changes.
     [[nodiscard]] bool changes(std::size_t p) const;
@@ -59,7 +63,10 @@ private:
     void face(std::string_view line, std::size_t face, TextBuffer& out) const;
     [[nodiscard]] bool plainFace(std::string_view line, std::size_t face, TextBuffer& out) const;
     void library(std::string_view line, const std::string& name, TextBuffer& out) const;
+    [[nodiscard]] bool canAddIn(std::size_t p) const;
     [[nodiscard]] bool addsIn(std::size_t p) const;
+    [[nodiscard]] bool changesNormals(std::size_t p) const;
+    [[nodiscard]] const NormalPlan& normalsOf(std::size_t p) const;
     void rewriteLines(std::size_t p, std::string_view text, std::size_t from, std::size_t to,
                       TextBuffer& out) const;
     void appendAdded(std::size_t piece, TextBuffer& out) const;
@@ -67,10 +74,9 @@ private:
     const ObjChanges& m_changes;
     const ObjIndex& m_index;
     ObjFaces m_faces;
+    NormalPlan m_normals;
     std::vector<Counts> m_before;  // one a part, and the totals behind
     std::uint64_t m_addAt = 0;     // byte in the file before which the added normals come
-    /// Corners may refer to normals that the file lacks; the added ones must not become these.
-    bool m_hasDangling = false;
 };
 
 }  // namespace hitscope

@@ -4,11 +4,16 @@
 #include <fcntl.h>
 
 #include <QFile>
+#include <QScopeGuard>
 #include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <functional>
 #include <memory>
 #include <vector>
 
 #include "core/give_up.h"
+#include "core/parallel.h"
 #include "io/descriptor.h"
 #include "io/writers/file_coordinate.h"
 #include "io/writers/obj_index_cache.h"
@@ -66,6 +71,30 @@ NormalPlan changedNormals(const ObjExport& what, const std::vector<std::uint8_t>
     return planNormals(*what.asRead, moved, what.normals, what.allNormals);
 }
 
+/// Plans the normals while what does not depend on them is written.
+Status stageWhilePlanning(SourceWriter& writer, const QString& path, StagedFiles& staged,
+                          const std::function<NormalPlan()>& plan) {
+    std::atomic<bool> isOver = false;
+    Status added = Done{};
+    const std::function<bool()> isWanted = [&isOver] { return !isOver; };
+    bothAtOnce(
+        [&] {
+            const GiveUpScope watched(isWanted, GiveUpScope::Asked::Anywhere);
+            try {
+                writer.takeNormals(plan());
+            } catch (const GivenUp&) {
+            } catch (...) {
+                writer.fail(ENOMEM);
+                throw;
+            }
+        },
+        [&] {
+            const auto end = qScopeGuard([&isOver] { isOver = true; });
+            added = staged.add(path, [&writer](int to) { return writer.write(to); });
+        });
+    return added;
+}
+
 }  // namespace
 
 Result<SourceCopy> copyWithChanges(const ObjExport& what, const QString& path, MaterialFiles& materials,
@@ -101,13 +130,13 @@ Result<SourceCopy> copyWithChanges(const ObjExport& what, const QString& path, M
     }
     goOn(ExportStep::Preparing, 0.0);
     const std::vector<std::uint8_t> changed = changedVertices(what);
-    const NormalPlan normals = changedNormals(what, changed);
-    const ObjChanges changes{what.inFile(), what.positions,    changed,
-                             normals,       libraries.value(), what.asRead != nullptr};
-    const ObjPatcher patcher(changes, *index, faces);
+    const ObjChanges changes{what.inFile(), what.positions, changed, libraries.value(),
+                             what.asRead != nullptr};
+    ObjPatcher patcher(changes, *index, faces);
     const std::function<bool(double)> writing = within(goOn, ExportStep::Writing);
     SourceWriter writer(*index, patcher, source.get(), writing);
-    const Status added = staged.add(path, [&writer](int to) { return writer.write(to); });
+    const Status added =
+        stageWhilePlanning(writer, path, staged, [&] { return changedNormals(what, changed); });
     if (isGivenUp) {
         return givenUp(path);
     }

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <chrono>
 #include <string>
+#include <utility>
 
 #include "core/parallel.h"
 #include "io/descriptor.h"
@@ -17,21 +18,41 @@ constexpr std::chrono::milliseconds kBetween{20};  // questions whether to go on
 
 }  // namespace
 
-std::optional<SourceWriter::Turn> SourceWriter::take() {
-    const std::lock_guard lock(m_mutex);
-    while (m_nextPiece == 0 && m_nextPart < m_index.parts.size() && !m_patcher.changes(m_nextPart)) {
-        ++m_nextPart;
+void SourceWriter::takeNormals(NormalPlan normals) {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_patcher.setNormals(std::move(normals));
+        m_hasNormals = true;
     }
-    if (m_nextPart == m_index.parts.size() || m_reason != 0) {
-        return std::nullopt;
-    }
-    Turn turn{m_nextPart, m_nextPiece++, false, m_taken++};
-    turn.isLast = m_nextPiece == m_patcher.pieces(turn.part);
-    if (turn.isLast) {
-        ++m_nextPart;
-        m_nextPiece = 0;
-    }
-    return turn;
+    m_ended.notify_all();
+}
+
+std::optional<SourceWriter::Turn> SourceWriter::take(bool isTelling) {
+    do {
+        const std::lock_guard lock(m_mutex);
+        const std::size_t parts = m_index.parts.size();
+        const auto isKnown = [&] { return m_hasNormals || !m_patcher.needsNormals(m_nextPart); };
+        while (m_nextPiece == 0 && m_nextPart < parts && isKnown() && !m_patcher.changes(m_nextPart)) {
+            ++m_nextPart;
+        }
+        if (m_nextPart == parts || m_reason != 0) {
+            return std::nullopt;
+        }
+        if (isKnown()) {
+            Turn turn{m_nextPart, m_nextPiece++, false, false, m_taken++};
+            turn.isLast = m_nextPiece == m_patcher.pieces(turn.part);
+            if (turn.isLast) {
+                m_givenPart = ++m_nextPart;
+                m_nextPiece = 0;
+            }
+            return turn;
+        }
+        if (m_nextPart > m_givenPart) {
+            m_givenPart = m_nextPart;
+            return Turn{m_nextPart, 0, true, false, m_taken++};
+        }
+    } while (waitUntil([this] { return m_hasNormals; }, isTelling));
+    return std::nullopt;
 }
 
 void SourceWriter::fail(int reason) {
@@ -50,13 +71,14 @@ bool SourceWriter::tell(bool isTelling) {
     return m_reason == 0;
 }
 
-/// False: there is nothing to be written any more.
-bool SourceWriter::waitFor(std::size_t number, bool isTelling) {
+/// False: there is nothing to be written any more. The condition is asked under the lock.
+template <class Condition>
+bool SourceWriter::waitUntil(const Condition& condition, bool isTelling) {
     for (;;) {
         {
             std::unique_lock lock(m_mutex);
-            m_ended.wait_for(lock, kBetween, [&] { return m_turn == number || m_reason != 0; });
-            if (m_turn == number || m_reason != 0) {
+            m_ended.wait_for(lock, kBetween, [&] { return condition() || m_reason != 0; });
+            if (condition() || m_reason != 0) {
                 return m_reason == 0;
             }
         }
@@ -104,17 +126,20 @@ bool SourceWriter::put(std::string_view text) {
 void SourceWriter::work(bool isTelling) {
     std::string before;
     TextBuffer after;
-    while (const std::optional<Turn> turn = take()) {
+    while (const std::optional<Turn> turn = take(isTelling)) {
         const SourcePart& part = m_index.parts[turn->part];
-        before.resize(part.size + ObjPatcher::kPadding);
-        const bool isOfText = turn->piece == 0 || turn->isLast;  // the others are added
-        if (isOfText && !readAt(m_source, part.start, before.data(), part.size)) {
-            m_couldNotRead = true;
-            return fail(errno);
-        }
         after.clear();
-        m_patcher.rewrite(turn->part, turn->piece, std::string_view(before).substr(0, part.size), after);
-        if (!waitFor(turn->number, isTelling) || !copyUntil(part.start, isTelling) || !put(after.text())) {
+        if (!turn->isCopied) {
+            before.resize(part.size + ObjPatcher::kPadding);
+            const bool isOfText = turn->piece == 0 || turn->isLast;  // the others are added
+            if (isOfText && !readAt(m_source, part.start, before.data(), part.size)) {
+                m_couldNotRead = true;
+                return fail(errno);
+            }
+            m_patcher.rewrite(turn->part, turn->piece, std::string_view(before).substr(0, part.size), after);
+        }
+        const auto isOurTurn = [&] { return m_turn == turn->number; };
+        if (!waitUntil(isOurTurn, isTelling) || !copyUntil(part.start, isTelling) || !put(after.text())) {
             return;
         }
         m_done = turn->isLast ? part.start + part.size : part.start;

@@ -19,33 +19,40 @@ namespace hitscope {
 class SourceWriter {
 public:
     /// goOn: as in ObjExport. All of it outlives the writer.
-    SourceWriter(const ObjIndex& index, const ObjPatcher& patcher, int source,
+    SourceWriter(const ObjIndex& index, ObjPatcher& patcher, int source,
                  const std::function<bool(double)>& goOn)
         : m_index(index), m_patcher(patcher), m_source(source), m_goOn(goOn) {}
 
-    /// Writes all of it to an empty file; false with errno where it fails. Once.
+    /// Writes all of it to an empty file; false with errno where it fails. Once. What does not need the plan
+    /// of the normals is written before that is there.
     bool write(int to);
+    /// The plan of the normals is there. Of any thread, once.
+    void takeNormals(NormalPlan normals);
+    /// Ends the writing with an errno. Of any thread.
+    void fail(int reason);
     [[nodiscard]] bool couldNotRead() const { return m_couldNotRead; }
 
 private:
-    /// A piece of a part that is rewritten, and how many of these come before it.
+    /// A piece of a part that is rewritten, or parts before one that are copied, and how many turns come
+    /// before it.
     struct Turn {
         std::size_t part = 0;
         std::size_t piece = 0;
+        bool isCopied = false;
         bool isLast = false;  ///< of its part
         std::size_t number = 0;
     };
     void work(bool isTelling);
-    std::optional<Turn> take();
-    bool waitFor(std::size_t number, bool isTelling);
+    std::optional<Turn> take(bool isTelling);
+    template <class Condition>
+    bool waitUntil(const Condition& condition, bool isTelling);
     bool copyUntil(std::uint64_t end, bool isTelling);
     bool put(std::string_view text);
     void wrote(std::uint64_t bytes);
     bool tell(bool isTelling);
-    void fail(int reason);
 
     const ObjIndex& m_index;
-    const ObjPatcher& m_patcher;
+    ObjPatcher& m_patcher;
     int m_source;
     const std::function<bool(double)>& m_goOn;
     int m_to = -1;
@@ -54,9 +61,11 @@ private:
     std::condition_variable m_ended;  // a turn, or all
     std::size_t m_nextPart = 0;
     std::size_t m_nextPiece = 0;  // of it
-    std::size_t m_taken = 0;      // turns
-    std::size_t m_turn = 0;       // that may write now
-    int m_reason = 0;             // errno; 0: all is well
+    std::size_t m_givenPart = 0;  // before which turns that were taken copy or rewrite all
+    bool m_hasNormals = false;
+    std::size_t m_taken = 0;  // turns
+    std::size_t m_turn = 0;   // that may write now
+    int m_reason = 0;         // errno; 0: all is well
 
     // Of whoever's turn it is:
     std::uint64_t m_done = 0;     // bytes of the source
