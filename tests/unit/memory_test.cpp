@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QFile>
+#include <QRegularExpression>
 #include <QTest>
 #include <cstdlib>
 #include <memory>
@@ -31,6 +32,7 @@ private Q_SLOTS:
     void surfacesAreMeasuredInLittle();
     void trueNormalsShareTheRenderMesh();
     void freeAllGivesTheRoomBack();
+    void largeBlocksAskForHugePages();
 };
 
 void MemoryTest::freedBlocksStayWithTheLibrary() {
@@ -165,6 +167,31 @@ void MemoryTest::freeAllGivesTheRoomBack() {
     std::vector<int> values(1000, 1);
     freeAll(values);
     QCOMPARE(values.capacity(), std::size_t{0});
+}
+
+void MemoryTest::largeBlocksAskForHugePages() {
+#ifdef HITSCOPE_SANITIZED
+    QSKIP("The sanitizers have an operator new of their own.");
+#endif
+    if (!QFile::exists(QStringLiteral("/sys/kernel/mm/transparent_hugepage/enabled"))) {
+        QSKIP("the system has no huge pages");
+    }
+    const std::vector<char> block(64 << 20);
+    const auto inside = reinterpret_cast<quint64>(&block[block.size() / 2]);
+    QFile maps(QStringLiteral("/proc/self/smaps"));
+    QVERIFY(maps.open(QIODevice::ReadOnly));
+    const QRegularExpression range(QStringLiteral("^([0-9a-f]+)-([0-9a-f]+) "));
+    QByteArray flags;
+    bool isIn = false;
+    for (QByteArray line = maps.readLine(); !line.isEmpty(); line = maps.readLine()) {
+        if (const auto match = range.match(QString::fromLatin1(line)); match.hasMatch()) {
+            isIn = match.captured(1).toULongLong(nullptr, 16) <= inside &&
+                   inside < match.captured(2).toULongLong(nullptr, 16);
+        } else if (isIn && line.startsWith("VmFlags:")) {
+            flags = line.simplified();
+        }
+    }
+    QVERIFY2(flags.split(' ').contains("hg"), flags.constData());
 }
 
 HITSCOPE_TEST(MemoryTest, QCoreApplication)
