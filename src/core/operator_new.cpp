@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Replaces the program's operator new, and with it what std::vector and libraries use: large blocks ask for
-// huge pages, where the system gives them to those who ask (transparent_hugepage/enabled is "madvise").
-// A mesh of 2,000,000 vertices fills a gigabyte; opening it took a fifth longer where each 4 KiB of that were
-// a page fault of their own.
+// Replaces the program's operator new, which std::vector and libraries use: large blocks ask for huge pages,
+// where the system gives them on request (transparent_hugepage/enabled is "madvise"). A mesh of 2,000,000
+// vertices fills a gigabyte, and page faults of 4 KiB each took a fifth of the time to open it.
 #include "core/sanitizers.h"
 
 #ifndef HITSCOPE_SANITIZED  // these have their own
