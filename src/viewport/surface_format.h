@@ -7,14 +7,16 @@
 
 namespace hitscope {
 
-/// OpenGL 3.3 core, 24-bit depth: what every context of the window is at least.
+/// Core profile and 24-bit depth: what every context of the window is made with. OpenGL 3.3, for which some
+/// drivers give the newest that they have; or, once the driver has been asked (viewportFormat(),
+/// checkOpenGl()), the newest up to 4.6 that it gives when asked for that.
 [[nodiscard]] QSurfaceFormat baseSurfaceFormat();
 
-/// What the viewport draws into: OpenGL 3.3 core, 24-bit depth, and 4x multisampling where a GPU does it. A
-/// software renderer pays for every sample, so it gets one. Needs a QGuiApplication; asks the driver once.
+/// What the viewport draws into: the base format, and 4x multisampling where a GPU does it. A software
+/// renderer pays for every sample, so it gets one. Needs a QGuiApplication; asks the driver once.
 [[nodiscard]] QSurfaceFormat viewportFormat();
 
-/// Whether there is such OpenGL here at all. Ask before making a Viewport: where there is none, Qt's OpenGL
+/// Whether there is OpenGL 3.3 here at all. Ask before making a Viewport: where there is none, Qt's OpenGL
 /// widgets end the process. Needs a QGuiApplication; asks the driver once.
 [[nodiscard]] Status checkOpenGl();
 
