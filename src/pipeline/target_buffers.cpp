@@ -357,11 +357,17 @@ void TargetBuffers::clearChangeValues() {
 
 void TargetBuffers::writeChangeValues(std::uint32_t first, std::span<const float> values) {
     if (!m_changeValues) {
-        const std::vector<float> none(m_vertexCount, 0.0f);
-        m_changeValues = makeBuffer(std::span<const float>(none), GL_DYNAMIC_DRAW);
+        // Content comes with glBufferSubData alone, as in all buffers that are written more than once. With
+        // what glBufferData brings, the buffer in a vertex array and not drawn yet, NVIDIA's driver (580.159)
+        // draws that, and not what was written after it.
+        m_changeValues = gl::Buffer::make();
+        makeRoom(m_changeValues.id(), m_vertexCount * sizeof(float), GL_DYNAMIC_DRAW);
         const KeepBindings keep;
         glBindVertexArray(m_surfaceArray.id());
         attach(Attribute::ChangeValue, m_changeValues, 1, sizeof(float), 0);
+        if (values.size() < m_vertexCount) {
+            clearChangeValues();
+        }
     }
     glBindBuffer(GL_COPY_WRITE_BUFFER, m_changeValues.id());
     glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(first * sizeof(float)),
