@@ -10,6 +10,7 @@
 
 #include "session/vertex_selection.h"
 #include "viewport/inspect_tool.h"
+#include "viewport/surface_format.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -17,6 +18,9 @@ namespace hitscope {
 bool Viewport::event(QEvent* event) {
     if (dynamic_cast<QInputEvent*>(event) != nullptr) {
         m_refiner.inputCame();
+    }
+    if (event->type() == QEvent::Show && !isValid()) {
+        setFormat(viewportFormat());  // Qt forgets the samples once it has made a context
     }
     if (event->type() == QEvent::NativeGesture &&
         m_navigation.gesture(*static_cast<QNativeGestureEvent*>(event))) {
