@@ -34,6 +34,7 @@ AimPreview::AimPreview(Session& session, Viewport& viewport)
     m_label->hide();
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRest);
+    m_rest.setTimerType(Qt::PreciseTimer);  // never early, as coarse ones may be
     viewport.setMouseTracking(true);
     viewport.installEventFilter(this);
     for (QWidget* child : viewport.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
