@@ -13,7 +13,7 @@ namespace hitscope {
 /// tried end to end (PipelineVerdict).
 struct Exactness {
     VertexDifference compared;
-    bool byFma = false;  ///< with both corrected by fma; no renderer at hand needs it and has a fused one
+    bool byFma = false;  ///< with both corrected by fma, as GPUs need it
 
     [[nodiscard]] bool isExact() const { return compared.different == 0; }
     bool operator==(const Exactness&) const = default;

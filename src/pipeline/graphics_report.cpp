@@ -84,9 +84,8 @@ void addExactness(GraphicsReport& report, const std::optional<Exactness>& exactn
     char largest[32];
     std::snprintf(largest, sizeof largest, "%g m", static_cast<double>(exactness->compared.largest));
     report.emplace_back("largest difference", largest);
-    report.emplace_back(
-        "division and square root",
-        exactness->byFma ? "corrected by fma, which has not been tried on a GPU yet" : "the driver's own");
+    report.emplace_back("division and square root",
+                        exactness->byFma ? "corrected by fma" : "the driver's own");
 }
 
 void addVerdict(GraphicsReport& report, const RendererVerdict& verdict,

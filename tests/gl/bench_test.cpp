@@ -93,7 +93,7 @@ private Q_SLOTS:
         HITSCOPE_NEEDS_EXACT_ARITHMETIC();
         const RenderMesh mesh = buildRenderMesh(makeSphere(7938));
         {
-            Result<PaperFeedback> paper = PaperFeedback::create(mesh.vertices);
+            Result<PaperFeedback> paper = PaperFeedback::create(mesh.vertices, test::deformDefines());
             QVERIFY(paper);
             ReferenceDeformation reference(mesh);
             for (const Hit& hit : RandomHits({{kTarget, &mesh}}, DeformationConstants(), 5).next(20)) {
@@ -120,7 +120,7 @@ private Q_SLOTS:
             const TargetBuffers buffers[2] = {TargetBuffers(meshes[0]), TargetBuffers(meshes[1])};
             const PaperFeedback::Drawn drawn[2] = {{&buffers[0], meshes[0].vertices},
                                                    {&buffers[1], meshes[1].vertices}};
-            Result<std::vector<PaperFeedback>> papers = PaperFeedback::createOn(drawn);
+            Result<std::vector<PaperFeedback>> papers = PaperFeedback::createOn(drawn, test::deformDefines());
             QVERIFY(papers);
             for (std::size_t target = 0; target < 2; ++target) {
                 ReferenceDeformation reference(meshes[target]);

@@ -89,7 +89,10 @@ private Q_SLOTS:
             return;
         }
         HITSCOPE_NEEDS_EXACT_ARITHMETIC();
-        Result<CapturePass> pass = CapturePass::create(hitArrayDefines({HitStorage::Floats, kHits}));
+        gl::Defines defines = hitArrayDefines({HitStorage::Floats, kHits});
+        const gl::Defines exact = deformDefines();
+        defines.insert(defines.end(), exact.begin(), exact.end());
+        Result<CapturePass> pass = CapturePass::create(std::move(defines));
         QVERIFY2(pass.ok(), pass.ok() ? "" : pass.error().message().c_str());
         m_pass = std::make_unique<CapturePass>(std::move(pass).value());
     }

@@ -171,7 +171,7 @@ private Q_SLOTS:
         const HitRoom block = formsInBlock(blockBytes);
         const HitRoom floats = formsInUniforms(HitStorage::Floats, components);
         const HitRoom room = block.hits + block.curves > floats.hits + floats.curves ? block : floats;
-        PipelineOptions options;
+        PipelineOptions options = pipelineOptions();
         options.vertexUniformComponents = components;
         options.uniformBlockBytes = blockBytes;
         Result<std::unique_ptr<DeformationPipeline>> made = makePipeline(PipelineKind::UniformArray, options);

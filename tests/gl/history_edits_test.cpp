@@ -201,7 +201,8 @@ private Q_SLOTS:
         QFETCH(const int, kind);
         HITSCOPE_NEEDS_PIPELINE(kind);
         TestScene scene = makeScene({QStringLiteral("Low-poly cube"), QStringLiteral("Low-poly sphere")});
-        Result<std::unique_ptr<DeformationPipeline>> pipeline = makePipeline(static_cast<PipelineKind>(kind));
+        Result<std::unique_ptr<DeformationPipeline>> pipeline =
+            makePipeline(static_cast<PipelineKind>(kind), pipelineOptions());
         QVERIFY(pipeline.ok());
         const std::vector<Hit> hits = randomHits(scene, 89, 60);
         pipeline.value()->append(hits);

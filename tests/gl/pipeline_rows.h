@@ -31,11 +31,25 @@
 
 namespace hitscope::test {
 
-/// Empty: this renderer is exact. A context is current.
+/// Empty: this renderer is exact, with the variant of deform.glsl that it needs. A context is current.
 [[nodiscard]] inline std::string whyNotExact() {
     const Result<Exactness> measured = measureExactness();
     return !measured || measured.value().isExact() ? std::string()
                                                    : "this renderer is " + describe(measured.value());
+}
+
+/// For programs that include deform.glsl: the variant that this renderer needs, as the window uses it. A
+/// context is current.
+[[nodiscard]] inline gl::Defines deformDefines() {
+    const Result<Exactness> measured = measureExactness();
+    return measured ? definesOf(measured.value()) : gl::Defines();
+}
+
+/// For makePipeline(), with deformDefines().
+[[nodiscard]] inline PipelineOptions pipelineOptions() {
+    PipelineOptions options;
+    options.deformDefines = deformDefines();
+    return options;
 }
 
 /// A row of test data for each pipeline, with an int `kind`.

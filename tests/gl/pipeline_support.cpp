@@ -7,6 +7,7 @@
 #include <random>
 
 #include "deform/reference.h"
+#include "gl/pipeline_rows.h"
 #include "mesh/primitives.h"
 
 namespace hitscope::test {
@@ -129,7 +130,7 @@ void Mirror::poll(DeformationPipeline& pipeline) {
 }
 
 std::unique_ptr<DeformationPipeline> pipelineOn(PipelineKind kind, TestScene& scene) {
-    Result<std::unique_ptr<DeformationPipeline>> made = makePipeline(kind);
+    Result<std::unique_ptr<DeformationPipeline>> made = makePipeline(kind, pipelineOptions());
     if (!made) {
         qWarning("%s", made.error().message().c_str());
         return nullptr;

@@ -37,12 +37,12 @@ public:
     }
 
     /// From now on hits are applied as the paper does.
-    Status useThePapersWay() {
+    Status useThePapersWay(const gl::Defines& deformDefines) {
         std::vector<PaperFeedback::Drawn> drawn;
         for (std::size_t i = 0; i < m_buffers.size(); ++i) {
             drawn.push_back({m_buffers[i].get(), m_parts.plans[i].shape.render->vertices});
         }
-        Result<std::vector<PaperFeedback>> made = PaperFeedback::createOn(drawn);
+        Result<std::vector<PaperFeedback>> made = PaperFeedback::createOn(drawn, deformDefines);
         if (!made) {
             return made.error();
         }
@@ -153,11 +153,11 @@ std::vector<TargetPlan> planRow(const PaperRow& row, bool textured) {
 
 Result<std::unique_ptr<Scene>> makeEngineScene(const RowParts& parts,
                                                std::unique_ptr<DeformationPipeline> pipeline,
-                                               Renderer& renderer, const gl::RenderTarget& picture,
-                                               HitsBy by) {
+                                               Renderer& renderer, const gl::RenderTarget& picture, HitsBy by,
+                                               const gl::Defines& deformDefines) {
     auto scene = std::make_unique<EngineScene>(parts, std::move(pipeline), renderer, picture);
     if (by == HitsBy::Paper) {
-        if (Status used = scene->useThePapersWay(); !used) {
+        if (Status used = scene->useThePapersWay(deformDefines); !used) {
             return used.error();
         }
     }

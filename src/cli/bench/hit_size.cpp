@@ -105,7 +105,8 @@ Result<std::unique_ptr<HitSizeBench>> HitSizeBench::create(const BenchRoom& room
         d.enter(room, kind);
     }
     if (options.yardsticks) {
-        Result<PaperFeedback> paper = PaperFeedback::create(d.mesh.vertices);
+        Result<PaperFeedback> paper =
+            PaperFeedback::create(d.mesh.vertices, room.pipelineOptions().deformDefines);
         if (!paper) {
             return paper.error();
         }

@@ -109,7 +109,8 @@ Result<std::unique_ptr<RowBench::Entrant>> RowBench::makeEntrant(const RowParts&
         return pipeline.error();
     }
     Result<std::unique_ptr<Scene>> scene =
-        makeEngineScene(parts, std::move(pipeline).value(), renderer, m_room.picture(), figure.by);
+        makeEngineScene(parts, std::move(pipeline).value(), renderer, m_room.picture(), figure.by,
+                        m_room.pipelineOptions().deformDefines);
     if (!scene) {
         return scene.error();
     }

@@ -56,11 +56,12 @@ enum class HitsBy : std::uint8_t {
 };
 
 /// The targets straight on pipeline and renderer, without a session: so they can have textures, which a row
-/// of the paper's scene has not. `parts`, `renderer` and `picture` outlive the scene.
+/// of the paper's scene has not. `parts`, `renderer` and `picture` outlive the scene. `deformDefines`:
+/// as for PaperFeedback.
 [[nodiscard]] Result<std::unique_ptr<Scene>> makeEngineScene(const RowParts& parts,
                                                              std::unique_ptr<DeformationPipeline> pipeline,
                                                              Renderer& renderer,
-                                                             const gl::RenderTarget& picture,
-                                                             HitsBy by = HitsBy::Pipeline);
+                                                             const gl::RenderTarget& picture, HitsBy by,
+                                                             const gl::Defines& deformDefines);
 
 }  // namespace hitscope::bench

@@ -24,8 +24,9 @@ void describeAttribute(Attribute attribute, std::size_t offset) {
 
 }  // namespace
 
-Result<PaperFeedback::SharedProgram> PaperFeedback::makeProgram() {
+Result<PaperFeedback::SharedProgram> PaperFeedback::makeProgram(const gl::Defines& deformDefines) {
     gl::Defines defines = hitArrayDefines(kOneHit);
+    defines.insert(defines.end(), deformDefines.begin(), deformDefines.end());
     defines.emplace_back("HITSCOPE_OWN_HITS_ONLY", "1");
     Result<gl::Program> program =
         gl::Program::build({"capture.vert", {}, std::move(defines), {"capturedPosition", "capturedNormal"}});
@@ -35,16 +36,18 @@ Result<PaperFeedback::SharedProgram> PaperFeedback::makeProgram() {
     return SharedProgram(std::make_shared<gl::Program>(std::move(program).value()));
 }
 
-Result<PaperFeedback> PaperFeedback::create(std::span<const DynamicVertex> vertices) {
-    Result<SharedProgram> program = makeProgram();
+Result<PaperFeedback> PaperFeedback::create(std::span<const DynamicVertex> vertices,
+                                            const gl::Defines& deformDefines) {
+    Result<SharedProgram> program = makeProgram(deformDefines);
     if (!program) {
         return program.error();
     }
     return PaperFeedback(std::move(program).value(), vertices, nullptr);
 }
 
-Result<std::vector<PaperFeedback>> PaperFeedback::createOn(std::span<const Drawn> targets) {
-    const Result<SharedProgram> program = makeProgram();
+Result<std::vector<PaperFeedback>> PaperFeedback::createOn(std::span<const Drawn> targets,
+                                                           const gl::Defines& deformDefines) {
+    const Result<SharedProgram> program = makeProgram(deformDefines);
     if (!program) {
         return program.error();
     }

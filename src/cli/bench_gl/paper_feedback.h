@@ -22,15 +22,18 @@ namespace hitscope::bench {
 /// every call and the destructor.
 class PaperFeedback {
 public:
-    /// The error is the driver's.
-    [[nodiscard]] static Result<PaperFeedback> create(std::span<const DynamicVertex> vertices);
+    /// `deformDefines`: for programs that include deform.glsl (definesOf()), so that it ends at the same mesh
+    /// as the pipelines. The error is the driver's.
+    [[nodiscard]] static Result<PaperFeedback> create(std::span<const DynamicVertex> vertices,
+                                                      const gl::Defines& deformDefines);
     /// Likewise, one a target, each in the buffer that its target is drawn from. The meshes' vertices are in
     /// these buffers now, and `targets` outlive what is made.
     struct Drawn {
         const TargetBuffers* buffers = nullptr;
         std::span<const DynamicVertex> vertices;
     };
-    [[nodiscard]] static Result<std::vector<PaperFeedback>> createOn(std::span<const Drawn> targets);
+    [[nodiscard]] static Result<std::vector<PaperFeedback>> createOn(std::span<const Drawn> targets,
+                                                                     const gl::Defines& deformDefines);
 
     /// Applies one hit; comes back when the new vertices are with the driver.
     void apply(const Hit& hit);
@@ -41,7 +44,7 @@ public:
 
 private:
     using SharedProgram = std::shared_ptr<const gl::Program>;
-    [[nodiscard]] static Result<SharedProgram> makeProgram();
+    [[nodiscard]] static Result<SharedProgram> makeProgram(const gl::Defines& deformDefines);
     PaperFeedback(SharedProgram program, std::span<const DynamicVertex> vertices, const TargetBuffers* drawn);
     void capture(const Hit& hit);
     void upload();
