@@ -23,6 +23,14 @@ struct Registration {
     Registration(std::string_view file, RunTest run);
 };
 
+/// What a class wants done before there is an application; QTEST_MAIN does it too.
+template <class TestClass>
+void initMain() {
+    if constexpr (requires { TestClass::initMain(); }) {
+        TestClass::initMain();
+    }
+}
+
 }  // namespace hitscope::test
 
 /// Once at the end of NAME_test.cpp, in place of QTEST_MAIN: all tests of a folder are one program, which
@@ -30,6 +38,7 @@ struct Registration {
 /// are widgets.
 #define HITSCOPE_TEST(TestClass, Application)                                                       \
     static const hitscope::test::Registration registeredTests(__FILE__, [](int argc, char** argv) { \
+        hitscope::test::initMain<TestClass>();                                                      \
         const Application application(argc, argv);                                                  \
         QCoreApplication::setAttribute(Qt::AA_Use96Dpi);                                            \
         TestClass tests;                                                                            \

@@ -2,6 +2,7 @@
 // The picture outlives its OpenGL context, and what is under the cursor is so at any scale: run with other
 // values of QT_SCALE_FACTOR too.
 #include <QApplication>
+#include <QDir>
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QEvent>
@@ -19,6 +20,7 @@
 
 #include "mesh/primitives.h"
 #include "panels/frame_rate/frame_graph.h"
+#include "support/baseline.h"
 #include "support/test_program.h"
 #include "widgets/window_support.h"
 
@@ -102,6 +104,20 @@ private Q_SLOTS:
 private:
     void hitIt();
     [[nodiscard]] QImage shown() { return m_window->viewport().grabFramebuffer(); }
+    /// Empty: the picture shown is this one.
+    [[nodiscard]] QString differenceFrom(const QImage& before) {
+        const QImage now = shown();
+        const int pixels = test::differing(now, before);
+        if (pixels == 0) {
+            return {};
+        }
+        now.save(QDir::temp().filePath(QStringLiteral("hitscope-after.png")));
+        before.save(QDir::temp().filePath(QStringLiteral("hitscope-before.png")));
+        return QStringLiteral("%1 of %2 pixels differ, %3 by more than 2")
+            .arg(pixels)
+            .arg(now.width() * now.height())
+            .arg(test::differing(now, before, 2));
+    }
 };
 
 void ContextTest::init() {
@@ -168,14 +184,14 @@ void ContextTest::anotherContextShowsTheSame() {
     QCOMPARE(gone.size(), 1);
     QVERIFY(viewport.syncNow().ok());
     QCOMPARE(viewport.size(), size);
-    QVERIFY(shown() == before);
+    QCOMPARE(differenceFrom(before), QString());
     QVERIFY(sameBits(readBack(*m_session), vertices));
 
     m_window->setCentralWidget(&viewport);
     QTRY_COMPARE_WITH_TIMEOUT(again.size(), 2, kPatience);
     QTRY_COMPARE_WITH_TIMEOUT(viewport.size(), size, kPatience);
     QVERIFY(viewport.syncNow().ok());
-    QVERIFY(shown() == before);
+    QCOMPARE(differenceFrom(before), QString());
     QVERIFY(sameBits(readBack(*m_session), vertices));
     // And it goes on: one more hit is seen.
     Hit hit = hitOn(*m_session, {}, -viewport.camera().up());
@@ -198,7 +214,7 @@ void ContextTest::windowTricksLoseNothing() {
     const QSize size = viewport.size();
     const auto back = [&] {
         QTRY_COMPARE_WITH_TIMEOUT(viewport.size(), size, kPatience);
-        QVERIFY(shown() == before);
+        QCOMPARE(differenceFrom(before), QString());
     };
     m_window->resize(m_window->size() + QSize(120, 90));
     QTRY_VERIFY_WITH_TIMEOUT(viewport.size() != size, kPatience);

@@ -42,6 +42,9 @@ QAction* menuAction(const QWidget& window, const QString& text) {
 
 class SceneFilesTest : public QObject {
     Q_OBJECT
+public:
+    static void initMain() { MainWindow::setSurfaceFormat(); }
+
 private Q_SLOTS:
     void init() {
         QVERIFY(m_folder.isValid());
