@@ -56,7 +56,7 @@ void MeshExporter::write(const std::shared_ptr<Job>& job) {
         }
         return !job->isCancelled;
     };
-    const Result<ExportReport> written = writeExport(job->what, job->path, goOn);
+    const Result<ExportReport> written = writeExport(std::move(job->what), job->path, goOn);
     QMetaObject::invokeMethod(
         this, [this, job, written] { take(job, written); }, Qt::QueuedConnection);
 }

@@ -2,6 +2,7 @@
 #include "mesh/true_normals.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <system_error>
@@ -211,6 +212,8 @@ void TrueNormals::makeOwn() {
     if (m_normals.use_count() > 1) {
         m_normals = std::make_shared<std::vector<glm::vec3>>(*m_normals);
     }
+    std::atomic_thread_fence(
+        std::memory_order_acquire);  // another thread may have been the last to read them
     m_isConcerned.resize(m_groups->count(), false);
 }
 

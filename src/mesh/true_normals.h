@@ -37,6 +37,9 @@ public:
     /// render mesh's where nothing was ever recomputed, so not for two threads at once.
     [[nodiscard]] std::span<const glm::vec3> normals() const;
     [[nodiscard]] const glm::vec3& normal(std::uint32_t renderVertex) const;
+    /// normals() as they are now, for another thread to read: the next update() copies them if that one still
+    /// has them. Null: the render mesh's.
+    [[nodiscard]] std::shared_ptr<const std::vector<glm::vec3>> shared() const { return m_normals; }
 
 private:
     struct Groups;

@@ -11,7 +11,6 @@
 #include <optional>
 
 #include "core/give_up.h"
-#include "core/parallel.h"
 #include "deform/effects.h"
 #include "io/check/written_check.h"
 #include "io/export_obj.h"
@@ -93,7 +92,7 @@ CornerNormalView Gathered::normals() const {
     if (m_merged) {
         return {m_mesh.normals, {}};
     }
-    return hasNormals(first) ? CornerNormalView{first.normals, first.render->cornerRenderVertices}
+    return hasNormals(first) ? CornerNormalView{*first.normals, first.render->cornerRenderVertices}
                              : CornerNormalView();
 }
 
@@ -137,7 +136,7 @@ void Gathered::gatherNormals(const ExportGoOn& goOn) {
         normals.reserve(target.render->cornerRenderVertices.size());
         for (const std::uint32_t vertex : target.render->cornerRenderVertices) {
             mayGiveUp(normals.size());
-            normals.push_back(target.normals[vertex]);
+            normals.push_back((*target.normals)[vertex]);
         }
     }
 }
@@ -327,60 +326,24 @@ Result<ExportReport> write(const SceneExport& what, const QString& path, const E
     return report;
 }
 
-/// One a render vertex.
-std::vector<glm::vec3> shownNormals(const Target& target, NormalMode mode) {
-    constexpr std::size_t kLeastPart = std::size_t{1} << 16;  // vertices
-    const std::span<const DynamicVertex> vertices = target.deformed.vertices();
-    std::vector<glm::vec3> normals(vertices.size());
-    inParts(vertices.size(), kLeastPart, [&](std::size_t first, std::size_t end) {
-        for (std::size_t v = first; v < end; ++v) {
-            normals[v] = mode == NormalMode::True ? target.trueNormals.normal(static_cast<std::uint32_t>(v))
-                                                  : vertices[v].normal;
-        }
-    });
-    return normals;
-}
-
 }  // namespace
-
-SceneExport copyForExport(const Session& session, std::span<const Target* const> targets,
-                          const ExportOptions& options) {
-    SceneExport copy;
-    copy.options = options;
-    for (const Target* target : targets) {
-        const DeformedMesh& mesh = target->deformed;
-        TargetExport& one = copy.targets.emplace_back();
-        one.id = target->id;
-        one.name = target->name.toStdString();
-        one.original = mesh.sharedOriginal();
-        one.render = mesh.sharedRender();
-        one.transform = target->transform;
-        one.sourcePath = target->sourcePath;
-        one.positions.assign(mesh.positions().begin(), mesh.positions().end());
-        one.normals = shownNormals(*target, options.normals);
-    }
-    const AppliedHits applied = session.hits().applied();
-    for (const Hit& hit : session.hits().history().hits()) {
-        copy.hits.push_back(hit);
-        copy.hits.back().enabled = hit.enabled && applied.contains(copy.hits.size() - 1);
-    }
-    return copy;
-}
 
 bool SceneExport::needsHits() const {
     const ExportFormat format = options.format;
     return format == ExportFormat::Ply || format == ExportFormat::PlyAscii || format == ExportFormat::Csv;
 }
 
-Result<ExportReport> writeExport(const SceneExport& what, const QString& path,
-                                 const ExportProgress::Told& told) {
+Result<ExportReport> writeExport(SceneExport what, const QString& path, const ExportProgress::Told& told) {
     if (const QString folder = QFileInfo(path).absolutePath(); !QFileInfo(folder).isDir()) {
         return Error{"There is no such folder.", folder.toStdString(), "Make it, or choose another one."};
     }
-    ExportProgress progress(what, path, told);
-    const std::function<bool()> isWanted = [&progress] { return progress.isWanted(); };
-    const GiveUpScope watched(isWanted);
     try {
+        for (TargetExport& target : what.targets) {
+            target.complete();
+        }
+        ExportProgress progress(what, path, told);
+        const std::function<bool()> isWanted = [&progress] { return progress.isWanted(); };
+        const GiveUpScope watched(isWanted);
         return write(what, path, progress.goOn());
     } catch (const GivenUp&) {
         return givenUp(path);

@@ -19,16 +19,24 @@ namespace hitscope {
 
 class Session;
 
-/// A target as it is on the screen at one moment: what another thread needs to write it.
+/// A target as it is on the screen at one moment: what another thread needs to write it. The window waits
+/// while it is made, so that what the other thread can do is left to it: see complete().
 struct TargetExport {
     TargetId id;
     std::string name;  ///< for people
     std::shared_ptr<const MeshData> original;
     std::shared_ptr<const RenderMesh> render;
     RigidTransform transform;
-    std::vector<glm::vec3> positions;  ///< one a file vertex, local frame, metres
-    std::vector<glm::vec3> normals;    ///< one a render vertex, unit length
-    QString sourcePath;                ///< empty: none
+    std::vector<glm::vec3>
+        positions;  ///< one a file vertex, local frame, metres; empty: the original's but these
+    std::vector<std::uint32_t> changed;       ///< file vertices
+    std::vector<glm::vec3> changedPositions;  ///< theirs
+    /// One a render vertex, unit length; null: the render mesh's.
+    std::shared_ptr<const std::vector<glm::vec3>> normals;
+    QString sourcePath;  ///< empty: none
+
+    /// Makes all positions and normals out of what differs from the original.
+    void complete();
 };
 
 /// Targets that are written into one file.
@@ -51,13 +59,13 @@ struct ExportReport {
     bool wasReadBack = false;  ///< and it is what was meant
 };
 
-/// Copies of what hits change; the rest is shared. The targets' read-back is current.
+/// Copies of what hits change, as far as they do; the rest is shared. The targets' read-back is current.
 [[nodiscard]] SceneExport copyForExport(const Session& session, std::span<const Target* const> targets,
                                         const ExportOptions& options);
 
 /// Writes them to a file, in the files' own order. Of any thread. What is not read back as it was meant is an
 /// error, and the file is there.
-[[nodiscard]] Result<ExportReport> writeExport(const SceneExport& what, const QString& path,
+[[nodiscard]] Result<ExportReport> writeExport(SceneExport what, const QString& path,
                                                const ExportProgress::Told& told = {});
 
 /// Both at once, for one target as it is on the screen.
