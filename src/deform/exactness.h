@@ -13,7 +13,7 @@ namespace hitscope {
 /// tried end to end (PipelineVerdict).
 struct Exactness {
     VertexDifference compared;
-    bool byFma = false;  ///< with both corrected by fma, as GPUs need it
+    bool byFma = false;  ///< with both corrected by fma, which NVIDIA's driver needs
 
     [[nodiscard]] bool isExact() const { return compared.different == 0; }
     bool operator==(const Exactness&) const = default;

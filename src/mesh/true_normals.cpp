@@ -212,8 +212,8 @@ void TrueNormals::makeOwn() {
     if (m_normals.use_count() > 1) {
         m_normals = std::make_shared<std::vector<glm::vec3>>(*m_normals);
     }
-    std::atomic_thread_fence(
-        std::memory_order_acquire);  // another thread may have been the last to read them
+    // Another thread may have read them last: use_count() alone does not order its reads before our writes.
+    std::atomic_thread_fence(std::memory_order_acquire);
     m_isConcerned.resize(m_groups->count(), false);
 }
 

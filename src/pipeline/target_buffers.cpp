@@ -357,9 +357,8 @@ void TargetBuffers::clearChangeValues() {
 
 void TargetBuffers::writeChangeValues(std::uint32_t first, std::span<const float> values) {
     if (!m_changeValues) {
-        // Content comes with glBufferSubData alone, as in all buffers that are written more than once. With
-        // what glBufferData brings, the buffer in a vertex array and not drawn yet, NVIDIA's driver (580.159)
-        // draws that, and not what was written after it.
+        // glBufferData only makes room. If it brings content too, NVIDIA's driver (580.159) draws that
+        // content instead of what glBufferSubData writes before the first draw.
         m_changeValues = gl::Buffer::make();
         makeRoom(m_changeValues.id(), m_vertexCount * sizeof(float), GL_DYNAMIC_DRAW);
         const KeepBindings keep;

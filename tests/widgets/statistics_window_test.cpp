@@ -81,7 +81,7 @@ private Q_SLOTS:
                           {title.left() - numbers->indentation() / 2, title.center().y()});
         QVERIFY(!numbers->isExpanded(section));
         closeAndDiscard(*scene->window);
-        scene.reset();  // its context is current yet, in a window that is gone: not every driver leaves that
+        scene.reset();  // some drivers make no other context current while this one's window is gone
         // Remembered.
         Scene next;
         const QTreeView* others = next.find<QTreeView>("numbers");

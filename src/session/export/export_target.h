@@ -20,17 +20,17 @@ namespace hitscope {
 class Session;
 
 /// A target as it is on the screen at one moment: what another thread needs to write it. The window waits
-/// while it is made, so that what the other thread can do is left to it: see complete().
+/// while it is made, so it holds only what differs from the original; that thread calls complete().
 struct TargetExport {
     TargetId id;
     std::string name;  ///< for people
     std::shared_ptr<const MeshData> original;
     std::shared_ptr<const RenderMesh> render;
     RigidTransform transform;
-    std::vector<glm::vec3>
-        positions;  ///< one a file vertex, local frame, metres; empty: the original's but these
+    /// One a file vertex, local frame, metres; empty: the original's, except those of `changed`.
+    std::vector<glm::vec3> positions;
     std::vector<std::uint32_t> changed;       ///< file vertices
-    std::vector<glm::vec3> changedPositions;  ///< theirs
+    std::vector<glm::vec3> changedPositions;  ///< one for each of them
     /// One a render vertex, unit length; null: the render mesh's.
     std::shared_ptr<const std::vector<glm::vec3>> normals;
     QString sourcePath;  ///< empty: none
