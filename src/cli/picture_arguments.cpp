@@ -121,6 +121,14 @@ void readBeforeAfter(Invocation& given, BeforeAfterOptions& options) {
 
 }  // namespace
 
+UsageOption samplesOption() {
+    return valueOption("samples", "N",
+                       QStringLiteral("Refine the picture: average this number of samples, 1 to %1; from 2 "
+                                      "on, with soft shadows and ambient occlusion.")
+                           .arg(kMostSamples),
+                       QStringLiteral("1"));
+}
+
 QList<UsageOption> pictureOptions() {
     QList<UsageOption> options{
         valueOption("size", "WxH", QStringLiteral("Size of the picture in pixels."),
@@ -139,11 +147,7 @@ QList<UsageOption> pictureOptions() {
         wordOption("wireframe", "MODE", words({"off", "over", "only"}),
                    QStringLiteral("Draw the edges of the file's polygons.")),
         wordOption("normals", "KIND", words({"true", "paper"}), QStringLiteral("Normals for shading."))};
-    options << valueOption("samples", "N",
-                           QStringLiteral("Refine: average this number of samples, 1 to %1; from 2 on, with "
-                                          "soft shadows and ambient occlusion.")
-                               .arg(kMostSamples),
-                           QStringLiteral("1"))
+    options << samplesOption()
             << wordOption("material", "NAME", words({"file", "matcap", "clay", "metal"}),
                           QStringLiteral("Material of the surfaces."))
             << flagOption("environment", QStringLiteral("Light the scene with a studio environment."));

@@ -22,6 +22,8 @@ struct PictureArguments {
     QString camera;      ///< as parseCamera() takes it; empty: that of the session, or all in the picture
 };
 
+/// --samples, which shoot has as well.
+[[nodiscard]] UsageOption samplesOption();
 /// The options of the command line for them, and what was given; `scene`: its file.
 [[nodiscard]] QList<UsageOption> pictureOptions();
 [[nodiscard]] PictureArguments readPictureArguments(Invocation& given, const QString& scene);

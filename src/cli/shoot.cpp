@@ -124,8 +124,10 @@ CapturedView viewOf(const OpenedScene& scene) {
     return {{cameraText(camera), {}}, {}};
 }
 
-Outcome writePicture(OpenedScene& scene, const QString& path) {
+Outcome writePicture(OpenedScene& scene, const QString& path, int samples) {
     PictureRequest request;
+    request.samples = samples;
+    request.options.shadows = samples > 1;  // as with picture
     request.camera.frame(scene.session().targets().bounds(),
                          static_cast<float>(request.width) / static_cast<float>(request.height));
     const Result<Image> image = drawPicture(scene.gpu(), request);
@@ -166,7 +168,8 @@ Outcome writeFiles(OpenedScene& scene, const ShootOptions& options, const ShotSc
             return saved;
         }
     }
-    return options.picturePath.isEmpty() ? Outcome(Done{}) : writePicture(scene, options.picturePath);
+    return options.picturePath.isEmpty() ? Outcome(Done{})
+                                         : writePicture(scene, options.picturePath, options.samples);
 }
 
 QString targetLines(const Session& session) {

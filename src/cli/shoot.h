@@ -48,6 +48,7 @@ struct ShootOptions {
     QString hitsOutPath;  ///< where all hits go; empty: nowhere
     QString sessionPath;  ///< where the session goes; empty: nowhere
     QString picturePath;  ///< where a picture goes; empty: nowhere
+    int samples = 1;      ///< of the picture, as in PictureRequest
 };
 
 /// What shoot takes on the command line, and what was given.

@@ -6,8 +6,10 @@
 #include "cli/common_options.h"
 #include "cli/form_options.h"
 #include "cli/mesh_step_options.h"
+#include "cli/picture_arguments.h"
 #include "cli/repeat_options.h"
 #include "cli/shoot.h"
+#include "scene/picture.h"
 
 namespace hitscope::cli {
 
@@ -164,7 +166,7 @@ QList<UsageOption> shootOptions() {
                    "hits-out",
                    QStringLiteral("Write all hits, as JSON if the name ends in .json, otherwise as CSV."))
             << outputOption("picture", QStringLiteral("Write a picture of the scene, 1280 by 720 pixels."))
-            << outputOption("save", QStringLiteral("Save the shots as a script."));
+            << samplesOption() << outputOption("save", QStringLiteral("Save the shots as a script."));
     return options + reportOptions();
 }
 
@@ -204,6 +206,10 @@ ShootOptions readShootOptions(Invocation& given) {
     options.hitsOutPath = given.text("hits-out");
     options.sessionPath = given.text("session");
     options.picturePath = given.text("picture");
+    options.samples = given.wholeNumber("samples", 1, kMostSamples);
+    if (given.isSet("samples") && options.picturePath.isEmpty()) {
+        given.complain(QStringLiteral("--samples goes with --picture."));
+    }
     return options;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `hitscope-cli shoot` as a person runs it, with no display.
+#include <QImage>
 #include <QTemporaryDir>
 #include <QTest>
 #include <set>
@@ -235,7 +236,25 @@ private Q_SLOTS:
         QVERIFY2(both.out.startsWith(QStringLiteral("0 shots, 100 hits")), qPrintable(both.out + both.err));
     }
 
+    /// A refined picture is not the plain one, and not larger.
+    void picturesAreRefined() {
+        const QTemporaryDir folder;
+        const auto draw = [&folder](const QStringList& options) {
+            const QString file = folder.filePath(QStringLiteral("shot.png"));
+            const CliRun run = shoot(QStringList{"--burst", "3", "--picture", file} + options);
+            return run.status == 0 ? QImage(file) : QImage();
+        };
+        const QImage plain = draw({});
+        QCOMPARE(plain.size(), QSize(1280, 720));
+        QCOMPARE(draw({"--samples", "1"}), plain);
+        const QImage refined = draw({"--samples", "4"});
+        QCOMPARE(refined.size(), plain.size());
+        QVERIFY(refined != plain);
+    }
+
     void wrongUsageIsSaid() {
+        QCOMPARE(shoot({"--samples", "4"}).status, 2);
+        QCOMPARE(shoot({"--samples", "65", "--picture", "a.png"}).status, 2);
         QCOMPARE(shoot({"--scatter", "0"}).status, 2);
         QCOMPARE(shoot({"--scatter", "3", "--density", "2"}).status, 2);
         QCOMPARE(shoot({"--mirror", "w"}).status, 2);

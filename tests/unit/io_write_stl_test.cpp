@@ -69,6 +69,21 @@ private Q_SLOTS:
         QVERIFY(readFile(path).find("facet normal 0 -1 0\n") != std::string::npos);
     }
 
+    /// There is no place in the file for it, so the export says so.
+    void newVerticesAreSaidToBeLeftOut() {
+        QTemporaryDir folder;
+        DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.obj"), kPolygons));
+        const QString path = folder.filePath(QStringLiteral("b.stl"));
+        const auto saysSo = [&] {
+            return exportStl(mesh.what(), path, {}).value().join(u' ').contains(QStringLiteral("are new"));
+        };
+        QVERIFY(!saysSo());
+        mesh.original.mesh.sourceVertices = {0, 1, 2, 3, 4, 5, 6};
+        QVERIFY(!saysSo());
+        mesh.original.mesh.sourceVertices[6] = kNoIndex;
+        QVERIFY(saysSo());
+    }
+
     void givenUpNothingIsWritten() {
         QTemporaryDir folder;
         DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.obj"), kPolygons));

@@ -112,6 +112,33 @@ private Q_SLOTS:
                  std::round(before.size * 100.0));
     }
 
+    /// Along a surface that hardly sinks, as far apart as the dialog says, whatever the brush's size.
+    void hitsAreAsFarApartAsTheDialogSays() {
+        BrushDialog dialog(viewport().brushTool(), m_window.get());
+        auto* unit = dialog.findChild<QComboBox*>(QStringLiteral("unit"));
+        auto* millimetres = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("millimetres"));
+        QVERIFY(unit != nullptr && millimetres != nullptr && millimetres->isHidden());
+        unit->setCurrentIndex(1);
+        QVERIFY(!millimetres->isHidden());
+        BrushSettings settings = viewport().brushTool().settings();
+        settings.strength = BrushSettings::kLeast;
+        for (const auto& [apart, size] : {std::pair(0.3, 1.0), {0.3, 2.0}, {0.6, 1.0}}) {
+            settings.size = size;
+            settings.spacingMetres = viewport().brushTool().settings().spacingMetres;
+            viewport().brushTool().setSettings(settings);
+            millimetres->setValue(1000.0 * apart);
+            const std::size_t before = hits().size();
+            drag(centre() - QPoint(90, 0), centre() + QPoint(90, 0));
+            QVERIFY2(hits().size() > before + 2, qPrintable(QString::number(hits().size() - before)));
+            for (std::size_t i = before + 1; i < hits().size(); ++i) {
+                const double between =
+                    static_cast<double>(glm::distance(hits()[i].point, hits()[i - 1].point));
+                QVERIFY2(between > 0.9 * apart && between < 1.1 * apart + 0.05,
+                         qPrintable(QStringLiteral("%1 of %2").arg(between).arg(apart)));
+            }
+        }
+    }
+
     void keysAndWheelChangeSizeAndStrength() {
         const BrushSettings before = viewport().brushTool().settings();
         QTest::keyClick(&viewport(), Qt::Key_BracketRight);

@@ -43,6 +43,8 @@ BrushDialog::BrushDialog(BrushTool& brush, QWidget* parent)
     m_size->setToolTip(tr("Of the max distance in force; [ and ] change it too"));
     m_strength->setToolTip(
         tr("Of the power and the max magnitude in force; Shift+[ and Shift+] change it too"));
+    m_unit->setObjectName(QStringLiteral("unit"));
+    m_millimetres->setObjectName(QStringLiteral("millimetres"));
     m_unit->addItems({tr("Relative to the size"), tr("In millimetres")});
     m_spacing->setToolTip(tr("Between two hits of a stroke, of the reach of one"));
     m_millimetres->setDecimals(3);

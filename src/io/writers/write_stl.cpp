@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "io/export_names.h"
 #include "io/number_text.h"
 #include "io/writers/coordinate_check.h"
@@ -68,6 +70,8 @@ QStringList notesOf(const MeshExport& what) {
     add(!mesh.colours.empty(), "vertex colours");
     add(!mesh.groups.empty(), "groups");
     add(!mesh.lines.empty() || !mesh.points.empty(), "lines and points");
+    add(std::ranges::find(mesh.sourceVertices, kNoIndex) != mesh.sourceVertices.end(),
+        "which vertices are new");
     if (!lost.isEmpty()) {
         notes += QStringLiteral("STL has triangles only; left out: %1.").arg(lost.join(QStringLiteral(", ")));
     }
