@@ -36,6 +36,11 @@ void store(uint at, vec3 value)
     b_vertices[at + 2u] = value.z;
 }
 
+uint hitAt(uint k)
+{
+    return 3u * (uint(u_hitBase) + b_indices[uint(u_indexBase) + k]);
+}
+
 void main()
 {
     uvec4 cluster = b_clusters[uint(u_clusterBase) + gl_WorkGroupID.x];
@@ -44,19 +49,41 @@ void main()
         vec3 position = load(at);
         vec3 normal = load(at + 3u);
         bool reached = false;
-        for (uint k = 0u; k < cluster.w; ++k) {
-            uint hit = 3u * (uint(u_hitBase) + b_indices[uint(u_indexBase) + cluster.z + k]);
-            vec4 a = b_hits[hit];
-            vec4 b = b_hits[hit + 1u];
-            vec4 c = b_hits[hit + 2u];
+        uint k = cluster.z;
+        uint last = k + cluster.w;
 #ifdef HITSCOPE_FORMS
-            if (deformBy(position, normal, a.xyz, b.xyz, vec3(a.w, b.w, c.x), c.y)) {
-#else
-            if (deform(position, normal, a.xyz, b.xyz, vec3(a.w, b.w, c.x))) {
-#endif
-                reached = true;
+        // Two loops, as in hits.glsl.
+        while (k < last) {
+            for (; k < last; ++k) {
+                uint hit = hitAt(k);
+                vec4 c = b_hits[hit + 2u];
+                if (isPaperForm(c.y)) {
+                    break;
+                }
+                vec4 a = b_hits[hit];
+                vec4 b = b_hits[hit + 1u];
+                if (deformByForm(position, normal, a.xyz, b.xyz, vec3(a.w, b.w, c.x), c.y)) {
+                    reached = true;
+                }
             }
+#endif
+            for (; k < last; ++k) {
+                uint hit = hitAt(k);
+                vec4 c = b_hits[hit + 2u];
+#ifdef HITSCOPE_FORMS
+                if (!isPaperForm(c.y)) {
+                    break;
+                }
+#endif
+                vec4 a = b_hits[hit];
+                vec4 b = b_hits[hit + 1u];
+                if (deform(position, normal, a.xyz, b.xyz, vec3(a.w, b.w, c.x))) {
+                    reached = true;
+                }
+            }
+#ifdef HITSCOPE_FORMS
         }
+#endif
         if (reached) {
             store(at, position);
             store(at + 3u, normal);

@@ -124,13 +124,16 @@ float magnitudeOf(int kind, int curve, vec3 q, float r2, vec3 d, vec3 constants)
     return m;
 }
 
-// As deform(), of a hit of any form. code: the kind, and 8 times the place of the curve.
-bool deformBy(inout vec3 p, inout vec3 n, vec3 h, vec3 d, vec3 constants, float code)
+// code: the kind, and 8 times the place of the curve.
+bool isPaperForm(float code)
+{
+    return (int(code) & 7) == 0;
+}
+
+// As deform(), of a hit of another form.
+bool deformByForm(inout vec3 p, inout vec3 n, vec3 h, vec3 d, vec3 constants, float code)
 {
     int kind = int(code) & 7;
-    if (kind == 0) {
-        return deform(p, n, h, d, constants);
-    }
     PRECISE vec3 q = p - h;
     PRECISE float r2 = (q.x * q.x + q.y * q.y) + q.z * q.z;
     PRECISE float reach2 = constants.x * constants.x;

@@ -57,40 +57,74 @@ vec4 curveTerms(int curve, int pair)
 }
 #endif
 
+#ifdef HITSCOPE_PACKED_MAGNITUDES
+#define NUMBER_OF_HIT(numbers, i) numbers[(i) >> 2][(i) & 3]
+#else
+#define NUMBER_OF_HIT(numbers, i) numbers[i]
+#endif
+
+#ifdef HITSCOPE_OWN_HITS_ONLY
+#define FIRST_HIT u_firstHit
+#define LAST_HIT u_lastHit
+#define IS_OWN_HIT(i) true
+#else
+// Algorithm 1: every model loops over all the hits in the scene and applies those that belong to it.
+#define FIRST_HIT 0
+#define LAST_HIT u_hitCount
+#define IS_OWN_HIT(i) ((i) >= u_firstHit && (i) < u_lastHit)
+#endif
+
+bool applyHit(int i, inout vec3 p, inout vec3 n)
+{
+    float magnitude = NUMBER_OF_HIT(u_hitMagnitudes, i);
+    vec4 a = u_hitPoints[i];
+    vec4 b = u_hitDirections[i];
+    return deform(p, n, a.xyz, b.xyz, vec3(a.w, b.w, magnitude));
+}
+
+#ifdef HITSCOPE_FORMS
+
+bool applyHitByForm(int i, inout vec3 p, inout vec3 n)
+{
+    float magnitude = NUMBER_OF_HIT(u_hitMagnitudes, i);
+    vec4 a = u_hitPoints[i];
+    vec4 b = u_hitDirections[i];
+    return deformByForm(p, n, a.xyz, b.xyz, vec3(a.w, b.w, magnitude), NUMBER_OF_HIT(u_hitForms, i));
+}
+
+// Hits of the paper's form have a loop of their own: a software renderer computes all that a loop holds for each.
 bool applyHits(inout vec3 p, inout vec3 n)
 {
     bool reached = false;
-#ifdef HITSCOPE_OWN_HITS_ONLY
-    for (int i = u_firstHit; i < u_lastHit; ++i) {
-#else
-    // Algorithm 1: every model loops over all the hits in the scene and applies those that belong to it.
-    for (int i = 0; i < u_hitCount; ++i) {
-        if (i < u_firstHit || i >= u_lastHit) {
-            continue;
+    for (int i = FIRST_HIT; i < LAST_HIT;) {
+        for (; i < LAST_HIT && isPaperForm(NUMBER_OF_HIT(u_hitForms, i)); ++i) {
+            if (IS_OWN_HIT(i) && applyHit(i, p, n)) {
+                reached = true;
+            }
         }
-#endif
-#ifdef HITSCOPE_PACKED_MAGNITUDES
-        float magnitude = u_hitMagnitudes[i >> 2][i & 3];
+        for (; i < LAST_HIT && !isPaperForm(NUMBER_OF_HIT(u_hitForms, i)); ++i) {
+            if (IS_OWN_HIT(i) && applyHitByForm(i, p, n)) {
+                reached = true;
+            }
+        }
+    }
+    return reached;
+}
+
 #else
-        float magnitude = u_hitMagnitudes[i];
-#endif
-        vec4 a = u_hitPoints[i];
-        vec4 b = u_hitDirections[i];
-#ifdef HITSCOPE_FORMS
-#ifdef HITSCOPE_PACKED_MAGNITUDES
-        float form = u_hitForms[i >> 2][i & 3];
-#else
-        float form = u_hitForms[i];
-#endif
-        if (deformBy(p, n, a.xyz, b.xyz, vec3(a.w, b.w, magnitude), form)) {
-#else
-        if (deform(p, n, a.xyz, b.xyz, vec3(a.w, b.w, magnitude))) {
-#endif
+
+bool applyHits(inout vec3 p, inout vec3 n)
+{
+    bool reached = false;
+    for (int i = FIRST_HIT; i < LAST_HIT; ++i) {
+        if (IS_OWN_HIT(i) && applyHit(i, p, n)) {
             reached = true;
         }
     }
     return reached;
 }
+
+#endif
 
 #elif defined(HITSCOPE_HIT_LISTS)
 
@@ -111,25 +145,49 @@ vec4 curveTerms(int curve, int pair)
 }
 #endif
 
+int hitAt(int i)
+{
+    return 3 * (u_hitBase + int(texelFetch(u_hitIndices, i >> 2)[i & 3]));
+}
+
 bool applyHits(inout vec3 p, inout vec3 n)
 {
     uvec4 cluster = texelFetch(u_clusters, u_clusterBase + int(a_cluster));
-    int first = u_indexBase + int(cluster.z);
-    int last = first + int(cluster.w);
+    int i = u_indexBase + int(cluster.z);
+    int last = i + int(cluster.w);
     bool reached = false;
-    for (int i = first; i < last; ++i) {
-        int hit = 3 * (u_hitBase + int(texelFetch(u_hitIndices, i >> 2)[i & 3]));
-        vec4 a = texelFetch(u_hits, hit);
-        vec4 b = texelFetch(u_hits, hit + 1);
-        vec4 c = texelFetch(u_hits, hit + 2);
 #ifdef HITSCOPE_FORMS
-        if (deformBy(p, n, a.xyz, b.xyz, vec3(a.w, b.w, c.x), c.y)) {
-#else
-        if (deform(p, n, a.xyz, b.xyz, vec3(a.w, b.w, c.x))) {
-#endif
-            reached = true;
+    while (i < last) {
+        for (; i < last; ++i) {
+            int hit = hitAt(i);
+            vec4 c = texelFetch(u_hits, hit + 2);
+            if (isPaperForm(c.y)) {
+                break;
+            }
+            vec4 a = texelFetch(u_hits, hit);
+            vec4 b = texelFetch(u_hits, hit + 1);
+            if (deformByForm(p, n, a.xyz, b.xyz, vec3(a.w, b.w, c.x), c.y)) {
+                reached = true;
+            }
         }
+#endif
+        for (; i < last; ++i) {
+            int hit = hitAt(i);
+            vec4 c = texelFetch(u_hits, hit + 2);
+#ifdef HITSCOPE_FORMS
+            if (!isPaperForm(c.y)) {
+                break;
+            }
+#endif
+            vec4 a = texelFetch(u_hits, hit);
+            vec4 b = texelFetch(u_hits, hit + 1);
+            if (deform(p, n, a.xyz, b.xyz, vec3(a.w, b.w, c.x))) {
+                reached = true;
+            }
+        }
+#ifdef HITSCOPE_FORMS
     }
+#endif
     return reached;
 }
 

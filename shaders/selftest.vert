@@ -28,7 +28,11 @@ void main()
     vec3 position = a_position;
     vec3 normal = a_normal;
 #ifdef HITSCOPE_FORMS
-    deformBy(position, normal, u_point, u_direction, u_constants, u_form);
+    if (isPaperForm(u_form)) {
+        deform(position, normal, u_point, u_direction, u_constants);
+    } else {
+        deformByForm(position, normal, u_point, u_direction, u_constants, u_form);
+    }
 #else
     deform(position, normal, u_point, u_direction, u_constants);
 #endif

@@ -77,16 +77,29 @@ const PipelineTraits& ComputePipeline::traits() const {
 
 void ComputePipeline::deform(TargetId /*target*/, TargetBuffers& buffers, const HitBatch& batch) {
     const KeepState keep;
-    const gl::Program& program = batch.hasForms() ? m_forms : m_program;
-    program.use();
-    program.set("u_hitBase", static_cast<int>(m_hits.write(batch.records().data(), batch.records().size())));
-    program.set("u_indexBase",
-                static_cast<int>(m_indices.write(batch.indices().data(), batch.indices().size())));
+    const auto firstHit = static_cast<int>(m_hits.write(batch.records().data(), batch.records().size()));
+    const auto firstIndex = static_cast<int>(m_indices.write(batch.indices().data(), batch.indices().size()));
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, Hits, m_hits.id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, Indices, m_indices.id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, Clusters, m_clusters.id());
 
-    std::span<const ClusterHits> rest = batch.clusters();
+    for (const auto& [program, clusters] :
+         {std::pair(&m_program, batch.paperClusters()), {&m_forms, batch.formClusters()}}) {
+        if (!clusters.empty()) {
+            program->use();
+            program->set("u_hitBase", firstHit);
+            program->set("u_indexBase", firstIndex);
+            dispatchAll(*program, buffers, clusters);
+        }
+    }
+    glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
+                    GL_BUFFER_UPDATE_BARRIER_BIT | GL_TRANSFORM_FEEDBACK_BARRIER_BIT);
+}
+
+/// As many at once as may be bound.
+void ComputePipeline::dispatchAll(const gl::Program& program, const TargetBuffers& buffers,
+                                  std::span<const ClusterHits> clusters) {
+    std::span<const ClusterHits> rest = clusters;
     while (!rest.empty()) {
         const std::size_t first = rest.front().firstVertex / kStep * kStep;
         const auto tooFar = [&](const ClusterHits& cluster) {
@@ -98,8 +111,6 @@ void ComputePipeline::deform(TargetId /*target*/, TargetBuffers& buffers, const 
         dispatch(program, buffers, rest.first(count));
         rest = rest.subspan(count);
     }
-    glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
-                    GL_BUFFER_UPDATE_BARRIER_BIT | GL_TRANSFORM_FEEDBACK_BARRIER_BIT);
 }
 
 void ComputePipeline::dispatch(const gl::Program& program, const TargetBuffers& buffers,

@@ -18,6 +18,8 @@ public:
 private:
     ComputePipeline(gl::Program program, gl::Program forms);
     void deform(TargetId target, TargetBuffers& buffers, const HitBatch& batch) override;
+    void dispatchAll(const gl::Program& program, const TargetBuffers& buffers,
+                     std::span<const ClusterHits> clusters);
     void dispatch(const gl::Program& program, const TargetBuffers& buffers,
                   std::span<const ClusterHits> clusters);
 

@@ -26,7 +26,7 @@ void HitBatch::add(const Hit& hit, std::span<const std::uint32_t> reached) {
     }
     const auto index = static_cast<std::uint32_t>(m_hits.size());
     const DentShape& shape = m_hits.emplace_back(dentShapeOf(hit));
-    m_hasForms = m_hasForms || shape.kind != DentKind::Paper;
+    const bool hasForm = shape.kind != DentKind::Paper;
     m_curves += shape.kind == DentKind::Curve ? 1 : 0;
     for (const std::uint32_t cluster : reached) {
         std::uint32_t& slot = m_slotOf[cluster];
@@ -34,8 +34,10 @@ void HitBatch::add(const Hit& hit, std::span<const std::uint32_t> reached) {
             slot = static_cast<std::uint32_t>(m_reached.size());
             m_reached.push_back(cluster);
             m_counts.push_back(0);
+            m_slotHasForms.push_back(false);
         }
         ++m_counts[slot];
+        m_slotHasForms[slot] = m_slotHasForms[slot] || hasForm;
         m_reaches.push_back({slot, index});
     }
 }
@@ -47,8 +49,9 @@ void HitBatch::clear() {
     m_reached.clear();
     m_counts.clear();
     m_hits.clear();
+    m_slotHasForms.clear();
     m_curves = 0;
-    m_hasForms = false;
+    m_paperClusters = 0;
     m_records.clear();
     m_reaches.clear();
     m_indices.clear();
@@ -64,15 +67,25 @@ void HitBatch::finish() {
     for (const Reach& reach : m_reaches) {
         hits[next[reach.slot]++] = reach.hit;
     }
-    std::vector<std::uint32_t> clusters = m_reached;
-    std::sort(clusters.begin(), clusters.end());
     m_indices.clear();
     m_work.clear();
-    for (const std::uint32_t cluster : clusters) {
+    for (const std::uint32_t cluster : sortedClusters()) {
         const std::uint32_t slot = m_slotOf[cluster];
         addWork(cluster, std::span(hits).subspan(starts[slot], m_counts[slot]));
     }
     pack();
+}
+
+/// Those without forms first; counts them.
+std::vector<std::uint32_t> HitBatch::sortedClusters() {
+    std::vector<std::uint32_t> clusters = m_reached;
+    const auto forms = std::partition(clusters.begin(), clusters.end(), [this](std::uint32_t cluster) {
+        return !m_slotHasForms[m_slotOf[cluster]];
+    });
+    std::sort(clusters.begin(), forms);
+    std::sort(forms, clusters.end());
+    m_paperClusters = static_cast<std::size_t>(forms - clusters.begin());
+    return clusters;
 }
 
 void HitBatch::pack() {
@@ -107,9 +120,12 @@ void HitBatch::addWork(std::uint32_t cluster, std::span<const std::uint32_t> hit
 }
 
 std::vector<VertexRange> HitBatch::ranges() const {
+    std::vector<ClusterHits> sorted(m_work.size());
+    std::ranges::merge(paperClusters(), formClusters(), sorted.begin(), {}, &ClusterHits::firstVertex,
+                       &ClusterHits::firstVertex);
     std::vector<VertexRange> ranges;
-    ranges.reserve(m_work.size());
-    for (const ClusterHits& work : m_work) {
+    ranges.reserve(sorted.size());
+    for (const ClusterHits& work : sorted) {
         if (!ranges.empty() && ranges.back().first + ranges.back().count == work.firstVertex) {
             ranges.back().count += work.vertexCount;
         } else {

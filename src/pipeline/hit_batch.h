@@ -65,11 +65,18 @@ public:
     [[nodiscard]] std::span<const DentShape> hits() const { return m_hits; }
     /// As the shaders read them: a record a hit, and behind them two for each curve.
     [[nodiscard]] std::span<const PackedHit> records() const { return m_records; }
-    /// Some hit has another form than the paper's function.
-    [[nodiscard]] bool hasForms() const { return m_hasForms; }
     [[nodiscard]] std::span<const std::uint32_t> indices() const { return m_indices; }  ///< into hits()
-    /// The clusters reached, ascending.
+    /// The clusters reached: first paperClusters(), then formClusters().
     [[nodiscard]] std::span<const ClusterHits> clusters() const { return m_work; }
+    /// Those that only hits of the paper's function may reach, ascending. A software renderer takes twice as
+    /// long where other forms are possible.
+    [[nodiscard]] std::span<const ClusterHits> paperClusters() const {
+        return clusters().first(m_paperClusters);
+    }
+    /// The others, ascending.
+    [[nodiscard]] std::span<const ClusterHits> formClusters() const {
+        return clusters().subspan(m_paperClusters);
+    }
     /// All vertices of the clusters reached, sorted and merged.
     [[nodiscard]] std::vector<VertexRange> ranges() const;
 
@@ -79,19 +86,21 @@ private:
         std::uint32_t hit;
     };
     void pack();
+    [[nodiscard]] std::vector<std::uint32_t> sortedClusters();
     void addWork(std::uint32_t cluster, std::span<const std::uint32_t> hits);
 
     std::span<const Cluster> m_clusters;
     std::vector<DentShape> m_hits;
     std::size_t m_curves = 0;  ///< of m_hits
-    bool m_hasForms = false;
     std::vector<PackedHit> m_records;
     std::vector<std::uint32_t> m_slotOf;   ///< cluster -> its place in m_reached, or kNoIndex
     std::vector<std::uint32_t> m_reached;  ///< clusters, in the order in which they were first reached
     std::vector<std::uint32_t> m_counts;   ///< slot -> hits
+    std::vector<bool> m_slotHasForms;      ///< slot -> whether one of them has another form than the paper's
     std::vector<Reach> m_reaches;          ///< as added: in the order of the hits
     std::vector<std::uint32_t> m_indices;
     std::vector<ClusterHits> m_work;
+    std::size_t m_paperClusters = 0;  ///< of m_work
 };
 
 }  // namespace hitscope

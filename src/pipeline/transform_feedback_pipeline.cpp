@@ -89,9 +89,11 @@ void TransformFeedbackPipeline::learnTarget(TargetId /*target*/, TargetBuffers& 
 void TransformFeedbackPipeline::deform(TargetId /*target*/, TargetBuffers& buffers, const HitBatch& batch) {
     const std::size_t firstHit = m_hits.write(batch.records().data(), batch.records().size());
     const std::size_t firstIndex = m_indices.write(batch.indices().data(), batch.indices().size());
-    for (auto rest = batch.clusters(); !rest.empty(); rest = rest.subspan(std::min(rest.size(), kTexels))) {
-        deformPart(batch.hasForms() ? m_forms : m_pass, buffers, rest.first(std::min(rest.size(), kTexels)),
-                   firstHit, firstIndex);
+    for (const auto& [pass, clusters] :
+         {std::pair(&m_pass, batch.paperClusters()), {&m_forms, batch.formClusters()}}) {
+        for (auto rest = clusters; !rest.empty(); rest = rest.subspan(std::min(rest.size(), kTexels))) {
+            deformPart(*pass, buffers, rest.first(std::min(rest.size(), kTexels)), firstHit, firstIndex);
+        }
     }
 }
 

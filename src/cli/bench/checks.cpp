@@ -47,13 +47,19 @@ Result<TimeRatio> ratioOf(const HitFigure* a, const HitFigure* b) {
     return timeRatioWithRounds(a->hits, b->hits);
 }
 
-/// Several sizes measured together, so that their ratio is of one run.
-Result<std::vector<std::vector<HitFigure>>> measureSizes(const BenchRoom& room, const std::vector<int>& sizes,
-                                                         const HitOptions& options, const Plan& plan) {
+struct SizeToMeasure {
+    int vertices;
+    HitOptions options;
+};
+
+/// Measured together, so that their ratio is of one run.
+Result<std::vector<std::vector<HitFigure>>> measureSizes(const BenchRoom& room,
+                                                         const std::vector<SizeToMeasure>& sizes,
+                                                         const Plan& plan) {
     std::vector<std::unique_ptr<HitSizeBench>> benches;
     std::vector<Variant> variants;
     std::vector<std::size_t> ends;
-    for (const int vertices : sizes) {
+    for (const auto& [vertices, options] : sizes) {
         room.say(
             QStringLiteral("making a sphere of %1 vertices").arg(grouped(static_cast<qulonglong>(vertices))));
         Result<std::unique_ptr<HitSizeBench>> bench = HitSizeBench::create(room, vertices, options);
@@ -97,20 +103,21 @@ Rows growth(std::string_view key, const BenchRoom& room, const Plan& plan) {
     if (!kind) {
         return kind.error();
     }
-    const std::vector<int> vertices{kPaperSphere, 100000, 1000000, 4000000};
-    Result<std::vector<std::vector<HitFigure>>> sizes =
-        measureSizes(room, vertices, hitOptions(kind.value(), false), plan);
+    const HitOptions options = hitOptions(kind.value(), false);
+    const std::vector<SizeToMeasure> wanted{
+        {kPaperSphere, options}, {100000, options}, {1000000, options}, {4000000, options}};
+    Result<std::vector<std::vector<HitFigure>>> sizes = measureSizes(room, wanted, plan);
     if (!sizes) {
         return sizes.error();
     }
     std::vector<CheckRow> rows;
-    for (std::size_t i = 1; i < vertices.size(); ++i) {
+    for (std::size_t i = 1; i < wanted.size(); ++i) {
         Result<TimeRatio> ratio = ratioOf(findFigure(sizes.value()[i], Method::WithReadBack, kind.value()),
                                           findFigure(sizes.value()[0], Method::WithReadBack, kind.value()));
         if (!ratio) {
             return ratio.error();
         }
-        rows.push_back({countText(vertices[i]) + " vertices", std::move(ratio).value()});
+        rows.push_back({countText(wanted[i].vertices) + " vertices", std::move(ratio).value()});
     }
     return rows;
 }
@@ -118,7 +125,7 @@ Rows growth(std::string_view key, const BenchRoom& room, const Plan& plan) {
 /// Transform feedback over the paper's own way.
 Rows overPaperWay(int vertices, const BenchRoom& room, const Plan& plan) {
     Result<std::vector<std::vector<HitFigure>>> sizes =
-        measureSizes(room, {vertices}, hitOptions(PipelineKind::TransformFeedback, true), plan);
+        measureSizes(room, {{vertices, hitOptions(PipelineKind::TransformFeedback, true)}}, plan);
     if (!sizes) {
         return sizes.error();
     }
@@ -167,6 +174,57 @@ Rows history(const BenchRoom& room, const Plan& plan) {
         }
         rows.push_back({std::string(traits.key),
                         timeRatioWithRounds(figures.value()[1].frames, figures.value()[0].frames)});
+    }
+    return rows;
+}
+
+Result<TimeRatio> besideFormApplied(PipelineKind kind, const BenchRoom& room, const Plan& plan) {
+    constexpr int kAtOnce = 100;
+    HitOptions alone = hitOptions(kind, false);
+    alone.hitsAFrame = {kAtOnce};
+    HitOptions beside = alone;
+    beside.besideForm = true;
+    Result<std::vector<std::vector<HitFigure>>> measured =
+        measureSizes(room, {{kPaperSphere, alone}, {kPaperSphere, beside}}, longer(plan));
+    if (!measured) {
+        return measured.error();
+    }
+    return ratioOf(findFigure(measured.value()[1], Method::WithReadBack, kind, kAtOnce),
+                   findFigure(measured.value()[0], Method::WithReadBack, kind, kAtOnce));
+}
+
+Result<TimeRatio> besideFormInArrays(PipelineKind kind, const BenchRoom& room, const Plan& plan) {
+    HistoryOptions options;
+    options.pipeline = kind;
+    options.hits = {static_cast<int>(kPaperHits)};
+    options.gentle = true;
+    options.besideForm = true;
+    options.seed = kSeed;
+    options.plan = longer(plan);
+    Result<std::vector<HistoryFigure>> figures =
+        measureHistories(room, paperRowScene(kDefaultPaperRow), options, pipelineName(kind));
+    if (!figures) {
+        return figures.error();
+    }
+    return timeRatioWithRounds(figures.value()[1].frames, figures.value()[0].frames);
+}
+
+/// What one dent of another form costs those of the paper's beside it: where vertices are kept, a hundred
+/// hits a frame; in uniform arrays, as many as they hold in each frame.
+Rows besideForms(const BenchRoom& room, const Plan& plan) {
+    std::vector<CheckRow> rows;
+    for (const PipelineTraits& traits : allPipelines()) {
+        const Result<std::unique_ptr<DeformationPipeline>> made = room.makePipeline(traits.kind);
+        if (!made) {
+            continue;
+        }
+        Result<TimeRatio> ratio = made.value()->capacity().capacity
+                                      ? besideFormInArrays(traits.kind, room, plan)
+                                      : besideFormApplied(traits.kind, room, plan);
+        if (!ratio) {
+            return ratio.error();
+        }
+        rows.push_back({std::string(traits.key), std::move(ratio).value()});
     }
     return rows;
 }
@@ -271,6 +329,8 @@ std::vector<Check> makeChecks() {
          {"size-reference", "the same, reference", 2.0, growthOf("reference")},
          {"history", "a frame with 10,000 hits in the history / with none, each pipeline that keeps all",
           1.03, history},
+         {"beside-form", "hits of the paper's form beside one of another / alone, each pipeline", 1.25,
+          besideForms},
          {"culled",
           "a frame of uniform array, culled / of uniform array, 600 hits, the paper's rows with high-poly "
           "meshes",

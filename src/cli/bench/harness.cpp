@@ -108,9 +108,11 @@ Result<std::vector<Samples>> measure(std::span<const Variant> variants, const Pl
     }
     std::vector<Samples> samples(variants.size());
     std::vector<double> spent(variants.size(), 0.0);
-    for (bool more = true; more;) {
+    bool isBackwards = false;
+    for (bool more = true; more; isBackwards = !isBackwards) {
         more = false;
-        for (std::size_t i = 0; i < variants.size(); ++i) {
+        for (std::size_t k = 0; k < variants.size(); ++k) {
+            const std::size_t i = isBackwards ? variants.size() - 1 - k : k;
             if (isDone(plan, samples[i], spent[i])) {
                 continue;
             }

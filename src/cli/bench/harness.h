@@ -65,10 +65,11 @@ using Clock = std::function<double()>;
 /// Told before each sample: the variant, and how many of its samples are kept so far.
 using Progress = std::function<void(const Variant& variant, std::size_t kept)>;
 
-/// Measures the variants in turn, A B C A B C ..., one sample each a round, so that what the machine does
-/// meanwhile falls on all of them alike. First come the warm-up rounds. A variant whose time or samples are
-/// used up drops out. Returns one Samples a variant, in their order; the error is the first that a variant
-/// gave.
+/// Measures the variants in turn, A B C C B A A B C ..., one sample each a round, so that what the machine
+/// does meanwhile falls on all of them alike, and so does what each leaves in the caches for the next: in the
+/// same order always, the first of two equal ones measured up to a quarter longer. First come the warm-up
+/// rounds. A variant whose time or samples are used up drops out. Returns one Samples a variant, in their
+/// order; the error is the first that a variant gave.
 [[nodiscard]] Result<std::vector<Samples>> measure(std::span<const Variant> variants, const Plan& plan,
                                                    const Progress& progress = {},
                                                    const Clock& clock = steadySeconds);

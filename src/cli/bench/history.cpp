@@ -53,16 +53,28 @@ Result<std::vector<HistoryFigure>> measureHistories(const BenchRoom& room, const
         return Error{"This is left out: " + why.toStdString() + ".", what.toStdString(),
                      "Ask for fewer numbers of hits at once."};
     }
+    std::vector<HistoryFigure> figures;
+    for (const int hits : options.hits) {
+        figures.push_back({hits, false, 0, {}});
+        if (options.besideForm && hits > 0) {
+            figures.push_back({hits, true, 0, {}});
+        }
+    }
     std::vector<std::unique_ptr<Scene>> scenes;
     std::vector<Variant> variants;
-    for (const int hits : options.hits) {
+    for (const HistoryFigure& figure : figures) {
+        const int hits = figure.hits;
         room.say(QStringLiteral("%1: making %2 hits").arg(what, grouped(static_cast<qulonglong>(hits))));
         Result<std::unique_ptr<Scene>> made = makeSessionScene(scene.load, options.pipeline, room.picture());
         if (!made) {
             return made.error();
         }
         RandomHits random(made.value()->hitTargets(), hitConstants(options.gentle), options.seed);
-        made.value()->append(random.next(static_cast<std::size_t>(hits)));
+        std::vector<Hit> history = random.next(static_cast<std::size_t>(hits));
+        if (figure.besideForm) {
+            history.back().form.profile = DentProfile::Wendland;
+        }
+        made.value()->append(history);
         if (Status status = made.value()->draw(); !status) {
             return status.error();
         }
@@ -74,11 +86,10 @@ Result<std::vector<HistoryFigure>> measureHistories(const BenchRoom& room, const
     if (!samples) {
         return samples.error();
     }
-    std::vector<HistoryFigure> figures;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-        const auto hits = static_cast<std::size_t>(options.hits[i]);
-        figures.push_back(
-            {options.hits[i], hits - std::min(hits, scenes[i]->droppedHits()), samples.value()[i]});
+        const auto hits = static_cast<std::size_t>(figures[i].hits);
+        figures[i].kept = hits - std::min(hits, scenes[i]->droppedHits());
+        figures[i].frames = samples.value()[i];
     }
     return figures;
 }

@@ -24,13 +24,15 @@ struct HistoryOptions {
     bool gentle = false;    ///< hits too weak to be seen: the picture is the same in all variants
     std::uint32_t seed = 1;
     Plan plan;
+    bool besideForm = false;  ///< each length also with a last hit of another form than the paper's
 };
 
 /// A history of one length.
 struct HistoryFigure {
     int hits = 0;
-    std::size_t kept = 0;  ///< of them, by the pipeline
-    Samples frames;        ///< seconds a frame
+    bool besideForm = false;  ///< the last of them has another form than the paper's
+    std::size_t kept = 0;     ///< of them, by the pipeline
+    Samples frames;           ///< seconds a frame
 };
 
 /// Frame times with histories of different lengths, interleaved; nothing moves meanwhile. `what` is for the

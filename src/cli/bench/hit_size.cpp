@@ -154,9 +154,14 @@ Variant HitSizeBench::Private::pipelineVariant(Entrant& entrant, int hitsAFrame,
     Variant variant;
     variant.name = pipelineTraits(entrant.kind).name;
     variant.units = static_cast<double>(frames) * hitsAFrame;
-    variant.prepare = [run, entry, hitsAFrame]() -> Status {
+    variant.prepare = [run, entry, hitsAFrame, besideForm = options.besideForm]() -> Status {
         entry->restore();
         run->hits = run->random.next(static_cast<std::size_t>(run->frames * hitsAFrame));
+        for (std::size_t i = 0; besideForm && i < run->hits.size(); ++i) {
+            if ((i + 1) % static_cast<std::size_t>(hitsAFrame) == 0) {
+                run->hits[i].form.profile = DentProfile::Wendland;
+            }
+        }
         return Done{};
     };
     variant.run = [run, entry, hitsAFrame, method]() -> Status {

@@ -14,6 +14,8 @@ struct HitOptions {
     std::vector<int> hitsAFrame{1};
     double affected = 80.0;  ///< vertices a hit is to reach
     bool readBack = true;    ///< measure with the CPU's copy brought up to date as well
+    /// The last hit of each frame has another form than the paper's.
+    bool besideForm = false;
     bool yardsticks = true;  ///< measure the paper's own way and memcpy as well
     std::uint32_t seed = 1;
 };
