@@ -5,6 +5,8 @@
 #include <QSettings>
 #include <algorithm>
 
+#include "deform/dent_form_text.h"
+
 namespace hitscope {
 
 namespace {
@@ -13,34 +15,79 @@ QString translated(const char* words) {
     return QCoreApplication::translate("hitscope::ConstantsPresets", words);
 }
 
-ConstantsPreset ours(const char* name, const DeformationConstants& constants) {
-    return {translated(name), constants, true};
+ConstantsPreset ours(const char* name, const DeformationConstants& constants,
+                     std::optional<DentForm> form = {}) {
+    return {translated(name), constants, std::move(form), true};
+}
+
+/// As it is kept: nothing in it that has no effect, and no radius, which is each shot's.
+DentForm kept(const DentForm& form) {
+    DentForm own = plain(form);
+    own.radius = 0.0f;
+    return own;
 }
 
 QString key(std::size_t parameter) {
     return QString::fromUtf8(deformationParameters()[parameter].key);
 }
 
+QString text(std::string_view words) {
+    return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
+}
+
+void storeForm(QSettings& settings, const DentForm& form) {
+    settings.setValue(QStringLiteral("profile"), text(keyOf(form.profile)));
+    settings.setValue(QStringLiteral("direction"), text(keyOf(form.direction)));
+    if (form.profile == DentProfile::Curve) {
+        settings.setValue(QStringLiteral("curve"), text(curveText(form.curve, ' ')));
+    }
+}
+
+/// Presets of before there were other forms have the paper's; nothing: what is there is no form.
+std::optional<DentForm> loadForm(const QSettings& settings) {
+    const auto word = [&settings](const QString& name, std::string_view usual) {
+        return settings.value(name, text(usual)).toString().toStdString();
+    };
+    const DentForm usual;
+    const auto profile = profileNamed(word(QStringLiteral("profile"), keyOf(usual.profile)));
+    const auto direction = directionNamed(word(QStringLiteral("direction"), keyOf(usual.direction)));
+    const auto curve = curveFrom(word(QStringLiteral("curve"), curveText(usual.curve, ' ')), ' ');
+    if (!profile || !direction || !curve) {
+        return std::nullopt;
+    }
+    DentForm form;
+    form.profile = *profile;
+    form.direction = *direction;
+    form.curve = *curve;
+    return form;
+}
+
 }  // namespace
+
+bool ConstantsPreset::holdsFor(const DentForm& given) const {
+    return !form || kept(given) == *form;
+}
 
 ConstantsPresets::ConstantsPresets()
     : m_presets{
-          ours(QT_TRANSLATE_NOOP("hitscope::ConstantsPresets", "Paper"), {}),
+          ours(QT_TRANSLATE_NOOP("hitscope::ConstantsPresets", "Paper"), {}, DentForm{}),
           ours(QT_TRANSLATE_NOOP("hitscope::ConstantsPresets", "Pinprick"), {0.15f, 0.006f, 0.1f}),
           ours(QT_TRANSLATE_NOOP("hitscope::ConstantsPresets", "Hammer"), {0.4f, 0.08f, 0.25f}),
           ours(QT_TRANSLATE_NOOP("hitscope::ConstantsPresets", "Deep and narrow"), {0.3f, 0.15f, 0.9f}),
           ours(QT_TRANSLATE_NOOP("hitscope::ConstantsPresets", "Wide and shallow"), {1.5f, 0.04f, 0.06f})} {}
 
-std::optional<std::size_t> ConstantsPresets::find(const DeformationConstants& constants) const {
+std::optional<std::size_t> ConstantsPresets::find(const DeformationConstants& constants,
+                                                  const DentForm& form) const {
     const auto found = std::find_if(m_presets.begin(), m_presets.end(), [&](const ConstantsPreset& preset) {
-        return preset.constants == constants;
+        return preset.constants == constants && preset.holdsFor(form);
     });
     return found == m_presets.end()
                ? std::nullopt
                : std::optional(static_cast<std::size_t>(std::distance(m_presets.begin(), found)));
 }
 
-Status ConstantsPresets::save(const QString& name, const DeformationConstants& constants) {
+Status ConstantsPresets::save(const QString& name, const DeformationConstants& constants,
+                              const DentForm& form) {
     const QString trimmed = name.trimmed();
     if (trimmed.isEmpty()) {
         return Error{"A preset needs a name.", "", "Type one."};
@@ -54,12 +101,13 @@ Status ConstantsPresets::save(const QString& name, const DeformationConstants& c
     }
     if (same != m_presets.end()) {
         same->constants = constants;
+        same->form = kept(form);
         return Done{};
     }
     const auto before = std::find_if(m_presets.begin(), m_presets.end(), [&](const ConstantsPreset& preset) {
         return !preset.isOurs && preset.name.localeAwareCompare(trimmed) > 0;
     });
-    m_presets.insert(before, {trimmed, constants, false});
+    m_presets.insert(before, {trimmed, constants, kept(form), false});
     return Done{};
 }
 
@@ -80,9 +128,10 @@ void ConstantsPresets::load(QSettings& settings) {
             setParameterValue(constants, parameter, settings.value(key(parameter)).toDouble(&isNumber));
             isComplete = isComplete && isNumber;
         }
-        if (isComplete && isValid(constants)) {
+        const std::optional<DentForm> form = loadForm(settings);
+        if (isComplete && isValid(constants) && form) {
             // A name that is refused is not worth a message at start-up.
-            static_cast<void>(save(settings.value(QStringLiteral("name")).toString(), constants));
+            static_cast<void>(save(settings.value(QStringLiteral("name")).toString(), constants, *form));
         }
     }
     settings.endArray();
@@ -102,6 +151,7 @@ void ConstantsPresets::store(QSettings& settings) const {
             settings.setValue(key(parameter),
                               QString::number(parameterValue(preset.constants, parameter), 'g', 9));
         }
+        storeForm(settings, preset.form.value_or(DentForm{}));
     }
     settings.endArray();
 }

@@ -111,6 +111,18 @@ private Q_SLOTS:
         Q_EMIT preset->activated(pinprick);
         QCOMPARE(hit(1).constants.maxDistance, 0.15f);
         QCOMPARE(hit(0).constants.maxDistance, 0.5f);
+        // The paper's is of its form too.
+        auto* profile = child<QComboBox>("profile");
+        Q_EMIT profile->activated(static_cast<int>(DentProfile::Crater));
+        QCOMPARE(hit(1).form.profile, DentProfile::Crater);
+        QCOMPARE(preset->currentText(), QStringLiteral("Pinprick"));
+        Q_EMIT preset->activated(preset->findText(QStringLiteral("Paper")));
+        QCOMPARE(hit(1).form.profile, DentProfile::Paper);
+        QCOMPARE(preset->currentText(), QStringLiteral("Paper"));
+        Q_EMIT profile->activated(static_cast<int>(DentProfile::Crater));
+        QCOMPARE(preset->currentText(), QString());
+        Q_EMIT profile->activated(static_cast<int>(DentProfile::Paper));
+        Q_EMIT preset->activated(pinprick);
         editing.select({0, 1});
         QVERIFY(child<QLabel>("title")->text().startsWith(QStringLiteral("2 hits")));
         auto* reach = child<QDoubleSpinBox>("max_distance");

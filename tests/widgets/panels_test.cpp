@@ -123,6 +123,13 @@ void PanelsTest::constantsApplyToThePastOnRequest() {
     QVERIFY(session.settings().constants() == DeformationConstants{});
     QCOMPARE(power->value(), 0.2);
     QCOMPARE(powerOf(1), 0.1f);
+    ConstantsSetting smooth = session.settings().constantsSetting();
+    smooth.form.profile = DentProfile::Smooth;
+    QVERIFY(session.settings().setConstants(smooth).ok());
+    QCOMPARE(preset->currentIndex(), -1);  // these are the paper's constants, but not its function
+    QTest::keyClick(preset, Qt::Key_Home);
+    QCOMPARE(session.settings().constantsSetting().form.profile, DentProfile::Paper);
+    QCOMPARE(preset->currentText(), QStringLiteral("Paper"));
 }
 
 void PanelsTest::constantsShowWhatIsTrue() {

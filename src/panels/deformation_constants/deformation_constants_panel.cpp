@@ -177,7 +177,7 @@ void DeformationConstantsPanel::showConstants() {
                               relative ? tr("%") : QString::fromUtf8(deformationParameters()[i].unit));
         m_editors[i]->setValue(parameterValue(m_session.settings().constants(), i));
     }
-    const std::optional<std::size_t> preset = m_presets.find(m_session.settings().constants());
+    const std::optional<std::size_t> preset = presetInForce();
     showForm();
     m_ui->preset->setCurrentIndex(preset ? static_cast<int>(*preset) : -1);
     m_ui->size->setCurrentIndex(relative ? Relative : InMetres);
@@ -255,8 +255,13 @@ void DeformationConstantsPanel::apply(const ConstantsSetting& setting, SessionUn
 }
 
 void DeformationConstantsPanel::choosePreset(int row) {
-    apply({m_presets.all()[static_cast<std::size_t>(row)].constants,
-           m_session.settings().constantsSetting().relative, m_session.settings().constantsSetting().form});
+    const ConstantsPreset& preset = m_presets.all()[static_cast<std::size_t>(row)];
+    const ConstantsSetting& now = m_session.settings().constantsSetting();
+    apply({preset.constants, now.relative, preset.form.value_or(now.form)});
+}
+
+std::optional<std::size_t> DeformationConstantsPanel::presetInForce() const {
+    return m_presets.find(m_session.settings().constants(), m_session.settings().constantsSetting().form);
 }
 
 void DeformationConstantsPanel::savePreset() {
@@ -266,7 +271,8 @@ void DeformationConstantsPanel::savePreset() {
     if (!accepted) {
         return;
     }
-    if (Status status = m_presets.save(name, m_session.settings().constants()); !status) {
+    const ConstantsSetting& now = m_session.settings().constantsSetting();
+    if (Status status = m_presets.save(name, now.constants, now.form); !status) {
         QMessageBox::warning(this, tr("Save as Preset"), QString::fromStdString(status.error().message()));
         return;
     }
@@ -277,8 +283,7 @@ void DeformationConstantsPanel::savePreset() {
 }
 
 void DeformationConstantsPanel::deletePreset() {
-    const std::optional<std::size_t> preset = m_presets.find(m_session.settings().constants());
-    if (preset) {
+    if (const std::optional<std::size_t> preset = presetInForce()) {
         m_presets.remove(*preset);
         QSettings settings;
         m_presets.store(settings);

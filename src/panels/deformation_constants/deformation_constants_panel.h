@@ -43,6 +43,7 @@ private:
     void showHits();
     void apply(const ConstantsSetting& setting, SessionUndo::Merge merge = SessionUndo::Merge::Never);
     void choosePreset(int row);
+    [[nodiscard]] std::optional<std::size_t> presetInForce() const;
     void savePreset();
     void deletePreset();
 

@@ -269,9 +269,12 @@ DeformationConstants HitInspectorPanel::presetFor(const ConstantsPreset& preset,
 
 void HitInspectorPanel::showPreset(const Hit& hit) {
     int shown = -1;
-    if (isSame(hit, [](const Hit& one) { return one.constants; })) {
+    if (isSame(hit, [](const Hit& one) { return one.constants; }) &&
+        isSame(hit, [](const Hit& one) { return one.form; })) {
         for (std::size_t i = 0; i < m_presets.all().size() && shown < 0; ++i) {
-            shown = presetFor(m_presets.all()[i], hit) == hit.constants ? static_cast<int>(i) : -1;
+            const ConstantsPreset& preset = m_presets.all()[i];
+            const bool isIt = presetFor(preset, hit) == hit.constants && preset.holdsFor(hit.form);
+            shown = isIt ? static_cast<int>(i) : -1;
         }
     }
     m_ui->preset->setCurrentIndex(shown);
@@ -280,8 +283,12 @@ void HitInspectorPanel::showPreset(const Hit& hit) {
 void HitInspectorPanel::choosePreset(int row) {
     const auto preset = static_cast<std::size_t>(row);
     if (preset < m_presets.all().size()) {
-        once(Preset,
-             [this, chosen = m_presets.all()[preset]](Hit& hit) { hit.constants = presetFor(chosen, hit); });
+        once(Preset, [this, chosen = m_presets.all()[preset]](Hit& hit) {
+            hit.constants = presetFor(chosen, hit);
+            if (chosen.form) {
+                hit.form = withRadius(m_session, *chosen.form, hit);
+            }
+        });
     } else {
         once(Preset, [this](Hit& hit) {
             hit.constants = usualConstants(m_session, hit);
