@@ -60,7 +60,7 @@ DiscardGuard::DiscardGuard(Session& session, SessionFiles& files, QWidget& windo
         m_writingHits.reset();
     });
     connect(&files, &SessionFiles::saved, this, [this] { takeSaved(true); });
-    connect(&files, &SessionFiles::failed, this, [this] { takeSaved(false); });
+    connect(&files, &SessionFiles::notSaved, this, [this] { takeSaved(false); });
     connect(&files, &SessionFiles::saveEnded, this, [this] { takeSaved(false); });  // the others
 }
 

@@ -166,8 +166,8 @@ void SessionFiles::fail(const Error& error) {
 
 void SessionFiles::save(const QString& path) {
     if (m_work) {
-        Q_EMIT failed({"The session cannot be saved while another is opened or saved.", path.toStdString(),
-                       "Wait until that has ended."});
+        Q_EMIT notSaved({"The session cannot be saved while another is opened or saved.", path.toStdString(),
+                         "Wait until that has ended."});
         return;
     }
     begin(
@@ -191,7 +191,7 @@ void SessionFiles::takeWritten(const std::shared_ptr<Work>& work, bool done) {
     if (work->isGivenUp) {
         Q_EMIT saveCancelled();
     } else if (!done || !work->status) {
-        Q_EMIT failed(done ? work->status.error() : noRoomFor(work->path));
+        Q_EMIT notSaved(done ? work->status.error() : noRoomFor(work->path));
     } else if (isOfThis) {
         m_file.path = work->path;
         m_file.kept = work->state;

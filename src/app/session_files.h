@@ -39,7 +39,7 @@ public:
     [[nodiscard]] bool isModified() const;  ///< since it was saved, opened or let go
     [[nodiscard]] bool isBusy() const { return m_work != nullptr; }
 
-    /// Writes it there, whole or not at all; ends with saved(), failed() or saveCancelled(). What is
+    /// Writes it there, whole or not at all; ends with saved(), notSaved() or saveCancelled(). What is
     /// changed meanwhile is not in it. If another scene takes the place of this one before, it is written all
     /// the same, which nobody is told.
     void save(const QString& path);
@@ -69,7 +69,8 @@ Q_SIGNALS:
     void troubled();
     /// `path`: empty for what was recovered. `notes`: of the import, and what was left out.
     void opened(const QString& path, const QStringList& notes);
-    void failed(const hitscope::Error& error);
+    void failed(const hitscope::Error& error);    ///< to open
+    void notSaved(const hitscope::Error& error);  ///< the file, if there is one, is as it was
     void cancelled();
     void saveCancelled();  ///< the file is as it was
     void saveEnded();      ///< whatever came of it; last

@@ -68,6 +68,7 @@ private Q_SLOTS:
     void doesNotAskForNothing();
     void doesNotAskForTheFirstScene();
     void closingAsks();
+    void savesElsewhereWhereTheFolderIsGone();
     void placingIsUndone();
     void saveGoesOnWhenItIsWritten();
     void staysWhenASaveFails();
@@ -224,6 +225,28 @@ void DiscardTest::closingAsks() {
     trigger("Quit");
     answerQuestion(*m_window, QMessageBox::DestructiveRole);
     QVERIFY(!m_window->isVisible());
+}
+
+void DiscardTest::savesElsewhereWhereTheFolderIsGone() {
+    const QString gone = m_folder.filePath(QStringLiteral("gone"));
+    QVERIFY(QDir().mkpath(gone));
+    SessionFiles& files = *m_window->findChild<SessionFiles*>();
+    QSignalSpy saved(&files, &SessionFiles::saved);
+    files.save(gone + QStringLiteral("/a.hitscope"));
+    QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, kPatience);
+    QVERIFY(QDir(gone).removeRecursively());
+    hit();
+    trigger("Save Session");
+    const auto box = [this] { return m_window->findChild<QMessageBox*>(QStringLiteral("notSaved")); };
+    QTRY_VERIFY_WITH_TIMEOUT(box() != nullptr && box()->isVisible(), kPatience);
+    QVERIFY2(box()->informativeText().contains(QStringLiteral("a.hitscope")),
+             qPrintable(box()->informativeText()));
+    const QString elsewhere = m_folder.filePath(QStringLiteral("elsewhere.hitscope"));
+    chooseNext(elsewhere);
+    QTest::keyClick(box(), Qt::Key_Return);
+    QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 2, kPatience);
+    QCOMPARE(files.path(), elsewhere);
+    QVERIFY(!files.isModified());
 }
 
 /// Placing a mesh takes its hits; they come back.

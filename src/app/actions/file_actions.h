@@ -73,6 +73,7 @@ private:
     void choose();
     void startNew();
     void askAndRevert();
+    void offerElsewhere(const Error& error);
     QStringList chooseMeshes(const QString& title, const QString& first);
     void remember(const QString& path);
     void takeSession(const QString& path, const QStringList& notes);

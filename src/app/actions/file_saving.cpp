@@ -34,6 +34,7 @@ void FileActions::watchFile() {
         m_watch.follow(path.isEmpty() ? std::vector<MeshFile>() : std::vector<MeshFile>{{.path = path}});
     });
     connect(&m_parts.sessions, &SessionFiles::saved, &m_watch, &FileWatch::expect);
+    connect(&m_parts.sessions, &SessionFiles::notSaved, this, &FileActions::offerElsewhere);
     connect(&m_watch, &FileWatch::changed, this, &FileActions::tellChanged);
 }
 
@@ -68,6 +69,16 @@ bool FileActions::askAndReplace() {
         return true;
     }
     return box.clickedButton() == elsewhere && saveAs();
+}
+
+/// The folder may be gone, or full, or another's.
+void FileActions::offerElsewhere(const Error& error) {
+    QMessageBox* box = makeErrorBox(&m_parts.window, error, QMessageBox::Close);
+    box->setObjectName(QStringLiteral("notSaved"));
+    QPushButton* elsewhere = box->addButton(tr("Save &As…"), QMessageBox::AcceptRole);
+    box->setDefaultButton(elsewhere);
+    connect(elsewhere, &QPushButton::clicked, this, &FileActions::saveAs);
+    box->open();
 }
 
 bool FileActions::saveAs() {

@@ -30,10 +30,10 @@ QString existingFolder(const QString& remembered) {
     return QDir::homePath();
 }
 
-void showError(QWidget* parent, const Error& error) {
+QMessageBox* makeErrorBox(QWidget* parent, const Error& error, QMessageBox::StandardButton button) {
     // Qt writes the display name after any other title.
     auto* box = new QMessageBox(QMessageBox::Warning, QGuiApplication::applicationDisplayName(),
-                                QString::fromStdString(error.what), QMessageBox::Ok, parent);
+                                QString::fromStdString(error.what), button, parent);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setTextFormat(Qt::PlainText);
     QStringList more;
@@ -43,7 +43,11 @@ void showError(QWidget* parent, const Error& error) {
         }
     }
     box->setInformativeText(more.join(QStringLiteral("\n\n")));
-    box->open();
+    return box;
+}
+
+void showError(QWidget* parent, const Error& error) {
+    makeErrorBox(parent, error, QMessageBox::Ok)->open();
 }
 
 void showAbout(QWidget* parent, const QString& renderer, const QString& version, const QString& exactness) {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QMessageBox>
 #include <QString>
 
 #include "core/result.h"
-
-class QWidget;
 
 namespace hitscope {
 
@@ -13,7 +12,10 @@ namespace hitscope {
 /// exists. A dialog would take a folder that does not exist for the name of a file.
 [[nodiscard]] QString existingFolder(const QString& remembered);
 
-/// One message box that says what, where and what to do. Returns at once; the box belongs to `parent`.
+/// A message box that says what, where and what to do. It belongs to `parent`, and goes when it is closed.
+[[nodiscard]] QMessageBox* makeErrorBox(QWidget* parent, const Error& error,
+                                        QMessageBox::StandardButton button);
+/// Shows one, and returns at once.
 void showError(QWidget* parent, const Error& error);
 
 /// Version, licence, and what draws. `renderer` and `version` as the viewport knows them; may be empty, as
