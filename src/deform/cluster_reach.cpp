@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <glm/vector_relational.hpp>
@@ -16,6 +17,15 @@ namespace {
 // deform() decides and moves in float: this is what its rounding, and ours, can add, as a part of the numbers
 // involved. Sixteen units in float's last place, where the sums in question lose a few.
 constexpr float kRounding = 1e-6f;
+
+constexpr std::size_t kMostMoved = 4096;  // boxes that are remembered
+
+/// A moment after all of any object so far.
+std::uint64_t newMoments() {
+    constexpr std::uint64_t kApart = std::uint64_t{1} << 32U;  // no object has as many between two calls
+    static std::atomic<std::uint64_t> next{0};
+    return next.fetch_add(kApart, std::memory_order_relaxed) + 1;
+}
 
 float withRounding(float reach) {
     return reach * (1.0f + 2.0f * kRounding);
@@ -140,6 +150,26 @@ void ClusterReach::restart() {
     }
     m_ever = m_now;
     m_reached.assign(m_clusters.size(), false);
+    forgetMoved();
+}
+
+void ClusterReach::forgetMoved() {
+    m_moved.clear();
+    m_movedFrom = newMoments();
+}
+
+void ClusterReach::noteMoved(const Bounds& box) {
+    if (m_moved.size() == kMostMoved) {
+        forgetMoved();
+    }
+    m_moved.push_back(box);
+}
+
+std::optional<std::span<const Bounds>> ClusterReach::movedSince(std::uint64_t moment) const {
+    if (moment < m_movedFrom || moment > this->moment()) {
+        return std::nullopt;
+    }
+    return std::span(m_moved).subspan(moment - m_movedFrom);
 }
 
 /// Makes a leaf's ancestors hold their children again.
@@ -197,6 +227,7 @@ void ClusterReach::grow(std::uint32_t cluster, const Hit& hit) {
     m_reached[cluster] = true;
     const std::size_t leaf = m_leaves + cluster;
     enlarge(m_now, leaf, grownBy(m_now[leaf], hit));
+    noteMoved(nodeBounds(leaf));
 }
 
 void ClusterReach::advance(const Hit& hit, std::vector<std::uint32_t>& reached) {
@@ -271,6 +302,7 @@ bool ClusterReach::mayEverReach(const Hit& hit) const {
 void ClusterReach::restart(std::span<const std::uint32_t> clusters) {
     for (const std::uint32_t cluster : clusters) {
         const std::size_t leaf = m_leaves + cluster;
+        noteMoved(nodeBounds(leaf));  // where they were first is in m_ever
         m_now[leaf] = m_clusters[cluster].bounds;
         m_ever[leaf] = m_clusters[cluster].bounds;
         m_reached[cluster] = false;
@@ -283,6 +315,7 @@ void ClusterReach::goBack(std::span<const std::uint32_t> clusters) {
     for (const std::uint32_t cluster : clusters) {
         const std::size_t leaf = m_leaves + cluster;
         enlarge(m_now, leaf, m_ever[leaf]);
+        noteMoved(nodeBounds(leaf));
     }
 }
 
@@ -310,6 +343,7 @@ void ClusterReach::place(std::uint32_t first, std::span<const DynamicVertex> ver
 
 void ClusterReach::placeCluster(std::uint32_t cluster, std::span<const DynamicVertex> vertices) {
     replace(cluster, around(vertices));
+    noteMoved(nodeBounds(m_leaves + cluster));
 }
 
 std::vector<std::uint32_t> ClusterReach::clustersIn(std::span<const VertexRange> ranges) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,6 +35,12 @@ public:
 
     /// Whether no hit has reached it since its vertices were at their original.
     [[nodiscard]] bool isOriginal(std::size_t cluster) const { return !m_reached[cluster]; }
+
+    /// A point in time, of this object alone: later ones are larger.
+    [[nodiscard]] std::uint64_t moment() const { return m_movedFrom + m_moved.size(); }
+    /// Boxes that hold all vertices that may have moved since, before and after; nothing: too many to be
+    /// remembered, or `moment` is of another object.
+    [[nodiscard]] std::optional<std::span<const Bounds>> movedSince(std::uint64_t moment) const;
 
     // Clusters are lists of indices into clusters(), ascending; what is found is appended.
 
@@ -86,6 +93,8 @@ private:
                         std::vector<std::uint32_t>& reached) const;
     void grow(std::uint32_t cluster, const Hit& hit);
     void replace(std::uint32_t cluster, const Bounds& box);
+    void noteMoved(const Bounds& box);
+    void forgetMoved();
     static void refit(Tree& tree, std::size_t leaf);
     static void enlarge(Tree& tree, std::size_t leaf, const Bounds& box);
 
@@ -94,6 +103,8 @@ private:
     std::vector<bool> m_reached;  ///< by cluster
     Tree m_now;
     Tree m_ever;  ///< where a box of m_now was before it was drawn tight; with that one, every place
+    std::vector<Bounds> m_moved;    ///< in the order in which they did
+    std::uint64_t m_movedFrom = 0;  ///< moment() before the first of these
 };
 
 }  // namespace hitscope

@@ -9,6 +9,9 @@
 #include <glm/geometric.hpp>
 #include <string>
 
+#include "deform/cluster_reach.h"
+#include "render/refined/varying_area.h"
+#include "render/seen_area.h"
 #include "render/target_pass.h"
 
 namespace hitscope::render {
@@ -18,6 +21,22 @@ constexpr int kSize = 2048;
 constexpr float kShadowSpread = 1.6f;   // texels from one look to the next
 constexpr float kShadowMargin = 0.05f;  // of the targets' extent: dents can bulge
 constexpr float kDepthBias = 1.5f;      // texels
+
+/// An empty one is nowhere.
+PixelArea united(const PixelArea& a, const PixelArea& b) {
+    if (a.width == 0 || b.width == 0) {
+        return a.width == 0 ? b : a;
+    }
+    const int x = std::min(a.x, b.x);
+    const int y = std::min(a.y, b.y);
+    return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
+}
+
+PictureWindow windowOf(const PixelArea& area, int size) {
+    const float step = 2.0f / static_cast<float>(size);
+    const glm::vec2 low(area.x, area.y);
+    return {step * low - 1.0f, step * (low + glm::vec2(area.width, area.height)) - 1.0f};
+}
 
 }  // namespace
 
@@ -83,7 +102,7 @@ glm::mat4 ShadowMap::place(const FrameContext& context) {
     return projection * view;
 }
 
-bool ShadowMap::follow(const FrameContext& context, const DeformationPipeline& pipeline) {
+ShadowMap::Change ShadowMap::follow(const FrameContext& context, const DeformationPipeline& pipeline) {
     const Frame& frame = context.frame;
     std::vector<Caster> casters;
     for (const DrawItem& item : frame.targets) {
@@ -91,32 +110,82 @@ bool ShadowMap::follow(const FrameContext& context, const DeformationPipeline& p
     }
     const glm::vec3& given = frame.lights.directional.direction;
     const glm::vec3 direction = glm::length(given) > 1.0e-6f ? given : glm::vec3(0.0f, -1.0f, 0.0f);
-    const bool isSame = frame.meshRevision != 0 && frame.meshRevision == m_meshRevision &&
-                        m_pipeline == &pipeline && direction == m_direction && casters == m_casters &&
-                        frame.options.beforeAfter.exaggeration == m_exaggeration &&
-                        (!m_isCoarse || frame.coarse);
-    if (!isSame) {
-        m_casters = std::move(casters);
-        m_direction = direction;
-        m_exaggeration = frame.options.beforeAfter.exaggeration;
-        m_meshRevision = frame.meshRevision;
-        m_pipeline = &pipeline;
+    const bool isOfThese = frame.meshRevision != 0 && m_pipeline == &pipeline && direction == m_direction &&
+                           casters == m_casters && frame.options.beforeAfter.exaggeration == m_exaggeration &&
+                           (!m_isCoarse || frame.coarse);
+    if (isOfThese && frame.meshRevision == m_meshRevision) {
+        return Change::Nothing;
     }
-    return isSame;
+    m_casters = std::move(casters);
+    m_direction = direction;
+    m_exaggeration = frame.options.beforeAfter.exaggeration;
+    m_meshRevision = frame.meshRevision;
+    m_pipeline = &pipeline;
+    return isOfThese ? Change::Vertices : Change::Anything;
+}
+
+std::optional<PixelArea> ShadowMap::movedArea(const FrameContext& context,
+                                              const DeformationPipeline& pipeline,
+                                              const glm::mat4& toClip) const {
+    const Frame& frame = context.frame;
+    // A coarse shape has no clusters, and nobody knows where exaggerated vertices are.
+    if (!isWhole() || m_isCoarse || frame.coarse || m_exaggeration != 1.0f ||
+        m_moments.size() != frame.targets.size()) {
+        return std::nullopt;
+    }
+    PixelArea all;
+    for (std::size_t i = 0; i < frame.targets.size(); ++i) {
+        const DrawItem& item = frame.targets[i];
+        const ClusterReach* reach = pipeline.reach(item.target);
+        const auto moved = reach != nullptr ? reach->movedSince(m_moments[i]) : std::nullopt;
+        if (!moved) {
+            return std::nullopt;
+        }
+        SeenArea seen(toClip * item.model);
+        if (!std::all_of(moved->begin(), moved->end(),
+                         [&seen](const Bounds& box) { return seen.add(box); })) {
+            return std::nullopt;
+        }
+        all = united(all, seen.in({m_size, m_size}));
+    }
+    const bool isMost = 2 * all.width * all.height > m_size * m_size;
+    return isMost ? std::nullopt : std::optional(all);
+}
+
+void ShadowMap::rememberMoments(const FrameContext& context, const DeformationPipeline& pipeline) {
+    m_moments.clear();
+    for (const DrawItem& item : context.frame.targets) {
+        const ClusterReach* reach = pipeline.reach(item.target);
+        m_moments.push_back(reach != nullptr ? reach->moment() : 0);
+    }
 }
 
 Status ShadowMap::update(const FrameContext& context, DeformationPipeline& pipeline, std::uint32_t parts) {
     // What is new each time is never whole in parts.
     const std::uint32_t wanted = context.frame.meshRevision != 0 ? parts : 1;
-    const bool isSame = follow(context, pipeline);
-    if (isSame && isWhole()) {
+    const Change change = follow(context, pipeline);
+    if (change == Change::Nothing && isWhole()) {
         return Done{};
     }
-    if (!isSame || m_parts != wanted) {
+    const glm::mat4 toClip = place(context);
+    const std::optional<PixelArea> area =
+        change == Change::Vertices ? movedArea(context, pipeline, toClip) : std::nullopt;
+    if (change != Change::Nothing) {
+        rememberMoments(context, pipeline);
+    }
+    if (area) {
+        return area->width == 0 ? Status(Done{}) : draw(context, pipeline, toClip, area);
+    }
+    if (change != Change::Nothing || m_parts != wanted) {
         m_parts = wanted;
         m_drawn = 0;
         m_isCoarse = context.frame.coarse;
     }
+    return draw(context, pipeline, toClip, std::nullopt);
+}
+
+Status ShadowMap::draw(const FrameContext& context, DeformationPipeline& pipeline, const glm::mat4& toClip,
+                       const std::optional<PixelArea>& area) {
     if (!m_depth) {
         makeTexture();
     }
@@ -127,14 +196,21 @@ Status ShadowMap::update(const FrameContext& context, DeformationPipeline& pipel
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
-    if (m_drawn == 0) {
+    FrameContext part = context;
+    part.part = area ? SurfacePart{} : SurfacePart{m_drawn, m_parts};
+    std::optional<PictureWindow> window;
+    if (area) {
+        limitDrawing(*area);
+        window = windowOf(*area, m_size);
+    }
+    if (area || m_drawn == 0) {
         glClearDepth(1.0);
         glClear(GL_DEPTH_BUFFER_BIT);
     }
-    FrameContext part = context;
-    part.part = {m_drawn, m_parts};
-    ++m_drawn;
-    return drawSurfaceDepth(part, pipeline, place(context), DepthOf::Whole);
+    m_drawn += area ? 0 : 1;
+    Status status = drawSurfaceDepth(part, pipeline, toClip, DepthOf::Whole, 0.0f, window);
+    glDisable(GL_SCISSOR_TEST);
+    return status;
 }
 
 gl::Defines ShadowMap::defines() const {

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "render/frame_context.h"
+#include "render/pixel_area.h"
 
 namespace hitscope::render {
 
 /// What the directional light sees first: a depth map around the visible targets, drawn with their pipeline's
 /// own program and kept until a target, its mesh or the light has changed; a map of coarse triangles also
-/// until all are wanted. A context is current for every call and the destructor.
+/// until all are wanted. Where only vertices have moved, the part that these were and are seen in is drawn
+/// anew. A context is current for every call and the destructor.
 class ShadowMap {
 public:
     static constexpr int kSoftwareSize = 1024;  ///< texels, where the CPU draws
@@ -43,11 +47,21 @@ private:
         glm::mat4 model{1.0f};
         bool operator==(const Caster&) const = default;
     };
+    /// What has changed since the map was drawn.
+    enum class Change : std::uint8_t { Nothing, Vertices, Anything };
     void makeTexture();
-    /// Takes what the map is of from the frame; returns whether it was of this before.
-    bool follow(const FrameContext& context, const DeformationPipeline& pipeline);
+    /// Takes what the map is of from the frame.
+    Change follow(const FrameContext& context, const DeformationPipeline& pipeline);
     /// Returns the light's view and projection.
     glm::mat4 place(const FrameContext& context);
+    /// Texels in which moved vertices were and are seen; nothing: that is not known, or most of the map.
+    [[nodiscard]] std::optional<PixelArea> movedArea(const FrameContext& context,
+                                                     const DeformationPipeline& pipeline,
+                                                     const glm::mat4& toClip) const;
+    void rememberMoments(const FrameContext& context, const DeformationPipeline& pipeline);
+    /// The next of the parts, or `area` of the whole map.
+    [[nodiscard]] Status draw(const FrameContext& context, DeformationPipeline& pipeline,
+                              const glm::mat4& toClip, const std::optional<PixelArea>& area);
 
     bool m_software;
     Edges m_edges;
@@ -56,7 +70,8 @@ private:
     gl::Framebuffer m_framebuffer;
     glm::mat4 m_matrix{1.0f};
     float m_texel = 0.0f;
-    std::vector<Caster> m_casters;  ///< of the map as it is
+    std::vector<Caster> m_casters;         ///< of the map as it is
+    std::vector<std::uint64_t> m_moments;  ///< of these, at which the map shows them (ClusterReach)
     glm::vec3 m_direction{0.0f};
     float m_exaggeration = 1.0f;
     std::uint64_t m_meshRevision = 0;

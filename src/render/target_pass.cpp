@@ -325,7 +325,8 @@ Status drawTranslucentSurfaces(const FrameContext& context, DeformationPipeline&
 }
 
 Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline,
-                        const glm::mat4& viewProjection, DepthOf what, float leastEdge) {
+                        const glm::mat4& viewProjection, DepthOf what, float leastEdge,
+                        const std::optional<PictureWindow>& within) {
     const gl::Defines defines = what == DepthOf::Whole ? wholeTargetDefines(context.frame, pipeline)
                                                        : targetDefines(context.frame, pipeline);
     const auto found = context.programs.get("surface.vert", "depth.frag", defines);
@@ -353,7 +354,16 @@ Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeli
             const DrawRange& last = draws.back();
             const DrawRange all{draws.front().first, last.first + last.count - draws.front().first};
             const DrawRange drawn = context.part.of(all);
-            drawBounded(context, GL_TRIANGLES, drawn.first, drawn.count);
+            const IndexRun range{drawn.first, drawn.first + drawn.count};
+            const auto seen = within ? visibleRuns(item, context.frame, pipeline,
+                                                   Sight(viewProjection * item.model, *within),
+                                                   item.buffers->triangleRuns(), range)
+                                     : std::nullopt;
+            if (seen) {
+                drawBounded(context, GL_TRIANGLES, *seen, range);
+            } else {
+                drawBounded(context, GL_TRIANGLES, drawn.first, drawn.count);
+            }
             earlyStart.drawn(drawn.count / kIndicesPerVertex);
         }
     }

@@ -205,6 +205,62 @@ private Q_SLOTS:
         QVERIFY(rest.pixels == whole.pixels);
     }
 
+    void shadowsFollowDents_data() {
+        QTest::addColumn<PipelineKind>("pipeline");
+        for (const PipelineTraits& traits : allPipelines()) {
+            QTest::newRow(traits.key.data()) << traits.kind;
+        }
+    }
+    /// Only the part of the shadow map that a dent is in is drawn anew, and the picture is that of a scene
+    /// which has been drawn for the first time.
+    void shadowsFollowDents() {
+        QFETCH(const PipelineKind, pipeline);
+        Session session;
+        std::vector<TargetPlan> balls(2, planMesh(prepareMesh(makeGeodesicSphere(24, 2.0f)), TargetSource()));
+        balls[1].transform.position = {5.0f, 1.0f, 0.0f};
+        session.loadScene({{}, std::move(balls), 0.0f});
+        session.settings().setPipeline(pipeline);
+        const auto gpu = SceneGpu::create(session);
+        QVERIFY(gpu);
+        m_floor = true;
+        Image picture;
+        const auto drawNow = [&] {
+            picture = gpu.value()->sync().ok() ? draw(session, *gpu.value()) : Image{};
+        };
+        const auto isAsDrawnAnew = [&] {
+            const auto other = SceneGpu::create(session);
+            return other && other.value()->sync().ok() &&
+                   draw(session, *other.value()).pixels == picture.pixels;
+        };
+        const GLuint all = primitivesOf(drawNow);
+        const GLuint withoutShadows = primitivesOf(drawNow);
+        QVERIFY(withoutShadows > 0 && withoutShadows < all);
+        const Image before = picture;
+        Hit hit;
+        hit.direction = {0.0f, -1.0f, 0.0f};
+        for (int i = 0; i < 6; ++i) {
+            hit.target = session.targets()[static_cast<std::size_t>(i % 2)]->id;
+            const float angle = 0.4f * static_cast<float>(i);
+            hit.point = 2.0f * glm::vec3(std::sin(angle), std::cos(angle), 0.0f);
+            QVERIFY(session.hits().add(hit).ok());
+            const GLuint drawn = primitivesOf(drawNow);
+            QVERIFY2(drawn > withoutShadows && 2 * (drawn - withoutShadows) < all - withoutShadows,
+                     qPrintable(QStringLiteral("%1; %2 to %3").arg(drawn).arg(withoutShadows).arg(all)));
+            QVERIFY(isAsDrawnAnew());
+        }
+        QVERIFY(picture.pixels != before.pixels);
+        session.hits().setEnabled(std::vector<std::size_t>{1}, false);
+        drawNow();
+        QVERIFY(isAsDrawnAnew());
+        session.undo();
+        session.undo();
+        drawNow();
+        QVERIFY(isAsDrawnAnew());
+        session.hits().clear();
+        drawNow();
+        QVERIFY(isAsDrawnAnew());
+    }
+
 private:
     /// Triangles and lines that were drawn meanwhile.
     static GLuint primitivesOf(const std::function<void()>& act) {
