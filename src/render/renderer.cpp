@@ -317,11 +317,19 @@ Status Renderer::Private::drawOver(const FrameContext& context) {
     return drawCrosshair(context);
 }
 
+/// A coarse frame leaves the other map as it is: what has moved since is drawn there when it is wanted.
+ShadowMap& Renderer::Private::shadowsFor(const FrameContext& context, const DeformationPipeline& pipeline) {
+    return context.frame.coarse && !shadows.isUpToDate(context, pipeline) ? coarseShadows : shadows;
+}
+
 Status Renderer::prepare(const Frame& given, DeformationPipeline& pipeline) {
     const KeepState keep;
     const LitFrame lit(given);
-    return ShadowMap::isWanted(lit.frame()) ? d->shadows.update(d->contextOf(lit.frame()), pipeline)
-                                            : Status(Done{});
+    if (!ShadowMap::isWanted(lit.frame())) {
+        return Done{};
+    }
+    const FrameContext context = d->contextOf(lit.frame());
+    return d->shadowsFor(context, pipeline).update(context, pipeline);
 }
 
 bool Renderer::wasCoarse() const {
@@ -337,10 +345,11 @@ Status Renderer::draw(const Frame& given, DeformationPipeline& pipeline, GLuint 
     const LitFrame lit(given);
     FrameContext context = d->contextOf(lit.frame());
     if (ShadowMap::isWanted(lit.frame())) {
-        if (Status status = d->shadows.update(context, pipeline); !status) {
+        ShadowMap& map = d->shadowsFor(context, pipeline);
+        if (Status status = map.update(context, pipeline); !status) {
             return status;
         }
-        context.shadows = &d->shadows;
+        context.shadows = &map;
     }
     if (Status status = d->drawPicture(context, pipeline, framebuffer); !status) {
         return status;

@@ -64,6 +64,7 @@ struct Renderer::Private {
     bool wasCoarse = false;  ///< at the last draw()
     bool software = gl::rendererInfo().isSoftware();
     render::ShadowMap shadows{software};
+    render::ShadowMap coarseShadows{software};  ///< of coarse frames, where the other is not up to date
     /// Of samples, so that the other one is there when something moves. By RefinedPicture::LightPlace::index:
     /// those of a place that is looked from again are kept while the camera alone moves. The last is of all
     /// other places.
@@ -79,6 +80,8 @@ struct Renderer::Private {
     Private(const Private&) = delete;
     Private& operator=(const Private&) = delete;
 
+    [[nodiscard]] render::ShadowMap& shadowsFor(const render::FrameContext& context,
+                                                const DeformationPipeline& pipeline);
     [[nodiscard]] render::ShadowMap& sampleShadowsAt(int place);
     [[nodiscard]] render::FrameContext contextOf(const Frame& frame);
     /// Targets and projectiles into a framebuffer, what is selected as well; nothing over them. In parts, the

@@ -38,10 +38,23 @@ PictureWindow windowOf(const PixelArea& area, int size) {
     return {step * low - 1.0f, step * (low + glm::vec2(area.width, area.height)) - 1.0f};
 }
 
+glm::vec3 directionOf(const Frame& frame) {
+    const glm::vec3& given = frame.lights.directional.direction;
+    return glm::length(given) > 1.0e-6f ? given : glm::vec3(0.0f, -1.0f, 0.0f);
+}
+
 }  // namespace
 
 ShadowMap::ShadowMap(bool software, Edges edges)
     : m_software(software), m_edges(edges), m_size(software ? kSoftwareSize : kSize) {}
+
+std::vector<ShadowMap::Caster> ShadowMap::castersOf(const Frame& frame) {
+    std::vector<Caster> casters;
+    for (const DrawItem& item : frame.targets) {
+        casters.push_back({item.target, item.buffers, item.model});
+    }
+    return casters;
+}
 
 bool ShadowMap::isWanted(const Frame& frame) {
     return frame.options.shadows && frame.lights.directional.on && !frame.targets.empty() &&
@@ -102,26 +115,29 @@ glm::mat4 ShadowMap::place(const FrameContext& context) {
     return projection * view;
 }
 
-ShadowMap::Change ShadowMap::follow(const FrameContext& context, const DeformationPipeline& pipeline) {
+ShadowMap::Change ShadowMap::changeSince(const FrameContext& context,
+                                         const DeformationPipeline& pipeline) const {
     const Frame& frame = context.frame;
-    std::vector<Caster> casters;
-    for (const DrawItem& item : frame.targets) {
-        casters.push_back({item.target, item.buffers, item.model});
-    }
-    const glm::vec3& given = frame.lights.directional.direction;
-    const glm::vec3 direction = glm::length(given) > 1.0e-6f ? given : glm::vec3(0.0f, -1.0f, 0.0f);
-    const bool isOfThese = frame.meshRevision != 0 && m_pipeline == &pipeline && direction == m_direction &&
-                           casters == m_casters && frame.options.beforeAfter.exaggeration == m_exaggeration &&
-                           (!m_isCoarse || frame.coarse);
-    if (isOfThese && frame.meshRevision == m_meshRevision) {
-        return Change::Nothing;
-    }
-    m_casters = std::move(casters);
-    m_direction = direction;
+    const bool isOfThese = frame.meshRevision != 0 && m_pipeline == &pipeline &&
+                           directionOf(frame) == m_direction && castersOf(frame) == m_casters &&
+                           frame.options.beforeAfter.exaggeration == m_exaggeration;
+    return !isOfThese                             ? Change::Anything
+           : frame.meshRevision == m_meshRevision ? Change::Nothing
+                                                  : Change::Vertices;
+}
+
+void ShadowMap::follow(const FrameContext& context, const DeformationPipeline& pipeline) {
+    const Frame& frame = context.frame;
+    m_casters = castersOf(frame);
+    m_direction = directionOf(frame);
     m_exaggeration = frame.options.beforeAfter.exaggeration;
     m_meshRevision = frame.meshRevision;
     m_pipeline = &pipeline;
-    return isOfThese ? Change::Vertices : Change::Anything;
+    m_moments.clear();
+    for (const DrawItem& item : frame.targets) {
+        const ClusterReach* reach = pipeline.reach(item.target);
+        m_moments.push_back(reach != nullptr ? reach->moment() : 0);
+    }
 }
 
 std::optional<PixelArea> ShadowMap::movedArea(const FrameContext& context,
@@ -129,11 +145,11 @@ std::optional<PixelArea> ShadowMap::movedArea(const FrameContext& context,
                                               const glm::mat4& toClip) const {
     const Frame& frame = context.frame;
     // A coarse shape has no clusters, and nobody knows where exaggerated vertices are.
-    if (!isWhole() || m_isCoarse || frame.coarse || m_exaggeration != 1.0f ||
-        m_moments.size() != frame.targets.size()) {
+    const bool isKnown = isWhole() || m_area;
+    if (!isKnown || frame.coarse || m_exaggeration != 1.0f) {
         return std::nullopt;
     }
-    PixelArea all;
+    PixelArea all = isWhole() ? PixelArea{} : *m_area;
     for (std::size_t i = 0; i < frame.targets.size(); ++i) {
         const DrawItem& item = frame.targets[i];
         const ClusterReach* reach = pipeline.reach(item.target);
@@ -152,40 +168,26 @@ std::optional<PixelArea> ShadowMap::movedArea(const FrameContext& context,
     return isMost ? std::nullopt : std::optional(all);
 }
 
-void ShadowMap::rememberMoments(const FrameContext& context, const DeformationPipeline& pipeline) {
-    m_moments.clear();
-    for (const DrawItem& item : context.frame.targets) {
-        const ClusterReach* reach = pipeline.reach(item.target);
-        m_moments.push_back(reach != nullptr ? reach->moment() : 0);
-    }
-}
-
 Status ShadowMap::update(const FrameContext& context, DeformationPipeline& pipeline, std::uint32_t parts) {
     // What is new each time is never whole in parts.
     const std::uint32_t wanted = context.frame.meshRevision != 0 ? parts : 1;
-    const Change change = follow(context, pipeline);
+    const Change change = changeSince(context, pipeline);
     if (change == Change::Nothing && isWhole()) {
         return Done{};
     }
-    const glm::mat4 toClip = place(context);
-    const std::optional<PixelArea> area =
-        change == Change::Vertices ? movedArea(context, pipeline, toClip) : std::nullopt;
     if (change != Change::Nothing) {
-        rememberMoments(context, pipeline);
-    }
-    if (area) {
-        return area->width == 0 ? Status(Done{}) : draw(context, pipeline, toClip, area);
+        m_area = change == Change::Vertices ? movedArea(context, pipeline, place(context)) : std::nullopt;
+        follow(context, pipeline);
     }
     if (change != Change::Nothing || m_parts != wanted) {
         m_parts = wanted;
-        m_drawn = 0;
-        m_isCoarse = context.frame.coarse;
+        m_drawn = m_area && m_area->width == 0 ? wanted : 0;
     }
-    return draw(context, pipeline, toClip, std::nullopt);
+    return isWhole() ? Status(Done{}) : draw(context, pipeline);
 }
 
-Status ShadowMap::draw(const FrameContext& context, DeformationPipeline& pipeline, const glm::mat4& toClip,
-                       const std::optional<PixelArea>& area) {
+Status ShadowMap::draw(const FrameContext& context, DeformationPipeline& pipeline) {
+    const glm::mat4 toClip = place(context);
     if (!m_depth) {
         makeTexture();
     }
@@ -196,18 +198,18 @@ Status ShadowMap::draw(const FrameContext& context, DeformationPipeline& pipelin
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
-    FrameContext part = context;
-    part.part = area ? SurfacePart{} : SurfacePart{m_drawn, m_parts};
     std::optional<PictureWindow> window;
-    if (area) {
-        limitDrawing(*area);
-        window = windowOf(*area, m_size);
+    if (m_area) {
+        limitDrawing(*m_area);
+        window = windowOf(*m_area, m_size);
     }
-    if (area || m_drawn == 0) {
+    if (m_drawn == 0) {
         glClearDepth(1.0);
         glClear(GL_DEPTH_BUFFER_BIT);
     }
-    m_drawn += area ? 0 : 1;
+    FrameContext part = context;
+    part.part = {m_drawn, m_parts};
+    ++m_drawn;
     Status status = drawSurfaceDepth(part, pipeline, toClip, DepthOf::Whole, 0.0f, window);
     glDisable(GL_SCISSOR_TEST);
     return status;

@@ -11,9 +11,10 @@
 namespace hitscope::render {
 
 /// What the directional light sees first: a depth map around the visible targets, drawn with their pipeline's
-/// own program and kept until a target, its mesh or the light has changed; a map of coarse triangles also
-/// until all are wanted. Where only vertices have moved, the part that these were and are seen in is drawn
-/// anew. A context is current for every call and the destructor.
+/// own program and kept until a target, its mesh or the light has changed. Where only vertices have moved,
+/// the part that these were and are seen in is drawn anew. Coarse frames and others have each a map of their
+/// own, but those that are up to date are good for both. A context is current for every call and the
+/// destructor.
 class ShadowMap {
 public:
     static constexpr int kSoftwareSize = 1024;  ///< texels, where the CPU draws
@@ -28,6 +29,10 @@ public:
     /// depth test and writes on.
     [[nodiscard]] Status update(const FrameContext& context, DeformationPipeline& pipeline,
                                 std::uint32_t parts = 1);
+    /// Whether the frame needs nothing drawn.
+    [[nodiscard]] bool isUpToDate(const FrameContext& context, const DeformationPipeline& pipeline) const {
+        return isWhole() && changeSince(context, pipeline) == Change::Nothing;
+    }
     /// Whether it is up to date since the last call; it is after one of one part.
     [[nodiscard]] bool isWhole() const { return m_drawn == m_parts; }
 
@@ -47,21 +52,22 @@ private:
         glm::mat4 model{1.0f};
         bool operator==(const Caster&) const = default;
     };
+    [[nodiscard]] static std::vector<Caster> castersOf(const Frame& frame);
     /// What has changed since the map was drawn.
     enum class Change : std::uint8_t { Nothing, Vertices, Anything };
     void makeTexture();
+    [[nodiscard]] Change changeSince(const FrameContext& context, const DeformationPipeline& pipeline) const;
     /// Takes what the map is of from the frame.
-    Change follow(const FrameContext& context, const DeformationPipeline& pipeline);
+    void follow(const FrameContext& context, const DeformationPipeline& pipeline);
     /// Returns the light's view and projection.
     glm::mat4 place(const FrameContext& context);
-    /// Texels in which moved vertices were and are seen; nothing: that is not known, or most of the map.
+    /// Texels in which moved vertices were and are seen, and those that were still to be drawn; nothing: they
+    /// are not known, or most of the map.
     [[nodiscard]] std::optional<PixelArea> movedArea(const FrameContext& context,
                                                      const DeformationPipeline& pipeline,
                                                      const glm::mat4& toClip) const;
-    void rememberMoments(const FrameContext& context, const DeformationPipeline& pipeline);
-    /// The next of the parts, or `area` of the whole map.
-    [[nodiscard]] Status draw(const FrameContext& context, DeformationPipeline& pipeline,
-                              const glm::mat4& toClip, const std::optional<PixelArea>& area);
+    /// The next of the parts.
+    [[nodiscard]] Status draw(const FrameContext& context, DeformationPipeline& pipeline);
 
     bool m_software;
     Edges m_edges;
@@ -75,9 +81,9 @@ private:
     glm::vec3 m_direction{0.0f};
     float m_exaggeration = 1.0f;
     std::uint64_t m_meshRevision = 0;
-    bool m_isCoarse = false;
-    std::uint32_t m_parts = 1;  ///< that it is drawn in
-    std::uint32_t m_drawn = 0;  ///< of these
+    std::optional<PixelArea> m_area;  ///< texels that are drawn; nothing: all
+    std::uint32_t m_parts = 1;        ///< that they are drawn in
+    std::uint32_t m_drawn = 0;        ///< of these
     const DeformationPipeline* m_pipeline = nullptr;
 };
 
