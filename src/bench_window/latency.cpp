@@ -214,6 +214,7 @@ void LatencyRun::framesCloseUp() {
 Row LatencyRun::moving(const QString& what, std::optional<PictureDetail> detail, int frames) {
     constexpr int kChoosing = 15;  // frames
     Row row{what};
+    const Camera camera = m_window.viewport().camera();
     m_window.viewport().motion().hold(detail);
     m_window.press(0.3, 0.5);
     m_window.moveTo(0.33, 0.5);  // now it is a drag
@@ -229,8 +230,9 @@ Row LatencyRun::moving(const QString& what, std::optional<PictureDetail> detail,
                     m_window.watch().longest(), processorTime() - spent);
         }
     }
-    m_window.moveTo(0.3, 0.5);  // back, so that what follows sees the mesh as before
     m_window.release(0.3, 0.5);
+    // What follows sees the mesh as before. The way back may be another: an orbit keeps the scene in sight.
+    m_window.viewport().navigation().setCamera(camera, Navigation::Arrival::AtOnce);
     m_window.viewport().motion().hold(std::nullopt);
     m_window.settle();
     return row;

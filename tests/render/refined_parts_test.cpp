@@ -21,6 +21,7 @@ private Q_SLOTS:
     void beforeSamplesItIsThePicture();
     void inPartsItIsTheSame();
     void partsSurviveOtherPictures();
+    void dentsMayComeBetweenParts();
 
 private:
     [[nodiscard]] Frame frame(const DisplayOptions& options = {}) const {
@@ -102,6 +103,43 @@ void RefinedPartsTest::partsSurviveOtherPictures() {
     }
     QCOMPARE(made.samples(), 2);
     QVERIFY(differing(shown(wanted, made), whole) <= 2);
+}
+
+/// Of the shadows, only what two dents have moved is drawn again, and the second comes before the first has
+/// been drawn.
+void RefinedPartsTest::dentsMayComeBetweenParts() {
+    if (!gl::rendererInfo().isSoftware()) {
+        QSKIP("only software renderers draw in parts");
+    }
+    DisplayOptions options;
+    options.shadows = true;
+    Frame wanted = frame(options);
+    const auto addParts = [&](RefinedPicture& made, int most) {
+        int calls = 0;
+        while (!made.hasPicture() && calls < most && add(wanted, made)) {
+            ++calls;
+        }
+        return calls;
+    };
+    RefinedPicture before(RefinedPicture::Extent::WhereItVaries, 1000);
+    addParts(before, 100);
+    QVERIFY(before.hasPicture());
+    RefinedPicture made(RefinedPicture::Extent::WhereItVaries, 1000);
+    Hit hit = dents({1}, 1).front();
+    for (const float along : {2.2f, -2.2f}) {
+        hit.point = {along, std::sqrt(2.5f * 2.5f - along * along), 0.0f};
+        hit.direction = -hit.point / 2.5f;
+        hit.constants = {0.4f, 0.2f, 0.4f};
+        m_refined.pipeline->append(std::span(&hit, 1));
+        ++wanted.meshRevision;
+        QVERIFY(addParts(made, along > 0.0f ? 3 : 100) >= 3);
+    }
+    QVERIFY(made.hasPicture());
+    const QImage inParts = shown(wanted, made);
+    const auto other = Renderer::create();
+    QVERIFY(other);
+    QCOMPARE(inParts, picture(*other.value(), wanted, *m_refined.pipeline, 1));
+    QVERIFY(differing(inParts, shown(wanted, before)) > 20);
 }
 
 HITSCOPE_TEST(RefinedPartsTest, QCoreApplication)
