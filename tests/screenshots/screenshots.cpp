@@ -107,7 +107,6 @@ int main(int argc, char** argv) {
         return 2;
     }
     Photographer window(QString::fromLocal8Bit(argv[1]));
-    window.save("first_start.png");
     for (const QPointF& shot : {QPointF(0.57, 0.52), QPointF(0.50, 0.75), QPointF(0.66, 0.52)}) {
         window.click(shot.x(), shot.y());
     }
