@@ -14,9 +14,7 @@ namespace hitscope {
 namespace {
 
 /// The best that fits; empty: nothing does.
-QByteArray jpegOf(const Image& picture) {
-    const QImage image(picture.pixels.data(), picture.width, picture.height, 4 * picture.width,
-                       QImage::Format_RGBX8888);
+QByteArray jpegOf(const QImage& image) {
     for (int quality = 85; quality >= 25; quality -= 20) {
         QBuffer buffer;
         buffer.open(QIODevice::WriteOnly);
@@ -52,15 +50,8 @@ void JournalPicture::take() {
     if (!m_journal.isBegun()) {
         return;
     }
-    QByteArray jpeg;
-    static_cast<void>(m_viewport.withScene([this, &jpeg](SceneGpu&) -> Status {
-        const PictureRequest shown = m_viewport.pictureRequest();
-        if (shown.width > 0 && shown.height > 0) {
-            jpeg =
-                jpegOf(thumbnail(m_viewport.defaultFramebufferObject(), shown.width, shown.height, kWidth));
-        }
-        return Done{};
-    }));
+    const QImage picture = m_viewport.thumbnail(kWidth);
+    const QByteArray jpeg = picture.isNull() ? QByteArray() : jpegOf(picture);
     if (!jpeg.isEmpty()) {
         m_journal.writer().setPicture(jpeg);
         m_sinceLast.start();

@@ -16,7 +16,7 @@
 #include "session/session.h"
 #include "session/welcome.h"
 #include "usage/usage.h"
-#include "viewport/surface_format.h"
+#include "viewport/surface/surface_format.h"
 
 namespace {
 

@@ -61,7 +61,7 @@
 #include "viewport/aim_preview.h"
 #include "viewport/hit_handles.h"
 #include "viewport/inspect_tool.h"
-#include "viewport/surface_format.h"
+#include "viewport/surface/surface_format.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {

@@ -8,6 +8,7 @@
 #include <QDropEvent>
 #include <QEventLoop>
 #include <QMimeData>
+#include <QScopeGuard>
 #include <QSettings>
 #include <QTest>
 #include <QUrl>
@@ -119,7 +120,7 @@ std::optional<DrivenWindow::Taken> DrivenWindow::untilShown(const QString& what,
     QObject::connect(&viewport(), &Viewport::pictureDrawn, &listener, [&] { isComing = isThere(); });
     m_isBesidePainted = false;
     QObject::connect(&viewport(), &Viewport::pictureShown, &listener, [&] { drawn = drawn || isComing; });
-    QObject::connect(&viewport(), &QOpenGLWidget::frameSwapped, &listener, [&] {
+    const auto look = [&] {
         drawn = drawn || (std::exchange(m_isBesidePainted, false) && isThere());
         if (!drawn) {
             return;
@@ -135,7 +136,10 @@ std::optional<DrivenWindow::Taken> DrivenWindow::untilShown(const QString& what,
         if (taken.ready == 0.0 && m_session.readBack().isUpToDate()) {
             taken.ready = passed;
         }
-    });
+    };
+    QObject::connect(&viewport(), &Viewport::windowPainted, &listener, look);
+    m_besidePainted = look;
+    const auto forget = qScopeGuard([this] { m_besidePainted = nullptr; });
     m_watch.restart();
     spent = processorTime();
     begin = nowInNanoseconds();
@@ -173,7 +177,19 @@ void DrivenWindow::setRefines(bool on) {
 }
 
 bool DrivenWindow::eventFilter(QObject* watched, QEvent* event) {
-    m_isBesidePainted = m_isBesidePainted || event->type() == QEvent::Paint;
+    if (event->type() == QEvent::Paint) {
+        m_isBesidePainted = true;
+        if (viewport().surface().keepsPictures()) {  // else the window is composed, and says so then
+            QMetaObject::invokeMethod(
+                this,
+                [this] {
+                    if (m_besidePainted) {
+                        m_besidePainted();
+                    }
+                },
+                Qt::QueuedConnection);
+        }
+    }
     return QObject::eventFilter(watched, event);
 }
 

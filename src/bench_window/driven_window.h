@@ -104,6 +104,7 @@ private:
     QEventLoop* m_loop = nullptr;  ///< the one that wait() runs
     std::function<bool()> m_done;
     bool m_isBesidePainted = false;  ///< what lies over the viewport, and has this as its event filter
+    std::function<void()> m_besidePainted;
     std::uint64_t m_frames = 0;
     std::uint64_t m_drawnFrames = 0;
     std::uint64_t m_drawnWithShown = 0;

@@ -69,7 +69,7 @@ bool LatencyRun::openOnce(const QString& mesh, Row& coarse, Row& full) {
     QObject::connect(&m_window.files(), &SceneFiles::opened, &listener, [&] { isOpened = true; });
     const std::int64_t begin = nowInNanoseconds();
     // The coarse picture lies over the viewport: it is on the screen with the first swap after it.
-    QObject::connect(&m_window.viewport(), &QOpenGLWidget::frameSwapped, &listener, [&] {
+    QObject::connect(&m_window.viewport(), &Viewport::windowPainted, &listener, [&] {
         if (isSeen && !isOpened && !seen) {
             seen = secondsSince(begin);
             seenBlocked = m_window.watch().longest();

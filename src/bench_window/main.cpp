@@ -13,7 +13,7 @@
 #include "bench_window/memory.h"
 #include "core/kept_libraries.h"
 #include "core/memory.h"
-#include "viewport/surface_format.h"
+#include "viewport/surface/surface_format.h"
 #include "viewport/viewport.h"
 
 namespace {

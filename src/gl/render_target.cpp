@@ -20,12 +20,11 @@ int clampSamples(int samples) {
     return std::clamp(samples, 1, std::max(most, 1));
 }
 
-/// OpenGL's first row is the lowest; an Image's is the highest.
-void flipRows(Image& image) {
-    const std::ptrdiff_t row = 4 * static_cast<std::ptrdiff_t>(image.width);
-    for (int y = 0; y < image.height / 2; ++y) {
-        std::swap_ranges(image.pixels.begin() + y * row, image.pixels.begin() + (y + 1) * row,
-                         image.pixels.begin() + (image.height - 1 - y) * row);
+/// OpenGL's first row is the lowest; a picture's is the highest.
+void flipRows(std::uint8_t* pixels, int width, int height) {
+    const std::ptrdiff_t row = 4 * static_cast<std::ptrdiff_t>(width);
+    for (int y = 0; y < height / 2; ++y) {
+        std::swap_ranges(pixels + y * row, pixels + (y + 1) * row, pixels + (height - 1 - y) * row);
     }
 }
 
@@ -72,8 +71,16 @@ Image RenderTarget::read() const {
     image.pixels.resize(4 * static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height));
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadPixels(0, 0, m_width, m_height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
-    flipRows(image);
+    flipRows(image.pixels.data(), m_width, m_height);
     return image;
+}
+
+void RenderTarget::readBlueFirst(std::uint8_t* pixels) const {
+    const KeepFramebuffers keep;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, m_framebuffer.id());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, m_width, m_height, GL_BGRA, GL_UNSIGNED_BYTE, pixels);
+    flipRows(pixels, m_width, m_height);
 }
 
 void RenderTarget::enlargeInto(GLuint framebuffer, int width, int height) const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+
 #include "core/image.h"
 #include "gl/objects.h"
 
@@ -40,6 +42,9 @@ public:
     [[nodiscard]] int height() const { return m_height; }
     /// Resolves samples and reads the colours; waits for the GPU.
     [[nodiscard]] Image read() const;
+    /// Reads the colours of one without samples as rows from top to bottom of blue, green, red and alpha,
+    /// into 4 * width * height bytes: what windows are made of. Waits for the GPU.
+    void readBlueFirst(std::uint8_t* pixels) const;
     /// Puts its colours into a framebuffer object of that size (0: the default framebuffer), smoothly
     /// enlarged. For one without samples.
     void enlargeInto(GLuint framebuffer, int width, int height) const;

@@ -77,10 +77,12 @@ public:
     [[nodiscard]] Result<bool> drawAhead(const View& view, RefinedView* refined = nullptr);
     /// Whether the GPU has finished it, or there is none.
     [[nodiscard]] bool isDrawnAhead() const;
-    /// Whether there is one, finished or not, or the last one that was shown is still there.
-    [[nodiscard]] bool hasAhead() const;
-    /// Copies it into the framebuffer object of that name, of so many pixels. Waits until it is finished.
-    void showAhead(unsigned framebuffer, int width, int height);
+    /// Width and height of the last one in pixels; zeros before there was one. Smaller than the view where
+    /// its detail is.
+    [[nodiscard]] std::pair<int, int> aheadSize() const;
+    /// Reads it as rows from top to bottom of blue, green, red and alpha, one byte each, into 4 * width *
+    /// height bytes. Waits until it is finished.
+    void readAhead(std::uint8_t* pixels);
     /// Whether the last picture drew any target with fewer triangles; where one looks from close by it need
     /// not.
     [[nodiscard]] bool wasCoarse() const;

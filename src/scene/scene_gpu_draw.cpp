@@ -142,14 +142,14 @@ bool SceneGpu::isDrawnAhead() const {
     return !d->ahead || d->ahead->isPassed();
 }
 
-bool SceneGpu::hasAhead() const {
-    return d->ownTarget != nullptr;
+std::pair<int, int> SceneGpu::aheadSize() const {
+    return d->ownTarget ? std::pair(d->ownTarget->width(), d->ownTarget->height()) : std::pair(0, 0);
 }
 
-void SceneGpu::showAhead(unsigned framebuffer, int width, int height) {
+void SceneGpu::readAhead(std::uint8_t* pixels) {
     d->ahead.reset();
     if (d->ownTarget) {
-        d->ownTarget->enlargeInto(framebuffer, width, height);
+        d->ownTarget->readBlueFirst(pixels);
     }
 }
 

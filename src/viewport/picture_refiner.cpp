@@ -8,8 +8,8 @@ namespace hitscope {
 
 namespace {
 
-// Milliseconds from the beginning to the first look at what there is, and from one to the next. The whole
-// window is composed for each, which takes a software renderer almost as long as a sample.
+// Milliseconds from the beginning to the first look at what there is, and from one to the next. Each takes
+// about half as long as a sample.
 constexpr int kBetweenLooks = 600;
 constexpr int kLookAgain = 1;         // milliseconds, whether the renderer has got far enough
 constexpr qint64 kRestForSample = 1;  // times as long as a sample takes, nothing must have happened before it

@@ -39,8 +39,7 @@ public:
     [[nodiscard]] bool wasShown() const { return m_view && m_view->wasShown(); }
     [[nodiscard]] int samples() const { return m_view ? m_view->samples() : 0; }
     /// Samples are being added, or will be if nothing happens. What does not matter to the user's work had
-    /// better not be painted meanwhile: a software renderer takes as long to compose the window as for a
-    /// sample.
+    /// better not be painted meanwhile: where the window is composed, that takes as long as a sample.
     [[nodiscard]] bool isUnderWay() const { return m_timer.isActive(); }
     /// Why nothing is refined here; empty: nothing is in the way.
     [[nodiscard]] const QString& whyNot() const { return m_whyNot; }
@@ -50,11 +49,11 @@ public:
     void releaseGpu();    ///< the context goes; it is current
 
     static constexpr int kRest =
-        32;  ///< milliseconds without frame or input before the first sample, at least
+        20;  ///< milliseconds without frame or input before the first sample, at least
 
 Q_SIGNALS:
     void refined(int samples);  ///< one sample more
-    void aboutToShow();         ///< the window will be composed anew for what there is so far
+    void aboutToShow();         ///< what there is so far will be
     void failed();              ///< whyNot() says more
 
 private:

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/viewport.h"
 
-#include <QOpenGLContext>
-#include <QPainter>
 #include <algorithm>
 #include <utility>
 
-#include "gl/context.h"
-#include "scene/scene_picker.h"
 #include "session/frame_costs.h"
 #include "viewport/brush_tool.h"
 #include "viewport/inspect_tool.h"
-#include "viewport/side_thread.h"
-#include "viewport/surface_format.h"
 #include "viewport/view_label.h"
 
 namespace hitscope {
@@ -50,7 +44,7 @@ struct DrawnTriangles {
 }  // namespace
 
 Viewport::Viewport(Session& session, QWidget* parent)
-    : QOpenGLWidget(parent),
+    : QWidget(parent),
       m_session(session),
       m_inspect(new InspectTool(*this, session)),
       m_navigation(
@@ -61,7 +55,6 @@ Viewport::Viewport(Session& session, QWidget* parent)
           [this] { return sceneInSight(); }),
       m_aiming(session, m_navigation, m_options.cut) {
     m_brush = new BrushTool(*this, session);  // by the parts above
-    setFormat(viewportFormat());
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(240, 180);
     m_crosshairTimer.setSingleShot(true);
@@ -81,15 +74,6 @@ Viewport::Viewport(Session& session, QWidget* parent)
     connect(&m_navigation, &Navigation::cameraChanged, &m_motion, &PictureMotion::moved);
     connect(&m_refiner, &PictureRefiner::failed, this, &Viewport::followQuality);
     connect(&m_motion, &PictureMotion::rested, this, &Viewport::wantPicture);
-    connect(this, &QOpenGLWidget::frameSwapped, this, [this] {
-        endFrame();
-        followRefresh();
-        if (isCatchingUp()) {
-            m_catchUp.sliceLater();
-        } else {
-            moveOn();
-        }
-    });
     connect(&m_catchUp, &CatchUp::sliceDue, this, &Viewport::slice);
     connect(&m_catchUp, &CatchUp::preparationDue, this, &Viewport::preparePicture);
     connect(&session.settings(), &SessionSettings::projectileChanged, this, followRateOfFire);
@@ -111,49 +95,6 @@ Viewport::~Viewport() {
     releaseGpu();
 }
 
-void Viewport::initializeGL() {
-    // The context goes when the widget is moved to another window, and takes all GL objects with it.
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseGpu,
-            Qt::DirectConnection);
-    m_unlimited = false;  // another context, perhaps in another window
-    const gl::RendererInfo info = gl::rendererInfo();
-    m_rendererName = QString::fromStdString(info.renderer);
-    m_isSoftware = info.isSoftware();
-    followSize();
-    m_rendererVersion = QString::fromStdString(info.version);
-    Result<std::unique_ptr<SceneGpu>> scene = SceneGpu::create(m_session);
-    if (scene) {
-        m_scene = std::move(scene).value();
-        m_scene->setAppliesBetweenPictures(m_isSoftware);
-        if (m_isSoftware) {  // it clears whole buffers at once; not every GPU's driver bears two threads
-            m_scene->bringBeside([this] { return SideThread::create(*context()); });
-        }
-        m_picking.setPicker(std::make_unique<ScenePicker>(m_session, *m_scene));
-        m_error.clear();
-        followQuality();
-        m_trialTimer.start();
-    } else {
-        report(scene.error());
-    }
-    Q_EMIT rendererKnown();
-}
-
-void Viewport::releaseGpu() {
-    if (context() != nullptr) {
-        disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseGpu);
-    }
-    m_ahead.drop();
-    if (m_scene) {
-        m_trialTimer.stop();
-        makeCurrent();
-        Q_EMIT aboutToReleaseGpu();
-        m_refiner.releaseGpu();
-        m_picking.setPicker(nullptr);
-        m_scene.reset();
-        doneCurrent();
-    }
-}
-
 void Viewport::report(const Error& error) {
     if (error.message() == m_error) {
         return;
@@ -162,15 +103,6 @@ void Viewport::report(const Error& error) {
     // Not from within a paint event: whoever listens may open a dialog.
     QMetaObject::invokeMethod(
         this, [this, error] { Q_EMIT failed(error); }, Qt::QueuedConnection);
-}
-
-void Viewport::resizeGL(int, int) {
-    followViewSize();
-    m_motion.forget();
-    if (!m_framed) {
-        m_framed = true;
-        frameAll(Navigation::Arrival::AtOnce);
-    }
 }
 
 SceneGpu::View Viewport::view() const {
@@ -188,45 +120,6 @@ SceneGpu::View Viewport::view() const {
     view.comparison = m_comparison;
     view.options.crosshair = m_options.crosshair || m_crosshairTimer.isActive();
     return view;
-}
-
-/// A picture that somebody grabs is painted without this event.
-void Viewport::paintEvent(QPaintEvent* event) {
-    m_isPainting = true;
-    QOpenGLWidget::paintEvent(event);
-    m_isPainting = false;
-}
-
-void Viewport::paintGL() {
-    if (!m_scene) {
-        paintError();
-        return;
-    }
-    const PictureAhead::Shown how = m_ahead.take(m_isPainting, m_scene->hasAhead());
-    if (how != PictureAhead::Shown::Itself && m_scene->hasAhead()) {
-        const SceneGpu::View shown = view();
-        m_scene->showAhead(defaultFramebufferObject(), shown.width, shown.height);
-        if (how == PictureAhead::Shown::Last) {
-            paintOverlay();
-            return;
-        }
-    } else {
-        const SceneGpu::View shown = beginPicture();
-        if (Status drawn = m_scene->draw(shown, defaultFramebufferObject(), m_refiner.view()); !drawn) {
-            report(drawn.error());
-            return;
-        }
-        pictureBegun();
-    }
-    m_isDrawn = true;
-    paintOverlay();
-    m_error.clear();
-    if (m_refiner.wasShown()) {
-        m_motion.refinedShown();
-    }
-    m_refiner.framePainted();
-    // What was drawn before, in better quality, is no frame to measure.
-    m_painted = m_refiner.wasShown() ? Painted::Nothing : m_follows ? Painted::Following : Painted::Alone;
 }
 
 SceneGpu::View Viewport::beginPicture() {
@@ -265,26 +158,10 @@ void Viewport::endFrame() {
     Q_EMIT framePainted(seconds);
 }
 
-void Viewport::paintOverlay() {
-    const SceneGpu::View drawn = view();
-    if (ChangeOverlay::isNeeded(drawn)) {
-        QPainter painter(this);
-        m_changeOverlay.paint(painter, drawn);
-    }
-}
-
 void Viewport::setChangeValues(ChangeValues* values, Comparison* comparison) {
     m_changeValues = values;
     m_comparison = comparison;
     wantPicture();
-}
-
-void Viewport::paintError() {
-    QPainter painter(this);
-    painter.fillRect(rect(), palette().color(QPalette::Window));
-    painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
-                     m_error.empty() ? tr("Nothing can be drawn.") : QString::fromStdString(m_error));
 }
 
 /// Side by side each picture has half of the width.

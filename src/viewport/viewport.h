@@ -2,9 +2,10 @@
 #pragma once
 
 #include <QElapsedTimer>
-#include <QOpenGLWidget>
+#include <QImage>
 #include <QPolygonF>
 #include <QTimer>
+#include <QWidget>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -16,10 +17,11 @@
 #include "viewport/aiming.h"
 #include "viewport/catch_up.h"
 #include "viewport/navigation.h"
-#include "viewport/picture_ahead.h"
 #include "viewport/picture_motion.h"
 #include "viewport/picture_refiner.h"
 #include "viewport/scene_decorations.h"
+#include "viewport/surface/picture_ahead.h"
+#include "viewport/surface/picture_surface.h"
 #include "viewport/viewport_picking.h"
 
 namespace hitscope {
@@ -37,7 +39,7 @@ class InspectTool;
 /// shoots, a middle click makes the camera look at that spot from now on. Space shoots at the crosshair,
 /// repeatedly while held, Escape ends the selection. What the cutting plane hides is not in the way of clicks
 /// and shots from its side.
-class Viewport : public QOpenGLWidget {
+class Viewport : public QWidget {
     Q_OBJECT
 public:
     /// `session` outlives the viewport.
@@ -64,6 +66,8 @@ public:
     [[nodiscard]] Ray rayThrough(const QPointF& place) const;
     [[nodiscard]] const Aiming& aiming() const { return m_aiming; }
     [[nodiscard]] ViewportPicking& picking() { return m_picking; }
+    /// What shows the pictures, and has their OpenGL context.
+    [[nodiscard]] PictureSurface& surface() { return m_surface; }
     [[nodiscard]] PictureRefiner& refiner() { return m_refiner; }
     [[nodiscard]] PictureMotion& motion() { return m_motion; }
     [[nodiscard]] SceneDecorations& decorations() { return m_decorations; }
@@ -87,6 +91,8 @@ public:
     [[nodiscard]] Result<Image> drawPicture(const PictureRequest& request);
     /// The same of what is shown, with the samples that it has been refined by so far.
     [[nodiscard]] Result<Image> drawShown();
+    /// What was drawn last, at most so many pixels wide, in its own shape; null where nothing was.
+    [[nodiscard]] QImage thumbnail(int width);
     /// Does something with the scene on the GPU while its context is current; fails when there is none.
     [[nodiscard]] Status withScene(const std::function<Status(SceneGpu&)>& work);
     /// Has some of the large meshes of a scene brought to the GPU before the session gets it: called in turns
@@ -105,7 +111,8 @@ Q_SIGNALS:
     /// A picture was drawn, of what there is now, and pictureShown() follows; not where another one comes
     /// first.
     void pictureDrawn();
-    void pictureShown();  ///< by the window
+    void pictureShown();   ///< by the window
+    void windowPainted();  ///< the window has painted itself, perhaps with no other picture
     /// A frame is shown, which was not a refined picture. Seconds: from the frame before while frames follow
     /// each other, else what it took to draw.
     void framePainted(double seconds);
@@ -119,10 +126,7 @@ Q_SIGNALS:
 
 protected:
     bool event(QEvent* event) override;
-    void initializeGL() override;
-    void resizeGL(int width, int height) override;
-    void paintGL() override;
-    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -136,14 +140,23 @@ private:
     [[nodiscard]] Result<Image> takePicture(const std::function<Result<Image>(SceneGpu&)>& draw);
     friend class ViewportPicking;
 
+    [[nodiscard]] PictureSurface::Hooks surfaceHooks();
+    void surfaceMade();
+    void surfaceResized();
+    void draw(unsigned framebuffer);
+    [[nodiscard]] QImage kept(bool byWindow);
+    [[nodiscard]] Status drawKept(SceneGpu& scene);
+    void readKept(SceneGpu& scene);
+    void pictureComplete();
     void releaseGpu();
     void report(const Error& error);
     [[nodiscard]] PictureAhead::Hooks aheadHooks();
     [[nodiscard]] bool drawAhead();
+    [[nodiscard]] bool showAhead();
     [[nodiscard]] SceneGpu::View beginPicture();
     void pictureBegun();
-    void paintError();
-    void paintOverlay();
+    void paintError(QPaintDevice& picture);
+    void paintOver(QPaintDevice& picture);
     void endFrame();
     void followViewSize();
     void followScene();
@@ -168,6 +181,7 @@ private:
     void recentre(const QPointF& position);
 
     Session& m_session;
+    PictureSurface& m_surface{makePictureSurface(*this, surfaceHooks())};
     std::unique_ptr<SceneGpu> m_scene;
     InspectTool* m_inspect;
     BrushTool* m_brush = nullptr;
@@ -186,7 +200,7 @@ private:
     ViewportPicking m_picking{*this};
     PictureRefiner m_refiner{refinerHooks()};
     PictureMotion m_motion;
-    PictureAhead m_ahead{*this, aheadHooks()};
+    PictureAhead m_ahead{aheadHooks()};
     bool m_framed = false;  ///< the scene has been framed at a real size
 
     bool m_continuous = false;
@@ -195,7 +209,8 @@ private:
     QElapsedTimer m_sinceFrame;  ///< since the last frame was shown
     QElapsedTimer m_sinceBegin;  ///< since the last picture was begun
     bool m_isDrawn = false;      ///< since a frame was shown
-    bool m_isPainting = false;   ///< its window paints itself
+    QSize m_keptFor;             ///< pixels of the viewport when that was drawn
+    QImage m_kept;               ///< what was drawn last, where pictures are kept in memory
     bool m_follows = false;      ///< that picture follows the one before
     enum class Painted : std::uint8_t { Nothing, Alone, Following };
     Painted m_painted = Painted::Nothing;  ///< a frame that is not shown yet, perhaps right after another

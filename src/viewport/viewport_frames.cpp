@@ -22,7 +22,7 @@ bool Viewport::wantsFrames() const {
 
 /// Right after a frame, while the window it was shown in is still what GL draws into.
 void Viewport::followRefresh() {
-    if (m_unlimited != m_continuous) {
+    if (!m_surface.keepsPictures() && m_unlimited != m_continuous) {
         m_unlimited = m_continuous;
         gl::setSwapInterval(m_unlimited ? 0 : 1);
     }
@@ -56,11 +56,11 @@ void Viewport::followPicture() {
 void Viewport::slice() {
     const bool isBehind = isCatchingUp();
     if (m_scene && m_isSoftware && (m_scene->isBehind() || m_scene->isFarBehind())) {
-        makeCurrent();
+        m_surface.makeCurrent();
         if (const Status applied = m_scene->applyMore(); !applied) {
             report(applied.error());
         }
-        doneCurrent();
+        m_surface.doneCurrent();
     }
     if (isBehind) {
         m_catchUp.wantPicture();
@@ -125,7 +125,9 @@ PictureAhead::Hooks Viewport::aheadHooks() {
                         return Done{};
                     }));
                     return isDrawn;
-                }};
+                },
+            .show = [this] { return showAhead(); },
+            .paint = [this] { m_surface.widget().update(); }};
 }
 
 bool Viewport::drawAhead() {
@@ -139,23 +141,34 @@ bool Viewport::drawAhead() {
         return Done{};
     });
     if (!drawn) {
-        return false;  // painting finds the same, and reports it
+        m_kept = QImage();  // painting finds the same, and reports it
+        return false;
     }
     if (isBegun) {
         pictureBegun();
+    } else {
+        m_kept = QImage();
     }
     return isBegun;
+}
+
+bool Viewport::showAhead() {
+    static_cast<void>(withScene([this](SceneGpu& scene) -> Status {
+        readKept(scene);
+        return Done{};
+    }));
+    return m_surface.showNow();
 }
 
 void Viewport::preparePicture() {
     if (m_scene) {
         SceneGpu::View coming = view();
         coming.detail = m_motion.coming();
-        makeCurrent();
+        m_surface.makeCurrent();
         if (const Status prepared = m_scene->prepare(coming); !prepared) {
             report(prepared.error());
         }
-        doneCurrent();
+        m_surface.doneCurrent();
     }
     if (isCatchingUp()) {
         m_motion.moved();
@@ -165,18 +178,18 @@ void Viewport::preparePicture() {
 
 void Viewport::collectCosts() {
     if (m_scene) {
-        makeCurrent();
+        m_surface.makeCurrent();
         m_scene->collectCosts();
-        doneCurrent();
+        m_surface.doneCurrent();
     }
 }
 
 /// What the renderer has not been tried with yet, while nothing moves.
 void Viewport::tryNext() {
     if (m_scene && !wantsFrames()) {
-        makeCurrent();
+        m_surface.makeCurrent();
         const bool isMore = m_scene->tryNext();
-        doneCurrent();
+        m_surface.doneCurrent();
         if (!isMore) {
             m_trialTimer.stop();
         }

@@ -10,7 +10,6 @@
 
 #include "session/vertex_selection.h"
 #include "viewport/inspect_tool.h"
-#include "viewport/surface_format.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -19,15 +18,12 @@ bool Viewport::event(QEvent* event) {
     if (dynamic_cast<QInputEvent*>(event) != nullptr) {
         m_refiner.inputCame();
     }
-    if (event->type() == QEvent::Show && !isValid()) {
-        setFormat(viewportFormat());  // Qt forgets the samples once it has made a context
-    }
     if (event->type() == QEvent::NativeGesture &&
         m_navigation.gesture(*static_cast<QNativeGestureEvent*>(event))) {
         event->accept();
         return true;
     }
-    return QOpenGLWidget::event(event);
+    return QWidget::event(event);
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
@@ -96,7 +92,7 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
         m_session.selection().clear();
         m_session.targets().select({});
     } else if (!m_navigation.keyPress(*event)) {
-        QOpenGLWidget::keyPressEvent(event);
+        QWidget::keyPressEvent(event);
     }
 }
 
@@ -108,14 +104,14 @@ void Viewport::keyReleaseEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Space) {
         m_repeatTimer.stop();
     } else if (!m_navigation.keyRelease(*event)) {
-        QOpenGLWidget::keyReleaseEvent(event);
+        QWidget::keyReleaseEvent(event);
     }
 }
 
 void Viewport::focusOutEvent(QFocusEvent* event) {
     m_navigation.releaseKeys();
     m_repeatTimer.stop();
-    QOpenGLWidget::focusOutEvent(event);
+    QWidget::focusOutEvent(event);
 }
 
 }  // namespace hitscope

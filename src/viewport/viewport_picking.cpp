@@ -38,9 +38,9 @@ std::optional<VertexRef> ViewportPicking::vertexAt(const QPointF& position) {
     if (!m_picker || !m_viewport.syncNow()) {
         return std::nullopt;
     }
-    m_viewport.makeCurrent();
+    m_viewport.surface().makeCurrent();
     const auto picked = m_picker->pick(m_viewport.view(), toPixels(position, m_viewport.devicePixelRatioF()));
-    m_viewport.doneCurrent();
+    m_viewport.surface().doneCurrent();
     if (!picked) {
         report(picked.error());
         return std::nullopt;
@@ -52,10 +52,10 @@ bool ViewportPicking::requestVertexAt(const QPointF& position) {
     if (!m_picker) {
         return false;
     }
-    m_viewport.makeCurrent();
+    m_viewport.surface().makeCurrent();
     const Status asked =
         m_picker->request(m_viewport.view(), toPixels(position, m_viewport.devicePixelRatioF()));
-    m_viewport.doneCurrent();
+    m_viewport.surface().doneCurrent();
     if (!asked) {
         report(asked.error());
     }
@@ -66,9 +66,9 @@ std::optional<std::optional<VertexRef>> ViewportPicking::requestedVertex() {
     if (!m_picker || !m_picker->isPending()) {
         return std::optional<VertexRef>();  // the context went meanwhile, and the question with it
     }
-    m_viewport.makeCurrent();
+    m_viewport.surface().makeCurrent();
     const auto arrived = m_picker->arrived();
-    m_viewport.doneCurrent();
+    m_viewport.surface().doneCurrent();
     return arrived;
 }
 
@@ -81,10 +81,10 @@ std::map<TargetId, std::vector<std::uint32_t>> ViewportPicking::changedWithin(co
     for (const QPointF& corner : outline) {
         corners.push_back(toPixels(corner, m_viewport.devicePixelRatioF()));
     }
-    m_viewport.makeCurrent();
+    m_viewport.surface().makeCurrent();
     auto found = m_picker->changedWithin(
         m_viewport.view(), corners, hiddenToo ? ScenePicker::Depth::Through : ScenePicker::Depth::Visible);
-    m_viewport.doneCurrent();
+    m_viewport.surface().doneCurrent();
     if (!found) {
         report(found.error());
         return {};

@@ -23,13 +23,13 @@ Status Viewport::withScene(const std::function<Status(SceneGpu&)>& work) {
                      "Start Hitscope where OpenGL 3.3 is available."};
     }
     // The context may be current already: while it is being given back, or in the middle of a frame.
-    const bool current = QOpenGLContext::currentContext() == context();
+    const bool current = QOpenGLContext::currentContext() == m_surface.context();
     if (!current) {
-        makeCurrent();
+        m_surface.makeCurrent();
     }
     Status status = work(*m_scene);
     if (!current) {
-        doneCurrent();
+        m_surface.doneCurrent();
     }
     return status;
 }
@@ -104,6 +104,21 @@ Result<Image> Viewport::takePicture(const std::function<Result<Image>(SceneGpu&)
     return image;
 }
 
+QImage Viewport::thumbnail(int width) {
+    if (!m_kept.isNull()) {
+        return m_kept.scaledToWidth(std::min(width, m_kept.width()), Qt::SmoothTransformation);
+    }
+    QImage small;
+    static_cast<void>(withScene([&](SceneGpu&) -> Status {
+        const SceneGpu::View shown = view();
+        const Image read = hitscope::thumbnail(m_surface.framebuffer(), shown.width, shown.height, width);
+        small = QImage(read.pixels.data(), read.width, read.height, 4 * read.width, QImage::Format_RGBX8888)
+                    .copy();
+        return Done{};
+    }));
+    return small;
+}
+
 PictureRefiner::Hooks Viewport::refinerHooks() {
     return {.mayRefine =
                 [this] {
@@ -142,7 +157,7 @@ void Viewport::followQuality() {
         follow();
     }
     m_motion.setOn(m_options.reduceInMotion && !m_continuous);
-    m_ahead.setOn(m_isSoftware && !m_continuous);
+    m_ahead.setOn(m_surface.keepsPictures() && !m_continuous);
     // Only software renderers draw in parts, and only one picture.
     m_motion.setRefined(!m_continuous && m_isSoftware && !m_options.sideBySide &&
                         m_refiner.whyNot().isEmpty());

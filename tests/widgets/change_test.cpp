@@ -154,7 +154,7 @@ private Q_SLOTS:
                        .arg(QLocale().toString(static_cast<qulonglong>(changed)));
         };
         QTRY_VERIFY_WITH_TIMEOUT(agree(), kPatience);
-        QVERIFY(m_window->viewport().isValid());
+        QVERIFY(m_window->viewport().surface().context() != nullptr);
     }
 
     void aKeyPutsThePapersPipelinesSideBySide() {
@@ -176,7 +176,7 @@ private Q_SLOTS:
         QVERIFY(viewport.syncNow().ok());
         // The upper edge, where A and B are named, and the lower, where it is said whether they are equal.
         const auto edges = [&viewport] {
-            const QImage picture = viewport.grabFramebuffer();
+            const QImage picture = viewport.surface().grab();
             const QImage top = picture.copy(0, 0, picture.width(), 50);
             const QImage bottom = picture.copy(0, picture.height() - 50, picture.width(), 50);
             return std::pair(top, bottom);

@@ -174,7 +174,7 @@ private Q_SLOTS:
         viewport().decorations().setShowsCutPlane(false);
         const int half = viewport().width() / 2;
         const auto right = [&] {
-            return viewport().grabFramebuffer().copy(half, 0, half, viewport().height());
+            return viewport().surface().grab().copy(half, 0, half, viewport().height());
         };
         DisplayOptions options = viewport().options();
         options.cut.originalLine = false;

@@ -147,14 +147,14 @@ private Q_SLOTS:
             model.isUpToDate() &&
                 model.rowCount() == static_cast<int>(target().deformed.statistics().changedVertices),
             kPatience);
-        const QImage before = viewport().grabFramebuffer();
+        const QImage before = viewport().surface().grab();
         click(table, 0, {});
         QCOMPARE(selection().picked(), (VertexRef{target().id, model.vertexAt(0)}));
         click(table, 3, Qt::ShiftModifier);
         QCOMPARE(selection().count(), std::size_t{4});
         click(table, 1, Qt::ControlModifier);
         QCOMPARE(selection().count(), std::size_t{3});
-        QVERIFY(viewport().grabFramebuffer() != before);  // dots
+        QVERIFY(viewport().surface().grab() != before);  // dots
         QTest::keyClick(&table, Qt::Key_Down);
         QCOMPARE(selection().count(), std::size_t{1});
         QVERIFY(selection().isSelected({target().id, model.vertexAt(2)}));

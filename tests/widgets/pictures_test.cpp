@@ -112,7 +112,7 @@ void PicturesTest::saveKeyAsksNothing() {
     const QImage picture(path(files().front()));
     QCOMPARE(picture.size(), m_window->viewport().size() * m_window->viewport().devicePixelRatioF());
     // It is what the viewport shows.
-    QImage shown = m_window->viewport().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+    QImage shown = m_window->viewport().surface().grab().convertToFormat(QImage::Format_RGB32);
     QCOMPARE(picture.pixel(picture.width() / 2, picture.height() / 2) | 0xff000000u,
              shown.pixel(shown.width() / 2, shown.height() / 2));
 }
@@ -120,7 +120,7 @@ void PicturesTest::saveKeyAsksNothing() {
 void PicturesTest::selectionMarksAreLeftOut() {
     addHits();
     const QImage plain = saved(request(320, 240));
-    const QImage shown = m_window->viewport().grabFramebuffer();
+    const QImage shown = m_window->viewport().surface().grab();
     m_session->hits().select(1);
     m_session->selection().select(m_session->targets().front()->id, {10, 20, 30},
                                   VertexSelection::Combine::Replace);
@@ -129,11 +129,11 @@ void PicturesTest::selectionMarksAreLeftOut() {
     PictureRequest marked = request(320, 240);
     marked.selectionMarks = true;
     QVERIFY(saved(marked) != plain);
-    QVERIFY(m_window->viewport().grabFramebuffer() != shown);
+    QVERIFY(m_window->viewport().surface().grab() != shown);
     // Esc takes the ring away as well, and the vertices.
     QTest::keyClick(&m_window->viewport(), Qt::Key_Escape);
     QVERIFY(!m_session->hits().selected());
-    QCOMPARE(m_window->viewport().grabFramebuffer(), shown);
+    QCOMPARE(m_window->viewport().surface().grab(), shown);
 }
 
 void PicturesTest::anySizeAndTransparent() {
@@ -256,7 +256,7 @@ void PicturesTest::labelsAreThoseOfTheViewport() {
     PictureRequest shown = request(size.width(), size.height());
     QVERIFY(shown.labels);
     const QImage picture = saved(shown);
-    const QImage viewport = m_window->viewport().grabFramebuffer();
+    const QImage viewport = m_window->viewport().surface().grab();
     const QRect corner(0, size.height() - 250, 120, 250);
     const int most = corner.width() * corner.height() / 100;  // smoothed edges
     QVERIFY(test::differing(picture.copy(corner), viewport.copy(corner), 8) < most);

@@ -76,9 +76,9 @@ void RefineTest::stopsAtSixteen() {
     QCOMPARE(frames.size(), 0);
     QCOMPARE(refiner().samples(), kShownSamples);
     // It is what one sees, and smoother than a frame.
-    const QImage mean = viewport().grabFramebuffer();
+    const QImage mean = viewport().surface().grab();
     set([](DisplayOptions& options) { options.refine = false; });
-    QVERIFY(test::differing(mean, viewport().grabFramebuffer(), 8) > 200);
+    QVERIFY(test::differing(mean, viewport().surface().grab(), 8) > 200);
 }
 
 void RefineTest::changesBeginAnew_data() {
@@ -92,7 +92,7 @@ void RefineTest::changesBeginAnew_data() {
 void RefineTest::changesBeginAnew() {
     QFETCH(int, change);
     const QSignalSpy samples(&refiner(), &PictureRefiner::refined);
-    const QImage before = viewport().grabFramebuffer();
+    const QImage before = viewport().surface().grab();
     const TargetId target = m_session->targets().front()->id;
     switch (change) {
         case 0: {
@@ -127,27 +127,27 @@ void RefineTest::changesBeginAnew() {
     QTRY_VERIFY_WITH_TIMEOUT(!samples.isEmpty(), kPatience);
     QCOMPARE(samples.front().front().toInt(), 1);
     waitUntilRefined();
-    const QImage after = viewport().grabFramebuffer();
+    const QImage after = viewport().surface().grab();
     QVERIFY(after.size() != before.size() || test::differing(before, after, 4) > 30);
 }
 
 void RefineTest::whatIsOverItDoesNot() {
-    const QImage before = viewport().grabFramebuffer();
+    const QImage before = viewport().surface().grab();
     const QSignalSpy samples(&refiner(), &PictureRefiner::refined);
     set([](DisplayOptions& options) { options.crosshair = true; });
-    QTRY_VERIFY_WITH_TIMEOUT(test::differing(before, viewport().grabFramebuffer(), 20) > 10, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(test::differing(before, viewport().surface().grab(), 20) > 10, kPatience);
     QTest::qWait(300);
     QCOMPARE(samples.size(), 0);
     QCOMPARE(refiner().samples(), kShownSamples);
     set([](DisplayOptions& options) { options.crosshair = false; });
-    QCOMPARE(test::differing(before, viewport().grabFramebuffer()), 0);
+    QCOMPARE(test::differing(before, viewport().surface().grab()), 0);
 }
 
 void RefineTest::offForgets() {
     set([](DisplayOptions& options) { options.refine = false; });
     QCOMPARE(refiner().samples(), 0);
     const QSignalSpy samples(&refiner(), &PictureRefiner::refined);
-    viewport().update();
+    viewport().wantPicture();
     QTest::qWait(500);
     QCOMPARE(samples.size(), 0);
     QVERIFY(!refiner().wasShown());
@@ -156,9 +156,9 @@ void RefineTest::offForgets() {
 /// Where a picture takes long, one with fewer triangles is shown at once, and then, drawn in parts, the
 /// picture.
 void RefineTest::slowPicturesAreCoarseFirst() {
-    viewport().makeCurrent();
+    viewport().surface().makeCurrent();
     const bool isSoftware = gl::rendererInfo().isSoftware();
-    viewport().doneCurrent();
+    viewport().surface().doneCurrent();
     if (!isSoftware) {
         QSKIP("only software renderers draw in parts");
     }
@@ -175,7 +175,7 @@ void RefineTest::slowPicturesAreCoarseFirst() {
         bool wasCoarse = false;
         int frames = 0;
         QObject listener;
-        connect(&viewport(), &QOpenGLWidget::frameSwapped, &listener, [&] {
+        connect(&viewport(), &Viewport::windowPainted, &listener, [&] {
             ++frames;
             wasCoarse = wasCoarse || motion.lastDetail().coarse;
         });
@@ -191,18 +191,18 @@ void RefineTest::slowPicturesAreCoarseFirst() {
         QVERIFY(refiner().wasShown());
         if (!refine) {
             QCOMPARE(refiner().samples(), 0);
-            const QImage inParts = viewport().grabFramebuffer();
+            const QImage inParts = viewport().surface().grab();
             set([](DisplayOptions& options) { options.reduceInMotion = false; });
-            QCOMPARE(test::differing(inParts, viewport().grabFramebuffer()), 0);
+            QCOMPARE(test::differing(inParts, viewport().surface().grab()), 0);
         }
     }
 }
 
 /// An event that is sent when the drawing has been handed over arrives before the picture is shown.
 void RefineTest::eventsComeWhileAPictureIsDrawn() {
-    viewport().makeCurrent();
+    viewport().surface().makeCurrent();
     const bool isSoftware = gl::rendererInfo().isSoftware();
-    viewport().doneCurrent();
+    viewport().surface().doneCurrent();
     if (!isSoftware) {
         QSKIP("only software renderers draw pictures ahead");
     }

@@ -273,7 +273,7 @@ void SceneFilesTest::aLargeMeshIsSeenBeforeItIsPrepared() {
     QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 2, kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(!coming->isVisible(), kPatience);
     // Where it is going to be.
-    const QImage drawn = window.viewport().grabFramebuffer().scaled(seen.size());
+    const QImage drawn = window.viewport().surface().grab().scaled(seen.size());
     const QImage before = coverOf(seen);
     const QImage after = coverOf(drawn);
     int covered = 0;

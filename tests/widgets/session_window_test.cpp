@@ -249,7 +249,7 @@ void SessionWindowTest::isRecoveredAfterACrash() {
     QVERIFY(leftBehind().empty());  // this window has it
     m_window->findChild<JournalPicture*>()->take();
     QVERIFY(m_window->findChild<SessionJournal*>()->writer().wait(kPatience));
-    const QImage shown = m_window->viewport().grabFramebuffer();
+    const QImage shown = m_window->viewport().surface().grab();
 
     // Its window goes without closing: what is on the disk is what a crash leaves.
     makeWindow([](Session& session) { loadTeapot(session); });

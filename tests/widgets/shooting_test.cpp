@@ -118,11 +118,11 @@ void ShootingTest::instantDentIsThereInTwoFrames() {
             loadMesh(*m_session, makeUvSphere(1000, 1001, 2.5f));  // 1,000,000 vertices
         }
         waitUntilIdle();
-        const QImage before = viewport().grabFramebuffer();
+        const QImage before = viewport().surface().grab();
         waitUntilIdle();
         std::vector<QImage> pictures;
         const auto grab = connect(&viewport(), &Viewport::framePainted, this, [&] {
-            pictures.push_back(viewport().grabFramebuffer());  // what is being drawn: nothing is drawn again
+            pictures.push_back(viewport().surface().grab());  // what is being drawn: nothing is drawn again
         });
         click(centre());
         QCOMPARE(m_session->hits().history().size(), std::size_t{1});
@@ -184,10 +184,10 @@ void ShootingTest::noFrameIsHiddenByTheProjectile() {
     waitUntilIdle();
     m_session->simulation().setPaused(true);
     click(centre());
-    double most = projectilePart(viewport().grabFramebuffer());
+    double most = projectilePart(viewport().surface().grab());
     for (int step = 0; step < 30; ++step) {
         m_session->simulation().stepOnce();
-        most = std::max(most, projectilePart(viewport().grabFramebuffer()));
+        most = std::max(most, projectilePart(viewport().surface().grab()));
     }
     QVERIFY2(most < 0.15, qPrintable(QString::number(most)));
     QVERIFY2(most > 0.0, "the projectile was never seen");

@@ -271,7 +271,7 @@ void ViewportTest::smallerWhileItMoves() {
     QCOMPARE(scalesUntilRest(), 0.5f);
     QTRY_COMPARE_WITH_TIMEOUT(viewport.motion().lastDetail().scale, 1.0f, kPatience);
     // A frame alone is no motion, and what is measured has its full size.
-    viewport.update();
+    viewport.wantPicture();
     QSignalSpy frames(&viewport, &Viewport::framePainted);
     QVERIFY(frames.wait(kPatience));
     QCOMPARE(viewport.motion().lastDetail().scale, 1.0f);
@@ -336,9 +336,9 @@ void ViewportTest::meshesOnTheirWayAreGivenUp() {
 
 /// The CPU that draws also applies them: a frame for each few hits would take most of its time.
 void ViewportTest::manyHitsAreAppliedBetweenFrames() {
-    m_window->viewport().makeCurrent();
+    m_window->viewport().surface().makeCurrent();
     const bool software = gl::rendererInfo().isSoftware();
-    m_window->viewport().doneCurrent();
+    m_window->viewport().surface().doneCurrent();
     if (!software) {
         QSKIP("a GPU's frames cost next to nothing: it applies them there");
     }

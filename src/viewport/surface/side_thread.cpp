@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewport/side_thread.h"
+#include "viewport/surface/side_thread.h"
 
 #include <QOpenGLContext>
 #include <utility>

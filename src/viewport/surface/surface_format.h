@@ -12,6 +12,9 @@ namespace hitscope {
 /// checkOpenGl()), the newest up to 4.6 that it gives when asked for that.
 [[nodiscard]] QSurfaceFormat baseSurfaceFormat();
 
+/// Whether the driver is a software renderer. Needs a QGuiApplication; asks the driver once.
+[[nodiscard]] bool isDrawnByCpu();
+
 /// What the viewport draws into: the base format, and 4x multisampling where a GPU does it. A software
 /// renderer pays for every sample, so it gets one. Needs a QGuiApplication; asks the driver once.
 [[nodiscard]] QSurfaceFormat viewportFormat();

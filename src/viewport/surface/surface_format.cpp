@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewport/surface_format.h"
+#include "viewport/surface/surface_format.h"
 
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
@@ -81,10 +81,14 @@ QSurfaceFormat baseSurfaceFormat() {
     return format;
 }
 
+bool isDrawnByCpu() {
+    return driver() && driver()->isSoftware();
+}
+
 QSurfaceFormat viewportFormat() {
-    const bool software = driver() && driver()->isSoftware();
+    const int samples = isDrawnByCpu() ? 0 : kSamples;
     QSurfaceFormat format = baseSurfaceFormat();  // once the driver has been asked
-    format.setSamples(software ? 0 : kSamples);
+    format.setSamples(samples);
     return format;
 }
 
