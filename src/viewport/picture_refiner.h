@@ -53,7 +53,7 @@ public:
 
 Q_SIGNALS:
     void refined(int samples);  ///< one sample more
-    void aboutToShow();         ///< what there is so far will be
+    void aboutToShow();         ///< what there is so far comes to the window
     void failed();              ///< whyNot() says more
 
 private:
