@@ -50,6 +50,7 @@ void PictureSurfaceTest::init() {
     if (!isDrawnByCpu()) {
         QSKIP("a GPU's pictures are not kept in memory");
     }
+    qunsetenv(kComposes);
     makeWindow();
     waitForRest();
 }
