@@ -50,6 +50,21 @@ void FileWatch::follow(const std::vector<MeshFile>& files) {
     }
 }
 
+void FileWatch::hold(const QString& path) {
+    m_held << QFileInfo(path).canonicalFilePath();
+}
+
+void FileWatch::release(const QString& path, bool isWritten) {
+    // A file that was not there when it was held had no such path.
+    if (!m_held.removeOne(QFileInfo(path).canonicalFilePath())) {
+        m_held.removeOne(QString());
+    }
+    if (isWritten) {
+        expect(path);
+    }
+    m_settle.start();
+}
+
 void FileWatch::expect(const QString& path) {
     const QString written = QFileInfo(path).canonicalFilePath();
     for (auto& [watchedPath, watched] : m_files) {
@@ -93,7 +108,7 @@ void FileWatch::lookInto(const QString& folder) {
 
 void FileWatch::readNoted() {
     for (auto& [path, watched] : m_files) {
-        if (watched.isToRead && !watched.isReading) {
+        if (watched.isToRead && !watched.isReading && !m_held.contains(QFileInfo(path).canonicalFilePath())) {
             watched.isToRead = false;
             watch(path);
             watched.stamp = stampOf(path);

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QSet>
 #include <QString>
+#include <QStringList>
 #include <QTimer>
 #include <map>
 #include <string>
@@ -28,6 +29,10 @@ public:
     void follow(const std::vector<MeshFile>& files);
     /// This program has just written it: what it holds now is no news.
     void expect(const QString& path);
+    /// This program writes it from now on: nothing is read of it until release().
+    void hold(const QString& path);
+    /// No more, after as many calls as of hold(). isWritten: as expect().
+    void release(const QString& path, bool isWritten);
     /// As it was read last; empty: it is not known.
     [[nodiscard]] std::string contentOf(const QString& path) const;
 
@@ -59,6 +64,7 @@ private:
     QFileSystemWatcher m_watcher;
     QTimer m_settle;
     std::map<QString, Watched> m_files;
+    QStringList m_held;  // canonical
 };
 
 }  // namespace hitscope

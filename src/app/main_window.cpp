@@ -180,12 +180,8 @@ void MainWindow::connectSession() {
     m_guard->letGo();  // of what was there before the window
     connect(m_actions.exports, &ExportActions::began, m_guard, &DiscardGuard::exportBegins);
     connect(m_actions.exports, &ExportActions::ended, m_guard, &DiscardGuard::exportEnds);
-    connect(m_actions.exports, &ExportActions::ended, m_reloader,
-            [this](const QString& path, bool isWritten) {
-                if (isWritten) {
-                    m_reloader->expect(path);
-                }
-            });
+    connect(m_actions.exports, &ExportActions::writing, m_reloader, &MeshReloader::hold);
+    connect(m_actions.exports, &ExportActions::ended, m_reloader, &MeshReloader::release);
     connect(m_actions.hits, &HitActions::exportBegan, m_guard, &DiscardGuard::hitsExportBegins);
     connect(m_actions.hits, &HitActions::exported, m_guard, &DiscardGuard::hitsExported);
     m_journal = new JournalKeeping(m_session, *m_sessions, m_view, *m_viewport, this);

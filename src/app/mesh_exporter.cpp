@@ -32,6 +32,7 @@ void MeshExporter::start(SceneExport what, const QString& name, const QString& p
         },
         tr("Cancel the export; an earlier file stays unless the new one is written already"));
     m_jobs.push_back(job);
+    Q_EMIT begun(path);
     m_writer.start([this, job] { write(job); });
 }
 

@@ -30,6 +30,7 @@ public:
     [[nodiscard]] bool isRunning() const { return !m_jobs.empty(); }
 
 Q_SIGNALS:
+    void begun(const QString& path);  ///< and ended() follows
     /// The rest is ExportReport's.
     void exported(const QString& name, const QString& path, const QStringList& notes, bool wasReadBack);
     void failed(const hitscope::Error& error);

@@ -34,8 +34,9 @@ public:
     void reload();
     /// They stay as they were read, until they change again.
     void ignore();
-    /// An export has replaced it, which needs no reading again: the dents would double.
-    void expect(const QString& path) { m_watch.expect(path); }
+    /// An export replaces it, until release(), which needs no reading again: the dents would double.
+    void hold(const QString& path) { m_watch.hold(path); }
+    void release(const QString& path, bool isWritten) { m_watch.release(path, isWritten); }
 
 Q_SIGNALS:
     void changedFilesChanged();

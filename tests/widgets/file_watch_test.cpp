@@ -110,6 +110,25 @@ private Q_SLOTS:
         QVERIFY(m_watch->contentOf(in("a.obj")).empty());
     }
 
+    /// However long that takes: an export reads its file back before it has ended.
+    void writtenByThisProgram() {
+        follow({"a.obj"});
+        m_watch->hold(in("a.obj"));
+        write("a.obj", "two");
+        expect({});
+        m_watch->release(in("a.obj"), true);
+        expect({});
+        QCOMPARE(m_watch->contentOf(in("a.obj")), meshFileAt(in("a.obj")).sha256);
+        write("a.obj", "three");
+        expect({"a.obj"});
+        // What others write while this program tries to in vain is news.
+        m_watch->hold(in("a.obj"));
+        write("a.obj", "four");
+        expect({});
+        m_watch->release(in("a.obj"), false);
+        expect({"a.obj"});
+    }
+
 private:
     [[nodiscard]] QString in(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
     void write(const char* name, const QByteArray& content) const {

@@ -59,6 +59,7 @@ ExportActions::ExportActions(Session& session, Viewport& viewport, AppSettings& 
     connect(m_exporter, &MeshExporter::failed, this, &ExportActions::failed);
     connect(m_exporter, &MeshExporter::cancelled, this,
             [this] { Q_EMIT said(tr("Cancelled. The file is unchanged.")); });
+    connect(m_exporter, &MeshExporter::begun, this, &ExportActions::writing);
     connect(m_exporter, &MeshExporter::ended, this, &ExportActions::ended);
 }
 
