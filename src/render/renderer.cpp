@@ -322,6 +322,16 @@ ShadowMap& Renderer::Private::shadowsFor(const FrameContext& context, const Defo
     return context.frame.coarse && !shadows.isUpToDate(context, pipeline) ? coarseShadows : shadows;
 }
 
+Status Renderer::Private::updateShadows(FrameContext& context, DeformationPipeline& pipeline) {
+    if (!ShadowMap::isWanted(context.frame)) {
+        return Done{};
+    }
+    ShadowMap& map = shadowsFor(context, pipeline);
+    Status updated = map.update(context, pipeline);
+    context.shadows = &map;
+    return updated;
+}
+
 Status Renderer::prepare(const Frame& given, DeformationPipeline& pipeline) {
     const KeepState keep;
     const LitFrame lit(given);
@@ -344,12 +354,8 @@ Status Renderer::draw(const Frame& given, DeformationPipeline& pipeline, GLuint 
     const KeepState keep;
     const LitFrame lit(given);
     FrameContext context = d->contextOf(lit.frame());
-    if (ShadowMap::isWanted(lit.frame())) {
-        ShadowMap& map = d->shadowsFor(context, pipeline);
-        if (Status status = map.update(context, pipeline); !status) {
-            return status;
-        }
-        context.shadows = &map;
+    if (Status status = d->updateShadows(context, pipeline); !status) {
+        return status;
     }
     if (Status status = d->drawPicture(context, pipeline, framebuffer); !status) {
         return status;

@@ -102,6 +102,10 @@ public:
     /// picture.samples() tells. The frame starts at the framebuffer's left. The error says what the driver
     /// lacks.
     [[nodiscard]] Status refine(const Frame& frame, DeformationPipeline& pipeline, RefinedPicture& picture);
+    /// Draws into `picture` what draw() would draw of the scene: drawRefined() then shows it, and refine()
+    /// need not draw it. Where the driver has no room, the picture has nothing.
+    [[nodiscard]] Status drawPlain(const Frame& frame, DeformationPipeline& pipeline,
+                                   RefinedPicture& picture);
     /// Whether that would first wait for what it was called for before.
     [[nodiscard]] bool isBehindRefining(const RefinedPicture& picture) const;
     /// As draw(), but of the scene what `picture` has; hasPicture() holds. What marks the scene is drawn

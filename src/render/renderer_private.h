@@ -82,6 +82,8 @@ struct Renderer::Private {
 
     [[nodiscard]] render::ShadowMap& shadowsFor(const render::FrameContext& context,
                                                 const DeformationPipeline& pipeline);
+    /// The frame's own, where it has shadows.
+    [[nodiscard]] Status updateShadows(render::FrameContext& context, DeformationPipeline& pipeline);
     [[nodiscard]] render::ShadowMap& sampleShadowsAt(int place);
     [[nodiscard]] render::FrameContext contextOf(const Frame& frame);
     /// Targets and projectiles into a framebuffer, what is selected as well; nothing over them. In parts, the
@@ -94,9 +96,12 @@ struct Renderer::Private {
     [[nodiscard]] Status drawPart(render::FrameContext& context, DeformationPipeline& pipeline,
                                   RefinedPicture& picture, GLuint framebuffer,
                                   const render::DrawnPixels* within = nullptr);
-    /// What has to be known before the first sample: the picture as draw() draws it.
+    /// The picture as draw() draws it, or the next part of it.
     [[nodiscard]] Status drawPlain(render::FrameContext& context, DeformationPipeline& pipeline,
                                    RefinedPicture& picture);
+    /// What has to be known before the first sample: that picture, and what samples have in common.
+    [[nodiscard]] Status begin(render::FrameContext& context, DeformationPipeline& pipeline,
+                               RefinedPicture& picture);
     [[nodiscard]] Status drawSample(render::FrameContext& context, DeformationPipeline& pipeline,
                                     RefinedPicture& picture);
     [[nodiscard]] Status addSample(const Frame& frame, DeformationPipeline& pipeline,

@@ -103,6 +103,10 @@ bool RefinedView::isPossible() const {
     return d->key.has_value();
 }
 
+bool RefinedView::isPlain() const {
+    return d->picture.hasPicture() && !d->picture.isBegun();
+}
+
 RefinedPicture& RefinedView::picture() {
     return d->picture;
 }

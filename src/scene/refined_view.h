@@ -39,6 +39,8 @@ public:
     /// Likewise; returns whether there are samples enough to be shown, or, where anything is better than what
     /// would be drawn, a picture.
     [[nodiscard]] bool show(const FrameParts& parts, bool isSideBySide, bool anythingIsBetter);
+    /// Whether it has a picture without samples, and none of them is being drawn.
+    [[nodiscard]] bool isPlain() const;
     [[nodiscard]] RefinedPicture& picture();
 
 private:

@@ -64,6 +64,8 @@ public:
         const ChangeValues* changeValues = nullptr;
         Comparison* comparison = nullptr;  ///< with a second pipeline; null: none
         bool selectionMarks = true;        ///< vertices, the hit and the target that are selected, as such
+        /// refine() is likely to follow: draw() leaves it what both draw.
+        bool isRefinedNext = false;
     };
     /// As sync(), but waits for nothing: what changed comes to the session with one of the next frames. Then
     /// one picture into the framebuffer object of that name (0: the default framebuffer).

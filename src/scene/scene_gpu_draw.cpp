@@ -90,6 +90,15 @@ bool SceneGpu::wasCoarse() const {
     return d->renderer->wasCoarse();
 }
 
+bool SceneGpu::Private::hasPlain(const Frame& frame, const View& view, RefinedView& refined) {
+    if (!view.isRefinedNext || !view.detail.isFull() || !refined.isPossible() ||
+        (refined.hasPicture() && !refined.isPlain())) {
+        return false;
+    }
+    return refined.isPlain() ||
+           (renderer->drawPlain(frame, *pipeline, refined.picture()) && refined.isPlain());
+}
+
 Status SceneGpu::Private::drawPicture(const View& view, unsigned framebuffer, RefinedView* refined) {
     meter.begin();
     if (Status status = followForPicture(); !status) {
@@ -106,7 +115,9 @@ Status SceneGpu::Private::drawPicture(const View& view, unsigned framebuffer, Re
         meter.end();
         return status;
     }
-    Status status = drawAll(parts->frame, view, framebuffer);
+    Status status = refined != nullptr && hasPlain(parts->frame, view, *refined)
+                        ? renderer->drawRefined(parts->frame, *pipeline, refined->picture(), framebuffer)
+                        : drawAll(parts->frame, view, framebuffer);
     meter.endOf(FrameMeter::Part::Drawing);
     meter.end();
     return status;

@@ -112,6 +112,8 @@ struct SceneGpu::Private {
     /// Has `ownTarget` for that many pixels; false: the driver cannot give that much.
     [[nodiscard]] bool makeOwn(const View& drawn);
     /// What draw() says, with the pixels of that view.
+    /// Whether `refined` has the frame without samples, drawn here where refine() will need it.
+    [[nodiscard]] bool hasPlain(const Frame& frame, const View& view, RefinedView& refined);
     [[nodiscard]] Status drawPicture(const View& view, unsigned framebuffer, RefinedView* refined);
 };
 

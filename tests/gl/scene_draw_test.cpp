@@ -11,6 +11,7 @@
 #include "mesh/geodesic_sphere.h"
 #include "mesh/panel_texture.h"
 #include "scene/reapplication.h"
+#include "scene/refined_view.h"
 #include "scene/scene_gpu.h"
 #include "session/primitive_target.h"
 #include "support/gl_fixture.h"
@@ -130,6 +131,54 @@ private Q_SLOTS:
         const int differs = differing(full, half, 0) + differing(full, half, 1);
         QVERIFY2(differs > 50 && differs < kWidth * kHeight / 20, qPrintable(QString::number(differs)));
         QVERIFY(draw(session, *gpu.value()).pixels == full.pixels);
+    }
+
+    /// A picture that is refined next is the same one, and is the refined picture's beginning: neither that
+    /// nor the same picture again draws the targets once more.
+    void theNextIsRefined() {
+        Session session;
+        session.loadScene({{}, plans(), 0.0f});
+        auto gpu = SceneGpu::create(session);
+        QVERIFY(gpu);
+        RefinedView refined;
+        Image picture;
+        const auto draw = [&](bool isRefinedNext) {
+            SceneGpu::View view = viewOf(session);
+            view.isRefinedNext = isRefinedNext;
+            const gl::RenderTarget into(kWidth, kHeight);
+            QVERIFY(gpu.value()->draw(view, into.framebuffer(), &refined).ok());
+            picture = into.read();
+        };
+        const GLuint all = primitivesOf([&] { draw(false); });
+        const Image plain = picture;
+        QVERIFY(!refined.hasPicture());
+        QVERIFY(primitivesOf([&] { draw(true); }) >= all);
+        QVERIFY(refined.isPlain());
+        QVERIFY(picture.pixels == plain.pixels);
+        QVERIFY(primitivesOf([&] { draw(true); }) < all / 4);
+        QVERIFY(picture.pixels == plain.pixels);
+        const auto refine = [&] { QVERIFY(gpu.value()->refine(viewOf(session), refined).ok()); };
+        QVERIFY(primitivesOf(refine) < all / 4);
+        QVERIFY(!refined.isPlain());
+        QCOMPARE(refined.samples(), 0);
+        QVERIFY(primitivesOf(refine) >= all / 2);
+        QCOMPARE(refined.samples(), 1);
+        // Too few samples to be shown, and where the plain picture was there are these.
+        draw(true);
+        QVERIFY(picture.pixels == plain.pixels);
+        QCOMPARE(refined.samples(), 1);
+        Hit hit;
+        hit.target = session.targets()[0]->id;
+        hit.point = glm::vec3(0.0f, 0.0f, 2.0f);
+        hit.direction = glm::vec3(0.0f, 0.0f, -1.0f);
+        QVERIFY(session.hits().add(hit).ok());
+        QVERIFY(gpu.value()->sync().ok());  // normals have come, too
+        draw(true);
+        QVERIFY(refined.isPlain());
+        const Image dented = picture;
+        QVERIFY(dented.pixels != plain.pixels);
+        draw(false);
+        QVERIFY(picture.pixels == dented.pixels);
     }
 
     /// With fewer triangles a sphere looks much the same, dents included, and afterwards all are there again,

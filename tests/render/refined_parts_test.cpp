@@ -19,6 +19,7 @@ private Q_SLOTS:
     void cleanup() { QCOMPARE(m_refined.gl.errors(), QStringList()); }
     void cleanupTestCase() { m_refined.close(); }
     void beforeSamplesItIsThePicture();
+    void whatWasDrawnIsNotDrawnAgain();
     void inPartsItIsTheSame();
     void partsSurviveOtherPictures();
     void dentsMayComeBetweenParts();
@@ -58,6 +59,31 @@ void RefinedPartsTest::beforeSamplesItIsThePicture() {
         QCOMPARE(made.samples(), 0);
         QCOMPARE(shown(wanted, made), picture(*m_refined.renderer, wanted, *m_refined.pipeline, 1));
     }
+}
+
+/// A window draws what comes before the first sample as its picture; samples go on with that.
+void RefinedPartsTest::whatWasDrawnIsNotDrawnAgain() {
+    DisplayOptions options;
+    options.shadows = true;
+    const Frame wanted = frame(options);
+    const QImage whole = refined(wanted, 3);
+    RefinedPicture made(RefinedPicture::Extent::WhereItVaries, 1000);
+    DisplayOptions light = options;
+    light.theme = Theme::Light;
+    for (const Frame& drawn : {frame(light), wanted}) {
+        QVERIFY(m_refined.renderer->drawPlain(drawn, *m_refined.pipeline, made).ok());
+        QVERIFY(made.hasPicture() && !made.isBegun());
+        QCOMPARE(shown(drawn, made), picture(*m_refined.renderer, drawn, *m_refined.pipeline, 1));
+    }
+    QVERIFY(add(wanted, made));
+    QVERIFY(made.isBegun());
+    QCOMPARE(made.samples(), 0);
+    for (int calls = 0; made.samples() < 3 && calls < 1000; ++calls) {
+        QVERIFY(add(wanted, made));
+    }
+    QVERIFY(differing(shown(wanted, made), whole) <= 2);
+    QVERIFY(m_refined.renderer->drawPlain(wanted, *m_refined.pipeline, made).ok());
+    QVERIFY(made.samples() == 0 && !made.isBegun());
 }
 
 /// The sphere's 12,000 triangles, in thirteen parts of a sample and of its shadows.

@@ -112,7 +112,8 @@ RefinedPicture::LightPlace RefinedPicture::nextLight(bool software) const {
 
 void RefinedPicture::clear() {
     m_samples = 0;
-    m_hasDepths = false;
+    m_hasPlain = false;
+    m_isBegun = false;
     m_front.reset();
     m_unsettled.reset();
     m_isFrontDue = false;
@@ -120,10 +121,15 @@ void RefinedPicture::clear() {
     m_nextPart = 0;
 }
 
+void RefinedPicture::plainDrawn() {
+    m_hasPlain = true;
+    m_nextPart = 0;
+}
+
 void RefinedPicture::begin(const PixelArea& varying, bool maySettle) {
     m_settles = maySettle && m_extent == Extent::WhereItStillVaries;
     m_area = m_extent == Extent::Everywhere ? PixelArea{0, 0, m_width, m_height} : varying;
-    m_hasDepths = true;
+    m_isBegun = true;
     m_isFrontDue = m_settles;
 }
 

@@ -48,7 +48,7 @@ public:
     [[nodiscard]] int samples() const { return m_samples; }
     /// Whether there is anything to draw: a sample, or what has to be known before the first one, which is a
     /// picture too.
-    [[nodiscard]] bool hasPicture() const { return m_hasDepths; }
+    [[nodiscard]] bool hasPicture() const { return m_hasPlain; }
     /// Forgets the samples, keeps its buffers.
     void clear();
 
@@ -57,9 +57,12 @@ public:
     /// Makes buffers of that size, pixels, where they are of another. False: the driver cannot; there are
     /// none.
     [[nodiscard]] bool prepare(int width, int height);
-    [[nodiscard]] bool hasDepths() const { return m_hasDepths; }
-    /// The frame without jitter has been drawn into plainFramebuffer(); samples differ within `varying`.
-    /// maySettle: the CPU draws, and the picture is opaque.
+    /// The frame without jitter has been drawn into plainFramebuffer().
+    void plainDrawn();
+    /// Whether begin() was called.
+    [[nodiscard]] bool isBegun() const { return m_isBegun; }
+    /// Samples follow the plain picture; they differ within `varying`. maySettle: the CPU draws, and the
+    /// picture is opaque.
     void begin(const PixelArea& varying, bool maySettle);
     /// Whether something has to be read back before the next sample: who does not want to wait for that gives
     /// the GPU time first.
@@ -124,7 +127,8 @@ private:
     Extent m_extent;
     std::size_t m_trianglesAPart;
     PixelArea m_area;
-    bool m_hasDepths = false;
+    bool m_hasPlain = false;
+    bool m_isBegun = false;
     bool m_settles = false;                      ///< some pixels after the first samples
     bool m_isFrontDue = false;                   ///< m_front is to be read
     bool m_areMarksDue = false;                  ///< m_unsettled is

@@ -132,7 +132,7 @@ Status Renderer::Private::addSample(const Frame& frame, DeformationPipeline& pip
                                     RefinedPicture& picture) {
     const RefinedPicture::Sample sample = RefinedPicture::sampleAt(picture.samples());
     const Occlusion near{picture.depths(), sample.jitter, sample.turn};
-    const bool isPlain = !picture.hasDepths();
+    const bool isPlain = !picture.isBegun();
     if (!isPlain) {
         jitter = sample.jitter;
         occlusion = hasOcclusion(frame) ? &near : nullptr;
@@ -152,7 +152,7 @@ Status Renderer::Private::addSample(const Frame& frame, DeformationPipeline& pip
         }
         context.shadows = &map;
     }
-    return isPlain ? drawPlain(context, pipeline, picture) : drawSample(context, pipeline, picture);
+    return isPlain ? begin(context, pipeline, picture) : drawSample(context, pipeline, picture);
 }
 
 Status Renderer::Private::drawPlain(FrameContext& context, DeformationPipeline& pipeline,
@@ -163,6 +163,17 @@ Status Renderer::Private::drawPlain(FrameContext& context, DeformationPipeline& 
     }
     if (Status drawn = trails.draw(context); !drawn) {
         return drawn;
+    }
+    picture.plainDrawn();
+    return Done{};
+}
+
+Status Renderer::Private::begin(FrameContext& context, DeformationPipeline& pipeline,
+                                RefinedPicture& picture) {
+    if (!picture.hasPicture()) {
+        if (Status drawn = drawPlain(context, pipeline, picture); !drawn || !picture.hasPicture()) {
+            return drawn;
+        }
     }
     picture.begin(varyingArea(context, pipeline, kLightSize), software && !context.frame.options.transparent);
     return drawFloorLayers(context, picture);
@@ -189,6 +200,21 @@ Status Renderer::Private::drawSample(FrameContext& context, DeformationPipeline&
         return status;
     }
     return picture.add(programs, emptyArray.id());
+}
+
+Status Renderer::drawPlain(const Frame& given, DeformationPipeline& pipeline, RefinedPicture& picture) {
+    d->wasCoarse = false;
+    if (given.width <= 0 || given.height <= 0 || !picture.prepare(given.width, given.height)) {
+        return Done{};
+    }
+    picture.clear();
+    const KeepState keep;
+    const LitFrame lit(given);
+    FrameContext context = d->contextOf(lit.frame());
+    if (Status updated = d->updateShadows(context, pipeline); !updated) {
+        return updated;
+    }
+    return d->drawPlain(context, pipeline, picture);
 }
 
 Status Renderer::refine(const Frame& given, DeformationPipeline& pipeline, RefinedPicture& picture) {
