@@ -339,7 +339,17 @@ Status Renderer::prepare(const Frame& given, DeformationPipeline& pipeline) {
         return Done{};
     }
     const FrameContext context = d->contextOf(lit.frame());
-    return d->shadowsFor(context, pipeline).update(context, pipeline);
+    ShadowMap& map = d->shadowsFor(context, pipeline);
+    return map.make() ? Status(Done{}) : map.update(context, pipeline);
+}
+
+bool Renderer::isPrepared(const Frame& given, const DeformationPipeline& pipeline) {
+    const LitFrame lit(given);
+    if (!ShadowMap::isWanted(lit.frame())) {
+        return true;
+    }
+    const FrameContext context = d->contextOf(lit.frame());
+    return d->shadowsFor(context, pipeline).isUpToDate(context, pipeline);
 }
 
 bool Renderer::wasCoarse() const {

@@ -90,8 +90,11 @@ public:
     [[nodiscard]] std::shared_ptr<const MaterialSet> makeMaterials(const MeshData& mesh);
     /// One material for everything, with this texture.
     [[nodiscard]] std::shared_ptr<const MaterialSet> makeCover(const Image& texture);
-    /// Draws what a picture of this frame would draw first and keep, its shadows. Errors are draw()'s.
+    /// Does a part of what a picture of this frame would do first and keep: makes room for its shadows, draws
+    /// them. Errors are draw()'s.
     [[nodiscard]] Status prepare(const Frame& frame, DeformationPipeline& pipeline);
+    /// Whether nothing of that is left.
+    [[nodiscard]] bool isPrepared(const Frame& frame, const DeformationPipeline& pipeline);
     /// Programs are built for the pipeline when it first draws; the error is the driver's.
     [[nodiscard]] Status draw(const Frame& frame, DeformationPipeline& pipeline, GLuint framebuffer);
     /// Whether the last draw() put coarse shapes in the picture.

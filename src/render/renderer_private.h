@@ -99,7 +99,7 @@ struct Renderer::Private {
     /// The picture as draw() draws it, or the next part of it.
     [[nodiscard]] Status drawPlain(render::FrameContext& context, DeformationPipeline& pipeline,
                                    RefinedPicture& picture);
-    /// What has to be known before the first sample: that picture, and what samples have in common.
+    /// What has to be known before the first sample: that picture, and then what samples have in common.
     [[nodiscard]] Status begin(render::FrameContext& context, DeformationPipeline& pipeline,
                                RefinedPicture& picture);
     [[nodiscard]] Status drawSample(render::FrameContext& context, DeformationPipeline& pipeline,

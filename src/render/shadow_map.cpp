@@ -61,6 +61,14 @@ bool ShadowMap::isWanted(const Frame& frame) {
            frame.options.wireframe != WireframeMode::Only;
 }
 
+bool ShadowMap::make() {
+    const bool isNew = !m_depth;
+    if (isNew) {
+        makeTexture();
+    }
+    return isNew;
+}
+
 void ShadowMap::makeTexture() {
     m_depth = gl::Texture::make();
     m_framebuffer = gl::Framebuffer::make();
@@ -168,9 +176,21 @@ std::optional<PixelArea> ShadowMap::movedArea(const FrameContext& context,
     return isMost ? std::nullopt : std::optional(all);
 }
 
+/// Within an area there are about as many triangles as its share of the map, or twice as many.
+std::uint32_t ShadowMap::partsToDraw(const FrameContext& context, std::uint32_t parts) const {
+    if (context.frame.meshRevision == 0) {
+        return 1;  // what is new each time is never whole in parts
+    }
+    if (!m_area) {
+        return parts;
+    }
+    const float side = static_cast<float>(m_size);
+    const float share = static_cast<float>(m_area->width) / side * static_cast<float>(m_area->height) / side;
+    return std::clamp(static_cast<std::uint32_t>(std::ceil(2.0f * share * static_cast<float>(parts))), 1u,
+                      parts);
+}
+
 Status ShadowMap::update(const FrameContext& context, DeformationPipeline& pipeline, std::uint32_t parts) {
-    // What is new each time is never whole in parts.
-    const std::uint32_t wanted = context.frame.meshRevision != 0 ? parts : 1;
     const Change change = changeSince(context, pipeline);
     if (change == Change::Nothing && isWhole()) {
         return Done{};
@@ -179,6 +199,7 @@ Status ShadowMap::update(const FrameContext& context, DeformationPipeline& pipel
         m_area = change == Change::Vertices ? movedArea(context, pipeline, place(context)) : std::nullopt;
         follow(context, pipeline);
     }
+    const std::uint32_t wanted = partsToDraw(context, parts);
     if (change != Change::Nothing || m_parts != wanted) {
         m_parts = wanted;
         m_drawn = m_area && m_area->width == 0 ? wanted : 0;
@@ -190,6 +211,9 @@ Status ShadowMap::draw(const FrameContext& context, DeformationPipeline& pipelin
     const glm::mat4 toClip = place(context);
     if (!m_depth) {
         makeTexture();
+        if (m_parts > 1) {
+            return Done{};  // the next call draws the first part
+        }
     }
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.id());
     glViewport(0, 0, m_size, m_size);

@@ -29,6 +29,8 @@ public:
     /// depth test and writes on.
     [[nodiscard]] Status update(const FrameContext& context, DeformationPipeline& pipeline,
                                 std::uint32_t parts = 1);
+    /// Makes its texture, which takes a software renderer about as long as drawing it; false: it was there.
+    bool make();
     /// Whether the frame needs nothing drawn.
     [[nodiscard]] bool isUpToDate(const FrameContext& context, const DeformationPipeline& pipeline) const {
         return isWhole() && changeSince(context, pipeline) == Change::Nothing;
@@ -56,6 +58,7 @@ private:
     /// What has changed since the map was drawn.
     enum class Change : std::uint8_t { Nothing, Vertices, Anything };
     void makeTexture();
+    [[nodiscard]] std::uint32_t partsToDraw(const FrameContext& context, std::uint32_t parts) const;
     [[nodiscard]] Change changeSince(const FrameContext& context, const DeformationPipeline& pipeline) const;
     /// Takes what the map is of from the frame.
     void follow(const FrameContext& context, const DeformationPipeline& pipeline);

@@ -88,9 +88,10 @@ public:
     /// Whether the last picture drew any target with fewer triangles; where one looks from close by it need
     /// not.
     [[nodiscard]] bool wasCoarse() const;
-    /// Begins to draw the shadows that draw() would draw first, of new targets too: a picture then takes less
-    /// time.
-    [[nodiscard]] Status prepare(const View& view);
+    /// Does a part of what draw() would do before it draws, so that an event need not wait for all of it:
+    /// takes new targets over, applies new hits or takes what they moved, makes room for drawAhead(), draws
+    /// shadows. Returns whether no part is left.
+    [[nodiscard]] Result<bool> prepare(const View& view);
     /// Adds a sample to `refined`, of what was drawn last, or draws a part of one: takes as long as a frame
     /// at most, follows nothing and shows nothing. Samples of another picture are forgotten first. Two
     /// pictures side by side are not refined: it has no samples then.

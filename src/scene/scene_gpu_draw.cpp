@@ -64,8 +64,12 @@ SceneGpu::View SceneGpu::Private::drawnView(const View& shown) {
     return drawn;
 }
 
+bool SceneGpu::Private::hasOwn(const View& drawn) const {
+    return ownTarget && ownTarget->width() == drawn.width && ownTarget->height() == drawn.height;
+}
+
 bool SceneGpu::Private::makeOwn(const View& drawn) {
-    if (!ownTarget || ownTarget->width() != drawn.width || ownTarget->height() != drawn.height) {
+    if (!hasOwn(drawn)) {
         ownTarget = std::make_unique<gl::RenderTarget>(drawn.width, drawn.height);
     }
     if (!ownTarget->isComplete()) {
@@ -74,16 +78,35 @@ bool SceneGpu::Private::makeOwn(const View& drawn) {
     return ownTarget != nullptr;
 }
 
-Status SceneGpu::prepare(const View& view) {
+Result<bool> SceneGpu::prepare(const View& view) {
     if (!d->pipeline) {
-        return Done{};
+        return true;
+    }
+    if (d->hasNewTargets()) {
+        d->followTargets();
+        return false;
+    }
+    if (!d->isFollowed && d->hasToFollow()) {
+        d->isFollowed = true;
+        if (const Status applied = applyMore(); !applied) {
+            return applied.error();
+        }
+        return false;
+    }
+    if (const View drawn = d->drawnView(view); !d->hasOwn(drawn) && d->makeOwn(drawn)) {
+        return false;
     }
     d->followTargets();
     d->followCover();
     const std::unique_ptr<FrameParts> parts = d->frameOf(view);
-    Status status = d->renderer->prepare(parts->frame, *d->pipeline);
+    if (d->renderer->isPrepared(parts->frame, *d->pipeline)) {
+        return true;
+    }
+    if (const Status drawn = d->renderer->prepare(parts->frame, *d->pipeline); !drawn) {
+        return drawn.error();
+    }
     glFlush();
-    return status;
+    return false;
 }
 
 bool SceneGpu::wasCoarse() const {

@@ -239,8 +239,22 @@ bool SceneGpu::Private::isFarBehind() const {
     return pipeline && std::max(shown, known) - std::min(shown, known) > kWorthSlicingNew;
 }
 
+bool SceneGpu::Private::hasNewEdits() const {
+    return seenRevision != session.hits().history().revision() ||
+           applied.size() != session.hits().shown().size();
+}
+
+bool SceneGpu::Private::hasToFollow() const {
+    if (appending || reapplication || isFarBehind() || hasToStartOver()) {
+        return false;
+    }
+    return hasNewEdits() || pipeline->isReadBackPending();
+}
+
 Status SceneGpu::Private::followForPicture() {
-    if (!appliesBetweenPictures || (!appending && !reapplication && !isFarBehind())) {
+    // What has been moved is read back for the next picture: this one need not wait for it.
+    const bool wasFollowed = std::exchange(isFollowed, false) && !hasNewEdits();
+    if (!wasFollowed && (!appliesBetweenPictures || (!appending && !reapplication && !isFarBehind()))) {
         return follow(Delivery::WhatHasArrived);
     }
     followTargets();

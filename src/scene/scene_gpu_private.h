@@ -70,6 +70,7 @@ struct SceneGpu::Private {
     std::unique_ptr<Reapplication> reapplication;  // null: nothing is applied again in slices
 
     bool appliesBetweenPictures = false;
+    bool isFollowed = false;   ///< for the next picture, before it is drawn
     bool isFetchNext = false;  ///< then a slice reads back what the one before has moved
 
     enum class Delivery { WhatHasArrived, All };
@@ -98,6 +99,10 @@ struct SceneGpu::Private {
     /// Follows all but what is left to applyMore().
     Status followForPicture();
     [[nodiscard]] bool isFarBehind() const;
+    /// Whether there are new targets, or draw() would apply hits or read back what they moved.
+    [[nodiscard]] bool hasNewTargets() const;
+    [[nodiscard]] bool hasToFollow() const;
+    [[nodiscard]] bool hasNewEdits() const;
     std::shared_ptr<const MaterialSet> materialsOf(const DeformedMesh& mesh);
     void followComparison(const View& view);
     [[nodiscard]] bool isSideBySide(const View& view) const {
@@ -109,11 +114,13 @@ struct SceneGpu::Private {
     Status drawAll(Frame& frame, const View& view, unsigned framebuffer);
     /// The view as it is drawn, in the pixels that its detail asks for.
     [[nodiscard]] static View drawnView(const View& shown);
-    /// Has `ownTarget` for that many pixels; false: the driver cannot give that much.
+    /// Whether `ownTarget` is of that many pixels.
+    [[nodiscard]] bool hasOwn(const View& drawn) const;
+    /// Has it so; false: the driver cannot give that much.
     [[nodiscard]] bool makeOwn(const View& drawn);
-    /// What draw() says, with the pixels of that view.
     /// Whether `refined` has the frame without samples, drawn here where refine() will need it.
     [[nodiscard]] bool hasPlain(const Frame& frame, const View& view, RefinedView& refined);
+    /// What draw() says, with the pixels of that view.
     [[nodiscard]] Status drawPicture(const View& view, unsigned framebuffer, RefinedView* refined);
 };
 

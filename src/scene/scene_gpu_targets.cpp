@@ -65,6 +65,12 @@ std::unique_ptr<TargetBuffers> SceneGpu::Private::buffersFor(const Target& targe
     return buffers;
 }
 
+bool SceneGpu::Private::hasNewTargets() const {
+    return std::any_of(
+        session.targets().begin(), session.targets().end(),
+        [this](const std::unique_ptr<Target>& target) { return !targets.contains(target->id); });
+}
+
 void SceneGpu::Private::followTargets() {
     for (auto it = targets.begin(); it != targets.end();) {
         if (session.targets().find(it->first) == nullptr) {

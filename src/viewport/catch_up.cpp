@@ -13,15 +13,8 @@ CatchUp::CatchUp(QObject* parent) : QObject(parent) {
 void CatchUp::pictureShown() {
     m_hasPicture = m_hasPicture || m_isPictureWanted;
     m_isPictureWanted = false;
-    m_isPrepared = false;
-    m_prepares = false;
     m_isAfterPicture = true;
     m_sincePicture.start();
-}
-
-void CatchUp::prepareLater() {
-    m_prepares = true;
-    m_timer.start();
 }
 
 /// A turn of the event loop draws, then sees to timers and only then to keys and clicks.
@@ -30,12 +23,7 @@ void CatchUp::beginSlice() {
         m_timer.start();
         return;
     }
-    if (std::exchange(m_prepares, false)) {
-        m_isPrepared = true;
-        Q_EMIT preparationDue();
-    } else {
-        Q_EMIT sliceDue();
-    }
+    Q_EMIT sliceDue();
 }
 
 bool CatchUp::isPictureDue(bool isMoving) const {

@@ -19,9 +19,6 @@ public:
 
     /// Another slice comes, in a turn of the event loop without a picture.
     void sliceLater() { m_timer.start(); }
-    /// In its place: a turn in which to prepare the next picture.
-    void prepareLater();
-    [[nodiscard]] bool isPrepared() const { return m_isPrepared; }
     [[nodiscard]] bool isSliceComing() const { return m_timer.isActive(); }
     /// A slice was done, or something else has changed.
     void wantPicture() { m_isPictureWanted = true; }
@@ -36,15 +33,12 @@ public:
 
 Q_SIGNALS:
     void sliceDue();
-    void preparationDue();
 
 private:
     void beginSlice();
 
     QTimer m_timer;  ///< to the next slice
     QElapsedTimer m_sincePicture;
-    bool m_prepares = false;  ///< in the next turn
-    bool m_isPrepared = false;
     bool m_isPictureWanted = false;
     bool m_hasPicture = false;      ///< since it began
     bool m_isAfterPicture = false;  ///< perhaps in the same turn

@@ -75,7 +75,6 @@ Viewport::Viewport(Session& session, QWidget* parent)
     connect(&m_refiner, &PictureRefiner::failed, this, &Viewport::followQuality);
     connect(&m_motion, &PictureMotion::rested, this, &Viewport::wantPicture);
     connect(&m_catchUp, &CatchUp::sliceDue, this, &Viewport::slice);
-    connect(&m_catchUp, &CatchUp::preparationDue, this, &Viewport::preparePicture);
     connect(&session.settings(), &SessionSettings::projectileChanged, this, followRateOfFire);
     connect(&session, &Session::pictureChanged, this, &Viewport::followPicture);
     connect(&session, &Session::pictureChanged, this, &Viewport::startClock);
@@ -123,7 +122,9 @@ SceneGpu::View Viewport::view() const {
 }
 
 SceneGpu::View Viewport::beginPicture() {
-    m_sinceBegin.start();
+    if (!std::exchange(m_isPreparing, false)) {
+        m_sinceBegin.start();
+    }
     m_follows = std::exchange(m_frameFollows, false) && m_sinceFrame.isValid();
     SceneGpu::View shown = view();
     m_motion.seenFrom(camera().distance());
@@ -191,9 +192,7 @@ void Viewport::followScene() {
     m_ahead.drop();
     followSize();
     frameAll(Navigation::Arrival::AtOnce);
-    if (m_scene && m_isSoftware && isVisible()) {
-        preparePicture();  // an event waits for the shadows or for the first picture, not for both
-    }
+    wantPicture();
 }
 
 void Viewport::followSize() {

@@ -151,6 +151,7 @@ private:
     void releaseGpu();
     void report(const Error& error);
     [[nodiscard]] PictureAhead::Hooks aheadHooks();
+    [[nodiscard]] bool prepareAhead();
     [[nodiscard]] bool drawAhead();
     [[nodiscard]] bool showAhead();
     [[nodiscard]] SceneGpu::View beginPicture();
@@ -168,8 +169,6 @@ private:
     void startClock();  ///< what begins to move now has moved by the time the next frame is there
     [[nodiscard]] bool isCatchingUp() const;
     void slice();
-    void preparePicture();
-    void updatePrepared();
     void collectCosts();  ///< of the last frames, once no more follow
     void tryNext();
     [[nodiscard]] SceneGpu::View view() const;
@@ -207,7 +206,8 @@ private:
     bool m_unlimited = false;    ///< frames do not wait for the screen
     QElapsedTimer m_clock;       ///< since moveOn() last ran; invalid while nothing moves
     QElapsedTimer m_sinceFrame;  ///< since the last frame was shown
-    QElapsedTimer m_sinceBegin;  ///< since the last picture was begun
+    QElapsedTimer m_sinceBegin;  ///< since the last picture was begun, or what comes before it
+    bool m_isPreparing = false;  ///< that was begun
     bool m_isDrawn = false;      ///< since a frame was shown
     QSize m_keptFor;             ///< pixels of the viewport when that was drawn
     QImage m_kept;               ///< what was drawn last, where pictures are kept in memory

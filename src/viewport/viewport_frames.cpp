@@ -76,7 +76,7 @@ void Viewport::moveOn() {
         m_catchUp.end();
         m_motion.setCatchingUp(false);
         if (m_catchUp.isPictureWanted()) {
-            updatePrepared();
+            wantPicture();
         }
         return;
     }
@@ -99,24 +99,12 @@ void Viewport::moveOn() {
     }
     m_frameFollows = wasMoving;  // the time since the last frame is no frame's where nothing moved
     m_motion.setCatchingUp(isCatchingUp());
-    if (isCatchingUp()) {
-        updatePrepared();
-    } else {
-        wantPicture();
-    }
-}
-
-/// After slices the shadows are others too. Where the CPU draws they take about half as long as the rest.
-void Viewport::updatePrepared() {
-    if (m_scene && m_isSoftware && !m_catchUp.isPrepared()) {
-        m_catchUp.prepareLater();
-    } else {
-        wantPicture();
-    }
+    wantPicture();
 }
 
 PictureAhead::Hooks Viewport::aheadHooks() {
-    return {.begin = [this] { return drawAhead(); },
+    return {.prepare = [this] { return prepareAhead(); },
+            .begin = [this] { return drawAhead(); },
             .isFinished =
                 [this] {
                     bool isDrawn = true;  // where the scene is gone, nothing comes of waiting
@@ -128,6 +116,21 @@ PictureAhead::Hooks Viewport::aheadHooks() {
                 },
             .show = [this] { return showAhead(); },
             .paint = [this] { m_surface.widget().update(); }};
+}
+
+bool Viewport::prepareAhead() {
+    if (!std::exchange(m_isPreparing, true)) {
+        m_sinceBegin.start();
+    }
+    bool isPrepared = true;  // where it fails, drawing does too, and says so
+    static_cast<void>(withScene([&](SceneGpu& scene) -> Status {
+        SceneGpu::View coming = view();
+        coming.detail = m_motion.coming();
+        const Result<bool> prepared = scene.prepare(coming);
+        isPrepared = !prepared || prepared.value();
+        return Done{};
+    }));
+    return isPrepared;
 }
 
 bool Viewport::drawAhead() {
@@ -158,22 +161,6 @@ bool Viewport::showAhead() {
         return Done{};
     }));
     return m_surface.showNow();
-}
-
-void Viewport::preparePicture() {
-    if (m_scene) {
-        SceneGpu::View coming = view();
-        coming.detail = m_motion.coming();
-        m_surface.makeCurrent();
-        if (const Status prepared = m_scene->prepare(coming); !prepared) {
-            report(prepared.error());
-        }
-        m_surface.doneCurrent();
-    }
-    if (isCatchingUp()) {
-        m_motion.moved();
-    }
-    wantPicture();
 }
 
 void Viewport::collectCosts() {

@@ -247,11 +247,35 @@ private Q_SLOTS:
         Image whole;
         const GLuint all = primitivesOf([&] { whole = draw(session, *gpu.value()); });
         loadOther();
-        QVERIFY(gpu.value()->prepare(viewOf(session)));
+        const auto partsOf = [&] {
+            int parts = 0;
+            for (bool isLeft = true; isLeft && parts < 10; ++parts) {
+                const Result<bool> prepared = gpu.value()->prepare(viewOf(session));
+                isLeft = prepared && !prepared.value();
+            }
+            return parts;
+        };
+        QCOMPARE(partsOf(), 4);  // the target, a framebuffer, shadows, and that nothing is left
         Image rest;
         const GLuint fewer = primitivesOf([&] { rest = draw(session, *gpu.value()); });
         QVERIFY2(fewer > 0 && fewer < all, qPrintable(QStringLiteral("%1 of %2").arg(fewer).arg(all)));
         QVERIFY(rest.pixels == whole.pixels);
+        Hit hit;
+        hit.target = session.targets()[0]->id;
+        hit.point = {0.0f, 0.0f, 1.5f};
+        hit.direction = {0.0f, 0.0f, -1.0f};
+        QVERIFY(session.hits().add(hit).ok());
+        QCOMPARE(partsOf(), 3);  // the hit, its shadows
+        const Image dented = draw(session, *gpu.value());
+        QVERIFY(dented.pixels != whole.pixels);
+        for (int pictures = 0; gpu.value()->isReadBackPending() && pictures < 100; ++pictures) {
+            QVERIFY(partsOf() < 10);
+            static_cast<void>(draw(session, *gpu.value()));
+        }
+        QVERIFY(!gpu.value()->isReadBackPending());
+        const auto other = SceneGpu::create(session);
+        QVERIFY(other && other.value()->sync().ok());
+        QVERIFY(draw(session, *gpu.value()).pixels == draw(session, *other.value()).pixels);
     }
 
     void shadowsFollowDents_data() {

@@ -31,19 +31,6 @@ private Q_SLOTS:
         QCOMPARE(slices.size(), 1);
     }
 
-    void aPreparationTakesTheTurnOfASlice() {
-        CatchUp catchUp;
-        const QSignalSpy slices(&catchUp, &CatchUp::sliceDue);
-        const QSignalSpy preparations(&catchUp, &CatchUp::preparationDue);
-        catchUp.prepareLater();
-        QVERIFY(!catchUp.isPrepared());
-        QTRY_COMPARE(preparations.size(), 1);
-        QCOMPARE(slices.size(), 0);
-        QVERIFY(catchUp.isPrepared());
-        catchUp.pictureShown();
-        QVERIFY(!catchUp.isPrepared());
-    }
-
     void thereAreTwoPicturesASecond() {
         CatchUp catchUp;
         QVERIFY(!catchUp.isPictureDue(false));  // nothing new to see

@@ -15,7 +15,8 @@ namespace hitscope::picture_ahead_test {
 /// Counts what is asked of it; a picture is finished when the test says so.
 class Canvas : public QWidget {
 public:
-    PictureAhead ahead{{.begin =
+    PictureAhead ahead{{.prepare = [this] { return partsLeft-- <= 0; },
+                        .begin =
                             [this] {
                                 ++begun;
                                 return mayBegin;
@@ -32,6 +33,7 @@ public:
                                 paintsItself = true;
                                 update();
                             }}};
+    int partsLeft = 0;  ///< before each picture
     int begun = 0;
     int shown = 0;  ///< pictures drawn ahead
     int drawn = 0;  ///< by itself
@@ -65,6 +67,7 @@ private Q_SLOTS:
     void eventsComeWhileOneIsDrawn();
     void whatIsWantedMeanwhileFollows();
     void grabbedPicturesAreOfNow();
+    void eventsComeBetweenParts();
     void droppedOnesAreNotShown();
     void theWindowPaintsMeanwhile();
     void hiddenOnesDoNotHoldTheNext();
@@ -144,6 +147,23 @@ void PictureAheadTest::grabbedPicturesAreOfNow() {
     QTRY_COMPARE(m_canvas->begun, 2);
     m_canvas->isFinished = true;
     QTRY_COMPARE(m_canvas->shown, 1);
+}
+
+void PictureAheadTest::eventsComeBetweenParts() {
+    int turns = 0;
+    QTimer timer;
+    connect(&timer, &QTimer::timeout, this, [&] {
+        turns += m_canvas->begun == 0 ? 1 : 0;
+        m_canvas->ahead.want();
+    });
+    timer.start(0);
+    m_canvas->partsLeft = 20;
+    m_canvas->ahead.want();
+    QTRY_COMPARE(m_canvas->begun, 1);
+    timer.stop();
+    QVERIFY2(turns >= 15, qPrintable(QString::number(turns)));
+    m_canvas->isFinished = true;
+    QTRY_VERIFY(m_canvas->shown > 0);
 }
 
 void PictureAheadTest::droppedOnesAreNotShown() {

@@ -146,8 +146,10 @@ Status Renderer::Private::addSample(const Frame& frame, DeformationPipeline& pip
             lit.lights.directional.direction = placeOnLight(frame.lights.directional.direction, place.at);
         }
         ShadowMap& map = isPlain ? shadows : sampleShadowsAt(place.index);
-        Status updated = map.update(contextOf(lit), pipeline, context.part.count);
-        if (!updated || !map.isWhole()) {
+        const FrameContext cast = contextOf(lit);
+        const bool isInTurn = context.part.count > 1 && !map.isUpToDate(cast, pipeline);
+        Status updated = map.update(cast, pipeline, context.part.count);
+        if (!updated || !map.isWhole() || isInTurn) {
             return updated;
         }
         context.shadows = &map;
@@ -171,9 +173,7 @@ Status Renderer::Private::drawPlain(FrameContext& context, DeformationPipeline& 
 Status Renderer::Private::begin(FrameContext& context, DeformationPipeline& pipeline,
                                 RefinedPicture& picture) {
     if (!picture.hasPicture()) {
-        if (Status drawn = drawPlain(context, pipeline, picture); !drawn || !picture.hasPicture()) {
-            return drawn;
-        }
+        return drawPlain(context, pipeline, picture);
     }
     picture.begin(varyingArea(context, pipeline, kLightSize), software && !context.frame.options.transparent);
     return drawFloorLayers(context, picture);

@@ -33,7 +33,7 @@ void PictureAhead::want() {
         return;
     }
     m_isWanted = true;
-    if (m_state == State::Nothing) {
+    if (m_state == State::Nothing && !m_timer.isActive()) {
         m_timer.start(0);
     }
 }
@@ -63,7 +63,12 @@ void PictureAhead::shown() {
 }
 
 void PictureAhead::goOn() {
-    if (m_state == State::Nothing && std::exchange(m_isWanted, false)) {
+    if (m_state == State::Nothing && m_isWanted) {
+        if (!m_hooks.prepare()) {
+            m_timer.start(0);
+            return;
+        }
+        m_isWanted = false;
         m_state = State::Drawing;  // whoever is told of it may want another one
         if (!m_hooks.begin()) {
             drawn();

@@ -15,6 +15,8 @@ class PictureAhead : public QObject {
     Q_OBJECT
 public:
     struct Hooks {
+        /// Does a part of what comes before a picture, between events as well; false: another part is left.
+        std::function<bool()> prepare;
         std::function<bool()> begin;       ///< hands over the drawing; false: nothing can be drawn ahead now
         std::function<bool()> isFinished;  ///< of what was handed over last
         /// Shows it, and shown() follows; false: nothing shows it now, as its widget is hidden.
