@@ -12,6 +12,10 @@ Result<const gl::Program*> ProgramCache::get(const std::string& vertex, const st
     if (known != m_programs.end()) {
         return static_cast<const gl::Program*>(known->second.get());
     }
+    if (m_mayBuild && (*m_mayBuild)-- <= 0) {
+        m_hasRefused = true;
+        return Error{"Another program is built later.", vertex, ""};
+    }
     Result<gl::Program> built = gl::Program::build(
         {.vertex = vertex, .fragment = fragment, .defines = defines, .geometry = geometry});
     if (!built) {

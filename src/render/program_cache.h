@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
 
@@ -19,7 +20,17 @@ public:
                                                  const gl::Defines& defines = {},
                                                  const std::string& geometry = {});
 
+    /// From now on get() builds so many programs and then refuses, by an error; nothing: any number.
+    void limitBuilding(std::optional<int> most) {
+        m_mayBuild = most;
+        m_hasRefused = false;
+    }
+    /// Whether it has since.
+    [[nodiscard]] bool hasRefused() const { return m_hasRefused; }
+
 private:
+    std::optional<int> m_mayBuild;
+    bool m_hasRefused = false;
     std::map<std::tuple<std::string, std::string, std::string, gl::Defines>, std::unique_ptr<gl::Program>>
         m_programs;
 };

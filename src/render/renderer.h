@@ -95,6 +95,10 @@ public:
     [[nodiscard]] Status prepare(const Frame& frame, DeformationPipeline& pipeline);
     /// Whether nothing of that is left.
     [[nodiscard]] bool isPrepared(const Frame& frame, const DeformationPipeline& pipeline);
+    /// Builds a program that pictures of this frame need, or ones with what may come with the next frames:
+    /// projectiles and a ghost. Draws a pixel into that framebuffer. Returns whether there are all;
+    /// else another call builds another one.
+    [[nodiscard]] bool warmUp(const Frame& frame, DeformationPipeline& pipeline, GLuint framebuffer);
     /// Programs are built for the pipeline when it first draws; the error is the driver's.
     [[nodiscard]] Status draw(const Frame& frame, DeformationPipeline& pipeline, GLuint framebuffer);
     /// Whether the last draw() put coarse shapes in the picture.

@@ -90,6 +90,9 @@ struct Renderer::Private {
     /// framebuffer keeps what the ones before have drawn.
     [[nodiscard]] Status drawPicture(const render::FrameContext& context, DeformationPipeline& pipeline,
                                      GLuint framebuffer, const render::DrawnPixels* within = nullptr);
+    /// The same of few triangles, and what is drawn over them, in one pixel.
+    [[nodiscard]] Status drawFew(render::FrameContext& context, DeformationPipeline& pipeline,
+                                 GLuint framebuffer);
     /// What is drawn over everything.
     [[nodiscard]] Status drawOver(const render::FrameContext& context);
     /// The next part of a picture that is refined: context.part.count is set, and the index will be.

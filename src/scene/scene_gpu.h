@@ -89,8 +89,8 @@ public:
     /// not.
     [[nodiscard]] bool wasCoarse() const;
     /// Does a part of what draw() would do before it draws, so that an event need not wait for all of it:
-    /// takes new targets over, applies new hits or takes what they moved, makes room for drawAhead(), draws
-    /// shadows. Returns whether no part is left.
+    /// takes new targets over, applies new hits or takes what they moved, makes room for drawAhead(), builds
+    /// programs, draws shadows. Returns whether no part is left.
     [[nodiscard]] Result<bool> prepare(const View& view);
     /// Adds a sample to `refined`, of what was drawn last, or draws a part of one: takes as long as a frame
     /// at most, follows nothing and shows nothing. Samples of another picture are forgotten first. Two

@@ -99,6 +99,10 @@ Result<bool> SceneGpu::prepare(const View& view) {
     d->followTargets();
     d->followCover();
     const std::unique_ptr<FrameParts> parts = d->frameOf(view);
+    if (!d->isWarm && d->ownTarget) {
+        d->isWarm = d->renderer->warmUp(parts->frame, *d->pipeline, d->ownTarget->framebuffer());
+        return false;
+    }
     if (d->renderer->isPrepared(parts->frame, *d->pipeline)) {
         return true;
     }

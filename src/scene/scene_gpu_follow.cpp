@@ -108,6 +108,7 @@ void SceneGpu::Private::takeReapplied() {
     ++meshRevision;
     Reapplication::Buffers buffers = done->takeBuffers();
     pipeline = done->takePipeline();
+    isWarm = false;
     for (auto& [id, target] : targets) {
         target.buffers = std::move(buffers.at(id));
         if (const TrueNormals& normals = session.targets().find(id)->trueNormals; !normals.areOriginal()) {
@@ -132,6 +133,7 @@ Status SceneGpu::Private::followPipeline(bool& startOver) {
         return made.error();
     }
     pipeline = std::move(made).value();
+    isWarm = false;
     for (auto& [id, target] : targets) {
         target.buffers->restoreOriginal();
         pipeline->addTarget(id, *target.buffers);

@@ -70,6 +70,7 @@ struct SceneGpu::Private {
     std::unique_ptr<Reapplication> reapplication;  // null: nothing is applied again in slices
 
     bool appliesBetweenPictures = false;
+    bool isWarm = false;       ///< the programs of these targets, with this pipeline, are there
     bool isFollowed = false;   ///< for the next picture, before it is drawn
     bool isFetchNext = false;  ///< then a slice reads back what the one before has moved
 

@@ -89,6 +89,7 @@ void SceneGpu::Private::followTargets() {
             followMaterials(*target, known->second);
             continue;
         }
+        isWarm = false;
         GpuTarget& made =
             targets
                 .try_emplace(target->id,

@@ -11,25 +11,24 @@
 #include "mesh/geodesic_sphere.h"
 #include "mesh/panel_texture.h"
 #include "scene/reapplication.h"
-#include "scene/refined_view.h"
 #include "scene/scene_gpu.h"
+#include "scene_draw_support.h"
 #include "session/primitive_target.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
 namespace hitscope::scene_draw_test {
 
-namespace {
+using namespace test;
 
-constexpr int kWidth = 240;
-constexpr int kHeight = 120;
+namespace {
 
 /// Pixels of a half (0: left, 1: right) that clearly differ.
 int differing(const Image& a, const Image& b, int half) {
     int count = 0;
-    for (int y = 0; y < kHeight; ++y) {
-        for (int x = half * kWidth / 2; x < (half + 1) * kWidth / 2; ++x) {
-            const std::size_t i = std::size_t{4} * static_cast<std::size_t>(y * kWidth + x);
+    for (int y = 0; y < kSmallHeight; ++y) {
+        for (int x = half * kSmallWidth / 2; x < (half + 1) * kSmallWidth / 2; ++x) {
+            const std::size_t i = std::size_t{4} * static_cast<std::size_t>(y * kSmallWidth + x);
             int off = 0;
             for (std::size_t channel = 0; channel < 3; ++channel) {
                 off += std::abs(a.pixels[i + channel] - b.pixels[i + channel]);
@@ -54,7 +53,7 @@ private Q_SLOTS:
 
     void hiddenTargetsAreNotDrawn() {
         Session session;
-        session.loadScene({{}, plans(), 0.0f});
+        session.loadScene({{}, twoCubes(), 0.0f});
         auto gpu = SceneGpu::create(session);
         QVERIFY(gpu);
         const Image both = draw(session, *gpu.value());
@@ -68,7 +67,7 @@ private Q_SLOTS:
 
     void coverIsOnTargetsWithTextureCoordinates() {
         Session session;
-        std::vector<TargetPlan> bare = plans();
+        std::vector<TargetPlan> bare = twoCubes();
         MeshData mesh = *bare[1].shape.mesh;
         mesh.texcoords.clear();
         mesh.cornerTexcoords.clear();
@@ -89,7 +88,7 @@ private Q_SLOTS:
 
     void coloursStayWithOtherBuffers() {
         Session session;
-        std::vector<TargetPlan> coloured = plans();
+        std::vector<TargetPlan> coloured = twoCubes();
         MeshData mesh = *coloured[1].shape.mesh;
         mesh.colours.assign(mesh.positions.size(), glm::vec3(1.0f, 0.0f, 0.0f));
         coloured[1].shape = prepareMesh(std::move(mesh));
@@ -123,62 +122,15 @@ private Q_SLOTS:
     /// Pictures that move may be drawn smaller: they fill the same place, and differ at edges alone.
     void smallerPicturesAreEnlarged() {
         Session session;
-        session.loadScene({{}, plans(), 0.0f});
+        session.loadScene({{}, twoCubes(), 0.0f});
         auto gpu = SceneGpu::create(session);
         QVERIFY(gpu);
         const Image full = draw(session, *gpu.value());
         const Image half = draw(session, *gpu.value(), true, {.scale = 0.5f});
         const int differs = differing(full, half, 0) + differing(full, half, 1);
-        QVERIFY2(differs > 50 && differs < kWidth * kHeight / 20, qPrintable(QString::number(differs)));
+        QVERIFY2(differs > 50 && differs < kSmallWidth * kSmallHeight / 20,
+                 qPrintable(QString::number(differs)));
         QVERIFY(draw(session, *gpu.value()).pixels == full.pixels);
-    }
-
-    /// A picture that is refined next is the same one, and is the refined picture's beginning: neither that
-    /// nor the same picture again draws the targets once more.
-    void theNextIsRefined() {
-        Session session;
-        session.loadScene({{}, plans(), 0.0f});
-        auto gpu = SceneGpu::create(session);
-        QVERIFY(gpu);
-        RefinedView refined;
-        Image picture;
-        const auto draw = [&](bool isRefinedNext) {
-            SceneGpu::View view = viewOf(session);
-            view.isRefinedNext = isRefinedNext;
-            const gl::RenderTarget into(kWidth, kHeight);
-            QVERIFY(gpu.value()->draw(view, into.framebuffer(), &refined).ok());
-            picture = into.read();
-        };
-        const GLuint all = primitivesOf([&] { draw(false); });
-        const Image plain = picture;
-        QVERIFY(!refined.hasPicture());
-        QVERIFY(primitivesOf([&] { draw(true); }) >= all);
-        QVERIFY(refined.isPlain());
-        QVERIFY(picture.pixels == plain.pixels);
-        QVERIFY(primitivesOf([&] { draw(true); }) < all / 4);
-        QVERIFY(picture.pixels == plain.pixels);
-        const auto refine = [&] { QVERIFY(gpu.value()->refine(viewOf(session), refined).ok()); };
-        QVERIFY(primitivesOf(refine) < all / 4);
-        QVERIFY(!refined.isPlain());
-        QCOMPARE(refined.samples(), 0);
-        QVERIFY(primitivesOf(refine) >= all / 2);
-        QCOMPARE(refined.samples(), 1);
-        // Too few samples to be shown, and where the plain picture was there are these.
-        draw(true);
-        QVERIFY(picture.pixels == plain.pixels);
-        QCOMPARE(refined.samples(), 1);
-        Hit hit;
-        hit.target = session.targets()[0]->id;
-        hit.point = glm::vec3(0.0f, 0.0f, 2.0f);
-        hit.direction = glm::vec3(0.0f, 0.0f, -1.0f);
-        QVERIFY(session.hits().add(hit).ok());
-        QVERIFY(gpu.value()->sync().ok());  // normals have come, too
-        draw(true);
-        QVERIFY(refined.isPlain());
-        const Image dented = picture;
-        QVERIFY(dented.pixels != plain.pixels);
-        draw(false);
-        QVERIFY(picture.pixels == dented.pixels);
     }
 
     /// With fewer triangles a sphere looks much the same, dents included, and afterwards all are there again,
@@ -204,7 +156,8 @@ private Q_SLOTS:
         QVERIFY(other && other.value()->sync().ok());
         QVERIFY(draw(session, *other.value()).pixels == full.pixels);
         const int differs = differing(full, coarse, 0);
-        QVERIFY2(differs > 20 && differs < kWidth * kHeight / 10, qPrintable(QString::number(differs)));
+        QVERIFY2(differs > 20 && differs < kSmallWidth * kSmallHeight / 10,
+                 qPrintable(QString::number(differs)));
         QVERIFY(3 * differs < 2 * differing(full, round, 0));  // the dent is there
         QVERIFY(!gpu.value()->wasCoarse());
         m_floor = false;
@@ -229,53 +182,6 @@ private Q_SLOTS:
         m_isNarrow = false;
         QVERIFY(!gpu.value()->wasCoarse());
         QVERIFY(full.pixels == coarse.pixels);
-    }
-
-    /// Of a scene that is new, too: the picture then draws no shadows, and is the same.
-    void shadowsAreDrawnBeforeThePicture() {
-        Session session;
-        session.loadScene({{}, plans(), 0.0f});
-        const auto gpu = SceneGpu::create(session);
-        QVERIFY(gpu);
-        m_floor = true;
-        static_cast<void>(draw(session, *gpu.value()));
-        const auto loadOther = [&session] {
-            std::vector<TargetPlan> one(1, planPrimitive({PrimitiveKind::UvSphere, 32, 3.0f}));
-            session.loadScene({{}, std::move(one), 0.0f});
-        };
-        loadOther();
-        Image whole;
-        const GLuint all = primitivesOf([&] { whole = draw(session, *gpu.value()); });
-        loadOther();
-        const auto partsOf = [&] {
-            int parts = 0;
-            for (bool isLeft = true; isLeft && parts < 10; ++parts) {
-                const Result<bool> prepared = gpu.value()->prepare(viewOf(session));
-                isLeft = prepared && !prepared.value();
-            }
-            return parts;
-        };
-        QCOMPARE(partsOf(), 4);  // the target, a framebuffer, shadows, and that nothing is left
-        Image rest;
-        const GLuint fewer = primitivesOf([&] { rest = draw(session, *gpu.value()); });
-        QVERIFY2(fewer > 0 && fewer < all, qPrintable(QStringLiteral("%1 of %2").arg(fewer).arg(all)));
-        QVERIFY(rest.pixels == whole.pixels);
-        Hit hit;
-        hit.target = session.targets()[0]->id;
-        hit.point = {0.0f, 0.0f, 1.5f};
-        hit.direction = {0.0f, 0.0f, -1.0f};
-        QVERIFY(session.hits().add(hit).ok());
-        QCOMPARE(partsOf(), 3);  // the hit, its shadows
-        const Image dented = draw(session, *gpu.value());
-        QVERIFY(dented.pixels != whole.pixels);
-        for (int pictures = 0; gpu.value()->isReadBackPending() && pictures < 100; ++pictures) {
-            QVERIFY(partsOf() < 10);
-            static_cast<void>(draw(session, *gpu.value()));
-        }
-        QVERIFY(!gpu.value()->isReadBackPending());
-        const auto other = SceneGpu::create(session);
-        QVERIFY(other && other.value()->sync().ok());
-        QVERIFY(draw(session, *gpu.value()).pixels == draw(session, *other.value()).pixels);
     }
 
     void shadowsFollowDents_data() {
@@ -335,55 +241,23 @@ private Q_SLOTS:
     }
 
 private:
-    /// Triangles and lines that were drawn meanwhile.
-    static GLuint primitivesOf(const std::function<void()>& act) {
-        GLuint query = 0;
-        glGenQueries(1, &query);
-        glBeginQuery(GL_PRIMITIVES_GENERATED, query);
-        act();
-        glEndQuery(GL_PRIMITIVES_GENERATED);
-        GLuint primitives = 0;
-        glGetQueryObjectuiv(query, GL_QUERY_RESULT, &primitives);
-        glDeleteQueries(1, &query);
-        return primitives;
-    }
-
-    /// Two cubes side by side, far enough apart that neither shades the other.
-    static std::vector<TargetPlan> plans() {
-        std::vector<TargetPlan> made(2, planPrimitive({PrimitiveKind::Cube, 4, 4.0f}));
-        made[0].transform.position.x = -5.0f;
-        made[1].transform.position.x = 5.0f;
-        return made;
-    }
-
     /// From the front, however little of the scene is visible.
     [[nodiscard]] SceneGpu::View viewOf(const Session& session, bool colours = true,
                                         const PictureDetail& detail = {}) const {
-        SceneGpu::View view;
-        view.width = kWidth;
-        view.height = kHeight;
+        SceneGpu::View view = smallView(session, m_floor);
         view.detail = detail;
-        Bounds bounds;
-        for (const auto& target : session.targets()) {
-            bounds.add(target->worldBounds());
-        }
-        view.camera.frame(bounds, 2.0f);
         if (m_isNarrow) {
             view.camera.setFieldOfView(Camera::kNarrowest);
         }
-        view.options.floor = m_floor;
-        view.options.shadows = m_floor;
         view.options.vertexColours = colours;
         return view;
     }
     Image draw(const Session& session, SceneGpu& gpu, bool colours = true,
                const PictureDetail& detail = {}) const {
-        const gl::RenderTarget into(kWidth, kHeight);
-        const Status drawn = gpu.draw(viewOf(session, colours, detail), into.framebuffer());
-        return drawn.ok() ? into.read() : Image{};
+        return drawn(gpu, viewOf(session, colours, detail));
     }
 
-    test::GlFixture m_gl;
+    GlFixture m_gl;
     bool m_floor = false;
     bool m_isNarrow = false;  // the picture shows little
 };
