@@ -105,12 +105,12 @@ public:
     [[nodiscard]] bool wasCoarse() const;
 
     /// Adds a sample to a picture of this frame, of the same one until the picture is cleared; or what has to
-    /// be known before the first one; or of either the next part, where a software renderer would take long:
-    /// picture.samples() tells. The frame starts at the framebuffer's left. The error says what the driver
-    /// lacks.
+    /// be known before the first one; or of either, or of its buffers, the next part, where a software
+    /// renderer would take long: picture.samples() tells. The frame starts at the framebuffer's left. The
+    /// error says what the driver lacks.
     [[nodiscard]] Status refine(const Frame& frame, DeformationPipeline& pipeline, RefinedPicture& picture);
     /// Draws into `picture` what draw() would draw of the scene: drawRefined() then shows it, and refine()
-    /// need not draw it. Where the driver has no room, the picture has nothing.
+    /// need not draw it. Where the driver has no room, or makes it first, the picture has nothing.
     [[nodiscard]] Status drawPlain(const Frame& frame, DeformationPipeline& pipeline,
                                    RefinedPicture& picture);
     /// Whether that would first wait for what it was called for before.

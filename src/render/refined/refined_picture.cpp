@@ -149,24 +149,35 @@ void RefinedPicture::readFront() {
     m_front.emplace(m_width, m_height, depths);
 }
 
-bool RefinedPicture::prepare(int width, int height) {
-    if (width == m_width && height == m_height) {
-        return true;
+void RefinedPicture::makePart(int part, const glm::ivec2& size) {
+    const auto colours = [&size] { return makeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, size.x, size.y); };
+    switch (part) {
+        case 0:
+            m_colour = colours();
+            m_depths = makeTexture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, size.x, size.y);
+            break;
+        case 1:
+            m_sum = makeTexture(GL_RGBA32F, GL_RGBA, GL_FLOAT, size.x, size.y);
+            break;
+        case 2: {
+            for (gl::Texture& floor : m_floor) {
+                floor = colours();
+            }
+            const glm::ivec2 open = floorOpenSize(size.x, size.y);
+            m_floorOpen = makeTexture(GL_R8, GL_RED, GL_UNSIGNED_BYTE, open.x, open.y, GL_LINEAR);
+            break;
+        }
+        default:
+            m_sampleDepth = gl::Renderbuffer::make();
+            glBindRenderbuffer(GL_RENDERBUFFER, m_sampleDepth.id());
+            glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, size.x, size.y);
+            glBindRenderbuffer(GL_RENDERBUFFER, 0);
+            break;
     }
-    clear();
-    m_colour = makeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height);
-    m_depths = makeTexture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, width, height);
-    m_sum = makeTexture(GL_RGBA32F, GL_RGBA, GL_FLOAT, width, height);
-    for (gl::Texture& floor : m_floor) {
-        floor = makeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height);
-    }
-    const glm::ivec2 open = floorOpenSize(width, height);
-    m_floorOpen = makeTexture(GL_R8, GL_RED, GL_UNSIGNED_BYTE, open.x, open.y, GL_LINEAR);
     glBindTexture(GL_TEXTURE_2D, 0);
-    m_sampleDepth = gl::Renderbuffer::make();
-    glBindRenderbuffer(GL_RENDERBUFFER, m_sampleDepth.id());
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, width, height);
-    glBindRenderbuffer(GL_RENDERBUFFER, 0);
+}
+
+bool RefinedPicture::makeFramebuffers() {
     m_plain = makeFramebuffer(m_colour.id(), m_depths.id());
     m_sample = makeFramebuffer(m_colour.id(), 0);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
@@ -178,12 +189,37 @@ bool RefinedPicture::prepare(int width, int height) {
         m_drawnFloor[i] = makeFramebuffer(m_floor[i].id(), 0);
     }
     m_drawnFloorOpen = makeFramebuffer(m_floorOpen.id(), 0);
-    const bool made = isComplete(m_plain) && isComplete(m_sample) && isComplete(m_adding) &&
-                      isComplete(m_drawnFloor[0]) && isComplete(m_drawnFloor[1]) &&
-                      isComplete(m_drawnFloorOpen);
-    m_width = made ? width : 0;
-    m_height = made ? height : 0;
-    return made;
+    return isComplete(m_plain) && isComplete(m_sample) && isComplete(m_adding) &&
+           isComplete(m_drawnFloor[0]) && isComplete(m_drawnFloor[1]) && isComplete(m_drawnFloorOpen);
+}
+
+RefinedPicture::Made RefinedPicture::prepare(int width, int height, bool inParts) {
+    constexpr int kParts = 4;
+    constexpr int kLarge = 256 * 1024;  // pixels: fewer take some milliseconds
+    if (width == m_width && height == m_height) {
+        return Made::All;
+    }
+    if (m_coming != glm::ivec2(width, height)) {
+        clear();
+        m_width = 0;
+        m_height = 0;
+        m_coming = {width, height};
+        m_madeParts = 0;
+    }
+    const bool isAtOnce = !inParts || width * height < kLarge;
+    do {
+        makePart(m_madeParts++, m_coming);
+    } while (isAtOnce && m_madeParts < kParts);
+    if (m_madeParts < kParts) {
+        return Made::Part;
+    }
+    m_coming = {0, 0};
+    if (!makeFramebuffers()) {
+        return Made::None;
+    }
+    m_width = width;
+    m_height = height;
+    return Made::All;
 }
 
 Status RefinedPicture::add(render::ProgramCache& programs, GLuint emptyArray) {

@@ -54,9 +54,11 @@ public:
 
     // What follows is the Renderer's.
 
-    /// Makes buffers of that size, pixels, where they are of another. False: the driver cannot; there are
-    /// none.
-    [[nodiscard]] bool prepare(int width, int height);
+    /// Of the buffers. None: the driver cannot have them.
+    enum class Made { None, Part, All };
+    /// Makes buffers of that size, pixels, where they are of another; inParts: where they are large, some of
+    /// them in each call, as a software renderer clears them.
+    [[nodiscard]] Made prepare(int width, int height, bool inParts = false);
     /// The frame without jitter has been drawn into plainFramebuffer().
     void plainDrawn();
     /// Whether begin() was called.
@@ -112,6 +114,8 @@ public:
     [[nodiscard]] Status draw(render::ProgramCache& programs, GLuint emptyArray, bool withDepths) const;
 
 private:
+    void makePart(int part, const glm::ivec2& size);
+    [[nodiscard]] bool makeFramebuffers();
     [[nodiscard]] static glm::ivec2 floorOpenSize(int width, int height) {
         return (glm::ivec2(width, height) + kFloorOpenStep - 1) / kFloorOpenStep;
     }
@@ -121,8 +125,10 @@ private:
     [[nodiscard]] Status settle(render::ProgramCache& programs, GLuint emptyArray);
     [[nodiscard]] gl::Defines drawDefines(bool isSum, bool withDepths) const;
 
-    int m_width = 0;
+    int m_width = 0;  ///< of all buffers; 0: they are not all there
     int m_height = 0;
+    glm::ivec2 m_coming{0};  ///< of those that are being made
+    int m_madeParts = 0;     ///< of these
     int m_samples = 0;
     Extent m_extent;
     std::size_t m_trianglesAPart;

@@ -204,11 +204,14 @@ Status Renderer::Private::drawSample(FrameContext& context, DeformationPipeline&
 
 Status Renderer::drawPlain(const Frame& given, DeformationPipeline& pipeline, RefinedPicture& picture) {
     d->wasCoarse = false;
-    if (given.width <= 0 || given.height <= 0 || !picture.prepare(given.width, given.height)) {
+    if (given.width <= 0 || given.height <= 0) {
+        return Done{};
+    }
+    const KeepState keep;
+    if (picture.prepare(given.width, given.height, d->software) != RefinedPicture::Made::All) {
         return Done{};
     }
     picture.clear();
-    const KeepState keep;
     const LitFrame lit(given);
     FrameContext context = d->contextOf(lit.frame());
     if (Status updated = d->updateShadows(context, pipeline); !updated) {
@@ -225,7 +228,11 @@ Status Renderer::refine(const Frame& given, DeformationPipeline& pipeline, Refin
     if (d->refining.size() > kMostAhead) {
         d->refining.front().wait();
     }
-    if (!picture.prepare(given.width, given.height)) {
+    const RefinedPicture::Made made = picture.prepare(given.width, given.height, d->software);
+    if (made == RefinedPicture::Made::Part) {
+        return Done{};
+    }
+    if (made == RefinedPicture::Made::None) {
         return Error{"This graphics driver cannot sum up pictures of " + std::to_string(given.width) + " x " +
                          std::to_string(given.height) + " pixels.",
                      "", "Choose a smaller size, or a single sample."};
