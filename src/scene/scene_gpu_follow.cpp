@@ -241,8 +241,9 @@ bool SceneGpu::Private::isFarBehind() const {
     return pipeline && std::max(shown, known) - std::min(shown, known) > kWorthSlicingNew;
 }
 
-bool SceneGpu::Private::hasNewEdits() const {
-    return seenRevision != session.hits().history().revision() ||
+bool SceneGpu::Private::isBehindSession() const {
+    return pipeline->traits().kind != session.settings().pipeline() ||
+           seenRevision != session.hits().history().revision() ||
            applied.size() != session.hits().shown().size();
 }
 
@@ -250,12 +251,12 @@ bool SceneGpu::Private::hasToFollow() const {
     if (appending || reapplication || isFarBehind() || hasToStartOver()) {
         return false;
     }
-    return hasNewEdits() || pipeline->isReadBackPending();
+    return isBehindSession() || pipeline->isReadBackPending();
 }
 
 Status SceneGpu::Private::followForPicture() {
     // What has been moved is read back for the next picture: this one need not wait for it.
-    const bool wasFollowed = std::exchange(isFollowed, false) && !hasNewEdits();
+    const bool wasFollowed = std::exchange(isFollowed, false) && !isBehindSession();
     if (!wasFollowed && (!appliesBetweenPictures || (!appending && !reapplication && !isFarBehind()))) {
         return follow(Delivery::WhatHasArrived);
     }

@@ -103,7 +103,8 @@ struct SceneGpu::Private {
     /// Whether there are new targets, or draw() would apply hits or read back what they moved.
     [[nodiscard]] bool hasNewTargets() const;
     [[nodiscard]] bool hasToFollow() const;
-    [[nodiscard]] bool hasNewEdits() const;
+    /// Whether the pipeline is another one than is wanted, or has not got all hits.
+    [[nodiscard]] bool isBehindSession() const;
     std::shared_ptr<const MaterialSet> materialsOf(const DeformedMesh& mesh);
     void followComparison(const View& view);
     [[nodiscard]] bool isSideBySide(const View& view) const {

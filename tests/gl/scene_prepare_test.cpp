@@ -26,12 +26,14 @@ private Q_SLOTS:
     }
     void cleanup() {
         m_wireframe = WireframeMode::Off;
+        m_normals = NormalMode::True;
         m_gpu.reset();
         m_session.reset();
         QCOMPARE(m_gl.errors(), QStringList());
     }
     void shadowsAreDrawnBeforeThePicture();
     void hitsAreAppliedBeforeThePicture();
+    void whatComesBetweenIsDrawnToo();
     void programsAreBuiltBeforeThePicture();
     void theNextIsRefined();
 
@@ -40,6 +42,7 @@ private:
         SceneGpu::View view = smallView(*m_session, true);
         view.options.vertexColours = true;
         view.options.wireframe = m_wireframe;
+        view.options.normals = m_normals;
         return view;
     }
     [[nodiscard]] Image draw() { return drawn(*m_gpu, view()); }
@@ -72,6 +75,7 @@ private:
 
     GlFixture m_gl;
     WireframeMode m_wireframe = WireframeMode::Off;
+    NormalMode m_normals = NormalMode::True;
     std::unique_ptr<Session> m_session;
     std::unique_ptr<SceneGpu> m_gpu;
 };
@@ -102,6 +106,22 @@ void ScenePrepareTest::hitsAreAppliedBeforeThePicture() {
     }
     QVERIFY(!m_gpu->isReadBackPending());
     QVERIFY(draw().pixels == drawnByAnother().pixels);
+}
+
+/// Between two parts, events may change anything.
+void ScenePrepareTest::whatComesBetweenIsDrawnToo() {
+    m_normals = NormalMode::Paper;  // the picture need not wait for others
+    loadSphere();
+    static_cast<void>(prepare());
+    const Image whole = draw();
+    QVERIFY(hitFront(1.5f));
+    QVERIFY(m_gpu->prepare(view()));
+    QVERIFY(hitFront(1.2f));
+    const Image both = draw();
+    QVERIFY(both.pixels != whole.pixels);
+    QVERIFY(m_gpu->sync().ok());
+    QVERIFY(draw().pixels == both.pixels);
+    QVERIFY(drawnByAnother().pixels == both.pixels);
 }
 
 /// Each in a part of its own, and none is left for the picture.
