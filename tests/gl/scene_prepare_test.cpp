@@ -85,6 +85,9 @@ void ScenePrepareTest::shadowsAreDrawnBeforeThePicture() {
     loadSphere();
     Image whole;
     const GLuint all = primitivesOf([&] { whole = draw(); });
+    if (all == 0) {
+        QSKIP("this renderer does not count what it draws");
+    }
     loadSphere();
     QVERIFY(prepare() >= 4);  // the target, a framebuffer, programs, shadows
     Image rest;
@@ -161,6 +164,9 @@ void ScenePrepareTest::theNextIsRefined() {
         QVERIFY(m_gpu->refine(shown, refined).ok());
     };
     const GLuint all = primitivesOf([&] { draw(false); });
+    if (all == 0) {
+        QSKIP("this renderer does not count what it draws");
+    }
     const Image plain = picture;
     QVERIFY(!refined.hasPicture());
     QVERIFY(primitivesOf([&] { draw(true); }) >= all);
