@@ -122,9 +122,8 @@ SceneGpu::View Viewport::view() const {
 }
 
 SceneGpu::View Viewport::beginPicture() {
-    if (!std::exchange(m_isPreparing, false)) {
-        m_sinceBegin.start();
-    }
+    m_sinceBegin.start();
+    m_prepared = std::exchange(m_preparing, 0.0);
     m_follows = std::exchange(m_frameFollows, false) && m_sinceFrame.isValid();
     SceneGpu::View shown = view();
     m_motion.seenFrom(camera().distance());
@@ -145,7 +144,7 @@ void Viewport::endFrame() {
     if (!std::exchange(m_isDrawn, false)) {
         return;
     }
-    const double drawing = static_cast<double>(m_sinceBegin.nsecsElapsed()) * kNanosecond;
+    const double drawing = m_prepared + static_cast<double>(m_sinceBegin.nsecsElapsed()) * kNanosecond;
     m_motion.frameShown(drawing);
     m_catchUp.pictureShown();
     m_ahead.shown();

@@ -206,8 +206,9 @@ private:
     bool m_unlimited = false;    ///< frames do not wait for the screen
     QElapsedTimer m_clock;       ///< since moveOn() last ran; invalid while nothing moves
     QElapsedTimer m_sinceFrame;  ///< since the last frame was shown
-    QElapsedTimer m_sinceBegin;  ///< since the last picture was begun, or what comes before it
-    bool m_isPreparing = false;  ///< that was begun
+    QElapsedTimer m_sinceBegin;  ///< since the last picture was begun
+    double m_prepared = 0.0;     ///< seconds that what came before it took, without the events between
+    double m_preparing = 0.0;    ///< of the next picture, so far
     bool m_isDrawn = false;      ///< since a frame was shown
     QSize m_keptFor;             ///< pixels of the viewport when that was drawn
     QImage m_kept;               ///< what was drawn last, where pictures are kept in memory

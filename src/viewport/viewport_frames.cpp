@@ -119,9 +119,8 @@ PictureAhead::Hooks Viewport::aheadHooks() {
 }
 
 bool Viewport::prepareAhead() {
-    if (!std::exchange(m_isPreparing, true)) {
-        m_sinceBegin.start();
-    }
+    QElapsedTimer clock;
+    clock.start();
     bool isPrepared = true;  // where it fails, drawing does too, and says so
     static_cast<void>(withScene([&](SceneGpu& scene) -> Status {
         SceneGpu::View coming = view();
@@ -130,6 +129,7 @@ bool Viewport::prepareAhead() {
         isPrepared = !prepared || prepared.value();
         return Done{};
     }));
+    m_preparing += static_cast<double>(clock.nsecsElapsed()) / kSecond;
     return isPrepared;
 }
 
