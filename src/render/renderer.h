@@ -95,9 +95,9 @@ public:
     [[nodiscard]] Status prepare(const Frame& frame, DeformationPipeline& pipeline);
     /// Whether nothing of that is left.
     [[nodiscard]] bool isPrepared(const Frame& frame, const DeformationPipeline& pipeline);
-    /// Builds a program that pictures of this frame need, or ones with what may come with the next frames:
-    /// projectiles and a ghost. Draws a pixel into that framebuffer. Returns whether there are all;
-    /// else another call builds another one.
+    /// Builds one of the programs that this frame needs, or that projectiles and a ghost of a dent in the
+    /// next frames will need. Draws a pixel into that framebuffer. Returns whether all are built; otherwise
+    /// call it again.
     [[nodiscard]] bool warmUp(const Frame& frame, DeformationPipeline& pipeline, GLuint framebuffer);
     /// Programs are built for the pipeline when it first draws; the error is the driver's.
     [[nodiscard]] Status draw(const Frame& frame, DeformationPipeline& pipeline, GLuint framebuffer);

@@ -54,10 +54,10 @@ public:
 
     // What follows is the Renderer's.
 
-    /// Of the buffers. None: the driver cannot have them.
+    /// How many of the buffers exist. None: the driver has no room for them.
     enum class Made { None, Part, All };
-    /// Makes buffers of that size, pixels, where they are of another; inParts: where they are large, some of
-    /// them in each call, as a software renderer clears them.
+    /// Makes buffers of that size, pixels, where they have another one. inParts: each call makes some of
+    /// them if they are large, since a software renderer clears them.
     [[nodiscard]] Made prepare(int width, int height, bool inParts = false);
     /// The frame without jitter has been drawn into plainFramebuffer().
     void plainDrawn();
