@@ -2,6 +2,7 @@
 #include "mesh/surface_measurer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -14,11 +15,7 @@ namespace hitscope {
 
 namespace {
 
-constexpr std::size_t kBlock = 256;  // faces, edges or vertices summed together
-
-std::size_t blocksOf(std::size_t count) {
-    return (count + kBlock - 1) / kBlock;
-}
+constexpr std::size_t kBlock = BlockIndex::kBlock;  // faces, edges or vertices summed together
 
 std::uint32_t blockOf(std::uint32_t index) {
     return index / static_cast<std::uint32_t>(kBlock);
@@ -70,9 +67,9 @@ SurfaceMeasurer::SurfaceMeasurer(std::shared_ptr<const MeshData> mesh,
     : m_mesh(std::move(mesh)),
       m_topology(std::move(topology)),
       m_isListed(m_mesh->vertexCount(), false),
-      m_faces(blocksOf(m_mesh->faceCount())),
-      m_edges(blocksOf(m_topology->edges().size())),
-      m_boxes(blocksOf(m_mesh->vertexCount())) {
+      m_faces(BlockIndex::blocksOf(m_mesh->faceCount())),
+      m_edges(BlockIndex::blocksOf(m_topology->edges().size())),
+      m_boxes(BlockIndex::blocksOf(m_mesh->vertexCount())) {
     Box box;
     for (std::size_t i = 0; i < m_boxes.size(); ++i) {
         m_boxes[i] = measureBox(i);
@@ -88,14 +85,24 @@ SurfaceMeasurer::SurfaceMeasurer(std::shared_ptr<const MeshData> mesh,
     m_original = measures();
 }
 
+void SurfaceMeasurer::makeIndex() {
+    const std::span<const SurfaceTopology::Edge> edges = m_topology->edges();
+    m_index.emplace(Index{BlockIndex(m_mesh->vertexCount(), m_mesh->faceCount(),
+                                     [this](std::size_t f) { return m_mesh->face(f); }),
+                          BlockIndex(m_mesh->vertexCount(), edges.size(), [edges](std::size_t e) {
+                              return std::array{edges[e].low, edges[e].high};
+                          })});
+}
+
 void SurfaceMeasurer::move(std::span<const MovedVertex> moved) {
     m_dirtyFaces.clear();
     m_dirtyEdges.clear();
     m_dirtyBoxes.clear();
     if (!m_index && !moved.empty()) {
-        m_index.emplace(*m_mesh, *m_topology);
+        makeIndex();
         m_positions = m_mesh->positions;
     }
+    std::uint32_t lastRun = kNoIndex;
     for (const MovedVertex& vertex : moved) {
         if (m_positions[vertex.vertex] == vertex.position) {
             continue;
@@ -106,11 +113,14 @@ void SurfaceMeasurer::move(std::span<const MovedVertex> moved) {
             m_listed.push_back(vertex.vertex);
         }
         m_dirtyBoxes.push_back(blockOf(vertex.vertex));
-        for (const std::uint32_t face : m_index->facesAt(vertex.vertex)) {
-            m_dirtyFaces.push_back(blockOf(face));
-        }
-        for (const std::uint32_t edge : m_index->edgesAt(vertex.vertex)) {
-            m_dirtyEdges.push_back(blockOf(edge));
+        if (const std::uint32_t run = BlockIndex::runOf(vertex.vertex); run != lastRun) {
+            lastRun = run;
+            for (const std::uint32_t block : m_index->faces.blocksOfRun(run)) {
+                m_dirtyFaces.push_back(block);
+            }
+            for (const std::uint32_t block : m_index->edges.blocksOfRun(run)) {
+                m_dirtyEdges.push_back(block);
+            }
         }
     }
     sortUnique(m_dirtyFaces);

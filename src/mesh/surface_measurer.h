@@ -8,6 +8,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "mesh/block_index.h"
 #include "mesh/mesh_data.h"
 #include "mesh/moved_vertex.h"
 #include "mesh/surface_measures.h"
@@ -73,6 +74,7 @@ private:
         std::uint32_t degenerated = 0;
         float stretch = 1.0f;  ///< the greatest
     };
+    void makeIndex();
     [[nodiscard]] FaceBlock measureFaces(std::size_t block) const;
     [[nodiscard]] Spread measureEdges(std::size_t block) const;
     [[nodiscard]] Box measureBox(std::size_t block) const;
@@ -82,8 +84,12 @@ private:
     std::shared_ptr<const MeshData> m_mesh;
     std::shared_ptr<const SurfaceTopology> m_topology;
     glm::dvec3 m_reference{0.0};  ///< volumes are measured from here: far off they would cancel in rounding
-    // Both are there once something has moved.
-    std::optional<SurfaceIndex> m_index;
+    // All are there once something has moved.
+    struct Index {
+        BlockIndex faces;
+        BlockIndex edges;
+    };
+    std::optional<Index> m_index;
     std::vector<glm::vec3> m_positions;
     std::vector<std::uint32_t> m_listed;  ///< file vertices that were ever moved
     std::vector<bool> m_isListed;

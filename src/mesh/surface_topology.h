@@ -72,31 +72,6 @@ private:
     std::vector<Edge> m_edges;  ///< sorted
 };
 
-/// Which faces and edges of a surface are at its vertices. As large as the surface's edges themselves: who
-/// follows vertices that move makes one.
-class SurfaceIndex {
-public:
-    /// `topology` is that of `mesh`.
-    SurfaceIndex(const MeshData& mesh, const SurfaceTopology& topology);
-
-    /// Faces with a corner at this file vertex.
-    [[nodiscard]] std::span<const std::uint32_t> facesAt(std::uint32_t fileVertex) const {
-        return std::span(m_faces).subspan(m_faceStarts[fileVertex],
-                                          m_faceStarts[fileVertex + 1] - m_faceStarts[fileVertex]);
-    }
-    /// Numbers of the edges that end at this file vertex; none where another vertex stands for its place.
-    [[nodiscard]] std::span<const std::uint32_t> edgesAt(std::uint32_t fileVertex) const {
-        return std::span(m_vertexEdges)
-            .subspan(m_edgeStarts[fileVertex], m_edgeStarts[fileVertex + 1] - m_edgeStarts[fileVertex]);
-    }
-
-private:
-    std::vector<std::uint32_t> m_faceStarts;  ///< file vertex -> its run of m_faces; V + 1 entries
-    std::vector<std::uint32_t> m_faces;
-    std::vector<std::uint32_t> m_edgeStarts;  ///< file vertex -> its run of m_vertexEdges; V + 1 entries
-    std::vector<std::uint32_t> m_vertexEdges;
-};
-
 /// For each file vertex, the one that stands for its place: the lowest of those that faces use and whose
 /// positions are equal; itself where no face uses it. V entries.
 [[nodiscard]] std::vector<std::uint32_t> weldedVertices(const MeshData& mesh);

@@ -2,8 +2,12 @@
 #include "mesh/surface_topology.h"
 
 #include <QTest>
+#include <algorithm>
+#include <array>
 #include <random>
+#include <set>
 
+#include "mesh/block_index.h"
 #include "mesh/connectivity.h"
 #include "mesh/primitives.h"
 #include "mesh/teapot.h"
@@ -163,16 +167,27 @@ private Q_SLOTS:
         QCOMPARE(statisticsOf(MeshData()).vertices, std::size_t{0});
     }
 
-    void neighboursAreFound() {
-        const MeshData mesh = torus(9, 7, 2.0, 0.5);
-        const auto topology = SurfaceTopology::build(mesh);
-        const SurfaceIndex index(mesh, *topology);
-        for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
-            QCOMPARE(index.facesAt(v).size(), std::size_t{4});
-            QCOMPARE(index.edgesAt(v).size(), std::size_t{4});
-            for (const std::uint32_t edge : index.edgesAt(v)) {
-                QVERIFY(topology->edges()[edge].low == v || topology->edges()[edge].high == v);
+    /// Against a look at every entry; the last run has fewer vertices, the last block fewer entries.
+    void blocksOfVerticesAreFound() {
+        constexpr std::uint32_t kVertices = 1000;
+        std::mt19937 random(3);
+        std::uniform_int_distribution<std::uint32_t> any(0, kVertices - 1);
+        std::uniform_int_distribution<std::uint32_t> near(0, 39);
+        std::vector<std::array<std::uint32_t, 3>> entries(5 * BlockIndex::kBlock + 7);
+        for (std::array<std::uint32_t, 3>& entry : entries) {
+            entry = {any(random), near(random), any(random)};
+        }
+        const BlockIndex index(kVertices, entries.size(), [&](std::size_t e) { return entries[e]; });
+        std::vector<std::set<std::uint32_t>> expected(BlockIndex::runOf(kVertices - 1) + 1);
+        for (std::size_t e = 0; e < entries.size(); ++e) {
+            for (const std::uint32_t vertex : entries[e]) {
+                expected[BlockIndex::runOf(vertex)].insert(
+                    static_cast<std::uint32_t>(e / BlockIndex::kBlock));
             }
+        }
+        for (std::uint32_t run = 0; run < expected.size(); ++run) {
+            const auto found = index.blocksOfRun(run);
+            QVERIFY(std::equal(found.begin(), found.end(), expected[run].begin(), expected[run].end()));
         }
     }
 
