@@ -35,7 +35,10 @@ private Q_SLOTS:
     void smallMeshesHaveNone();
     void sphereKeepsItsShape();
     void facesLookTheRightWay();
+    void flatPlacesStayFine_data();
     void flatPlacesStayFine();
+    void manyTrianglesKeepTheShape();
+    void neighboursOfOtherDrawsStayApart();
     void drawsKeepTheirShares();
     void preparedMeshesHaveThem();
 };
@@ -87,10 +90,20 @@ void CoarseTrianglesTest::facesLookTheRightWay() {
 }
 
 /// No cell of a flat square is much larger than the others: a dent in it shows wherever it is.
+void CoarseTrianglesTest::flatPlacesStayFine_data() {
+    QTest::addColumn<int>("side");
+    QTest::addColumn<int>("wanted");
+    QTest::newRow("all vertices") << 200 << 8'000;
+    QTest::newRow("two taken for one") << 400 << 8'000;
+    QTest::newRow("sixteen taken for one") << 600 << 2'000;
+}
+
 void CoarseTrianglesTest::flatPlacesStayFine() {
-    constexpr int kSide = 200;
-    RenderMesh mesh = buildRenderMesh(makeSheet(kSide, kSide, 1.0f, 1.0f));
-    addCoarseTriangles(mesh, 8'000);
+    QFETCH(const int, side);
+    QFETCH(const int, wanted);
+    RenderMesh mesh = buildRenderMesh(makeSheet(side, side, 1.0f, 1.0f));
+    addCoarseTriangles(mesh, static_cast<std::size_t>(wanted));
+    QVERIFY(3 * wanted / 2 < static_cast<int>(mesh.coarseTriangles.size()));
     double largest = 0.0;
     for (std::size_t i = 0; i < mesh.coarseTriangles.size(); i += 3) {
         for (const std::size_t k : {0, 1, 2}) {
@@ -99,8 +112,43 @@ void CoarseTrianglesTest::flatPlacesStayFine() {
             largest = std::max(largest, static_cast<double>(glm::distance(a, b)));
         }
     }
-    const double usual = std::sqrt(2.0 / 8'000.0);  // the short sides of triangles that are all alike
+    const double usual = std::sqrt(2.0 / wanted);  // the short sides of triangles that are all alike
     QVERIFY2(largest < 4.0 * usual, qPrintable(QString::number(largest / usual)));
+}
+
+/// Some vertices are taken for one before.
+void CoarseTrianglesTest::manyTrianglesKeepTheShape() {
+    RenderMesh mesh = buildRenderMesh(makeGeodesicSphere(120, 2.0f));  // 288,000 triangles
+    addCoarseTriangles(mesh, 2'000);
+    const std::size_t triangles = mesh.coarseTriangles.size() / 3;
+    QVERIFY2(triangles > 1'000 && triangles <= 2'000, qPrintable(QString::number(triangles)));
+    const double part = areaOf(mesh, mesh.coarseTriangles) / areaOf(mesh, mesh.triangles);
+    QVERIFY2(part > 0.95 && part < 1.03, qPrintable(QString::number(part)));
+}
+
+void CoarseTrianglesTest::neighboursOfOtherDrawsStayApart() {
+    MeshData sheet = makeSheet(600, 600, 1.0f, 1.0f);
+    sheet.materials.resize(2);
+    sheet.faceMaterials.assign(sheet.faceCount(), 0);
+    for (std::size_t face = 0; face < sheet.faceCount(); ++face) {
+        sheet.faceMaterials[face] = face % 3 == 0 ? 1 : 0;
+    }
+    sheet.texcoords = {{0.0f, 0.0f}, {1.0f, 1.0f}};  // so that no vertex is of both draws
+    sheet.cornerTexcoords.resize(sheet.cornerVertices.size());
+    for (std::size_t face = 0; face < sheet.faceCount(); ++face) {
+        for (std::uint32_t corner = sheet.faceStarts[face]; corner < sheet.faceStarts[face + 1]; ++corner) {
+            sheet.cornerTexcoords[corner] = sheet.faceMaterials[face];
+        }
+    }
+    RenderMesh mesh = buildRenderMesh(sheet);
+    addCoarseTriangles(mesh, 4'000);
+    QCOMPARE(mesh.coarseDraws.size(), std::size_t{2});
+    for (const DrawRange& draw : mesh.coarseDraws) {
+        QVERIFY(draw.count > 0);
+        for (std::uint32_t k = draw.first; k < draw.first + draw.count; ++k) {
+            QCOMPARE(mesh.texcoords[mesh.coarseTriangles[k]].x, static_cast<float>(draw.material));
+        }
+    }
 }
 
 void CoarseTrianglesTest::drawsKeepTheirShares() {
