@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "core/zero_array.h"
+
 namespace hitscope {
 
 namespace {
@@ -27,12 +29,12 @@ struct ChangeValues::TargetValues {
     explicit TargetValues(const Target& of)
         : target(&of),
           tree(of.deformed.render().clusters.size()),
-          values(of.deformed.render().vertices.size(), 0.0f),
+          values(of.deformed.render().vertices.size()),
           marked(of.deformed.render().clusters.size(), 0) {}
 
     const Target* target;
     SummaryTree tree;
-    std::vector<float> values;
+    ZeroArray<float> values;
     std::vector<std::uint8_t> marked;  ///< the cluster waits
     std::vector<std::uint32_t> waiting;
     std::vector<VertexRange> measured;  ///< since valuesChanged()
@@ -305,8 +307,7 @@ Summary ChangeValues::summary() const {
 
 std::span<const float> ChangeValues::values(TargetId target) const {
     const auto known = m_targets.find(target);
-    return known == m_targets.end() ? std::span<const float>()
-                                    : std::span<const float>(known->second->values);
+    return known == m_targets.end() ? std::span<const float>() : known->second->values.all();
 }
 
 void ChangeValues::setHistogramWanted(bool wanted) {

@@ -267,12 +267,14 @@ void HitEffects::takeCounts(const HistoryEffects::Changes::Counts& counts) {
     if (counts.fromZero && counts.vertices.empty()) {
         m_counts.erase(counts.target);
     } else {
-        std::vector<std::uint32_t>& known = m_counts[counts.target];
+        ZeroArray<std::uint32_t>& known = m_counts[counts.target];
         if (counts.fromZero || known.empty()) {
-            known.assign(target->deformed.positions().size(), 0);
+            known = ZeroArray<std::uint32_t>(target->deformed.positions().size());
         }
         for (std::size_t i = 0; i < counts.vertices.size(); ++i) {
-            known[counts.vertices[i]] = counts.counts[i];
+            if (known[counts.vertices[i]] != counts.counts[i]) {  // what stays 0 takes no memory
+                known[counts.vertices[i]] = counts.counts[i];
+            }
         }
     }
     Q_EMIT countsChanged(counts.target, counts.fromZero ? std::vector<std::uint32_t>() : counts.vertices);
@@ -284,7 +286,7 @@ std::optional<HitEffect> HitEffects::effect(std::size_t row) const {
 
 std::span<const std::uint32_t> HitEffects::counts(TargetId target) const {
     const auto known = m_counts.find(target);
-    return known == m_counts.end() ? std::span<const std::uint32_t>() : known->second;
+    return known == m_counts.end() ? std::span<const std::uint32_t>() : known->second.all();
 }
 
 void HitEffects::finish() {

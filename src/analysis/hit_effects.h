@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "core/zero_array.h"
 #include "deform/history_effects.h"
 #include "session/session.h"
 
@@ -79,7 +80,7 @@ private:
     std::uint64_t m_questions = 0;  ///< asked about the vertices of a hit
     std::deque<Shift> m_shifts;     ///< of the tasks between
     std::vector<std::optional<HitEffect>> m_effects;  ///< one a hit
-    std::map<TargetId, std::vector<std::uint32_t>> m_counts;
+    std::map<TargetId, ZeroArray<std::uint32_t>> m_counts;
 };
 
 }  // namespace hitscope

@@ -32,9 +32,13 @@ public:
 
     /// Takes over vertices [first, first + vertices.size()) as read back. Cost follows the range. File
     /// vertices that are now somewhere else are appended to `moved`; some may be repeated. The first time the
-    /// whole original is copied.
+    /// whole original is copied: see makeOwn().
     void write(std::uint32_t first, std::span<const DynamicVertex> vertices,
                std::vector<std::uint32_t>& moved);
+    /// Copies the original now, not with the first write().
+    void makeOwn();
+    /// Nothing was copied yet.
+    [[nodiscard]] bool isOriginal() const { return m_isOriginal; }
     /// Back to the original.
     void reset();
     /// The same mesh with other materials or pictures: its vertices and faces are equal.
@@ -63,8 +67,6 @@ public:
     [[nodiscard]] std::shared_ptr<const RenderMesh> sharedRender() const { return m_render; }
 
 private:
-    void makeOwn();
-
     std::shared_ptr<const MeshData> m_original;
     std::shared_ptr<const RenderMesh> m_render;
     bool m_isOriginal =

@@ -52,7 +52,7 @@ TargetEffects::TargetEffects(std::shared_ptr<const RenderMesh> mesh)
     : m_mesh(std::move(mesh)),
       m_vertices(*m_mesh),
       m_reach(m_mesh->clusters),
-      m_counts(m_mesh->fileVertexStarts.empty() ? 0 : m_mesh->fileVertexStarts.size() - 1, 0) {}
+      m_counts(m_mesh->fileVertexStarts.empty() ? 0 : m_mesh->fileVertexStarts.size() - 1) {}
 
 /// A file vertex may have several render vertices, which hits move alike: one of them stands for it.
 bool TargetEffects::isFirstOf(std::uint32_t renderVertex) const {
@@ -174,7 +174,7 @@ void TargetEffects::append(std::size_t first, std::span<const Hit> hits, const s
 void TargetEffects::startOver(std::span<const Hit> hits, const std::atomic<bool>& stop, Changes& changes) {
     m_vertices = VertexCopy(*m_mesh);
     m_reach.restart();
-    std::fill(m_counts.begin(), m_counts.end(), 0);
+    m_counts.clear();
     m_keepsParts = true;
     m_parts.assign(m_effects.size(), {});
     m_partCount = 0;

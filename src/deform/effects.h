@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/zero_array.h"
 #include "deform/cluster_reach.h"
 #include "deform/hits_by_target.h"
 #include "deform/vertex_copy.h"
@@ -47,7 +48,7 @@ public:
 
     [[nodiscard]] std::span<const HitEffect> effects() const { return m_effects; }  ///< one a hit
     /// How many hits moved each vertex; one a file vertex.
-    [[nodiscard]] std::span<const std::uint32_t> counts() const { return m_counts; }
+    [[nodiscard]] std::span<const std::uint32_t> counts() const { return m_counts.all(); }
     /// After all hits; one a render vertex.
     [[nodiscard]] std::span<const DynamicVertex> vertices() const { return m_vertices.all(); }
     /// The file vertices that hits[index] moved, ascending; `hits` are those followed.
@@ -79,7 +80,7 @@ private:
     std::shared_ptr<const RenderMesh> m_mesh;
     mutable VertexCopy m_vertices;  ///< of the clusters that hits have reached, unless all are asked for
     ClusterReach m_reach;
-    std::vector<std::uint32_t> m_counts;
+    ZeroArray<std::uint32_t> m_counts;
     std::vector<HitEffect> m_effects;
     std::vector<std::vector<Part>> m_parts;  ///< one a hit: the clusters where it moved some; or empty
     std::size_t m_partCount = 0;

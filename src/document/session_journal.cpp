@@ -110,8 +110,8 @@ void SessionJournal::flush() {
         m_noted.clear();
         m_isBegun = true;
         m_revision = m_session.hits().history().revision();
-        SessionDocument document = captureSession(m_session, m_view());
-        m_writer.begin(std::move(document));
+        // Fingerprints of the positions would not hold after the next hit, and take long on a large mesh.
+        m_writer.begin(captureHits(m_session, m_view()));
         Q_EMIT begun();
     } else if (!m_noted.empty()) {
         m_writer.set({m_noted.begin(), m_noted.end()}, captureSettings(m_session, m_view()));

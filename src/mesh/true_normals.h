@@ -29,6 +29,8 @@ public:
     /// Cost follows the input, but for the first one, which makes the normals this one's own.
     void update(std::span<const glm::vec3> positions, std::span<const std::uint32_t> movedFileVertices,
                 std::vector<std::uint32_t>& updated);
+    /// Makes the normals this one's own now, not with the first update().
+    void makeOwn();
     void reset();
 
     /// Nothing was ever recomputed: normals() are the render mesh's.
@@ -45,7 +47,6 @@ private:
     struct Groups;
     void recompute(std::uint32_t group, std::span<const glm::vec3> positions);
     void recompute(std::span<const std::uint32_t> groups, std::span<const glm::vec3> positions);
-    void makeOwn();
 
     std::shared_ptr<const Groups> m_groups;  ///< shared by the copies, as the mesh's size in memory counts
     /// Copied when one that is shared changes; null: they are the render mesh's.

@@ -99,11 +99,10 @@ bool ReadBack::isDropped(std::size_t index) const {
 void ReadBack::restart() {
     for (const std::unique_ptr<Target>& target : m_targets) {
         DeformedMesh& mesh = target->deformed;
-        const auto vertexCount = static_cast<std::uint32_t>(mesh.positions().size());
         std::vector<std::uint32_t>& moved = m_moved[target->id];
-        for (std::uint32_t v = 0; v < vertexCount; ++v) {
-            if (mesh.isChanged(v)) {
-                moved.push_back(v);
+        for (const std::uint32_t vertex : mesh.onceChanged()) {
+            if (mesh.isChanged(vertex)) {
+                moved.push_back(vertex);
             }
         }
         mesh.reset();
@@ -114,6 +113,13 @@ void ReadBack::take(TargetId id, std::uint32_t first, std::span<const DynamicVer
     Target* target = findTarget(m_targets, id);
     if (target == nullptr) {
         return;
+    }
+    if (target->deformed.isOriginal()) {
+        // The first hit on it: copies of large arrays, to which the system gives new memory.
+        const bool isLarge = target->deformed.render().vertices.size() > kManyVertices;
+        forEach(2, isLarge, [target](std::size_t i) {
+            i == 0 ? target->deformed.makeOwn() : target->trueNormals.makeOwn();
+        });
     }
     target->deformed.write(first, vertices, m_moved[id]);
 }

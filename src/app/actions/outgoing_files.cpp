@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QPointer>
 #include <QTemporaryDir>
+#include <future>
 #include <memory>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "document/document_json.h"
 #include "document/session_file.h"
 #include "io/save_image.h"
+#include "io/staged_files.h"
 #include "models/focus_target.h"
 #include "panels/help/help_text.h"
 #include "session/session.h"
@@ -93,9 +95,13 @@ DraggedFile* OutgoingFiles::picture() {
         Q_EMIT failed(drawn.error());
         return nullptr;
     }
-    const auto image = std::make_shared<Image>(std::move(drawn).value());
-    return new DraggedFile(sessionName() + QStringLiteral(".png"),
-                           [image](const QString& path) { return savePicture(*image, path).ok(); });
+    // While it is dragged, or another program is brought to the front: longer than an event may wait.
+    const std::shared_future<QByteArray> encoded =
+        std::async(std::launch::async, encodePng, std::move(drawn).value()).share();
+    return new DraggedFile(sessionName() + QStringLiteral(".png"), [encoded](const QString& path) {
+        const QByteArray& bytes = encoded.get();
+        return writeWhole(path, {bytes.constData(), static_cast<std::size_t>(bytes.size())}).ok();
+    });
 }
 
 DraggedFile* OutgoingFiles::session() {
