@@ -182,7 +182,7 @@ double ChangeValues::valueOf(const TargetValues& values, const Shape& shape,
         }
         default:
             return changeOf(*m_quantity, mesh.render().vertices[renderVertex], mesh.vertices()[renderVertex],
-                            shape.normals->normal(renderVertex));
+                            shape.normals->normals()[renderVertex]);
     }
 }
 

@@ -84,7 +84,7 @@ void Comparison::setShownQuantity(std::optional<ChangeQuantity> quantity) {
     m_values.setQuantity(isOwn ? quantity : std::nullopt);
 }
 
-std::span<const glm::vec3> Comparison::normals(TargetId target) const {
+const TurnedNormals& Comparison::normals(TargetId target) const {
     return m_shapes.at(target)->trueNormals.normals();
 }
 

@@ -56,7 +56,7 @@ public:
     void take(TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices);
     /// As ReadBack::finish().
     std::vector<ReadBack::ChangedNormals> finishReadBack();
-    [[nodiscard]] std::span<const glm::vec3> normals(TargetId target) const;
+    [[nodiscard]] const TurnedNormals& normals(TargetId target) const;
     void settle(std::size_t droppedHits);  ///< everything has arrived, of both
     void setFailure(const QString& failure);
 

@@ -24,20 +24,20 @@ public:
         : m_mesh(std::move(mesh)), m_render(std::move(render)) {}
 
     void follow(std::span<const MovedVertex> moved) {
-        if (m_positions.empty()) {
-            m_positions = m_mesh->positions;
+        if (m_positions.size() == 0) {
+            m_positions = PageCopy(m_mesh->positions);
         }
         for (const MovedVertex& vertex : moved) {
             m_positions[vertex.vertex] = vertex.position;
         }
     }
     [[nodiscard]] const RenderMesh& render() const { return *m_render; }
-    [[nodiscard]] std::span<const glm::vec3> positions() const { return m_positions; }
+    [[nodiscard]] std::span<const glm::vec3> positions() const { return m_positions.all(); }
 
 private:
     std::shared_ptr<const MeshData> m_mesh;
     std::shared_ptr<const RenderMesh> m_render;
-    std::vector<glm::vec3> m_positions;
+    PageCopy<glm::vec3> m_positions;
 };
 
 struct PlanJob {

@@ -69,7 +69,7 @@ private:
     TargetId m_id;
     std::shared_ptr<const MeshData> m_mesh;
     std::shared_ptr<const RenderMesh> m_render;
-    std::vector<glm::vec3> m_positions;
+    PageCopy<glm::vec3> m_positions;
     std::unique_ptr<ReferenceDeformation> m_reference;
     std::vector<Hit> m_applied;
 };

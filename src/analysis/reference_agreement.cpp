@@ -29,7 +29,7 @@ std::map<TargetId, std::vector<Hit>> appliedByTarget(const Session& session) {
 std::vector<DynamicVertex> deformed(const RenderMesh& mesh, std::span<const Hit> hits,
                                     ReferenceMethod method) {
     if (method == ReferenceMethod::Everywhere) {
-        std::vector<DynamicVertex> vertices = mesh.vertices;
+        std::vector<DynamicVertex> vertices(mesh.vertices.begin(), mesh.vertices.end());
         deformEverywhere(vertices, hits);
         return vertices;
     }

@@ -131,7 +131,7 @@ void LatencyRun::openings(const QString& mesh) {
 std::size_t LatencyRun::movedVertices() {
     const Target& target = *m_window.session().targets().front();
     const std::span<const glm::vec3> now = target.deformed.positions();
-    const std::vector<glm::vec3>& before = target.deformed.original().positions;
+    const PageVector<glm::vec3>& before = target.deformed.original().positions;
     std::size_t moved = 0;
     for (std::size_t i = 0; i < now.size(); ++i) {
         moved += now[i] != before[i] ? 1 : 0;

@@ -144,8 +144,8 @@ Hit CarriedHits::carried(Hit hit) const {
 
 Hit CarriedHits::alongWith(const Hit& hit) const {
     const FileTriangle triangle = triangleOf(*m_before.render, hit.triangle);
-    const std::vector<glm::vec3>& before = m_before.mesh->positions;
-    const std::vector<glm::vec3>& after = m_after.mesh->positions;
+    const std::span<const glm::vec3> before = m_before.mesh->positions;
+    const std::span<const glm::vec3> after = m_after.mesh->positions;
     const bool isSame = std::all_of(triangle.begin(), triangle.end(),
                                     [&](std::uint32_t vertex) { return before[vertex] == after[vertex]; });
     return isSame ? hit : moved(hit, placeOf(*m_before.mesh, triangle), placeOf(*m_after.mesh, triangle));

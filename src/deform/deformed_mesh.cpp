@@ -15,8 +15,8 @@ DeformedMesh::DeformedMesh(std::shared_ptr<const MeshData> original, std::shared
 
 void DeformedMesh::makeOwn() {
     if (m_isOriginal) {
-        m_vertices = m_render->vertices;
-        m_positions = m_original->positions;
+        m_vertices = PageCopy(m_render->vertices);
+        m_positions = PageCopy(m_original->positions);
         m_listed.assign(m_positions.size(), false);
         m_isOriginal = false;
     }
@@ -38,13 +38,13 @@ void DeformedMesh::write(std::uint32_t first, std::span<const DynamicVertex> ver
             m_changed.push_back(fileVertex);
         }
     }
-    std::copy(vertices.begin(), vertices.end(), m_vertices.begin() + first);
+    std::copy(vertices.begin(), vertices.end(), m_vertices.data() + first);
     ++m_revision;
 }
 
 void DeformedMesh::reset() {
     if (!m_isOriginal) {
-        m_vertices = m_render->vertices;
+        m_vertices = PageCopy(m_render->vertices);
     }
     for (const std::uint32_t fileVertex : m_changed) {
         m_positions[fileVertex] = m_original->positions[fileVertex];

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/page_vector.h"
 #include "deform/cluster_reach.h"
 #include "mesh/mesh_data.h"
 #include "mesh/render_mesh.h"
@@ -31,14 +32,9 @@ public:
     DeformedMesh(std::shared_ptr<const MeshData> original, std::shared_ptr<const RenderMesh> render);
 
     /// Takes over vertices [first, first + vertices.size()) as read back. Cost follows the range. File
-    /// vertices that are now somewhere else are appended to `moved`; some may be repeated. The first time the
-    /// whole original is copied: see makeOwn().
+    /// vertices that are now somewhere else are appended to `moved`; some may be repeated.
     void write(std::uint32_t first, std::span<const DynamicVertex> vertices,
                std::vector<std::uint32_t>& moved);
-    /// Copies the original now, not with the first write().
-    void makeOwn();
-    /// Nothing was copied yet.
-    [[nodiscard]] bool isOriginal() const { return m_isOriginal; }
     /// Back to the original.
     void reset();
     /// The same mesh with other materials or pictures: its vertices and faces are equal.
@@ -46,11 +42,11 @@ public:
 
     /// Current render vertices; render().vertices.size() entries.
     [[nodiscard]] std::span<const DynamicVertex> vertices() const {
-        return m_isOriginal ? m_render->vertices : m_vertices;
+        return m_isOriginal ? std::span<const DynamicVertex>(m_render->vertices) : m_vertices.all();
     }
     /// Current positions in the file's own order; original().positions.size() entries.
     [[nodiscard]] std::span<const glm::vec3> positions() const {
-        return m_isOriginal ? m_original->positions : m_positions;
+        return m_isOriginal ? std::span<const glm::vec3>(m_original->positions) : m_positions.all();
     }
     [[nodiscard]] bool isChanged(std::uint32_t fileVertex) const;
     [[nodiscard]] glm::vec3 displacement(std::uint32_t fileVertex) const;
@@ -67,12 +63,14 @@ public:
     [[nodiscard]] std::shared_ptr<const RenderMesh> sharedRender() const { return m_render; }
 
 private:
+    void makeOwn();
+
     std::shared_ptr<const MeshData> m_original;
     std::shared_ptr<const RenderMesh> m_render;
     bool m_isOriginal =
         true;  ///< nothing was written yet: what follows is empty, as large meshes take memory
-    std::vector<DynamicVertex> m_vertices;
-    std::vector<glm::vec3> m_positions;
+    PageCopy<DynamicVertex> m_vertices;
+    PageCopy<glm::vec3> m_positions;
     std::vector<std::uint32_t> m_changed;  ///< file vertices that were ever changed, each once
     std::vector<bool> m_listed;            ///< file vertex is in m_changed
     std::uint64_t m_revision = 0;

@@ -19,7 +19,10 @@ namespace {
 class GhostSurface {
 public:
     GhostSurface(const RenderMesh& mesh, std::span<const glm::vec3> positions)
-        : m_mesh(mesh), m_vertices(mesh.vertices), m_isMoved(mesh.vertices.size()), m_reach(mesh.clusters) {
+        : m_mesh(mesh),
+          m_vertices(mesh.vertices.begin(), mesh.vertices.end()),
+          m_isMoved(mesh.vertices.size()),
+          m_reach(mesh.clusters) {
         for (std::size_t i = 0; i < m_vertices.size(); ++i) {
             m_vertices[i].position = positions[mesh.fileVertices[i]];
         }

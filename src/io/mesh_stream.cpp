@@ -96,8 +96,8 @@ public:
         static_assert(kIsPlain<T>);
         bytes(&value, sizeof value);
     }
-    template <class T>
-    void array(const std::vector<T>& values) {
+    template <class T, class Allocator>
+    void array(const std::vector<T, Allocator>& values) {
         static_assert(kIsPlain<T>);
         plain(static_cast<std::uint64_t>(values.size()));
         bytes(values.data(), values.size() * sizeof(T));
@@ -163,8 +163,8 @@ public:
         static_assert(kIsPlain<T>);
         bytes(&value, sizeof value);
     }
-    template <class T>
-    void array(std::vector<T>& values) {
+    template <class T, class Allocator>
+    void array(std::vector<T, Allocator>& values) {
         static_assert(kIsPlain<T>);
         values.resize(count(sizeof(T), sizeof(T)));
         bytes(values.data(), values.size() * sizeof(T));

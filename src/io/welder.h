@@ -6,14 +6,17 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "core/page_vector.h"
+
 namespace hitscope {
 
 /// Gives equal positions one index, in the order of their first appearance: for formats that do not share
 /// vertices between faces. Equal means equal in every coordinate; -0 is 0.
+/// `Positions`: a vector of glm::vec3.
+template <class Positions = PageVector<glm::vec3>>
 class Welder {
 public:
-    explicit Welder(std::vector<glm::vec3>& positions)
-        : m_positions(positions), m_slots(kFirstSlots, kFree) {}
+    explicit Welder(Positions& positions) : m_positions(positions), m_slots(kFirstSlots, kFree) {}
 
     std::uint32_t index(glm::vec3 position) {
         position += 0.0f;  // makes -0 into 0
@@ -60,7 +63,7 @@ private:
         }
     }
 
-    std::vector<glm::vec3>& m_positions;
+    Positions& m_positions;
     std::vector<std::uint32_t> m_slots;  ///< open addressing; a power of two
     std::size_t m_first = 0;
 };

@@ -11,6 +11,7 @@
 
 #include "core/bounds.h"
 #include "core/image.h"
+#include "core/page_vector.h"
 #include "core/result.h"
 
 namespace hitscope {
@@ -76,7 +77,7 @@ inline constexpr std::uint32_t kNoIndex = 0xffffffffu;
 struct MeshData {
     std::string name;  ///< for people: the file's base name, or "Low-poly sphere 3"
 
-    std::vector<glm::vec3> positions;  ///< metres, local frame; V entries, vertices no face uses included
+    PageVector<glm::vec3> positions;  ///< metres, local frame; V entries, vertices no face uses included
     std::vector<glm::dvec3> filePositions;  ///< empty or V entries: the file's own numbers, before placement
     Placement placement;                    ///< relates filePositions to positions
     std::vector<glm::vec3> colours;         ///< empty or V entries, sRGB in [0, 1]

@@ -30,8 +30,8 @@ private:
 };
 
 /// Points of one array halfway along pairs of its own entries, each pair's once.
-template <class Point>
-std::uint32_t midpoint(std::vector<Point>& points, PairIndex& known, std::uint32_t a, std::uint32_t b) {
+template <class Points>
+std::uint32_t midpoint(Points& points, PairIndex& known, std::uint32_t a, std::uint32_t b) {
     const std::uint32_t index = known.find(a, b, points.size());
     if (index == points.size()) {
         points.push_back(0.5f * points[a] + 0.5f * points[b]);
@@ -39,9 +39,9 @@ std::uint32_t midpoint(std::vector<Point>& points, PairIndex& known, std::uint32
     return index;
 }
 
-template <class Point>
-std::uint32_t addCentroid(std::vector<Point>& points, std::span<const std::uint32_t> indices) {
-    Point sum(0.0f);
+template <class Points>
+std::uint32_t addCentroid(Points& points, std::span<const std::uint32_t> indices) {
+    typename Points::value_type sum(0.0f);
     for (const std::uint32_t index : indices) {
         sum += points[index];
     }
@@ -51,8 +51,8 @@ std::uint32_t addCentroid(std::vector<Point>& points, std::span<const std::uint3
 
 /// Replaces a face by quads from each corner to the edge points beside it and the face point. Works on
 /// positions and on texture coordinates alike; the result is four indices a quad.
-template <class Point>
-std::vector<std::uint32_t> quadsOfFace(std::vector<Point>& points, PairIndex& edges,
+template <class Points>
+std::vector<std::uint32_t> quadsOfFace(Points& points, PairIndex& edges,
                                        std::span<const std::uint32_t> face) {
     const std::uint32_t centre = addCentroid(points, face);
     std::vector<std::uint32_t> quads;

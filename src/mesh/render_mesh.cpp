@@ -43,7 +43,7 @@ struct CornerAttributes {
 
 /// The render vertices of a run of the file's.
 struct VertexRun {
-    std::vector<DynamicVertex> vertices;
+    PageVector<DynamicVertex> vertices;
     std::vector<glm::vec2> texcoords;
     std::vector<std::uint32_t> fileVertices;
 
@@ -123,9 +123,9 @@ void makeVertices(const MeshData& mesh, const VertexCorners& vertexCorners,
     }
 }
 
-template <class T>
-std::vector<T> permuted(const std::vector<T>& values, std::span<const std::uint32_t> order) {
-    std::vector<T> result;
+template <class Values>
+Values permuted(const Values& values, std::span<const std::uint32_t> order) {
+    Values result;
     result.reserve(values.size());
     for (const std::uint32_t index : order) {
         mayGiveUp(result.size());

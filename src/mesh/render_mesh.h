@@ -34,7 +34,7 @@ static_assert(sizeof(DynamicVertex) == 24);
 /// vertex that no face uses has one render vertex, behind all those: hits move it as any other, and no
 /// triangle or edge draws it.
 struct RenderMesh {
-    std::vector<DynamicVertex> vertices;  ///< R entries, original state
+    PageVector<DynamicVertex> vertices;  ///< R entries, original state
     std::uint32_t drawnVertices =
         0;  ///< so many of them, the first, are of faces; the others' normal is zero
     std::vector<glm::vec2> texcoords;                 ///< R entries (zero where the file has none)

@@ -100,7 +100,7 @@ void SurfaceMeasurer::move(std::span<const MovedVertex> moved) {
     m_dirtyBoxes.clear();
     if (!m_index && !moved.empty()) {
         makeIndex();
-        m_positions = m_mesh->positions;
+        m_positions = PageCopy(m_mesh->positions);
     }
     std::uint32_t lastRun = kNoIndex;
     for (const MovedVertex& vertex : moved) {

@@ -59,7 +59,7 @@ public:
     [[nodiscard]] const MeshData& mesh() const { return *m_mesh; }
     [[nodiscard]] const SurfaceTopology& topology() const { return *m_topology; }
     [[nodiscard]] std::span<const glm::vec3> positions() const {
-        return m_positions.empty() ? m_mesh->positions : m_positions;
+        return m_index ? m_positions.all() : m_mesh->positions;
     }
     [[nodiscard]] const SurfaceMeasures& original() const { return m_original; }
 
@@ -90,7 +90,7 @@ private:
         BlockIndex edges;
     };
     std::optional<Index> m_index;
-    std::vector<glm::vec3> m_positions;
+    PageCopy<glm::vec3> m_positions;
     std::vector<std::uint32_t> m_listed;  ///< file vertices that were ever moved
     std::vector<bool> m_isListed;
     std::vector<FaceBlock> m_faces;

@@ -2,7 +2,6 @@
 #include "mesh/true_normals.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <system_error>
@@ -100,7 +99,7 @@ TrueNormals::Groups::Groups(std::shared_ptr<const MeshData> ofMesh,
 }
 
 TrueNormals::TrueNormals(std::shared_ptr<const MeshData> mesh, std::shared_ptr<const RenderMesh> render)
-    : m_groups(std::make_shared<const Groups>(std::move(mesh), std::move(render))) {}
+    : m_groups(std::make_shared<const Groups>(std::move(mesh), render)), m_normals(std::move(render)) {}
 
 TrueNormals::TrueNormals(const MeshData& mesh, const RenderMesh& render)
     : TrueNormals(std::make_shared<const MeshData>(mesh), std::make_shared<const RenderMesh>(render)) {}
@@ -188,39 +187,14 @@ void TrueNormals::recompute(std::uint32_t group, std::span<const glm::vec3> posi
         normal = glm::vec3(turned(glm::dvec3(original), before / sizeBefore, now / sizeNow));
     }
     for (const std::uint32_t member : members) {
-        (*m_normals)[member] = normal;
+        m_normals.set(member, normal);
     }
-}
-
-std::span<const glm::vec3> TrueNormals::normals() const {
-    if (!m_normals) {
-        m_normals = std::make_shared<std::vector<glm::vec3>>();
-        m_normals->reserve(m_groups->render->vertices.size());
-        for (const DynamicVertex& vertex : m_groups->render->vertices) {
-            m_normals->push_back(vertex.normal);
-        }
-    }
-    return *m_normals;
-}
-
-const glm::vec3& TrueNormals::normal(std::uint32_t renderVertex) const {
-    return m_normals ? (*m_normals)[renderVertex] : m_groups->original(renderVertex);
-}
-
-void TrueNormals::makeOwn() {
-    static_cast<void>(normals());
-    if (m_normals.use_count() > 1) {
-        m_normals = std::make_shared<std::vector<glm::vec3>>(*m_normals);
-    }
-    // Another thread may have read them last: use_count() alone does not order its reads before our writes.
-    std::atomic_thread_fence(std::memory_order_acquire);
-    m_isConcerned.resize(m_groups->count(), false);
 }
 
 void TrueNormals::update(std::span<const glm::vec3> positions,
                          std::span<const std::uint32_t> movedFileVertices,
                          std::vector<std::uint32_t>& updated) {
-    makeOwn();
+    m_isConcerned.resize(m_groups->count(), false);
     m_wasUpdated = true;
     m_concerned.clear();
     const auto visit = [&](std::uint32_t renderVertex) {
@@ -232,6 +206,9 @@ void TrueNormals::update(std::span<const glm::vec3> positions,
         m_concerned.push_back(group);
         const std::span<const std::uint32_t> members = m_groups->members(group);
         updated.insert(updated.end(), members.begin(), members.end());
+        for (const std::uint32_t member : members) {
+            m_normals.makeOwn(member);
+        }
     };
     const std::vector<std::uint32_t>& faceStarts = m_groups->mesh->faceStarts;
     const auto corners = m_groups->render->cornerRenderVertices.begin();
@@ -273,13 +250,7 @@ void TrueNormals::recompute(std::span<const std::uint32_t> groups, std::span<con
 }
 
 void TrueNormals::reset() {
-    if (!m_wasUpdated) {
-        return;  // nothing was ever recomputed
-    }
-    makeOwn();
-    for (std::size_t i = 0; i < m_normals->size(); ++i) {
-        (*m_normals)[i] = m_groups->original(static_cast<std::uint32_t>(i));
-    }
+    m_normals.reset();
 }
 
 }  // namespace hitscope

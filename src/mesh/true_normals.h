@@ -9,6 +9,7 @@
 
 #include "mesh/mesh_data.h"
 #include "mesh/render_mesh.h"
+#include "mesh/turned_normals.h"
 
 namespace hitscope {
 
@@ -26,22 +27,15 @@ public:
 
     /// Recomputes around the given file vertices (any order, repeats allowed), at the current `positions`
     /// (one for each file vertex). Appends to `updated` the render vertices whose normal may have changed.
-    /// Cost follows the input, but for the first one, which makes the normals this one's own.
+    /// Cost follows the input.
     void update(std::span<const glm::vec3> positions, std::span<const std::uint32_t> movedFileVertices,
                 std::vector<std::uint32_t>& updated);
-    /// Makes the normals this one's own now, not with the first update().
-    void makeOwn();
     void reset();
 
     /// Nothing was ever recomputed: normals() are the render mesh's.
     [[nodiscard]] bool areOriginal() const { return !m_wasUpdated; }
-    /// One unit normal a render vertex. Valid until the next update() or reset(). Makes an array of the
-    /// render mesh's where nothing was ever recomputed, so not for two threads at once.
-    [[nodiscard]] std::span<const glm::vec3> normals() const;
-    [[nodiscard]] const glm::vec3& normal(std::uint32_t renderVertex) const;
-    /// normals() as they are now, for another thread to read: the next update() copies them if that one still
-    /// has them. Null: the render mesh's.
-    [[nodiscard]] std::shared_ptr<const std::vector<glm::vec3>> shared() const { return m_normals; }
+    /// One unit normal a render vertex. A copy keeps them as they are now, for another thread.
+    [[nodiscard]] const TurnedNormals& normals() const { return m_normals; }
 
 private:
     struct Groups;
@@ -49,8 +43,7 @@ private:
     void recompute(std::span<const std::uint32_t> groups, std::span<const glm::vec3> positions);
 
     std::shared_ptr<const Groups> m_groups;  ///< shared by the copies, as the mesh's size in memory counts
-    /// Copied when one that is shared changes; null: they are the render mesh's.
-    mutable std::shared_ptr<std::vector<glm::vec3>> m_normals;
+    TurnedNormals m_normals;
     bool m_wasUpdated = false;
     // Of the update() that runs.
     std::vector<std::uint32_t> m_concerned;  ///< groups

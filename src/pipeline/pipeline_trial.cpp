@@ -210,7 +210,8 @@ class Receiver {
 public:
     explicit Receiver(const Trial& trial) {
         for (std::size_t target = 0; target < kTargets; ++target) {
-            m_vertices[target] = trial.meshes[target].vertices;
+            const auto& vertices = trial.meshes[target].vertices;
+            m_vertices[target].assign(vertices.begin(), vertices.end());
         }
     }
     [[nodiscard]] ReadBackSink sink() {

@@ -73,7 +73,8 @@ void Reapplication::applySome(std::size_t most) {
         [this](TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices) {
             Arrived& arrived = m_arrived[target];
             if (arrived.vertices.empty()) {
-                arrived.vertices = m_session.targets().find(target)->deformed.render().vertices;
+                const auto& all = m_session.targets().find(target)->deformed.render().vertices;
+                arrived.vertices.assign(all.begin(), all.end());
             }
             std::copy(vertices.begin(), vertices.end(), arrived.vertices.begin() + first);
             const VertexRange range{first, static_cast<std::uint32_t>(vertices.size())};

@@ -112,7 +112,7 @@ void SceneGpu::Private::takeReapplied() {
     for (auto& [id, target] : targets) {
         target.buffers = std::move(buffers.at(id));
         if (const TrueNormals& normals = session.targets().find(id)->trueNormals; !normals.areOriginal()) {
-            target.buffers->writeShadingNormals(0, normals.normals());
+            target.buffers->writeShadingNormals(0, normals.normals().all());
         }
     }
     readBack.restart();

@@ -97,7 +97,7 @@ void SceneGpu::Private::followTargets() {
                 .first->second;
         made.buffers = buffersFor(*target);
         if (!target->trueNormals.areOriginal()) {
-            made.buffers->writeShadingNormals(0, target->trueNormals.normals());
+            made.buffers->writeShadingNormals(0, target->trueNormals.normals().all());
         }
         followMaterials(*target, made);
         if (pipeline) {

@@ -5,7 +5,7 @@ namespace hitscope {
 
 /// Short gaps are filled, since a call costs more than a few vertices.
 void writeShadingNormals(TargetBuffers& buffers, std::span<const std::uint32_t> vertices,
-                         std::span<const glm::vec3> normals) {
+                         const TurnedNormals& normals) {
     constexpr std::uint32_t kLargestGap = 32;
     std::size_t begin = 0;
     while (begin < vertices.size()) {
@@ -14,7 +14,7 @@ void writeShadingNormals(TargetBuffers& buffers, std::span<const std::uint32_t> 
             ++end;
         }
         const std::uint32_t first = vertices[begin];
-        buffers.writeShadingNormals(first, normals.subspan(first, vertices[end - 1] + 1 - first));
+        buffers.writeShadingNormals(first, normals.some(first, vertices[end - 1] + 1 - first));
         begin = end;
     }
 }

@@ -2,15 +2,15 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <span>
 
+#include "mesh/turned_normals.h"
 #include "pipeline/target_buffers.h"
 
 namespace hitscope {
 
-/// Uploads new shading normals of these render vertices (sorted) in runs; `normals`: one a render vertex.
+/// Uploads new shading normals of these render vertices (sorted) in runs.
 void writeShadingNormals(TargetBuffers& buffers, std::span<const std::uint32_t> vertices,
-                         std::span<const glm::vec3> normals);
+                         const TurnedNormals& normals);
 
 }  // namespace hitscope

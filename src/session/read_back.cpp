@@ -114,13 +114,6 @@ void ReadBack::take(TargetId id, std::uint32_t first, std::span<const DynamicVer
     if (target == nullptr) {
         return;
     }
-    if (target->deformed.isOriginal()) {
-        // The first hit on it: copies of large arrays, to which the system gives new memory.
-        const bool isLarge = target->deformed.render().vertices.size() > kManyVertices;
-        forEach(2, isLarge, [target](std::size_t i) {
-            i == 0 ? target->deformed.makeOwn() : target->trueNormals.makeOwn();
-        });
-    }
     target->deformed.write(first, vertices, m_moved[id]);
 }
 

@@ -65,7 +65,7 @@ private Q_SLOTS:
         const DeformationConstants constants =
             constantsReaching(80.0, vertices, static_cast<double>(kSphereRadius));
         const std::vector<Hit> hits = RandomHits({{kTarget, &mesh}}, constants, 3).next(50);
-        std::vector<DynamicVertex> moved = mesh.vertices;
+        PageVector<DynamicVertex> moved = mesh.vertices;
         std::size_t affected = 0;
         for (const Hit& hit : hits) {
             for (DynamicVertex& vertex : moved) {

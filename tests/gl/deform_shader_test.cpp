@@ -58,7 +58,7 @@ std::vector<DynamicVertex> onGpu(CapturePass& pass, const RenderMesh& mesh, std:
 
 std::vector<DynamicVertex> onCpu(const RenderMesh& mesh, std::span<const Hit> hits, std::span<const Run> runs,
                                  std::size_t& moved) {
-    std::vector<DynamicVertex> result = mesh.vertices;
+    std::vector<DynamicVertex> result(mesh.vertices.begin(), mesh.vertices.end());
     for (const Run& run : runs) {
         for (DynamicVertex& vertex : std::span(result).subspan(run.range.first, run.range.count)) {
             for (std::size_t hit = run.firstHit; hit < run.lastHit; ++hit) {

@@ -106,7 +106,7 @@ std::vector<Hit> randomHits(const TestScene& scene, std::uint32_t seed, std::siz
 
 Mirror::Mirror(const TestScene& scene) {
     for (const TestTarget& target : scene) {
-        m_vertices[target.id] = target.mesh.vertices;
+        m_vertices[target.id].assign(target.mesh.vertices.begin(), target.mesh.vertices.end());
     }
 }
 

@@ -171,18 +171,17 @@ private Q_SLOTS:
         QVERIFY(made);
         QVERIFY(made.value()->sync());
         const Target& target = *session.targets()[0];
-        const std::vector<glm::vec3> before(target.trueNormals.normals().begin(),
-                                            target.trueNormals.normals().end());
+        const std::vector<glm::vec3> before = target.trueNormals.normals().all();
         Hit headOn;
         headOn.target = target.id;
         headOn.point = {0, 0, 2.5f};
         headOn.direction = {0, 0, -1};
         QVERIFY(session.hits().add(headOn));
         QVERIFY(made.value()->sync());
-        QVERIFY(!std::equal(before.begin(), before.end(), target.trueNormals.normals().begin()));
+        QVERIFY(!std::equal(before.begin(), before.end(), target.trueNormals.normals().all().begin()));
         session.undo();
         QVERIFY(made.value()->sync());
-        QVERIFY(std::equal(before.begin(), before.end(), target.trueNormals.normals().begin()));
+        QVERIFY(std::equal(before.begin(), before.end(), target.trueNormals.normals().all().begin()));
     }
 
     void exportedMeshReadsBackTheSame() {

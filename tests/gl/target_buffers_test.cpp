@@ -28,9 +28,9 @@ std::vector<T> contentOf(GLuint buffer) {
     return content;
 }
 
-template <class T>
-bool same(const std::vector<T>& a, const std::vector<T>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+template <class A, class B>
+bool same(const A& a, const B& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), std::span(a).size_bytes()) == 0;
 }
 
 /// The buffer that an attribute of a vertex array comes from.

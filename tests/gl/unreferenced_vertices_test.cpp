@@ -57,7 +57,7 @@ private Q_SLOTS:
         QVERIFY(session.hits().history().size() > 30);
         QVERIFY(gpu.value()->sync());
         const DeformedMesh& mesh = session.targets()[0]->deformed;
-        std::vector<DynamicVertex> should = mesh.render().vertices;
+        PageVector<DynamicVertex> should = mesh.render().vertices;
         deformEverywhere(should, session.hits().history().hits());
         std::size_t looseMoved = 0;
         for (std::uint32_t v = 0; v < mesh.original().vertexCount(); ++v) {

@@ -33,7 +33,7 @@ inline void readBack(Session& session) {
 inline std::vector<Hit> randomHits(const Target& target, std::size_t count, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> offset(-0.4f, 0.4f);
-    const std::vector<DynamicVertex>& vertices = target.deformed.render().vertices;
+    const std::span<const DynamicVertex> vertices = target.deformed.render().vertices;
     std::vector<Hit> hits;
     for (std::size_t i = 0; i < count; ++i) {
         const DynamicVertex& vertex = vertices[random() % vertices.size()];

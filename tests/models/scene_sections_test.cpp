@@ -106,7 +106,7 @@ private Q_SLOTS:
 
     void ofWhatSomebodyElseHas() {
         DeformedMesh other(target().deformed.sharedOriginal(), target().deformed.sharedRender());
-        std::vector<DynamicVertex> vertices = target().deformed.render().vertices;
+        PageVector<DynamicVertex> vertices = target().deformed.render().vertices;
         for (DynamicVertex& vertex : vertices) {
             vertex.position *= 1.25f;
         }

@@ -51,7 +51,7 @@ void TestScene::showTrueNormals(std::span<const Hit> hits) {
         std::copy_if(hits.begin(), hits.end(), std::back_inserter(own),
                      [&](const Hit& hit) { return hit.target == m_items[i].target; });
         (void)reference.apply(own);
-        std::vector<glm::vec3> positions = entry.original.positions;
+        PageVector<glm::vec3> positions = entry.original.positions;
         std::vector<std::uint32_t> moved;
         for (std::size_t v = 0; v < entry.mesh.vertices.size(); ++v) {
             const std::uint32_t fileVertex = entry.mesh.fileVertices[v];
@@ -61,7 +61,7 @@ void TestScene::showTrueNormals(std::span<const Hit> hits) {
         TrueNormals normals(entry.original, entry.mesh);
         std::vector<std::uint32_t> updated;
         normals.update(positions, moved, updated);
-        entry.buffers->writeShadingNormals(0, normals.normals());
+        entry.buffers->writeShadingNormals(0, normals.normals().all());
     }
 }
 

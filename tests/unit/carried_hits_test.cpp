@@ -64,7 +64,7 @@ std::vector<glm::vec3> dented(const CarriedHits::Shape& shape, const std::vector
     return positions;
 }
 
-float farthest(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) {
+float farthest(std::span<const glm::vec3> a, std::span<const glm::vec3> b) {
     float most = 0.0f;
     for (std::size_t i = 0; i < a.size(); ++i) {
         most = std::max(most, glm::distance(a[i], b[i]));

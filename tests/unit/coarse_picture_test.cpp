@@ -27,7 +27,7 @@ Camera straightCamera() {
 /// Triangles of three vertices each, and their material.
 MeshData trianglesOf(const std::vector<glm::vec3>& positions, const std::vector<std::uint32_t>& materials) {
     MeshData mesh;
-    mesh.positions = positions;
+    mesh.positions.assign(positions.begin(), positions.end());
     mesh.faceStarts.push_back(0);
     for (std::uint32_t v = 0; v < positions.size(); ++v) {
         mesh.cornerVertices.push_back(v);

@@ -129,7 +129,7 @@ private Q_SLOTS:
         ClusterReach reach(render.clusters);
         test::BruteForce bruteForce(render);
         const std::vector<Hit> hits = piledHits(render, 2000);
-        std::vector<DynamicVertex> seen = render.vertices;
+        PageVector<DynamicVertex> seen = render.vertices;
         std::size_t seenHits = 0;
         for (std::size_t i = 0; i < hits.size(); ++i) {
             const std::vector<VertexRange> ranges = advance(reach, hits[i]);
@@ -137,7 +137,7 @@ private Q_SLOTS:
                 QVERIFY(contains(ranges, vertex));
             }
             if (i % 10 == 5) {
-                seen = bruteForce.vertices;
+                seen.assign(bruteForce.vertices.begin(), bruteForce.vertices.end());
                 seenHits = i + 1;
             }
             if (i % 10 == 9) {
@@ -209,7 +209,7 @@ private Q_SLOTS:
     void boxesFollowWhereVerticesAre() {
         const RenderMesh render = buildRenderMesh(makeLowPolyCube());
         ClusterReach reach(render.clusters);
-        std::vector<DynamicVertex> away = render.vertices;
+        PageVector<DynamicVertex> away = render.vertices;
         for (DynamicVertex& vertex : away) {
             vertex.position.x += 30.0f;
         }

@@ -30,7 +30,7 @@ inline Hit randomHit(std::mt19937& random, float extent) {
 
 /// Every hit on every vertex: the plain loop that all shortcuts are held against.
 struct BruteForce {
-    explicit BruteForce(const RenderMesh& mesh) : vertices(mesh.vertices) {}
+    explicit BruteForce(const RenderMesh& mesh) : vertices(mesh.vertices.begin(), mesh.vertices.end()) {}
 
     /// The vertices that the hit reached.
     std::vector<std::uint32_t> apply(const Hit& hit) {

@@ -73,7 +73,7 @@ void DentFormHitsTest::referenceEqualsThePlainLoop() {
     for (std::size_t i = 0; i < 400; ++i) {
         hits.push_back(anyHit(random, i));
     }
-    std::vector<DynamicVertex> expected = mesh.vertices;
+    PageVector<DynamicVertex> expected = mesh.vertices;
     deformEverywhere(expected, hits);
     ReferenceDeformation reference(mesh);
     reference.apply(hits);
@@ -82,7 +82,7 @@ void DentFormHitsTest::referenceEqualsThePlainLoop() {
     QCOMPARE(std::memcmp(vertices.data(), expected.data(), vertices.size_bytes()), 0);
     // One after the other with nothing seen between: boxes only grow.
     ClusterReach reach(mesh.clusters);
-    std::vector<DynamicVertex> pushed = mesh.vertices;
+    PageVector<DynamicVertex> pushed = mesh.vertices;
     for (const Hit& hit : hits) {
         std::vector<std::uint32_t> reached;
         reach.advance(hit, reached);

@@ -42,7 +42,7 @@ struct Dented {
     explicit Dented(const std::vector<Hit>& made) : mesh(flat()), render(buildRenderMesh(mesh)), hits(made) {
         ReferenceDeformation reference(render);
         reference.apply(hits);
-        after = mesh.positions;
+        after.assign(mesh.positions.begin(), mesh.positions.end());
         for (std::size_t i = 0; i < render.vertices.size(); ++i) {
             after[render.fileVertices[i]] = reference.vertices()[i].position;
         }

@@ -145,7 +145,7 @@ private Q_SLOTS:
         }
         ReferenceDeformation reference(mesh);
         reference.apply(hits);
-        std::vector<DynamicVertex> everywhere = mesh.vertices;
+        PageVector<DynamicVertex> everywhere = mesh.vertices;
         deformEverywhere(everywhere, hits);
         std::size_t moved = 0;
         for (std::size_t i = 0; i < everywhere.size(); ++i) {

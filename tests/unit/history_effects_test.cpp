@@ -28,7 +28,7 @@ Truth truthOf(std::span<const Hit> hits, const HistoryEffects::Shapes& shapes) {
     Truth truth;
     std::map<TargetId, std::vector<DynamicVertex>> vertices;
     for (const auto& [id, shape] : shapes) {
-        vertices[id] = shape->vertices;
+        vertices[id].assign(shape->vertices.begin(), shape->vertices.end());
         truth.counts[id].assign(shape->fileVertexStarts.size() - 1, 0);
     }
     for (const Hit& hit : hits) {

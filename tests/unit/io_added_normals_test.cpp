@@ -50,7 +50,7 @@ void AddedNormalsTest::addsManyNormals() {
     const QString source = writeFile(m_folder.path(), QStringLiteral("mesh.obj"),
                                      vertices + "vn 0 0 1\n# faces\n" + faces + "# end");
     const MeshData original = read(source).mesh;
-    std::vector<glm::vec3> positions = original.positions;
+    PageVector<glm::vec3> positions = original.positions;
     for (glm::vec3& position : positions) {
         position.z = -0.5f;
     }

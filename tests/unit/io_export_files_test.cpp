@@ -166,7 +166,7 @@ void ExportFilesTest::isWholeWheneverItIsKilled() {
     const std::string oldObj = readFile(in("target/a.obj"));
     original.mesh.materials[0].shininess = 77.0f;  // another library, and another mesh
     writeFile(in("source"), QStringLiteral("rich.mtl"), std::string(kRichMtl) + "# changed\n");
-    std::vector<glm::vec3> moved = original.mesh.positions;
+    PageVector<glm::vec3> moved = original.mesh.positions;
     moved[0].x += 1.0f;
     what.positions = moved;
     bool hasEnded = false;

@@ -126,7 +126,7 @@ void ExportTest::keepsEveryFloat() {
 void ExportTest::writesTheFilesOwnNumbers() {
     const MeshData mesh =
         parseObj("v 0.1 123456.789012345 1e-300\nv 1 0 0\nv 0 0.7 0\nf 1 2 3\n").value().mesh;
-    std::vector<glm::vec3> positions = mesh.positions;
+    PageVector<glm::vec3> positions = mesh.positions;
     positions[2] = {0.25f, 0.1f, -3.0f};
     const QString text = QString::fromStdString(formatObj(exportOf(mesh, positions), {"a.mtl"}));
     QVERIFY2(text.contains(QStringLiteral("\nv 0.1 123456.789012345 1e-300\nv 1 0 0\nv 0.25 0.1 -3\n")),
@@ -137,7 +137,7 @@ void ExportTest::writesTheFilesOwnNumbers() {
 void ExportTest::undoesThePlacement() {
     MeshData mesh = parseObj("v 100.1 0 0\nv 104.1 0 0\nv 100.1 2 0\nf 1 2 3\n").value().mesh;
     place(mesh, 1.0f);
-    std::vector<glm::vec3> positions = mesh.positions;
+    PageVector<glm::vec3> positions = mesh.positions;
     positions[1].y += 0.25f;  // a quarter of a unit here is one in the file
     const MeshData again = parseObj(formatObj(exportOf(mesh, positions), {})).value().mesh;
     QVERIFY(again.filePositions.at(0) == glm::dvec3(100.1, 0, 0));

@@ -176,7 +176,7 @@ void FormatsTest::gltf() {
     const ImportedMesh result = imported(path);
     const MeshData& mesh = result.mesh;
     QCOMPARE(mesh.positions,
-             (std::vector<glm::vec3>{
+             (PageVector<glm::vec3>{
                  {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {10, 0, 0}, {9, 0, 0}, {10, 1, 0}, {9, 1, 0}}));
     // The mirrored node's triangles are turned, so that they still face the same way.
     QCOMPARE(mesh.cornerVertices, (Indices{0, 1, 2, 2, 1, 3, 6, 5, 4, 7, 5, 6}));
@@ -352,7 +352,7 @@ void FormatsTest::dae() {
     const MeshData mesh = imported(data("quad.dae")).mesh;
     // Its reader gives each corner a vertex of its own; equal ones are one again.
     QCOMPARE(mesh.positions,
-             (std::vector<glm::vec3>{{10, 0, 0}, {11, 0, 0}, {11, 1, 0}, {10, 1, 0}, {12, 0.5f, 0}}));
+             (PageVector<glm::vec3>{{10, 0, 0}, {11, 0, 0}, {11, 1, 0}, {10, 1, 0}, {12, 0.5f, 0}}));
     QCOMPARE(mesh.faceStarts, (Indices{0, 4, 7}));
     QCOMPARE(mesh.cornerVertices, (Indices{0, 1, 2, 3, 1, 4, 2}));
     QCOMPARE(mesh.texcoords.at(mesh.cornerTexcoords.at(4)), glm::vec2(0, 0));
@@ -364,7 +364,7 @@ void FormatsTest::dae() {
 void FormatsTest::fbx() {
     const MeshData mesh = imported(data("quad.fbx")).mesh;
     QCOMPARE(mesh.positions,
-             (std::vector<glm::vec3>{{10, 0, 0}, {11, 0, 0}, {11, 1, 0}, {10, 1, 0}, {12, 0.5f, 0}}));
+             (PageVector<glm::vec3>{{10, 0, 0}, {11, 0, 0}, {11, 1, 0}, {10, 1, 0}, {12, 0.5f, 0}}));
     QCOMPARE(mesh.faceStarts, (Indices{0, 4, 7}));
     QCOMPARE(mesh.cornerVertices, (Indices{0, 1, 2, 3, 1, 4, 2}));
     QCOMPARE(mesh.texcoords.at(mesh.cornerTexcoords.at(2)), glm::vec2(1, 1));

@@ -178,7 +178,7 @@ private Q_SLOTS:
         std::copy_if(hits.begin(), hits.end(), std::back_inserter(onA),
                      [a](const Hit& hit) { return hit.target == a && hit.enabled; });
         static_cast<void>(reference.apply(onA));
-        std::vector<glm::vec3> positions = mesh.positions;
+        PageVector<glm::vec3> positions = mesh.positions;
         for (const MorphStep& step : own) {
             std::set<std::uint32_t> once;
             for (const MovedVertex& moved : step.moved) {

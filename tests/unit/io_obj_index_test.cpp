@@ -99,7 +99,7 @@ private Q_SLOTS:
         QFETCH(bool, all);
         const MeshData mesh = largeMesh();
         QVERIFY(validate(mesh).ok());
-        std::vector<glm::vec3> positions = mesh.positions;
+        PageVector<glm::vec3> positions = mesh.positions;
         for (std::size_t v = 0; v < positions.size(); v += everywhere ? 1 : 9973) {
             positions[v] *= 0.9f;
         }
@@ -131,7 +131,7 @@ private Q_SLOTS:
     void planIsTheSameForSharedNormals() {
         QFETCH(bool, all);
         const MeshData mesh = largeMesh();
-        std::vector<glm::vec3> positions = mesh.positions;
+        PageVector<glm::vec3> positions = mesh.positions;
         for (std::size_t v = 0; v < positions.size(); v += 3) {
             positions[v] *= 0.9f;
         }

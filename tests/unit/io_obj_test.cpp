@@ -142,7 +142,7 @@ void ObjTest::understandsLineEnds_data() {
 void ObjTest::understandsLineEnds() {
     QFETCH(QByteArray, text);
     const MeshData mesh = parsed(text.toStdString());
-    QCOMPARE(mesh.positions, (std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+    QCOMPARE(mesh.positions, (PageVector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
     QCOMPARE(mesh.cornerVertices, (Indices{0, 1, 2}));
 }
 

@@ -209,7 +209,7 @@ void SourceObjTest::undoesThePlacement() {
         writeFile(folder, QStringLiteral("far.obj"), "v 100.10 0.0 0\nv 104.1 0 0\nv 100.1 2 0\nf 1 2 3\n");
     MeshData placed = read(path).mesh;
     place(placed, 1.0f);
-    std::vector<glm::vec3> positions = placed.positions;
+    PageVector<glm::vec3> positions = placed.positions;
     positions[1].z = 0.25f;  // of an extent of 4 in the file
     ObjExport what = exportOf(placed, positions);
     what.sourceFolder = folder;

@@ -58,7 +58,7 @@ void StlTest::weldsEqualPositions() {
     const Result<ImportedMesh> result = parseStl(file.toStdString());
     QVERIFY2(result.ok(), qPrintable(messageOf(result)));
     const MeshData& mesh = result.value().mesh;
-    QCOMPARE(mesh.positions, (std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}));
+    QCOMPARE(mesh.positions, (PageVector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}));
     QCOMPARE(mesh.cornerVertices, (Indices{0, 1, 2, 2, 1, 3}));
     QCOMPARE(mesh.faceStarts, (Indices{0, 3, 6}));
 }

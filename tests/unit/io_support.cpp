@@ -10,9 +10,10 @@
 namespace hitscope::test {
 namespace {
 
-template <class T>
-bool same(const std::vector<T>& a, const std::vector<T>& b) {
-    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+template <class Values>
+bool same(const Values& a, const Values& b) {
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), std::span(a).size_bytes()) == 0);
 }
 
 bool sameGroups(const MeshData& a, const MeshData& b) {

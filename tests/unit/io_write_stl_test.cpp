@@ -114,7 +114,7 @@ private Q_SLOTS:
         QCOMPARE(std::count(all.begin(), all.end(), '\n'), std::ptrdiff_t{8});
         QVERIFY(all.find("\n5,0,3,0,0,3,0,0,0,0,0\n") != std::string::npos);
         place(mesh.original.mesh, 0.4f);
-        mesh.positions = mesh.original.mesh.positions;
+        mesh.positions.assign(mesh.original.mesh.positions.begin(), mesh.original.mesh.positions.end());
         mesh.move(3, {0.05f, 0.0f, 0.0f});
         QVERIFY(exportChangesCsv(mesh.what(), path, {}));
         QVERIFY2(readFile(path).starts_with(head + "4,2,1,0,2.5"), readFile(path).c_str());

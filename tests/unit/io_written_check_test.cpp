@@ -83,7 +83,7 @@ private Q_SLOTS:
         const Status same = verifyWritten(write(mesh, suffix, folder), mesh.what());
         QVERIFY2(same, qPrintable(messageOf(same)));
         place(mesh.original.mesh, 0.5f);
-        mesh.positions = mesh.original.mesh.positions;
+        mesh.positions.assign(mesh.original.mesh.positions.begin(), mesh.original.mesh.positions.end());
         mesh.move(1, {0.0f, 0.0f, -0.3f});
         const Status placed = verifyWritten(write(mesh, suffix, folder), mesh.what());
         QVERIFY2(placed, qPrintable(messageOf(placed)));

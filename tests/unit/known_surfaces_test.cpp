@@ -73,7 +73,7 @@ Profile circle(int across, double radius, double tube) {
 MeshData sieve(int x, int y) {
     const int width = 2 * x + 1;
     const int depth = 2 * y + 1;
-    std::vector<glm::vec3> positions;
+    PageVector<glm::vec3> positions;
     std::map<std::tuple<int, int, int>, std::uint32_t> known;
     const auto at = [&](int i, int j, int k) {
         const auto [found, isNew] =

@@ -23,7 +23,7 @@ MeshData fan(std::uint32_t sides, bool isShuffled) {
     if (isShuffled) {
         std::shuffle(faces.begin(), faces.end(), std::mt19937(3));
     }
-    return meshOf(std::vector<glm::vec3>(sides + 1), faces);
+    return meshOf(PageVector<glm::vec3>(sides + 1), faces);
 }
 
 /// Likewise, whose vertices are at different places.
@@ -93,7 +93,7 @@ private Q_SLOTS:
                     faces.push_back(face);
                 }
             }
-            const MeshData mesh = meshOf(std::vector<glm::vec3>(vertices), faces);
+            const MeshData mesh = meshOf(PageVector<glm::vec3>(vertices), faces);
             const Connectivity c = hitscope::connect(mesh);
             QVERIFY(c.faces > 0);
             QVERIFY(c.faces + c.refused <= mesh.faceCount());
@@ -112,7 +112,7 @@ private Q_SLOTS:
             for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
                 faces.emplace_back(mesh.face(f).begin(), mesh.face(f).end());
             }
-            std::vector<glm::vec3> places = mesh.positions;
+            PageVector<glm::vec3> places = mesh.positions;
             for (int i = 0; i < changes; ++i) {
                 std::vector<std::uint32_t>& face = faces[random() % faces.size()];
                 if (i % 3 == 0) {

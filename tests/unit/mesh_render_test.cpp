@@ -64,7 +64,7 @@ class RenderMeshTest : public QObject {
         QTest::newRow("arrowhead") << test::polygon({{0, 2}, {0, 0}, {-2, 0}, {0, -4}, {2, 0}});
         QTest::newRow("loose vertices and a repeated one") << meshOf(
             {{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {8, 8, 8}}, {{1, 2, 3}, {1, 1, 2}, {3, 2, 3, 1}});
-        QTest::newRow("all in one place") << meshOf(std::vector<glm::vec3>(900), [] {
+        QTest::newRow("all in one place") << meshOf(PageVector<glm::vec3>(900), [] {
             std::vector<std::vector<std::uint32_t>> faces;
             for (std::uint32_t i = 0; i + 2 < 900; ++i) {
                 faces.push_back({i, i + 1, i + 2});
@@ -261,7 +261,7 @@ private Q_SLOTS:
     /// The tip of a cone with many sides: comparing each face there with each other would take minutes.
     void theHubOfAFanIsAveraged() {
         constexpr std::uint32_t kSides = 200000;
-        std::vector<glm::vec3> positions{{0, 0, 1}};
+        PageVector<glm::vec3> positions{{0, 0, 1}};
         std::vector<std::vector<std::uint32_t>> faces;
         for (std::uint32_t i = 0; i < kSides; ++i) {
             const double angle = 2.0 * std::numbers::pi * i / kSides;

@@ -247,7 +247,7 @@ void MeshSimplifyTest::smoothingKeepsBordersAndSeams() {
 
 void MeshSimplifyTest::otherShapesLoseTheirNormals() {
     const MeshData cube = makeCube(4, 1.0f);
-    std::vector<glm::vec3> positions = cube.positions;
+    PageVector<glm::vec3> positions = cube.positions;
     positions[20] += glm::vec3(0.1f);
     const MeshData moved = withShape(cube, positions);
     QVERIFY(validate(moved).ok());

@@ -109,7 +109,7 @@ void MeshStepsTest::smoothingAppliesHits() {
     const Target& target = *session.targets().front();
     ReferenceDeformation dented(*target.shape.render);
     dented.apply(session.hits().history().hitsOn(target.id));
-    std::vector<glm::vec3> shape = meshOfSession(session).positions;
+    PageVector<glm::vec3> shape = meshOfSession(session).positions;
     for (std::size_t v = 0; v < dented.vertices().size(); ++v) {
         shape[target.shape.render->fileVertices[v]] = dented.vertices()[v].position;
     }

@@ -9,7 +9,7 @@
 namespace hitscope::test {
 
 /// A mesh of positions and polygons, nothing else.
-inline MeshData meshOf(std::vector<glm::vec3> positions,
+inline MeshData meshOf(PageVector<glm::vec3> positions,
                        const std::vector<std::vector<std::uint32_t>>& faces) {
     MeshData mesh;
     mesh.positions = std::move(positions);
@@ -30,7 +30,7 @@ inline MeshData withoutNormals(MeshData mesh) {
 
 /// One flat polygon in the plane z = 0.
 inline MeshData polygon(const std::vector<glm::vec2>& outline) {
-    std::vector<glm::vec3> positions;
+    PageVector<glm::vec3> positions;
     std::vector<std::uint32_t> face;
     for (const glm::vec2& point : outline) {
         face.push_back(static_cast<std::uint32_t>(positions.size()));

@@ -40,9 +40,9 @@ MeshData largeMesh() {
     return mesh;
 }
 
-template <class T>
-bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+template <class Values>
+bool sameBytes(const Values& a, const Values& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), std::span(a).size_bytes()) == 0;
 }
 
 QStringList differences(const RenderMesh& a, const RenderMesh& b) {
@@ -161,19 +161,19 @@ void ParallelMeshesTest::copiesOfTrueNormalsAreApart() {
     const RenderMesh render = buildRenderMesh(mesh);
     const TrueNormals shape(mesh, render);
     TrueNormals target = shape;
-    const std::vector<glm::vec3> before(shape.normals().begin(), shape.normals().end());
-    std::vector<glm::vec3> positions = mesh.positions;
+    const std::vector<glm::vec3> before = shape.normals().all();
+    PageVector<glm::vec3> positions = mesh.positions;
     positions[100] *= 0.5f;
     const std::vector<std::uint32_t> moved{100};
     std::vector<std::uint32_t> updated;
     target.update(positions, moved, updated);
     QVERIFY(!updated.empty());
-    QVERIFY(std::equal(before.begin(), before.end(), shape.normals().begin()));
-    QVERIFY(!std::equal(before.begin(), before.end(), target.normals().begin()));
+    QVERIFY(std::equal(before.begin(), before.end(), shape.normals().all().begin()));
+    QVERIFY(!std::equal(before.begin(), before.end(), target.normals().all().begin()));
     const TrueNormals copy = target;
     target.reset();
-    QVERIFY(std::equal(before.begin(), before.end(), target.normals().begin()));
-    QVERIFY(!std::equal(before.begin(), before.end(), copy.normals().begin()));
+    QVERIFY(std::equal(before.begin(), before.end(), target.normals().all().begin()));
+    QVERIFY(!std::equal(before.begin(), before.end(), copy.normals().all().begin()));
 }
 
 void ParallelMeshesTest::whatIsThrownComesThrough() {

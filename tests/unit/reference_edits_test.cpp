@@ -80,7 +80,7 @@ private Q_SLOTS:
         const RenderMesh mesh = buildRenderMesh(makeTeapot(12));
         Edited edited(mesh);
         std::mt19937 random(5);
-        std::vector<DynamicVertex> known(mesh.vertices);
+        std::vector<DynamicVertex> known(mesh.vertices.begin(), mesh.vertices.end());
         for (int round = 0; round < 60; ++round) {
             for (int edit = 0; edit < 4; ++edit) {
                 edited.editAtRandom(random);

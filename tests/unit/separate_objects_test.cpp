@@ -103,7 +103,8 @@ private:
 std::vector<glm::vec3> shape(const Session& session, const Target& target) {
     ReferenceDeformation dented(*target.shape.render);
     dented.apply(session.hits().history().hitsOn(target.id));
-    std::vector<glm::vec3> positions = target.shape.mesh->positions;
+    const PageVector<glm::vec3>& original = target.shape.mesh->positions;
+    std::vector<glm::vec3> positions(original.begin(), original.end());
     for (std::size_t v = 0; v < dented.vertices().size(); ++v) {
         positions[target.shape.render->fileVertices[v]] = dented.vertices()[v].position;
     }

@@ -11,7 +11,7 @@ namespace hitscope::test {
 
 /// A torus about the z axis: `around` by `across` quads.
 inline MeshData torus(std::uint32_t around, std::uint32_t across, double radius, double tube) {
-    std::vector<glm::vec3> positions;
+    PageVector<glm::vec3> positions;
     std::vector<std::vector<std::uint32_t>> faces;
     for (std::uint32_t i = 0; i < around; ++i) {
         const double u = 2.0 * std::numbers::pi * i / around;
@@ -29,7 +29,7 @@ inline MeshData torus(std::uint32_t around, std::uint32_t across, double radius,
 
 /// The wall of a cylinder of radius 1 and height 1, n quads around; with lids: two n-gons.
 inline MeshData cylinder(std::uint32_t n, bool hasLids) {
-    std::vector<glm::vec3> positions;
+    PageVector<glm::vec3> positions;
     std::vector<std::vector<std::uint32_t>> faces;
     std::vector<std::uint32_t> top;
     std::vector<std::uint32_t> bottom;
@@ -51,7 +51,7 @@ inline MeshData cylinder(std::uint32_t n, bool hasLids) {
 
 /// `leaves` triangles that share one edge along z.
 inline MeshData nonManifoldFan(std::uint32_t leaves) {
-    std::vector<glm::vec3> positions{{0, 0, 0}, {0, 0, 1}};
+    PageVector<glm::vec3> positions{{0, 0, 0}, {0, 0, 1}};
     std::vector<std::vector<std::uint32_t>> faces;
     for (std::uint32_t i = 0; i < leaves; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / leaves;

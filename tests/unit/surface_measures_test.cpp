@@ -224,7 +224,7 @@ private Q_SLOTS:
     }
 
     void displacementsInNumbers() {
-        const MeshData mesh = meshOf(std::vector<glm::vec3>(6), {});
+        const MeshData mesh = meshOf(PageVector<glm::vec3>(6), {});
         SurfaceMeasurer measurer = measurerOf(mesh);
         measurer.move(std::vector<MovedVertex>{
             {0, {1, 0, 0}}, {1, {0, 2, 0}}, {2, {0, 0, -4}}, {3, {5, 0, 0}}, {4, {0, 0, 0}}});

@@ -26,7 +26,7 @@ SurfaceStatistics statisticsOf(const MeshData& mesh) {
 
 /// A strip of quads around the z axis with half a turn in it.
 MeshData moebiusStrip(std::uint32_t quads) {
-    std::vector<glm::vec3> positions;
+    PageVector<glm::vec3> positions;
     std::vector<std::vector<std::uint32_t>> faces;
     for (std::uint32_t i = 0; i < quads; ++i) {
         const double u = 2.0 * std::numbers::pi * i / quads;

@@ -44,7 +44,7 @@ std::vector<Hit> someHits(std::size_t count) {
 }
 
 /// The paper's Algorithm 3 over all vertices of the file: eq. 1, 3 and 4, each operation rounded to float.
-std::vector<glm::vec3> algorithm3(std::vector<glm::vec3> positions, const std::vector<Hit>& hits) {
+PageVector<glm::vec3> algorithm3(PageVector<glm::vec3> positions, const std::vector<Hit>& hits) {
     for (glm::vec3& position : positions) {
         for (const Hit& hit : hits) {
             const glm::vec3 d = position - hit.point;
@@ -101,7 +101,7 @@ private Q_SLOTS:
         const std::vector<Hit> hits = someHits(60);
         ReferenceDeformation reference(render);
         reference.apply(hits);
-        const std::vector<glm::vec3> should = algorithm3(mesh.positions, hits);
+        const PageVector<glm::vec3> should = algorithm3(mesh.positions, hits);
         std::size_t looseMoved = 0;
         for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
             for (const std::uint32_t r : render.renderVerticesOf(v)) {

@@ -25,7 +25,7 @@ struct DentedFile {
             return;
         }
         original = std::move(imported.value());
-        positions = original.mesh.positions;
+        positions.assign(original.mesh.positions.begin(), original.mesh.positions.end());
         hits.resize(positions.size());
     }
     void move(std::size_t vertex, const glm::vec3& by) {

@@ -114,7 +114,7 @@ void MainWindowTest::openClickInspectExport() {
     const Result<ImportedMesh> again = importMesh(saved);
     QVERIFY2(again.ok(), again.ok() ? "" : again.error().message().c_str());
     const DeformedMesh& deformed = session.targets().front()->deformed;
-    const std::vector<glm::vec3> shown(deformed.positions().begin(), deformed.positions().end());
+    const PageVector<glm::vec3> shown(deformed.positions().begin(), deformed.positions().end());
     QVERIFY(again.value().mesh.positions == shown);
     QVERIFY(again.value().mesh.cornerVertices == deformed.original().cornerVertices);
     QVERIFY(shown != deformed.original().positions);

@@ -124,7 +124,7 @@ void ShotsTest::fewVerticesAreRefinedAtTheAim() {
     makeWindow([](Session& session) { loadMesh(session, makeLowPolyCube(2.5f)); });
     const QPoint centre = m_window->viewport().rect().center();
     const auto target = [this]() -> const Target& { return *m_session->targets().front(); };
-    const std::vector<glm::vec3> before = target().shape.mesh->positions;
+    const PageVector<glm::vec3> before = target().shape.mesh->positions;
     QAction* refine = nullptr;
     for (QAction* action : m_window->findChildren<QAction*>()) {
         refine = action->shortcut() == QKeySequence(QStringLiteral("Ctrl+R")) ? action : refine;
@@ -142,7 +142,7 @@ void ShotsTest::fewVerticesAreRefinedAtTheAim() {
     QTest::keyClick(m_window.get(), Qt::Key_R, Qt::ControlModifier);
     QTRY_VERIFY_WITH_TIMEOUT(target().shape.mesh->positions.size() > before.size(), kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(m_session->tasks().current() == nullptr, kPatience);
-    const std::vector<glm::vec3>& after = target().shape.mesh->positions;
+    const PageVector<glm::vec3>& after = target().shape.mesh->positions;
     QVERIFY(std::equal(before.begin(), before.end(), after.begin()));
     // The same shot has enough of them now, and the offer goes.
     moveTo(centre + QPoint(1, 0));

@@ -34,7 +34,7 @@ Camera cameraBefore(const Session& session, const Target& target, std::uint32_t 
     const std::uint32_t drawn = target.deformed.render().renderVerticesOf(vertex).front();
     const float extent = target.extent();
     // Zero for one that no face uses.
-    const glm::vec3 normal = target.transform.directionToWorld(target.trueNormals.normal(drawn));
+    const glm::vec3 normal = target.transform.directionToWorld(target.trueNormals.normals()[drawn]);
     float yaw = camera.yaw();
     float pitch = camera.pitch();
     if (glm::length(normal) > 0.0f && glm::dot(normal, -camera.forward()) < kFacing) {

@@ -111,7 +111,7 @@ Result<std::unique_ptr<HitSizeBench>> HitSizeBench::create(const BenchRoom& room
             return paper.error();
         }
         d.paper = std::move(paper).value();
-        d.copy = d.mesh.vertices;
+        d.copy.assign(d.mesh.vertices.begin(), d.mesh.vertices.end());
     }
     if (Status status = noGlErrors(); !status) {
         return status.error();

@@ -105,7 +105,7 @@ DeformationConstants constantsReaching(double affected, double vertices, double 
 }
 
 double countAffected(const RenderMesh& mesh, const std::vector<Hit>& hits) {
-    std::vector<DynamicVertex> vertices = mesh.vertices;
+    PageVector<DynamicVertex> vertices = mesh.vertices;
     ClusterReach reach(mesh.clusters);
     std::size_t affected = 0;
     std::vector<std::uint32_t> reached;

@@ -83,7 +83,7 @@ private:
     ImportedMesh& m_imported;
     MeshData& m_mesh = m_imported.mesh;
     bool m_weld;
-    Welder m_welder;
+    Welder<> m_welder;
     std::vector<std::uint32_t> m_vertexOf;  ///< of the mesh being added: its vertex -> ours
     std::size_t m_texcoordBase = 0;
     std::size_t m_normalBase = 0;

@@ -109,7 +109,7 @@ private:
     TextCursor m_lines;
     const ProgressSink& m_progress;
     ImportedMesh m_imported;
-    Welder m_welder;
+    Welder<> m_welder;
     std::size_t m_line = 0;
     std::size_t m_faceStart = 0;
     std::size_t m_smallFaces = 0;

@@ -53,11 +53,11 @@ glm::dvec3 centreIfFar(const std::vector<glm::dvec3>& positions) {
 }
 
 /// The largest of the sizes along the axes.
-template <class Vector>
-double extentOf(const std::vector<Vector>& positions) {
+template <class Vectors>
+double extentOf(const Vectors& positions) {
     glm::dvec3 lowest(std::numeric_limits<double>::infinity());
     glm::dvec3 highest(-std::numeric_limits<double>::infinity());
-    for (const Vector& position : positions) {
+    for (const auto& position : positions) {
         lowest = glm::min(lowest, glm::dvec3(position));
         highest = glm::max(highest, glm::dvec3(position));
     }

@@ -84,7 +84,7 @@ Status checkDisplacements(const MeshExport& what, const QString& path) {
     if (far < what.positions.size()) {
         return tooLarge(far, " moved farther", path);
     }
-    std::vector<glm::vec3> at = what.steps.empty() ? std::vector<glm::vec3>() : what.mesh->positions;
+    PageVector<glm::vec3> at = what.steps.empty() ? PageVector<glm::vec3>() : what.mesh->positions;
     for (const MorphStep& step : what.steps) {
         for (const MovedVertex& moved : step.moved) {
             mayGiveUp(moved.vertex);

@@ -221,7 +221,7 @@ std::vector<MorphTarget> stepTargets(const MeshExport& what, const MorphTarget& 
     }
     const FilePositions positions(what);
     const MeshData& mesh = *what.mesh;
-    std::vector<glm::vec3> at = mesh.positions;
+    PageVector<glm::vec3> at = mesh.positions;
     const auto add = [&](MorphTarget& target, std::uint32_t vertex, const glm::vec3& to) {
         if (!sameBits(at[vertex], to)) {
             const glm::dvec3 moved = (glm::dvec3(to) - glm::dvec3(at[vertex])) / mesh.placement.scale;

@@ -132,7 +132,7 @@ private:
 
     /// A vertex that no pass moved keeps its own bits, and the sign of a zero.
     [[nodiscard]] std::vector<glm::vec3> positions() const {
-        std::vector<glm::vec3> positions = m_mesh.positions;
+        std::vector<glm::vec3> positions(m_mesh.positions.begin(), m_mesh.positions.end());
         for (std::size_t v = 0; v < positions.size(); ++v) {
             const Vertex handle = m_handles[m_places[v]];
             if (handle.is_valid() && !m_edges.status(handle).locked()) {

@@ -39,13 +39,14 @@ void copyPositions(const DeformedMesh& mesh, TargetExport& copy) {
 
 void TargetExport::complete() {
     if (positions.empty()) {
-        positions = original->positions;
+        positions.assign(original->positions.begin(), original->positions.end());
         for (std::size_t i = 0; i < changed.size(); ++i) {
             positions[changed[i]] = changedPositions[i];
         }
     }
     if (!normals) {
-        normals = normalsOf(render->vertices);
+        normals = turned ? std::make_shared<const std::vector<glm::vec3>>(turned->all())
+                         : normalsOf(render->vertices);
     }
 }
 
@@ -63,8 +64,11 @@ SceneExport copyForExport(const Session& session, std::span<const Target* const>
         one.transform = target->transform;
         one.sourcePath = target->sourcePath;
         copyPositions(mesh, one);
-        one.normals =
-            options.normals == NormalMode::True ? target->trueNormals.shared() : normalsOf(mesh.vertices());
+        if (options.normals == NormalMode::Paper) {
+            one.normals = normalsOf(mesh.vertices());
+        } else if (!target->trueNormals.areOriginal()) {
+            one.turned = target->trueNormals.normals();
+        }
     }
     const AppliedHits applied = session.hits().applied();
     for (const Hit& hit : session.hits().history().hits()) {

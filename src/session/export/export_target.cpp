@@ -99,14 +99,14 @@ CornerNormalView Gathered::normals() const {
 bool Gathered::stepsLeadToShown() const {
     for (std::size_t t = 0; t < m_what.targets.size(); ++t) {
         const TargetExport& target = m_what.targets[t];
-        std::vector<glm::vec3> end = target.original->positions;
+        PageVector<glm::vec3> end = target.original->positions;
         for (const MorphStep& step : m_steps[t]) {
             for (const MovedVertex& moved : step.moved) {
                 mayGiveUp(moved.vertex);
                 end[moved.vertex] = moved.position;
             }
         }
-        if (end != target.positions) {
+        if (!std::ranges::equal(end, target.positions)) {
             return false;
         }
     }

@@ -6,6 +6,7 @@
 #include <functional>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,8 +32,9 @@ struct TargetExport {
     std::vector<glm::vec3> positions;
     std::vector<std::uint32_t> changed;       ///< file vertices
     std::vector<glm::vec3> changedPositions;  ///< one for each of them
-    /// One a render vertex, unit length; null: the render mesh's.
+    /// One a render vertex, unit length; null: those of `turned`, or else the render mesh's.
     std::shared_ptr<const std::vector<glm::vec3>> normals;
+    std::optional<TurnedNormals> turned;
     QString sourcePath;  ///< empty: none
 
     /// Makes all positions and normals out of what differs from the original.

@@ -30,7 +30,7 @@ Result<MeshData> make(const MeshData& mesh, const MergedHits& applied, const Mes
     const RenderMesh render = buildRenderMesh(mesh);
     ReferenceDeformation deformation(render);
     deformation.apply(applied.hits);
-    std::vector<glm::vec3> positions = mesh.positions;
+    std::vector<glm::vec3> positions(mesh.positions.begin(), mesh.positions.end());
     for (std::size_t v = 0; v < render.vertices.size(); ++v) {
         positions[render.fileVertices[v]] = deformation.vertices()[v].position;
     }
