@@ -57,16 +57,20 @@ class PageCopy {
 
 public:
     PageCopy() = default;
-    /// `original` outlives this and stays as it is.
-    explicit PageCopy(const PageVector<T>& original) : m_size(original.size()) {
-        m_shared = static_cast<T*>(pages::copyOf(original.data(), original.size() * sizeof(T)));
-        if (m_shared == nullptr) {
+    /// `original` stays as it is.
+    explicit PageCopy(const PageVector<T>& original)
+        : m_size(original.size()), m_data(static_cast<T*>(pages::copyOf(original.data(), bytes()))) {
+        if (m_data == nullptr) {
             m_own.assign(original.begin(), original.end());
+            m_data = m_own.data();
         }
     }
+    /// A copy of all, of values that change.
+    explicit PageCopy(std::span<const T> values)
+        : m_size(values.size()), m_own(values.begin(), values.end()), m_data(m_own.data()) {}
     ~PageCopy() {
-        if (m_shared != nullptr) {
-            pages::dropCopy(m_shared, m_size * sizeof(T));
+        if (m_data != m_own.data()) {
+            pages::dropCopy(m_data, bytes());
         }
     }
     PageCopy(PageCopy&& other) noexcept { swap(other); }
@@ -76,24 +80,23 @@ public:
     }
 
     [[nodiscard]] std::size_t size() const { return m_size; }
-    [[nodiscard]] T* data() { return m_shared != nullptr ? m_shared : m_own.data(); }
-    [[nodiscard]] std::span<T> all() { return {data(), m_size}; }
-    [[nodiscard]] std::span<const T> all() const {
-        return {m_shared != nullptr ? m_shared : m_own.data(), m_size};
-    }
-    [[nodiscard]] T& operator[](std::size_t i) { return data()[i]; }
-    [[nodiscard]] const T& operator[](std::size_t i) const { return all()[i]; }
+    [[nodiscard]] T* data() { return m_data; }
+    [[nodiscard]] std::span<T> all() { return {m_data, m_size}; }
+    [[nodiscard]] std::span<const T> all() const { return {m_data, m_size}; }
+    [[nodiscard]] T& operator[](std::size_t i) { return m_data[i]; }
+    [[nodiscard]] const T& operator[](std::size_t i) const { return m_data[i]; }
 
 private:
+    [[nodiscard]] std::size_t bytes() const { return m_size * sizeof(T); }
     void swap(PageCopy& other) noexcept {
-        std::swap(m_shared, other.m_shared);
         std::swap(m_size, other.m_size);
         m_own.swap(other.m_own);
+        std::swap(m_data, other.m_data);
     }
 
-    T* m_shared = nullptr;  ///< null: m_own has it
     std::size_t m_size = 0;
-    std::vector<T> m_own;
+    std::vector<T> m_own;  ///< empty where memory is shared
+    T* m_data = nullptr;
 };
 
 }  // namespace hitscope

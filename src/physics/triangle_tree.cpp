@@ -78,18 +78,17 @@ bool TriangleTree::comesFirst(const Visited& a, const Visited& b, const RunPosit
     return std::find(order.begin(), order.end(), a.place) < std::find(order.begin(), order.end(), b.place);
 }
 
-void TriangleTree::makeOwn() {
-    if (m_nodes.use_count() > 1) {
-        m_nodes = std::make_shared<std::vector<Node>>(*m_nodes);
-    }
-}
+TriangleTree::TriangleTree(const TriangleTree& other)
+    : m_original(other.m_original), m_own(other.m_own.all()), m_shape(other.m_shape) {}
 
 void TriangleTree::refit(const RunPositions& vertices, std::span<const MovedRun> moved) {
     if (empty() || moved.empty()) {
         return;
     }
-    makeOwn();
-    m_isFound.resize(m_nodes->size(), false);
+    if (m_own.size() == 0) {
+        m_own = PageCopy(*m_original);
+    }
+    m_isFound.resize(m_own.size(), false);
     findLeaves(moved);
     refitLeaves(vertices);
     while (!m_above.empty()) {
@@ -98,7 +97,7 @@ void TriangleTree::refit(const RunPositions& vertices, std::span<const MovedRun>
 }
 
 void TriangleTree::findLeaves(std::span<const MovedRun> moved) {
-    const std::vector<Node>& nodes = *m_nodes;
+    const std::span<const Node> nodes = m_own.all();
     m_found.clear();
     for (const MovedRun& run : moved) {
         if (std::size_t{run.run} + 1 >= m_shape->runStarts.size()) {
@@ -122,7 +121,7 @@ void TriangleTree::findLeaves(std::span<const MovedRun> moved) {
 
 void TriangleTree::refitLeaves(const RunPositions& vertices) {
     const auto verticesOf = [this](std::uint32_t node) {
-        const Leaf* const leaf = &m_shape->leaves[(*m_nodes)[node].first];
+        const Leaf* const leaf = &m_shape->leaves[m_own[node].first];
         return std::span(m_shape->vertices)
             .subspan(leaf->firstVertex, leaf[1].firstVertex - std::size_t{leaf->firstVertex});
     };
@@ -145,8 +144,8 @@ void TriangleTree::refitParents() {
     m_found.swap(m_above);
     m_above.clear();
     for (const std::uint32_t node : m_found) {
-        Bounds bounds = (*m_nodes)[node + 1].bounds;
-        bounds.add((*m_nodes)[(*m_nodes)[node].first].bounds);
+        Bounds bounds = m_own[node + 1].bounds;
+        bounds.add(m_own[m_own[node].first].bounds);
         take(node, bounds);
     }
 }
@@ -154,10 +153,10 @@ void TriangleTree::refitParents() {
 /// A node that was found has this box.
 void TriangleTree::take(std::uint32_t node, const Bounds& bounds) {
     m_isFound[node] = false;
-    if (isSame((*m_nodes)[node].bounds, bounds)) {
+    if (isSame(m_own[node].bounds, bounds)) {
         return;
     }
-    (*m_nodes)[node].bounds = bounds;
+    m_own[node].bounds = bounds;
     const std::uint32_t parent = m_shape->parents[node];
     if (parent != node && !m_isFound[parent]) {
         m_isFound[parent] = true;

@@ -11,14 +11,15 @@
 #include <vector>
 
 #include "core/bounds.h"
+#include "core/page_vector.h"
 #include "physics/run_positions.h"
 
 namespace hitscope::physics {
 
 /// A tree of boxes over a mesh's triangles whose boxes can follow the vertices. Bullet's own tree is
 /// quantized to the box it was built in, which dents leave, and its partial refit scans all of its subtrees
-/// and leaves the nodes above them stale; this one costs by what was touched. Copies share all until a refit,
-/// which gives the one it is called on boxes of its own.
+/// and leaves the nodes above them stale; this one costs by what was touched. Copies share all that no
+/// refit changed.
 class TriangleTree {
 public:
     static constexpr std::size_t kLeafTriangles = 32;  ///< at most
@@ -32,19 +33,19 @@ public:
     };
 
     TriangleTree() = default;
+    TriangleTree(const TriangleTree& other);
+    TriangleTree(TriangleTree&&) = default;
+    TriangleTree& operator=(TriangleTree&&) = default;
     /// `corners`: 3 a triangle. Triangles with an index out of range or a corner that is not finite are left
     /// out. Time n log n: about 0.2 s a million, shared among the processors.
     TriangleTree(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> corners);
 
-    [[nodiscard]] bool empty() const { return !m_nodes; }
-    [[nodiscard]] Bounds bounds() const { return empty() ? Bounds{} : m_nodes->front().bounds; }
+    [[nodiscard]] bool empty() const { return !m_original; }
+    [[nodiscard]] Bounds bounds() const { return empty() ? Bounds{} : nodes()->bounds; }
 
     /// Corrects the boxes around vertices that moved. Each run comes once. Costs by the leaves that have a
     /// vertex of the runs, and by how far up the boxes change.
     void refit(const RunPositions& vertices, std::span<const MovedRun> moved);
-
-    /// Gives a copy boxes of its own now, not with its first refit().
-    void makeOwn();
 
     /// A triangle that is visited.
     struct Visited {
@@ -114,7 +115,12 @@ private:
     void refitParents();
     void take(std::uint32_t node, const Bounds& bounds);
 
-    std::shared_ptr<std::vector<Node>> m_nodes;  ///< null: there are no triangles
+    [[nodiscard]] const Node* nodes() const {
+        return m_own.size() > 0 ? m_own.all().data() : m_original->data();
+    }
+
+    std::shared_ptr<const PageVector<Node>> m_original;  ///< null: there are no triangles
+    PageCopy<Node> m_own;                                ///< empty before the first refit()
     std::shared_ptr<const Shape> m_shape;
     // Of the refit() that runs.
     std::vector<std::uint32_t> m_found;  ///< nodes whose boxes are to be looked at
@@ -131,7 +137,7 @@ void TriangleTree::visitLeaves(const glm::vec3& direction, const Accept& accept,
     if (!empty()) {
         waiting[count++] = 0;
     }
-    const Node* const nodes = empty() ? nullptr : m_nodes->data();
+    const Node* const nodes = empty() ? nullptr : this->nodes();
     while (count > 0) {
         const std::uint32_t index = waiting[--count];
         const Node& node = nodes[index];

@@ -252,16 +252,17 @@ TriangleTree::TriangleTree(std::span<const glm::vec3> vertices, std::span<const 
     }
     const std::uint32_t nodes = nodesOf(items.size());
     auto shape = std::make_shared<Shape>();
-    m_nodes = std::make_shared<std::vector<Node>>(nodes);
+    auto made = std::make_shared<PageVector<Node>>(nodes);
     shape->triangles.resize(items.size());
     shape->places.resize(items.size());
     shape->leaves.resize((std::size_t{nodes} + 1) / 2 + 1);
     shape->leaves.back().firstTriangle = static_cast<std::uint32_t>(items.size());
     shape->parents.resize(nodes);
-    Builder builder{vertices, corners, items, *m_nodes, *shape};
+    Builder builder{vertices, corners, items, *made, *shape};
     builder.build({0, 0, 0}, items.size(), usefulThreads());
     builder.nameVertices();
     builder.listRuns();
+    m_original = std::move(made);
     m_shape = std::move(shape);
 }
 

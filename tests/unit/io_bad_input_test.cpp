@@ -45,6 +45,8 @@ void BadInputTest::content_data() {
     row("picture as OBJ", "a.obj", png,
         "There are no vertices in it; is this really a file of the format OBJ?");
     row("text as OBJ", "a.obj", "Dear reader,\nvery little here.\n", "There are no vertices in it");
+    row("UTF-16 as OBJ", "a.obj", QByteArray::fromHex("fffe76002000300020003000"),
+        "a.obj: It is text in UTF-16, in which no OBJ file is written.");
     row("points as OBJ", "a.obj", "v 0 0 0\nv 1 0 0\n",
         "It has 2 vertices but no faces; Hitscope needs a surface.");
     row("cut OBJ", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2", "a.obj, line 4: The file ends");

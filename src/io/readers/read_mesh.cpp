@@ -67,6 +67,11 @@ Result<ImportedMesh> parseFile(const QString& path, const ProgressSink& progress
         return opened.error();
     }
     if (suffix == QStringLiteral("obj")) {
+        if (content.bytes().starts_with("\xFF\xFE") || content.bytes().starts_with("\xFE\xFF")) {
+            return Error{"It is text in UTF-16, in which no OBJ file is written.",
+                         {},
+                         "Open it in a text editor and save it as UTF-8."};
+        }
         return withHash(parseObj(content.bytes(), progress), content.bytes());
     }
     if (suffix == QStringLiteral("ply")) {
