@@ -20,7 +20,7 @@ namespace hitscope {
 /// all pipelines agree with. Of the hits that made what is shown (SessionHits::isApplied()).
 ///
 /// Worked out on a thread of its own, at the cost of what the edits of the history reach; results come
-/// through the event loop, a moment after the edits. Memory: 30 bytes a vertex of the targets that have hits,
+/// through the event loop, a moment after the edits. Memory: what hits reach, 30 bytes a vertex at most,
 /// and about 100 bytes a hit.
 class HitEffects : public QObject {
     Q_OBJECT
