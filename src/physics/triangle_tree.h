@@ -23,7 +23,7 @@ namespace hitscope::physics {
 class TriangleTree {
 public:
     static constexpr std::size_t kLeafTriangles = 32;  ///< at most
-    static constexpr std::size_t kFewTriangles = 4;    ///< so many have no order among them
+    static constexpr std::size_t kFewTriangles = 4;    ///< so many come as they are numbered
     using Corners = std::array<std::uint32_t, 3>;      ///< vertices of a triangle
 
     /// Some vertices of a run moved.

@@ -6,6 +6,7 @@
 
 #include "core/finite.h"
 #include "core/give_up.h"
+#include "core/median_split.h"
 #include "core/parallel.h"
 #include "physics/triangle_tree.h"
 
@@ -16,13 +17,9 @@ constexpr std::size_t kTrianglesAThread = 16384;  // fewer are done sooner than 
 constexpr std::size_t kLeavesAThread = 512;
 constexpr std::size_t kBetween = 4096;  // triangles or leaves: looks whether to go on
 
-struct Item {
-    glm::vec3 centre;
-    std::uint32_t triangle;
-};
-
-std::vector<Item> itemsOf(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> corners) {
-    std::vector<Item> items;
+/// The triangles' centres.
+std::vector<PlacedItem> itemsOf(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> corners) {
+    std::vector<PlacedItem> items;
     items.reserve(corners.size() / 3);
     for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
         mayGiveUp(i / 3);
@@ -61,7 +58,7 @@ std::uint32_t nodesOf(std::size_t triangles) {
 struct TriangleTree::Builder {
     std::span<const glm::vec3> vertices;
     std::span<const std::uint32_t> corners;
-    std::span<Item> items;
+    std::span<PlacedItem> items;
     std::span<Node> nodes;
     Shape& shape;
 
@@ -75,7 +72,7 @@ struct TriangleTree::Builder {
     /// Of `count` items, into the nodes from `start` on: a node, its left half, its right one. Returns the
     /// index behind them.
     std::uint32_t build(const Start& start, std::size_t count, std::size_t threads) {
-        const std::span<Item> part = items.subspan(start.item, count);
+        const std::span<PlacedItem> part = items.subspan(start.item, count);
         Node& node = nodes[start.node];
         if (count <= kLeafTriangles) {
             node.first = start.leaf;
@@ -88,7 +85,7 @@ struct TriangleTree::Builder {
             mayGiveUp();
         }
         const std::size_t half = count / 2;
-        split(part, half);
+        splitOnLongestAxis(part, half);
         const Start left{start.item, start.node + 1, start.leaf};
         const auto rightOf = [&](std::uint32_t behindLeft) -> Start {
             const std::uint32_t leaves = (behindLeft - left.node + 1) / 2;  // each inner node joins two
@@ -110,38 +107,25 @@ struct TriangleTree::Builder {
         return end;
     }
 
-    /// Puts those before the median of the longest axis first.
-    static void split(std::span<Item> part, std::size_t half) {
-        Bounds centres;
-        for (const Item& item : part) {
-            centres.add(item.centre);
-        }
-        const glm::vec3 size = centres.size();
-        const int axis = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
-        std::nth_element(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(half), part.end(),
-                         [axis](const Item& a, const Item& b) {
-                             // The triangle decides between equals, so that every library splits the same.
-                             return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis]
-                                                                     : a.triangle < b.triangle;
-                         });
-    }
-
-    /// Orders the triangles of a leaf as if it went on to be split.
-    static void arrange(std::span<Item> part) {
+    /// Orders the triangles of a leaf as if it went on to be split, and few as they are numbered.
+    static void arrange(std::span<PlacedItem> part) {
         if (part.size() > kFewTriangles) {
             const std::size_t half = part.size() / 2;
-            split(part, half);
+            splitOnLongestAxis(part, half);
             arrange(part.first(half));
             arrange(part.subspan(half));
+        } else {
+            std::sort(part.begin(), part.end(),
+                      [](const PlacedItem& a, const PlacedItem& b) { return a.index < b.index; });
         }
     }
 
     void makeLeaf(Node& node, std::size_t begin) {
         shape.leaves[node.first].firstTriangle = static_cast<std::uint32_t>(begin);
         for (std::size_t i = begin; i < begin + node.count; ++i) {
-            shape.triangles[i] = items[i].triangle;
+            shape.triangles[i] = items[i].index;
             for (std::size_t corner = 0; corner < 3; ++corner) {
-                node.bounds.add(vertices[corners[std::size_t{3} * items[i].triangle + corner]]);
+                node.bounds.add(vertices[corners[std::size_t{3} * items[i].index + corner]]);
             }
         }
     }
@@ -246,7 +230,7 @@ struct TriangleTree::Builder {
 };
 
 TriangleTree::TriangleTree(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> corners) {
-    std::vector<Item> items = itemsOf(vertices, corners);
+    std::vector<PlacedItem> items = itemsOf(vertices, corners);
     if (items.empty()) {
         return;
     }

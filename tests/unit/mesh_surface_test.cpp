@@ -105,6 +105,9 @@ private:
 
     void split(std::size_t begin, std::size_t count) {
         if (count <= 4) {
+            std::sort(m_items.begin() + static_cast<std::ptrdiff_t>(begin),
+                      m_items.begin() + static_cast<std::ptrdiff_t>(begin + count),
+                      [](const Item& a, const Item& b) { return a.triangle < b.triangle; });
             return;
         }
         Bounds centres;
