@@ -17,7 +17,8 @@ namespace {
 constexpr std::size_t kMostFacesCompared = 256;
 
 // Fewer are done sooner than a thread is started.
-constexpr std::size_t kVerticesAThread = 4096;
+constexpr std::size_t kNormalsAThread = 16384;
+constexpr std::size_t kVerticesAThread = 8192;
 constexpr std::size_t kFacesAThread = 16384;
 
 /// The zero vector when v has no usable direction.
@@ -26,152 +27,163 @@ glm::dvec3 unitOrZero(const glm::dvec3& v) {
     return std::isfinite(length) && length > 0.0 ? v / length : glm::dvec3(0.0);
 }
 
-/// Whether two faces at a vertex are part of one smooth surface.
-class Smoothness {
-public:
-    Smoothness(const MeshData& mesh, float creaseAngle)
-        : m_groups(mesh.faceSmoothing), m_cosine(std::cos(static_cast<double>(creaseAngle))) {}
-
-    [[nodiscard]] bool joins(std::uint32_t face, std::uint32_t other, const glm::dvec3& faceNormal,
-                             const glm::dvec3& otherNormal) const {
-        if (face == other) {
-            return true;
-        }
-        if (!m_groups.empty()) {
-            return m_groups[face] != 0 && m_groups[face] == m_groups[other];
-        }
-        // Flat steps of a tessellated surface must not flicker between joined and not joined by rounding.
-        return glm::dot(faceNormal, otherNormal) >= m_cosine - 1e-6;
+/// 3 or 4 if all faces have so many corners; else 0.
+std::uint32_t sizeOfAll(const MeshData& mesh) {
+    const std::size_t faces = mesh.faceCount();
+    const std::uint32_t size = faces > 0 ? mesh.faceStarts[1] : 0;
+    if (size != 3 && size != 4) {
+        return 0;
     }
-
-private:
-    const std::vector<std::uint32_t>& m_groups;
-    double m_cosine;
-};
-
-struct FaceNormals {
-    std::vector<std::uint32_t> faceOfCorner;
-    std::vector<glm::dvec3> areas;  ///< twice the area, along the normal
-    std::vector<glm::vec3> units;   ///< zero for a face without area
-
-    explicit FaceNormals(const MeshData& mesh)
-        : faceOfCorner(mesh.cornerVertices.size()), areas(mesh.faceCount()), units(mesh.faceCount()) {
-        inWatchedParts(mesh.faceCount(), kFacesAThread, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t f = begin; f < end; ++f) {
-                for (std::size_t c = mesh.faceStarts[f]; c < mesh.faceStarts[f + 1]; ++c) {
-                    faceOfCorner[c] = static_cast<std::uint32_t>(f);
-                }
-                areas[f] = doubleAreaVector(mesh.positions, mesh.face(f));
-                units[f] = glm::vec3(unitOrZero(areas[f]));
-            }
-        });
+    std::size_t face = 0;
+    while (face < faces && mesh.faceStarts[face + 1] - mesh.faceStarts[face] == size) {
+        ++face;
     }
-};
+    return face == faces ? size : 0;
+}
 
-glm::vec3 averageNormal(std::span<const std::uint32_t> around, const FaceNormals& faces) {
-    glm::dvec3 sum(0.0);
+}  // namespace
+
+VertexCorners::VertexCorners(const MeshData& mesh)
+    : m_corners(sortedByKey(mesh.cornerVertices.size(), mesh.vertexCount(),
+                            [&mesh](std::size_t corner) { return mesh.cornerVertices[corner]; })) {}
+
+CornerFaces::CornerFaces(const MeshData& mesh)
+    : m_size(sizeOfAll(mesh)), m_faces(m_size == 0 ? mesh.cornerVertices.size() : 0) {
+    if (m_faces.empty()) {
+        return;
+    }
+    inWatchedParts(mesh.faceCount(), kFacesAThread, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f) {
+            std::fill(m_faces.begin() + mesh.faceStarts[f], m_faces.begin() + mesh.faceStarts[f + 1],
+                      static_cast<std::uint32_t>(f));
+        }
+    });
+}
+
+CornerNormals::CornerNormals(const MeshData& mesh, const VertexCorners& vertexCorners,
+                             const CornerFaces& cornerFaces, float creaseAngle)
+    : m_mesh(mesh),
+      m_vertexCorners(vertexCorners),
+      m_cornerFaces(cornerFaces),
+      m_cosine(std::cos(static_cast<double>(creaseAngle))),
+      m_units(mesh.normals.size()) {
+    inWatchedParts(mesh.normals.size(), kNormalsAThread, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            m_units[i] = glm::vec3(unitOrZero(glm::dvec3(mesh.normals[i])));
+        }
+    });
+    const auto isUsable = [this](std::uint32_t n) { return n != kNoIndex && m_units[n] != glm::vec3(0.0f); };
+    if (mesh.cornerNormals.size() != mesh.cornerVertices.size() ||
+        !std::all_of(mesh.cornerNormals.begin(), mesh.cornerNormals.end(), isUsable)) {
+        measureFaces();
+    }
+}
+
+void CornerNormals::measureFaces() {
+    m_areas.resize(m_mesh.faceCount());
+    inWatchedParts(m_mesh.faceCount(), kFacesAThread, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f) {
+            m_areas[f] = doubleAreaVector(m_mesh.positions, m_mesh.face(f));
+        }
+    });
+}
+
+std::span<const glm::vec3> CornerNormals::Reader::of(std::size_t vertex) {
+    const std::span<const std::uint32_t> around = m_all.m_vertexCorners.of(vertex);
+    const std::vector<std::uint32_t>& given = m_all.m_mesh.cornerNormals;
+    m_normals.clear();
+    bool isComplete = true;
     for (const std::uint32_t corner : around) {
-        sum += faces.areas[faces.faceOfCorner[corner]];
+        const std::uint32_t normal = corner < given.size() ? given[corner] : kNoIndex;
+        m_normals.push_back(normal != kNoIndex ? m_all.m_units[normal] : glm::vec3(0.0f));
+        isComplete = isComplete && m_normals.back() != glm::vec3(0.0f);
+    }
+    if (!isComplete) {
+        computeMissing(around);
+    }
+    return m_normals;
+}
+
+/// Fills the zero vectors among the normals.
+void CornerNormals::Reader::computeMissing(std::span<const std::uint32_t> around) {
+    m_faces.clear();
+    for (const std::uint32_t corner : around) {
+        const std::uint32_t face = m_all.m_cornerFaces[corner];
+        const glm::dvec3& area = m_all.m_areas[face];
+        m_faces.push_back({face, area, glm::vec3(unitOrZero(area))});
+    }
+    const glm::vec3 average = averageNormal();
+    const bool areOne = m_faces.size() > kMostFacesCompared || areAllJoined();
+    for (std::size_t i = 0; i < m_faces.size(); ++i) {
+        if (m_normals[i] == glm::vec3(0.0f)) {
+            const bool isAveraged = areOne || m_faces[i].unit == glm::vec3(0.0f);
+            m_normals[i] = isAveraged ? average : smoothNormal(m_faces[i]);
+        }
+    }
+}
+
+glm::vec3 CornerNormals::Reader::averageNormal() const {
+    glm::dvec3 sum(0.0);
+    for (const Face& face : m_faces) {
+        sum += face.area;
     }
     const glm::dvec3 normal = unitOrZero(sum);
     // No face here has an area, or they cancel out: any unit vector keeps the deformation defined.
     return normal != glm::dvec3(0.0) ? glm::vec3(normal) : glm::vec3(0.0f, 1.0f, 0.0f);
 }
 
-/// Of a corner whose face has an area.
-glm::vec3 smoothNormal(std::uint32_t corner, std::span<const std::uint32_t> around, const FaceNormals& faces,
-                       const Smoothness& smoothness) {
-    const std::uint32_t face = faces.faceOfCorner[corner];
-    const glm::dvec3 own(faces.units[face]);
+/// Of a face that has an area.
+glm::vec3 CornerNormals::Reader::smoothNormal(const Face& face) const {
     glm::dvec3 sum(0.0);
-    for (const std::uint32_t other : around) {
-        const std::uint32_t otherFace = faces.faceOfCorner[other];
-        if (smoothness.joins(face, otherFace, own, glm::dvec3(faces.units[otherFace]))) {
-            sum += faces.areas[otherFace];
+    for (const Face& other : m_faces) {
+        if (joins(face, other)) {
+            sum += other.area;
         }
     }
     const glm::dvec3 normal = unitOrZero(sum);
-    return glm::vec3(normal != glm::dvec3(0.0) ? normal : own);
+    return glm::vec3(normal != glm::dvec3(0.0) ? normal : glm::dvec3(face.unit));
 }
 
-/// Fills the zero vectors among the normals of a vertex's corners.
-void computeMissing(std::span<const std::uint32_t> around, const FaceNormals& faces,
-                    const Smoothness& smoothness, std::vector<glm::vec3>& normals) {
-    const auto isMissing = [&normals](std::uint32_t corner) { return normals[corner] == glm::vec3(0.0f); };
-    if (std::none_of(around.begin(), around.end(), isMissing)) {
-        return;
+/// Whether two faces at a vertex are part of one smooth surface.
+bool CornerNormals::Reader::joins(const Face& a, const Face& b) const {
+    if (a.face == b.face) {
+        return true;
     }
-    const glm::vec3 average = averageNormal(around, faces);
-    for (const std::uint32_t corner : around) {
-        if (!isMissing(corner)) {
-            continue;
-        }
-        const bool isAveraged =
-            around.size() > kMostFacesCompared || faces.units[faces.faceOfCorner[corner]] == glm::vec3(0.0f);
-        normals[corner] = isAveraged ? average : smoothNormal(corner, around, faces, smoothness);
+    if (const std::vector<std::uint32_t>& groups = m_all.m_mesh.faceSmoothing; !groups.empty()) {
+        return groups[a.face] != 0 && groups[a.face] == groups[b.face];
     }
+    // Flat steps of a tessellated surface must not flicker between joined and not joined by rounding.
+    return glm::dot(glm::dvec3(a.unit), glm::dvec3(b.unit)) >= m_all.m_cosine - 1e-6;
 }
 
-}  // namespace
-
-VertexCorners::VertexCorners(const MeshData& mesh)
-    : starts(mesh.vertexCount() + 1, 0), corners(mesh.cornerVertices.size()) {
-    for (std::size_t c = 0; c < corners.size(); ++c) {
-        mayGiveUp(c);
-        ++starts[mesh.cornerVertices[c] + 1];
-    }
-    for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
-        starts[v + 1] += starts[v];
-    }
-    std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
-    for (std::size_t c = 0; c < corners.size(); ++c) {
-        mayGiveUp(c);
-        corners[next[mesh.cornerVertices[c]]++] = static_cast<std::uint32_t>(c);
-    }
-}
-
-bool CornerNormals::isComplete() const {
-    return m_mesh.cornerNormals.size() == m_mesh.cornerVertices.size() &&
-           std::all_of(m_mesh.cornerNormals.begin(), m_mesh.cornerNormals.end(),
-                       [this](std::uint32_t n) { return n != kNoIndex && m_units[n] != glm::vec3(0.0f); });
-}
-
-CornerNormals::CornerNormals(const MeshData& mesh, const VertexCorners& vertexCorners, float creaseAngle)
-    : m_mesh(mesh) {
-    m_units.reserve(mesh.normals.size());
-    for (const glm::vec3& normal : mesh.normals) {
-        mayGiveUp(m_units.size());
-        m_units.emplace_back(unitOrZero(glm::dvec3(normal)));
-    }
-    if (isComplete()) {
-        return;
-    }
-    m_ofCorners.assign(mesh.cornerVertices.size(), glm::vec3(0.0f));
-    for (std::size_t c = 0; c < mesh.cornerNormals.size(); ++c) {
-        mayGiveUp(c);
-        if (mesh.cornerNormals[c] != kNoIndex) {
-            m_ofCorners[c] = m_units[mesh.cornerNormals[c]];
+/// Then the sum over those that join any of them is the sum over all. Not if that is zero: each has its own
+/// then.
+bool CornerNormals::Reader::areAllJoined() const {
+    glm::dvec3 sum(0.0);
+    for (auto face = m_faces.begin(); face != m_faces.end(); ++face) {
+        sum += face->area;
+        if (!std::all_of(m_faces.begin(), face, [&](const Face& other) { return joins(other, *face); })) {
+            return false;
         }
     }
-    const FaceNormals faces(mesh);
-    const Smoothness smoothness(mesh, creaseAngle);
-    // The corners of a vertex are its own: parts write to different ones.
-    inWatchedParts(mesh.vertexCount(), kVerticesAThread, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v) {
-            computeMissing(vertexCorners.of(v), faces, smoothness, m_ofCorners);
-        }
-    });
+    return unitOrZero(sum) != glm::dvec3(0.0);
 }
 
 std::vector<glm::vec3> cornerNormals(const MeshData& mesh, float creaseAngle) {
     const VertexCorners vertexCorners(mesh);
-    const CornerNormals normals(mesh, vertexCorners, creaseAngle);
-    std::vector<glm::vec3> list;
-    list.reserve(mesh.cornerVertices.size());
-    for (std::size_t corner = 0; corner < mesh.cornerVertices.size(); ++corner) {
-        mayGiveUp(corner);
-        list.push_back(normals[corner]);
-    }
+    const CornerFaces cornerFaces(mesh);
+    const CornerNormals normals(mesh, vertexCorners, cornerFaces, creaseAngle);
+    std::vector<glm::vec3> list(mesh.cornerVertices.size());
+    inWatchedParts(mesh.vertexCount(), kVerticesAThread, [&](std::size_t begin, std::size_t end) {
+        CornerNormals::Reader reader(normals);
+        for (std::size_t v = begin; v < end; ++v) {
+            const std::span<const glm::vec3> ofVertex = reader.of(v);
+            const std::span<const std::uint32_t> corners = vertexCorners.of(v);
+            for (std::size_t i = 0; i < corners.size(); ++i) {
+                list[corners[i]] = ofVertex[i];
+            }
+        }
+    });
     return list;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/bounds.h"
+#include "core/raw_vector.h"
 #include "mesh/cluster_runs.h"
 #include "mesh/corner_normals.h"
 #include "mesh/mesh_data.h"
@@ -36,17 +37,17 @@ static_assert(sizeof(DynamicVertex) == 24);
 struct RenderMesh {
     PageVector<DynamicVertex> vertices;  ///< R entries, original state
     std::uint32_t drawnVertices =
-        0;  ///< so many of them, the first, are of faces; the others' normal is zero
-    std::vector<glm::vec2> texcoords;                 ///< R entries (zero where the file has none)
-    std::vector<std::uint32_t> fileVertices;          ///< R entries: index into MeshData::positions
-    std::vector<std::uint32_t> cornerRenderVertices;  ///< one a corner of MeshData: its render vertex
+        0;                           ///< so many of them, the first, are of faces; the others' normal is zero
+    RawVector<glm::vec2> texcoords;  ///< R entries (zero where the file has none)
+    RawVector<std::uint32_t> fileVertices;          ///< R entries: index into MeshData::positions
+    RawVector<std::uint32_t> cornerRenderVertices;  ///< one a corner of MeshData: its render vertex
     /// 3 a triangle, render vertex indices, counter-clockwise as in the file; each draw's by their lowest
     /// one.
-    std::vector<std::uint32_t> triangles;
-    std::vector<std::uint32_t> triangleFaces;  ///< 1 a triangle: index of its face in MeshData
+    RawVector<std::uint32_t> triangles;
+    RawVector<std::uint32_t> triangleFaces;  ///< 1 a triangle: index of its face in MeshData
     /// 2 an edge, lower one first and in its order: each edge of the file's polygons once, between the first
     /// render vertices of its ends.
-    std::vector<std::uint32_t> edges;
+    RawVector<std::uint32_t> edges;
     std::vector<DrawRange> draws;  ///< cover `triangles`, one a material
     ClusterRuns triangleRuns;      ///< of `triangles`
     /// Of a large mesh, fewer triangles between the same vertices, for pictures that move: see

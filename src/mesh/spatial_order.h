@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <glm/vec3.hpp>
-#include <vector>
+#include <span>
 
-#include "mesh/render_mesh.h"
+#include "core/median_split.h"
 
 namespace hitscope {
 
-/// An order of points in which neighbours in space are neighbours in the order, above all those of each run
-/// of kClusterVertices. order[i]: the point that comes i-th. Halves the points on their longest axis again
-/// and again: O(n log n) for n points.
-[[nodiscard]] std::vector<std::uint32_t> spatialOrder(std::span<const glm::vec3> points);
+/// Puts points in an order in which neighbours in space are neighbours, above all those of each run of
+/// kClusterVertices; within a run they come by index. Halves the points on their longest axis again and
+/// again: O(n log n) for n points.
+void orderBySpace(std::span<PlacedItem> points);
 
 }  // namespace hitscope

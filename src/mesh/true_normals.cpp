@@ -143,7 +143,7 @@ void TrueNormals::Groups::nameGroups() {
 void TrueNormals::Groups::groupFaces() {
     // A face that comes to a group with two corners is listed twice: it counts with its area each time,
     // before and after the dent alike.
-    const std::vector<std::uint32_t>& corners = render->cornerRenderVertices;
+    const std::span<const std::uint32_t> corners = render->cornerRenderVertices;
     std::vector<std::uint32_t>& starts = faceStarts;
     starts.assign(std::size_t{count()} + 2, 0);
     for (std::size_t c = 0; c < corners.size(); ++c) {

@@ -21,7 +21,7 @@ Triangle triangleOf(std::span<const glm::vec3> vertices, const std::uint32_t* co
 
 bool hasAnyArea(const CollisionMesh& mesh) {
     const std::vector<glm::vec3>& vertices = mesh.vertices();
-    const std::vector<std::uint32_t>& corners = *mesh.corners();
+    const std::span<const std::uint32_t> corners = *mesh.corners();
     for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
         const std::uint32_t* c = &corners[i];
         if (std::max({c[0], c[1], c[2]}) < vertices.size() && triangleOf(vertices, c).hasArea()) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/bounds.h"
+#include "core/raw_vector.h"
 
 namespace hitscope {
 
@@ -20,7 +21,7 @@ class TriangleTree;
 /// Then neither adding a target nor its first dent has to wait.
 class CollisionMesh {
 public:
-    using Corners = std::shared_ptr<const std::vector<std::uint32_t>>;
+    using Corners = std::shared_ptr<const RawVector<std::uint32_t>>;
 
     /// `vertices`: metres, local frame. `corners`: 3 a triangle, two-sided; triangles with an index out of
     /// range or a corner that is not finite are left out, those without area cannot be hit while they have

@@ -2,12 +2,15 @@
 // How a TriangleTree is made.
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
+#include <limits>
 
 #include "core/finite.h"
 #include "core/give_up.h"
 #include "core/median_split.h"
 #include "core/parallel.h"
+#include "core/raw_vector.h"
 #include "physics/triangle_tree.h"
 
 namespace hitscope::physics {
@@ -18,19 +21,24 @@ constexpr std::size_t kLeavesAThread = 512;
 constexpr std::size_t kBetween = 4096;  // triangles or leaves: looks whether to go on
 
 /// The triangles' centres.
-std::vector<PlacedItem> itemsOf(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> corners) {
-    std::vector<PlacedItem> items;
-    items.reserve(corners.size() / 3);
-    for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
-        mayGiveUp(i / 3);
-        const std::uint32_t* c = &corners[i];
-        if (std::max({c[0], c[1], c[2]}) >= vertices.size()) {
-            continue;
+RawVector<PlacedItem> itemsOf(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> corners) {
+    RawVector<PlacedItem> items(corners.size() / 3);
+    std::atomic<std::size_t> leftOut = 0;
+    inWatchedParts(items.size(), kTrianglesAThread, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint32_t* const c = &corners[3 * i];
+            const bool isKnown = std::max({c[0], c[1], c[2]}) < vertices.size();
+            const glm::vec3 centre =
+                isKnown ? vertices[c[0]] / 3.0f + vertices[c[1]] / 3.0f + vertices[c[2]] / 3.0f
+                        : glm::vec3(std::numeric_limits<float>::infinity());
+            items[i] = {centre, static_cast<std::uint32_t>(i)};
+            if (!isFinite(centre)) {
+                ++leftOut;
+            }
         }
-        const glm::vec3 centre = vertices[c[0]] / 3.0f + vertices[c[1]] / 3.0f + vertices[c[2]] / 3.0f;
-        if (isFinite(centre)) {
-            items.push_back({centre, static_cast<std::uint32_t>(i / 3)});
-        }
+    });
+    if (leftOut > 0) {
+        std::erase_if(items, [](const PlacedItem& item) { return !isFinite(item.at); });
     }
     return items;
 }
@@ -230,7 +238,7 @@ struct TriangleTree::Builder {
 };
 
 TriangleTree::TriangleTree(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> corners) {
-    std::vector<PlacedItem> items = itemsOf(vertices, corners);
+    RawVector<PlacedItem> items = itemsOf(vertices, corners);
     if (items.empty()) {
         return;
     }

@@ -272,6 +272,7 @@ Status drawWithOneProgram(const FrameContext& context, DeformationPipeline& pipe
     setSurface(program, context);
     const std::uint32_t rounds =
         context.software && !parts.translucent ? roundsOf(draws, context.part.count) : 1;
+    const DrawOrder order = parts.translucent ? DrawOrder::AsGiven : DrawOrder::Any;
     for (Draw& draw : draws) {
         sortParts(draw, rounds, context.forward);
     }
@@ -288,10 +289,11 @@ Status drawWithOneProgram(const FrameContext& context, DeformationPipeline& pipe
             }
             materialsOf(context.frame, *draw.item)
                 .apply(program, part.material, parts.coloured, context.textureSampler);
+            const IndexRun range{part.first, part.first + part.count};
             if (draw.seen) {
-                drawBounded(context, GL_TRIANGLES, *draw.seen, {part.first, part.first + part.count});
+                drawBounded(context, GL_TRIANGLES, *draw.seen, range, order);
             } else {
-                drawBounded(context, GL_TRIANGLES, part.first, part.count);
+                drawBounded(context, GL_TRIANGLES, range, order);
             }
         }
         if (rounds > 1) {
@@ -360,9 +362,9 @@ Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeli
                                                    item.buffers->triangleRuns(), range)
                                      : std::nullopt;
             if (seen) {
-                drawBounded(context, GL_TRIANGLES, *seen, range);
+                drawBounded(context, GL_TRIANGLES, *seen, range, DrawOrder::Any);
             } else {
-                drawBounded(context, GL_TRIANGLES, drawn.first, drawn.count);
+                drawBounded(context, GL_TRIANGLES, range, DrawOrder::Any);
             }
             earlyStart.drawn(drawn.count / kIndicesPerVertex);
         }

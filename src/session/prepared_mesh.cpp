@@ -30,13 +30,11 @@ PreparedMesh prepareMesh(MeshData mesh) {
     const auto render = std::make_shared<RenderMesh>(buildRenderMesh(*prepared.mesh));
     prepared.render = render;
     bothAtOnce(
-        [&prepared] {
-            prepared.trueNormals = std::make_shared<const TrueNormals>(prepared.mesh, prepared.render);
-        },
         [&prepared, &render] {
-            prepared.collision = collisionMesh(prepared.render);
+            prepared.trueNormals = std::make_shared<const TrueNormals>(prepared.mesh, prepared.render);
             addCoarseTriangles(*render);
-        });
+        },
+        [&prepared] { prepared.collision = collisionMesh(prepared.render); });
     return prepared;
 }
 

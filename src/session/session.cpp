@@ -227,15 +227,23 @@ void loadPaperRow(Session& session, int row) {
     session.loadScene({preset.label(), planPaperRow(preset), 0.0f});
 }
 
+namespace {
+
+void load(Session& session, TargetPlan target) {
+    ScenePlan plan;
+    plan.name = target.name;
+    plan.targets.push_back(std::move(target));
+    session.loadScene(std::move(plan));
+}
+
+}  // namespace
+
 void loadMesh(Session& session, MeshData mesh, const QString& sourcePath) {
-    loadMesh(session, prepareMesh(std::move(mesh)), sourcePath);
+    load(session, planMesh(std::move(mesh), sourcePath));
 }
 
 void loadMesh(Session& session, const PreparedMesh& mesh, const QString& sourcePath) {
-    ScenePlan plan;
-    plan.targets.push_back(planMesh(mesh, sourcePath));
-    plan.name = plan.targets.front().name;
-    session.loadScene(std::move(plan));
+    load(session, planMesh(mesh, sourcePath));
 }
 
 void loadTeapot(Session& session) {

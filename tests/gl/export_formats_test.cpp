@@ -2,10 +2,12 @@
 // A scene as it is shown, in every format, and what is read back from it.
 #include <QDir>
 #include <QFile>
+#include <QScopeGuard>
 #include <QTemporaryDir>
 #include <QTest>
 #include <glm/geometric.hpp>
 
+#include "core/parallel.h"
 #include "io/import.h"
 #include "mesh/primitives.h"
 #include "scene/scene_gpu.h"
@@ -311,13 +313,13 @@ void ExportFormatsTest::endsSoonWhereNobodyWantsIt_data() {
     const auto row = [](ExportFormat format, int least) {
         QTest::newRow(traitsOf(format).key) << static_cast<int>(format) << least;
     };
-    row(ExportFormat::Obj, 39);
-    row(ExportFormat::Ply, 34);
-    row(ExportFormat::PlyAscii, 36);
-    row(ExportFormat::Stl, 19);
-    row(ExportFormat::Glb, 154);
-    row(ExportFormat::Gltf, 157);
-    row(ExportFormat::Csv, 20);
+    row(ExportFormat::Obj, 43);
+    row(ExportFormat::Ply, 40);
+    row(ExportFormat::PlyAscii, 42);
+    row(ExportFormat::Stl, 25);
+    row(ExportFormat::Glb, 175);
+    row(ExportFormat::Gltf, 178);
+    row(ExportFormat::Csv, 26);
 }
 
 void ExportFormatsTest::endsSoonWhereNobodyWantsIt() {
@@ -353,6 +355,8 @@ void ExportFormatsTest::endsSoonWhereNobodyWantsIt() {
         ++questions;
         return true;
     };
+    pretendedProcessors() = 1;  // all looks are this thread's
+    const auto all = qScopeGuard([] { pretendedProcessors() = 0; });
     QVERIFY(writeExport(what, file, count));
     QVERIFY2(looks >= least, qPrintable(QString::number(looks)));
     for (int part = 0; part < 12; ++part) {

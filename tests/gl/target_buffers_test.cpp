@@ -94,7 +94,7 @@ private Q_SLOTS:
             normals.push_back(vertex.normal);
         }
         QVERIFY(same(contentOf<glm::vec3>(buffers.shadingNormalBuffer()), normals));
-        std::vector<std::uint32_t> triangles = mesh.triangles;
+        RawVector<std::uint32_t> triangles = mesh.triangles;
         triangles.insert(triangles.end(), mesh.coarseTriangles.begin(), mesh.coarseTriangles.end());
         QVERIFY(same(contentOf<std::uint32_t>(indicesOf(buffers.surfaceArray())), triangles));
     }

@@ -85,7 +85,7 @@ private Q_SLOTS:
 
 private:
     static void check(const RenderMesh& render, const std::vector<bool>& moved, const ChangedParts& parts) {
-        const auto compare = [&](const std::vector<std::uint32_t>& indices, std::size_t size,
+        const auto compare = [&](std::span<const std::uint32_t> indices, std::size_t size,
                                  const IndexRuns& runs) {
             const std::vector<bool> held = heldBy(runs, size, indices.size());
             QCOMPARE(held.size(), indices.size() / size);

@@ -16,7 +16,7 @@ namespace hitscope::coarse_triangles_test {
 
 namespace {
 
-double areaOf(const RenderMesh& mesh, const std::vector<std::uint32_t>& triangles) {
+double areaOf(const RenderMesh& mesh, std::span<const std::uint32_t> triangles) {
     double area = 0.0;
     for (std::size_t i = 0; i < triangles.size(); i += 3) {
         const glm::dvec3 a(mesh.vertices[triangles[i]].position);
@@ -54,7 +54,7 @@ void CoarseTrianglesTest::smallMeshesHaveNone() {
 
 void CoarseTrianglesTest::sphereKeepsItsShape() {
     RenderMesh mesh = buildRenderMesh(makeGeodesicSphere(32, 2.0f));
-    const std::vector<std::uint32_t> all = mesh.triangles;
+    const RawVector<std::uint32_t> all = mesh.triangles;
     addCoarseTriangles(mesh, 4'000);
     const std::size_t triangles = mesh.coarseTriangles.size() / 3;
     QVERIFY2(triangles > 2'500 && triangles <= 4'000, qPrintable(QString::number(triangles)));
@@ -73,7 +73,7 @@ void CoarseTrianglesTest::facesLookTheRightWay() {
     }
     RenderMesh mesh = buildRenderMesh(ball);
     addCoarseTriangles(mesh, 6'000);
-    const auto wrong = [&mesh](const std::vector<std::uint32_t>& triangles) {
+    const auto wrong = [&mesh](std::span<const std::uint32_t> triangles) {
         std::size_t count = 0;
         for (std::size_t i = 0; i < triangles.size(); i += 3) {
             const auto& a = mesh.vertices[triangles[i]];

@@ -74,7 +74,7 @@ private Q_SLOTS:
         }
         std::vector<std::uint32_t> moved;
         deformed.write(3, range, moved);
-        const std::vector<std::uint32_t>& fileVertices = deformed.render().fileVertices;
+        const std::span<const std::uint32_t> fileVertices = deformed.render().fileVertices;
         QVERIFY(std::equal(moved.begin(), moved.end(), fileVertices.begin() + 3, fileVertices.begin() + 9));
         moved.clear();
         deformed.write(3, range, moved);

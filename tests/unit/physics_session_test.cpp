@@ -54,7 +54,7 @@ private:
 /// Metres, local frame; of the triangles that are on screen.
 float distanceFromSurface(const Target& target, const glm::vec3& p) {
     const std::span<const DynamicVertex> vertices = target.deformed.vertices();
-    const std::vector<std::uint32_t>& corners = target.deformed.render().triangles;
+    const std::span<const std::uint32_t> corners = target.deformed.render().triangles;
     float least = 1e9f;
     for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
         least = std::min(least,

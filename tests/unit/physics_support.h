@@ -45,7 +45,7 @@ struct Triangles {
     std::vector<std::uint32_t> corners;
     [[nodiscard]] std::shared_ptr<const CollisionMesh> prepared() const {
         return std::make_shared<const CollisionMesh>(
-            vertices, std::make_shared<const std::vector<std::uint32_t>>(corners));
+            vertices, std::make_shared<const RawVector<std::uint32_t>>(corners.begin(), corners.end()));
     }
     operator Collider() const { return MeshCollider{prepared()}; }
 };
