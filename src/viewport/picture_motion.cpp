@@ -28,6 +28,11 @@ void PictureMotion::setRefined(bool on) {
     drawInFullIfAtRest();
 }
 
+void PictureMotion::setBusy(bool on) {
+    m_isBusy = on;
+    drawInFullIfAtRest();
+}
+
 void PictureMotion::moved() {
     m_timer.start();
 }
@@ -108,10 +113,12 @@ void PictureMotion::judgeFull(double seconds) {
     if (m_isRefinedShown || !m_motion.hasCoarse()) {
         return;
     }
+    const double part = m_detail.isFull() ? 1.0 : static_cast<double>(m_motion.coarsePart());
+    const bool isSlow = seconds > part * m_slow || m_waiting > part * m_slowWaiting;
     if (m_detail.isFull()) {
         // The first one after a change may have built programs.
-        m_isSlow = ++m_fullFrames > 1 && seconds > m_slow;
-    } else if (m_detail.coarse && seconds < m_slow * static_cast<double>(m_motion.coarsePart())) {
+        m_isSlow = ++m_fullFrames > 1 && isSlow;
+    } else if (m_detail.coarse && !isSlow) {
         m_isSlow = false;
     }
 }

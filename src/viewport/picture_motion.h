@@ -23,11 +23,18 @@ public:
     void setOn(bool on);
     /// Whether a refiner draws still pictures in full.
     void setRefined(bool on);
+    /// Other threads are at work: drawing takes longer than it did, and every picture in full is left to the
+    /// refiner.
+    void setBusy(bool on);
     /// As MotionDetail::setCoarsePart(). isSlow: a picture in full is expected to take too long, so that the
     /// first is left to the refiner as well.
     void setCoarsePart(float part, bool isSlow = false);
-    /// A picture in full that takes longer is left to the refiner; seconds.
-    void setSlow(double seconds) { m_slow = seconds; }
+    /// A picture in full that takes longer, or keeps events waiting for longer while it is drawn, is left to
+    /// the refiner; seconds.
+    void setSlow(double seconds, double waiting) {
+        m_slow = seconds;
+        m_slowWaiting = waiting;
+    }
     /// The session catches up, and events wait for pictures: those that are left to the refiner have half of
     /// the pixels, too.
     void setCatchingUp(bool on) { m_isCatchingUp = on; }
@@ -43,8 +50,12 @@ public:
     void refinedShown();
     /// Of the last picture.
     [[nodiscard]] const PictureDetail& lastDetail() const { return m_detail; }
-    /// Of what was drawn last: from close by there may be all triangles all the same.
-    void drawn(bool coarse) { m_drewCoarse = coarse; }
+    /// Of what was drawn last: from close by there may be all triangles all the same. `waiting`: for so many
+    /// seconds events had to wait meanwhile.
+    void drawn(bool coarse, double waiting) {
+        m_drewCoarse = coarse;
+        m_waiting = waiting;
+    }
     /// The last picture as one sees it.
     [[nodiscard]] PictureDetail seenDetail() const {
         return {.scale = m_detail.scale, .coarse = m_detail.coarse && m_drewCoarse};
@@ -69,15 +80,20 @@ private:
     void judgeFull(double seconds);
     [[nodiscard]] bool isFirstComing() const;  ///< the next picture is a motion's first, or none moves
     [[nodiscard]] bool isHurried() const { return m_isCatchingUp && isLeftToRefiner() && !m_held; }
-    [[nodiscard]] bool isLeftToRefiner() const { return m_isOn && m_isSlow && m_isRefined; }
+    [[nodiscard]] bool isLeftToRefiner() const {
+        return m_isOn && m_isRefined && (m_isSlow || (m_isBusy && m_motion.hasCoarse()));
+    }
 
     MotionDetail m_motion;
     std::optional<PictureDetail> m_held;
     bool m_isOn = false;
     bool m_isRefined = false;
+    bool m_isBusy = false;
     bool m_isRefinedShown = false;
     bool m_isCatchingUp = false;
     double m_slow = 0.1;
+    double m_slowWaiting = 0.045;
+    double m_waiting = 0.0;
     bool m_isSlowFirst = false;  ///< one is expected to take too long
     bool m_isSlow = false;       ///< one took too long, or is expected to
     int m_fullFrames = 0;        ///< drawn since frames took another time

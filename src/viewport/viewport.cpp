@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "session/frame_costs.h"
+#include "session/task_list.h"
 #include "viewport/brush_tool.h"
 #include "viewport/inspect_tool.h"
 #include "viewport/view_label.h"
@@ -18,8 +19,9 @@ constexpr int kCostsArrive = 200;       // milliseconds after the last frame of 
 constexpr int kTrialPause = 250;        // milliseconds between two things that are tried, each some ten long
 constexpr double kNanosecond = 1.0e-9;  // seconds
 
-/// So many triangles take a CPU more than 100 ms to draw: 130 ns each on two cores, with their shadows.
-constexpr std::size_t kTooMany = 1'000'000;
+/// Where a CPU draws, events wait for more than 40 ms until so many triangles are transformed: 160 ns each,
+/// with their shadows.
+constexpr std::size_t kTooMany = 250'000;
 
 /// Triangles that are drawn.
 struct DrawnTriangles {
@@ -74,6 +76,8 @@ Viewport::Viewport(Session& session, QWidget* parent)
     connect(&m_navigation, &Navigation::cameraChanged, &m_motion, &PictureMotion::moved);
     connect(&m_refiner, &PictureRefiner::failed, this, &Viewport::followQuality);
     connect(&m_motion, &PictureMotion::rested, this, &Viewport::wantPicture);
+    connect(&session.tasks(), &TaskList::changed, this,
+            [this] { m_motion.setBusy(m_session.tasks().current() != nullptr); });
     connect(&m_catchUp, &CatchUp::sliceDue, this, &Viewport::slice);
     connect(&session.settings(), &SessionSettings::projectileChanged, this, followRateOfFire);
     connect(&session, &Session::pictureChanged, this, &Viewport::followPicture);
@@ -134,7 +138,7 @@ SceneGpu::View Viewport::beginPicture() {
 }
 
 void Viewport::pictureBegun() {
-    m_motion.drawn(m_scene->wasCoarse());
+    m_motion.drawn(m_scene->wasCoarse(), static_cast<double>(m_sinceBegin.nsecsElapsed()) * kNanosecond);
     Q_EMIT pictureDrawn();
 }
 

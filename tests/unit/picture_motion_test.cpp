@@ -66,6 +66,43 @@ private Q_SLOTS:
         QVERIFY(drawn(motion, 0.03).isFull());
     }
 
+    static void whatKeepsEventsWaitingIsLeftToTheRefiner() {
+        PictureMotion motion;
+        motion.setOn(true);
+        motion.setRefined(true);
+        motion.setCoarsePart(kPart);
+        motion.setSlow(0.1, 0.04);
+        const auto isCoarse = [&motion](double waiting) {
+            const bool coarse = motion.beginFrame().coarse;
+            motion.drawn(coarse, waiting);
+            motion.frameShown(0.09);
+            return coarse;
+        };
+        QVERIFY(!isCoarse(0.05));  // it may have built programs
+        QVERIFY(!isCoarse(0.03));
+        QVERIFY(!isCoarse(0.05));
+        QVERIFY(isCoarse(0.003));
+        QVERIFY(isCoarse(0.003));
+    }
+
+    static void besideOtherWorkThePictureIsLeftToTheRefiner() {
+        PictureMotion motion;
+        motion.setOn(true);
+        motion.setCoarsePart(kPart);
+        motion.setBusy(true);
+        QVERIFY(drawn(motion, 0.03).isFull());  // nobody else would draw it
+        motion.setRefined(true);
+        QVERIFY(drawn(motion, 0.03).coarse);
+        QVERIFY(!motion.isReduced());
+        const QSignalSpy rested(&motion, &PictureMotion::rested);
+        motion.setBusy(false);
+        QCOMPARE(rested.size(), 1);
+        QVERIFY(drawn(motion, 0.03).isFull());
+        motion.setBusy(true);
+        motion.setBusy(false);
+        QCOMPARE(rested.size(), 1);  // nothing was drawn meanwhile
+    }
+
     static void fewerPixelsAreTriedAgainFromCloseBy() {
         PictureMotion motion;
         motion.setOn(true);

@@ -171,7 +171,7 @@ void RefineTest::slowPicturesAreCoarseFirst() {
             options.reduceInMotion = true;
         });
         PictureMotion& motion = viewport().motion();
-        motion.setSlow(0.0);
+        motion.setSlow(0.0, 0.0);
         bool wasCoarse = false;
         int frames = 0;
         QObject listener;

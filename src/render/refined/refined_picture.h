@@ -31,7 +31,7 @@ public:
     enum class Extent { WhereItStillVaries, WhereItVaries, Everywhere };
     static constexpr int kJudged = 4;  ///< the first samples, which tell where others are drawn
     /// Samples are drawn in parts of so many triangles.
-    static constexpr std::size_t kUsualPart = 1 << 16;  ///< some twenty milliseconds of a software renderer
+    static constexpr std::size_t kUsualPart = 1 << 15;  ///< some ten milliseconds of a software renderer
     explicit RefinedPicture(Extent extent = Extent::WhereItVaries, std::size_t trianglesAPart = kUsualPart)
         : m_extent(extent), m_trianglesAPart(trianglesAPart) {}
 
