@@ -7,6 +7,8 @@
 #include <QMenu>
 #include <QSettings>
 
+#include "analysis/changed_settings.h"
+
 namespace hitscope {
 
 namespace {
@@ -54,7 +56,7 @@ FlightChooser::FlightChooser(Session& session, QObject* parent)
         }
     }
     connect(&session.settings(), &SessionSettings::flightModeChanged, this, [this] {
-        QSettings().setValue(
+        ChangedSettings()->setValue(
             kFlightKey,
             text(allFlightModes()[static_cast<std::size_t>(m_session.settings().flightMode())].key));
         follow();

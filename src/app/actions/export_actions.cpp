@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QSettings>
 
+#include "analysis/changed_settings.h"
 #include "app/actions/menu_building.h"
 #include "app/dialogs/dialogs.h"
 #include "app/dialogs/export_dialog.h"
@@ -145,12 +146,11 @@ void ExportActions::choose() {
                                   .arg(countText(m_session.hits().shown().size()),
                                        countText(m_session.hits().history().size())));
     }
-    QSettings settings;
-    dialog.load(settings);
+    dialog.load(QSettings());
     if (dialog.exec() != QDialog::Accepted) {
         return;
     }
-    dialog.save(settings);
+    dialog.save(*ChangedSettings());
     const ExportOptions options = dialog.options();
     const NormalMode shown = m_viewport.options().normals;
     m_settings.exportNormals = options.normals == shown ? std::nullopt : std::optional(options.normals);

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/changed_settings.h"
 #include "app/dialogs/picture_dialog.h"
 #include "io/save_image.h"
 #include "models/progress_text.h"
@@ -40,7 +41,7 @@ QString pictureFolder() {
 }
 
 void rememberFolder(const QString& folder) {
-    QSettings().setValue(folderKey(), folder);
+    ChangedSettings()->setValue(folderKey(), folder);
 }
 
 /// The name first: of a long path the status bar shows the beginning.
@@ -204,12 +205,11 @@ PictureRequest PictureActions::requestOf(const PictureDialog& dialog) const {
 void PictureActions::choosePicture() {
     const PictureRequest shown = m_viewport.pictureRequest();
     PictureDialog dialog(PictureDialog::Kind::Picture, {shown.width, shown.height}, 0, &m_window);
-    QSettings settings;
-    dialog.load(settings);
+    dialog.load(QSettings());
     if (dialog.exec() != QDialog::Accepted) {
         return;
     }
-    dialog.save(settings);
+    dialog.save(*ChangedSettings());
     const QStringList suffixes = pictureSuffixes();
     QStringList filters;
     for (const QString& suffix : suffixes) {
@@ -232,12 +232,11 @@ void PictureActions::chooseSequence() {
     const Session& session = m_viewport.session();
     PictureDialog dialog(PictureDialog::Kind::Sequence, {shown.width, shown.height},
                          session.hits().history().size() - session.hits().disabled(), &m_window);
-    QSettings settings;
-    dialog.load(settings);
+    dialog.load(QSettings());
     if (dialog.exec() != QDialog::Accepted) {
         return;
     }
-    dialog.save(settings);
+    dialog.save(*ChangedSettings());
     const QString folder =
         QFileDialog::getExistingDirectory(&m_window, tr("Folder for the pictures"), pictureFolder());
     if (!folder.isEmpty()) {

@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "analysis/changed_settings.h"
 #include "app/actions/menu_building.h"
 #include "app/dialogs/dialogs.h"
 #include "app/dialogs/shot_series_dialog.h"
@@ -86,7 +87,7 @@ void ShotActions::fill(QMenu& menu) {
     preview->setToolTip(tr("While the cursor rests on a target, show the dent that a click would make"));
     connect(preview, &QAction::triggered, this, [this](bool on) {
         m_aimPreview->setEnabled(on);
-        QSettings().setValue(kPreviewKey, on);
+        ChangedSettings()->setValue(kPreviewKey, on);
     });
     follow();
 }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+#include "analysis/changed_settings.h"
 #include "models/focus_target.h"
 #include "models/quantity_text.h"
 #include "panels/fields/number_box.h"
@@ -119,14 +120,14 @@ void ScatterDialog::restore() {
 }
 
 void ScatterDialog::hideEvent(QHideEvent* event) {
-    QSettings settings;
-    settings.setValue(key("byDensity"), m_amount->currentIndex() == kByDensity);
-    settings.setValue(key("count"), m_count->value());
-    settings.setValue(key("density"), m_density->value());
-    settings.setValue(key("sizeSpread"), m_size->value());
-    settings.setValue(key("direction"), m_direction->currentIndex());
-    settings.setValue(key("cone"), m_cone->value());
-    settings.setValue(key("seed"), m_seed->value());
+    const ChangedSettings settings;
+    settings->setValue(key("byDensity"), m_amount->currentIndex() == kByDensity);
+    settings->setValue(key("count"), m_count->value());
+    settings->setValue(key("density"), m_density->value());
+    settings->setValue(key("sizeSpread"), m_size->value());
+    settings->setValue(key("direction"), m_direction->currentIndex());
+    settings->setValue(key("cone"), m_cone->value());
+    settings->setValue(key("seed"), m_seed->value());
     PlanDialog::hideEvent(event);
 }
 

@@ -5,6 +5,7 @@
 #include <QSettings>
 #include <limits>
 
+#include "analysis/changed_settings.h"
 #include "panels/help/help_text.h"
 #include "ui_shot_series.h"
 
@@ -93,8 +94,7 @@ void ShotSeriesDialog::showSeries(const ShotSeries& series) {
 }
 
 void ShotSeriesDialog::keep() {
-    QSettings settings;
-    saveShotSeries(settings, series());
+    saveShotSeries(*ChangedSettings(), series());
 }
 
 void ShotSeriesDialog::hideEvent(QHideEvent* event) {

@@ -8,6 +8,7 @@
 #include <QSettings>
 #include <QToolButton>
 
+#include "analysis/changed_settings.h"
 #include "panels/frame_rate/flow_layout.h"
 #include "panels/icons/themed_icon.h"
 
@@ -107,7 +108,7 @@ void StartCard::restore(const QSettings& settings) {
 void StartCard::set(bool on) {
     setVisible(on);
     m_toggle->setChecked(on);
-    QSettings().setValue(settingsKey(), on);
+    ChangedSettings()->setValue(settingsKey(), on);
 }
 
 void StartCard::dismiss() {

@@ -5,7 +5,11 @@
 #include <QEvent>
 #include <QSettings>
 #include <QWidget>
+#include <memory>
 #include <utility>
+
+#include "analysis/beside.h"
+#include "analysis/changed_settings.h"
 
 namespace hitscope {
 
@@ -29,7 +33,7 @@ SettingsKeeper::SettingsKeeper(std::function<void(QSettings&)> save, QObject* pa
     : QObject(parent), m_save(std::move(save)) {
     m_soon.setSingleShot(true);
     m_soon.setInterval(kSoon);
-    connect(&m_soon, &QTimer::timeout, this, &SettingsKeeper::saveNow);
+    connect(&m_soon, &QTimer::timeout, this, &SettingsKeeper::saveBeside);
     QCoreApplication::instance()->installEventFilter(this);
 }
 
@@ -69,10 +73,37 @@ void SettingsKeeper::saveNow() {
     QSettings settings;
     m_save(settings);
     settings.sync();
-    if (settings.status() == QSettings::NoError && settings.isWritable()) {
-        m_saved = std::move(now);
+    noteSaved(std::move(now), settings.status() == QSettings::NoError && settings.isWritable(),
+              settings.fileName());
+}
+
+void SettingsKeeper::saveBeside() {
+    if (m_isSaving) {
+        lookSoon();
+        return;
+    }
+    QMap<QString, QVariant> now = values();
+    if (now == m_saved) {
+        return;
+    }
+    m_isSaving = true;
+    ChangedSettings settings;
+    m_save(*settings);
+    const QString file = settings->fileName();
+    auto isSaved = std::make_shared<bool>(false);
+    workBeside(
+        this, [write = settings.writing(), isSaved] { *isSaved = write(); },
+        [now = std::move(now), isSaved, file](SettingsKeeper& keeper, bool /*done*/) {
+            keeper.m_isSaving = false;
+            keeper.noteSaved(now, *isSaved, file);
+        });
+}
+
+void SettingsKeeper::noteSaved(QMap<QString, QVariant> values, bool isSaved, const QString& file) {
+    if (isSaved) {
+        m_saved = std::move(values);
     } else if (!std::exchange(m_hasFailed, true)) {
-        Q_EMIT failed(settings.fileName());
+        Q_EMIT failed(file);
     }
 }
 

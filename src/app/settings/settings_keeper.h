@@ -22,6 +22,7 @@ public:
 
     /// Looks for changes soon; input events come to that by themselves.
     void lookSoon();
+    /// Before the program ends: it waits for the disk.
     void saveNow();
 
 Q_SIGNALS:
@@ -32,11 +33,14 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void saveBeside();
+    void noteSaved(QMap<QString, QVariant> values, bool isSaved, const QString& file);
     [[nodiscard]] QMap<QString, QVariant> values() const;
 
     std::function<void(QSettings&)> m_save;
     QTimer m_soon;
     QMap<QString, QVariant> m_saved;
+    bool m_isSaving = false;  ///< by another thread
     bool m_hasFailed = false;
 };
 

@@ -7,6 +7,7 @@
 #include <QMessageBox>
 #include <QSettings>
 
+#include "analysis/changed_settings.h"
 #include "panels/deformation_constants/form_fields.h"
 #include "panels/deformation_constants/parameter_editor.h"
 #include "panels/help/help_text.h"
@@ -276,8 +277,7 @@ void DeformationConstantsPanel::savePreset() {
         QMessageBox::warning(this, tr("Save as Preset"), QString::fromStdString(status.error().message()));
         return;
     }
-    QSettings settings;
-    m_presets.store(settings);
+    m_presets.store(*ChangedSettings());
     listPresets();
     showConstants();
 }
@@ -285,8 +285,7 @@ void DeformationConstantsPanel::savePreset() {
 void DeformationConstantsPanel::deletePreset() {
     if (const std::optional<std::size_t> preset = presetInForce()) {
         m_presets.remove(*preset);
-        QSettings settings;
-        m_presets.store(settings);
+        m_presets.store(*ChangedSettings());
         listPresets();
         showConstants();
     }
