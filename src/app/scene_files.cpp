@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QTimer>
 #include <atomic>
+#include <chrono>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -291,7 +292,9 @@ void SceneFiles::deliver() {
         return;
     }
     if (m_ready && !m_ready(work->scene)) {
-        QTimer::singleShot(0, this, [this, current = std::weak_ptr(work)] {
+        constexpr std::chrono::milliseconds kLookApart{
+            2};  // another thread may be at it, and wants the processor
+        QTimer::singleShot(kLookApart, this, [this, current = std::weak_ptr(work)] {
             if (m_work && current.lock() == m_work) {
                 deliver();
             }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/vector_relational.hpp>
 #include <iterator>
+#include <utility>
 
 #include "deform/dent_shape.h"
 
@@ -134,21 +135,25 @@ bool isSame(const Bounds& a, const Bounds& b) {
 
 }  // namespace
 
-ClusterReach::ClusterReach(std::span<const Cluster> clusters)
-    : m_clusters(clusters), m_leaves(std::bit_ceil(std::max<std::size_t>(clusters.size(), 1))) {
+ClusterReach::ClusterReach(std::span<const Cluster> clusters, std::shared_ptr<const ClusterTree> tree)
+    : m_clusters(clusters),
+      m_original(tree ? std::move(tree) : clusterTreeOf(clusters)),
+      m_leaves(m_original->size() / 2) {
     restart();
 }
 
+std::vector<Bounds> ClusterReach::boundsOfGroups(std::size_t most) const {
+    const std::size_t count = std::min(std::bit_floor(most), m_leaves);
+    std::vector<Bounds> bounds(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        bounds[i] = nodeBounds(count + i);
+    }
+    return bounds;
+}
+
 void ClusterReach::restart() {
-    m_now.assign(2 * m_leaves, Bounds{});
-    for (std::size_t i = 0; i < m_clusters.size(); ++i) {
-        m_now[m_leaves + i] = m_clusters[i].bounds;
-    }
-    for (std::size_t node = m_leaves - 1; node > 0; --node) {
-        m_now[node] = m_now[2 * node];
-        m_now[node].add(m_now[2 * node + 1]);
-    }
-    m_ever = m_now;
+    m_now = Tree(*m_original);
+    m_ever = Tree(*m_original);
     m_reached.assign(m_clusters.size(), false);
     forgetMoved();
 }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "core/bounds.h"
+#include "core/page_vector.h"
 #include "deform/hit.h"
 #include "deform/vertex_range.h"
 #include "mesh/render_mesh.h"
@@ -24,14 +26,22 @@ struct HitReach;
 /// it finds, not what the mesh has.
 class ClusterReach {
 public:
-    /// `clusters` outlive this. Their vertices are at their original.
-    explicit ClusterReach(std::span<const Cluster> clusters);
+    /// `clusters` outlive this. Their vertices are at their original. `tree`: of them; made where there are
+    /// none.
+    explicit ClusterReach(std::span<const Cluster> clusters,
+                          std::shared_ptr<const ClusterTree> tree = nullptr);
+    /// Of a mesh that outlives this.
+    explicit ClusterReach(const RenderMesh& mesh) : ClusterReach(mesh.clusters, mesh.clusterTree) {}
 
     [[nodiscard]] std::span<const Cluster> clusters() const { return m_clusters; }
     /// A box that holds all vertices, as they are and were. Metres, local frame.
     [[nodiscard]] Bounds bounds() const { return nodeBounds(1); }
     /// Likewise, of one cluster.
     [[nodiscard]] Bounds bounds(std::size_t cluster) const { return nodeBounds(m_leaves + cluster); }
+
+    /// Likewise, of groups of neighbouring clusters, `most` at most (1 or more), which have all of them.
+    /// Costs what it returns.
+    [[nodiscard]] std::vector<Bounds> boundsOfGroups(std::size_t most) const;
 
     /// Whether no hit has reached it since its vertices were at their original.
     [[nodiscard]] bool isOriginal(std::size_t cluster) const { return !m_reached[cluster]; }
@@ -81,8 +91,7 @@ public:
     [[nodiscard]] std::vector<VertexRange> rangesOf(std::span<const std::uint32_t> clusters) const;
 
 private:
-    using Tree =
-        std::vector<Bounds>;  ///< node i has children 2 i and 2 i + 1; the root is 1; leaves at the end
+    using Tree = PageCopy<Bounds>;
     [[nodiscard]] Bounds nodeBounds(std::size_t node) const {
         Bounds all = m_now[node];
         all.add(m_ever[node]);
@@ -99,8 +108,9 @@ private:
     static void enlarge(Tree& tree, std::size_t leaf, const Bounds& box);
 
     std::span<const Cluster> m_clusters;
-    std::size_t m_leaves = 1;     ///< a power of two; those beyond the clusters are empty
-    std::vector<bool> m_reached;  ///< by cluster
+    std::shared_ptr<const ClusterTree> m_original;  ///< of the boxes
+    std::size_t m_leaves = 1;                       ///< of them
+    std::vector<bool> m_reached;                    ///< by cluster
     Tree m_now;
     Tree m_ever;  ///< where a box of m_now was before it was drawn tight; with that one, every place
     std::vector<Bounds> m_moved;    ///< in the order in which they did

@@ -22,7 +22,7 @@ public:
         : m_mesh(mesh),
           m_vertices(mesh.vertices.begin(), mesh.vertices.end()),
           m_isMoved(mesh.vertices.size()),
-          m_reach(mesh.clusters) {
+          m_reach(mesh) {
         for (std::size_t i = 0; i < m_vertices.size(); ++i) {
             m_vertices[i].position = positions[mesh.fileVertices[i]];
         }

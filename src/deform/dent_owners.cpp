@@ -112,7 +112,7 @@ std::vector<std::uint32_t> dentOwners(const RenderMesh& mesh, std::span<const st
         shared[i].position = mesh.vertices[vertex].position;
         inCluster[vertex / kClusterVertices].push_back(i);
     }
-    ClusterReach reach(mesh.clusters);
+    ClusterReach reach(mesh);
     std::vector<std::uint32_t> reached;
     for (std::size_t hit = 0; hit < hits.size(); ++hit) {
         if (isStopped && isStopped()) {

@@ -51,7 +51,7 @@ bool putAtTheEnd(std::span<const TargetHitsEdit> edits, std::size_t size) {
 TargetEffects::TargetEffects(std::shared_ptr<const RenderMesh> mesh)
     : m_mesh(std::move(mesh)),
       m_vertices(*m_mesh),
-      m_reach(m_mesh->clusters),
+      m_reach(*m_mesh),
       m_counts(m_mesh->fileVertexStarts.empty() ? 0 : m_mesh->fileVertexStarts.size() - 1) {}
 
 /// A file vertex may have several render vertices, which hits move alike: one of them stands for it.

@@ -32,7 +32,7 @@ void deformEverywhere(std::span<DynamicVertex> vertices, std::span<const Hit> hi
 }
 
 ReferenceDeformation::ReferenceDeformation(const RenderMesh& mesh)
-    : m_mesh(mesh), m_vertices(mesh), m_reach(mesh.clusters) {}
+    : m_mesh(mesh), m_vertices(mesh), m_reach(mesh) {}
 
 Hit ReferenceDeformation::hit(std::size_t index) const {
     const Dent& dent = m_dents[index];

@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "core/bounds.h"
 #include "core/raw_vector.h"
 #include "mesh/cluster_runs.h"
+#include "mesh/cluster_tree.h"
 #include "mesh/corner_normals.h"
 #include "mesh/mesh_data.h"
 
@@ -55,7 +57,8 @@ struct RenderMesh {
     std::vector<std::uint32_t> coarseTriangles;
     std::vector<DrawRange> coarseDraws;  ///< cover `coarseTriangles`, one a material
     std::vector<Cluster> clusters;       ///< cover `vertices`, in order; all but the last are full
-    Bounds bounds;                       ///< of the original positions that faces use
+    std::shared_ptr<const ClusterTree> clusterTree;  ///< of `clusters`
+    Bounds bounds;                                   ///< of the original positions that faces use
 
     /// File vertex -> its render vertices: renderVerticesOf(v) lists them, one at least.
     std::vector<std::uint32_t> fileVertexStarts;  ///< V + 1 entries

@@ -189,6 +189,7 @@ void makeRenderVertices(const MeshData& mesh, const VertexCorners& vertexCorners
         render.bounds.add(vertex.position);
     }
     render.clusters = clustersOf(render.vertices);
+    render.clusterTree = clusterTreeOf(render.clusters);
 }
 
 }  // namespace hitscope

@@ -7,7 +7,7 @@
 namespace hitscope {
 
 /// The first step of buildRenderMesh(): fills vertices, drawnVertices, texcoords, fileVertices,
-/// cornerRenderVertices, clusters and bounds.
+/// cornerRenderVertices, clusters, their boxes, and bounds.
 void makeRenderVertices(const MeshData& mesh, const VertexCorners& vertexCorners,
                         const CornerNormals& normals, RenderMesh& render);
 

@@ -48,7 +48,7 @@ private:
         TargetState(TargetId targetId, TargetBuffers& targetBuffers)
             : id(targetId),
               buffers(&targetBuffers),
-              reach(targetBuffers.clusters()),
+              reach(targetBuffers.clusters(), targetBuffers.clusterTree()),
               batch(targetBuffers.clusters()) {}
         TargetId id;
         TargetBuffers* buffers;

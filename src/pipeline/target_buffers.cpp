@@ -129,6 +129,7 @@ TargetBuffers::TargetBuffers(const RenderMesh& mesh, std::span<const glm::vec3> 
       m_draws(mesh.draws),
       m_coarseDraws(coarseDrawsOf(mesh)),
       m_clusters(mesh.clusters),
+      m_clusterTree(mesh.clusterTree),
       m_bounds(mesh.bounds),
       m_usualEdge(usualEdgeOf(mesh)),
       m_surfaceArray(gl::VertexArray::make()),

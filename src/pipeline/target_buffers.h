@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -84,6 +85,7 @@ public:
     /// How many indices those have.
     [[nodiscard]] std::size_t coarseIndexCount() const { return m_mesh->coarseTriangles.size(); }
     [[nodiscard]] std::span<const Cluster> clusters() const { return m_clusters; }
+    [[nodiscard]] const std::shared_ptr<const ClusterTree>& clusterTree() const { return m_clusterTree; }
     [[nodiscard]] const ClusterRuns& triangleRuns() const { return m_mesh->triangleRuns; }
     [[nodiscard]] const ClusterRuns& edgeRuns() const;  ///< made when first asked for
     [[nodiscard]] const Bounds& originalBounds() const { return m_bounds; }
@@ -129,6 +131,7 @@ private:
     std::vector<DrawRange> m_draws;
     std::vector<DrawRange> m_coarseDraws;
     std::vector<Cluster> m_clusters;
+    std::shared_ptr<const ClusterTree> m_clusterTree;
     mutable std::optional<ClusterRuns> m_edgeRuns;
     Bounds m_bounds;
     float m_usualEdge = 0.0f;

@@ -43,7 +43,7 @@ private:
     void follow(const HistoryEdit& edit) override;
     struct TargetState {
         explicit TargetState(TargetBuffers& targetBuffers)
-            : buffers(&targetBuffers), reach(targetBuffers.clusters()) {}
+            : buffers(&targetBuffers), reach(targetBuffers.clusters(), targetBuffers.clusterTree()) {}
         TargetBuffers* buffers;
         ClusterReach reach;
         ChangedRanges unread;

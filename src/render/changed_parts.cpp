@@ -31,14 +31,19 @@ std::uint32_t firstFrom(std::span<const std::uint32_t> indices, std::size_t size
 ChangedParts::ChangedParts(std::shared_ptr<const RenderMesh> mesh)
     : m_mesh(std::move(mesh)),
       m_vertices(m_mesh->vertices.size(), false),
-      m_blocks((m_mesh->vertices.size() + kBlock - 1) / kBlock) {}
+      m_blockOf((m_mesh->vertices.size() + kBlock - 1) / kBlock) {}
 
 void ChangedParts::mark(std::uint32_t vertex) {
     m_vertices[vertex] = true;
-    Block& block = m_blocks[vertex / kBlock];
-    if (!block.isDirty) {
-        block.isDirty = true;
-        m_dirty.push_back(vertex / kBlock);
+    const std::uint32_t place = vertex / kBlock;
+    if (m_blockOf[place] == 0) {
+        m_blocks.push_back({.place = place, .triangles = {}, .edges = {}});
+        m_blockOf[place] = static_cast<std::uint32_t>(m_blocks.size());
+    }
+    const std::uint32_t index = m_blockOf[place] - 1;
+    if (!m_blocks[index].isDirty) {
+        m_blocks[index].isDirty = true;
+        m_dirty.push_back(index);
     }
 }
 
@@ -99,11 +104,11 @@ void ChangedParts::collect() const {
         block.triangles.clear();
         for (const DrawRange& draw : m_mesh->draws) {
             const Run among{draw.first / 3, (draw.first + draw.count) / 3};
-            const std::vector<Run> changed = changedIn(m_mesh->triangles, 3, among, index);
+            const std::vector<Run> changed = changedIn(m_mesh->triangles, 3, among, block.place);
             block.triangles.insert(block.triangles.end(), changed.begin(), changed.end());
         }
         const auto edges = static_cast<std::uint32_t>(m_mesh->edges.size() / 2);
-        block.edges = changedIn(m_mesh->edges, 2, {0, edges}, index);
+        block.edges = changedIn(m_mesh->edges, 2, {0, edges}, block.place);
     }
     m_triangles = joined(&Block::triangles, 3);
     m_edges = joined(&Block::edges, 2);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/zero_array.h"
 #include "mesh/render_mesh.h"
 #include "render/index_runs.h"
 
@@ -32,6 +33,7 @@ private:
     };
     /// What changed of the triangles and edges whose lowest vertex is in a block of neighbouring vertices.
     struct Block {
+        std::uint32_t place = 0;  ///< its first vertex over how many it has
         bool isDirty = false;
         std::vector<Run> triangles;
         std::vector<Run> edges;
@@ -43,9 +45,10 @@ private:
     [[nodiscard]] IndexRuns joined(std::vector<Run> Block::*runs, std::size_t size) const;
 
     std::shared_ptr<const RenderMesh> m_mesh;
-    std::vector<bool> m_vertices;  ///< that were noted
+    std::vector<bool> m_vertices;        ///< that were noted
+    ZeroArray<std::uint32_t> m_blockOf;  ///< by place in the mesh: 1 + index of its block; 0: nothing changed
     mutable std::vector<Block> m_blocks;
-    mutable std::vector<std::uint32_t> m_dirty;  ///< blocks
+    mutable std::vector<std::uint32_t> m_dirty;  ///< of m_blocks
     mutable IndexRuns m_triangles;
     mutable IndexRuns m_edges;
 };

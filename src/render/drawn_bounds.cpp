@@ -40,6 +40,16 @@ bool WindowPlanes::holds(const Bounds& box) const {
     });
 }
 
+std::vector<Bounds> ClusterBoxes::ofGroups(std::size_t most) const {
+    if (m_reach != nullptr) {
+        return m_reach->boundsOfGroups(most);
+    }
+    std::vector<Bounds> all(m_clusters.size());
+    std::transform(m_clusters.begin(), m_clusters.end(), all.begin(),
+                   [](const Cluster& cluster) { return cluster.bounds; });
+    return all;
+}
+
 std::optional<ClusterBoxes> clusterBoxesOf(const DrawItem& item, const Frame& frame,
                                            const DeformationPipeline& pipeline) {
     if (item.original) {

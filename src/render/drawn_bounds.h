@@ -40,6 +40,9 @@ public:
     [[nodiscard]] Bounds of(std::size_t cluster) const {
         return m_reach != nullptr ? m_reach->bounds(cluster) : m_clusters[cluster].bounds;
     }
+    /// Of groups of neighbouring clusters, `most` at most where vertices may have moved; they have all of
+    /// them.
+    [[nodiscard]] std::vector<Bounds> ofGroups(std::size_t most) const;
     /// Whether no vertex of it has moved.
     [[nodiscard]] bool isOriginal(std::size_t cluster) const {
         return m_reach == nullptr || m_reach->isOriginal(cluster);

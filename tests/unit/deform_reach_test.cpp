@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <random>
 #include <set>
@@ -297,6 +298,50 @@ private Q_SLOTS:
         QVERIFY(advance(reach, hit).empty());
         ClusterReach nothing(std::span<const Cluster>{});
         QVERIFY(advance(nothing, hit).empty());
+    }
+
+    void groupsHaveAllClusters() {
+        const RenderMesh render = buildRenderMesh(makeTeapot());
+        ClusterReach reach(render);
+        Hit hit;
+        hit.point = reach.clusters()[3].bounds.max;
+        QVERIFY(!advance(reach, hit).empty());
+        const std::size_t clusters = reach.clusters().size();
+        QVERIFY(clusters > 9);
+        for (const std::size_t most : {std::size_t{1}, std::size_t{9}, 2 * std::bit_ceil(clusters)}) {
+            const std::vector<Bounds> groups = reach.boundsOfGroups(most);
+            QVERIFY(groups.size() <= most);
+            const std::size_t inOne = std::bit_ceil(clusters) / groups.size();
+            for (std::size_t i = 0; i < clusters; ++i) {
+                Bounds both = groups[i / inOne];
+                both.add(reach.bounds(i));
+                QVERIFY(both.min == groups[i / inOne].min && both.max == groups[i / inOne].max);
+            }
+        }
+    }
+
+    /// Of so many clusters the boxes are shared until they change, and each has its own changes.
+    void oneTreeServesSeveral() {
+        constexpr std::uint32_t kClusters = 40'000;
+        std::vector<Cluster> clusters;
+        for (std::uint32_t i = 0; i < kClusters; ++i) {
+            const glm::vec3 at(static_cast<float>(i), 0.0f, 0.0f);
+            clusters.push_back({i, 1, {at, at + glm::vec3(0.5f)}});
+        }
+        const std::shared_ptr<const ClusterTree> tree = clusterTreeOf(clusters);
+        const ClusterTree before = *tree;
+        ClusterReach one(clusters, tree);
+        ClusterReach other(clusters, tree);
+        Hit hit;
+        hit.point = {30'000.2f, 0.2f, 0.2f};
+        std::vector<std::uint32_t> reached;
+        one.advance(hit, reached);
+        QCOMPARE(reached, std::vector<std::uint32_t>{30'000});
+        QVERIFY(!one.isOriginal(30'000) && one.bounds(30'000).max.x > clusters[30'000].bounds.max.x);
+        QVERIFY(other.isOriginal(30'000) && other.bounds(30'000).max == clusters[30'000].bounds.max);
+        QVERIFY(std::memcmp(before.data(), tree->data(), before.size() * sizeof(Bounds)) == 0);
+        one.restart();
+        QVERIFY(one.isOriginal(30'000) && one.bounds(30'000).max == clusters[30'000].bounds.max);
     }
 };
 

@@ -106,7 +106,7 @@ DeformationConstants constantsReaching(double affected, double vertices, double 
 
 double countAffected(const RenderMesh& mesh, const std::vector<Hit>& hits) {
     PageVector<DynamicVertex> vertices = mesh.vertices;
-    ClusterReach reach(mesh.clusters);
+    ClusterReach reach(mesh);
     std::size_t affected = 0;
     std::vector<std::uint32_t> reached;
     for (const Hit& hit : hits) {

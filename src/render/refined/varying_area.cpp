@@ -16,9 +16,10 @@ namespace hitscope::render {
 
 namespace {
 
-constexpr float kShadowTexels = 4.0f;  // that a shadow's edge is blurred by
-constexpr float kLowestLight = 0.1f;   // sine of its height; shadows of lower lights reach far
-constexpr float kNearlyWhole = 0.85f;  // of the picture
+constexpr float kShadowTexels = 4.0f;     // that a shadow's edge is blurred by
+constexpr float kLowestLight = 0.1f;      // sine of its height; shadows of lower lights reach far
+constexpr float kNearlyWhole = 0.85f;     // of the picture
+constexpr std::size_t kMostBoxes = 2048;  // that are looked at: a millisecond
 
 Bounds grown(const Bounds& box, float by) {
     return {box.min - glm::vec3(by), box.max + glm::vec3(by)};
@@ -64,9 +65,8 @@ std::optional<Bounds> shadowOf(const Bounds& box, const FrameContext& context, f
     return Bounds{shadow.min - glm::vec3(more.x, 0.0f, more.z), shadow.max + glm::vec3(more.x, 0.0f, more.z)};
 }
 
-/// Of one target's cluster; false: what it reaches may be anywhere.
-bool seeCluster(SeenArea& seen, const Bounds& box, const FrameContext& context, float lightRadius,
-                float texel) {
+/// Of a part of a target; false: what it reaches may be anywhere.
+bool seePart(SeenArea& seen, const Bounds& box, const FrameContext& context, float lightRadius, float texel) {
     if (!seen.add(grown(box, occlusionReach(context.frame)))) {
         return false;
     }
@@ -90,9 +90,8 @@ bool seeTargets(SeenArea& seen, const FrameContext& context, const DeformationPi
         if (!boxes) {
             return false;
         }
-        for (std::size_t i = 0; i < item.buffers->clusters().size(); ++i) {
-            const Bounds box = boxes->of(i);
-            if (!box.empty() && !seeCluster(seen, moved(box, item.model), context, lightRadius, texel)) {
+        for (const Bounds& box : boxes->ofGroups(kMostBoxes)) {
+            if (!box.empty() && !seePart(seen, moved(box, item.model), context, lightRadius, texel)) {
                 return false;
             }
         }

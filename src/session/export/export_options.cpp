@@ -100,7 +100,7 @@ std::uint64_t stepBytes(const Target& target, const ExportOptions& options, std:
     if (own.empty() || moved < 1.0 || options.steps == 0) {
         return 0;
     }
-    const ClusterReach reach(target.deformed.render().clusters);
+    const ClusterReach reach(target.deformed.render());
     const std::size_t samples = std::min(own.size(), kSamples);
     double reached = 0.0;
     for (std::size_t s = 0; s < samples; ++s) {

@@ -75,7 +75,7 @@ double visitsOf(const TargetExport& target, const std::vector<Hit>& hits) {
             own.push_back(&hit);
         }
     }
-    const ClusterReach reach(target.render->clusters);
+    const ClusterReach reach(*target.render);
     const std::size_t samples = std::min(own.size(), kSamples);
     std::size_t visited = 0;
     std::vector<std::uint32_t> clusters;
