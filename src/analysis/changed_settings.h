@@ -20,8 +20,8 @@ public:
     [[nodiscard]] QSettings& operator*() const { return *m_settings; }
     [[nodiscard]] QSettings* operator->() const { return m_settings.get(); }
 
-    /// Hands over; afterwards there are none. To be called on another thread, once; says whether
-    /// the file was written.
+    /// Hands the settings over; this has none afterwards. Call the result once, on another thread: it writes
+    /// the file and returns whether it could.
     [[nodiscard]] std::function<bool()> writing();
 
 private:

@@ -292,8 +292,8 @@ void SceneFiles::deliver() {
         return;
     }
     if (m_ready && !m_ready(work->scene)) {
-        constexpr std::chrono::milliseconds kLookApart{
-            2};  // another thread may be at it, and wants the processor
+        // Another thread may be at it, and needs the processor.
+        constexpr std::chrono::milliseconds kLookApart{2};
         QTimer::singleShot(kLookApart, this, [this, current = std::weak_ptr(work)] {
             if (m_work && current.lock() == m_work) {
                 deliver();
