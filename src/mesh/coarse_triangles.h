@@ -7,9 +7,9 @@
 
 namespace hitscope {
 
-/// So many triangles have about half as many vertices, which a software renderer transforms in some ten
-/// milliseconds.
-inline constexpr std::size_t kCoarseTriangles = 65'536;
+/// So many triangles have about half as many vertices, which a software renderer transforms in some
+/// five milliseconds.
+inline constexpr std::size_t kCoarseTriangles = 32'768;
 
 /// Fills `coarseTriangles` and `coarseDraws`: about `wanted` triangles in place of all, of which each draw
 /// has its share; leaves them empty where there are less than twice as many. They are spread evenly whatever
