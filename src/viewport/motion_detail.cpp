@@ -12,11 +12,11 @@ constexpr std::array kScales{1.0f, 0.70710678f, 0.5f};  // each has half of the 
 constexpr int kJudged = 3;                              // frames that are judged together
 // A level less has twice the pixels, and its frames take at most twice as long; a little less than half keeps
 // sizes from going up and down. With all triangles they take longer in that proportion, at most.
-constexpr double kFastEnough = 0.4 * MotionDetail::kLongestFrame;        // seconds, for twice the pixels
-constexpr double kFastEnoughForAll = 0.8 * MotionDetail::kLongestFrame;  // seconds, for as many triangles
-constexpr double kGain = 0.9;  // of the time before: what saves less is not worth it
-// Seconds: no frame is worth waiting for another of these, where fewer triangles may help.
-constexpr double kFarTooLong = 3.0 * MotionDetail::kLongestFrame;
+constexpr double kFastEnough = 0.4;        // of the longest time: for twice the pixels
+constexpr double kFastEnoughForAll = 0.8;  // for as many triangles
+constexpr double kGain = 0.9;              // of the time before: what saves less is not worth it
+// Times the longest: no frame is worth waiting for another of these, where fewer triangles may help.
+constexpr double kFarTooLong = 3.0;
 
 }  // namespace
 
@@ -31,9 +31,15 @@ void MotionDetail::settle() {
 }
 
 void MotionDetail::forget() {
-    const float part = m_coarsePart;
-    *this = MotionDetail();
-    m_coarsePart = part;
+    MotionDetail fresh;
+    fresh.m_longest = m_longest;
+    fresh.m_coarsePart = m_coarsePart;
+    *this = fresh;
+}
+
+void MotionDetail::setLongestFrame(double seconds) {
+    m_longest = seconds;
+    forget();
 }
 
 void MotionDetail::tryAgain() {
@@ -52,7 +58,8 @@ void MotionDetail::frameTook(double seconds) {
     }
     m_sum += seconds;
     ++m_frames;
-    const bool isHopeless = seconds > kFarTooLong && hasCoarse() && !m_coarse && !m_areFewTrianglesNoHelp;
+    const bool isHopeless =
+        seconds > kFarTooLong * m_longest && hasCoarse() && !m_coarse && !m_areFewTrianglesNoHelp;
     if (m_frames == kJudged || isHopeless) {
         judge(std::exchange(m_sum, 0.0) / std::exchange(m_frames, 0));
     }
@@ -61,7 +68,7 @@ void MotionDetail::frameTook(double seconds) {
 void MotionDetail::judge(double mean) {
     if (const double before = std::exchange(m_before, 0.0); before > 0.0 && mean > kGain * before) {
         goBack();
-    } else if (mean > kLongestFrame) {
+    } else if (mean > m_longest) {
         drawLess(mean);
     } else {
         drawMore(mean);
@@ -92,10 +99,11 @@ void MotionDetail::drawLess(double mean) {
 }
 
 void MotionDetail::drawMore(double mean) {
-    if (m_level > 0 && mean < kFastEnough) {
+    if (m_level > 0 && mean < kFastEnough * m_longest) {
         --m_level;
         settle();
-    } else if (m_level == 0 && m_coarse && mean < kFastEnoughForAll * static_cast<double>(m_coarsePart)) {
+    } else if (m_level == 0 && m_coarse &&
+               mean < kFastEnoughForAll * m_longest * static_cast<double>(m_coarsePart)) {
         m_coarse = false;
         settle();
     }

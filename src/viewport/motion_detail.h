@@ -14,8 +14,14 @@ namespace hitscope {
 /// Where fewer triangles or pixels do not make frames faster, they stay.
 class MotionDetail {
 public:
-    static constexpr double kLongestFrame = 1.0 / 30.0;  ///< seconds that a frame in motion may take
+    /// Seconds that a frame in motion may take where a GPU draws: one that waits for the display takes 1/60 s
+    /// itself.
+    static constexpr double kLongestFrame = 1.0 / 30.0;
+    /// The same where a CPU draws, which waits for no display.
+    static constexpr double kLongestSoftwareFrame = 1.0 / 60.0;
 
+    /// seconds: those that a frame in motion may take, kLongestFrame at first. Forgets the times so far.
+    void setLongestFrame(double seconds);
     /// Of the next frame in motion; scale: 1, 0.707 or 0.5.
     [[nodiscard]] PictureDetail detail() const;
     /// A frame of detail() took so many seconds, until it was shown.
@@ -36,6 +42,7 @@ private:
     void drawLess(double mean);
     void drawMore(double mean);
 
+    double m_longest = kLongestFrame;
     float m_coarsePart = 1.0f;
     bool m_coarse = false;
     std::size_t m_level = 0;    ///< how often the number of pixels was halved

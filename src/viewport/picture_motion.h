@@ -26,6 +26,8 @@ public:
     /// Other threads are at work: drawing takes longer than it did, and every picture in full is left to the
     /// refiner.
     void setBusy(bool on);
+    /// As MotionDetail::setLongestFrame().
+    void setLongestFrame(double seconds) { m_motion.setLongestFrame(seconds); }
     /// As MotionDetail::setCoarsePart(). isSlow: a picture in full is expected to take too long, so that the
     /// first is left to the refiner as well.
     void setCoarsePart(float part, bool isSlow = false);

@@ -42,6 +42,8 @@ void Viewport::surfaceMade() {
     const gl::RendererInfo info = gl::rendererInfo();
     m_rendererName = QString::fromStdString(info.renderer);
     m_isSoftware = info.isSoftware();
+    m_motion.setLongestFrame(m_isSoftware ? MotionDetail::kLongestSoftwareFrame
+                                          : MotionDetail::kLongestFrame);
     followSize();
     m_rendererVersion = QString::fromStdString(info.version);
     Result<std::unique_ptr<SceneGpu>> scene = SceneGpu::create(m_session);

@@ -45,6 +45,17 @@ private Q_SLOTS:
         QCOMPARE(moved(motion, 200, byPixels), scale);  // it does not go up and down
     }
 
+    static void followsTheTimeThatFramesMayTake() {
+        const auto byPixels = [](float at) { return 0.025 * static_cast<double>(at * at); };
+        MotionDetail motion;
+        QCOMPARE(moved(motion, 20, byPixels), 1.0f);
+        motion.setLongestFrame(MotionDetail::kLongestSoftwareFrame);
+        QCOMPARE(moved(motion, 20, byPixels), 0.70710678f);
+        motion.forget();  // another scene, on the same renderer
+        QCOMPARE(moved(motion, 20, byPixels), 0.70710678f);
+        QCOMPARE(moved(motion, 200, byPixels), 0.70710678f);
+    }
+
     static void staysFullSizeWherePixelsDoNotCostTheTime() {
         MotionDetail motion;
         const auto byVertices = [](float at) { return 0.100 + 0.004 * static_cast<double>(at * at); };
