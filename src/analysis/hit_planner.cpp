@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "deform/dent_ghosts.h"
+#include "analysis/dent_ghosts.h"
 #include "session/usual_dent.h"
 #include "session/vertex_selection.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "deform/dent_ghosts.h"
+#include "analysis/dent_ghosts.h"
 
 #include <algorithm>
 #include <cmath>
