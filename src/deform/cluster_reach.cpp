@@ -5,115 +5,26 @@
 #include <array>
 #include <atomic>
 #include <bit>
-#include <cmath>
 #include <glm/vector_relational.hpp>
 #include <iterator>
 #include <utility>
 
 #include "deform/dent_shape.h"
+#include "deform/hit_bounds.h"
 
 namespace hitscope {
 namespace {
 
-// deform() decides and moves in float: this is what its rounding, and ours, can add, as a part of the numbers
-// involved. Sixteen units in float's last place, where the sums in question lose a few.
-constexpr float kRounding = 1e-6f;
-
 constexpr std::size_t kMostMoved = 4096;  // boxes that are remembered
+// One cluster in so many: where fewer changed, their boxes are put back one by one. New trees would copy each
+// page (PageCopy) again as the next hits change it, which takes longer than such a hit.
+constexpr std::size_t kFew = 8;
 
 /// A moment after all of any object so far.
 std::uint64_t newMoments() {
     constexpr std::uint64_t kApart = std::uint64_t{1} << 32U;  // no object has as many between two calls
     static std::atomic<std::uint64_t> next{0};
     return next.fetch_add(kApart, std::memory_order_relaxed) + 1;
-}
-
-float withRounding(float reach) {
-    return reach * (1.0f + 2.0f * kRounding);
-}
-
-/// Square of the distance from `point` to the box; infinite if that is empty.
-float distanceSquared(const Bounds& box, const glm::vec3& point) {
-    const glm::vec3 gap = glm::max(glm::max(box.min - point, point - box.max), glm::vec3(0.0f));
-    return gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
-}
-
-bool reaches(const HitReach& hit, const Bounds& box) {
-    const float reach = withRounding(hit.radius);
-    return distanceSquared(box, hit.centre) <= reach * reach;
-}
-
-float largestCoordinate(const glm::vec3& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
-/// How far vertices may move along the direction, metres; negative: against it.
-struct Push {
-    float least = 0.0f;
-    float most = 0.0f;
-};
-
-/// By power / maxDistance at least and by what it is at the nearest place at most (eq. 4).
-Push paperPush(const Hit& hit, float nearest, float reach) {
-    const float cap = hit.constants.maxMagnitude;
-    const float most = nearest > 0.0f ? std::min(hit.constants.power / nearest, cap) : cap;
-    return {std::min(hit.constants.power / reach, most), most};
-}
-
-/// The farther a vertex lies back, the farther it is pushed: out at the sphere's front, which no part of the
-/// shoulder is before.
-Push pressPush(const DentShape& press, const Bounds& part) {
-    float back = 0.0f;
-    for (glm::length_t i = 0; i < 3; ++i) {
-        back += std::min((part.min[i] - press.point[i]) * press.direction[i],
-                         (part.max[i] - press.point[i]) * press.direction[i]);
-    }
-    return {0.0f, std::clamp(press.power - back, 0.0f, press.power + press.reach) + press.magnitude};
-}
-
-/// `part`: of a cluster's box, within reach. `nearest`: metres from the hit's point to it.
-Push pushWithin(const Hit& hit, const Bounds& part, float nearest, float reach) {
-    const float cap = hit.constants.maxMagnitude;
-    constexpr float kCraterRim = 0.25f;  // of its depth
-    if (hit.form.presses()) {
-        return pressPush(dentShapeOf(hit), part);
-    }
-    switch (hit.form.profile) {
-        case DentProfile::Paper:
-            return paperPush(hit, nearest, reach);
-        case DentProfile::Smooth:
-            return {0.0f, paperPush(hit, nearest, reach).most};
-        case DentProfile::Crater:
-            return {-kCraterRim * cap, cap};
-        case DentProfile::Curve: {
-            const auto [lowest, highest] = std::minmax_element(hit.form.curve.begin(), hit.form.curve.end());
-            return {std::min(*lowest, 0.0f) * cap, std::max(*highest, 0.0f) * cap};
-        }
-        default:
-            return {0.0f, cap};
-    }
-}
-
-/// `box` and wherever the hit may move what lies within it. The part within reach moves along the direction.
-Bounds grownBy(const Bounds& box, const Hit& hit) {
-    const HitReach sphere = reachOf(hit);
-    const float reach = withRounding(sphere.radius);
-    Bounds part;
-    part.min = glm::max(box.min, sphere.centre - reach);
-    part.max = glm::min(box.max, sphere.centre + reach);
-    const float nearest = std::sqrt(distanceSquared(box, sphere.centre)) * (1.0f - 2.0f * kRounding);
-    const Push push = pushWithin(hit, part, nearest, reach);
-    const float slack = kRounding * (std::max({largestCoordinate(part.min), largestCoordinate(part.max),
-                                               largestCoordinate(sphere.centre)}) +
-                                     reach + push.most);
-    const glm::vec3 direction = pushOf(hit);
-    const glm::vec3 shortest = direction * push.least;
-    const glm::vec3 longest = direction * push.most;
-    part.min += glm::min(shortest, longest) - slack;
-    part.max += glm::max(shortest, longest) + slack;
-    Bounds grown = box;
-    grown.add(part);
-    return grown;
 }
 
 Bounds around(std::span<const DynamicVertex> vertices) {
@@ -152,10 +63,35 @@ std::vector<Bounds> ClusterReach::boundsOfGroups(std::size_t most) const {
 }
 
 void ClusterReach::restart() {
-    m_now = Tree(*m_original);
-    m_ever = Tree(*m_original);
-    m_reached.assign(m_clusters.size(), false);
+    if (m_now.size() > 0 && m_changed.size() < m_clusters.size() / kFew) {
+        for (const std::uint32_t cluster : m_changed) {
+            makeOriginal(cluster);
+            m_isChanged[cluster] = false;
+        }
+    } else {
+        m_now = Tree(*m_original);
+        m_ever = Tree(*m_original);
+        m_reached.assign(m_clusters.size(), false);
+        m_isChanged.assign(m_clusters.size(), false);
+    }
+    m_changed.clear();
     forgetMoved();
+}
+
+void ClusterReach::noteChanged(std::uint32_t cluster) {
+    if (!m_isChanged[cluster]) {
+        m_isChanged[cluster] = true;
+        m_changed.push_back(cluster);
+    }
+}
+
+void ClusterReach::makeOriginal(std::uint32_t cluster) {
+    const std::size_t leaf = m_leaves + cluster;
+    m_now[leaf] = m_clusters[cluster].bounds;
+    m_ever[leaf] = m_clusters[cluster].bounds;
+    m_reached[cluster] = false;
+    refit(m_now, leaf);
+    refit(m_ever, leaf);
 }
 
 void ClusterReach::forgetMoved() {
@@ -199,6 +135,7 @@ void ClusterReach::enlarge(Tree& tree, std::size_t leaf, const Bounds& box) {
 /// Puts a box in the place of one that the vertices may have been in.
 void ClusterReach::replace(std::uint32_t cluster, const Bounds& box) {
     const std::size_t leaf = m_leaves + cluster;
+    noteChanged(cluster);
     enlarge(m_ever, leaf, m_now[leaf]);
     m_now[leaf] = box;
     refit(m_now, leaf);
@@ -230,6 +167,7 @@ void ClusterReach::find(const Tree& tree, const Hit& hit, std::vector<std::uint3
 
 void ClusterReach::grow(std::uint32_t cluster, const Hit& hit) {
     m_reached[cluster] = true;
+    noteChanged(cluster);
     const std::size_t leaf = m_leaves + cluster;
     enlarge(m_now, leaf, grownBy(m_now[leaf], hit));
     noteMoved(nodeBounds(leaf));
@@ -306,13 +244,8 @@ bool ClusterReach::mayEverReach(const Hit& hit) const {
 
 void ClusterReach::restart(std::span<const std::uint32_t> clusters) {
     for (const std::uint32_t cluster : clusters) {
-        const std::size_t leaf = m_leaves + cluster;
-        noteMoved(nodeBounds(leaf));  // where they were first is in m_ever
-        m_now[leaf] = m_clusters[cluster].bounds;
-        m_ever[leaf] = m_clusters[cluster].bounds;
-        m_reached[cluster] = false;
-        refit(m_now, leaf);
-        refit(m_ever, leaf);
+        noteMoved(nodeBounds(m_leaves + cluster));  // where they were first is in m_ever
+        makeOriginal(cluster);
     }
 }
 

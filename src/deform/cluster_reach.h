@@ -101,6 +101,8 @@ private:
     bool addEverReached(const HitReach& hit, std::size_t node, std::vector<bool>& isKnown,
                         std::vector<std::uint32_t>& reached) const;
     void grow(std::uint32_t cluster, const Hit& hit);
+    void noteChanged(std::uint32_t cluster);
+    void makeOriginal(std::uint32_t cluster);
     void replace(std::uint32_t cluster, const Bounds& box);
     void noteMoved(const Bounds& box);
     void forgetMoved();
@@ -111,6 +113,8 @@ private:
     std::shared_ptr<const ClusterTree> m_original;  ///< of the boxes
     std::size_t m_leaves = 1;                       ///< of them
     std::vector<bool> m_reached;                    ///< by cluster
+    std::vector<std::uint32_t> m_changed;           ///< clusters whose boxes changed since they were made
+    std::vector<bool> m_isChanged;                  ///< by cluster: it is in m_changed
     Tree m_now;
     Tree m_ever;  ///< where a box of m_now was before it was drawn tight; with that one, every place
     std::vector<Bounds> m_moved;    ///< in the order in which they did

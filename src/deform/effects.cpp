@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/give_up.h"
+#include "core/offset.h"
 #include "deform/deform.h"
 
 namespace hitscope {
@@ -18,10 +19,6 @@ constexpr std::size_t kClustersBetween = 512;  // looks whether to go on
 
 /// Differs from whatever a hit may turn out to have done.
 constexpr HitEffect kNotYet{kNoIndex, 0.0f, kNoIndex};
-
-std::ptrdiff_t offset(std::size_t index) {
-    return static_cast<std::ptrdiff_t>(index);
-}
 
 float distanceBetween(const glm::vec3& before, const glm::vec3& after) {
     const glm::dvec3 way = glm::dvec3(after) - glm::dvec3(before);

@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/offset.h"
+
 namespace hitscope {
 
 namespace {
-
-std::ptrdiff_t offset(std::size_t index) {
-    return static_cast<std::ptrdiff_t>(index);
-}
 
 TargetHitsEdit& editOf(std::vector<TargetHitsEdit>& edits, TargetId target) {
     const auto known = std::find_if(edits.begin(), edits.end(),

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/give_up.h"
+#include "core/offset.h"
 #include "deform/deform.h"
 #include "deform/deform_all.h"
 
@@ -13,10 +14,6 @@ namespace hitscope {
 namespace {
 
 constexpr std::size_t kClustersBetweenLooks = 64;  // 4,096 vertices, about 0.1 ms
-
-std::ptrdiff_t offset(std::size_t index) {
-    return static_cast<std::ptrdiff_t>(index);
-}
 
 }  // namespace
 

@@ -232,6 +232,49 @@ private Q_SLOTS:
         QVERIFY(ever.empty());
     }
 
+    /// Whether few or many clusters changed, and by which way.
+    void restartedIsAsNew_data() {
+        QTest::addColumn<int>("hits");
+        QTest::newRow("few clusters") << 3;
+        QTest::newRow("many") << 1000;
+    }
+    void restartedIsAsNew() {
+        QFETCH(int, hits);
+        const RenderMesh render = buildRenderMesh(makeHighPolySphere(2.5f));
+        const ClusterReach fresh(render);
+        ClusterReach reach(render);
+        std::mt19937 random(5);
+        for (int round = 0; round < 3; ++round) {
+            ReferenceDeformation reference(render);
+            std::vector<std::uint32_t> reached;
+            for (int i = 0; i < hits; ++i) {
+                Hit hit = test::randomHit(random, 0.01f);
+                hit.point += render.vertices[random() % render.vertices.size()].position;
+                hit.constants = {.maxDistance = 0.3f, .power = 0.03f, .maxMagnitude = 0.1f};
+                reach.advance(hit, reached);
+                for (const VertexRange& range : reference.apply({&hit, 1})) {
+                    reach.place(range.first, reference.vertices(range));
+                }
+            }
+            QVERIFY(std::any_of(reached.begin(), reached.end(), [&](std::uint32_t cluster) {
+                return reach.bounds(cluster).min != fresh.bounds(cluster).min ||
+                       reach.bounds(cluster).max != fresh.bounds(cluster).max;
+            }));
+            reach.restart();
+            for (std::size_t cluster = 0; cluster < render.clusters.size(); ++cluster) {
+                QVERIFY(reach.isOriginal(cluster));
+                QCOMPARE(reach.bounds(cluster).min, fresh.bounds(cluster).min);
+                QCOMPARE(reach.bounds(cluster).max, fresh.bounds(cluster).max);
+            }
+            for (const std::size_t most : {1, 8, 1024}) {
+                const std::vector<Bounds> groups = reach.boundsOfGroups(most);
+                const std::vector<Bounds> freshGroups = fresh.boundsOfGroups(most);
+                QCOMPARE(groups.size(), freshGroups.size());
+                QVERIFY(std::memcmp(groups.data(), freshGroups.data(), groups.size() * sizeof(Bounds)) == 0);
+            }
+        }
+    }
+
     /// Render vertices of one file vertex lie in different clusters; the surface must not open between them.
     void seamsStayClosed() {
         const MeshData mesh = makeHighPolyCube();

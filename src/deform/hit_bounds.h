@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
+#include "core/bounds.h"
+#include "deform/hit.h"
+
+namespace hitscope {
+
+struct HitReach;
+
+/// `reach` (metres) and what rounding in deform() can add.
+[[nodiscard]] float withRounding(float reach);
+/// Square of the distance from `point` to the box; infinite if that is empty.
+[[nodiscard]] inline float distanceSquared(const Bounds& box, const glm::vec3& point) {
+    const glm::vec3 gap = glm::max(glm::max(box.min - point, point - box.max), glm::vec3(0.0f));
+    return gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
+}
+/// Whether there may be a vertex in the box that the hit moves.
+[[nodiscard]] bool reaches(const HitReach& hit, const Bounds& box);
+/// `box` and wherever the hit may move what lies within it. The part within reach moves along the direction.
+[[nodiscard]] Bounds grownBy(const Bounds& box, const Hit& hit);
+
+}  // namespace hitscope
