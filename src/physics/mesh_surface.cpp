@@ -129,7 +129,7 @@ Bounds MeshSurface::moveRun(std::uint32_t first, std::span<const DynamicVertex> 
         return moved;
     }
     bool isBack = true;  // those that moved are at their original places
-    const std::span<glm::vec3> run = m_at.change(static_cast<std::uint32_t>(first / RunPositions::kRun));
+    const std::span<glm::vec3> run = m_at.changeRun(static_cast<std::uint32_t>(first / RunPositions::kRun));
     const std::span<glm::vec3> at = run.subspan(first % RunPositions::kRun, vertices.size());
     for (; i < vertices.size(); ++i) {
         if (at[i] != vertices[i].position) {
@@ -177,16 +177,8 @@ void MeshSurface::reset() {
     if (!isDented()) {
         return;
     }
-    m_runs.clear();
-    for (const std::uint32_t run : m_at.changed()) {
-        Bounds before;
-        for (const glm::vec3& position : m_at.run(run)) {
-            before.add(position);
-        }
-        m_runs.push_back({run, before});
-    }
     m_at.reset();
-    m_tree.refit(m_at, m_runs);
+    m_tree.reset();
     m_isDented = false;
     m_whole = 0;
     m_movedMany = true;

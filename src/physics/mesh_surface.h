@@ -10,7 +10,7 @@
 #include "mesh/render_mesh.h"
 #include "physics/collision_mesh.h"
 #include "physics/outermost.h"
-#include "physics/run_positions.h"
+#include "physics/run_array.h"
 #include "physics/triangle_math.h"
 #include "physics/triangle_tree.h"
 

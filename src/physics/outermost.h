@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/run_positions.h"
+#include "physics/run_array.h"
 #include "physics/triangle_tree.h"
 
 namespace hitscope::physics {

@@ -78,17 +78,11 @@ bool TriangleTree::comesFirst(const Visited& a, const Visited& b, const RunPosit
     return std::find(order.begin(), order.end(), a.place) < std::find(order.begin(), order.end(), b.place);
 }
 
-TriangleTree::TriangleTree(const TriangleTree& other)
-    : m_original(other.m_original), m_own(other.m_own.all()), m_shape(other.m_shape) {}
-
 void TriangleTree::refit(const RunPositions& vertices, std::span<const MovedRun> moved) {
     if (empty() || moved.empty()) {
         return;
     }
-    if (m_own.size() == 0) {
-        m_own = PageCopy(*m_original);
-    }
-    m_isFound.resize(m_own.size(), false);
+    m_isFound.resize(m_nodes.size(), false);
     findLeaves(moved);
     refitLeaves(vertices);
     while (!m_above.empty()) {
@@ -97,7 +91,6 @@ void TriangleTree::refit(const RunPositions& vertices, std::span<const MovedRun>
 }
 
 void TriangleTree::findLeaves(std::span<const MovedRun> moved) {
-    const std::span<const Node> nodes = m_own.all();
     m_found.clear();
     for (const MovedRun& run : moved) {
         if (std::size_t{run.run} + 1 >= m_shape->runStarts.size()) {
@@ -107,11 +100,12 @@ void TriangleTree::findLeaves(std::span<const MovedRun> moved) {
         const std::span<const std::uint32_t> leaves =
             std::span(m_shape->leafNodes).subspan(first, m_shape->runStarts[run.run + 1] - first);
         for (const std::uint32_t node : leaves) {
-            __builtin_prefetch(&nodes[node]);
+            __builtin_prefetch(&m_nodes[node]);
         }
         for (const std::uint32_t node : leaves) {
-            if (!m_isFound[node] && overlap(nodes[node].bounds, run.before)) {
-                __builtin_prefetch(&m_shape->leaves[nodes[node].first]);
+            if (!m_isFound[node] && overlap(m_nodes[node].bounds, run.before)) {
+                __builtin_prefetch(&m_shape->leaves[m_nodes[node].first]);
+                __builtin_prefetch(&m_shape->parents[node]);
                 m_isFound[node] = true;
                 m_found.push_back(node);
             }
@@ -121,7 +115,7 @@ void TriangleTree::findLeaves(std::span<const MovedRun> moved) {
 
 void TriangleTree::refitLeaves(const RunPositions& vertices) {
     const auto verticesOf = [this](std::uint32_t node) {
-        const Leaf* const leaf = &m_shape->leaves[m_own[node].first];
+        const Leaf* const leaf = &m_shape->leaves[m_nodes[node].first];
         return std::span(m_shape->vertices)
             .subspan(leaf->firstVertex, leaf[1].firstVertex - std::size_t{leaf->firstVertex});
     };
@@ -144,8 +138,8 @@ void TriangleTree::refitParents() {
     m_found.swap(m_above);
     m_above.clear();
     for (const std::uint32_t node : m_found) {
-        Bounds bounds = m_own[node + 1].bounds;
-        bounds.add(m_own[m_own[node].first].bounds);
+        Bounds bounds = m_nodes[node + 1].bounds;
+        bounds.add(m_nodes[m_nodes[node].first].bounds);
         take(node, bounds);
     }
 }
@@ -153,12 +147,14 @@ void TriangleTree::refitParents() {
 /// A node that was found has this box.
 void TriangleTree::take(std::uint32_t node, const Bounds& bounds) {
     m_isFound[node] = false;
-    if (isSame(m_own[node].bounds, bounds)) {
+    if (isSame(m_nodes[node].bounds, bounds)) {
         return;
     }
-    m_own[node].bounds = bounds;
+    m_nodes.change(node).bounds = bounds;
     const std::uint32_t parent = m_shape->parents[node];
     if (parent != node && !m_isFound[parent]) {
+        __builtin_prefetch(&m_nodes[parent]);
+        __builtin_prefetch(&m_shape->parents[parent]);
         m_isFound[parent] = true;
         m_above.push_back(parent);
     }

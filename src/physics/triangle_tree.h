@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "core/bounds.h"
-#include "core/page_vector.h"
-#include "physics/run_positions.h"
+#include "physics/run_array.h"
 
 namespace hitscope::physics {
 
@@ -33,19 +32,18 @@ public:
     };
 
     TriangleTree() = default;
-    TriangleTree(const TriangleTree& other);
-    TriangleTree(TriangleTree&&) = default;
-    TriangleTree& operator=(TriangleTree&&) = default;
     /// `corners`: 3 a triangle. Triangles with an index out of range or a corner that is not finite are left
     /// out. Time n log n: about 0.2 s a million, shared among the processors.
     TriangleTree(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> corners);
 
     [[nodiscard]] bool empty() const { return !m_original; }
-    [[nodiscard]] Bounds bounds() const { return empty() ? Bounds{} : nodes()->bounds; }
+    [[nodiscard]] Bounds bounds() const { return empty() ? Bounds{} : m_nodes[0].bounds; }
 
     /// Corrects the boxes around vertices that moved. Each run comes once. Costs by the leaves that have a
     /// vertex of the runs, and by how far up the boxes change.
     void refit(const RunPositions& vertices, std::span<const MovedRun> moved);
+    /// All vertices are where they were when it was made. Costs by what refit() changed.
+    void reset() { m_nodes.reset(); }
 
     /// A triangle that is visited.
     struct Visited {
@@ -115,12 +113,8 @@ private:
     void refitParents();
     void take(std::uint32_t node, const Bounds& bounds);
 
-    [[nodiscard]] const Node* nodes() const {
-        return m_own.size() > 0 ? m_own.all().data() : m_original->data();
-    }
-
-    std::shared_ptr<const PageVector<Node>> m_original;  ///< null: there are no triangles
-    PageCopy<Node> m_own;                                ///< empty before the first refit()
+    std::shared_ptr<const std::vector<Node>> m_original;  ///< null: there are no triangles
+    RunArray<Node> m_nodes;                               ///< of the original
     std::shared_ptr<const Shape> m_shape;
     // Of the refit() that runs.
     std::vector<std::uint32_t> m_found;  ///< nodes whose boxes are to be looked at
@@ -137,18 +131,17 @@ void TriangleTree::visitLeaves(const glm::vec3& direction, const Accept& accept,
     if (!empty()) {
         waiting[count++] = 0;
     }
-    const Node* const nodes = empty() ? nullptr : this->nodes();
     while (count > 0) {
         const std::uint32_t index = waiting[--count];
-        const Node& node = nodes[index];
+        const Node& node = m_nodes[index];
         if (!accept(node.bounds)) {
             continue;
         }
         if (node.count > 0) {
             visitLeaf(node);
         } else {
-            const Bounds& left = nodes[index + 1].bounds;
-            const Bounds& right = nodes[node.first].bounds;
+            const Bounds& left = m_nodes[index + 1].bounds;
+            const Bounds& right = m_nodes[node.first].bounds;
             const bool leftFirst = isFirst(left, right, direction);
             waiting[count++] = leftFirst ? node.first : index + 1;
             waiting[count++] = leftFirst ? index + 1 : node.first;

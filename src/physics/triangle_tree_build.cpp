@@ -244,7 +244,7 @@ TriangleTree::TriangleTree(std::span<const glm::vec3> vertices, std::span<const 
     }
     const std::uint32_t nodes = nodesOf(items.size());
     auto shape = std::make_shared<Shape>();
-    auto made = std::make_shared<PageVector<Node>>(nodes);
+    auto made = std::make_shared<std::vector<Node>>(nodes);
     shape->triangles.resize(items.size());
     shape->places.resize(items.size());
     shape->leaves.resize((std::size_t{nodes} + 1) / 2 + 1);
@@ -255,6 +255,7 @@ TriangleTree::TriangleTree(std::span<const glm::vec3> vertices, std::span<const 
     builder.nameVertices();
     builder.listRuns();
     m_original = std::move(made);
+    m_nodes = RunArray<Node>(*m_original);
     m_shape = std::move(shape);
 }
 

@@ -299,7 +299,7 @@ void MeshSurfaceTest::boxesHoldNoMoreThanTheirVertices() {
         std::vector<TriangleTree::MovedRun> moved;
         for (const std::uint32_t run : {3u, 4u, 17u}) {
             Bounds before;
-            const std::span<glm::vec3> own = at.change(run);
+            const std::span<glm::vec3> own = at.changeRun(run);
             for (std::size_t i = 0; i < own.size(); ++i) {
                 before.add(own[i]);
                 own[i] = scale * mesh.vertices[RunPositions::kRun * run + i];
@@ -315,9 +315,9 @@ void MeshSurfaceTest::onlyChangedRunsAreOwn() {
     const std::vector<glm::vec3> original(200, glm::vec3(1.0f));
     RunPositions at(original);
     QVERIFY(at.changed().empty());
-    QCOMPARE(at.change(3).size(), std::size_t{8});  // the last run is shorter
-    at.change(3)[7] = glm::vec3(2.0f);
-    at.change(1)[0] = glm::vec3(3.0f);
+    QCOMPARE(at.changeRun(3).size(), std::size_t{8});  // the last run is shorter
+    at.changeRun(3)[7] = glm::vec3(2.0f);
+    at.changeRun(1)[0] = glm::vec3(3.0f);
     QCOMPARE(at.changed().size(), std::size_t{2});
     QCOMPARE(at[199], glm::vec3(2.0f));
     QCOMPARE(at[64], glm::vec3(3.0f));
