@@ -9,6 +9,7 @@ namespace hitscope {
 namespace {
 
 constexpr float kHurriedScale = 0.70710678f;  // half of the pixels
+constexpr double kFar = 1.5;                  // times too slow: one such frame is enough
 
 }  // namespace
 
@@ -47,6 +48,7 @@ void PictureMotion::forget() {
     m_motion.forget();
     m_isSlow = m_isSlowFirst;
     m_fullFrames = 0;
+    m_slowFrames = 0;
     drawInFullIfAtRest();
 }
 
@@ -116,8 +118,11 @@ void PictureMotion::judgeFull(double seconds) {
     const double part = m_detail.isFull() ? 1.0 : static_cast<double>(m_motion.coarsePart());
     const bool isSlow = seconds > part * m_slow || m_waiting > part * m_slowWaiting;
     if (m_detail.isFull()) {
-        // The first one after a change may have built programs.
-        m_isSlow = ++m_fullFrames > 1 && isSlow;
+        // The first one after a change may have built programs; one alone may have been held up.
+        const bool isFarTooSlow = seconds > kFar * m_slow || m_waiting > kFar * m_slowWaiting;
+        const bool isCounted = ++m_fullFrames > 1;
+        m_slowFrames = isCounted && isSlow ? m_slowFrames + 1 : 0;
+        m_isSlow = m_slowFrames > 1 || (isCounted && isFarTooSlow);
     } else if (m_detail.coarse && !isSlow) {
         m_isSlow = false;
     }

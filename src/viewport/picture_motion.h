@@ -32,7 +32,7 @@ public:
     /// first is left to the refiner as well.
     void setCoarsePart(float part, bool isSlow = false);
     /// A picture in full that takes longer, or keeps events waiting for longer while it is drawn, is left to
-    /// the refiner; seconds.
+    /// the refiner once two did in a row, or one took half as long again; seconds.
     void setSlow(double seconds, double waiting) {
         m_slow = seconds;
         m_slowWaiting = waiting;
@@ -99,6 +99,7 @@ private:
     bool m_isSlowFirst = false;  ///< one is expected to take too long
     bool m_isSlow = false;       ///< one took too long, or is expected to
     int m_fullFrames = 0;        ///< drawn since frames took another time
+    int m_slowFrames = 0;        ///< the last ones of these
     bool m_isFirst = true;       ///< the next frame is a motion's first
     bool m_isCounted = false;    ///< the last one was not
     bool m_isDrawn = false;      ///< the last one, but not shown yet

@@ -80,8 +80,15 @@ private Q_SLOTS:
         };
         QVERIFY(!isCoarse(0.05));  // it may have built programs
         QVERIFY(!isCoarse(0.03));
+        QVERIFY(!isCoarse(0.05));  // something may have held it up
+        QVERIFY(!isCoarse(0.03));
+        QVERIFY(!isCoarse(0.05));
         QVERIFY(!isCoarse(0.05));
         QVERIFY(isCoarse(0.003));
+        QVERIFY(isCoarse(0.003));
+        motion.forget();
+        QVERIFY(!isCoarse(0.03));
+        QVERIFY(!isCoarse(0.07));  // far too long
         QVERIFY(isCoarse(0.003));
     }
 
