@@ -13,8 +13,8 @@
 namespace hitscope::physics {
 
 /// Values that are those of an original but for the runs that were changed: a large mesh with a few dents
-/// takes memory for these. Neighbours in an array are neighbours in space, so a dent changes few runs. To
-/// copy a run takes a tenth of the time of a page that the system copies as it is written to (PageCopy).
+/// takes memory for these. Neighbours in an array are neighbours in space, so a dent changes few runs. A
+/// run is copied without a page fault, unlike the pages of a PageCopy.
 template <class T>
 class RunArray {
     static_assert(std::is_trivially_destructible_v<T>);
