@@ -22,6 +22,12 @@ float heightOver(const glm::vec4& plane, const Bounds& box, const glm::bvec3& hi
 
 }  // namespace
 
+PictureWindow windowOf(const PixelArea& area, const glm::ivec2& picture) {
+    const glm::vec2 step = 2.0f / glm::vec2(picture);
+    const glm::vec2 low(area.x, area.y);
+    return {step * low - 1.0f, step * (low + glm::vec2(area.width, area.height)) - 1.0f};
+}
+
 WindowPlanes::WindowPlanes(const glm::mat4& toClip, const PictureWindow& window) {
     const glm::mat4 rows = glm::transpose(toClip);
     m_planes = {rows[0] - window.low.x * rows[3], window.high.x * rows[3] - rows[0],

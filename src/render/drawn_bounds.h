@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "deform/cluster_reach.h"
+#include "render/pixel_area.h"
 #include "render/renderer.h"
 
 namespace hitscope::render {
@@ -16,6 +17,9 @@ struct PictureWindow {
     glm::vec2 low{-1.0f};
     glm::vec2 high{1.0f};
 };
+
+/// A picture's area, of `picture` pixels.
+[[nodiscard]] PictureWindow windowOf(const PixelArea& area, const glm::ivec2& picture);
 
 /// The planes through the eye and a window's sides, and the near plane.
 class WindowPlanes {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 namespace hitscope {
 
 /// A rectangle of a picture's pixels. It may stick out of the picture; nothing shows there.
@@ -9,6 +11,18 @@ struct PixelArea {
     int y = 0;
     int width = 0;
     int height = 0;
+
+    [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
 };
+
+/// The least rectangle that holds both; one that is empty is nowhere.
+[[nodiscard]] inline PixelArea united(const PixelArea& a, const PixelArea& b) {
+    if (a.empty() || b.empty()) {
+        return a.empty() ? b : a;
+    }
+    const int x = std::min(a.x, b.x);
+    const int y = std::min(a.y, b.y);
+    return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
+}
 
 }  // namespace hitscope

@@ -15,6 +15,7 @@
 #include "pipeline/deformation_pipeline.h"
 #include "pipeline/target_buffers.h"
 #include "render/changed_parts.h"
+#include "render/pixel_area.h"
 #include "render/vertex_marks.h"
 #include "view/camera.h"
 #include "view/display_options.h"
@@ -37,6 +38,8 @@ struct DrawItem {
     /// Where it is not as it was; null: anywhere.
     const ChangedParts* changedParts = nullptr;
     bool original = false;  ///< drawn as it was, whatever the pipeline
+    /// ClusterReach::moment() at which the shading normals followed all that has moved; 0: not known.
+    std::uint64_t settled = 0;
 };
 
 /// The triangles of a target that a frame draws: the coarse ones where it may and there are any.
@@ -78,6 +81,12 @@ struct Frame {
         highlightedHit;  ///< world: a selected hit's point and max_distance; drawn as a ring
 };
 
+/// What of a kept picture is drawn again where vertices have moved since.
+struct PicturePatch {
+    PixelArea area;         ///< where they and their shadows were and are
+    bool isCoarse = false;  ///< as Frame::coarse
+};
+
 /// Draws frames by the paper's equations 5-14. Knows buffers and cameras, not sessions.
 class Renderer {
 public:
@@ -113,12 +122,22 @@ public:
     /// need not draw it. Where the driver has no room, or makes it first, the picture has nothing.
     [[nodiscard]] Status drawPlain(const Frame& frame, DeformationPipeline& pipeline,
                                    RefinedPicture& picture);
-    /// Whether that would first wait for what it was called for before.
+    /// What of `picture`, which is plain or refined, is drawn again so that it is of this frame: it is of the
+    /// same one but for where vertices are. Nothing: the frame is better drawn anew.
+    /// isHurried: the patch is coarse where it has many triangles.
+    [[nodiscard]] std::optional<PicturePatch> patchFor(const Frame& frame,
+                                                       const DeformationPipeline& pipeline,
+                                                       const RefinedPicture& picture, bool isHurried);
+    /// Draws it: the picture is plain then, without samples. What is coarse is left to refine(), which begins
+    /// with that. frame.coarse: as the patch.
+    [[nodiscard]] Status patch(const Frame& frame, DeformationPipeline& pipeline, RefinedPicture& picture,
+                               const PicturePatch& patch);
+    /// Whether refine() would first wait for what it was called for before.
     [[nodiscard]] bool isBehindRefining(const RefinedPicture& picture) const;
     /// As draw(), but of the scene what `picture` has; hasPicture() holds. What marks the scene is drawn
     /// anew: it may be other than it was.
     [[nodiscard]] Status drawRefined(const Frame& frame, DeformationPipeline& pipeline,
-                                     const RefinedPicture& picture, GLuint framebuffer);
+                                     RefinedPicture& picture, GLuint framebuffer);
 
 private:
     Renderer();

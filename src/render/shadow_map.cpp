@@ -10,6 +10,7 @@
 #include <string>
 
 #include "deform/cluster_reach.h"
+#include "render/refined/moved_area.h"
 #include "render/refined/varying_area.h"
 #include "render/seen_area.h"
 #include "render/target_pass.h"
@@ -21,22 +22,6 @@ constexpr int kSize = 2048;
 constexpr float kShadowSpread = 1.6f;   // texels from one look to the next
 constexpr float kShadowMargin = 0.05f;  // of the targets' extent: dents can bulge
 constexpr float kDepthBias = 1.5f;      // texels
-
-/// An empty one is nowhere.
-PixelArea united(const PixelArea& a, const PixelArea& b) {
-    if (a.width == 0 || b.width == 0) {
-        return a.width == 0 ? b : a;
-    }
-    const int x = std::min(a.x, b.x);
-    const int y = std::min(a.y, b.y);
-    return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
-}
-
-PictureWindow windowOf(const PixelArea& area, int size) {
-    const float step = 2.0f / static_cast<float>(size);
-    const glm::vec2 low(area.x, area.y);
-    return {step * low - 1.0f, step * (low + glm::vec2(area.width, area.height)) - 1.0f};
-}
 
 glm::vec3 directionOf(const Frame& frame) {
     const glm::vec3& given = frame.lights.directional.direction;
@@ -176,6 +161,20 @@ std::optional<PixelArea> ShadowMap::movedArea(const FrameContext& context,
     return isMost ? std::nullopt : std::optional(all);
 }
 
+std::size_t ShadowMap::trianglesToDraw(const FrameContext& context, const DeformationPipeline& pipeline) {
+    const Change change = changeSince(context, pipeline);
+    if (change == Change::Nothing && isWhole()) {
+        return 0;
+    }
+    if (change == Change::Vertices) {
+        const glm::mat4 toClip = place(context);
+        if (const std::optional<PixelArea> area = movedArea(context, pipeline, toClip)) {
+            return trianglesWithin(context, pipeline, toClip, windowOf(*area, glm::ivec2(m_size)));
+        }
+    }
+    return trianglesOf(context.frame);
+}
+
 /// Within an area there are about as many triangles as its share of the map, or twice as many.
 std::uint32_t ShadowMap::partsToDraw(const FrameContext& context, std::uint32_t parts) const {
     if (context.frame.meshRevision == 0) {
@@ -225,7 +224,7 @@ Status ShadowMap::draw(const FrameContext& context, DeformationPipeline& pipelin
     std::optional<PictureWindow> window;
     if (m_area) {
         limitDrawing(*m_area);
-        window = windowOf(*m_area, m_size);
+        window = windowOf(*m_area, glm::ivec2(m_size));
     }
     if (m_drawn == 0) {
         glClearDepth(1.0);

@@ -35,6 +35,9 @@ public:
     [[nodiscard]] bool isUpToDate(const FrameContext& context, const DeformationPipeline& pipeline) const {
         return isWhole() && changeSince(context, pipeline) == Change::Nothing;
     }
+    /// How many triangles update() would draw.
+    [[nodiscard]] std::size_t trianglesToDraw(const FrameContext& context,
+                                              const DeformationPipeline& pipeline);
     /// Whether it is up to date since the last call; it is after one of one part.
     [[nodiscard]] bool isWhole() const { return m_drawn == m_parts; }
 

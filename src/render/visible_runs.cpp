@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::uint32_t kGap = 48;  // indices: so many cost less than another run
 
-/// Around all of the run's elements.
+}  // namespace
+
 Bounds boxOf(const ClusterBoxes& boxes, const ClusterRuns& runs, std::size_t index) {
     const ClusterRuns::Run& run = runs.runs()[index];
     const std::span<const std::uint32_t> others = runs.others(index);
@@ -25,8 +26,6 @@ Bounds boxOf(const ClusterBoxes& boxes, const ClusterRuns& runs, std::size_t ind
     }
     return box;
 }
-
-}  // namespace
 
 void Sight::limitTo(const MarkedTiles* tiles, const glm::ivec2& picture) {
     m_tiles = tiles;

@@ -35,6 +35,9 @@ private:
     const FrontDepths* m_front = nullptr;
 };
 
+/// Around all elements of a run, wherever their vertices are and have been since the original.
+[[nodiscard]] Bounds boxOf(const ClusterBoxes& boxes, const ClusterRuns& runs, std::size_t index);
+
 /// Of the triangles or edges in the range of the index buffer, those of clusters that may be
 /// seen, in order; nothing: it may be all of them. Costs a look at each cluster of a target that is partly
 /// outside.

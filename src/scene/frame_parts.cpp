@@ -55,6 +55,7 @@ std::unique_ptr<FrameParts> SceneGpu::Private::frameOf(const View& view) {
         }
     }
     parts->dataRevision = dataRevision;
+    parts->normalsRevision = normalsRevision;
     return parts;
 }
 

@@ -17,7 +17,8 @@ struct FrameParts {
     std::vector<ProjectileItem> projectiles;
     std::vector<VertexMarks> marks;
     Frame frame;
-    std::uint64_t dataRevision = 0;  ///< of the scene's buffers and materials
+    std::uint64_t dataRevision = 0;     ///< of the scene's buffers and materials
+    std::uint64_t normalsRevision = 0;  ///< of its shading normals
 };
 
 }  // namespace hitscope

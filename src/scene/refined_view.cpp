@@ -35,6 +35,11 @@ struct RefinedKey {
     };
     explicit RefinedKey(const FrameParts& parts);
     bool operator==(const RefinedKey&) const = default;
+    [[nodiscard]] bool isSameButForVertices(RefinedKey other) const {
+        other.meshRevision = meshRevision;
+        other.normalsRevision = normalsRevision;
+        return other == *this;
+    }
 
     int width;
     int height;
@@ -46,6 +51,7 @@ struct RefinedKey {
     std::optional<ShownChange> change;
     std::uint64_t meshRevision;
     std::uint64_t dataRevision;
+    std::uint64_t normalsRevision;
     std::vector<Item> items;
     std::vector<Projectile> projectiles;
     std::shared_ptr<const SectionLines> section;
@@ -63,6 +69,7 @@ RefinedKey::RefinedKey(const FrameParts& parts)
       change(parts.frame.change),
       meshRevision(parts.frame.meshRevision),
       dataRevision(parts.dataRevision),
+      normalsRevision(parts.normalsRevision),
       section(parts.frame.section) {
     if (const std::optional<Sphere>& hit = parts.frame.highlightedHit) {
         highlightedHit = Ball{hit->centre, hit->radius};
@@ -111,6 +118,28 @@ RefinedPicture& RefinedView::picture() {
     return d->picture;
 }
 
+bool RefinedView::isRough() const {
+    return !d->picture.rough().empty();
+}
+
+void RefinedView::forget() {
+    d->picture.clear();
+}
+
+bool RefinedView::isPatchable(const FrameParts& parts, bool inFull) const {
+    if (!d->key || !d->picture.isKept()) {
+        return false;
+    }
+    const RefinedKey key(parts);
+    return key == *d->key ? inFull && isRough() : d->key->isSameButForVertices(key);
+}
+
+void RefinedView::patched(const FrameParts& parts) {
+    d->key.emplace(parts);
+    m_shown = false;
+    m_patched = true;
+}
+
 void RefinedView::follow(const FrameParts& parts, bool isSideBySide) {
     std::optional<RefinedKey> key;
     if (!isSideBySide) {
@@ -125,6 +154,11 @@ void RefinedView::follow(const FrameParts& parts, bool isSideBySide) {
 }
 
 bool RefinedView::show(const FrameParts& parts, bool isSideBySide, bool anythingIsBetter) {
+    m_patched = false;
+    if (!isSideBySide && isPatchable(parts, false)) {
+        m_shown = false;
+        return false;
+    }
     follow(parts, isSideBySide);
     m_shown = samples() >= kFewestShown || (anythingIsBetter && hasPicture());
     return m_shown;

@@ -27,6 +27,14 @@ public:
     [[nodiscard]] bool hasPicture() const;
     /// Whether it was drawn at the last SceneGpu::draw().
     [[nodiscard]] bool wasShown() const { return m_shown; }
+    /// Whether that drew only where vertices have moved since the one before.
+    [[nodiscard]] bool wasPatched() const { return m_patched; }
+    /// Whether part of it has fewer triangles since: the next sample begins with all of them.
+    [[nodiscard]] bool isRough() const;
+    /// Whether it has a picture with all triangles everywhere.
+    [[nodiscard]] bool isWhole() const { return hasPicture() && !isRough(); }
+    /// Has no picture from now on.
+    void forget();
     /// False: two pictures are side by side.
     [[nodiscard]] bool isPossible() const;
     /// How often samples were forgotten because the picture had become another.
@@ -34,10 +42,15 @@ public:
 
     // What follows is SceneGpu's.
 
+    /// Whether it has this picture but for where vertices are, or, if all triangles are
+    /// wanted, is rough. No other is side by side.
+    [[nodiscard]] bool isPatchable(const FrameParts& parts, bool inFull) const;
+    /// Now it is this one.
+    void patched(const FrameParts& parts);
     /// Forgets the samples where they are of another picture than this.
     void follow(const FrameParts& parts, bool isSideBySide);
-    /// Likewise; returns whether there are samples enough to be shown, or, where anything is better than what
-    /// would be drawn, a picture.
+    /// Likewise, but keeps what may be patched later; returns whether there are samples enough to be shown,
+    /// or, where anything is better than what would be drawn, a picture.
     [[nodiscard]] bool show(const FrameParts& parts, bool isSideBySide, bool anythingIsBetter);
     /// Whether it has a picture without samples, and none of them is being drawn.
     [[nodiscard]] bool isPlain() const;
@@ -47,6 +60,7 @@ private:
     struct Private;
     std::unique_ptr<Private> d;
     bool m_shown = false;
+    bool m_patched = false;
     int m_restarts = 0;
 };
 

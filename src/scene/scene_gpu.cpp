@@ -115,6 +115,7 @@ std::vector<DrawItem> SceneGpu::Private::drawItems() const {
                              target->transform.matrix(),
                              target->id == session.targets().selected() && session.targets().size() > 1,
                              &gpu->second.changed});
+            items.back().settled = gpu->second.settled;
         }
     }
     return items;

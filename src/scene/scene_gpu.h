@@ -64,8 +64,8 @@ public:
         const ChangeValues* changeValues = nullptr;
         Comparison* comparison = nullptr;  ///< with a second pipeline; null: none
         bool selectionMarks = true;        ///< vertices, the hit and the target that are selected, as such
-        /// refine() is likely to follow: draw() leaves it what both draw.
-        bool isRefinedNext = false;
+        /// The picture is likely to be shown for a while: draw() keeps it for refine(), and to patch it.
+        bool isAtRest = false;
     };
     /// As sync(), but waits for nothing: what changed comes to the session with one of the next frames. Then
     /// one picture into the framebuffer object of that name (0: the default framebuffer).
@@ -73,6 +73,10 @@ public:
     /// refined: where it has enough samples of just this picture, or of a coarse one any picture, that is
     /// drawn, and it says so; else it forgets what it has of another one. Null: the picture is drawn as it
     /// is.
+    ///
+    /// Where the CPU draws, and `refined` has the same picture but for where vertices are,
+    /// only the part of it where they have moved is drawn, with all pixels whatever the view's detail: it
+    /// says so, too.
     [[nodiscard]] Status draw(const View& view, unsigned framebuffer, RefinedView* refined = nullptr);
     /// Begins to draw what draw() would, into a framebuffer of its own, and does not wait for it. False:
     /// there is no room for that. A picture of before that is not shown yet is dropped.
@@ -91,7 +95,7 @@ public:
     /// Does a part of what draw() would do before it draws, so that an event need not wait for all of it:
     /// takes new targets over, applies new hits or takes what they moved, makes room for drawAhead(), builds
     /// programs, draws shadows. Returns whether no part is left.
-    [[nodiscard]] Result<bool> prepare(const View& view);
+    [[nodiscard]] Result<bool> prepare(const View& view, RefinedView* refined = nullptr);
     /// Adds a sample to `refined`, of what was drawn last, or draws a part of one: takes as long as a frame
     /// at most, follows nothing and shows nothing. Samples of another picture are forgotten first. Two
     /// pictures side by side are not refined: it has no samples then.

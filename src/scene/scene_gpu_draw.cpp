@@ -78,7 +78,7 @@ bool SceneGpu::Private::makeOwn(const View& drawn) {
     return ownTarget != nullptr;
 }
 
-Result<bool> SceneGpu::prepare(const View& view) {
+Result<bool> SceneGpu::prepare(const View& shown, RefinedView* refined) {
     if (!d->pipeline) {
         return true;
     }
@@ -93,11 +93,12 @@ Result<bool> SceneGpu::prepare(const View& view) {
         }
         return false;
     }
+    d->followTargets();
+    d->followCover();
+    const View view = d->choose(shown, refined).view;
     if (const View drawn = d->drawnView(view); !d->hasOwn(drawn) && d->makeOwn(drawn)) {
         return false;
     }
-    d->followTargets();
-    d->followCover();
     const std::unique_ptr<FrameParts> parts = d->frameOf(view);
     if (!d->isWarm && d->ownTarget) {
         d->isWarm = d->renderer->warmUp(parts->frame, *d->pipeline, d->ownTarget->framebuffer());
@@ -117,46 +118,97 @@ bool SceneGpu::wasCoarse() const {
     return d->renderer->wasCoarse();
 }
 
-bool SceneGpu::Private::hasPlain(const Frame& frame, const View& view, RefinedView& refined) {
-    if (!view.isRefinedNext || !view.detail.isFull() || !refined.isPossible() ||
-        (refined.hasPicture() && !refined.isPlain())) {
+bool SceneGpu::Private::hasPlain(const FrameParts& parts, const View& view, RefinedView& refined) {
+    if (!view.isAtRest || !view.detail.isFull()) {
         return false;
     }
-    return refined.isPlain() ||
-           (renderer->drawPlain(frame, *pipeline, refined.picture()) && refined.isPlain());
+    refined.follow(parts, isSideBySide(view));
+    if (!refined.isPossible() || (refined.hasPicture() && !refined.isPlain())) {
+        return false;
+    }
+    return (refined.isPlain() && refined.isWhole()) ||
+           (renderer->drawPlain(parts.frame, *pipeline, refined.picture()) && refined.isPlain());
 }
 
-Status SceneGpu::Private::drawPicture(const View& view, unsigned framebuffer, RefinedView* refined) {
+SceneGpu::Private::Choice SceneGpu::Private::choose(const View& shown, RefinedView* refined) {
+    Choice choice{shown, std::nullopt};
+    if (refined == nullptr || isSideBySide(shown)) {
+        return choice;
+    }
+    View full = shown;
+    full.detail = {};
+    const std::unique_ptr<FrameParts> parts = frameOf(full);
+    if (!refined->isPatchable(*parts, shown.detail.isFull())) {
+        return choice;
+    }
+    choice.patch = renderer->patchFor(parts->frame, *pipeline, refined->picture(), !shown.detail.isFull());
+    if (choice.patch) {
+        choice.view = full;
+        choice.view.detail.coarse = choice.patch->isCoarse;
+    }
+    return choice;
+}
+
+Result<SceneGpu::Private::Choice> SceneGpu::Private::beginPicture(const View& shown, RefinedView* refined) {
     meter.begin();
     if (Status status = followForPicture(); !status) {
         meter.end();
-        return status;
+        return status.error();
     }
-    followComparison(view);
+    followComparison(shown);
     if (second.isReady()) {
         meter.comparing();
     }
-    const std::unique_ptr<FrameParts> parts = frameOf(view);
-    if (refined != nullptr && refined->show(*parts, isSideBySide(view), view.detail.coarse)) {
-        Status status = renderer->drawRefined(parts->frame, *pipeline, refined->picture(), framebuffer);
-        meter.end();
+    return choose(shown, refined);
+}
+
+Status SceneGpu::Private::drawPatched(const Choice& choice, unsigned framebuffer, RefinedView& refined) {
+    const std::unique_ptr<FrameParts> parts = frameOf(choice.view);
+    if (Status status = renderer->patch(parts->frame, *pipeline, refined.picture(), *choice.patch); !status) {
+        refined.forget();
         return status;
     }
-    Status status = refined != nullptr && hasPlain(parts->frame, view, *refined)
+    refined.patched(*parts);
+    return renderer->drawRefined(parts->frame, *pipeline, refined.picture(), framebuffer);
+}
+
+Status SceneGpu::Private::drawScene(const Choice& choice, unsigned framebuffer, RefinedView* refined) {
+    if (choice.patch) {
+        Status status = drawPatched(choice, framebuffer, *refined);
+        meter.endOf(FrameMeter::Part::Drawing);
+        return status;
+    }
+    const View& view = choice.view;
+    const std::unique_ptr<FrameParts> parts = frameOf(view);
+    if (refined != nullptr && refined->show(*parts, isSideBySide(view), view.detail.coarse)) {
+        return renderer->drawRefined(parts->frame, *pipeline, refined->picture(), framebuffer);
+    }
+    Status status = refined != nullptr && hasPlain(*parts, view, *refined)
                         ? renderer->drawRefined(parts->frame, *pipeline, refined->picture(), framebuffer)
                         : drawAll(parts->frame, view, framebuffer);
     meter.endOf(FrameMeter::Part::Drawing);
+    return status;
+}
+
+Status SceneGpu::Private::drawPicture(const Choice& choice, unsigned framebuffer, RefinedView* refined) {
+    Status status = drawScene(choice, framebuffer, refined);
     meter.end();
     return status;
 }
 
 Status SceneGpu::draw(const View& shown, unsigned framebuffer, RefinedView* refined) {
-    const View smaller = d->drawnView(shown);
-    if (shown.detail.scale >= 1.0f || !d->makeOwn(smaller)) {
-        return d->drawPicture(shown, framebuffer, refined);
+    Result<Private::Choice> begun = d->beginPicture(shown, refined);
+    if (!begun) {
+        return begun.error();
+    }
+    Private::Choice choice = std::move(begun).value();
+    const View smaller = d->drawnView(choice.view);
+    if (choice.view.detail.scale >= 1.0f || !d->makeOwn(smaller)) {
+        return d->drawPicture(choice, framebuffer, refined);
     }
     d->ahead.reset();
-    Status status = d->drawPicture(smaller, d->ownTarget->framebuffer(), refined);
+    choice.view = smaller;
+    Status status = d->drawPicture(choice, d->ownTarget->framebuffer(), refined);
     if (status) {
         d->ownTarget->enlargeInto(framebuffer, shown.width, shown.height);
     }
@@ -165,11 +217,17 @@ Status SceneGpu::draw(const View& shown, unsigned framebuffer, RefinedView* refi
 
 Result<bool> SceneGpu::drawAhead(const View& shown, RefinedView* refined) {
     d->ahead.reset();
-    const View drawn = d->drawnView(shown);
-    if (!d->makeOwn(drawn)) {
+    Result<Private::Choice> begun = d->beginPicture(shown, refined);
+    if (!begun) {
+        return begun.error();
+    }
+    Private::Choice choice = std::move(begun).value();
+    choice.view = d->drawnView(choice.view);
+    if (!d->makeOwn(choice.view)) {
+        d->meter.end();
         return false;
     }
-    if (const Status status = d->drawPicture(drawn, d->ownTarget->framebuffer(), refined); !status) {
+    if (const Status status = d->drawPicture(choice, d->ownTarget->framebuffer(), refined); !status) {
         return status.error();
     }
     d->ahead.emplace();

@@ -227,11 +227,18 @@ void SceneGpu::Private::fetch(Delivery delivery) {
     for (const ReadBack::ChangedNormals& change : readBack.finish()) {
         const Target* target = session.targets().find(change.target);
         if (target != nullptr) {
-            ++dataRevision;
+            ++normalsRevision;
             GpuTarget& gpu = targets.at(change.target);
             gpu.changed.note(change.renderVertices);
             writeShadingNormals(*gpu.buffers, change.renderVertices, target->trueNormals.normals());
         }
+    }
+}
+
+void SceneGpu::Private::noteSettled() {
+    for (auto& [id, target] : targets) {
+        const ClusterReach* reach = pipeline->reach(id);
+        target.settled = reach != nullptr ? reach->moment() : 0;
     }
 }
 
@@ -299,6 +306,7 @@ Status SceneGpu::Private::follow(Delivery delivery) {
     meter.endOf(FrameMeter::Part::ReadBack);
     if (!appending && !pipeline->isReadBackPending()) {
         readBack.setUpToDate();
+        noteSettled();
     }
     return Done{};
 }

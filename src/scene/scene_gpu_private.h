@@ -38,6 +38,7 @@ struct SceneGpu::Private {
         std::shared_ptr<const MaterialSet> materials;
         ChangedParts changed;
         std::shared_ptr<const MeshData> dressed = nullptr;  ///< whose materials these are
+        std::uint64_t settled = 0;                          ///< as DrawItem::settled
     };
 
     Session& session;
@@ -58,7 +59,8 @@ struct SceneGpu::Private {
     std::optional<std::vector<HistoryEdit>> unapplied = std::vector<HistoryEdit>();
     HistoryPrefix applied;  // of the history before those edits
     std::uint64_t meshRevision = 1;
-    std::uint64_t dataRevision = 1;  ///< another one when buffers or materials of targets have changed
+    std::uint64_t dataRevision = 1;     ///< another one when buffers or materials of targets have changed
+    std::uint64_t normalsRevision = 1;  ///< when shading normals have
     gl::Defines deformDefines;
     ChangeUpload changeUpload;
     SecondScene second;
@@ -96,6 +98,8 @@ struct SceneGpu::Private {
     [[nodiscard]] bool isWorthSlicing(Delivery delivery) const;
     void applySlice();
     void fetch(Delivery delivery);
+    /// Shading normals follow all that has moved until now.
+    void noteSettled();
     Status follow(Delivery delivery);
     /// Follows all but what is left to applyMore().
     Status followForPicture();
@@ -121,9 +125,19 @@ struct SceneGpu::Private {
     /// Has it so; false: the driver cannot give that much.
     [[nodiscard]] bool makeOwn(const View& drawn);
     /// Whether `refined` has the frame without samples, drawn here where refine() will need it.
-    [[nodiscard]] bool hasPlain(const Frame& frame, const View& view, RefinedView& refined);
-    /// What draw() says, with the pixels of that view.
-    [[nodiscard]] Status drawPicture(const View& view, unsigned framebuffer, RefinedView* refined);
+    [[nodiscard]] bool hasPlain(const FrameParts& parts, const View& view, RefinedView& refined);
+    /// How the next picture is drawn.
+    struct Choice {
+        View view;                          ///< in full, where it is patched
+        std::optional<PicturePatch> patch;  ///< of `refined`; nothing: it is drawn anew
+    };
+    [[nodiscard]] Choice choose(const View& shown, RefinedView* refined);
+    /// Follows the session; the meter measures until drawPicture() has ended.
+    [[nodiscard]] Result<Choice> beginPicture(const View& shown, RefinedView* refined);
+    /// What draw() says, with the pixels of `choice.view`.
+    [[nodiscard]] Status drawPicture(const Choice& choice, unsigned framebuffer, RefinedView* refined);
+    [[nodiscard]] Status drawScene(const Choice& choice, unsigned framebuffer, RefinedView* refined);
+    [[nodiscard]] Status drawPatched(const Choice& choice, unsigned framebuffer, RefinedView& refined);
 };
 
 }  // namespace hitscope

@@ -92,7 +92,7 @@ PictureDetail PictureMotion::beginFrame() {
     // counted.
     m_isCounted = !isFirstComing() && !isHurried();
     m_isFirst = false;
-    m_isRefinedShown = false;
+    m_isKeptShown = false;
     m_isDrawn = true;
     return m_detail;
 }
@@ -112,7 +112,7 @@ void PictureMotion::frameShown(double seconds) {
 
 /// Fewer triangles take at least their part of the time that all of them would take.
 void PictureMotion::judgeFull(double seconds) {
-    if (m_isRefinedShown || !m_motion.hasCoarse()) {
+    if (m_isKeptShown || !m_motion.hasCoarse()) {
         return;
     }
     const double part = m_detail.isFull() ? 1.0 : static_cast<double>(m_motion.coarsePart());
@@ -128,9 +128,10 @@ void PictureMotion::judgeFull(double seconds) {
     }
 }
 
-void PictureMotion::refinedShown() {
-    m_detail = PictureDetail();
-    m_isRefinedShown = true;
+void PictureMotion::keptShown(bool isRough) {
+    m_detail = PictureDetail{.coarse = isRough};
+    m_drewCoarse = isRough;
+    m_isKeptShown = true;
     m_isCounted = false;
 }
 

@@ -48,8 +48,9 @@ public:
     [[nodiscard]] PictureDetail beginFrame();
     /// What was drawn last has been shown, so many seconds after it was begun.
     void frameShown(double seconds);
-    /// The last picture was the refiner's, in full.
-    void refinedShown();
+    /// The last picture was the refiner's, or the one before, drawn again in part. isRough: there with fewer
+    /// triangles.
+    void keptShown(bool isRough);
     /// Of the last picture.
     [[nodiscard]] const PictureDetail& lastDetail() const { return m_detail; }
     /// Of what was drawn last: from close by there may be all triangles all the same. `waiting`: for so many
@@ -91,7 +92,7 @@ private:
     bool m_isOn = false;
     bool m_isRefined = false;
     bool m_isBusy = false;
-    bool m_isRefinedShown = false;
+    bool m_isKeptShown = false;
     bool m_isCatchingUp = false;
     double m_slow = 0.1;
     double m_slowWaiting = 0.045;

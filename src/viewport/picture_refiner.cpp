@@ -53,8 +53,7 @@ void PictureRefiner::releaseGpu() {
 }
 
 bool PictureRefiner::isDone() const {
-    return m_view == nullptr ||
-           (m_view->samples() >= m_wanted && (m_view->hasPicture() || !m_hooks.isCoarse()));
+    return m_view == nullptr || (m_view->samples() >= m_wanted && (m_view->isWhole() || !m_hooks.isCoarse()));
 }
 
 void PictureRefiner::framePainted() {
@@ -87,7 +86,7 @@ void PictureRefiner::step() {
         return;
     }
     const int before = m_view->samples();
-    const bool hadPicture = m_view->hasPicture();
+    const bool wasWhole = m_view->isWhole();
     if (before == 0) {
         m_sinceShown.start();
     }
@@ -110,7 +109,7 @@ void PictureRefiner::step() {
         Q_EMIT refined(samples);
     }
     const bool isNew = m_sinceShown.elapsed() >= kBetweenLooks;
-    const bool isFirst = !hadPicture && m_view->hasPicture() && m_hooks.isCoarse();
+    const bool isFirst = !wasWhole && m_view->isWhole() && m_hooks.isCoarse();
     if (isDone() || isFirst || (samples >= RefinedView::kFewestShown && isNew)) {
         m_sinceShown.start();
         Q_EMIT aboutToShow();

@@ -132,8 +132,8 @@ SceneGpu::View Viewport::beginPicture() {
     SceneGpu::View shown = view();
     m_motion.seenFrom(camera().distance());
     shown.detail = m_motion.beginFrame();
-    // Where the CPU draws, leaving it costs a tenth of drawing it twice.
-    shown.isRefinedNext = m_isSoftware && m_options.refine && !wantsFrames();
+    // Where the CPU draws, keeping it costs a tenth of drawing it twice.
+    shown.isAtRest = m_isSoftware && !wantsFrames();
     return shown;
 }
 

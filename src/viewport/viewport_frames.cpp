@@ -125,7 +125,7 @@ bool Viewport::prepareAhead() {
     static_cast<void>(withScene([&](SceneGpu& scene) -> Status {
         SceneGpu::View coming = view();
         coming.detail = m_motion.coming();
-        const Result<bool> prepared = scene.prepare(coming);
+        const Result<bool> prepared = scene.prepare(coming, m_refiner.view());
         isPrepared = !prepared || prepared.value();
         return Done{};
     }));

@@ -150,8 +150,8 @@ void Viewport::readKept(SceneGpu& scene) {
 void Viewport::pictureComplete() {
     m_isDrawn = true;
     m_error.clear();
-    if (m_refiner.wasShown()) {
-        m_motion.refinedShown();
+    if (const RefinedView* kept = m_refiner.view(); kept && (kept->wasShown() || kept->wasPatched())) {
+        m_motion.keptShown(kept->isRough());
     }
     m_refiner.framePainted();
     // What was drawn before, in better quality, is no frame to measure.

@@ -150,11 +150,11 @@ void ScenePrepareTest::programsAreBuiltBeforeThePicture() {
 void ScenePrepareTest::theNextIsRefined() {
     RefinedView refined;
     Image picture;
-    const auto draw = [&](bool isRefinedNext) {
+    const auto draw = [&](bool isAtRest) {
         SceneGpu::View shown = view();
         shown.options.floor = false;
         shown.options.shadows = false;
-        shown.isRefinedNext = isRefinedNext;
+        shown.isAtRest = isAtRest;
         picture = drawn(*m_gpu, shown, &refined);
     };
     const auto refine = [&] {

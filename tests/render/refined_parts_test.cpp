@@ -31,7 +31,7 @@ private:
     [[nodiscard]] bool add(const Frame& frame, RefinedPicture& picture) {
         return m_refined.renderer->refine(frame, *m_refined.pipeline, picture).ok();
     }
-    [[nodiscard]] QImage shown(const Frame& frame, const RefinedPicture& picture) {
+    [[nodiscard]] QImage shown(const Frame& frame, RefinedPicture& picture) {
         return m_refined.shown(frame, picture);
     }
     [[nodiscard]] QImage refined(const Frame& frame, int samples);

@@ -44,7 +44,7 @@ struct RefinedScene {
         made.meshRevision = 1;
         return made;
     }
-    [[nodiscard]] QImage shown(const Frame& frame, const RefinedPicture& picture) {
+    [[nodiscard]] QImage shown(const Frame& frame, RefinedPicture& picture) {
         const ::hitscope::gl::RenderTarget target(frame.width, frame.height, 1);
         if (!renderer->drawRefined(frame, *pipeline, picture, target.framebuffer()).ok()) {
             return {};

@@ -57,7 +57,7 @@ private Q_SLOTS:
         QCOMPARE(rested.size(), 0);
         QVERIFY(!motion.isReduced());
         QVERIFY(motion.beginFrame().coarse);
-        motion.refinedShown();
+        motion.keptShown(false);
         motion.frameShown(0.001);  // which says nothing of a frame that is drawn
         QVERIFY(motion.lastDetail().isFull());
         QVERIFY(drawn(motion, 0.03).coarse);

@@ -111,8 +111,15 @@ RefinedPicture::LightPlace RefinedPicture::nextLight(bool software) const {
 }
 
 void RefinedPicture::clear() {
-    m_samples = 0;
     m_hasPlain = false;
+    m_taken = {};
+    m_rough = {};
+    forgetSamples();
+}
+
+void RefinedPicture::forgetSamples() {
+    m_samples = 0;
+    m_kept = 0;
     m_isBegun = false;
     m_front.reset();
     m_unsettled.reset();
@@ -121,14 +128,36 @@ void RefinedPicture::clear() {
     m_nextPart = 0;
 }
 
-void RefinedPicture::plainDrawn() {
+void RefinedPicture::plainDrawn(std::vector<std::uint64_t> moments) {
     m_hasPlain = true;
     m_nextPart = 0;
+    m_rough = {};
+    m_moments = std::move(moments);
+}
+
+Status RefinedPicture::keepMean(render::ProgramCache& programs, GLuint emptyArray) {
+    if (m_samples < kJudged || m_kept == m_samples) {
+        return Done{};
+    }
+    m_kept = m_samples;
+    glBindFramebuffer(GL_FRAMEBUFFER, m_plain.id());
+    glViewport(0, 0, m_width, m_height);
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    Status drawn = drawOne(programs, emptyArray, true, false);
+    m_taken = united(m_taken, m_area);
+    return drawn;
+}
+
+void RefinedPicture::patched(const PicturePatch& patch, std::vector<std::uint64_t> moments) {
+    m_rough = patch.isCoarse ? patch.area : PixelArea();
+    m_moments = std::move(moments);
+    forgetSamples();
 }
 
 void RefinedPicture::begin(const PixelArea& varying, bool maySettle) {
     m_settles = maySettle && m_extent == Extent::WhereItStillVaries;
-    m_area = m_extent == Extent::Everywhere ? PixelArea{0, 0, m_width, m_height} : varying;
+    m_area = m_extent == Extent::Everywhere ? PixelArea{0, 0, m_width, m_height} : united(varying, m_taken);
     m_isBegun = true;
     m_isFrontDue = m_settles;
 }
@@ -158,6 +187,7 @@ void RefinedPicture::makePart(int part, const glm::ivec2& size) {
             break;
         case 1:
             m_sum = makeTexture(GL_RGBA32F, GL_RGBA, GL_FLOAT, size.x, size.y);
+            m_sampleColour = colours();
             break;
         case 2: {
             for (gl::Texture& floor : m_floor) {
@@ -179,7 +209,7 @@ void RefinedPicture::makePart(int part, const glm::ivec2& size) {
 
 bool RefinedPicture::makeFramebuffers() {
     m_plain = makeFramebuffer(m_colour.id(), m_depths.id());
-    m_sample = makeFramebuffer(m_colour.id(), 0);
+    m_sample = makeFramebuffer(m_sampleColour.id(), 0);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
                               m_sampleDepth.id());
     m_adding = makeFramebuffer(m_sum.id(), 0);
@@ -247,7 +277,7 @@ Status RefinedPicture::add(render::ProgramCache& programs, GLuint emptyArray) {
     program.set("u_share", 1.0f);
     glActiveTexture(GL_TEXTURE0);
     glBindSampler(0, 0);
-    glBindTexture(GL_TEXTURE_2D, m_colour.id());
+    glBindTexture(GL_TEXTURE_2D, m_sampleColour.id());
     glBindVertexArray(emptyArray);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindTexture(GL_TEXTURE_2D, 0);
@@ -315,40 +345,43 @@ gl::Defines RefinedPicture::drawDefines(bool isSum, bool withDepths) const {
     return defines;
 }
 
+Status RefinedPicture::drawOne(render::ProgramCache& programs, GLuint emptyArray, bool isSum,
+                               bool withDepths) const {
+    const auto found = programs.get("refined.vert", "refined.frag", drawDefines(isSum, withDepths));
+    if (!found) {
+        return found.error();
+    }
+    const gl::Program& program = *found.value();
+    program.use();
+    program.set("u_picture", 0);
+    program.set("u_depths", 1);
+    program.set("u_share", isSum ? 1.0f / static_cast<float>(m_samples) : 1.0f);
+    bind(1, m_depths);
+    bind(0, isSum ? m_sum : m_colour);
+    if (isSum) {
+        render::limitDrawing(m_area);
+    }
+    glBindVertexArray(emptyArray);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_SCISSOR_TEST);
+    return Done{};
+}
+
 Status RefinedPicture::draw(render::ProgramCache& programs, GLuint emptyArray, bool withDepths) const {
     glDisable(GL_BLEND);
     // Depths are written only where the test is on.
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
     glDepthMask(withDepths ? GL_TRUE : GL_FALSE);
-    glBindVertexArray(emptyArray);
-    for (const bool isSum : {false, true}) {
-        if (isSum && m_samples == 0) {
-            continue;
-        }
-        const auto found =
-            programs.get("refined.vert", "refined.frag", drawDefines(isSum, withDepths && !isSum));
-        if (!found) {
-            return found.error();
-        }
-        const gl::Program& program = *found.value();
-        program.use();
-        program.set("u_picture", 0);
-        program.set("u_depths", 1);
-        program.set("u_share", isSum ? 1.0f / static_cast<float>(m_samples) : 1.0f);
-        bind(1, m_depths);
-        bind(0, isSum ? m_sum : m_colour);
-        if (isSum) {
-            render::limitDrawing(m_area);
-            glDepthMask(GL_FALSE);
-        }
-        glDrawArrays(GL_TRIANGLES, 0, 3);
+    Status drawn = drawOne(programs, emptyArray, false, withDepths);
+    glDepthMask(GL_FALSE);
+    if (drawn && m_samples > 0 && m_kept != m_samples) {
+        drawn = drawOne(programs, emptyArray, true, false);
     }
-    glDisable(GL_SCISSOR_TEST);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
     glDisable(GL_DEPTH_TEST);
-    return Done{};
+    return drawn;
 }
 
 }  // namespace hitscope

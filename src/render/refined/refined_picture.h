@@ -2,8 +2,11 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "gl/objects.h"
 #include "render/frame_context.h"
@@ -48,9 +51,13 @@ public:
     [[nodiscard]] int samples() const { return m_samples; }
     /// Whether there is anything to draw: a sample, or what has to be known before the first one, which is a
     /// picture too.
-    [[nodiscard]] bool hasPicture() const { return m_hasPlain; }
-    /// Forgets the samples, keeps its buffers.
+    [[nodiscard]] bool hasPicture() const { return m_hasPlain && (m_rough.empty() || m_nextPart == 0); }
+    /// Forgets the picture, keeps its buffers.
     void clear();
+    /// Whether there is a picture that may be patched.
+    [[nodiscard]] bool isKept() const { return m_hasPlain; }
+    /// Where it has fewer triangles since it was patched, until the first sample is drawn.
+    [[nodiscard]] const PixelArea& rough() const { return m_rough; }
 
     // What follows is the Renderer's.
 
@@ -59,8 +66,16 @@ public:
     /// Makes buffers of that size, pixels, where they have another one. inParts: each call makes some of
     /// them if they are large, since a software renderer clears them.
     [[nodiscard]] Made prepare(int width, int height, bool inParts = false);
-    /// The frame without jitter has been drawn into plainFramebuffer().
-    void plainDrawn();
+    /// The frame without jitter has been drawn into plainFramebuffer(), with the targets at these moments of
+    /// theirs (DrawItem::settled).
+    void plainDrawn(std::vector<std::uint64_t> moments);
+    [[nodiscard]] std::span<const std::uint64_t> moments() const { return m_moments; }
+    /// Where there are samples enough, the plain picture becomes their mean: showing it again takes half the
+    /// time, and what is patched stays as it was shown. Leaves framebuffer, viewport and blending changed.
+    [[nodiscard]] Status keepMean(render::ProgramCache& programs, GLuint emptyArray);
+    /// A part of plainFramebuffer() was drawn again: there are no samples, and the picture has the targets at
+    /// these moments.
+    void patched(const PicturePatch& patch, std::vector<std::uint64_t> moments);
     /// Whether begin() was called.
     [[nodiscard]] bool isBegun() const { return m_isBegun; }
     /// Samples follow the plain picture; they differ within `varying`. maySettle: the CPU draws, and the
@@ -124,6 +139,10 @@ private:
     /// Marks what is drawn from now on in the stencil buffer of samples.
     [[nodiscard]] Status settle(render::ProgramCache& programs, GLuint emptyArray);
     [[nodiscard]] gl::Defines drawDefines(bool isSum, bool withDepths) const;
+    void forgetSamples();
+    /// The sum, or the plain picture.
+    [[nodiscard]] Status drawOne(render::ProgramCache& programs, GLuint emptyArray, bool isSum,
+                                 bool withDepths) const;
 
     int m_width = 0;  ///< of all buffers; 0: they are not all there
     int m_height = 0;
@@ -133,6 +152,10 @@ private:
     Extent m_extent;
     std::size_t m_trianglesAPart;
     PixelArea m_area;
+    PixelArea m_taken;  ///< outside of it, the plain picture was never a mean of samples
+    int m_kept = 0;     ///< samples that it is the mean of
+    PixelArea m_rough;
+    std::vector<std::uint64_t> m_moments;  ///< of the plain picture
     bool m_hasPlain = false;
     bool m_isBegun = false;
     bool m_settles = false;                      ///< some pixels after the first samples
@@ -141,8 +164,9 @@ private:
     std::optional<render::FrontDepths> m_front;  ///< where pixels settle
     std::optional<render::MarkedTiles> m_unsettled;
     std::uint32_t m_nextPart = 0;
-    gl::Texture m_colour;  ///< of the sample at hand; outside of the area, of the plain picture
+    gl::Texture m_colour;  ///< of the plain picture
     gl::Texture m_depths;
+    gl::Texture m_sampleColour;          ///< of the sample at hand, within the area
     std::array<gl::Texture, 2> m_floor;  ///< lit, shaded
     gl::Texture m_floorOpen;
     /// Of floats, within the area. In place of opacity, if pixels settle: of the first samples the squares of

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "render/refined/moved_area.h"
 #include "render/renderer_private.h"
 
 namespace hitscope {
@@ -97,15 +98,17 @@ Status drawFloorLayers(const FrameContext& context, const RefinedPicture& pictur
 }
 
 /// Other than software renderers do not keep anybody waiting.
-std::uint32_t partsOf(const Frame& frame, const RefinedPicture& picture, bool software) {
-    if (!software || frame.options.wireframe == WireframeMode::Only || frame.options.beforeAfter.wipe) {
+std::uint32_t partsOf(const FrameContext& context, const DeformationPipeline& pipeline,
+                      const RefinedPicture& picture) {
+    const Frame& frame = context.frame;
+    if (!context.software || frame.options.wireframe == WireframeMode::Only ||
+        frame.options.beforeAfter.wipe) {
         return 1;
     }
-    std::size_t indices = 0;
-    for (const DrawItem& item : frame.targets) {
-        indices += item.buffers->triangleIndexCount();
-    }
-    return static_cast<std::uint32_t>(1 + indices / (3 * picture.trianglesAPart()));
+    const std::size_t triangles =
+        context.window ? trianglesWithin(context, pipeline, context.viewProjection, *context.window)
+                       : trianglesOf(frame);
+    return static_cast<std::uint32_t>(1 + triangles / picture.trianglesAPart());
 }
 
 }  // namespace
@@ -138,7 +141,10 @@ Status Renderer::Private::addSample(const Frame& frame, DeformationPipeline& pip
         occlusion = hasOcclusion(frame) ? &near : nullptr;
     }
     FrameContext context = contextOf(frame);
-    context.part.count = partsOf(frame, picture, software);
+    if (!picture.rough().empty()) {
+        context.window = windowAround(picture.rough(), frame);
+    }
+    context.part.count = partsOf(context, pipeline, picture);
     if (ShadowMap::isWanted(frame)) {
         Frame lit = frame;
         const RefinedPicture::LightPlace place = picture.nextLight(software);
@@ -159,20 +165,22 @@ Status Renderer::Private::addSample(const Frame& frame, DeformationPipeline& pip
 
 Status Renderer::Private::drawPlain(FrameContext& context, DeformationPipeline& pipeline,
                                     RefinedPicture& picture) {
-    if (Status drawn = drawPart(context, pipeline, picture, picture.plainFramebuffer());
+    const DrawnPixels rough{picture.rough()};
+    if (Status drawn = drawPart(context, pipeline, picture, picture.plainFramebuffer(),
+                                rough.area.empty() ? nullptr : &rough);
         !drawn || !context.part.isLast()) {
         return drawn;
     }
     if (Status drawn = trails.draw(context); !drawn) {
         return drawn;
     }
-    picture.plainDrawn();
+    picture.plainDrawn(momentsOf(context.frame));
     return Done{};
 }
 
 Status Renderer::Private::begin(FrameContext& context, DeformationPipeline& pipeline,
                                 RefinedPicture& picture) {
-    if (!picture.hasPicture()) {
+    if (!picture.hasPicture() || !picture.rough().empty()) {
         return drawPlain(context, pipeline, picture);
     }
     picture.begin(varyingArea(context, pipeline, kLightSize), software && !context.frame.options.transparent);
@@ -260,7 +268,7 @@ bool Renderer::isBehindRefining(const RefinedPicture& picture) const {
            !(waitsForAll ? d->refining.back() : d->refining.front()).isPassed();
 }
 
-Status Renderer::drawRefined(const Frame& given, DeformationPipeline& pipeline, const RefinedPicture& picture,
+Status Renderer::drawRefined(const Frame& given, DeformationPipeline& pipeline, RefinedPicture& picture,
                              GLuint framebuffer) {
     if (given.width <= 0 || given.height <= 0 || !picture.hasPicture()) {
         return Done{};
@@ -269,6 +277,9 @@ Status Renderer::drawRefined(const Frame& given, DeformationPipeline& pipeline, 
     const LitFrame lit(given);
     const Frame& frame = lit.frame();
     const FrameContext context = d->contextOf(frame);
+    if (Status kept = picture.keepMean(d->programs, d->emptyArray.id()); !kept) {
+        return kept;
+    }
     prepareFramebuffer(frame, framebuffer);
     if (Status status = picture.draw(d->programs, d->emptyArray.id(), hasOverlays(frame)); !status) {
         return status;

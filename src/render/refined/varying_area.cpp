@@ -33,24 +33,62 @@ bool isBeyondTargets(const Frame& frame) {
            options.beforeAfter.ghost != GhostMode::Off;
 }
 
-Bounds moved(const Bounds& box, const glm::mat4& to) {
+/// Of a part of a target; false: what it reaches may be anywhere.
+bool seePart(SeenArea& seen, const Bounds& box, const FrameContext& context, float lightRadius, float texel) {
+    if (!seen.add(grown(box, occlusionReach(context.frame)))) {
+        return false;
+    }
+    if (!ShadowMap::isWanted(context.frame) || !context.frame.options.floor) {
+        return true;
+    }
+    const std::optional<Bounds> shadow = floorShadowOf(box, context.frame, lightRadius, texel);
+    return shadow && seen.add(*shadow);
+}
+
+bool seeTargets(SeenArea& seen, const FrameContext& context, const DeformationPipeline& pipeline,
+                float lightRadius) {
+    const Frame& frame = context.frame;
+    const float texel = shadowTexel(frame);
+    for (const DrawItem& item : frame.targets) {
+        const std::optional<ClusterBoxes> boxes = clusterBoxesOf(item, frame, pipeline);
+        if (!boxes) {
+            return false;
+        }
+        for (const Bounds& box : boxes->ofGroups(kMostBoxes)) {
+            if (!box.empty() && !seePart(seen, inWorld(box, item), context, lightRadius, texel)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+Bounds inWorld(const Bounds& box, const DrawItem& item) {
     Bounds result;
     for (const glm::vec3& corner : cornersOf(box)) {
-        result.add(glm::vec3(to * glm::vec4(corner, 1.0f)));
+        result.add(glm::vec3(item.model * glm::vec4(corner, 1.0f)));
     }
     return result;
 }
 
-/// Where on the floor the box's shadow falls; nothing: that is far away.
-std::optional<Bounds> shadowOf(const Bounds& box, const FrameContext& context, float lightRadius,
-                               float texel) {
-    const glm::vec3& given = context.frame.lights.directional.direction;
+float shadowTexel(const Frame& frame) {
+    Bounds all;
+    for (const DrawItem& item : frame.targets) {
+        all.add(worldBounds(item));
+    }
+    return all.diagonal() / static_cast<float>(ShadowMap::kSoftwareSize);
+}
+
+std::optional<Bounds> floorShadowOf(const Bounds& box, const Frame& frame, float lightRadius, float texel) {
+    const glm::vec3& given = frame.lights.directional.direction;
     const float length = glm::length(given);
     if (!(length > 1.0e-6f) || !(-given.y > kLowestLight * length)) {
         return std::nullopt;
     }
     const glm::vec3 down = given / -given.y;
-    const float floor = context.frame.floorHeight;
+    const float floor = frame.floorHeight;
     Bounds shadow;
     float highest = 0.0f;
     for (const glm::vec3& corner : cornersOf(box)) {
@@ -64,42 +102,6 @@ std::optional<Bounds> shadowOf(const Bounds& box, const FrameContext& context, f
     const glm::vec3 more(way * lightRadius * 2.0f * glm::length(down) + kShadowTexels * texel);
     return Bounds{shadow.min - glm::vec3(more.x, 0.0f, more.z), shadow.max + glm::vec3(more.x, 0.0f, more.z)};
 }
-
-/// Of a part of a target; false: what it reaches may be anywhere.
-bool seePart(SeenArea& seen, const Bounds& box, const FrameContext& context, float lightRadius, float texel) {
-    if (!seen.add(grown(box, occlusionReach(context.frame)))) {
-        return false;
-    }
-    if (!ShadowMap::isWanted(context.frame) || !context.frame.options.floor) {
-        return true;
-    }
-    const std::optional<Bounds> shadow = shadowOf(box, context, lightRadius, texel);
-    return shadow && seen.add(*shadow);
-}
-
-bool seeTargets(SeenArea& seen, const FrameContext& context, const DeformationPipeline& pipeline,
-                float lightRadius) {
-    const Frame& frame = context.frame;
-    Bounds all;
-    for (const DrawItem& item : frame.targets) {
-        all.add(worldBounds(item));
-    }
-    const float texel = all.diagonal() / static_cast<float>(ShadowMap::kSoftwareSize);
-    for (const DrawItem& item : frame.targets) {
-        const std::optional<ClusterBoxes> boxes = clusterBoxesOf(item, frame, pipeline);
-        if (!boxes) {
-            return false;
-        }
-        for (const Bounds& box : boxes->ofGroups(kMostBoxes)) {
-            if (!box.empty() && !seePart(seen, moved(box, item.model), context, lightRadius, texel)) {
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
-}  // namespace
 
 void limitDrawing(const PixelArea& area) {
     glEnable(GL_SCISSOR_TEST);

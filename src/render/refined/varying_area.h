@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "pipeline/deformation_pipeline.h"
 #include "render/frame_context.h"
 #include "render/pixel_area.h"
@@ -16,6 +18,17 @@ struct DrawnPixels {
 /// What is drawn from now on is drawn within.
 void limitDrawing(const PixelArea& area);
 void limitDrawing(const DrawnPixels& pixels);
+
+/// The box from the frame of a target in the world.
+[[nodiscard]] Bounds inWorld(const Bounds& box, const DrawItem& item);
+/// Metres that a texel of a software renderer's shadow map takes, or more.
+[[nodiscard]] float shadowTexel(const Frame& frame);
+/// Where on the floor the shadow of what is in a box falls, world: between the two, all that it may shade.
+/// Nothing: that is far away.
+///
+/// lightRadius: of the directional light, a metre away; texel: of the shadow map, metres.
+[[nodiscard]] std::optional<Bounds> floorShadowOf(const Bounds& box, const Frame& frame, float lightRadius,
+                                                  float texel);
 
 /// Where samples of a refined picture can differ: at the targets, where these keep light away, and where
 /// their shadows fall. Elsewhere there are only the background and the floor, which need no refining. The

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/refined/moved_area.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/vector_relational.hpp>
+
+#include "render/refined/varying_area.h"
+#include "render/seen_area.h"
+#include "render/shadow_map.h"
+#include "render/visible_runs.h"
+
+namespace hitscope::render {
+
+namespace {
+
+constexpr float kLineReach = 4.0f;        // logical pixels that lines are wide, and more
+constexpr std::size_t kMostBoxes = 2048;  // that are looked at one by one: some milliseconds
+
+/// Whether anything but surfaces, their edges and shadows depends on where vertices are, or surfaces are
+/// drawn elsewhere.
+bool mayChangeElsewhere(const Frame& frame) {
+    const DisplayOptions& options = frame.options;
+    return frame.coarse || frame.change || frame.section != nullptr || options.cut.on || options.needles ||
+           options.dots || options.transparent || options.wireframe == WireframeMode::Only ||
+           options.beforeAfter.wipe || options.beforeAfter.ghost != GhostMode::Off ||
+           options.beforeAfter.exaggeration != 1.0f;
+}
+
+bool meet(const Bounds& a, const Bounds& b) {
+    return glm::all(glm::lessThanEqual(a.min, b.max)) && glm::all(glm::lessThanEqual(b.min, a.max));
+}
+
+Bounds around(std::span<const Bounds> boxes) {
+    Bounds all;
+    for (const Bounds& box : boxes) {
+        all.add(box);
+    }
+    return all;
+}
+
+/// Boxes of all triangles that have a corner in one of these.
+std::vector<Bounds> trianglesAt(std::span<const Bounds> places, const ClusterBoxes& boxes,
+                                const ClusterRuns& runs) {
+    const Bounds all = around(places);
+    std::vector<Bounds> found;
+    for (std::size_t i = 0; i < runs.runs().size(); ++i) {
+        const Bounds run = boxOf(boxes, runs, i);
+        if (meet(run, all) && std::any_of(places.begin(), places.end(),
+                                          [&run](const Bounds& place) { return meet(run, place); })) {
+            found.push_back(run);
+        }
+    }
+    return found;
+}
+
+/// A target's, as it is and was, in its own frame.
+struct MovedBoxes {
+    std::vector<Bounds> shape;  ///< of triangles with a moved corner
+    std::vector<Bounds> looks;  ///< of all whose normals may change with it
+};
+
+std::optional<MovedBoxes> movedBoxes(const DrawItem& item, const Frame& frame,
+                                     const DeformationPipeline& pipeline, std::uint64_t moment) {
+    const ClusterReach* reach = pipeline.reach(item.target);
+    const auto moved = reach != nullptr ? reach->movedSince(moment) : std::nullopt;
+    const std::optional<ClusterBoxes> boxes = clusterBoxesOf(item, frame, pipeline);
+    const ClusterRuns& runs = item.buffers->triangleRuns();
+    if (!moved || !boxes || runs.runs().empty() || moved->size() > kMostBoxes) {
+        return std::nullopt;
+    }
+    MovedBoxes all;
+    all.shape = trianglesAt(*moved, *boxes, runs);
+    all.shape.insert(all.shape.end(), moved->begin(), moved->end());
+    if (!moved->empty()) {
+        all.looks = trianglesAt(all.shape, *boxes, runs);
+    }
+    return all;
+}
+
+bool addAll(SeenArea& seen, std::span<const Bounds> boxes, const DrawItem& item) {
+    return std::all_of(boxes.begin(), boxes.end(),
+                       [&](const Bounds& box) { return seen.add(inWorld(box, item)); });
+}
+
+/// With all that it may shade.
+bool addShadow(SeenArea& seen, std::span<const Bounds> casters, const DrawItem& item, const Frame& frame) {
+    if (!ShadowMap::isWanted(frame) || casters.empty()) {
+        return true;
+    }
+    const Bounds caster = inWorld(around(casters), item);
+    const std::optional<Bounds> shadow = floorShadowOf(caster, frame, 0.0f, shadowTexel(frame));
+    return shadow && seen.add(caster) && seen.add(*shadow);
+}
+
+}  // namespace
+
+std::vector<std::uint64_t> momentsOf(const Frame& frame) {
+    std::vector<std::uint64_t> moments;
+    for (const DrawItem& item : frame.targets) {
+        moments.push_back(item.settled);
+    }
+    return moments;
+}
+
+std::optional<PixelArea> movedArea(const FrameContext& context, const DeformationPipeline& pipeline,
+                                   std::span<const std::uint64_t> moments) {
+    const Frame& frame = context.frame;
+    if (mayChangeElsewhere(frame) || moments.size() != frame.targets.size()) {
+        return std::nullopt;
+    }
+    SeenArea seen(context.viewProjection);
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+        const DrawItem& item = frame.targets[i];
+        const std::optional<MovedBoxes> moved = movedBoxes(item, frame, pipeline, moments[i]);
+        if (!moved || !addAll(seen, moved->shape, item) || !addAll(seen, moved->looks, item) ||
+            !addShadow(seen, moved->shape, item, frame)) {
+            return std::nullopt;
+        }
+    }
+    return seen.in({frame.width, frame.height});
+}
+
+PictureWindow windowAround(const PixelArea& area, const Frame& frame) {
+    const float lines = frame.options.wireframe == WireframeMode::Off ? 0.0f : kLineReach * frame.pixelRatio;
+    const int reach = static_cast<int>(std::ceil(lines));
+    return windowOf({area.x - reach, area.y - reach, area.width + 2 * reach, area.height + 2 * reach},
+                    {frame.width, frame.height});
+}
+
+std::size_t trianglesOf(const Frame& frame) {
+    std::size_t indices = 0;
+    for (const DrawItem& item : frame.targets) {
+        indices += item.buffers->triangleIndexCount();
+    }
+    return indices / 3;
+}
+
+std::size_t trianglesWithin(const FrameContext& context, const DeformationPipeline& pipeline,
+                            const glm::mat4& viewProjection, const PictureWindow& window) {
+    std::size_t triangles = 0;
+    for (const DrawItem& item : context.frame.targets) {
+        const std::uint32_t all = item.buffers->triangleIndexCount();
+        const auto seen =
+            visibleRuns(item, context.frame, pipeline, Sight(viewProjection * item.model, window),
+                        item.buffers->triangleRuns(), {0, all});
+        triangles += (seen ? countOf(*seen) : all) / 3;
+    }
+    return triangles;
+}
+
+}  // namespace hitscope::render
