@@ -45,12 +45,6 @@ int wipeLine(const Frame& frame) {
     return static_cast<int>(std::lround(frame.options.beforeAfter.wipeAt * static_cast<float>(frame.width)));
 }
 
-void startSolid() {
-    glEnable(GL_DEPTH_TEST);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
-}
-
 /// What was drawn so far says by its opacity how much of the background is to be seen.
 Status drawBackgroundBehind(const FrameContext& context) {
     glDisable(GL_DEPTH_TEST);
@@ -188,6 +182,12 @@ Status drawMarks(const FrameContext& context, DeformationPipeline& pipeline) {
     }
     glDisable(GL_SCISSOR_TEST);
     return status;
+}
+
+void startSolid() {
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
 }
 
 void startBlended() {

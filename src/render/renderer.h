@@ -72,6 +72,7 @@ struct Frame {
     bool coarse = false;
     std::span<const DrawItem> targets;
     std::span<const ProjectileItem> projectiles;
+    bool projectilesFly = false;         ///< a kept picture does not have them: they are drawn over it
     std::span<const VertexMarks> marks;  ///< drawn in this order
     /// Corners of triangles, world: a surface that is not there yet, drawn over everything. Null: none.
     std::shared_ptr<const std::vector<glm::vec3>> ghost;
@@ -128,8 +129,8 @@ public:
     [[nodiscard]] std::optional<PicturePatch> patchFor(const Frame& frame,
                                                        const DeformationPipeline& pipeline,
                                                        const RefinedPicture& picture, bool isHurried);
-    /// Draws it: the picture is plain then, without samples. What is coarse is left to refine(), which begins
-    /// with that. frame.coarse: as the patch.
+    /// Draws it: the picture is plain then, without samples, and without projectiles that fly. What is coarse
+    /// is left to refine(), which begins with that. frame.coarse: as the patch.
     [[nodiscard]] Status patch(const Frame& frame, DeformationPipeline& pipeline, RefinedPicture& picture,
                                const PicturePatch& patch);
     /// Whether refine() would first wait for what it was called for before.

@@ -46,6 +46,7 @@ enum class Before { Goes, Stays };
 /// within: null: the whole viewport.
 void prepareFramebuffer(const Frame& frame, GLuint framebuffer, const DrawnPixels* within = nullptr,
                         Before before = Before::Goes);
+void startSolid();
 void startBlended();
 /// Marks are on what they mark: left of a wipe's line on the originals.
 [[nodiscard]] Status drawMarks(const FrameContext& context, DeformationPipeline& pipeline);

@@ -43,6 +43,7 @@ std::unique_ptr<FrameParts> SceneGpu::Private::frameOf(const View& view) {
     parts->marks = view.selectionMarks ? marks.on(parts->items) : std::vector<VertexMarks>();
     frame.marks = parts->marks;
     frame.projectiles = parts->projectiles;
+    frame.projectilesFly = view.projectilesFly;
     frame.ghost = view.ghost;
     frame.section = view.section;
     frame.showsCutPlane = view.showsCutPlane;

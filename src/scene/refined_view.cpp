@@ -78,6 +78,9 @@ RefinedKey::RefinedKey(const FrameParts& parts)
     for (const DrawItem& item : parts.items) {
         items.push_back({item.target, item.buffers, item.materials, item.model, item.selected});
     }
+    if (parts.frame.projectilesFly) {
+        return;  // they are drawn over it, too
+    }
     for (const ProjectileItem& projectile : parts.projectiles) {
         projectiles.push_back({{projectile.sphere.centre, projectile.sphere.radius},
                                projectile.colour,
@@ -132,6 +135,16 @@ bool RefinedView::isPatchable(const FrameParts& parts, bool inFull) const {
     }
     const RefinedKey key(parts);
     return key == *d->key ? inFull && isRough() : d->key->isSameButForVertices(key);
+}
+
+bool RefinedView::has(const FrameParts& parts, bool inFull) const {
+    const bool isEnough = samples() >= kFewestShown || (isPlain() && (isWhole() || !inFull));
+    return isEnough && d->key == RefinedKey(parts);
+}
+
+void RefinedView::keptShown(bool isMoving) {
+    m_shown = !isMoving;
+    m_patched = !m_shown;
 }
 
 void RefinedView::patched(const FrameParts& parts) {

@@ -27,7 +27,7 @@ public:
     [[nodiscard]] bool hasPicture() const;
     /// Whether it was drawn at the last SceneGpu::draw().
     [[nodiscard]] bool wasShown() const { return m_shown; }
-    /// Whether that drew only where vertices have moved since the one before.
+    /// Whether it was drawn for another picture: where vertices have moved since, or with what moves over it.
     [[nodiscard]] bool wasPatched() const { return m_patched; }
     /// Whether part of it has fewer triangles since: the next sample begins with all of them.
     [[nodiscard]] bool isRough() const;
@@ -45,6 +45,10 @@ public:
     /// Whether it has this picture but for where vertices are, or, if all triangles are
     /// wanted, is rough. No other is side by side.
     [[nodiscard]] bool isPatchable(const FrameParts& parts, bool inFull) const;
+    /// Whether it is this one, and good enough to be shown; no other is side by side.
+    [[nodiscard]] bool has(const FrameParts& parts, bool inFull) const;
+    /// It was, as such. isMoving: something was over it that is not in the next one.
+    void keptShown(bool isMoving);
     /// Now it is this one.
     void patched(const FrameParts& parts);
     /// Forgets the samples where they are of another picture than this.

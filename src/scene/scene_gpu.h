@@ -64,6 +64,7 @@ public:
         const ChangeValues* changeValues = nullptr;
         Comparison* comparison = nullptr;  ///< with a second pipeline; null: none
         bool selectionMarks = true;        ///< vertices, the hit and the target that are selected, as such
+        bool projectilesFly = false;       ///< as in Frame
         /// The picture is likely to be shown for a while: draw() keeps it for refine(), and to patch it.
         bool isAtRest = false;
     };

@@ -138,10 +138,16 @@ SceneGpu::Private::Choice SceneGpu::Private::choose(const View& shown, RefinedVi
     View full = shown;
     full.detail = {};
     const std::unique_ptr<FrameParts> parts = frameOf(full);
-    if (!refined->isPatchable(*parts, shown.detail.isFull())) {
+    const bool inFull = shown.detail.isFull();
+    if (!inFull && refined->has(*parts, inFull)) {
+        choice.view = full;
+        choice.isKept = true;
         return choice;
     }
-    choice.patch = renderer->patchFor(parts->frame, *pipeline, refined->picture(), !shown.detail.isFull());
+    if (!refined->isPatchable(*parts, inFull)) {
+        return choice;
+    }
+    choice.patch = renderer->patchFor(parts->frame, *pipeline, refined->picture(), !inFull);
     if (choice.patch) {
         choice.view = full;
         choice.view.detail.coarse = choice.patch->isCoarse;
@@ -180,6 +186,12 @@ Status SceneGpu::Private::drawScene(const Choice& choice, unsigned framebuffer, 
     }
     const View& view = choice.view;
     const std::unique_ptr<FrameParts> parts = frameOf(view);
+    if (choice.isKept) {
+        refined->keptShown(view.projectilesFly);
+        Status status = renderer->drawRefined(parts->frame, *pipeline, refined->picture(), framebuffer);
+        meter.endOf(FrameMeter::Part::Drawing);
+        return status;
+    }
     if (refined != nullptr && refined->show(*parts, isSideBySide(view), view.detail.coarse)) {
         return renderer->drawRefined(parts->frame, *pipeline, refined->picture(), framebuffer);
     }

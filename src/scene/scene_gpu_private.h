@@ -128,8 +128,9 @@ struct SceneGpu::Private {
     [[nodiscard]] bool hasPlain(const FrameParts& parts, const View& view, RefinedView& refined);
     /// How the next picture is drawn.
     struct Choice {
-        View view;                          ///< in full, where it is patched
+        View view;                          ///< with all pixels, where it is patched or kept
         std::optional<PicturePatch> patch;  ///< of `refined`; nothing: it is drawn anew
+        bool isKept = false;                ///< `refined` has it
     };
     [[nodiscard]] Choice choose(const View& shown, RefinedView* refined);
     /// Follows the session; the meter measures until drawPicture() has ended.

@@ -121,6 +121,7 @@ SceneGpu::View Viewport::view() const {
     view.showsCutPlane = m_decorations.showsCutPlane();
     view.changeValues = m_changeValues;
     view.comparison = m_comparison;
+    view.projectilesFly = m_isSoftware && m_session.simulation().isMoving();
     view.options.crosshair = m_options.crosshair || m_crosshairTimer.isActive();
     return view;
 }

@@ -44,6 +44,7 @@ private Q_SLOTS:
     }
     void isTheWholePicture_data() { addPipelines(); }
     void isTheWholePicture();
+    void projectilesFlyOverIt();
     void shadowsFollow();
     void drawsLess();
     void othersAreDrawnAnew_data();
@@ -147,6 +148,43 @@ void ScenePatchTest::isTheWholePicture() {
     m_session->undo();
     follow();
     QVERIFY(draw().pixels == whole.pixels);
+}
+
+/// With their trails, before and behind what is there, and while their dents are made; then they are gone.
+void ScenePatchTest::projectilesFlyOverIt() {
+    open(48);
+    const Image still = draw();
+    const PhysicsWorld& physics = m_session->simulation().physics();
+    const glm::vec3 eye = m_view.camera.eye();
+    const glm::vec3 target = m_session->targets()[0]->worldBounds().centre();
+    m_session->simulation().fire(
+        ScheduledShot{0.0, {eye, glm::normalize(target - eye)}, m_session->settings().projectile()});
+    QCOMPARE(physics.projectileCount(), std::size_t{1});
+    m_view.isAtRest = false;
+    m_view.projectilesFly = true;
+    m_view.detail.scale = 0.5f;  // what is kept has all pixels
+    int seen = 0;
+    for (int frame = 0; frame < 40; ++frame) {
+        m_session->simulation().advance(1.0 / 60.0);
+        QVERIFY(m_gpu->sync().ok());
+        const Image picture = draw();
+        QVERIFY(m_refined->wasPatched());
+        seen += picture.pixels != still.pixels ? 1 : 0;
+        SceneGpu::View full = m_view;
+        full.detail = {};
+        QVERIFY(picture.pixels == drawn(*m_gpu, full).pixels);
+    }
+    QVERIFY2(seen > 5, qPrintable(QString::number(seen)));
+    for (int second = 0; second < 60 && physics.projectileCount() > 0; ++second) {
+        m_session->simulation().advance(1.0);
+    }
+    m_view.projectilesFly = false;
+    m_view.detail = {};
+    QVERIFY(!m_session->hits().history().hits().empty());
+    m_session->hits().clear();
+    QVERIFY(m_gpu->sync().ok());
+    QVERIFY(draw().pixels == still.pixels);
+    QVERIFY(m_refined->wasPatched());
 }
 
 /// Where they fall, far from what casts them.

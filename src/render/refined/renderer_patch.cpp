@@ -56,7 +56,11 @@ Status Renderer::patch(const Frame& given, DeformationPipeline& pipeline, Refine
                        const PicturePatch& patch) {
     d->wasCoarse = false;
     const KeepState keep;
-    const LitFrame lit(given);
+    Frame still = given;
+    if (given.projectilesFly) {
+        still.projectiles = {};
+    }
+    const LitFrame lit(still);
     FrameContext context = d->contextOf(lit.frame());
     if (!patch.area.empty()) {
         if (Status updated = d->updateShadows(context, pipeline); !updated) {

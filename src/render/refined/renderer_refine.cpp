@@ -48,7 +48,8 @@ gl::Sampler makeSampleTextures() {
 
 /// Whether something is drawn over the scene that the scene may hide.
 bool hasOverlays(const Frame& frame) {
-    return !frame.marks.empty() || frame.highlightedHit || frame.showsCutPlane || frame.ghost;
+    return !frame.marks.empty() || frame.highlightedHit || frame.showsCutPlane || frame.ghost ||
+           frame.projectilesFly;
 }
 
 Status drawFloorOpen(const FrameContext& given, const RefinedPicture& picture) {
@@ -284,8 +285,17 @@ Status Renderer::drawRefined(const Frame& given, DeformationPipeline& pipeline, 
     if (Status status = picture.draw(d->programs, d->emptyArray.id(), hasOverlays(frame)); !status) {
         return status;
     }
+    if (frame.projectilesFly) {
+        startSolid();
+        if (Status status = d->projectiles.draw(context); !status) {
+            return status;
+        }
+    }
     startBlended();
     if (Status status = drawMarks(context, pipeline); !status) {
+        return status;
+    }
+    if (Status status = frame.projectilesFly ? d->trails.draw(context) : Status(Done{}); !status) {
         return status;
     }
     return d->drawOver(context);
