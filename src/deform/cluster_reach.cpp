@@ -64,8 +64,8 @@ std::vector<Bounds> ClusterReach::boundsOfGroups(std::size_t most) const {
 
 void ClusterReach::restart() {
     if (m_now.size() > 0 && m_changed.size() < m_clusters.size() / kFew) {
+        restart(m_changed);
         for (const std::uint32_t cluster : m_changed) {
-            makeOriginal(cluster);
             m_isChanged[cluster] = false;
         }
     } else {
@@ -73,9 +73,9 @@ void ClusterReach::restart() {
         m_ever = Tree(*m_original);
         m_reached.assign(m_clusters.size(), false);
         m_isChanged.assign(m_clusters.size(), false);
+        forgetMoved();
     }
     m_changed.clear();
-    forgetMoved();
 }
 
 void ClusterReach::noteChanged(std::uint32_t cluster) {

@@ -168,10 +168,6 @@ void RefinedView::follow(const FrameParts& parts, bool isSideBySide) {
 
 bool RefinedView::show(const FrameParts& parts, bool isSideBySide, bool anythingIsBetter) {
     m_patched = false;
-    if (!isSideBySide && isPatchable(parts, false)) {
-        m_shown = false;
-        return false;
-    }
     follow(parts, isSideBySide);
     m_shown = samples() >= kFewestShown || (anythingIsBetter && hasPicture());
     return m_shown;

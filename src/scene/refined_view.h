@@ -53,7 +53,7 @@ public:
     void patched(const FrameParts& parts);
     /// Forgets the samples where they are of another picture than this.
     void follow(const FrameParts& parts, bool isSideBySide);
-    /// Likewise, but keeps what may be patched later; returns whether there are samples enough to be shown,
+    /// Likewise; returns whether there are samples enough to be shown,
     /// or, where anything is better than what would be drawn, a picture.
     [[nodiscard]] bool show(const FrameParts& parts, bool isSideBySide, bool anythingIsBetter);
     /// Whether it has a picture without samples, and none of them is being drawn.

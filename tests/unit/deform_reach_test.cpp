@@ -383,7 +383,11 @@ private Q_SLOTS:
         QVERIFY(!one.isOriginal(30'000) && one.bounds(30'000).max.x > clusters[30'000].bounds.max.x);
         QVERIFY(other.isOriginal(30'000) && other.bounds(30'000).max == clusters[30'000].bounds.max);
         QVERIFY(std::memcmp(before.data(), tree->data(), before.size() * sizeof(Bounds)) == 0);
+        const std::uint64_t dented = one.moment();
+        const Bounds where = one.bounds(30'000);
         one.restart();
+        const auto moved = one.movedSince(dented);
+        QVERIFY(moved && moved->size() == 1 && moved->front().max == where.max);
         QVERIFY(one.isOriginal(30'000) && one.bounds(30'000).max == clusters[30'000].bounds.max);
     }
 };
