@@ -42,6 +42,8 @@ public:
     void setCatchingUp(bool on) { m_isCatchingUp = on; }
     /// The picture changes now, and likely once more soon.
     void moved();
+    /// Whether it did a moment ago.
+    [[nodiscard]] bool isMoving() const { return m_timer.isActive(); }
     /// Of the next picture, as things are.
     [[nodiscard]] PictureDetail coming() const;
     /// Of the picture that is drawn now.

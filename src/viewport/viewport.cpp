@@ -133,8 +133,8 @@ SceneGpu::View Viewport::beginPicture() {
     SceneGpu::View shown = view();
     m_motion.seenFrom(camera().distance());
     shown.detail = m_motion.beginFrame();
-    // Where the CPU draws, keeping it costs a tenth of drawing it twice.
-    shown.isAtRest = m_isSoftware && !wantsFrames();
+    // Where the CPU draws, keeping it costs a tenth of drawing it twice, and events wait meanwhile.
+    shown.isAtRest = m_isSoftware && !wantsFrames() && !m_motion.isMoving();
     return shown;
 }
 
