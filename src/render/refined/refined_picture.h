@@ -120,7 +120,12 @@ public:
     [[nodiscard]] std::size_t trianglesAPart() const { return m_trianglesAPart; }
     /// The part that is drawn next of what is drawn in parts.
     [[nodiscard]] std::uint32_t nextPart() const { return m_nextPart; }
-    void setNextPart(std::uint32_t part) { m_nextPart = part; }
+    /// Of so many; all have as many, wherever triangles are meanwhile.
+    [[nodiscard]] std::uint32_t parts() const { return m_parts; }
+    void setNextPart(std::uint32_t part, std::uint32_t of) {
+        m_nextPart = part;
+        m_parts = of;
+    }
     /// readWhatIsDue() was called. Adds what is in sampleFramebuffer() to the sum. Leaves framebuffer,
     /// viewport and blending changed.
     [[nodiscard]] Status add(render::ProgramCache& programs, GLuint emptyArray);
@@ -164,6 +169,7 @@ private:
     std::optional<render::FrontDepths> m_front;  ///< where pixels settle
     std::optional<render::MarkedTiles> m_unsettled;
     std::uint32_t m_nextPart = 0;
+    std::uint32_t m_parts = 1;
     gl::Texture m_colour;  ///< of the plain picture
     gl::Texture m_depths;
     gl::Texture m_sampleColour;          ///< of the sample at hand, within the area

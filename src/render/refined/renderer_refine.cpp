@@ -120,7 +120,7 @@ Status Renderer::Private::drawPart(FrameContext& context, DeformationPipeline& p
     if (Status status = drawPicture(context, pipeline, framebuffer, within); !status) {
         return status;
     }
-    picture.setNextPart(context.part.isLast() ? 0 : context.part.index + 1);
+    picture.setNextPart(context.part.isLast() ? 0 : context.part.index + 1, context.part.count);
     return Done{};
 }
 
@@ -145,7 +145,7 @@ Status Renderer::Private::addSample(const Frame& frame, DeformationPipeline& pip
     if (!picture.rough().empty()) {
         context.window = windowAround(picture.rough(), frame);
     }
-    context.part.count = partsOf(context, pipeline, picture);
+    context.part.count = picture.nextPart() > 0 ? picture.parts() : partsOf(context, pipeline, picture);
     if (ShadowMap::isWanted(frame)) {
         Frame lit = frame;
         const RefinedPicture::LightPlace place = picture.nextLight(software);
