@@ -12,7 +12,6 @@
 #include "bench_window/latency.h"
 #include "bench_window/latency_row.h"
 #include "session/flight_mode.h"
-#include "session/task_list.h"
 #include "view/picture_detail.h"
 
 class QLabel;
@@ -50,9 +49,7 @@ private:
     bool isGood() const { return m_window.error().isEmpty(); }
     [[nodiscard]] std::size_t hits() { return m_window.session().hits().history().size(); }
     /// Of many hits, some of which are shown before.
-    [[nodiscard]] bool isAllApplied() {
-        return m_window.session().tasks().current() == nullptr && m_window.session().readBack().isUpToDate();
-    }
+    [[nodiscard]] bool isAllApplied() { return m_window.session().readBack().isUpToDate(); }
     [[nodiscard]] std::size_t movedVertices();
     void take(Row row);
 
