@@ -42,19 +42,19 @@ public:
 
     // What follows is SceneGpu's.
 
-    /// Whether it has this picture but for where vertices are, or, if all triangles are
-    /// wanted, is rough. No other is side by side.
+    /// Whether it has this picture but for where vertices are, or has it and is rough, where all triangles are
+    /// wanted. No other is side by side.
     [[nodiscard]] bool isPatchable(const FrameParts& parts, bool inFull) const;
     /// Whether it is this one, and good enough to be shown; no other is side by side.
     [[nodiscard]] bool has(const FrameParts& parts, bool inFull) const;
-    /// It was, as such. isMoving: something was over it that is not in the next one.
+    /// It was drawn as it is. isMoving: something was over it that is elsewhere in the next picture.
     void keptShown(bool isMoving);
     /// Now it is this one.
     void patched(const FrameParts& parts);
     /// Forgets the samples where they are of another picture than this.
     void follow(const FrameParts& parts, bool isSideBySide);
-    /// Likewise; returns whether there are samples enough to be shown,
-    /// or, where anything is better than what would be drawn, a picture.
+    /// Likewise; returns whether there are samples enough to be shown, or, where anything is better than what
+    /// would be drawn, a picture.
     [[nodiscard]] bool show(const FrameParts& parts, bool isSideBySide, bool anythingIsBetter);
     /// Whether it has a picture without samples, and none of them is being drawn.
     [[nodiscard]] bool isPlain() const;
