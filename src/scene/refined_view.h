@@ -42,8 +42,8 @@ public:
 
     // What follows is SceneGpu's.
 
-    /// Whether it has this picture but for where vertices are, or has it and is rough, where all triangles are
-    /// wanted. No other is side by side.
+    /// Whether it has this picture but for where vertices are, or has it and is rough, where all triangles
+    /// are wanted. No other is side by side.
     [[nodiscard]] bool isPatchable(const FrameParts& parts, bool inFull) const;
     /// Whether it is this one, and good enough to be shown; no other is side by side.
     [[nodiscard]] bool has(const FrameParts& parts, bool inFull) const;

@@ -75,8 +75,8 @@ public:
     /// drawn, and it says so; else it forgets what it has of another one. Null: the picture is drawn as it
     /// is.
     ///
-    /// Where the CPU draws, and `refined` has the same picture but for where vertices are, only the part of it
-    /// where they have moved is drawn, with all pixels whatever the view's detail: it says so, too.
+    /// Where the CPU draws, and `refined` has the same picture but for where vertices are, only the part of
+    /// it where they have moved is drawn, with all pixels whatever the view's detail: it says so, too.
     [[nodiscard]] Status draw(const View& view, unsigned framebuffer, RefinedView* refined = nullptr);
     /// Begins to draw what draw() would, into a framebuffer of its own, and does not wait for it. False:
     /// there is no room for that. A picture of before that is not shown yet is dropped.
