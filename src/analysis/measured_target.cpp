@@ -8,8 +8,8 @@
 
 #include "core/memory.h"
 #include "deform/deform.h"
-#include "mesh/connectivity.h"
-#include "mesh/face_measure.h"
+#include "mesh/surface/connectivity.h"
+#include "mesh/surface/face_measure.h"
 
 namespace hitscope {
 

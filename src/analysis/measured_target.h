@@ -9,7 +9,7 @@
 #include "core/histogram.h"
 #include "core/ids.h"
 #include "deform/hit.h"
-#include "mesh/surface_measurer.h"
+#include "mesh/surface/surface_measurer.h"
 #include "physics/physics_world.h"
 
 namespace hitscope {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/ids.h"
-#include "mesh/surface_measurer.h"
+#include "mesh/surface/surface_measurer.h"
 
 namespace hitscope {
 

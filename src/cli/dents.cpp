@@ -10,7 +10,7 @@
 #include "cli/verbs.h"
 #include "deform/dent_owners.h"
 #include "mesh/dent.h"
-#include "mesh/disjoint_sets.h"
+#include "mesh/surface/disjoint_sets.h"
 
 namespace hitscope::cli {
 

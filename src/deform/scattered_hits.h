@@ -9,7 +9,7 @@
 #include "core/result.h"
 #include "deform/hit.h"
 #include "mesh/render_mesh.h"
-#include "mesh/surface_samples.h"
+#include "mesh/surface/surface_samples.h"
 
 namespace hitscope {
 

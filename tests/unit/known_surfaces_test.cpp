@@ -13,7 +13,7 @@
 #include "mesh/geodesic_sphere.h"
 #include "mesh/grid_primitives.h"
 #include "mesh/primitives.h"
-#include "mesh/surface_measurer.h"
+#include "mesh/surface/surface_measurer.h"
 #include "solids.h"
 #include "support/test_program.h"
 #include "unit/deform_support.h"

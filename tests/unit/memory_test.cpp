@@ -12,7 +12,7 @@
 #include "core/process_memory.h"
 #include "core/sanitizers.h"
 #include "mesh/primitives.h"
-#include "mesh/surface_topology.h"
+#include "mesh/surface/surface_topology.h"
 #include "mesh/true_normals.h"
 #include "session/session.h"
 #include "support/test_program.h"

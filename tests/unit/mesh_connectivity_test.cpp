@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <random>
 
-#include "mesh/connectivity.h"
 #include "mesh/primitives.h"
+#include "mesh/surface/connectivity.h"
 #include "mesh_support.h"
 #include "support/test_program.h"
 

@@ -5,7 +5,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "mesh/primitives.h"
-#include "mesh/surface_topology.h"
+#include "mesh/surface/surface_topology.h"
 #include "support/test_program.h"
 
 namespace hitscope::mesh_primitives_test {

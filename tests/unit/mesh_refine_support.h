@@ -12,8 +12,9 @@
 
 #include "mesh/refine/refine.h"
 #include "mesh/same_bits.h"
-#include "mesh/surface_measurer.h"
-#include "mesh/surface_topology.h"
+#include "mesh/surface/surface_measurer.h"
+#include "mesh/surface/surface_topology.h"
+#include "mesh/surface/welded_vertices.h"
 #include "mesh/triangulate.h"
 #include "solids.h"
 

@@ -10,8 +10,8 @@
 
 #include "mesh/primitives.h"
 #include "mesh/same_bits.h"
-#include "mesh/surface_measurer.h"
-#include "mesh/surface_topology.h"
+#include "mesh/surface/surface_measurer.h"
+#include "mesh/surface/surface_topology.h"
 #include "mesh/teapot.h"
 #include "mesh/triangulate.h"
 #include "mesh_refine_support.h"

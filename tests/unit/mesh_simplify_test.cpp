@@ -11,7 +11,7 @@
 #include "mesh/refine/moved_shape.h"
 #include "mesh/refine/smooth.h"
 #include "mesh/same_bits.h"
-#include "mesh/surface_topology.h"
+#include "mesh/surface/surface_topology.h"
 #include "solids.h"
 #include "support/test_program.h"
 

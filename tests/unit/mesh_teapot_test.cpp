@@ -4,7 +4,7 @@
 #include <set>
 
 #include "mesh/render_mesh.h"
-#include "mesh/surface_topology.h"
+#include "mesh/surface/surface_topology.h"
 #include "mesh/teapot.h"
 #include "mesh/triangulate.h"
 #include "support/test_program.h"

@@ -9,7 +9,7 @@
 
 #include "mesh/geodesic_sphere.h"
 #include "mesh/grid_primitives.h"
-#include "mesh/surface_measurer.h"
+#include "mesh/surface/surface_measurer.h"
 #include "session/primitive_target.h"
 #include "session/session.h"
 #include "session/target.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/surface_measurer.h"
+#include "mesh/surface/surface_measurer.h"
 
 #include <QTest>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <numbers>
 #include <random>
 
-#include "mesh/face_measure.h"
 #include "mesh/primitives.h"
+#include "mesh/surface/face_measure.h"
 #include "solids.h"
 #include "support/test_program.h"
 

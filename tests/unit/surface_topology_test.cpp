@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/surface_topology.h"
+#include "mesh/surface/surface_topology.h"
 
 #include <QTest>
 #include <algorithm>
@@ -8,8 +8,8 @@
 #include <set>
 
 #include "mesh/block_index.h"
-#include "mesh/connectivity.h"
 #include "mesh/primitives.h"
+#include "mesh/surface/connectivity.h"
 #include "mesh/teapot.h"
 #include "solids.h"
 #include "support/test_program.h"

@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "mesh/connectivity.h"
 #include "mesh/refine/face_gate.h"
+#include "mesh/surface/connectivity.h"
 
 namespace hitscope {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "mesh/refine/face_cutter.h"
-#include "mesh/surface_topology.h"
+#include "mesh/surface/welded_vertices.h"
 #include "mesh/triangulate.h"
 
 namespace hitscope {

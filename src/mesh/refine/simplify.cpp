@@ -8,7 +8,7 @@
 
 #include "mesh/refine/collapses.h"
 #include "mesh/refine/refine_work.h"
-#include "mesh/surface_topology.h"
+#include "mesh/surface/welded_vertices.h"
 #include "mesh/triangulate.h"
 
 namespace hitscope {

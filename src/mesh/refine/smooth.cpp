@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/connectivity.h"
 #include "mesh/refine/face_gate.h"
 #include "mesh/refine/moved_shape.h"
-#include "mesh/surface_topology.h"
+#include "mesh/surface/connectivity.h"
+#include "mesh/surface/welded_vertices.h"
 
 namespace hitscope {
 

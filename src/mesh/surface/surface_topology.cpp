@@ -1,32 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/surface_topology.h"
+#include "mesh/surface/surface_topology.h"
 
 #include <algorithm>
-#include <bit>
 #include <numeric>
 
-#include "mesh/disjoint_sets.h"
+#include "mesh/surface/disjoint_sets.h"
+#include "mesh/surface/welded_vertices.h"
 
 namespace hitscope {
 
 namespace {
-
-std::size_t hashOf(const glm::vec3& place) {
-    // -0 equals 0, so it must hash alike.
-    const auto bits = [](float part) { return std::uint64_t{std::bit_cast<std::uint32_t>(part + 0.0f)}; };
-    std::uint64_t hash = bits(place.x) * 0x9e3779b97f4a7c15u;
-    hash = (hash ^ hash >> 29 ^ bits(place.y)) * 0xbf58476d1ce4e5b9u;
-    hash = (hash ^ hash >> 32 ^ bits(place.z)) * 0x94d049bb133111ebu;
-    return static_cast<std::size_t>(hash ^ hash >> 31);
-}
-
-std::vector<bool> usedVertices(const MeshData& mesh) {
-    std::vector<bool> used(mesh.vertexCount(), false);
-    for (const std::uint32_t vertex : mesh.cornerVertices) {
-        used[vertex] = true;
-    }
-    return used;
-}
 
 void accumulate(std::vector<std::uint32_t>& counts) {
     std::partial_sum(counts.begin(), counts.end(), counts.begin());
@@ -85,29 +68,6 @@ void SurfaceStatistics::add(const SurfaceStatistics& other) {
     nonManifoldVertices += other.nonManifoldVertices;
     opposedEdges += other.opposedEdges;
     eulerCharacteristic += other.eulerCharacteristic;
-}
-
-std::vector<std::uint32_t> weldedVertices(const MeshData& mesh) {
-    const std::vector<bool> used = usedVertices(mesh);
-    std::vector<std::uint32_t> standsFor(mesh.vertexCount());
-    // Twice as many places as vertices or more, each empty or the first vertex there; who finds his taken by
-    // another place goes on to the next. A map would take ten times the memory.
-    const std::size_t mask = std::bit_ceil(2 * mesh.vertexCount() + 1) - 1;
-    std::vector<std::uint32_t> places(mask + 1, kNoIndex);
-    for (std::uint32_t v = 0; v < standsFor.size(); ++v) {
-        standsFor[v] = v;
-        if (used[v]) {
-            std::size_t at = hashOf(mesh.positions[v]) & mask;
-            while (places[at] != kNoIndex && mesh.positions[places[at]] != mesh.positions[v]) {
-                at = (at + 1) & mask;
-            }
-            if (places[at] == kNoIndex) {
-                places[at] = v;
-            }
-            standsFor[v] = places[at];
-        }
-    }
-    return standsFor;
 }
 
 /// Makes a SurfaceTopology step by step. What it holds meanwhile is bounded: the faces at the vertices, from

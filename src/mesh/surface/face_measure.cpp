@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/face_measure.h"
+#include "mesh/surface/face_measure.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/surface_samples.h"
+#include "mesh/surface/surface_samples.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/surface_measures.h"
+#include "mesh/surface/surface_measures.h"
 
 #include <algorithm>
 #include <cmath>

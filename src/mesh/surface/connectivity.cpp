@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/connectivity.h"
+#include "mesh/surface/connectivity.h"
 
 #include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
 #include <algorithm>

@@ -72,8 +72,4 @@ private:
     std::vector<Edge> m_edges;  ///< sorted
 };
 
-/// For each file vertex, the one that stands for its place: the lowest of those that faces use and whose
-/// positions are equal; itself where no face uses it. V entries.
-[[nodiscard]] std::vector<std::uint32_t> weldedVertices(const MeshData& mesh);
-
 }  // namespace hitscope

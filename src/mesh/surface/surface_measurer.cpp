@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/surface_measurer.h"
+#include "mesh/surface/surface_measurer.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <glm/mat3x3.hpp>
 #include <limits>
 
-#include "mesh/face_measure.h"
+#include "mesh/surface/face_measure.h"
 #include "mesh/triangulate.h"
 
 namespace hitscope {

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "mesh/mesh_data.h"
-#include "mesh/surface_topology.h"
+#include "mesh/surface/surface_topology.h"
 
 namespace hitscope {
 

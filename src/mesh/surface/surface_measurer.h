@@ -11,8 +11,8 @@
 #include "mesh/block_index.h"
 #include "mesh/mesh_data.h"
 #include "mesh/moved_vertex.h"
-#include "mesh/surface_measures.h"
-#include "mesh/surface_topology.h"
+#include "mesh/surface/surface_measures.h"
+#include "mesh/surface/surface_topology.h"
 
 namespace hitscope {
 
