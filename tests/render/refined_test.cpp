@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Refined pictures: what the mean of their samples comes to.
+#include <epoxy/gl.h>
+
 #include <QTest>
 #include <algorithm>
 #include <cmath>
@@ -57,6 +59,7 @@ private Q_SLOTS:
     void sameBitsAgain();
     void coloursOfChangeStay();
     void dentsGetDarker();
+    void theFloorIsThereInAllModes();
     void theFloorIsSmoothlyOccluded();
     void shadowsGetSoft();
     void environmentIsRefined();
@@ -100,6 +103,7 @@ Frame RefinedTest::frame(const DisplayOptions& options) const {
 QImage RefinedTest::refined(const Frame& frame, int samples) {
     m_picture->clear();
     while (m_picture->samples() < samples) {
+        glViewport(0, 0, 5, 5);  // what the caller has
         if (const Status added = m_refined.renderer->refine(frame, *m_refined.pipeline, *m_picture); !added) {
             qCritical("%s", added.error().message().c_str());
             return {};
@@ -191,6 +195,24 @@ void RefinedTest::dentsGetDarker() {
     // The dent, and nothing of the convex rest but its outline.
     QVERIFY2(darker > 150 && darker < 3000 && brighter < darker / 3,
              qPrintable(QStringLiteral("%1, %2").arg(darker).arg(brighter)));
+}
+
+/// Its layers are drawn in a way of their own, with occlusion or, as in two of these modes, without.
+void RefinedTest::theFloorIsThereInAllModes() {
+    DisplayOptions change;
+    change.change.on = true;
+    for (const DisplayOptions& with :
+         {DisplayOptions(), change, DisplayOptions{.wireframe = WireframeMode::Only}}) {
+        m_picture = std::make_unique<RefinedPicture>();  // with nothing left in its layers
+        DisplayOptions without = with;
+        without.floor = false;
+        const QRect beside(kWidth * 4 / 5, kHeight / 2, kWidth / 5, kHeight / 2);
+        const QImage floor = plain(frame(with)).copy(beside);
+        const double seen = meanDifference(floor, plain(frame(without)).copy(beside));
+        QVERIFY(seen > 5.0);
+        const double off = meanDifference(refined(frame(with), 4).copy(beside), floor);
+        QVERIFY2(off < 0.3 * seen, qPrintable(QStringLiteral("%1 of %2").arg(off).arg(seen)));
+    }
 }
 
 /// Of many samples from the start: between few of them, pixels would be spotted.

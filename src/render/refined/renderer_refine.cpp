@@ -68,9 +68,7 @@ Status drawFloorOpen(const FrameContext& given, const RefinedPicture& picture) {
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    const Status drawn = render::drawFloorOpen(context, size);
-    glViewport(context.frame.left, 0, context.frame.width, context.frame.height);
-    return drawn;
+    return render::drawFloorOpen(context, size);
 }
 
 /// The floor differs from sample to sample only in how much of the directional light arrives.
@@ -84,6 +82,7 @@ Status drawFloorLayers(const FrameContext& context, const RefinedPicture& pictur
             return drawn;
         }
     }
+    glViewport(context.frame.left, 0, context.frame.width, context.frame.height);
     for (const bool isShaded : {false, true}) {
         glBindFramebuffer(GL_FRAMEBUFFER, picture.floorFramebuffer(isShaded));
         limitDrawing(picture.area());
