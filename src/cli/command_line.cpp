@@ -29,6 +29,10 @@ int finish(const Outcome& outcome) {
     return outcome.status();
 }
 
+QString counted(std::size_t count, const char* one, const char* many) {
+    return QString::number(count) + u' ' + QString::fromLatin1(count == 1 ? one : many);
+}
+
 void note(const QString& text) {
     if (!quietSoFar) {
         QTextStream(stderr) << text << "\n";

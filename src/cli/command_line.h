@@ -48,6 +48,8 @@ private:
 int wrongUsage(const QString& text, const QString& verb = {});
 /// The exit status; an error goes to the standard error.
 int finish(const Outcome& outcome);
+/// "1 hit", "12 hits".
+[[nodiscard]] QString counted(std::size_t count, const char* one, const char* many);
 /// What helps to know and is no error: a line on the standard error, unless quiet.
 void note(const QString& text);
 /// Neither notes nor progress from now on.

@@ -27,7 +27,7 @@ public:
             std::vector<DynamicVertex>& made = m_vertices[target.id];
             made.assign(now.begin(), now.end());
             for (std::size_t v = 0; v < made.size(); ++v) {
-                made[v].position = other[i].positions[target.deformed.render().fileVertices[v]];
+                made[v].position = placedAs(target, other[i], target.deformed.render().fileVertices[v]);
             }
         }
     }
@@ -37,6 +37,12 @@ public:
     }
 
 private:
+    static glm::vec3 placedAs(const Target& target, const TargetShape& other, std::size_t vertex) {
+        const Placement& placement = target.deformed.original().placement;
+        return placement == other.mesh->placement ? other.positions[vertex]
+                                                  : glm::vec3(placement.toLocal(inFile(other, vertex)));
+    }
+
     std::map<TargetId, std::vector<DynamicVertex>> m_vertices;
 };
 
@@ -70,15 +76,19 @@ struct Sides {
 
 Outcome open(Sides& sides, Invocation& given) {
     const std::optional<PipelineKind> pipeline = givenPipeline(given);
+    const bool isMeshAlone = !given.isSet("map") && !given.isSet("with");
     if (given.files().size() == 2) {
         OpenedScene second;  // goes before the first comes: one context at a time
-        if (Outcome opened = second.open({given.file(1), pipeline}); !opened) {
+        if (Outcome opened = second.open({.path = given.file(1), .pipeline = pipeline, .isMeshAlone = true});
+            !opened) {
             return opened;
         }
         sides.other = shapesOf(second.session());
         sides.otherName = given.file(1);
     }
-    if (Outcome opened = sides.first.open({given.file(0), pipeline}); !opened) {
+    if (Outcome opened =
+            sides.first.open({.path = given.file(0), .pipeline = pipeline, .isMeshAlone = isMeshAlone});
+        !opened) {
         return opened;
     }
     if (given.files().size() == 2) {
@@ -93,6 +103,15 @@ Outcome open(Sides& sides, Invocation& given) {
     return sides.first.use(own);
 }
 
+/// Floats as they are, unless the mesh was placed.
+void addPlace(JsonReport& report, const char* key, const TargetShape& shape, std::size_t vertex) {
+    if (shape.mesh->placement.isIdentity()) {
+        report.vector(key, shape.positions[vertex]);
+    } else {
+        report.vector(key, inFile(shape, vertex));
+    }
+}
+
 void addDifference(JsonReport& report, QString& text, const TargetShape& a, const TargetShape& b,
                    const ShapeDifference& difference) {
     report.beginObject().text("name", a.name).count("vertices", difference.vertices);
@@ -103,9 +122,10 @@ void addDifference(JsonReport& report, QString& text, const TargetShape& a, cons
                 .arg(difference.different)
                 .arg(difference.vertices);
     if (difference.different > 0) {
-        const glm::vec3 at = a.positions[difference.vertex];
-        report.count("vertex", std::uint64_t{difference.vertex} + 1).vector("at_m", at);
-        report.vector("other_at_m", b.positions[difference.vertex]);
+        const glm::dvec3 at = inFile(a, difference.vertex);
+        report.count("vertex", std::uint64_t{difference.vertex} + 1);
+        addPlace(report, "at_m", a, difference.vertex);
+        addPlace(report, "other_at_m", b, difference.vertex);
         text += QStringLiteral(", by %1 m at most, at vertex %2 (%3, %4, %5), RMS %6 m")
                     .arg(difference.largest, 0, 'g', 6)
                     .arg(difference.vertex + 1)
@@ -118,7 +138,8 @@ void addDifference(JsonReport& report, QString& text, const TargetShape& a, cons
     text += u'\n';
 }
 
-Outcome compare(Invocation& given, double tolerance) {
+/// Nothing: they have to be equal in every bit.
+Outcome compare(Invocation& given, const std::optional<double>& tolerance) {
     Sides sides;
     if (Outcome opened = open(sides, given); !opened) {
         return opened;
@@ -130,7 +151,9 @@ Outcome compare(Invocation& given, double tolerance) {
                      given.files().join(QStringLiteral(", ")).toStdString(), "Compare the same scene."};
     }
     JsonReport report("compare");
-    report.text("first", given.file(0)).text("other", sides.otherName).number("tolerance_m", tolerance);
+    report.text("first", given.file(0))
+        .text("other", sides.otherName)
+        .number("tolerance_m", tolerance.value_or(0.0));
     report.beginArray("targets");
     QString text;
     double largest = 0.0;
@@ -144,7 +167,7 @@ Outcome compare(Invocation& given, double tolerance) {
         largest = std::max(largest, difference.value().largest);
         different += difference.value().different;
     }
-    const bool isWithin = tolerance > 0.0 ? largest <= tolerance : different == 0;
+    const bool isWithin = tolerance ? largest <= *tolerance : different == 0;
     report.endArray().truth("within", isWithin);
     if (given.isSet("map")) {
         if (Outcome drawn = drawMap(sides.first, sides.other, given.text("map")); !drawn) {
@@ -156,12 +179,14 @@ Outcome compare(Invocation& given, double tolerance) {
     }
     return isWithin
                ? Outcome(Done{})
-               : differs({(QStringLiteral("They differ by more than %1 m.").arg(tolerance)).toStdString(),
+               : differs({tolerance
+                              ? QStringLiteral("They differ by more than %1 m.").arg(*tolerance).toStdString()
+                              : "They differ in some bits.",
                           given.file(0).toStdString() + ", " + sides.otherName.toStdString(), ""});
 }
 
 int runCompare(Invocation& given) {
-    const double tolerance = given.number("tolerance", 0.0, 1.0e9);
+    const std::optional<double> tolerance = given.numberIfSet("tolerance", 0.0, 1.0e30);
     if ((given.files().size() == 2) == given.isSet("with")) {
         given.complain(QStringLiteral("compare takes two files, or a session and --with, another pipeline."));
     }
@@ -186,12 +211,12 @@ Verb compareVerb() {
          .description = QStringLiteral(
              "Compares the vertices of two meshes of the same topology, of the targets of two sessions, or "
              "of the results of two pipelines for one session. Prints the number of different vertices, the "
-             "largest distance with its place, and the root mean square over all vertices. Exits with 1 if "
-             "the largest distance exceeds the tolerance or, without a tolerance, if any bit differs."),
+             "largest distance with its place, and the root mean square over all vertices, in the "
+             "coordinates of the files. Exits with 1 if the largest distance exceeds the tolerance or, "
+             "without a tolerance, if any bit differs."),
          .options =
              QList<UsageOption>{
-                 valueOption("tolerance", "METRES", QStringLiteral("Largest distance that counts as equal."),
-                             QStringLiteral("0")),
+                 valueOption("tolerance", "METRES", QStringLiteral("Largest distance that counts as equal.")),
                  wordOption("with", "NAME", pipelineWords(),
                             QStringLiteral("Compare with the result of this pipeline for A.")),
                  pipelineOption(QStringLiteral("the session's")),

@@ -147,15 +147,14 @@ void addDent(JsonReport& report, QString& text, std::size_t number, const Dent& 
     }
     report.endArray().endObject();
     text +=
-        QStringLiteral(
-            "dent %1, %2: depth %3 m, rim %4 m, area %5 m², volume %6 m³, %7 vertices moved, deepest %8\n")
+        QStringLiteral("dent %1, %2: depth %3 m, rim %4 m, area %5 m², volume %6 m³, %7 moved, deepest %8\n")
             .arg(number)
             .arg(dent.hits.empty() ? QStringLiteral("no hit of the history") : hitNumbersText(dent.hits))
             .arg(m.depth, 0, 'g', 6)
             .arg(m.rimDiameter, 0, 'g', 6)
             .arg(m.affectedArea, 0, 'g', 6)
             .arg(m.displacedVolume, 0, 'g', 6)
-            .arg(m.vertices)
+            .arg(counted(m.vertices, "vertex", "vertices"))
             .arg(m.deepest + 1);
 }
 

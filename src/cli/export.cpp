@@ -149,7 +149,7 @@ int runExport(Invocation& given) {
 
 Outcome convert(Invocation& given, const ExportOptions& options) {
     OpenedScene scene;
-    if (Outcome opened = scene.open({given.file(0), PipelineKind::Reference}); !opened) {
+    if (Outcome opened = scene.open({.path = given.file(0), .isMeshAlone = true}); !opened) {
         return opened;
     }
     return write(given, scene.session(), {scene.session().targets().front().get()}, options, given.file(1));

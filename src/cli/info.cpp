@@ -131,7 +131,8 @@ Outcome describeMesh(const QString& path, JsonReport& report, QTextStream& out) 
     const MeshData& mesh = *shared;
     out << path << "\n";
     Table table(out);
-    const MeshMeasurement measurement = measure(shared);
+    MeshMeasurement measurement = measure(shared);
+    measurement.original = measurement.original.inFile(mesh.placement);
     printTopology(table, measurement);
     printGeometry(table, measurement);
     printShape(table, measurement);
@@ -170,7 +171,7 @@ Outcome describeSession(const QString& path, JsonReport& report, QTextStream& ou
         return opened;
     }
     const Session& session = scene.session();
-    out << path << ": " << session.hits().history().size() << " hits\n";
+    out << path << ": " << counted(session.hits().history().size(), "hit", "hits") << "\n";
     report.beginObject().text("file", path).count("hits", session.hits().history().size());
     report.beginArray("targets");
     for (const std::unique_ptr<Target>& target : session.targets()) {
@@ -192,21 +193,29 @@ Outcome describeSession(const QString& path, JsonReport& report, QTextStream& ou
 Outcome describeFiles(Invocation& given) {
     JsonReport report("info");
     QString text;
-    QTextStream out(&text);
     report.beginArray("files");
+    Outcome first = Done{};  // of the files that cannot be read, which keep nobody from the others
     for (const QString& path : given.files()) {
-        if (!text.isEmpty()) {
-            out << "\n";
-        }
-        if (Outcome described =
-                namesSession(path) ? describeSession(path, report, out) : describeMesh(path, report, out);
-            !described) {
-            return described;
+        QString described;
+        QTextStream out(&described);
+        const Outcome outcome =
+            namesSession(path) ? describeSession(path, report, out) : describeMesh(path, report, out);
+        out.flush();
+        if (outcome) {
+            text += (text.isEmpty() ? QString() : QStringLiteral("\n")) + described;
+        } else if (first) {
+            first = outcome;
+        } else {
+            finish(outcome);
         }
     }
     report.endArray();
-    out.flush();
-    return giveReport(given, report, text);
+    if (first || given.files().size() > 1) {
+        if (Status said = giveReport(given, report, text); !said) {
+            return said;
+        }
+    }
+    return first;
 }
 
 Outcome describeRenderer(Invocation& given) {

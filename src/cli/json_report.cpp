@@ -131,6 +131,15 @@ JsonReport& JsonReport::nothing(std::string_view key) {
 }
 
 JsonReport& JsonReport::vector(std::string_view key, const glm::vec3& value) {
+    return append(key, value);
+}
+
+JsonReport& JsonReport::vector(std::string_view key, const glm::dvec3& value) {
+    return append(key, value);
+}
+
+template <class Vector>
+JsonReport& JsonReport::append(std::string_view key, const Vector& value) {
     begin(key);
     m_text += '[';
     for (int axis = 0; axis < 3; ++axis) {

@@ -32,6 +32,7 @@ public:
     JsonReport& truth(std::string_view key, bool value);
     JsonReport& nothing(std::string_view key);
     JsonReport& vector(std::string_view key, const glm::vec3& value);  ///< [x, y, z], on one line
+    JsonReport& vector(std::string_view key, const glm::dvec3& value);
     /// A value that is JSON already.
     JsonReport& raw(std::string_view key, std::string_view json);
 
@@ -44,6 +45,8 @@ private:
     void close(char bracket);
     template <class Number>
     void append(Number value);
+    template <class Vector>
+    JsonReport& append(std::string_view key, const Vector& value);
 
     std::string m_text;
     std::vector<bool> m_isEmpty;  ///< one an open bracket

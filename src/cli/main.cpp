@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QByteArrayView>
 #include <QCoreApplication>
 #include <QGuiApplication>
 #include <QLocale>
@@ -67,6 +68,13 @@ int runVerb(const Verb& verb, const QStringList& arguments) {
     return given.error().isEmpty() ? status : wrongUsage(given.error(), verb.usage.name);
 }
 
+/// Qt would read it as some other name, and a file of that name would be written.
+const char* firstNotUtf8(int argc, char** argv) {
+    const auto found = std::find_if(
+        argv + 1, argv + argc, [](const char* argument) { return !QByteArrayView(argument).isValidUtf8(); });
+    return found == argv + argc ? nullptr : *found;
+}
+
 bool isHelp(const QString& word) {
     return word == QLatin1String("--help") || word == QLatin1String("-h");
 }
@@ -121,6 +129,10 @@ int run(const QStringList& arguments) {
 
 int main(int argc, char** argv) {
     hitscope::keepFreedMemory();
+    if (const char* const name = firstNotUtf8(argc, argv)) {
+        return finish(hitscope::Error{"The file's name is not UTF-8.", QString::fromUtf8(name).toStdString(),
+                                      "Rename the file."});
+    }
     const std::unique_ptr<QCoreApplication> app = makeApplication(argc, argv);
     QLocale::setDefault(QLocale::c());  // scripts read what it writes, pictures among it
     QCoreApplication::setApplicationName(QStringLiteral("hitscope-cli"));

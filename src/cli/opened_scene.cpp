@@ -11,6 +11,7 @@
 #include "document/document_json.h"
 #include "document/session_file.h"
 #include "io/import.h"
+#include "io/placement_text.h"
 
 namespace hitscope::cli {
 
@@ -59,6 +60,21 @@ Result<PreparedSession> prepareFrom(const QString& path) {
     return prepared;
 }
 
+namespace {
+
+/// Where a session's numbers are not those of its meshes' files. Of a mesh its import says so.
+void notePlacements(const Session& session) {
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        const Placement& placement = target->deformed.original().placement;
+        if (!placement.isIdentity()) {
+            note(QStringLiteral("note: %1: %2 Exported files have the mesh's own coordinates.")
+                     .arg(target->name, placementText(placement)));
+        }
+    }
+}
+
+}  // namespace
+
 Outcome OpenedScene::load(const SceneWish& wish) {
     if (wish.path.isEmpty()) {
         loadPaperRow(*m_session, kDefaultPaperRow);
@@ -66,6 +82,7 @@ Outcome OpenedScene::load(const SceneWish& wish) {
     }
     if (namesSession(wish.path)) {
         restoreSession(*m_session, *m_prepared);
+        notePlacements(*m_session);
         return checkSources(*m_session);
     }
     Result<ImportedMesh> imported = importMesh(wish.path);
@@ -86,11 +103,16 @@ Outcome OpenedScene::open(const SceneWish& wish) {
             return prepared.error();
         }
         if (wish.until && *wish.until > prepared.value().document.hits.size()) {
-            return Error{
-                "The session has only " + std::to_string(prepared.value().document.hits.size()) + " hits.",
-                wish.path.toStdString(), "Choose another --until."};
+            return Error{"The session has only " +
+                             counted(prepared.value().document.hits.size(), "hit", "hits").toStdString() +
+                             '.',
+                         wish.path.toStdString(), "Choose another --until."};
         }
         m_prepared = std::move(prepared).value();
+    }
+    if (wish.isMeshAlone && !m_prepared) {
+        m_session = std::make_unique<Session>();
+        return load(wish);
     }
     Result<std::unique_ptr<gl::OffscreenContext>> context = gl::OffscreenContext::create();
     if (!context) {

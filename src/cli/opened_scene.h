@@ -21,6 +21,8 @@ struct SceneWish {
     /// Nothing: the session's own; of a mesh the usual one, or, where that is not exact here, one that is.
     std::optional<PipelineKind> pipeline = {};
     std::optional<std::size_t> until = {};  ///< only the first so many hits; nothing: all
+    /// Of a mesh that is neither drawn nor shot at: opened without OpenGL, and there is no gpu().
+    bool isMeshAlone = false;
 };
 
 /// Whether that names a session, not a mesh.

@@ -44,6 +44,9 @@ RepeatWish givenRepeat(Invocation& given) {
     if (given.isSet("density") && (given.isSet("scatter") || !(wish.density > 0.0))) {
         given.complain(QStringLiteral("--density takes a number above 0, and excludes --scatter."));
     }
+    if (given.isSet("size-spread") && !wish.scatters()) {
+        given.complain(QStringLiteral("--size-spread goes with --scatter or --density."));
+    }
     wish.sizeSpread = given.number("size-spread", 0.0, kMostSpread) / 100.0;
     if (given.isSet("mirror")) {
         wish.mirror = static_cast<int>(given.word("mirror"));

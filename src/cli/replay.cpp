@@ -43,13 +43,10 @@ Outcome replay(Invocation& given, const SceneWish& wish, const QString& out) {
     const Session& session = scene.session();
     const SessionDocument& document = *scene.document();
     const std::size_t shown = session.hits().shown().size();
-    QString text = QStringLiteral("%1 of %2 %3 on %4 %5\n%6")
-                       .arg(shown)
-                       .arg(document.hits.size())
-                       .arg(document.hits.size() == 1 ? "hit" : "hits")
-                       .arg(session.targets().size())
-                       .arg(session.targets().size() == 1 ? "target" : "targets")
-                       .arg(fingerprintLines(session));
+    QString text =
+        QStringLiteral("%1 of %2 on %3\n%4")
+            .arg(QString::number(shown), counted(document.hits.size(), "hit", "hits"),
+                 counted(session.targets().size(), "target", "targets"), fingerprintLines(session));
     JsonReport report("replay");
     report.text("session", wish.path).count("hits", document.hits.size()).count("shown", shown);
     report.text("pipeline", QString::fromUtf8(pipelineTraits(session.settings().pipeline()).key));

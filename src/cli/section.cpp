@@ -63,7 +63,9 @@ JsonReport reportOf(const SceneSection& section) {
 
 Outcome section(Invocation& given, const CuttingPlane& cut) {
     OpenedScene scene;
-    if (Outcome opened = scene.open({given.file(0), givenPipeline(given)}); !opened) {
+    if (Outcome opened =
+            scene.open({.path = given.file(0), .pipeline = givenPipeline(given), .isMeshAlone = true});
+        !opened) {
         return opened;
     }
     const Result<std::vector<const Target*>> targets = targetsNamed(scene.session(), given.text("target"));

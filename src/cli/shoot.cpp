@@ -178,12 +178,9 @@ QString targetLines(const Session& session) {
         const std::size_t hits = session.hits().history().hitsOn(target->id).size();
         if (hits > 0) {
             const std::size_t changed = target->deformed.statistics().changedVertices;
-            text += QStringLiteral("%1: %2 %3, %4 %5 changed\n")
-                        .arg(target->name)
-                        .arg(hits)
-                        .arg(hits == 1 ? "hit" : "hits")
-                        .arg(changed)
-                        .arg(changed == 1 ? "vertex" : "vertices");
+            text +=
+                QStringLiteral("%1: %2, %3 changed\n")
+                    .arg(target->name, counted(hits, "hit", "hits"), counted(changed, "vertex", "vertices"));
         }
     }
     return text;

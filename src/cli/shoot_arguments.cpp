@@ -123,8 +123,10 @@ QList<UsageOption> shootOptions() {
         valueOption("random", "N",
                     QStringLiteral("Fire 1 to 100000 shots at random places of the surface, each within 30 "
                                    "degrees of its normal and unobstructed.")),
-        valueOption("at", "X,Y,Z",
-                    QStringLiteral("Fire one shot through this point, in metres, along --direction.")),
+        valueOption(
+            "at", "X,Y,Z",
+            QStringLiteral("Fire one shot through this point of the scene, in metres, along --direction and "
+                           "from outside all targets.")),
         valueOption("direction", "X,Y,Z", QStringLiteral("Direction of the shot of --at."),
                     QStringLiteral("0,0,-1")),
         fileOption("script",
@@ -182,13 +184,19 @@ ShootOptions readShootOptions(Invocation& given) {
     options.cone = given.number("cone", 0.0, 180.0);
     options.seed = given.seed("seed");
     options.interval = given.number("every", 0.0, 10.0);
-    if (options.shots == Shots::Script && (given.isSet("cone") || given.isSet("seed"))) {
-        given.complain(QStringLiteral("--cone and --seed are not for --script."));
+    if (options.shots == Shots::Script && given.isSet("seed")) {
+        given.complain(QStringLiteral("--seed is not for --script."));
+    }
+    if (options.shots != Shots::Burst && given.isSet("cone")) {
+        given.complain(QStringLiteral("--cone goes with --burst."));
     }
     if (given.isSet("flight")) {
         options.flight = allFlightModes()[given.word("flight")].mode;
     }
     if (given.isSet("instant")) {
+        if (options.flight.value_or(FlightMode::Instant) != FlightMode::Instant) {
+            given.complain(QStringLiteral("--instant and another --flight exclude each other."));
+        }
         options.flight = FlightMode::Instant;
     }
     options.constants = parametersOf(given, deformationParameters(), true);

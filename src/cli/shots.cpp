@@ -128,6 +128,19 @@ float awayFrom(const Session& session) {
     return bounds.empty() ? 1.0f : std::max(bounds.diagonal(), 1.0e-4f);
 }
 
+/// Where a shot through a point starts, with all of the scene in front.
+glm::vec3 startOf(const Session& session, const ShootOptions& options, float away) {
+    float behind = 0.0f;  // metres that the scene begins before the point
+    const Bounds bounds = session.targets().bounds();
+    for (int i = 0; i < 8 && !bounds.empty(); ++i) {
+        const glm::vec3 corner((i & 1) != 0 ? bounds.max.x : bounds.min.x,
+                               (i & 2) != 0 ? bounds.max.y : bounds.min.y,
+                               (i & 4) != 0 ? bounds.max.z : bounds.min.z);
+        behind = std::max(behind, glm::dot(options.at - corner, options.direction));
+    }
+    return options.at - std::max(2.0f * away, behind + away) * options.direction;
+}
+
 /// What of the projectile was given in words stays; else it flies as `flight` says.
 ProjectileSettings projectileFor(const Session& session, const ShootOptions& options, FlightMode flight,
                                  const Target* target, float distance) {
@@ -159,8 +172,8 @@ ShotScript newShots(const Session& session, const ShootOptions& options) {
     Camera camera;
     camera.frame(session.targets().bounds(), kPicture);
     const float away = awayFrom(session);
-    const Ray axis = isAt ? Ray{options.at - 2.0f * away * options.direction, options.direction}
-                          : Ray{camera.eye(), camera.forward()};
+    const Ray axis =
+        isAt ? Ray{startOf(session, options, away), options.direction} : Ray{camera.eye(), camera.forward()};
     const auto met = session.simulation().physics().castRay(axis.origin, axis.direction, kFarthest);
     const Target* target = met ? session.targets().find(met->target) : nullptr;
     if (target == nullptr && !session.targets().empty()) {

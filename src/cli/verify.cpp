@@ -77,10 +77,9 @@ Outcome verify(Invocation& given) {
     const QString renderer = QString::fromStdString(gl::rendererInfo().renderer);
     all.report.text("renderer", renderer).count("hits", session.hits().history().size());
     all.report.text("hits_fingerprint", inHex(hitsFingerprint(session)));
-    all.text = QStringLiteral("Renderer: %1\n%2 hits, fingerprint %3\n")
-                   .arg(renderer)
-                   .arg(session.hits().history().size())
-                   .arg(inHex(hitsFingerprint(session)));
+    all.text = QStringLiteral("Renderer: %1\n%2, fingerprint %3\n")
+                   .arg(renderer, counted(session.hits().history().size(), "hit", "hits"),
+                        inHex(hitsFingerprint(session)));
     if (Outcome verified = verifyAll(scene, all); !verified) {
         return verified;
     }

@@ -42,10 +42,9 @@ void placeAgain(MeshData& mesh, const Placement& placement) {
         mesh.filePositions.assign(mesh.positions.begin(), mesh.positions.end());
     }
     mesh.placement = placement;
-    std::transform(mesh.filePositions.begin(), mesh.filePositions.end(), mesh.positions.begin(),
-                   [&placement](const glm::dvec3& position) {
-                       return glm::vec3((position - placement.centre) * placement.scale);
-                   });
+    std::transform(
+        mesh.filePositions.begin(), mesh.filePositions.end(), mesh.positions.begin(),
+        [&placement](const glm::dvec3& position) { return glm::vec3(placement.toLocal(position)); });
 }
 
 Error missing(const QString& path) {

@@ -35,7 +35,7 @@ void place(MeshData& mesh, float extent) {
     mesh.placement.scale = std::isfinite(scale) && scale > 0.0 ? scale : 1.0;
     std::transform(mesh.filePositions.begin(), mesh.filePositions.end(), mesh.positions.begin(),
                    [&placement = mesh.placement](const glm::dvec3& position) {
-                       return glm::vec3((position - placement.centre) * placement.scale);
+                       return glm::vec3(placement.toLocal(position));
                    });
 }
 

@@ -65,7 +65,10 @@ struct FaceGroup {
 struct Placement {
     glm::dvec3 centre{0.0};
     double scale = 1.0;
-    [[nodiscard]] bool isIdentity() const { return centre == glm::dvec3(0.0) && scale == 1.0; }
+    bool operator==(const Placement&) const = default;
+    [[nodiscard]] bool isIdentity() const { return *this == Placement{}; }
+    [[nodiscard]] glm::dvec3 toLocal(const glm::dvec3& file) const { return (file - centre) * scale; }
+    [[nodiscard]] glm::dvec3 toFile(const glm::dvec3& local) const { return local / scale + centre; }
 };
 
 inline constexpr std::uint32_t kNoIndex = 0xffffffffu;

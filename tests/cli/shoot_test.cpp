@@ -41,6 +41,32 @@ private Q_SLOTS:
         QVERIFY(fingerprintOf(other) != fingerprintOf(first));
     }
 
+    void optionsThatHaveNoEffectTogetherAreRefused_data() {
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<QString>("says");
+        QTest::newRow("two flights") << QStringList{"--instant", "--flight", "paper"} << "exclude each other";
+        QTest::newRow("a cone of random shots") << QStringList{"--random", "2", "--cone", "3"} << "--burst";
+        QTest::newRow("a spread of nothing") << QStringList{"--size-spread", "5"} << "--scatter";
+    }
+    void optionsThatHaveNoEffectTogetherAreRefused() {
+        QFETCH(const QStringList, options);
+        QFETCH(const QString, says);
+        const CliRun run = shoot(options);
+        QCOMPARE(run.status, 2);
+        QVERIFY2(run.err.contains(says), qPrintable(run.err));
+    }
+
+    void errorsInScriptsNameTheFile() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("empty.json"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("{}") == 2);
+        file.close();
+        const CliRun run = shoot({"--script", path});
+        QCOMPARE(run.status, 3);
+        QVERIFY2(run.err.contains(path), qPrintable(run.err));
+    }
+
     // The mesh is the reference's, and the same options make it again, from hits that were saved, too.
     void formsOfDents_data() {
         QTest::addColumn<QStringList>("options");

@@ -187,7 +187,7 @@ void SweepTest::whatFailsIsSaid() {
     const CliRun run = runCli({"sweep", "--out", in("mixed"), in("mixed.json")});
     QCOMPARE(run.status, 3);
     QVERIFY2(run.err.contains(QStringLiteral("broken.obj")) &&
-                 run.err.contains(QStringLiteral("1 jobs have no result")),
+                 run.err.contains(QStringLiteral("1 job has no result")),
              qPrintable(run.err));
     QCOMPARE(read("mixed/table.csv").count('\n'), 2);
 }

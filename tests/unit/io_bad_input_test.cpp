@@ -22,6 +22,7 @@ class BadInputTest : public QObject {
 private Q_SLOTS:
     void content_data();
     void content();
+    void cutBetweenTriangles();
     void noFile_data();
     void noFile();
     void unreadable();
@@ -69,6 +70,7 @@ void BadInputTest::content_data() {
         "end_header\n1 2 3\n",
         "It has 1 vertex but no faces");
     row("picture as STL", "a.stl", png.repeated(3), "triangles, but ends after");
+    row("STL cut in a facet", "a.stl", "solid a\nfacet nor", "a.stl, line 2");
     row("cut STL", "a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0",
         "a.stl, line 5");
     row("picture as GLB", "a.glb", png, "It cannot be read as GLB");
@@ -101,6 +103,19 @@ void BadInputTest::content() {
     QVERIFY(QString::fromStdString(result.error().where).startsWith(path));
     QVERIFY(!result.error().advice.empty());
     QVERIFY(!messageOf(result).contains(QLatin1Char('\n')));
+}
+
+/// Some programs leave out what ends the file.
+void BadInputTest::cutBetweenTriangles() {
+    const QByteArray triangle =
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+        "endfacet\n";
+    for (const auto& [bytes, notes] : {std::pair(triangle, 1), std::pair(triangle + "endsolid a\n", 0)}) {
+        const auto read =
+            importMesh(writeFile(m_folder.path(), QStringLiteral("a.stl"), bytes.toStdString()));
+        QVERIFY2(read.ok(), read ? "" : read.error().message().c_str());
+        QCOMPARE(read.value().notes.size(), notes);
+    }
 }
 
 void BadInputTest::noFile_data() {

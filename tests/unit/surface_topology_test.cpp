@@ -155,9 +155,35 @@ private Q_SLOTS:
             statisticsOf(meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}, {5, 5, 5}},
                                 {{0, 1, 2, 3}, {0, 0, 1}, {0, 1, 0, 4}, {1, 1, 1}}));
         QCOMPARE(s.collapsedFaces, std::size_t{3});
+        QCOMPARE(s.places, std::size_t{4});
         QCOMPARE(s.edges, std::size_t{3});
         QCOMPARE(s.components, std::size_t{1});
         QCOMPARE(s.eulerCharacteristic, 1LL);
+    }
+
+    /// Its way round goes over the bridge to the hole, along the hole, and back.
+    void aPolygonWithAHoleIsARing() {
+        const SurfaceStatistics s = statisticsOf(meshOf({{0, 0, 0},
+                                                         {4, 0, 0},
+                                                         {4, 4, 0},
+                                                         {0, 4, 0},
+                                                         {1, 1, 0},
+                                                         {1, 3, 0},
+                                                         {3, 3, 0},
+                                                         {3, 1, 0},
+                                                         {8, 0, 0},
+                                                         {8, 4, 0}},
+                                                        {{0, 1, 2, 3, 0, 4, 5, 6, 7, 4}, {1, 8, 9, 2}}));
+        QCOMPARE(s.places, std::size_t{10});
+        QCOMPARE(s.collapsedFaces, std::size_t{0});
+        QCOMPARE(s.edges, std::size_t{12});
+        QCOMPARE(s.boundaryEdges, std::size_t{10});
+        QCOMPARE(s.components, std::size_t{1});
+        QCOMPARE(s.holes, std::size_t{2});
+        QCOMPARE(s.eulerCharacteristic, 0LL);
+        QCOMPARE(s.genus, std::optional<long long>(0));
+        QCOMPARE(s.opposedEdges, std::size_t{0});
+        QVERIFY(s.isManifold());
     }
 
     void noFaces() {

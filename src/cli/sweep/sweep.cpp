@@ -147,17 +147,17 @@ Outcome merge(Invocation& given, const SweepPlan& plan, const QString& folder, i
             return written;
         }
     }
-    QTextStream(stdout)
-        << (given.isSet("json")
-                ? QString::fromStdString(json)
-                : QStringLiteral("%1 of %2 jobs have a result\nIn %3: table.csv, table.json, plots.svg\n")
-                      .arg(done)
-                      .arg(plan.jobs.size())
-                      .arg(QDir::toNativeSeparators(folder)));
+    QTextStream(stdout) << (given.isSet("json")
+                                ? QString::fromStdString(json)
+                                : QStringLiteral(
+                                      "%1 of %2 have a result\nIn %3: table.csv, table.json, plots.svg\n")
+                                      .arg(QString::number(done), counted(plan.jobs.size(), "job", "jobs"),
+                                           QDir::toNativeSeparators(folder)));
     if (worst > kDiffers || done < plan.jobs.size()) {
-        return Outcome({std::to_string(plan.jobs.size() - done) + " jobs have no result.",
-                        given.file(0).toStdString(), "Start it again to run these alone."},
-                       worst > kDiffers ? worst : kBadInput);
+        return Outcome(
+            {counted(plan.jobs.size() - done, "job has", "jobs have").toStdString() + " no result.",
+             given.file(0).toStdString(), "Start it again to run these alone."},
+            worst > kDiffers ? worst : kBadInput);
     }
     return areExact ? Outcome(Done{})
                     : differs({"Some meshes are not what the reference makes of the hits.",
@@ -213,9 +213,10 @@ Verb sweepVerb() {
              "A plan is JSON: {\"hitscope-sweep\": 1, \"scenes\": [\"a.obj\", \"b.obj\"], \"options\": "
              "{\"random\": 50, \"max-distance\": [0.3, 0.5], \"seed\": [1, 2, 3]}}. Its options are those of "
              "shoot; each combination is a job. Skips jobs that have a result, so an interrupted sweep "
-             "resumes where it stopped. A result is valid for the content of its files. When all jobs have "
-             "finished, here or elsewhere, writes table.csv, table.json and plots.svg, which do not depend "
-             "on who ran the jobs. To use Slurm, pipe the output of --slurm into sbatch --wait, then write "
+             "resumes where it stopped. A result is valid for the content of its files. When no job is "
+             "left to be run, writes table.csv, table.json and plots.svg of the results that there are; they "
+             "do not depend on who ran the jobs. To use Slurm, pipe the output of --slurm into sbatch "
+             "--wait, then write "
              "the table with --merge."),
          .options = {folderOption("out", QStringLiteral("Folder for the results; created if needed."),
                                   QStringLiteral("hitscope-sweep")),

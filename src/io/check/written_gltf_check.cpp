@@ -70,20 +70,26 @@ void GltfComparison::vertex(const ReadPrimitive& primitive, std::size_t slot, st
         throw Difference{elsewhere(name, original, meant)};
     }
     const glm::vec3 now(m_positions.now(vertex));
-    const float size = std::max({glm::length(original), glm::length(now), glm::length(now - original)});
-    const auto check = [&](const glm::vec3& shown, float roundings) {
-        if (!(glm::length(shown - now) <= roundings * 1.2e-7f * size)) {
+    // In double: floats overflow where lengths are squared.
+    const auto apart = [](const glm::vec3& a, const glm::vec3& b) {
+        return glm::distance(glm::dvec3(a), glm::dvec3(b));
+    };
+    const double size =
+        std::max({apart(original, glm::vec3(0.0f)), apart(now, glm::vec3(0.0f)), apart(now, original)});
+    const auto check = [&](const glm::vec3& shown, double roundings) {
+        // gcc 12's SLP vectorizer takes a double in place of `now`: equal floats are compared as such.
+        if (shown != now && !(apart(shown, now) <= roundings * 1.2e-7 * size)) {
             throw Difference{elsewhere(name + ", deformed,", shown, now)};
         }
     };
     const bool isMorphed = !primitive.morphs.empty();
-    check(isMorphed ? original + at(primitive.morphs.front()) : original, isMorphed ? 1.0f : 0.0f);
+    check(isMorphed ? original + at(primitive.morphs.front()) : original, isMorphed ? 1.0 : 0.0);
     glm::vec3 stepped = original;
     for (std::size_t m = 1; m < primitive.morphs.size(); ++m) {
         stepped += at(primitive.morphs[m]);
     }
     if (primitive.morphs.size() > 1) {
-        check(stepped, 2.0f * static_cast<float>(primitive.morphs.size()));
+        check(stepped, 2.0 * static_cast<double>(primitive.morphs.size()));
     }
 }
 

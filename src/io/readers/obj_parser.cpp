@@ -87,7 +87,9 @@ std::uint32_t ObjParser::vertexIndex(long long written, const char* of) {
         throw BadLine{"It counts from the end of what comes before."};
     }
     if (written < 0 ? written < -count : written == 0 || written >= kNoIndex) {
-        throw BadLine{"The " + std::string(of) + " refers to vertex " + std::to_string(written) +
+        const bool isRead = written < std::numeric_limits<long long>::max();
+        throw BadLine{"The " + std::string(of) + " refers to vertex " +
+                      (isRead ? std::to_string(written) : "9223372036854775807 or more") +
                       ", but there are only " + std::to_string(count) + " so far."};
     }
     if (written > m_part.largest.index && (written > count || !m_isWhole)) {

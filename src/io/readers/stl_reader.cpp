@@ -113,6 +113,8 @@ private:
     std::size_t m_line = 0;
     std::size_t m_faceStart = 0;
     std::size_t m_smallFaces = 0;
+    bool m_inSolid = false;
+    bool m_inFacet = false;
     bool m_inLoop = false;
 };
 
@@ -157,7 +159,12 @@ Status AsciiParser::parseLine(std::string_view text) {
         m_inLoop = true;
     } else if (keyword == "endloop") {
         endLoop();
+    } else if (keyword == "facet" || keyword == "endfacet") {
+        m_inFacet = keyword == "facet";
+    } else if (keyword == "endsolid") {
+        m_inSolid = false;
     } else if (keyword == "solid") {
+        m_inSolid = true;
         line.skipBlanks();
         std::string name(line.rest());
         while (!name.empty() && TextCursor::isBlank(name.back())) {
@@ -181,10 +188,14 @@ Result<ImportedMesh> AsciiParser::parse() {
             m_progress(static_cast<double>(m_lines.offset()) / static_cast<double>(m_size), "Reading STL");
         }
     }
-    if (m_inLoop) {
+    if (m_inLoop || m_inFacet) {
         return Error{"The file ends in the middle of a triangle.", place(), kCutAdvice};
     }
     m_imported.mesh.cornerVertices.resize(m_faceStart);
+    if (m_inSolid) {
+        m_imported.notes +=
+            QStringLiteral("The file ends without \"endsolid\". If it was cut off, triangles are missing.");
+    }
     if (m_smallFaces > 0) {
         m_imported.notes += counted(m_smallFaces, "facet with fewer than three vertices was left out.",
                                     "facets with fewer than three vertices were left out.");

@@ -9,6 +9,7 @@
 #include "core/finite.h"
 #include "core/memory.h"
 #include "core/srgb.h"
+#include "io/placement_text.h"
 
 namespace hitscope {
 namespace {
@@ -77,10 +78,9 @@ void placeIfExtreme(ImportedMesh& imported) {
     if (extent > 0.0 && (extent < kSmallest || extent > kLargest)) {
         place(imported.mesh, kShown);
         imported.notes +=
-            QStringLiteral(
-                "The mesh is %1 units across, too much or too little to be shot at. It is shown "
-                "1 m across; exported files have its own coordinates.")
-                .arg(extent);
+            QStringLiteral("The mesh is %1 units across, too much or too little to be shot at. ")
+                .arg(extent) +
+            placementText(mesh.placement) + QStringLiteral(" Exported files have its own coordinates.");
     }
 }
 
@@ -111,8 +111,8 @@ Status setPositions(MeshData& mesh, std::vector<glm::dvec3> filePositions) {
     mesh.placement.centre = centreIfFar(filePositions);
     if (!mesh.placement.isIdentity()) {
         std::transform(filePositions.begin(), filePositions.end(), mesh.positions.begin(),
-                       [&centre = mesh.placement.centre](const glm::dvec3& position) {
-                           return glm::vec3(position - centre);
+                       [&placement = mesh.placement](const glm::dvec3& position) {
+                           return glm::vec3(placement.toLocal(position));
                        });
     }
     mesh.filePositions = std::move(filePositions);
@@ -153,10 +153,9 @@ void tidy(ImportedMesh& imported) {
     }
     placeIfExtreme(imported);
     if (!mesh.placement.isIdentity() && mesh.placement.scale == 1.0) {
-        imported.notes += QStringLiteral(
-            "The mesh lies far from the origin. It is shown moved there, as its shape would be lost to "
-            "rounding; "
-            "exported files have its own coordinates.");
+        imported.notes +=
+            QStringLiteral("The mesh lies far from the origin, where rounding would spoil its shape. ") +
+            placementText(mesh.placement) + QStringLiteral(" Exported files have its own coordinates.");
     }
     clearIfUnused(mesh.cornerTexcoords);
     clearIfUnused(mesh.cornerNormals);

@@ -15,7 +15,8 @@ public:
 
     [[nodiscard]] bool isMoved(std::size_t v) const { return !sameBits(m_now[v], m_mesh.positions[v]); }
     [[nodiscard]] glm::dvec3 original(std::size_t v) const {
-        return m_mesh.filePositions.empty() ? toFile(m_mesh.positions[v]) : m_mesh.filePositions[v];
+        return m_mesh.filePositions.empty() ? m_mesh.placement.toFile(m_mesh.positions[v])
+                                            : m_mesh.filePositions[v];
     }
     [[nodiscard]] glm::dvec3 now(std::size_t v) const {
         return {fileCoordinate(m_mesh, v, m_now[v], 0), fileCoordinate(m_mesh, v, m_now[v], 1),
@@ -26,8 +27,7 @@ public:
     }
     [[nodiscard]] glm::dvec3 toFile(const glm::vec3& local) const {
         const Placement& placement = m_mesh.placement;
-        return placement.isIdentity() ? glm::dvec3(local)
-                                      : glm::dvec3(local) / placement.scale + placement.centre;
+        return placement.isIdentity() ? glm::dvec3(local) : placement.toFile(local);
     }
     /// Floats hold the original's coordinates.
     [[nodiscard]] bool fitFloats() const {

@@ -18,7 +18,7 @@ MeshData withShape(MeshData mesh, std::span<const glm::vec3> positions) {
         moves[v] = true;
         mesh.positions[v] = positions[v];
         if (!mesh.filePositions.empty()) {
-            mesh.filePositions[v] = glm::dvec3(positions[v]) / mesh.placement.scale + mesh.placement.centre;
+            mesh.filePositions[v] = mesh.placement.toFile(positions[v]);
         }
     }
     for (std::size_t f = 0; !mesh.cornerNormals.empty() && f < mesh.faceCount(); ++f) {

@@ -168,7 +168,7 @@ std::uint32_t RefineWork::addVertex(const glm::vec3& position, const std::array<
     mesh.positions.push_back(position);
     mesh.sourceVertices.push_back(kNoIndex);
     if (!mesh.filePositions.empty()) {
-        mesh.filePositions.push_back(glm::dvec3(position) / mesh.placement.scale + mesh.placement.centre);
+        mesh.filePositions.push_back(mesh.placement.toFile(position));
     }
     if (!mesh.colours.empty()) {
         glm::vec3 sum(0.0f);

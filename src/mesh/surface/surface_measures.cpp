@@ -42,6 +42,20 @@ void SurfaceMeasures::add(const SurfaceMeasures& other) {
     volumeMoment += other.volumeMoment;
 }
 
+SurfaceMeasures SurfaceMeasures::inFile(const Placement& placement) const {
+    const double length = 1.0 / placement.scale;
+    const double volumes = length * length * length;
+    SurfaceMeasures made = *this;
+    if (!box.empty()) {
+        made.box = {placement.toFile(box.min), placement.toFile(box.max)};
+    }
+    made.edgeLength = edgeLength.times(length);
+    made.faceArea = faceArea.times(length * length);
+    made.signedVolume = signedVolume * volumes;
+    made.volumeMoment = volumeMoment * (volumes * length) + made.signedVolume * placement.centre;
+    return made;
+}
+
 std::span<const std::uint32_t> Displacements::within(double least, double most) const {
     const auto first = std::lower_bound(lengths.begin(), lengths.end(), least,
                                         [](float length, double limit) { return double{length} < limit; });

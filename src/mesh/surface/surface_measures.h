@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/histogram.h"
+#include "mesh/mesh_data.h"
 
 namespace hitscope {
 
@@ -21,6 +22,10 @@ struct Spread {
 
     void add(double value);
     void add(const Spread& other);
+    /// Of numbers that are `factor` times as large. factor > 0.
+    [[nodiscard]] Spread times(double factor) const {
+        return {least * factor, greatest * factor, sum * factor, count};
+    }
     [[nodiscard]] double mean() const { return count == 0 ? 0.0 : sum / static_cast<double>(count); }
     bool operator==(const Spread&) const = default;
 };
@@ -50,6 +55,8 @@ struct SurfaceMeasures {
     bool operator==(const SurfaceMeasures&) const = default;
 
     void add(const SurfaceMeasures& other);
+    /// The same in the coordinates of the mesh's file; these are in the local frame.
+    [[nodiscard]] SurfaceMeasures inFile(const Placement& placement) const;
     /// Of the enclosed solid of even density; meaningful only if it is watertight.
     [[nodiscard]] double volume() const { return signedVolume < 0.0 ? -signedVolume : signedVolume; }
     [[nodiscard]] glm::dvec3 centreOfMass() const { return volumeMoment / signedVolume; }

@@ -30,6 +30,17 @@ bool repeats(std::span<const std::uint32_t> places) {
     return false;
 }
 
+/// Whether the way round a face turns back at a corner; no two in a row are at one place. Where it comes to a
+/// place again without that, it does so along the bridge to a hole in the face.
+bool turnsBack(std::span<const std::uint32_t> places) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (places[i] == places[(i + 2) % places.size()]) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /// Of few that are joined, each pointing at another one of its set or at itself.
 std::uint32_t rootOf(std::span<std::uint32_t> joined, std::uint32_t member) {
     while (joined[member] != member) {
@@ -111,6 +122,7 @@ private:
 
     void count();
     void gatherCorners();
+    void countPlaces(std::span<const std::uint32_t> standsFor);
     [[nodiscard]] bool isPlain(std::span<const std::uint32_t> standsFor) const;
     void takePlaces(std::size_t begin, std::size_t end);
     void takePlace(std::uint32_t place, std::span<const Corner> corners);
@@ -127,6 +139,7 @@ private:
     std::span<const std::uint32_t> m_cornerStarts;  ///< face -> its first of these; one more
     std::vector<std::uint32_t> m_ownPlaces;
     std::vector<std::uint32_t> m_ownStarts;
+    std::size_t m_places = 0;               ///< that these are at
     DisjointSets m_faces;                   ///< joined where they share an edge
     std::vector<std::uint32_t> m_boundary;  ///< numbers of edges of one face, ascending
     std::vector<std::pair<std::uint32_t, std::uint32_t>> m_neighbours;  ///< of m_boundary, round a hole
@@ -166,9 +179,19 @@ bool SurfaceTopologyBuilder::isPlain(std::span<const std::uint32_t> standsFor) c
     return true;
 }
 
+/// Vertices that no face uses stand for themselves.
+void SurfaceTopologyBuilder::countPlaces(std::span<const std::uint32_t> standsFor) {
+    SurfaceStatistics& statistics = m_made.m_statistics;
+    for (std::uint32_t v = 0; v < standsFor.size(); ++v) {
+        statistics.places += standsFor[v] == v ? 1 : 0;
+    }
+    statistics.places -= statistics.unreferencedVertices;
+}
+
 /// Corners in a row at one place are one.
 void SurfaceTopologyBuilder::gatherCorners() {
     const std::vector<std::uint32_t> standsFor = weldedVertices(m_mesh);
+    countPlaces(standsFor);
     if (isPlain(standsFor)) {
         m_cornerPlaces = m_mesh.cornerVertices;
         m_cornerStarts = m_mesh.faceStarts;
@@ -188,7 +211,7 @@ void SurfaceTopologyBuilder::gatherCorners() {
             places.pop_back();
         }
         m_ownStarts.push_back(static_cast<std::uint32_t>(m_ownPlaces.size()));
-        if (places.size() < 3 || repeats(places)) {
+        if (places.size() < 3 || turnsBack(places)) {
             ++m_made.m_statistics.collapsedFaces;
         } else {
             m_ownPlaces.insert(m_ownPlaces.end(), places.begin(), places.end());
@@ -242,7 +265,7 @@ void SurfaceTopologyBuilder::listSides(std::span<const Corner> corners) {
 }
 
 void SurfaceTopologyBuilder::takePlace(std::uint32_t place, std::span<const Corner> corners) {
-    ++m_made.m_statistics.places;
+    ++m_places;
     listSides(corners);
     m_fans.resize(corners.size());
     std::iota(m_fans.begin(), m_fans.end(), 0u);
@@ -329,7 +352,7 @@ void SurfaceTopologyBuilder::conclude() {
     }
     s.holes = lines.sets();
     const auto number = [](std::size_t count) { return static_cast<long long>(count); };
-    s.eulerCharacteristic = number(s.places) - number(s.edges) + number(s.faces - s.collapsedFaces);
+    s.eulerCharacteristic = number(m_places) - number(s.edges) + number(s.faces - s.collapsedFaces);
     s.watertight = s.isManifold() && s.boundaryEdges == 0 && s.faces > s.collapsedFaces;
     if (s.isManifold() && s.orientable && s.components > 0) {
         // chi = 2 components - 2 genus - holes

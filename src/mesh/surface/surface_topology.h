@@ -24,7 +24,7 @@ struct SurfaceStatistics {
     std::size_t triangles = 0;             ///< faces with 3 corners
     std::size_t quads = 0;                 ///< faces with 4 corners
     std::size_t largerPolygons = 0;        ///< faces with 5 or more corners
-    std::size_t collapsedFaces = 0;        ///< fewer than 3 corners apart, or one place twice: in no edge
+    std::size_t collapsedFaces = 0;        ///< fewer than 3 corners apart, or turning back at one: in no edge
     std::size_t boundaryEdges = 0;         ///< with one face
     std::size_t holes = 0;                 ///< closed lines of boundary edges
     std::size_t components = 0;            ///< of faces, joined where they share an edge
@@ -34,7 +34,7 @@ struct SurfaceStatistics {
     /// Edges whose two faces run along them the same way, so that one of the two is turned over.
     std::size_t opposedEdges = 0;
     bool orientable = true;             ///< the faces can be turned so that there are no such edges
-    long long eulerCharacteristic = 0;  ///< places - edges + faces, the collapsed ones left out
+    long long eulerCharacteristic = 0;  ///< places - edges + faces, collapsed ones and theirs left out
     std::optional<long long> genus;     ///< handles, all components together; only if manifold and orientable
     bool watertight = false;            ///< manifold, without boundary, with at least one face
     bool operator==(const SurfaceStatistics&) const = default;

@@ -266,7 +266,9 @@ Result<ShotScript> parseShotScript(const QByteArray& json) {
     const QString version = QStringLiteral("hitscope-shots");
     const QString instant = QStringLiteral("instant");
     if (object[version].toDouble() != kVersion) {
-        return wrong(version, QStringLiteral("has to be %1").arg(kVersion));
+        return wrong(version, object.contains(version)
+                                  ? QStringLiteral("has to be %1").arg(kVersion)
+                                  : QStringLiteral("is missing: this is no shot script"));
     }
     const QStringList known{version, instant, QStringLiteral("projectile"), QStringLiteral("dent"),
                             QStringLiteral("shots")};
@@ -301,7 +303,13 @@ Result<ShotScript> readShotScript(const QString& path) {
     if (info.size() > kLargestFile) {
         return Error{"The shot script is larger than 64 MiB.", path.toStdString(), "Split it."};
     }
-    return parseShotScript(file.readAll());
+    Result<ShotScript> script = parseShotScript(file.readAll());
+    if (!script) {
+        Error error = script.error();
+        error.where = path.toStdString() + ", " + error.where;
+        return error;
+    }
+    return script;
 }
 
 Status writeShotScript(const ShotScript& script, const QString& path) {
