@@ -15,6 +15,13 @@ struct PixelArea {
     [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
 };
 
+/// What both hold.
+[[nodiscard]] inline PixelArea intersected(const PixelArea& a, const PixelArea& b) {
+    const int x = std::max(a.x, b.x);
+    const int y = std::max(a.y, b.y);
+    return {x, y, std::min(a.x + a.width, b.x + b.width) - x, std::min(a.y + a.height, b.y + b.height) - y};
+}
+
 /// The least rectangle that holds both; one that is empty is nowhere.
 [[nodiscard]] inline PixelArea united(const PixelArea& a, const PixelArea& b) {
     if (a.empty() || b.empty()) {

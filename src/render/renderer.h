@@ -84,7 +84,9 @@ struct Frame {
 
 /// What of a kept picture is drawn again where vertices have moved since.
 struct PicturePatch {
-    PixelArea area;         ///< where they and their shadows were and are
+    PixelArea area;  ///< where they and their shadows were and are
+    /// Where a refined picture differs, for soft shadows and occlusion reach farther; nothing: anywhere.
+    std::optional<PixelArea> refined;
     bool isCoarse = false;  ///< as Frame::coarse
 };
 

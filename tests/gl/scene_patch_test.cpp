@@ -51,6 +51,7 @@ private Q_SLOTS:
     void othersAreDrawnAnew();
     void isRefinedAsIfDrawnAnew();
     void aRefinedPictureStays();
+    void onlyWhatDiffersIsRefinedAgain();
     void hurriedOnesAreRough();
     void roughOnesArePatched();
 
@@ -301,6 +302,34 @@ void ScenePatchTest::aRefinedPictureStays() {
     QCOMPARE(isNeither, std::size_t{0});
     QVERIFY(isPlain > 0);
     QVERIFY(isRefined > 8 * patched.pixels.size() / 10);
+}
+
+/// With its soft shadows and occlusion, and both dents where the second comes before the first is refined.
+void ScenePatchTest::onlyWhatDiffersIsRefinedAgain() {
+    open(200);
+    static_cast<void>(draw());
+    const GLuint all = primitivesOf([this] { refine(RefinedPicture::kUsualSamples); });
+    static_cast<void>(draw());
+    const std::vector<std::vector<glm::vec3>> dents{
+        {{-4.8f, 3.2f, 1.6f}}, {{1.2f, 5.6f, 1.8f}, {3.7f, 4.1f, 2.4f}}, {{}}};
+    for (const std::vector<glm::vec3>& places : dents) {
+        GLuint some = 0;
+        for (const glm::vec3& place : places) {
+            const bool isUndone = place == glm::vec3(0.0f);
+            isUndone ? m_session->undo() : static_cast<void>(hit(place));
+            QVERIFY(m_gpu->sync().ok());
+            static_cast<void>(draw());
+            QVERIFY(m_refined->wasPatched());
+            some += primitivesOf([this] { refine(2); });
+        }
+        some += primitivesOf([this] { refine(RefinedPicture::kUsualSamples); });
+        QVERIFY2(4 * some < 3 * all || all == 0, qPrintable(QStringLiteral("%1 of %2").arg(some).arg(all)));
+        const Image again = draw();
+        QVERIFY(m_refined->wasShown());
+        static_cast<void>(drawAgain());
+        refine(RefinedPicture::kUsualSamples);
+        QVERIFY(isAlike(again, draw()));  // a sum is rounded once when it is shown, and once when it is kept
+    }
 }
 
 /// And refining begins with all triangles there.

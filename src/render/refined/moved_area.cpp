@@ -83,14 +83,23 @@ bool addAll(SeenArea& seen, std::span<const Bounds> boxes, const DrawItem& item)
                        [&](const Bounds& box) { return seen.add(inWorld(box, item)); });
 }
 
-/// With all that it may shade.
-bool addShadow(SeenArea& seen, std::span<const Bounds> casters, const DrawItem& item, const Frame& frame) {
+/// With all that it may shade. lightRadius: of the directional light, a metre away.
+bool addShadow(SeenArea& seen, std::span<const Bounds> casters, const DrawItem& item, const Frame& frame,
+               float lightRadius) {
     if (!ShadowMap::isWanted(frame) || casters.empty()) {
         return true;
     }
     const Bounds caster = inWorld(around(casters), item);
-    const std::optional<Bounds> shadow = floorShadowOf(caster, frame, 0.0f, shadowTexel(frame));
+    const std::optional<Bounds> shadow = floorShadowOf(caster, frame, lightRadius, shadowTexel(frame));
     return shadow && seen.add(caster) && seen.add(*shadow);
+}
+
+/// Where it keeps light away from what is near, and where its soft shadows fall.
+bool addRefined(SeenArea& seen, const MovedBoxes& moved, const DrawItem& item, const Frame& frame) {
+    const float reach = occlusionReach(frame);
+    return std::all_of(moved.shape.begin(), moved.shape.end(),
+                       [&](const Bounds& box) { return seen.add(grown(inWorld(box, item), reach)); }) &&
+           addAll(seen, moved.looks, item) && addShadow(seen, moved.shape, item, frame, kLightSize);
 }
 
 }  // namespace
@@ -103,27 +112,35 @@ std::vector<std::uint64_t> momentsOf(const Frame& frame) {
     return moments;
 }
 
-std::optional<PixelArea> movedArea(const FrameContext& context, const DeformationPipeline& pipeline,
+std::optional<MovedArea> movedArea(const FrameContext& context, const DeformationPipeline& pipeline,
                                    std::span<const std::uint64_t> moments) {
     const Frame& frame = context.frame;
     if (mayChangeElsewhere(frame) || moments.size() != frame.targets.size()) {
         return std::nullopt;
     }
     SeenArea seen(context.viewProjection);
+    SeenArea refined(context.viewProjection);
+    bool isRefinedKnown = true;
     for (std::size_t i = 0; i < moments.size(); ++i) {
         const DrawItem& item = frame.targets[i];
         const std::optional<MovedBoxes> moved = movedBoxes(item, frame, pipeline, moments[i]);
         if (!moved || !addAll(seen, moved->shape, item) || !addAll(seen, moved->looks, item) ||
-            !addShadow(seen, moved->shape, item, frame)) {
+            !addShadow(seen, moved->shape, item, frame, 0.0f)) {
             return std::nullopt;
         }
+        isRefinedKnown = isRefinedKnown && addRefined(refined, *moved, item, frame);
     }
-    return seen.in({frame.width, frame.height});
+    const glm::ivec2 picture(frame.width, frame.height);
+    MovedArea area{seen.in(picture), std::nullopt};
+    if (isRefinedKnown) {
+        area.refined = refined.in(picture);
+    }
+    return area;
 }
 
 PictureWindow windowAround(const PixelArea& area, const Frame& frame) {
     const float lines = frame.options.wireframe == WireframeMode::Off ? 0.0f : kLineReach * frame.pixelRatio;
-    const int reach = static_cast<int>(std::ceil(lines));
+    const int reach = static_cast<int>(std::ceil(lines)) + 1;  // samples are off by half a pixel
     return windowOf({area.x - reach, area.y - reach, area.width + 2 * reach, area.height + 2 * reach},
                     {frame.width, frame.height});
 }

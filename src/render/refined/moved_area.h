@@ -19,7 +19,11 @@ namespace hitscope::render {
 /// Where a picture of the frame differs from one that shows the targets at these moments of theirs: where
 /// moved surfaces were and are, what is around them, whose normals follow, and all that their shadows may
 /// fall on. Nothing: it is not known, or anything differs.
-[[nodiscard]] std::optional<PixelArea> movedArea(const FrameContext& context,
+struct MovedArea {
+    PixelArea plain;
+    std::optional<PixelArea> refined;  ///< see PicturePatch
+};
+[[nodiscard]] std::optional<MovedArea> movedArea(const FrameContext& context,
                                                  const DeformationPipeline& pipeline,
                                                  std::span<const std::uint64_t> moments);
 

@@ -74,7 +74,7 @@ public:
     /// time, and what is patched stays as it was shown. Leaves framebuffer, viewport and blending changed.
     [[nodiscard]] Status keepMean(render::ProgramCache& programs, GLuint emptyArray);
     /// A part of plainFramebuffer() was drawn again: there are no samples, and the picture has the targets at
-    /// these moments.
+    /// these moments. Where it was refined in full before, only what differs is refined again.
     void patched(const PicturePatch& patch, std::vector<std::uint64_t> moments);
     /// Whether begin() was called.
     [[nodiscard]] bool isBegun() const { return m_isBegun; }
@@ -88,6 +88,8 @@ public:
     void readWhatIsDue();
     /// Samples are drawn within it.
     [[nodiscard]] const PixelArea& area() const { return m_area; }
+    /// Where something is drawn next, if that is known to be a part of the picture alone.
+    [[nodiscard]] std::optional<PixelArea> partToDraw() const;
     /// Where on the light a sample's shadows are cast from.
     struct LightPlace {
         glm::vec2 at;  ///< in the unit disc
@@ -160,6 +162,8 @@ private:
     PixelArea m_taken;  ///< outside of it, the plain picture was never a mean of samples
     int m_kept = 0;     ///< samples that it is the mean of
     PixelArea m_rough;
+    std::optional<PixelArea>
+        m_unrefined;  ///< elsewhere the plain picture is refined in full; nothing: it is not
     std::vector<std::uint64_t> m_moments;  ///< of the plain picture
     bool m_hasPlain = false;
     bool m_isBegun = false;

@@ -34,11 +34,11 @@ std::optional<PicturePatch> Renderer::patchFor(const Frame& given, const Deforma
     }
     const LitFrame lit(given);
     const FrameContext context = d->contextOf(lit.frame());
-    const std::optional<PixelArea> moved = movedArea(context, pipeline, picture.moments());
+    const std::optional<MovedArea> moved = movedArea(context, pipeline, picture.moments());
     if (!moved) {
         return std::nullopt;
     }
-    PicturePatch patch{united(*moved, picture.rough())};
+    PicturePatch patch{united(moved->plain, picture.rough()), moved->refined};
     if (isMost(patch.area, given)) {
         return std::nullopt;
     }

@@ -15,8 +15,6 @@ using namespace render;
 
 namespace {
 
-constexpr float kLightSize = 0.055f;  // radius of the directional light's disc, a metre away: 3 degrees
-
 /// A software renderer transforms vertices as far ahead of its pixels as it gets, and whoever shows the
 /// picture would wait for all of these at once. So many samples, or parts of them, are ahead at most: its
 /// pixels are shaded while the next one's vertices are transformed.
@@ -141,8 +139,8 @@ Status Renderer::Private::addSample(const Frame& frame, DeformationPipeline& pip
         occlusion = hasOcclusion(frame) ? &near : nullptr;
     }
     FrameContext context = contextOf(frame);
-    if (!picture.rough().empty()) {
-        context.window = windowAround(picture.rough(), frame);
+    if (const std::optional<PixelArea> part = picture.partToDraw()) {
+        context.window = windowAround(*part, frame);
     }
     context.part.count = picture.nextPart() > 0 ? picture.parts() : partsOf(context, pipeline, picture);
     if (ShadowMap::isWanted(frame)) {

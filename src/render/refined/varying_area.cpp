@@ -21,10 +21,6 @@ constexpr float kLowestLight = 0.1f;      // sine of its height; shadows of lowe
 constexpr float kNearlyWhole = 0.85f;     // of the picture
 constexpr std::size_t kMostBoxes = 2048;  // that are looked at: a millisecond
 
-Bounds grown(const Bounds& box, float by) {
-    return {box.min - glm::vec3(by), box.max + glm::vec3(by)};
-}
-
 /// What is drawn over surfaces, or somewhere else than the pipeline says.
 bool isBeyondTargets(const Frame& frame) {
     const DisplayOptions& options = frame.options;
@@ -64,6 +60,10 @@ bool seeTargets(SeenArea& seen, const FrameContext& context, const DeformationPi
 }
 
 }  // namespace
+
+Bounds grown(const Bounds& box, float by) {
+    return {box.min - glm::vec3(by), box.max + glm::vec3(by)};
+}
 
 Bounds inWorld(const Bounds& box, const DrawItem& item) {
     Bounds result;

@@ -9,6 +9,9 @@
 
 namespace hitscope::render {
 
+/// Radius of the directional light's disc, a metre away: 3 degrees.
+inline constexpr float kLightSize = 0.055f;
+
 /// Pixels of a framebuffer.
 struct DrawnPixels {
     PixelArea area;
@@ -23,6 +26,8 @@ void limitDrawing(const DrawnPixels& pixels);
 [[nodiscard]] Bounds inWorld(const Bounds& box, const DrawItem& item);
 /// Metres that a texel of a software renderer's shadow map takes, or more.
 [[nodiscard]] float shadowTexel(const Frame& frame);
+/// The box, larger on all sides; metres.
+[[nodiscard]] Bounds grown(const Bounds& box, float by);
 /// Where on the floor the shadow of what is in a box falls, world: between the two, all that it may shade.
 /// Nothing: that is far away.
 ///
