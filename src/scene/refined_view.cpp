@@ -138,7 +138,7 @@ bool RefinedView::isPatchable(const FrameParts& parts, bool inFull) const {
 }
 
 bool RefinedView::has(const FrameParts& parts, bool inFull) const {
-    const bool isEnough = samples() >= kFewestShown || (isPlain() && (isWhole() || !inFull));
+    const bool isEnough = hasPicture() && (isWhole() || !inFull);
     return isEnough && d->key == RefinedKey(parts);
 }
 

@@ -168,6 +168,12 @@ Result<SceneGpu::Private::Choice> SceneGpu::Private::beginPicture(const View& sh
     return choose(shown, refined);
 }
 
+/// Without samples of which the noise would be seen.
+Status SceneGpu::Private::showRefined(const FrameParts& parts, RefinedView& refined, unsigned framebuffer) {
+    return renderer->drawRefined(parts.frame, *pipeline, refined.picture(), framebuffer,
+                                 RefinedView::kFewestShown);
+}
+
 Status SceneGpu::Private::drawPatched(const Choice& choice, unsigned framebuffer, RefinedView& refined) {
     const std::unique_ptr<FrameParts> parts = frameOf(choice.view);
     if (Status status = renderer->patch(parts->frame, *pipeline, refined.picture(), *choice.patch); !status) {
@@ -175,7 +181,7 @@ Status SceneGpu::Private::drawPatched(const Choice& choice, unsigned framebuffer
         return status;
     }
     refined.patched(*parts);
-    return renderer->drawRefined(parts->frame, *pipeline, refined.picture(), framebuffer);
+    return showRefined(*parts, refined, framebuffer);
 }
 
 Status SceneGpu::Private::drawScene(const Choice& choice, unsigned framebuffer, RefinedView* refined) {
@@ -188,15 +194,19 @@ Status SceneGpu::Private::drawScene(const Choice& choice, unsigned framebuffer, 
     const std::unique_ptr<FrameParts> parts = frameOf(view);
     if (choice.isKept) {
         refined->keptShown(view.projectilesFly);
-        Status status = renderer->drawRefined(parts->frame, *pipeline, refined->picture(), framebuffer);
+        Status status = showRefined(*parts, *refined, framebuffer);
         meter.endOf(FrameMeter::Part::Drawing);
         return status;
     }
     if (refined != nullptr && refined->show(*parts, isSideBySide(view), view.detail.coarse)) {
-        return renderer->drawRefined(parts->frame, *pipeline, refined->picture(), framebuffer);
+        return showRefined(*parts, *refined, framebuffer);
+    }
+    if (refined != nullptr && !isSideBySide(view) && refined->has(*parts, view.detail.isFull())) {
+        refined->keptShown(false);  // until there are samples enough
+        return showRefined(*parts, *refined, framebuffer);
     }
     Status status = refined != nullptr && hasPlain(*parts, view, *refined)
-                        ? renderer->drawRefined(parts->frame, *pipeline, refined->picture(), framebuffer)
+                        ? showRefined(*parts, *refined, framebuffer)
                         : drawAll(parts->frame, view, framebuffer);
     meter.endOf(FrameMeter::Part::Drawing);
     return status;

@@ -138,6 +138,7 @@ struct SceneGpu::Private {
     /// What draw() says, with the pixels of `choice.view`.
     [[nodiscard]] Status drawPicture(const Choice& choice, unsigned framebuffer, RefinedView* refined);
     [[nodiscard]] Status drawScene(const Choice& choice, unsigned framebuffer, RefinedView* refined);
+    [[nodiscard]] Status showRefined(const FrameParts& parts, RefinedView& refined, unsigned framebuffer);
     [[nodiscard]] Status drawPatched(const Choice& choice, unsigned framebuffer, RefinedView& refined);
 };
 

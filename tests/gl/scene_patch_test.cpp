@@ -320,7 +320,9 @@ void ScenePatchTest::onlyWhatDiffersIsRefinedAgain() {
             QVERIFY(m_gpu->sync().ok());
             static_cast<void>(draw());
             QVERIFY(m_refined->wasPatched());
+            const Image patched = draw();
             some += primitivesOf([this] { refine(2); });
+            QVERIFY(draw().pixels == patched.pixels);
         }
         some += primitivesOf([this] { refine(RefinedPicture::kUsualSamples); });
         QVERIFY2(4 * some < 3 * all || all == 0, qPrintable(QStringLiteral("%1 of %2").arg(some).arg(all)));

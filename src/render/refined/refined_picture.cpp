@@ -326,7 +326,8 @@ Status RefinedPicture::drawOne(render::ProgramCache& programs, GLuint emptyArray
     return Done{};
 }
 
-Status RefinedPicture::draw(render::ProgramCache& programs, GLuint emptyArray, bool withDepths) const {
+Status RefinedPicture::draw(render::ProgramCache& programs, GLuint emptyArray, bool withDepths,
+                            int fewest) const {
     glDisable(GL_BLEND);
     // Depths are written only where the test is on.
     glEnable(GL_DEPTH_TEST);
@@ -334,7 +335,7 @@ Status RefinedPicture::draw(render::ProgramCache& programs, GLuint emptyArray, b
     glDepthMask(withDepths ? GL_TRUE : GL_FALSE);
     Status drawn = drawOne(programs, emptyArray, false, withDepths);
     glDepthMask(GL_FALSE);
-    if (drawn && m_samples > 0 && m_kept != m_samples) {
+    if (drawn && m_samples >= fewest && m_kept != m_samples) {
         drawn = drawOne(programs, emptyArray, true, false);
     }
     glDepthMask(GL_TRUE);

@@ -131,9 +131,11 @@ public:
     /// readWhatIsDue() was called. Adds what is in sampleFramebuffer() to the sum. Leaves framebuffer,
     /// viewport and blending changed.
     [[nodiscard]] Status add(render::ProgramCache& programs, GLuint emptyArray);
-    /// Draws the mean, or without samples the plain picture, over the whole viewport of what is bound, and
+    /// Draws the mean, or the plain picture where there are less than `fewest` samples (1 or more), over the
+    /// whole viewport of what is bound, and
     /// the depths where they are wanted. Leaves depth test and blending off.
-    [[nodiscard]] Status draw(render::ProgramCache& programs, GLuint emptyArray, bool withDepths) const;
+    [[nodiscard]] Status draw(render::ProgramCache& programs, GLuint emptyArray, bool withDepths,
+                              int fewest) const;
 
 private:
     void makePart(int part, const glm::ivec2& size);

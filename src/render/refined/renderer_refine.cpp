@@ -267,7 +267,7 @@ bool Renderer::isBehindRefining(const RefinedPicture& picture) const {
 }
 
 Status Renderer::drawRefined(const Frame& given, DeformationPipeline& pipeline, RefinedPicture& picture,
-                             GLuint framebuffer) {
+                             GLuint framebuffer, int fewest) {
     if (given.width <= 0 || given.height <= 0 || !picture.hasPicture()) {
         return Done{};
     }
@@ -279,7 +279,7 @@ Status Renderer::drawRefined(const Frame& given, DeformationPipeline& pipeline, 
         return kept;
     }
     prepareFramebuffer(frame, framebuffer);
-    if (Status status = picture.draw(d->programs, d->emptyArray.id(), hasOverlays(frame)); !status) {
+    if (Status status = picture.draw(d->programs, d->emptyArray.id(), hasOverlays(frame), fewest); !status) {
         return status;
     }
     if (frame.projectilesFly) {
